@@ -1,0 +1,51 @@
+// Scenario files (contract §1): YAML read strictly with positions, written so that nothing unchanged moves.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/model/scenario.h"
+#include "core/model/validation.h"
+
+namespace drillwave {
+
+/// Why a scenario could not be loaded.
+class ScenarioError : public std::runtime_error {
+  public:
+    enum class Kind {
+        unreadable,  ///< the file cannot be opened, is too large, not text, or not YAML (exit code 3)
+        invalid,     ///< it was read but is not a valid scenario (exit code 5)
+    };
+    ScenarioError(Kind kind, std::string source, std::vector<Problem> problems);
+
+    Kind kind() const { return m_kind; }
+    const std::vector<Problem>& problems() const { return m_problems; }
+    /// "file:line:column: text" for each problem.
+    std::vector<std::string> lines() const;
+
+  private:
+    Kind m_kind;
+    std::string m_source;
+    std::vector<Problem> m_problems;
+};
+
+/// A scenario together with the text it came from, so that saving keeps comments, order and units.
+struct ScenarioDocument {
+    Scenario scenario;
+    std::string text;    ///< the bytes read, empty for a new scenario
+    std::string source;  ///< file name for messages and for resolving a relative table file, may be empty
+};
+
+/// Reads at most 1 MiB. Throws ScenarioError with every problem. A `table` pulse with a file is read relative to it.
+ScenarioDocument loadScenario(const std::string& path);
+
+/// The same for text in memory; `source` names it in messages.
+ScenarioDocument parseScenario(std::string_view text, const std::string& source);
+
+/// The document's scenario as YAML text. Byte for byte `document.text` if it still says the same scenario;
+/// otherwise the changed values are patched in place where that is possible, or the file is written anew.
+std::string writeScenario(const ScenarioDocument& document);
+
+}  // namespace drillwave

@@ -1,0 +1,41 @@
+// The hammer force as a dimensionless function of time with unit impulse, ready for the solvers.
+#pragma once
+
+#include <vector>
+
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// One smooth piece of Fa(t)/F0 on [start, start + length], times in t0, local time x = t − start:
+///   linear       value + slope·x
+///   sine         amplitude·sin(π(start + x))        (half_sine; `value` is the amplitude)
+///   exponential  value·exp(−x)                       (rate 1/t0)
+struct PulseSegment {
+    enum class Kind { linear, sine, exponential };
+    Kind kind = Kind::linear;
+    double start = 0;
+    double length = 0;
+    double value = 0;
+    double slope = 0;
+    bool operator==(const PulseSegment&) const = default;
+};
+
+/// Fa/F0 ≥ 0 with ∫ = 1 over all segments, contiguous from 0. Empty for the reference case.
+struct PulseForce {
+    PulseShape shape = PulseShape::rectangular;
+    std::vector<PulseSegment> segments;
+    double end = 0;            ///< the force is zero from here on; beyond it less than 1e-20 of the impulse was cut off
+    double peak = 0;           ///< largest value
+    bool operator==(const PulseForce&) const = default;
+
+    bool isRigidBody() const { return shape == PulseShape::rigidBody; }
+    double operator()(double t) const;       ///< Fa(t)/F0, right-continuous; 0 outside
+    double impulseUntil(double t) const;     ///< ∫0..t Fa, 0 … 1
+};
+
+/// Builds the force of a valid scenario; a piston's staircase is F_n ∝ R^n, R = (q−1)/(q+1) for impedance ratio
+/// q = Z_hammer/Z_rod > 1, a single step for q ≤ 1 (the hammer rebounds after it). Steps last t0 each.
+PulseForce pulseForceOf(const Scenario& scenario);
+
+}  // namespace drillwave

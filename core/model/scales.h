@@ -1,0 +1,46 @@
+// From a scenario to its dimensionless groups and the scales that lead back to SI.
+#pragma once
+
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// Characteristic quantities (paper, section 5.1), SI. Dimensionless × scale = SI.
+struct Scales {
+    double time = 1;         ///< t0 [s]
+    double impulse = 1;      ///< I0 [N s]
+    double force = 1;        ///< F0 = I0/t0 [N]
+    double velocity = 1;     ///< v0 = I0/m [m/s]
+    double penetration = 1;  ///< d0 = 2 I0/Z [m]
+    double stiffness = 1;    ///< k0 = Z/t0 [N/m]
+    double energy = 1;       ///< W0 = m v0²/2 [J]
+    double length = 1;       ///< L [m]
+    bool operator==(const Scales&) const = default;
+};
+
+/// Derived properties of the rod, SI.
+struct RodProperties {
+    double area = 0;         ///< A [m²]
+    double waveSpeed = 0;    ///< c = √(E/ρ) [m/s]
+    double impedance = 0;    ///< Z = AE/c [kg/s]
+    double transitTime = 0;  ///< T = L/c, one way [s]
+    double mass = 0;         ///< m = ρAL [kg]
+};
+RodProperties propertiesOf(const Rod& rod);
+
+/// Impedance of the hammer over that of the rod (the `impedanceRatio` itself in a dimensionless scenario).
+double pistonImpedanceRatio(const Scenario& scenario);
+
+/// t0 [s]: the duration; 2·length/c of a piston; the length of a table. 1 for a dimensionless scenario.
+double pulseDuration(const Scenario& scenario);
+
+/// I0 [N s]: the impulse; of the staircase of a piston; of a table. 1 for a dimensionless scenario.
+double pulseImpulse(const Scenario& scenario);
+
+/// β = k t0/Z, γ, τ = T/t0, δ = d Z/(2 I0); the given groups for a dimensionless scenario.
+Groups groupsOf(const Scenario& scenario);
+
+/// The scales of a dimensional scenario; all 1 for a dimensionless one (not meaningful there).
+Scales scalesOf(const Scenario& scenario);
+
+}  // namespace drillwave

@@ -1,0 +1,38 @@
+// One pure check of a scenario that returns every problem at once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// One thing wrong with a scenario. Line and column are 1-based, 0 when it did not come from a file.
+struct Problem {
+    std::string key;   ///< "bit_rock.gamma", may be empty
+    std::string text;  ///< "bit_rock.gamma = 1.3 (must be in (0, 1])"
+    int line = 0;
+    int column = 0;
+    bool operator==(const Problem&) const = default;
+};
+
+/// Every hard-range violation and inconsistency (rise + fall > 1, bore ≥ diameter, table times not increasing,
+/// groups not finite or zero after conversion), physical parameters first. Empty when the scenario can be solved.
+std::vector<Problem> validate(const Scenario& scenario);
+
+enum class AlertLevel { information, warning };
+
+/// A remark on a valid scenario (contract §4 `alerts`).
+struct Alert {
+    AlertLevel level = AlertLevel::information;
+    std::string code;       ///< "outside_plausible_range", "pulse_longer_than_round_trip", …
+    std::string parameter;  ///< key, may be empty
+    std::string text;       ///< one sentence
+    bool operator==(const Alert&) const = default;
+};
+
+/// Values outside their plausible range, and assumptions of the model that the scenario strains.
+std::vector<Alert> alertsFor(const Scenario& scenario);
+
+}  // namespace drillwave

@@ -1,0 +1,61 @@
+// The numbers of contract §4 for one solved blow, dimensionless and in SI, with their names.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/model/scales.h"
+#include "core/model/scenario.h"
+#include "core/model/units.h"
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// The energy ledger: where the work of the hammer went, as fractions of W. They add up to 1 + energyResidual.
+struct EnergyLedger {
+    double rockWork = 0;
+    double reboundEnergy = 0;
+    double residualWaveEnergy = 0;
+    double residual = 0;
+};
+
+/// Everything of contract §4, dimensionless.
+struct ImpactSummary {
+    double cor = 0;
+    double impulse = 0;
+    double peakForce = 0;            ///< F0
+    double maxPenetration = 0;       ///< d0
+    double residualPenetration = 0;  ///< d0
+    double firstContactTime = 0;     ///< t0
+    double separationTime = 0;       ///< t0
+    double contactDuration = 0;      ///< t0
+    double workRatio = 0;            ///< W/W0
+    EnergyLedger energy;
+    double momentumResidual = 0;     ///< of I0
+    double corError = 0;
+};
+
+/// Requires an impact solved with Detail::summary or more.
+ImpactSummary summarize(const Impact& impact, const Groups& groups);
+
+/// Thrust blow_frequency·I0·(1 + e) [N], when the scenario has a frequency.
+std::optional<double> thrustNeeded(const Scenario& scenario, double cor);
+
+/// One named output: JSON key, CSV column and --outputs name.
+struct Output {
+    std::string_view name;       ///< "peak_force"
+    std::string_view meaning;    ///< one line
+    Quantity quantity;           ///< `ratio` where SI is the same number
+    Detail detail;               ///< what the solver must be asked for
+    double (*value)(const ImpactSummary&);               ///< dimensionless
+    double (*scale)(const Scales&);                      ///< SI = value · scale
+};
+
+/// All outputs in the order of contract §4, without `thrust`.
+std::span<const Output> outputs();
+
+/// The output of that name, or nullptr.
+const Output* findOutput(std::string_view name);
+
+}  // namespace drillwave

@@ -1,0 +1,71 @@
+// One blow, solved: the common result of every solver, all quantities dimensionless.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/wave/piecewise.h"
+
+namespace drillwave {
+
+/// How much a solver is asked for; each level includes those before it.
+enum class Detail {
+    cor,        ///< e and its error only: no history kept
+    summary,    ///< peaks, times, energies, events
+    histories,  ///< g(s) and F(s), from which every wave field follows by delays
+};
+
+/// What ended the solution.
+enum class Outcome {
+    rebounded,  ///< proven: no contact can follow (theory §3)
+    notSolved,  ///< work limit reached or undecidable; `reason` says why, numbers are not to be used
+};
+
+/// What happened at the bit–rock interface.
+enum class ContactEvent {
+    contact,         ///< the gap closes
+    unloading,       ///< the force leaves the primary line at a maximum
+    primaryLoading,  ///< the force returns to the primary line
+    separation,      ///< the force reaches zero
+};
+
+/// An event and its global time t/t0 (for the reference case from first contact).
+struct ImpactEvent {
+    ContactEvent kind;
+    double time;
+    bool operator==(const ImpactEvent&) const = default;
+};
+
+/// Result of one blow. Units of section 5.1 of the paper: time t0, force F0 = I0/t0, impulse I0, displacement
+/// I0/Z (half of d0), energy I0²/(Z t0) = 2τ W0.
+struct Impact {
+    Outcome outcome = Outcome::notSolved;
+    std::string reason;        ///< one sentence when not solved
+
+    double cor = 0;            ///< e = −pf/p0 = −1 + ∫F
+    double corError = 0;       ///< bound on |cor − exact|
+    double impulse = 0;        ///< ∫F ds = 1 + e
+
+    // Detail::summary and above
+    double peakForce = 0;            ///< largest F/F0
+    double firstContactTime = 0;     ///< global time; frontArrival + s
+    double separationTime = 0;       ///< global time of the last separation
+    double contactDuration = 0;      ///< summed over contacts
+    double hammerWork = 0;           ///< W = ∫Fa va dt = ∫Fa (2g − Fa) dt [I0²/(Z t0)]
+    double rockWork = 0;             ///< ∫F dU = ∫F (2g − F) ds [I0²/(Z t0)], from the pieces
+    double finalMomentum = 0;        ///< ∫g over the last period, independent of `impulse`; −e
+    double finalEnergy = 0;          ///< ∫g² over the last period [I0²/(Z t0)]
+    std::vector<ImpactEvent> events;
+
+    // Detail::histories
+    double frontArrival = 0;         ///< global time of s = 0: τ, or 0 for the reference case
+    double roundTrip = 0;            ///< 2τ
+    PiecewisePolynomial incident;    ///< g(s) = −Np at the front end; after its end periodic with 2τ
+    PiecewisePolynomial force;       ///< F(s); zero after its end
+
+    // How much work it was
+    long pieces = 0;                 ///< smooth pieces solved (steps for the lattice)
+    int contacts = 0;                ///< separate contacts
+};
+
+}  // namespace drillwave
