@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// The energy ledger: where the work of the hammer went, as fractions of W. They add up to 1 + energyResidual.
+/// The energy ledger: where the work of the hammer went, as fractions of W; together 1 + residual.
 struct EnergyLedger {
     double rockWork = 0;
     double reboundEnergy = 0;
@@ -32,11 +32,12 @@ struct ImpactSummary {
     double contactDuration = 0;      ///< t0
     double workRatio = 0;            ///< W/W0
     EnergyLedger energy;
-    double momentumResidual = 0;     ///< of I0
+    double momentumResidual = 0;  ///< of I0
     double corError = 0;
 };
 
-/// Requires an impact solved with Detail::summary or more.
+/// Of an impact solved with Detail::summary or more. From one solved with Detail::cor only `cor`, `impulse`
+/// and `corError` mean anything.
 ImpactSummary summarize(const Impact& impact, const Groups& groups);
 
 /// Thrust blow_frequency·I0·(1 + e) [N], when the scenario has a frequency.
@@ -44,12 +45,12 @@ std::optional<double> thrustNeeded(const Scenario& scenario, double cor);
 
 /// One named output: JSON key, CSV column and --outputs name.
 struct Output {
-    std::string_view name;       ///< "peak_force"
-    std::string_view meaning;    ///< one line
-    Quantity quantity;           ///< `ratio` where SI is the same number
-    Detail detail;               ///< what the solver must be asked for
-    double (*value)(const ImpactSummary&);               ///< dimensionless
-    double (*scale)(const Scales&);                      ///< SI = value · scale
+    std::string_view name;                  ///< "peak_force"
+    std::string_view meaning;               ///< one line
+    Quantity quantity;                      ///< `ratio` where SI is the same number
+    Detail detail;                          ///< what the solver must be asked for
+    double (*value)(const ImpactSummary&);  ///< dimensionless
+    double (*scale)(const Scales&);         ///< SI = value · scale
 };
 
 /// All outputs in the order of contract §4, without `thrust`.
