@@ -31,9 +31,9 @@ struct Parameter {
     std::string_view symbol;   ///< symbol of the paper, may be empty
     std::string_view meaning;  ///< one line, for tooltips and help
     Quantity quantity;
-    std::string_view unit;     ///< customary unit for display and file output, e.g. "mm"
-    Range hard;                ///< outside: the scenario is invalid
-    Range plausible;           ///< outside: an alert; also the range of a slider
+    std::string_view unit;  ///< customary unit for display and file output, e.g. "mm"
+    Range hard;             ///< outside: the scenario is invalid
+    Range plausible;        ///< outside: an alert; also the range of a slider
     SliderScale slider;
     /// Whether the parameter has a meaning in this scenario (form, pulse shape, area or diameter).
     bool (*applies)(const Scenario&);
@@ -43,6 +43,8 @@ struct Parameter {
     /// (beta the stiffness, tau the rod length, delta the gap). Requires applies().
     void (*assign)(Scenario&, double);
 
+    /// The customary unit.
+    const Unit& displayUnit() const;
     std::string_view section() const;  ///< the part of the key before the dot; "groups" for the four groups
 };
 
@@ -51,6 +53,22 @@ std::span<const Parameter> parameters();
 
 /// The parameter of that key, or nullptr.
 const Parameter* findParameter(std::string_view key);
+
+/// Whether the parameter is what the user gave, and not what follows from something else (the groups of a
+/// dimensional scenario; the impulse where the mean force was given).
+bool isGiven(const Parameter& parameter, const Scenario& scenario);
+
+/// Why `value` (SI, finite or not) is outside the hard range: "must be in (0, 1]"; empty when it is inside.
+std::string rangeProblem(const Parameter& parameter, double value);
+
+/// "rectangular, triangular, …", for messages.
+std::string pulseShapeList();
+
+/// Why a parameter has no meaning in this scenario and what to do instead; empty when it applies.
+std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenario);
+
+/// The known key (of parameters(), or "pulse.shape") most like a mistyped one; empty when none is close.
+std::string nearestKey(std::string_view key);
 
 /// Sets `key` from text, as --set, table cells and sweep values do. Accepts every key of parameters() with a
 /// unit where it has one, and "pulse.shape". `unit` is a default unit taken from a column header, or nullptr.

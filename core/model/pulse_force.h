@@ -18,6 +18,7 @@ struct PulseSegment {
     double length = 0;
     double value = 0;
     double slope = 0;
+    double impulseBefore = 0;  ///< ∫Fa from 0 to start, 0 … 1
     bool operator==(const PulseSegment&) const = default;
 };
 
@@ -25,17 +26,23 @@ struct PulseSegment {
 struct PulseForce {
     PulseShape shape = PulseShape::rectangular;
     std::vector<PulseSegment> segments;
-    double end = 0;            ///< the force is zero from here on; beyond it less than 1e-20 of the impulse was cut off
-    double peak = 0;           ///< largest value
+    double end = 0;  ///< the force is zero from here on; beyond it less than 1e-20 of the impulse was cut off
+    double peak = 0;  ///< largest value
     bool operator==(const PulseForce&) const = default;
 
     bool isRigidBody() const { return shape == PulseShape::rigidBody; }
-    double operator()(double t) const;       ///< Fa(t)/F0, right-continuous; 0 outside
-    double impulseUntil(double t) const;     ///< ∫0..t Fa, 0 … 1
+    double operator()(double t) const;    ///< Fa(t)/F0, right-continuous; 0 outside
+    double impulseUntil(double t) const;  ///< ∫0..t Fa, 0 … 1
 };
 
-/// Builds the force of a valid scenario; a piston's staircase is F_n ∝ R^n, R = (q−1)/(q+1) for impedance ratio
-/// q = Z_hammer/Z_rod > 1, a single step for q ≤ 1 (the hammer rebounds after it). Steps last t0 each.
+/// A piston that needs more steps than this, or a table of more points, is refused by validate().
+inline constexpr int maximumPulseSegments = 100000;
+
+/// Steps of a piston's staircase until less than 1e-20 of the impulse is left, for any impedance ratio q > 0.
+double pistonStepCount(double impedanceRatio);
+
+/// Builds the force of a valid scenario; a piston's staircase is F_n ∝ R^n, R = (q−1)/(q+1) for impedance
+/// ratio q = Z_hammer/Z_rod > 1, a single step for q ≤ 1 (the hammer rebounds after it). Steps last t0 each.
 PulseForce pulseForceOf(const Scenario& scenario);
 
 }  // namespace drillwave

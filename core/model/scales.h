@@ -37,6 +37,10 @@ double pulseDuration(const Scenario& scenario);
 /// I0 [N s]: the impulse; of the staircase of a piston; of a table. 1 for a dimensionless scenario.
 double pulseImpulse(const Scenario& scenario);
 
+/// Mean force I0/t0 [N] of a pulse given by duration and impulse; where some double times the duration is
+/// exactly the impulse, that one, so that a force that was given reads back unchanged.
+double meanForce(const Pulse& pulse);
+
 /// β = k t0/Z, γ, τ = T/t0, δ = d Z/(2 I0); the given groups for a dimensionless scenario.
 Groups groupsOf(const Scenario& scenario);
 

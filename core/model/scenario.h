@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,26 +24,28 @@ enum class PulseShape {
 /// "half_sine" and so on, as in scenario files.
 std::string_view name(PulseShape shape);
 std::optional<PulseShape> findPulseShape(std::string_view name);
+/// All names, in the order of PulseShape, for menus and messages.
+std::span<const std::string_view> pulseShapeNames();
 
 /// Uniform elastic rod. All values in SI.
 struct Rod {
-    double length = 3.66;             ///< L [m]
-    double diameter = 0.038;          ///< outer diameter [m]; unused when `area` is given
-    double bore = 0;                  ///< flushing hole diameter [m]
-    std::optional<double> area;       ///< A [m²] when given instead of diameter and bore
-    double youngsModulus = 210e9;     ///< E [Pa]
-    double density = 7850;            ///< ρ [kg/m³]
+    double length = 3.66;          ///< L [m]
+    double diameter = 0.038;       ///< outer diameter [m]; unused when `area` is given
+    double bore = 0;               ///< flushing hole diameter [m]
+    std::optional<double> area;    ///< A [m²] when given instead of diameter and bore
+    double youngsModulus = 210e9;  ///< E [Pa]
+    double density = 7850;         ///< ρ [kg/m³]
     bool operator==(const Rod&) const = default;
 };
 
 /// Uniform elastic hammer of a `piston` pulse (SI). In a dimensionless scenario only `impedanceRatio` counts.
 struct Piston {
-    double length = 0.5;                     ///< [m]
-    double diameter = 0.038;                 ///< [m]
-    double velocity = 10;                    ///< impact velocity [m/s]
-    std::optional<double> youngsModulus;     ///< [Pa], the rod's when not given
-    std::optional<double> density;           ///< [kg/m³], the rod's when not given
-    double impedanceRatio = 1;               ///< hammer impedance / rod impedance, dimensionless scenarios
+    double length = 0.5;                  ///< [m]
+    double diameter = 0.038;              ///< [m]
+    double velocity = 10;                 ///< impact velocity [m/s]
+    std::optional<double> youngsModulus;  ///< [Pa], the rod's when not given
+    std::optional<double> density;        ///< [kg/m³], the rod's when not given
+    double impedanceRatio = 1;            ///< hammer impedance / rod impedance, dimensionless scenarios
     bool operator==(const Piston&) const = default;
 };
 
@@ -56,14 +59,15 @@ struct TablePoint {
 /// The hammer blow.
 struct Pulse {
     PulseShape shape = PulseShape::rectangular;
-    double duration = 200e-6;            ///< t0 [s]; time constant of `exponential`; follows from the data for piston and table
-    double impulse = 51;                 ///< I0 [N s]; follows from the data for piston and table
-    bool impulseFromForce = false;       ///< the user gave the mean force I0/t0, so that is what a file keeps
-    double rise = 0.2;                   ///< trapezoid: rise time / duration
-    double fall = 0.3;                   ///< trapezoid: fall time / duration
+    double duration =
+        200e-6;  ///< t0 [s]; time constant of `exponential`; follows from the data for piston and table
+    double impulse = 51;            ///< I0 [N s]; follows from the data for piston and table
+    bool impulseFromForce = false;  ///< the user gave the mean force I0/t0, so that is what a file keeps
+    double rise = 0.2;              ///< trapezoid: rise time / duration
+    double fall = 0.3;              ///< trapezoid: fall time / duration
     Piston piston;
-    std::string tableFile;               ///< path as written in the scenario, empty when the points are inline
-    std::vector<TablePoint> tablePoints; ///< strictly increasing times, forces ≥ 0
+    std::string tableFile;  ///< path as written in the scenario, empty when the points are inline
+    std::vector<TablePoint> tablePoints;  ///< strictly increasing times, forces ≥ 0
     bool operator==(const Pulse&) const = default;
 };
 
@@ -84,10 +88,10 @@ struct Drill {
 
 /// The four dimensionless groups on which the solution depends (paper, section 5.1).
 struct Groups {
-    double beta = 0.5;   ///< β = k/k0, k0 = Z/t0; > 0
-    double gamma = 1;    ///< γ, 0 < γ ≤ 1
-    double tau = 10;     ///< τ = T/t0; > 0
-    double delta = 0;    ///< δ = d/d0, d0 = 2 I0/Z; ≥ 0
+    double beta = 0.5;  ///< β = k/k0, k0 = Z/t0; > 0
+    double gamma = 1;   ///< γ, 0 < γ ≤ 1
+    double tau = 10;    ///< τ = T/t0; > 0
+    double delta = 0;   ///< δ = d/d0, d0 = 2 I0/Z; ≥ 0
     bool operator==(const Groups&) const = default;
 };
 
@@ -98,11 +102,11 @@ enum class ScenarioForm { dimensional, dimensionless };
 struct Scenario {
     std::string title;
     ScenarioForm form = ScenarioForm::dimensional;
-    Groups groups;     ///< the definition when dimensionless; see groupsOf() otherwise
-    Rod rod;           ///< dimensional only
+    Groups groups;  ///< the definition when dimensionless; see groupsOf() otherwise
+    Rod rod;        ///< dimensional only
     Pulse pulse;
-    BitRock bitRock;   ///< dimensional only
-    Drill drill;       ///< dimensional only
+    BitRock bitRock;  ///< dimensional only
+    Drill drill;      ///< dimensional only
     bool operator==(const Scenario&) const = default;
 };
 

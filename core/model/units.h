@@ -27,7 +27,13 @@ enum class Quantity {
 /// A unit of one quantity: value in SI = factor × value in this unit.
 struct Unit {
     std::string_view name;
-    double factor;
+    double numerator = 1;                     ///< factor = numerator/denominator, both exact for most units,
+    double denominator = 1;                   ///< so that 1.5 in is the double nearest to 0.0381
+    std::optional<int> decimalExponent = {};  ///< the factor is exactly 10 to this power ("mm": −3)
+
+    double factor() const { return numerator / denominator; }
+    double toSi(double value) const { return value * numerator / denominator; }
+    double fromSi(double si) const { return si * denominator / numerator; }
 };
 
 /// The units of a quantity, the SI unit first; for `ratio` one unit with an empty name.
@@ -47,9 +53,9 @@ std::string formatNumber(double value);
 
 /// A number with its unit as typed.
 struct TypedQuantity {
-    double si = 0;                ///< the value in SI
-    const Unit* unit = nullptr;   ///< the unit that was typed, never nullptr when valid
-    std::string problem;          ///< why the text was refused; empty when it was read
+    double si = 0;               ///< the value in SI
+    const Unit* unit = nullptr;  ///< the unit that was typed, never nullptr when valid
+    std::string problem;         ///< why the text was refused; empty when it was read
     bool valid() const { return problem.empty(); }
 };
 

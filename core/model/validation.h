@@ -17,9 +17,14 @@ struct Problem {
     bool operator==(const Problem&) const = default;
 };
 
-/// Every hard-range violation and inconsistency (rise + fall > 1, bore ≥ diameter, table times not increasing,
-/// groups not finite or zero after conversion), physical parameters first. Empty when the scenario can be solved.
+/// Every hard-range violation and inconsistency (rise + fall > 1, bore ≥ diameter, table times not
+/// increasing, groups not finite or zero after conversion), physical parameters first. Empty when the
+/// scenario can be solved.
 std::vector<Problem> validate(const Scenario& scenario);
+
+/// Why these points are no hammer force ("point 3 must be later than the one before it"); empty when they
+/// are.
+std::string tableProblem(const std::vector<TablePoint>& points);
 
 enum class AlertLevel { information, warning };
 

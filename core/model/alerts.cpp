@@ -1,0 +1,74 @@
+// Remarks on valid scenarios.
+#include "core/model/parameter.h"
+#include "core/model/pulse_force.h"
+#include "core/model/scales.h"
+#include "core/model/validation.h"
+
+namespace drillwave {
+namespace {
+
+/// What may be pushed after the first reflection has returned before it is worth a remark.
+constexpr double negligibleImpulse = 1e-3;
+
+std::string inUnit(const Parameter& parameter, double value) {
+    return formatQuantity(value, parameter.quantity, parameter.displayUnit());
+}
+
+void addImplausibleValues(const Scenario& scenario, std::vector<Alert>& alerts) {
+    for (const Parameter& parameter : parameters()) {
+        if (!isGiven(parameter, scenario)) continue;
+        const std::optional<double> value = parameter.value(scenario);
+        if (!value || parameter.plausible.contains(*value)) continue;
+        const std::string text = std::string(parameter.key) + " = " + inUnit(parameter, *value) +
+                                 " is outside the usual range, " +
+                                 inUnit(parameter, parameter.plausible.low) + " to " +
+                                 inUnit(parameter, parameter.plausible.high) + ".";
+        alerts.push_back({AlertLevel::warning, "outside_plausible_range", std::string(parameter.key), text});
+    }
+}
+
+void addLongPulse(const Scenario& scenario, std::vector<Alert>& alerts) {
+    const PulseForce force = pulseForceOf(scenario);
+    if (force.isRigidBody()) return;
+    const double late = 1 - force.impulseUntil(2 * groupsOf(scenario).tau);
+    if (late <= negligibleImpulse) return;
+    const double percent = static_cast<double>(static_cast<int>(late * 1000)) / 10;
+    alerts.push_back(
+        {AlertLevel::warning, "pulse_longer_than_round_trip", "tau",
+         "The first reflection is back while " + formatNumber(percent) +
+             " % of the blow is still to come; a real hammer would feel it, here its force is prescribed."});
+}
+
+void addPistonAssumption(const Scenario& scenario, std::vector<Alert>& alerts) {
+    if (scenario.pulse.shape != PulseShape::piston) return;
+    const double ratio = pistonImpedanceRatio(scenario);
+    if (ratio == 1) return;
+    alerts.push_back(
+        {AlertLevel::information, "piston_impedance_ratio",
+         scenario.form == ScenarioForm::dimensional ? "pulse.diameter" : "pulse.impedance_ratio",
+         ratio < 1
+             ? "The hammer's impedance is below the rod's: it bounces off after one step and keeps part of "
+               "its momentum."
+             : "The hammer's impedance is above the rod's: it pushes in a staircase of ever smaller steps, "
+               "assumed to run on as if the rod were long."});
+}
+
+void addGapWithoutEffect(const Scenario& scenario, std::vector<Alert>& alerts) {
+    if (scenario.pulse.shape != PulseShape::rigidBody || groupsOf(scenario).delta == 0) return;
+    alerts.push_back({AlertLevel::information, "gap_without_effect",
+                      scenario.form == ScenarioForm::dimensional ? "bit_rock.gap" : "delta",
+                      "The gap has no effect on a rigid body motion: it only shifts the time of contact."});
+}
+
+}  // namespace
+
+std::vector<Alert> alertsFor(const Scenario& scenario) {
+    std::vector<Alert> alerts;
+    addImplausibleValues(scenario, alerts);
+    addLongPulse(scenario, alerts);
+    addPistonAssumption(scenario, alerts);
+    addGapWithoutEffect(scenario, alerts);
+    return alerts;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,238 @@
+#include "core/model/parameter.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "core/model/scales.h"
+
+namespace drillwave {
+namespace {
+
+using S = Scenario;
+using Value = std::optional<double>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range positive{0, infinity, true};
+constexpr Range notNegative{0, infinity};
+constexpr auto linear = SliderScale::linear;
+constexpr auto logarithmic = SliderScale::logarithmic;
+
+bool always(const S&) {
+    return true;
+}
+bool dimensional(const S& s) {
+    return s.form == ScenarioForm::dimensional;
+}
+bool isPiston(const S& s) {
+    return s.pulse.shape == PulseShape::piston;
+}
+bool pistonInSi(const S& s) {
+    return dimensional(s) && isPiston(s);
+}
+bool pistonByRatio(const S& s) {
+    return !dimensional(s) && isPiston(s);
+}
+bool isTrapezoid(const S& s) {
+    return s.pulse.shape == PulseShape::trapezoid;
+}
+/// Duration and impulse are given, and do not follow from a piston or a table.
+bool givenPulse(const S& s) {
+    return dimensional(s) && !isPiston(s) && s.pulse.shape != PulseShape::table;
+}
+bool boreApplies(const S& s) {
+    return dimensional(s) && !s.rod.area;
+}
+
+Value diameter(const S& s) {
+    return s.rod.area ? std::nullopt : Value(s.rod.diameter);
+}
+void assignDiameter(S& s, double value) {
+    s.rod.area.reset();
+    s.rod.diameter = value;
+}
+
+/// A mean force that was given is kept, an impulse that was given likewise.
+void assignDuration(S& s, double value) {
+    Pulse& pulse = s.pulse;
+    if (pulse.impulseFromForce) pulse.impulse = meanForce(pulse) * value;
+    pulse.duration = value;
+}
+void assignImpulse(S& s, double value) {
+    s.pulse.impulse = value;
+    s.pulse.impulseFromForce = false;
+}
+void assignForce(S& s, double value) {
+    s.pulse.impulse = value * s.pulse.duration;
+    s.pulse.impulseFromForce = true;
+}
+
+/// Sets a physical value so that its group reads `wanted`, to the last bit where some double does that.
+void assignGroup(S& s, double& physical, double scale, double Groups::*group, double wanted) {
+    const double estimate = wanted * scale;
+    for (const double direction : {infinity, -infinity}) {
+        physical = estimate;
+        for (int step = 0; step < 3; ++step) {
+            if (groupsOf(s).*group == wanted) return;
+            physical = std::nextafter(physical, direction);
+        }
+    }
+    physical = estimate;
+}
+void assignBeta(S& s, double value) {
+    if (!dimensional(s))
+        s.groups.beta = value;
+    else
+        assignGroup(s, s.bitRock.stiffness, scalesOf(s).stiffness, &Groups::beta, value);
+}
+void assignGamma(S& s, double value) {
+    (dimensional(s) ? s.bitRock.gamma : s.groups.gamma) = value;
+}
+void assignTau(S& s, double value) {
+    if (!dimensional(s))
+        s.groups.tau = value;
+    else
+        assignGroup(s, s.rod.length, scalesOf(s).time * propertiesOf(s.rod).waveSpeed, &Groups::tau, value);
+}
+void assignDelta(S& s, double value) {
+    if (!dimensional(s))
+        s.groups.delta = value;
+    else
+        assignGroup(s, s.bitRock.gap, scalesOf(s).penetration, &Groups::delta, value);
+}
+
+// clang-format off
+constexpr std::array table{
+    Parameter{"rod.length", "length", "L", "Length of the rod or rod string, from the hammer to the bit",
+              Quantity::length, "m", positive, {0.5, 40}, logarithmic, dimensional,
+              [](const S& s) { return Value(s.rod.length); }, [](S& s, double v) { s.rod.length = v; }},
+    Parameter{"rod.diameter", "diameter", "", "Outer diameter of the rod",
+              Quantity::length, "mm", positive, {0.015, 0.15}, linear, dimensional, diameter, assignDiameter},
+    Parameter{"rod.area", "area", "A", "Cross-section of the rod, in place of its diameter and bore",
+              Quantity::area, "mm^2", positive, {2e-4, 2e-2}, logarithmic, dimensional,
+              [](const S& s) { return s.rod.area; }, [](S& s, double v) { s.rod.area = v; }},
+    Parameter{"rod.bore", "bore", "", "Diameter of the flushing hole, less than the outer diameter",
+              Quantity::length, "mm", notNegative, {0, 0.05}, linear, boreApplies,
+              [](const S& s) { return Value(s.rod.bore); }, [](S& s, double v) { s.rod.bore = v; }},
+    Parameter{"rod.youngs_modulus", "Young's modulus", "E", "Young's modulus of the rod; sets its wave speed with the density",
+              Quantity::stress, "GPa", positive, {60e9, 250e9}, linear, dimensional,
+              [](const S& s) { return Value(s.rod.youngsModulus); }, [](S& s, double v) { s.rod.youngsModulus = v; }},
+    Parameter{"rod.density", "density", "ρ", "Density of the rod",
+              Quantity::density, "kg/m^3", positive, {2500, 9000}, linear, dimensional,
+              [](const S& s) { return Value(s.rod.density); }, [](S& s, double v) { s.rod.density = v; }},
+
+    Parameter{"pulse.duration", "duration", "t0", "Duration of the hammer force; time constant of an exponential one",
+              Quantity::time, "us", positive, {20e-6, 2e-3}, logarithmic, givenPulse,
+              [](const S& s) { return Value(s.pulse.duration); }, assignDuration},
+    Parameter{"pulse.impulse", "impulse", "I0", "Impulse of the hammer force",
+              Quantity::impulse, "N s", positive, {1, 500}, logarithmic, givenPulse,
+              [](const S& s) { return Value(s.pulse.impulse); }, assignImpulse},
+    Parameter{"pulse.force", "mean force", "F0", "Mean hammer force, impulse over duration",
+              Quantity::force, "kN", positive, {5e3, 3e6}, logarithmic, givenPulse,
+              [](const S& s) { return Value(meanForce(s.pulse)); }, assignForce},
+    Parameter{"pulse.rise", "rise", "", "Time in which a trapezoid rises, as a fraction of the duration",
+              Quantity::ratio, "", {0, 1}, {0, 1}, linear, isTrapezoid,
+              [](const S& s) { return Value(s.pulse.rise); }, [](S& s, double v) { s.pulse.rise = v; }},
+    Parameter{"pulse.fall", "fall", "", "Time in which a trapezoid falls, as a fraction of the duration",
+              Quantity::ratio, "", {0, 1}, {0, 1}, linear, isTrapezoid,
+              [](const S& s) { return Value(s.pulse.fall); }, [](S& s, double v) { s.pulse.fall = v; }},
+    Parameter{"pulse.length", "hammer length", "", "Length of the elastic hammer; its round trip is one step of the blow",
+              Quantity::length, "mm", positive, {0.1, 2}, logarithmic, pistonInSi,
+              [](const S& s) { return Value(s.pulse.piston.length); }, [](S& s, double v) { s.pulse.piston.length = v; }},
+    Parameter{"pulse.diameter", "hammer diameter", "", "Diameter of the elastic hammer",
+              Quantity::length, "mm", positive, {0.015, 0.25}, linear, pistonInSi,
+              [](const S& s) { return Value(s.pulse.piston.diameter); }, [](S& s, double v) { s.pulse.piston.diameter = v; }},
+    Parameter{"pulse.velocity", "hammer velocity", "", "Velocity of the elastic hammer when it hits the rod",
+              Quantity::velocity, "m/s", positive, {1, 20}, linear, pistonInSi,
+              [](const S& s) { return Value(s.pulse.piston.velocity); }, [](S& s, double v) { s.pulse.piston.velocity = v; }},
+    Parameter{"pulse.youngs_modulus", "hammer Young's modulus", "", "Young's modulus of the elastic hammer, the rod's if not given",
+              Quantity::stress, "GPa", positive, {60e9, 250e9}, linear, pistonInSi,
+              [](const S& s) { return s.pulse.piston.youngsModulus; }, [](S& s, double v) { s.pulse.piston.youngsModulus = v; }},
+    Parameter{"pulse.density", "hammer density", "", "Density of the elastic hammer, the rod's if not given",
+              Quantity::density, "kg/m^3", positive, {2500, 9000}, linear, pistonInSi,
+              [](const S& s) { return s.pulse.piston.density; }, [](S& s, double v) { s.pulse.piston.density = v; }},
+    Parameter{"pulse.impedance_ratio", "impedance ratio", "", "Impedance of the elastic hammer over that of the rod",
+              Quantity::ratio, "", positive, {0.1, 10}, logarithmic, pistonByRatio,
+              [](const S& s) { return Value(s.pulse.piston.impedanceRatio); }, [](S& s, double v) { s.pulse.piston.impedanceRatio = v; }},
+
+    Parameter{"bit_rock.stiffness", "stiffness", "k", "Stiffness of bit and rock in primary loading",
+              Quantity::stiffness, "MN/m", positive, {1e6, 1e10}, logarithmic, dimensional,
+              [](const S& s) { return Value(s.bitRock.stiffness); }, [](S& s, double v) { s.bitRock.stiffness = v; }},
+    Parameter{"bit_rock.gamma", "elasticity", "γ", "Elasticity parameter: loading over unloading stiffness; 1 is elastic",
+              Quantity::ratio, "", {0, 1, true}, {0.01, 1}, linear, dimensional,
+              [](const S& s) { return Value(s.bitRock.gamma); }, [](S& s, double v) { s.bitRock.gamma = v; }},
+    Parameter{"bit_rock.gap", "gap", "d", "Gap between bit and rock when the hammer strikes",
+              Quantity::length, "mm", notNegative, {0, 0.01}, linear, dimensional,
+              [](const S& s) { return Value(s.bitRock.gap); }, [](S& s, double v) { s.bitRock.gap = v; }},
+
+    Parameter{"drill.blow_frequency", "blow frequency", "f", "Blows per second of the rock drill",
+              Quantity::frequency, "Hz", positive, {10, 150}, linear, dimensional,
+              [](const S& s) { return s.drill.blowFrequency; }, [](S& s, double v) { s.drill.blowFrequency = v; }},
+    Parameter{"drill.thrust", "installed thrust", "", "Feed force that the drill rig applies",
+              Quantity::force, "kN", notNegative, {500, 50e3}, linear, dimensional,
+              [](const S& s) { return s.drill.thrust; }, [](S& s, double v) { s.drill.thrust = v; }},
+
+    Parameter{"beta", "stiffness", "β", "Stiffness group k t0/Z; in a dimensional scenario it moves the stiffness",
+              Quantity::ratio, "", positive, {0.01, 100}, logarithmic, always,
+              [](const S& s) { return Value(groupsOf(s).beta); }, assignBeta},
+    Parameter{"gamma", "elasticity", "γ", "Elasticity parameter: loading over unloading stiffness; 1 is elastic",
+              Quantity::ratio, "", {0, 1, true}, {0.01, 1}, linear, always,
+              [](const S& s) { return Value(groupsOf(s).gamma); }, assignGamma},
+    Parameter{"tau", "transit time", "τ", "Transit time of the rod over t0; in a dimensional scenario it moves the rod length",
+              Quantity::ratio, "", positive, {0.5, 100}, logarithmic, always,
+              [](const S& s) { return Value(groupsOf(s).tau); }, assignTau},
+    Parameter{"delta", "gap", "δ", "Gap over 2 I0/Z; in a dimensional scenario it moves the gap",
+              Quantity::ratio, "", notNegative, {0, 10}, linear, always,
+              [](const S& s) { return Value(groupsOf(s).delta); }, assignDelta},
+};
+// clang-format on
+
+}  // namespace
+
+bool Range::contains(double value) const {
+    return std::isfinite(value) && (lowOpen ? value > low : value >= low) && value <= high;
+}
+
+std::string Range::text() const {
+    if (std::isfinite(high))
+        return std::string("in ") + (lowOpen ? "(" : "[") + formatNumber(low) + ", " + formatNumber(high) +
+               "]";
+    return (lowOpen ? "greater than " : "at least ") + formatNumber(low);
+}
+
+std::string_view Parameter::section() const {
+    const std::size_t dot = key.find('.');
+    return dot == std::string_view::npos ? "groups" : key.substr(0, dot);
+}
+
+const Unit& Parameter::displayUnit() const {
+    const Unit* found = findUnit(quantity, unit);
+    assert(found);
+    return *found;
+}
+
+std::span<const Parameter> parameters() {
+    return table;
+}
+
+const Parameter* findParameter(std::string_view key) {
+    const auto found = std::ranges::find(table, key, &Parameter::key);
+    return found == table.end() ? nullptr : &*found;
+}
+
+std::string rangeProblem(const Parameter& parameter, double value) {
+    if (!std::isfinite(value)) return "must be a finite number";
+    return parameter.hard.contains(value) ? std::string() : "must be " + parameter.hard.text();
+}
+
+bool isGiven(const Parameter& parameter, const Scenario& scenario) {
+    if (!parameter.applies(scenario)) return false;
+    if (parameter.section() == "groups") return scenario.form == ScenarioForm::dimensionless;
+    if (parameter.key == "pulse.impulse") return !scenario.pulse.impulseFromForce;
+    if (parameter.key == "pulse.force") return scenario.pulse.impulseFromForce;
+    return true;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,89 @@
+// Parameters set from text, and the words for what is wrong with it.
+#include <algorithm>
+#include <vector>
+
+#include "core/model/decimal_text.h"
+#include "core/model/nearest_name.h"
+#include "core/model/parameter.h"
+
+namespace drillwave {
+namespace {
+
+std::string refusal(std::string_view key, std::string_view text, std::string_view reason) {
+    return std::string(key) + " = " + shortened(trimmed(text)) + " (" + std::string(reason) + ")";
+}
+
+std::string assignShape(Scenario& scenario, std::string_view text) {
+    const std::optional<PulseShape> shape = findPulseShape(trimmed(text));
+    if (!shape) return refusal("pulse.shape", text, "must be one of " + pulseShapeList());
+    scenario.pulse.shape = *shape;
+    return {};
+}
+
+std::string unknownKey(std::string_view key) {
+    const std::string near = nearestKey(key);
+    return "`" + shortened(key) + "` is not a parameter" +
+           (near.empty() ? "" : "; did you mean `" + near + "`?");
+}
+
+/// The group that does in a dimensionless scenario what this physical parameter does in a dimensional one.
+std::string_view groupInsteadOf(std::string_view key) {
+    if (key == "bit_rock.stiffness") return "beta";
+    if (key == "bit_rock.gamma") return "gamma";
+    if (key == "bit_rock.gap") return "delta";
+    return key == "rod.length" ? "tau" : "";
+}
+
+std::string whyNotInDimensionless(const Parameter& parameter) {
+    const std::string_view group = groupInsteadOf(parameter.key);
+    return "the scenario is given by its dimensionless groups" +
+           (group.empty() ? "" : "; set `" + std::string(group) + "` instead");
+}
+
+}  // namespace
+
+std::string pulseShapeList() {
+    std::string list;
+    for (const std::string_view shape : pulseShapeNames())
+        list += (list.empty() ? "" : ", ") + std::string(shape);
+    return list;
+}
+
+std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
+    if (parameter.applies(scenario)) return {};
+    const std::string_view key = parameter.key;
+    const std::string shape(name(scenario.pulse.shape));
+    if (key == "pulse.rise" || key == "pulse.fall") return "only a trapezoid has it, the shape is " + shape;
+    if (key == "pulse.impedance_ratio" && scenario.pulse.shape == PulseShape::piston)
+        return "follows from the diameters and materials of hammer and rod";
+    if (key == "pulse.impedance_ratio") return "only a piston has it, the shape is " + shape;
+    if (scenario.form == ScenarioForm::dimensionless) return whyNotInDimensionless(parameter);
+    if (key == "rod.bore") return "the rod is given by its area; set `rod.area` or `rod.diameter`";
+    if (key == "pulse.duration" || key == "pulse.impulse" || key == "pulse.force")
+        return "follows from the data of the " + shape;
+    return "only a piston has it, the shape is " + shape;
+}
+
+std::string nearestKey(std::string_view key) {
+    std::vector<std::string_view> keys{"pulse.shape"};
+    for (const Parameter& parameter : parameters()) keys.push_back(parameter.key);
+    return std::string(nearestName(key, keys));
+}
+
+std::string assignText(Scenario& scenario, std::string_view key, std::string_view text, const Unit* unit) {
+    if (key == "pulse.shape") return assignShape(scenario, text);
+    const Parameter* parameter = findParameter(key);
+    if (!parameter) return unknownKey(key);
+    const std::string inapplicable = whyNotApplicable(*parameter, scenario);
+    if (!inapplicable.empty()) return refusal(key, text, inapplicable);
+    const BareNumber bare = unit ? BareNumber::inDefaultUnit : BareNumber::refused;
+    const TypedQuantity typed =
+        parseQuantity(text, parameter->quantity, bare, unit ? unit : &parameter->displayUnit());
+    if (!typed.valid()) return refusal(key, text, typed.problem);
+    const std::string problem = rangeProblem(*parameter, typed.si);
+    if (!problem.empty()) return refusal(key, text, problem);
+    parameter->assign(scenario, typed.si);
+    return {};
+}
+
+}  // namespace drillwave

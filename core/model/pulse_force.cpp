@@ -1,0 +1,169 @@
+#include "core/model/pulse_force.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/model/scales.h"
+
+namespace drillwave {
+namespace {
+
+using Kind = PulseSegment::Kind;
+
+/// What may be cut off a pulse without end, as a fraction of its impulse: e^−46.06.
+constexpr double cutOff = 46.06;
+
+/// ∫ of a segment over its first x.
+double impulseOf(const PulseSegment& segment, double x) {
+    switch (segment.kind) {
+        case Kind::linear:
+            return x * (segment.value + segment.slope * x / 2);
+        case Kind::sine: {
+            // cos a − cos b as a product, which keeps its digits for short x.
+            const double a = std::numbers::pi * segment.start;
+            const double half = std::numbers::pi * x / 2;
+            return segment.value * 2 / std::numbers::pi * std::sin(a + half) * std::sin(half);
+        }
+        case Kind::exponential:
+            return -segment.value * std::expm1(-x);
+    }
+    return 0;
+}
+
+double valueOf(const PulseSegment& segment, double x) {
+    switch (segment.kind) {
+        case Kind::linear:
+            return segment.value + segment.slope * x;
+        case Kind::sine:
+            return segment.value * std::sin(std::numbers::pi * (segment.start + x));
+        case Kind::exponential:
+            return segment.value * std::exp(-x);
+    }
+    return 0;
+}
+
+/// Sum with a running correction: a staircase or table may have 1e5 segments, and the total must be 1.
+class CompensatedSum {
+  public:
+    void add(double term) {
+        const double corrected = term - m_correction;
+        const double sum = m_sum + corrected;
+        m_correction = (sum - m_sum) - corrected;
+        m_sum = sum;
+    }
+    double sum() const { return m_sum; }
+
+  private:
+    double m_sum = 0;
+    double m_correction = 0;
+};
+
+/// Scales the forces, whose largest is 1, so that the impulse is 1, and fills in what follows from the
+/// segments.
+void finish(PulseForce& force) {
+    if (force.segments.empty()) return;
+    CompensatedSum total;
+    for (const PulseSegment& segment : force.segments) total.add(impulseOf(segment, segment.length));
+    CompensatedSum before;
+    for (PulseSegment& segment : force.segments) {
+        segment.value /= total.sum();
+        segment.slope /= total.sum();
+        segment.impulseBefore = before.sum();
+        before.add(impulseOf(segment, segment.length));
+    }
+    force.peak = 1 / total.sum();
+    force.end = force.segments.back().start + force.segments.back().length;
+}
+
+/// A straight line from (t0, f0) to (t1, f1); nothing for a jump.
+void appendLine(PulseForce& force, double t0, double f0, double t1, double f1) {
+    const double length = t1 - t0;
+    if (length > 0) force.segments.push_back({Kind::linear, t0, length, f0, (f1 - f0) / length});
+}
+
+void appendTrapezoid(PulseForce& force, double rise, double fall) {
+    appendLine(force, 0, 0, rise, 1);
+    // With rise + fall = 1 but for rounding there is no plateau.
+    const double fallStart = std::max(1 - fall, rise);
+    appendLine(force, rise, 1, fallStart, 1);
+    appendLine(force, fallStart, 1, 1, 0);
+}
+
+void appendStaircase(PulseForce& force, double impedanceRatio) {
+    // R^n from the logarithm of R = 1 − 2/(q + 1), which keeps its digits where R is close to 1.
+    const double logarithm = std::log1p(-2 / (impedanceRatio + 1));
+    const int steps = static_cast<int>(pistonStepCount(impedanceRatio));
+    for (int n = 0; n < steps; ++n)
+        force.segments.push_back(
+            {Kind::linear, static_cast<double>(n), 1, n == 0 ? 1 : std::exp(n * logarithm), 0});
+}
+
+/// The table from time 0 to 1; forces relative to the largest, so that no sum can overflow.
+void appendTable(PulseForce& force, const std::vector<TablePoint>& points) {
+    const double largest = std::ranges::max(points, {}, &TablePoint::force).force;
+    const double origin = points.front().time;
+    const double duration = points.back().time - origin;
+    const auto time = [&](std::size_t i) {
+        return i + 1 == points.size() ? 1 : (points[i].time - origin) / duration;
+    };
+    for (std::size_t i = 1; i < points.size(); ++i)
+        appendLine(force, time(i - 1), points[i - 1].force / largest, time(i), points[i].force / largest);
+}
+
+}  // namespace
+
+double pistonStepCount(double impedanceRatio) {
+    if (!(impedanceRatio > 1)) return 1;
+    return std::max(1.0, std::ceil(-cutOff / std::log1p(-2 / (impedanceRatio + 1))));
+}
+
+PulseForce pulseForceOf(const Scenario& scenario) {
+    const Pulse& pulse = scenario.pulse;
+    PulseForce force;
+    force.shape = pulse.shape;
+    switch (pulse.shape) {
+        case PulseShape::rectangular:
+            appendLine(force, 0, 1, 1, 1);
+            break;
+        case PulseShape::triangular:
+            appendTrapezoid(force, 0.5, 0.5);
+            break;
+        case PulseShape::halfSine:
+            force.segments.push_back({Kind::sine, 0, 1, 1, 0});
+            break;
+        case PulseShape::trapezoid:
+            appendTrapezoid(force, pulse.rise, pulse.fall);
+            break;
+        case PulseShape::exponential:
+            force.segments.push_back({Kind::exponential, 0, cutOff, 1, 0});
+            break;
+        case PulseShape::piston:
+            appendStaircase(force, pistonImpedanceRatio(scenario));
+            break;
+        case PulseShape::table:
+            appendTable(force, pulse.tablePoints);
+            break;
+        case PulseShape::rigidBody:
+            break;
+    }
+    finish(force);
+    return force;
+}
+
+double PulseForce::operator()(double t) const {
+    if (segments.empty() || !(t >= 0) || t >= end) return 0;
+    const auto next = std::ranges::upper_bound(segments, t, {}, &PulseSegment::start);
+    const PulseSegment& segment = *std::prev(next);
+    return std::max(0.0, valueOf(segment, t - segment.start));
+}
+
+double PulseForce::impulseUntil(double t) const {
+    if (segments.empty() || !(t > 0)) return 0;
+    if (t >= end) return 1;
+    const auto next = std::ranges::upper_bound(segments, t, {}, &PulseSegment::start);
+    const PulseSegment& segment = *std::prev(next);
+    return std::min(1.0, segment.impulseBefore + impulseOf(segment, t - segment.start));
+}
+
+}  // namespace drillwave

@@ -1,0 +1,99 @@
+#include "core/model/scales.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace drillwave {
+namespace {
+
+/// Impedance and mass of the hammer, its material being the rod's where none is given.
+RodProperties hammerOf(const Scenario& scenario) {
+    const Piston& piston = scenario.pulse.piston;
+    Rod hammer;
+    hammer.length = piston.length;
+    hammer.diameter = piston.diameter;
+    hammer.youngsModulus = piston.youngsModulus.value_or(scenario.rod.youngsModulus);
+    hammer.density = piston.density.value_or(scenario.rod.density);
+    return propertiesOf(hammer);
+}
+
+/// The whole staircase: F_0 t0/(1 − R) = m v for q ≥ 1; the single step F_0 t0 = 2 m v/(1 + q) below.
+double pistonImpulse(const Scenario& scenario) {
+    const double ratio = pistonImpedanceRatio(scenario);
+    const double momentum = hammerOf(scenario).mass * scenario.pulse.piston.velocity;
+    return ratio >= 1 ? momentum : momentum * 2 / (1 + ratio);
+}
+
+double tableImpulse(const std::vector<TablePoint>& points) {
+    double impulse = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        impulse += (points[i].time - points[i - 1].time) * (points[i].force / 2 + points[i - 1].force / 2);
+    return impulse;
+}
+
+}  // namespace
+
+RodProperties propertiesOf(const Rod& rod) {
+    RodProperties result;
+    result.area =
+        rod.area.value_or(std::numbers::pi / 4 * (rod.diameter - rod.bore) * (rod.diameter + rod.bore));
+    result.waveSpeed = std::sqrt(rod.youngsModulus / rod.density);
+    result.impedance = result.area * rod.youngsModulus / result.waveSpeed;
+    result.transitTime = rod.length / result.waveSpeed;
+    result.mass = rod.density * result.area * rod.length;
+    return result;
+}
+
+double pistonImpedanceRatio(const Scenario& scenario) {
+    if (scenario.form == ScenarioForm::dimensionless) return scenario.pulse.piston.impedanceRatio;
+    return hammerOf(scenario).impedance / propertiesOf(scenario.rod).impedance;
+}
+
+double pulseDuration(const Scenario& scenario) {
+    if (scenario.form == ScenarioForm::dimensionless) return 1;
+    const Pulse& pulse = scenario.pulse;
+    if (pulse.shape == PulseShape::piston) return 2 * hammerOf(scenario).transitTime;
+    if (pulse.shape == PulseShape::table)
+        return pulse.tablePoints.empty() ? 0 : pulse.tablePoints.back().time - pulse.tablePoints.front().time;
+    return pulse.duration;
+}
+
+double pulseImpulse(const Scenario& scenario) {
+    if (scenario.form == ScenarioForm::dimensionless) return 1;
+    if (scenario.pulse.shape == PulseShape::piston) return pistonImpulse(scenario);
+    if (scenario.pulse.shape == PulseShape::table) return tableImpulse(scenario.pulse.tablePoints);
+    return scenario.pulse.impulse;
+}
+
+double meanForce(const Pulse& pulse) {
+    const double quotient = pulse.impulse / pulse.duration;
+    for (const double candidate : {quotient, std::nextafter(quotient, 0), std::nextafter(quotient, HUGE_VAL)})
+        if (candidate * pulse.duration == pulse.impulse) return candidate;
+    return quotient;
+}
+
+Groups groupsOf(const Scenario& scenario) {
+    if (scenario.form == ScenarioForm::dimensionless) return scenario.groups;
+    const Scales scales = scalesOf(scenario);
+    return {.beta = scenario.bitRock.stiffness / scales.stiffness,
+            .gamma = scenario.bitRock.gamma,
+            .tau = propertiesOf(scenario.rod).transitTime / scales.time,
+            .delta = scenario.bitRock.gap / scales.penetration};
+}
+
+Scales scalesOf(const Scenario& scenario) {
+    if (scenario.form == ScenarioForm::dimensionless) return {};
+    const RodProperties rod = propertiesOf(scenario.rod);
+    Scales scales;
+    scales.time = pulseDuration(scenario);
+    scales.impulse = pulseImpulse(scenario);
+    scales.force = scales.impulse / scales.time;
+    scales.velocity = scales.impulse / rod.mass;
+    scales.penetration = 2 * scales.impulse / rod.impedance;
+    scales.stiffness = rod.impedance / scales.time;
+    scales.energy = scales.impulse * scales.velocity / 2;
+    scales.length = scenario.rod.length;
+    return scales;
+}
+
+}  // namespace drillwave

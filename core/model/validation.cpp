@@ -1,0 +1,123 @@
+#include "core/model/validation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/model/parameter.h"
+#include "core/model/pulse_force.h"
+#include "core/model/scales.h"
+
+namespace drillwave {
+namespace {
+
+std::string valueText(const Parameter& parameter, double value) {
+    return formatQuantity(value, parameter.quantity, parameter.displayUnit());
+}
+
+void report(std::vector<Problem>& problems, std::string_view key, std::string_view value,
+            std::string_view reason) {
+    const std::string equals = value.empty() ? " " : " = " + std::string(value) + " ";
+    problems.push_back({std::string(key), std::string(key) + equals + "(" + std::string(reason) + ")", 0, 0});
+}
+
+void checkRanges(const Scenario& scenario, std::vector<Problem>& problems) {
+    for (const Parameter& parameter : parameters()) {
+        if (!isGiven(parameter, scenario)) continue;
+        const std::optional<double> value = parameter.value(scenario);
+        const std::string reason = value ? rangeProblem(parameter, *value) : std::string();
+        if (!reason.empty()) report(problems, parameter.key, valueText(parameter, *value), reason);
+    }
+}
+
+void checkBore(const Scenario& scenario, std::vector<Problem>& problems) {
+    const Rod& rod = scenario.rod;
+    if (scenario.form == ScenarioForm::dimensionless || rod.area || !(rod.bore >= rod.diameter)) return;
+    const Parameter& bore = *findParameter("rod.bore");
+    report(problems, bore.key, valueText(bore, rod.bore),
+           "must be less than the diameter of " + valueText(bore, rod.diameter));
+}
+
+void checkTrapezoid(const Pulse& pulse, std::vector<Problem>& problems) {
+    if (pulse.shape != PulseShape::trapezoid || !(pulse.rise + pulse.fall > 1)) return;
+    // 0.7 + 0.3 may be a rounding error above 1: accept it, the plateau is then empty.
+    if (pulse.rise + pulse.fall <= 1 + 1e-12) return;
+    report(problems, "pulse.fall", formatNumber(pulse.fall),
+           "rise and fall together must not exceed 1, they are " + formatNumber(pulse.rise + pulse.fall));
+}
+
+void checkTable(const Scenario& scenario, std::vector<Problem>& problems) {
+    if (scenario.pulse.shape != PulseShape::table) return;
+    const std::string reason = tableProblem(scenario.pulse.tablePoints);
+    if (!reason.empty()) report(problems, "pulse.points", "", reason);
+}
+
+void checkPiston(const Scenario& scenario, std::vector<Problem>& problems) {
+    if (scenario.pulse.shape != PulseShape::piston) return;
+    const double ratio = pistonImpedanceRatio(scenario);
+    if (pistonStepCount(ratio) <= maximumPulseSegments) return;
+    const bool given = scenario.form == ScenarioForm::dimensionless;
+    report(problems, given ? "pulse.impedance_ratio" : "pulse.diameter",
+           given ? formatNumber(ratio) : std::string(),
+           "the hammer's impedance is " + formatNumber(ratio) +
+               " times the rod's, too many steps to follow; use the shape exponential, a rigid hammer");
+}
+
+bool isPositiveAndFinite(double value) {
+    return std::isfinite(value) && value > 0;
+}
+
+/// Each value may be fine and the conversion still overflow or vanish.
+void checkGroups(const Scenario& scenario, std::vector<Problem>& problems) {
+    const Scales scales = scalesOf(scenario);
+    for (const double scale : {scales.time, scales.impulse, scales.force, scales.velocity, scales.penetration,
+                               scales.stiffness, scales.energy}) {
+        if (isPositiveAndFinite(scale)) continue;
+        report(
+            problems, "", "",
+            "the values are so large or small that force, velocity or energy of the blow cannot be computed");
+        return;
+    }
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.section() != "groups") continue;
+        const double value = *parameter.value(scenario);
+        const std::string reason = rangeProblem(parameter, value);
+        if (!reason.empty())
+            report(problems, parameter.key, formatNumber(value),
+                   reason + "; it follows from the other values");
+    }
+}
+
+}  // namespace
+
+std::string tableProblem(const std::vector<TablePoint>& points) {
+    if (points.size() < 2) return "needs at least two points of time and force";
+    if (points.size() > static_cast<std::size_t>(maximumPulseSegments))
+        return "has " + std::to_string(points.size()) + " points, more than " +
+               std::to_string(maximumPulseSegments);
+    double largest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::string which = "point " + std::to_string(i + 1);
+        if (!std::isfinite(points[i].time) || !std::isfinite(points[i].force))
+            return which + " must be finite numbers";
+        if (points[i].force < 0) return which + " has a negative force, a hammer only pushes";
+        if (i > 0 && points[i].time <= points[i - 1].time)
+            return which + " must be later than the one before it";
+        largest = std::max(largest, points[i].force);
+    }
+    if (largest == 0) return "must have a force greater than 0 somewhere";
+    if (!isPositiveAndFinite(points.back().time - points.front().time)) return "lasts too long";
+    return {};
+}
+
+std::vector<Problem> validate(const Scenario& scenario) {
+    std::vector<Problem> problems;
+    checkRanges(scenario, problems);
+    checkBore(scenario, problems);
+    checkTrapezoid(scenario.pulse, problems);
+    checkTable(scenario, problems);
+    if (problems.empty()) checkPiston(scenario, problems);
+    if (problems.empty()) checkGroups(scenario, problems);
+    return problems;
+}
+
+}  // namespace drillwave
