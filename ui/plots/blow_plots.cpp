@@ -1,0 +1,183 @@
+#include "ui/plots/blow_plots.h"
+
+#include <QScopedValueRollback>
+#include <cmath>
+#include <limits>
+
+namespace drillwave {
+namespace {
+
+enum PlotIndex : std::size_t { waves, force, impulse, momentumOfRod };
+
+const QStringList waveNames{QStringLiteral("N₀ₚ →"), QStringLiteral("N₁ₙ ←"), QStringLiteral("N₂ₚ →"),
+                            QStringLiteral("N₃ₙ ←")};
+
+// The range of all graphs of a plot with zero in it and room to spare, so that flat curves are readable too.
+QCPRange valueRange(const QVector<QCPGraph*>& graphs) {
+    double low = 0;
+    double high = 0;
+    for (const QCPGraph* graph : graphs)
+        for (auto point = graph->data()->constBegin(); point != graph->data()->constEnd(); ++point) {
+            low = std::min(low, point->value);
+            high = std::max(high, point->value);
+        }
+    const double size = high - low;
+    if (!(size > std::numeric_limits<float>::min())) return {-1, 1};
+    return {low - 0.08 * size, high + 0.08 * size};
+}
+
+double largestMagnitude(const GraphData& data) {
+    double largest = 0;
+    for (auto point = data->constBegin(); point != data->constEnd(); ++point)
+        if (std::abs(point->value) > std::abs(largest)) largest = point->value;
+    return largest;
+}
+
+}  // namespace
+
+BlowPlots::BlowPlots(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
+    plot->setAutoAddPlottableToLegend(false);
+    plot->plotLayout()->clear();
+    plot->plotLayout()->setRowSpacing(0);
+    auto* margins = new QCPMarginGroup(plot);
+    addPlot(waves, waveNames, margins);
+    addPlot(force, {tr("impact force F")}, margins);
+    addPlot(impulse, {tr("impulse of the impact force I")}, margins);
+    addPlot(momentumOfRod, {tr("momentum of the rod p")}, margins);
+    linkTimeAxes();
+    m_message = new QCPItemText(plot);
+    m_message->position->setType(QCPItemPosition::ptViewportRatio);
+    m_message->position->setCoords(0.5, 0.4);
+    m_message->setClipToAxisRect(false);
+    m_message->setVisible(false);
+    setStyle(PlotStyle::forPaper());
+}
+
+void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins) {
+    Plot& added = m_plots[index];
+    auto* header = new QCPLayoutGrid;
+    header->setColumnSpacing(6);
+    header->setMargins(QMargins(0, 2, 0, 0));
+    added.title = new QCPTextElement(m_plot);
+    added.title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    added.legend = new QCPLegend;
+    added.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    added.legend->setMargins(QMargins(0, 0, 0, 0));
+    added.legend->setColumnSpacing(12);
+    added.legend->setIconSize(28, 12);
+    header->addElement(0, 0, added.title);
+    header->addElement(0, 1, added.legend);
+    header->addElement(0, 2, new QCPTextElement(m_plot));  // takes what width is left
+    header->setColumnStretchFactor(0, 1e-3);
+    header->setColumnStretchFactor(1, 1e-3);
+    added.legend->setLayer(QStringLiteral("legend"));
+
+    added.rect = new QCPAxisRect(m_plot);
+    added.rect->setupFullAxesBox(true);
+    added.rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+    added.rect->setMinimumMargins(QMargins(4, 2, 10, 2));
+    for (QCPAxis* axis : added.rect->axes()) axis->setLayer(QStringLiteral("axes"));
+    for (QCPAxis* axis : added.rect->axes()) axis->grid()->setLayer(QStringLiteral("grid"));
+    // The lowest plot alone carries the numbers of the common time axis.
+    added.rect->axis(QCPAxis::atBottom)->setTickLabels(index + 1 == plotCount);
+    const int row = 2 * static_cast<int>(index);
+    m_plot->plotLayout()->addElement(row, 0, header);
+    m_plot->plotLayout()->addElement(row + 1, 0, added.rect);
+    m_plot->plotLayout()->setRowStretchFactor(row, 1e-3);
+
+    for (const QString& name : names) {
+        QCPGraph* graph =
+            m_plot->addGraph(added.rect->axis(QCPAxis::atBottom), added.rect->axis(QCPAxis::atLeft));
+        graph->setName(name);
+        graph->addToLegend(added.legend);
+        added.graphs.append(graph);
+    }
+}
+
+void BlowPlots::linkTimeAxes() {
+    for (const Plot& from : m_plots) {
+        QCPAxis* axis = from.rect->axis(QCPAxis::atBottom);
+        connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this,
+                [this](const QCPRange& range) {
+                    m_fitted = m_fitting;
+                    for (const Plot& to : m_plots) to.rect->axis(QCPAxis::atBottom)->setRange(range);
+                });
+        connect(from.rect->axis(QCPAxis::atLeft), qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this,
+                [this] { m_fitted = m_fitting; });
+    }
+}
+
+void BlowPlots::show(const BlowCurves& curves) {
+    for (std::size_t i = 0; i < curves.waves.size(); ++i)
+        m_plots[waves].graphs[static_cast<qsizetype>(i)]->setData(curves.waves[i]);
+    m_plots[force].graphs.first()->setData(curves.force);
+    m_plots[impulse].graphs.first()->setData(curves.impulse);
+    m_plots[momentumOfRod].graphs.first()->setData(curves.momentum);
+    m_message->setVisible(false);
+    const bool unitsChanged = !(m_units == curves.units);
+    m_units = curves.units;
+    m_timeEnd = curves.timeEnd > 0 ? curves.timeEnd : 1;
+    setLabels(curves);
+    summarize(curves);
+    if (m_fitted || unitsChanged) fit();
+}
+
+void BlowPlots::showNothing(const QString& message) {
+    for (const Plot& plot : m_plots)
+        for (QCPGraph* graph : plot.graphs) graph->setData(GraphData::create());
+    m_message->setText(message);
+    m_message->setVisible(true);
+    m_summary = message;
+}
+
+void BlowPlots::setLabels(const BlowCurves& curves) {
+    const ShownUnits& units = curves.units;
+    m_plots[waves].title->setText(
+        tr("waves at x/L = %1").arg(m_plot->locale().toString(curves.section, 'f', 2)));
+    m_plots[waves].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(QStringLiteral("N")));
+    m_plots[force].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(QStringLiteral("F")));
+    m_plots[impulse].rect->axis(QCPAxis::atLeft)->setLabel(units.impulse.axisLabel(QStringLiteral("I")));
+    m_plots[momentumOfRod]
+        .rect->axis(QCPAxis::atLeft)
+        ->setLabel(units.impulse.axisLabel(QStringLiteral("p")));
+    m_plots[momentumOfRod].rect->axis(QCPAxis::atBottom)->setLabel(units.time.axisLabel(tr("time t")));
+}
+
+void BlowPlots::summarize(const BlowCurves& curves) {
+    const QLocale locale = m_plot->locale();
+    const auto shown = [&locale](double value, const ShownUnit& unit) {
+        return locale.toString(value, 'g', 4) + QLatin1Char(' ') + unit.unit;
+    };
+    m_summary =
+        tr("Four plots over time from 0 to %1. Waves at x/L = %2: largest N0p %3, N1n %4, N2p %5, N3n %6. "
+           "Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.")
+            .arg(shown(curves.timeEnd, curves.units.time), locale.toString(curves.section, 'f', 2),
+                 shown(largestMagnitude(curves.waves[0]), curves.units.force),
+                 shown(largestMagnitude(curves.waves[1]), curves.units.force),
+                 shown(largestMagnitude(curves.waves[2]), curves.units.force),
+                 shown(largestMagnitude(curves.waves[3]), curves.units.force),
+                 shown(largestMagnitude(curves.force), curves.units.force),
+                 shown(largestMagnitude(curves.impulse), curves.units.impulse),
+                 shown(largestMagnitude(curves.momentum), curves.units.impulse));
+}
+
+void BlowPlots::setStyle(const PlotStyle& style) {
+    m_plot->setBackground(style.background);
+    for (const Plot& plot : m_plots) {
+        style.applyTo(*plot.rect);
+        style.applyTo(*plot.legend);
+        style.applyTo(*plot.title);
+        for (int i = 0; i < plot.graphs.size(); ++i) plot.graphs[i]->setPen(style.linePen(i));
+    }
+    m_message->setFont(style.font);
+    m_message->setColor(style.text);
+}
+
+void BlowPlots::fit() {
+    const QScopedValueRollback<bool> fitting(m_fitting, true);
+    m_fitted = true;
+    m_plots[waves].rect->axis(QCPAxis::atBottom)->setRange(0, m_timeEnd);
+    for (const Plot& plot : m_plots) plot.rect->axis(QCPAxis::atLeft)->setRange(valueRange(plot.graphs));
+}
+
+}  // namespace drillwave
