@@ -36,36 +36,45 @@ struct ImpactEvent {
     bool operator==(const ImpactEvent&) const = default;
 };
 
+/// Periods of free flight that were not recorded because nothing happens in them: from `start` on, the
+/// incident wave repeats itself for `duration` (a multiple of 2τ).
+struct PeriodSkip {
+    double start;
+    double duration;
+    bool operator==(const PeriodSkip&) const = default;
+};
+
 /// Result of one blow. Units of section 5.1 of the paper: time t0, force F0 = I0/t0, impulse I0, displacement
 /// I0/Z (half of d0), energy I0²/(Z t0) = 2τ W0.
 struct Impact {
     Outcome outcome = Outcome::notSolved;
-    std::string reason;        ///< one sentence when not solved
+    std::string reason;  ///< one sentence when not solved
 
-    double cor = 0;            ///< e = −pf/p0 = −1 + ∫F
-    double corError = 0;       ///< bound on |cor − exact|
-    double impulse = 0;        ///< ∫F ds = 1 + e
+    double cor = 0;       ///< e = −pf/p0 = −1 + ∫F
+    double corError = 0;  ///< bound on |cor − exact|
+    double impulse = 0;   ///< ∫F ds = 1 + e
 
     // Detail::summary and above
-    double peakForce = 0;            ///< largest F/F0
-    double firstContactTime = 0;     ///< global time; frontArrival + s
-    double separationTime = 0;       ///< global time of the last separation
-    double contactDuration = 0;      ///< summed over contacts
-    double hammerWork = 0;           ///< W = ∫Fa va dt = ∫Fa (2g − Fa) dt [I0²/(Z t0)]
-    double rockWork = 0;             ///< ∫F dU = ∫F (2g − F) ds [I0²/(Z t0)], from the pieces
-    double finalMomentum = 0;        ///< ∫g over the last period, independent of `impulse`; −e
-    double finalEnergy = 0;          ///< ∫g² over the last period [I0²/(Z t0)]
+    double peakForce = 0;         ///< largest F/F0
+    double firstContactTime = 0;  ///< global time; frontArrival + s
+    double separationTime = 0;    ///< global time of the last separation
+    double contactDuration = 0;   ///< summed over contacts
+    double hammerWork = 0;        ///< W = ∫Fa va dt = ∫Fa (2g − Fa) dt [I0²/(Z t0)]
+    double rockWork = 0;          ///< ∫F dU = ∫F (2g − F) ds [I0²/(Z t0)], from the pieces
+    double finalMomentum = 0;     ///< ∫g over the last period, independent of `impulse`; −e
+    double finalEnergy = 0;       ///< ∫g² over the last period [I0²/(Z t0)]
     std::vector<ImpactEvent> events;
 
     // Detail::histories
-    double frontArrival = 0;         ///< global time of s = 0: τ, or 0 for the reference case
-    double roundTrip = 0;            ///< 2τ
-    PiecewisePolynomial incident;    ///< g(s) = −Np at the front end; after its end periodic with 2τ
-    PiecewisePolynomial force;       ///< F(s); zero after its end
+    double frontArrival = 0;        ///< global time of s = 0: τ, or 0 for the reference case
+    double roundTrip = 0;           ///< 2τ
+    PiecewisePolynomial incident;   ///< g(s) = −Np at the front end; use incidentWave() to read it
+    PiecewisePolynomial force;      ///< F(s) on the same pieces; use impactForce() to read it
+    std::vector<PeriodSkip> skips;  ///< where the recorded time leaves out periods of free flight
 
     // How much work it was
-    long pieces = 0;                 ///< smooth pieces solved (steps for the lattice)
-    int contacts = 0;                ///< separate contacts
+    long pieces = 0;   ///< smooth pieces solved (steps for the lattice)
+    int contacts = 0;  ///< separate contacts
 };
 
 }  // namespace drillwave

@@ -7,41 +7,51 @@
 
 namespace drillwave {
 
-/// Incident wave g(s) at the front end for any s: 0 before the first front, recorded history, then periodic.
+// Everything here needs an impact solved with Detail::histories. Times are in t0, forces in F0, impulses in
+// I0; s = t − impact.frontArrival is the time at the front end, t the global time. ξ = x/L: rear end 0, front
+// end 1.
+
+/// Incident wave g(s) = −Np at the front end for any s: before the first front 0 (1/(2τ) in the reference
+/// case), then the recorded history, after its end periodic with 2τ.
 double incidentWave(const Impact& impact, double s);
 
-/// Np(ξ, t) = −g(t − arrival + (1 − ξ)τ …): wave to +x, tension positive, in F0. ξ = x/L in [0, 1], t global.
+/// Impact force F(s) ≥ 0 for any s.
+double impactForce(const Impact& impact, double s);
+
+/// Impulse of the impact force up to s, ∫F.
+double impactImpulse(const Impact& impact, double s);
+
+/// Np(ξ, t) = −g(s = t − ξτ): the wave to +x, tension positive.
 double positiveWave(const Impact& impact, double xi, double t);
 
-/// Nn(ξ, t) = −r(s), r = F − g: wave to −x, tension positive, in F0.
+/// Nn(ξ, t) = −r(s = t − (2 − ξ)τ), r = F − g: the wave to −x, tension positive.
 double negativeWave(const Impact& impact, double xi, double t);
 
-/// Momentum of the rod at global time t: hammer impulse so far minus impact impulse so far, in I0.
-/// `hammerImpulse` is ∫Fa up to t (1 for the reference case).
-double momentum(const Impact& impact, double hammerImpulse, double t);
-
-/// One wave of Fig. 3 at a section: N0p, N1n, N2p, N3n … cut by arrival. Times global, values in F0.
-struct SectionWave {
-    int number = 0;            ///< 0, 1, 2, 3: even ones run to +x, odd ones to −x
-    std::vector<double> time;  ///< increasing; doubled where the wave jumps
+/// A curve as points to be joined by straight lines; a time occurs twice where the curve jumps.
+struct SampledCurve {
+    std::vector<double> time;  ///< global, not decreasing
     std::vector<double> value;
 };
 
-/// The waves N0p … at the section ξ, each over its own interval of one round trip from its arrival, sampled so
-/// that straight lines between samples follow the curve to about 1e-4 of the peak, jumps kept as jumps.
-/// `count` waves (4 as in Fig. 3).
-std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count = 4);
-
-/// Sampled history: times and values with doubled times at jumps, for plots and CSV.
-struct SampledHistory {
-    std::vector<double> time;      ///< global, increasing
-    std::vector<double> force;     ///< F/F0
-    std::vector<double> impulse;   ///< ∫F/I0 so far
-    std::vector<double> incident;  ///< g/F0 at the front end
+/// One of the waves N0p, N1n, N2p, N3n … at a section, over one round trip from its arrival (paper, Fig. 3).
+struct SectionWave {
+    int number = 0;  ///< 0, 1, 2, 3: even ones run to +x, odd ones to −x
+    SampledCurve curve;
 };
 
-/// Impact force, its impulse and the incident wave from s = 0 to a little after the last separation; at least
-/// `minimumSamples`, every breakpoint included.
-SampledHistory sampleHistory(const Impact& impact, int minimumSamples = 400);
+/// The first `count` waves at the section ξ. The chords follow the curve to about 1e-4 of its pieces' size.
+std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count = 4);
+
+/// Histories at the front end on common times.
+struct SampledHistory {
+    std::vector<double> time;      ///< global, not decreasing, from frontArrival to the end of the recording
+    std::vector<double> force;     ///< F
+    std::vector<double> impulse;   ///< ∫F so far
+    std::vector<double> incident;  ///< g
+};
+
+/// Every breakpoint is included, jumps from both sides; the chords follow the curves to about 1e-4 of their
+/// pieces' size. Periods that were not recorded (impact.skips) are left out.
+SampledHistory sampleHistory(const Impact& impact);
 
 }  // namespace drillwave

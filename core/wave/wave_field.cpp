@@ -1,0 +1,154 @@
+#include "core/wave/wave_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drillwave {
+namespace {
+
+/// The uniform wave of the reference case before first contact; 0 where a hammer blow arrives later.
+double waveBeforeArrival(const Impact& impact) {
+    return impact.frontArrival == 0 && impact.roundTrip > 0 ? 1 / impact.roundTrip : 0.0;
+}
+
+/// Where in the recording the state of time s is found.
+double recordedTime(const Impact& impact, double s) {
+    double leftOut = 0;
+    for (const PeriodSkip& skip : impact.skips) {
+        if (s < skip.start) break;
+        if (s < skip.start + skip.duration)
+            return skip.start - leftOut - impact.roundTrip + std::fmod(s - skip.start, impact.roundTrip);
+        leftOut += skip.duration;
+    }
+    s -= leftOut;
+    const double end = impact.incident.end();
+    if (s >= end && impact.roundTrip > 0)
+        return end - impact.roundTrip + std::fmod(s - end, impact.roundTrip);
+    return s;
+}
+
+double reflectedWave(const Impact& impact, double s) {
+    return impactForce(impact, s) - incidentWave(impact, s);
+}
+
+double unrecordedBefore(const Impact& impact, double recorded) {
+    double leftOut = 0;
+    for (const PeriodSkip& skip : impact.skips) {
+        if (recorded + leftOut < skip.start) break;
+        leftOut += skip.duration;
+    }
+    return leftOut;
+}
+
+using Piece = PiecewisePolynomial::Piece;
+
+/// Into how many chords a piece is cut: curvature bound Σk(k−1)|c_k| over 8 chords² within 1e-4 of its size.
+int chords(const PiecewisePolynomial& f, const Piece& piece) {
+    const double u = piece.length / piece.scale;
+    double curvature = 0, size = 0, power = 1;
+    int k = 0;
+    for (const double c : f.coefficients(piece)) {
+        curvature += k * (k - 1) * std::abs(c) * power;
+        size += std::abs(c) * power;
+        power *= u;
+        ++k;
+    }
+    if (size == 0) return 1;
+    return std::clamp(static_cast<int>(std::ceil(std::sqrt(curvature / (8e-4 * size)))), 1, 100);
+}
+
+/// Appends value(piece, x) over recorded time [from, to], shifted by `shift`, as chords of `wave`.
+template <class Value>
+void sampleRecorded(const Impact& impact, double from, double to, double shift, Value value,
+                    SampledCurve& curve) {
+    const auto pieces = impact.incident.pieces();
+    const auto forces = impact.force.pieces();
+    auto first = std::upper_bound(pieces.begin(), pieces.end(), from,
+                                  [](double s, const Piece& piece) { return s < piece.start; });
+    if (first != pieces.begin()) --first;
+    for (auto piece = first; piece != pieces.end() && piece->start < to; ++piece) {
+        const auto index = static_cast<std::size_t>(piece - pieces.begin());
+        const double begin = std::max(0.0, from - piece->start);
+        const double end = std::min(piece->length, to - piece->start);
+        if (!(end >= begin)) continue;
+        const int n = std::max(chords(impact.incident, *piece), chords(impact.force, forces[index]));
+        for (int i = 0; i <= n; ++i) {
+            const double x = begin + (end - begin) * i / n;
+            curve.time.push_back(piece->start + x + shift);
+            curve.value.push_back(value(*piece, forces[index], x));
+        }
+    }
+}
+
+}  // namespace
+
+double incidentWave(const Impact& impact, double s) {
+    if (s < 0) return waveBeforeArrival(impact);
+    return impact.incident(recordedTime(impact, s));
+}
+
+double impactForce(const Impact& impact, double s) {
+    return s < 0 ? 0.0 : impact.force(recordedTime(impact, s));
+}
+
+double impactImpulse(const Impact& impact, double s) {
+    if (s <= 0) return 0;
+    return impact.force.integral(recordedTime(impact, s));
+}
+
+double positiveWave(const Impact& impact, double xi, double t) {
+    return -incidentWave(impact, t - impact.frontArrival + (1 - xi) * impact.roundTrip / 2);
+}
+
+double negativeWave(const Impact& impact, double xi, double t) {
+    return -reflectedWave(impact, t - impact.frontArrival - (1 - xi) * impact.roundTrip / 2);
+}
+
+std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count) {
+    std::vector<SectionWave> waves;
+    const double transit = impact.roundTrip / 2;
+    for (int number = 0; number < count; ++number) {
+        SectionWave wave;
+        wave.number = number;
+        const bool forward = number % 2 == 0;
+        const int trip = number / 2;  // round trips before this wave reaches the front end or leaves it
+        double from = trip * impact.roundTrip, to = from + impact.roundTrip;
+        // global time = s + shift: a wave to +x passes the section before the front end, one to −x after it
+        const double shift = impact.frontArrival + (forward ? -1 : 1) * (1 - xi) * transit;
+        const auto value = [&](const Piece& g, const Piece& f, double x) {
+            const double incident = impact.incident.value(g, x);
+            return forward ? -incident : incident - impact.force.value(f, x);
+        };
+        while (from < to) {  // past the recording the last period repeats itself
+            const double recorded = recordedTime(impact, from);
+            const double nextSkip = std::min(to - from, impact.incident.end() - recorded);
+            if (!(nextSkip > 1e-12 * impact.roundTrip)) break;
+            sampleRecorded(impact, recorded, recorded + nextSkip, from - recorded + shift, value, wave.curve);
+            from += nextSkip;
+        }
+        waves.push_back(std::move(wave));
+    }
+    return waves;
+}
+
+SampledHistory sampleHistory(const Impact& impact) {
+    SampledHistory history;
+    const auto pieces = impact.incident.pieces();
+    const auto forces = impact.force.pieces();
+    double impulse = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const int n = std::max(chords(impact.incident, pieces[i]), chords(impact.force, forces[i]));
+        const double shift = impact.frontArrival + unrecordedBefore(impact, pieces[i].start);
+        for (int j = 0; j <= n; ++j) {
+            const double x = pieces[i].length * j / n;
+            history.time.push_back(pieces[i].start + x + shift);
+            history.force.push_back(impact.force.value(forces[i], x));
+            history.impulse.push_back(impulse + impact.force.integral(forces[i], x));
+            history.incident.push_back(impact.incident.value(pieces[i], x));
+        }
+        impulse += impact.force.integral(forces[i], pieces[i].length);
+    }
+    return history;
+}
+
+}  // namespace drillwave
