@@ -1,0 +1,5 @@
+#include <cstdio>
+
+#include "core/model/version.h"
+
+int main() { return std::printf("drillwave %s\n", drillwave::versionText) < 0; }

@@ -1,0 +1,47 @@
+// The columns of results that a sweep or a table appends.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/study/impact_summary.h"
+
+namespace drillwave {
+
+enum class OutputUnits { dimensionless, si };
+
+/// One output of contract §4 as a CSV column.
+struct OutputColumn {
+    const Output* output = nullptr;  ///< nullptr for `thrust`
+    OutputUnits units = OutputUnits::dimensionless;
+
+    /// "peak_force", or in SI "peak_force [N]"; thrust always has its unit.
+    std::string header() const;
+    Detail detail() const { return output ? output->detail : Detail::cor; }
+    /// nullopt where there is no number: the thrust without a blow frequency.
+    std::optional<double> value(const ImpactSummary& summary, const Scenario& scenario,
+                                const Scales& scales) const;
+};
+
+/// The columns chosen, or why not.
+struct OutputChoice {
+    std::vector<OutputColumn> columns;
+    std::string problem;
+};
+
+/// Reads "cor,peak_force"; names the nearest output for a mistyped one.
+OutputChoice chooseOutputs(std::string_view list, OutputUnits units);
+
+/// What the solver must be asked for.
+Detail detailFor(std::span<const OutputColumn> columns);
+
+/// Why a column would be empty for every such scenario and what to do; empty when none would.
+std::string columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario);
+
+/// The names that chooseOutputs() knows, in order, `thrust` last.
+std::vector<std::string_view> outputNames();
+
+}  // namespace drillwave
