@@ -21,7 +21,8 @@ struct CsvRecord {
 class CsvReader {
   public:
     explicit CsvReader(std::istream& in, std::size_t maximumRecordBytes = 1 << 20);
-    /// Reads the next record that is not empty and, before the header, does not begin with '#'. False at the end.
+    /// Reads the next record that is not empty and, before the header, does not begin with '#'. False at the
+    /// end.
     bool next(CsvRecord& record);
     int line() const { return m_line; }  ///< line on which the last record began, 1-based
 

@@ -38,7 +38,8 @@ struct ScenarioDocument {
     std::string source;  ///< file name for messages and for resolving a relative table file, may be empty
 };
 
-/// Reads at most 1 MiB. Throws ScenarioError with every problem. A `table` pulse with a file is read relative to it.
+/// Reads at most 1 MiB. Throws ScenarioError with every problem. A `table` pulse with a file is read relative
+/// to it.
 ScenarioDocument loadScenario(const std::string& path);
 
 /// The same for text in memory; `source` names it in messages.

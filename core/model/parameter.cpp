@@ -207,6 +207,11 @@ std::string_view Parameter::section() const {
     return dot == std::string_view::npos ? "groups" : key.substr(0, dot);
 }
 
+std::string_view Parameter::localKey() const {
+    const std::size_t dot = key.find('.');
+    return dot == std::string_view::npos ? key : key.substr(dot + 1);
+}
+
 const Unit& Parameter::displayUnit() const {
     const Unit* found = findUnit(quantity, unit);
     assert(found);

@@ -45,7 +45,8 @@ struct Parameter {
 
     /// The customary unit.
     const Unit& displayUnit() const;
-    std::string_view section() const;  ///< the part of the key before the dot; "groups" for the four groups
+    std::string_view section() const;   ///< the part of the key before the dot; "groups" for the four groups
+    std::string_view localKey() const;  ///< the part behind the dot: the key inside its section of a file
 };
 
 /// All numeric parameters, physical ones first, the groups last, in the order of scenario files.

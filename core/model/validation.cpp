@@ -17,7 +17,7 @@ std::string valueText(const Parameter& parameter, double value) {
 void report(std::vector<Problem>& problems, std::string_view key, std::string_view value,
             std::string_view reason) {
     const std::string equals = value.empty() ? " " : " = " + std::string(value) + " ";
-    problems.push_back({std::string(key), std::string(key) + equals + "(" + std::string(reason) + ")", 0, 0});
+    problems.push_back({std::string(key), std::string(key) + equals + "(" + std::string(reason) + ")"});
 }
 
 void checkRanges(const Scenario& scenario, std::vector<Problem>& problems) {
@@ -47,7 +47,7 @@ void checkTrapezoid(const Pulse& pulse, std::vector<Problem>& problems) {
 
 void checkTable(const Scenario& scenario, std::vector<Problem>& problems) {
     if (scenario.pulse.shape != PulseShape::table) return;
-    const std::string reason = tableProblem(scenario.pulse.tablePoints);
+    const std::string reason = pointProblem(scenario.pulse.tablePoints).reason;
     if (!reason.empty()) report(problems, "pulse.points", "", reason);
 }
 
@@ -89,23 +89,23 @@ void checkGroups(const Scenario& scenario, std::vector<Problem>& problems) {
 
 }  // namespace
 
-std::string tableProblem(const std::vector<TablePoint>& points) {
-    if (points.size() < 2) return "needs at least two points of time and force";
+PointProblem pointProblem(const std::vector<TablePoint>& points) {
+    const std::size_t last = points.empty() ? 0 : points.size() - 1;
+    if (points.size() < 2) return {last, "needs at least two points of time and force"};
     if (points.size() > static_cast<std::size_t>(maximumPulseSegments))
-        return "has " + std::to_string(points.size()) + " points, more than " +
-               std::to_string(maximumPulseSegments);
+        return {last, "has more than " + std::to_string(maximumPulseSegments) + " points"};
     double largest = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::string which = "point " + std::to_string(i + 1);
         if (!std::isfinite(points[i].time) || !std::isfinite(points[i].force))
-            return which + " must be finite numbers";
-        if (points[i].force < 0) return which + " has a negative force, a hammer only pushes";
+            return {i, which + " must be finite numbers"};
+        if (points[i].force < 0) return {i, which + " has a negative force, a hammer only pushes"};
         if (i > 0 && points[i].time <= points[i - 1].time)
-            return which + " must be later than the one before it";
+            return {i, which + " must be later than the one before it"};
         largest = std::max(largest, points[i].force);
     }
-    if (largest == 0) return "must have a force greater than 0 somewhere";
-    if (!isPositiveAndFinite(points.back().time - points.front().time)) return "lasts too long";
+    if (largest == 0) return {last, "must have a force greater than 0 somewhere"};
+    if (!isPositiveAndFinite(points.back().time - points.front().time)) return {last, "lasts too long"};
     return {};
 }
 

@@ -1,6 +1,7 @@
 // One pure check of a scenario that returns every problem at once.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Problem {
     std::string text;  ///< "bit_rock.gamma = 1.3 (must be in (0, 1])"
     int line = 0;
     int column = 0;
+    std::string source = {};  ///< the file it is in, where that is not the scenario file (a pulse table)
     bool operator==(const Problem&) const = default;
 };
 
@@ -22,9 +24,12 @@ struct Problem {
 /// scenario can be solved.
 std::vector<Problem> validate(const Scenario& scenario);
 
-/// Why these points are no hammer force ("point 3 must be later than the one before it"); empty when they
-/// are.
-std::string tableProblem(const std::vector<TablePoint>& points);
+/// The first reason why points are no hammer force, and the point (from 0) that it is about.
+struct PointProblem {
+    std::size_t index = 0;
+    std::string reason;  ///< "point 3 must be later than the one before it"; empty when the points will do
+};
+PointProblem pointProblem(const std::vector<TablePoint>& points);
 
 enum class AlertLevel { information, warning };
 

@@ -1,0 +1,22 @@
+// The hammer blow of a scenario file: its shape, what that shape needs, and the points of a table.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/file/section_reader.h"
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// Where the points of a table file come from: beside `source`, or given already.
+struct TableSource {
+    const std::string& source;
+    const std::vector<TablePoint>* points = nullptr;
+};
+
+/// Reads the section `pulse` into the reader's scenario, whose form is known. True when the only problem of a
+/// scenario without others is that its table file cannot be read.
+bool readPulse(SectionReader& reader, const YamlEntries& file, const TableSource& tables);
+
+}  // namespace drillwave

@@ -1,0 +1,23 @@
+// The CSV file of a tabulated pulse: time and force, with their units in the header.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/model/scenario.h"
+#include "core/model/validation.h"
+
+namespace drillwave {
+
+/// The points of the file, or what is wrong with it.
+struct PulseTable {
+    std::vector<TablePoint> points;
+    std::vector<Problem> problems;  ///< with `source` and line
+    bool unreadable = false;        ///< the file could not be opened or is no text
+};
+
+/// Reads "time [us],force [kN]" (units as in the header; "time,force" in a dimensionless scenario). `path` is
+/// the file as opened, `source` how messages name it. At most 16 MiB.
+PulseTable readPulseTable(const std::string& path, const std::string& source, ScenarioForm form);
+
+}  // namespace drillwave

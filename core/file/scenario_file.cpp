@@ -1,0 +1,57 @@
+#include "core/file/scenario_file.h"
+
+#include "core/file/scenario_reader.h"
+#include "core/file/text_input.h"
+
+namespace drillwave {
+namespace {
+
+constexpr std::size_t maximumFileBytes = std::size_t{1} << 20;
+
+std::string placed(const Problem& problem, const std::string& source) {
+    std::string place = problem.source.empty() ? source : problem.source;
+    if (problem.line > 0) place += (place.empty() ? "line " : ":") + std::to_string(problem.line);
+    if (problem.line > 0 && problem.column > 0) place += ":" + std::to_string(problem.column);
+    return place.empty() ? problem.text : place + ": " + problem.text;
+}
+
+std::string joinedLines(const std::vector<Problem>& problems, const std::string& source) {
+    std::string text;
+    for (const Problem& problem : problems) text += (text.empty() ? "" : "\n") + placed(problem, source);
+    return text;
+}
+
+}  // namespace
+
+ScenarioError::ScenarioError(Kind kind, std::string source, std::vector<Problem> problems)
+    : std::runtime_error(joinedLines(problems, source)),
+      m_kind(kind),
+      m_source(std::move(source)),
+      m_problems(std::move(problems)) {}
+
+std::vector<std::string> ScenarioError::lines() const {
+    std::vector<std::string> lines;
+    for (const Problem& problem : m_problems) lines.push_back(placed(problem, m_source));
+    return lines;
+}
+
+ScenarioDocument loadScenario(const std::string& path) {
+    const FileBytes file = readFile(path, maximumFileBytes);
+    if (!file.problem.empty())
+        throw ScenarioError(ScenarioError::Kind::unreadable, path,
+                            {{"", "the scenario file " + file.problem}});
+    return parseScenario(file.bytes, path);
+}
+
+ScenarioDocument parseScenario(std::string_view text, const std::string& source) {
+    if (text.size() > maximumFileBytes)
+        throw ScenarioError(ScenarioError::Kind::unreadable, source,
+                            {{"", "the scenario is larger than 1 MiB"}});
+    ReadScenario read = readScenario(text, source);
+    if (!read.problems.empty())
+        throw ScenarioError(read.unreadable ? ScenarioError::Kind::unreadable : ScenarioError::Kind::invalid,
+                            source, std::move(read.problems));
+    return {std::move(read.scenario), std::string(text), source};
+}
+
+}  // namespace drillwave

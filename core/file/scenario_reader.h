@@ -1,0 +1,29 @@
+// From the tree of a YAML text to a scenario, with every problem and its place.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/file/yaml_tree.h"
+#include "core/model/scenario.h"
+#include "core/model/validation.h"
+
+namespace drillwave {
+
+/// The newest format number of scenario files this program reads, and the one it writes.
+inline constexpr int scenarioFormat = 1;
+
+/// A scenario, valid if there are no problems.
+struct ReadScenario {
+    Scenario scenario;
+    std::vector<Problem> problems;
+    bool unreadable = false;  ///< what is wrong is that the text, or a file it names, cannot be read
+};
+
+/// Reads and validates. `source` names the text, and a table file is looked for beside it; with `tablePoints`
+/// given these are taken for the content of that file, which is then not opened.
+ReadScenario readScenario(std::string_view text, const std::string& source,
+                          const std::vector<TablePoint>* tablePoints = nullptr);
+
+}  // namespace drillwave
