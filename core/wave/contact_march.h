@@ -46,6 +46,7 @@ class ContactMarch {
     void separate();
     void leave(const Piece& reflected, const Piece& incident, const Piece* force, Real length);
     void finish();
+    void summarise();
     void note(ContactEvent kind) {
         if (m_detail != Detail::cor) m_impact->events.push_back({kind, double(m_arrival + m_s)});
     }
@@ -146,16 +147,17 @@ void ContactMarch<Basis>::nextArrival() {
     const bool endsSegment = length >= left;
     if (m_incident.length > length) {
         m_waves.front().dropFront(length);
-        m_incident.length = length;
+        m_incident.shorten(length);
         if (m_waves.front().length <= std::numeric_limits<Real>::epsilon() * m_roundTrip) m_waves.popFront();
     } else {
         length = m_incident.length;
         m_waves.popFront();
     }
     const Piece& hammer = m_basis.addHammer(segment, into, length, m_incident);
-    if (m_detail != Detail::cor)  // Fa va = Fa (2g − Fa)
-        m_impact->hammerWork += double(2 * Basis::productIntegral(hammer, m_incident, length) -
-                                       Basis::productIntegral(hammer, hammer, length));
+    if constexpr (Basis::keepsHistory)
+        if (m_detail != Detail::cor)  // Fa va = Fa (2g − Fa)
+            m_impact->hammerWork += double(2 * Basis::productIntegral(hammer, m_incident, length) -
+                                           Basis::productIntegral(hammer, hammer, length));
     if (endsSegment && length >= left) {
         ++m_hammerPiece;
         m_hammerTime = m_hammerPiece < m_pulse->segments.size() ? Real(m_pulse->segments[m_hammerPiece].start)
@@ -195,9 +197,10 @@ void ContactMarch<Basis>::leave(const Piece& reflected, const Piece& incident, c
     ++m_impact->pieces;
     m_s += length;
     if (length <= 0) return;
-    if (m_detail == Detail::histories) m_basis.record(incident, force, length, *m_impact);
+    if constexpr (Basis::keepsHistory)
+        if (m_detail == Detail::histories) m_basis.record(incident, force, length, *m_impact);
     m_waves.pushBack(reflected);
-    m_waves.back().length = length;
+    m_waves.back().shorten(length);
     m_basis.tidy(m_waves.back());
 }
 
@@ -264,10 +267,11 @@ void ContactMarch<Basis>::advanceContact() {
     m_impulseCarry = (sum - m_impulse) - corrected;
     m_impulse = sum;
     m_error += m_basis.roundingError(response, length);
-    if (m_detail != Detail::cor) {
-        m_impact->rockWork += double(Basis::productIntegral(response.force, response.drive, length));
-        if (m_elasticRock) m_peak = std::max(m_peak, m_basis.largest(response, length));
-    }
+    if constexpr (Basis::keepsHistory)
+        if (m_detail != Detail::cor) {
+            m_impact->rockWork += double(Basis::productIntegral(response.force, response.drive, length));
+            if (m_elasticRock) m_peak = std::max(m_peak, m_basis.largest(response, length));
+        }
     const Real force = response.force.value(length);
     leave(response.reflected, response.incident, &response.force, length);
     if (length < m_incident.length)
@@ -326,7 +330,8 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
         if (!m_touching) m_gap -= 2 * impulse;
         ++m_impact->pieces;
         m_s += arriving.length;
-        if (m_detail == Detail::histories) m_basis.record(arriving, nullptr, arriving.length, *m_impact);
+        if constexpr (Basis::keepsHistory)
+            if (m_detail == Detail::histories) m_basis.record(arriving, nullptr, arriving.length, *m_impact);
         m_waves.rotate();
     }
     return skipPeriods(momentum);
@@ -384,7 +389,14 @@ void ContactMarch<Basis>::finish() {
     impact.impulse = double(m_impulse);
     impact.cor = double(m_impulse - 1);
     impact.corError = double(m_error + m_basis.momentumNoise());
-    if (m_detail == Detail::cor) return;
+    if constexpr (Basis::keepsHistory)
+        if (m_detail != Detail::cor) summarise();
+}
+
+/// Peak, end and the sums over the last period that balance momentum and energy independently.
+template <class Basis>
+void ContactMarch<Basis>::summarise() {
+    Impact& impact = *m_impact;
     impact.peakForce = double(m_peak);
     if (m_touching) {
         impact.contactDuration += double(m_s - m_contactStart);

@@ -1,11 +1,15 @@
 #include "core/wave/exact_solver.h"
 
+#include <utility>
+
 #include "core/wave/contact_march.h"
+#include "core/wave/exponential_basis.h"
 #include "core/wave/series_basis.h"
 
 namespace drillwave {
 
 struct ExactSolver::Workspace {
+    ContactMarch<ExponentialBasis> closed;
     ContactMarch<SeriesBasis<double>> series;
 };
 
@@ -16,7 +20,17 @@ ExactSolver& ExactSolver::operator=(ExactSolver&&) noexcept = default;
 
 Impact ExactSolver::solve(const PulseForce& pulse, const Groups& groups, Detail detail) {
     Impact impact;
+    const bool inClosedForm = ExponentialBasis::suits(pulse, groups) &&
+                              m_workspace->closed.solve(pulse, groups, Detail::cor, impact);
+    if (inClosedForm && detail == Detail::cor) return impact;
+    const Impact closed = inClosedForm ? std::exchange(impact, Impact{}) : Impact{};
+    impact = Impact{};
     m_workspace->series.solve(pulse, groups, detail, impact);
+    if (inClosedForm && impact.outcome == closed.outcome) {  // the same digits whatever detail is asked for
+        impact.cor = closed.cor;
+        impact.corError = closed.corError;
+        impact.impulse = closed.impulse;
+    }
     return impact;
 }
 

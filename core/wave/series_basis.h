@@ -1,6 +1,8 @@
 // Contact solved in power series on short pieces: robust for every rate, pulse and number of reflections.
 #pragma once
 
+#include "core/model/pulse_force.h"
+#include "core/model/scenario.h"
 #include "core/wave/impact.h"
 #include "core/wave/power_series.h"
 
@@ -16,6 +18,7 @@ class SeriesBasis {
   public:
     using Real = RealType;
     using Piece = PowerSeries<Real>;
+    static constexpr bool keepsHistory = true;
 
     /// One solved stretch of contact: F, the drive 2g − F = U' = F'/a and the reflected g − F, on one scale.
     struct Response {

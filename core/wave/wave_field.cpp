@@ -27,6 +27,16 @@ double recordedTime(const Impact& impact, double s) {
     return s;
 }
 
+/// For how long after s the recording can be followed without a jump to another part of it.
+double uninterrupted(const Impact& impact, double s) {
+    for (const PeriodSkip& skip : impact.skips) {
+        if (s < skip.start) return skip.start - s;
+        const double end = skip.start + skip.duration;
+        if (s < end) return std::min(end - s, impact.roundTrip - std::fmod(s - skip.start, impact.roundTrip));
+    }
+    return impact.incident.end() - recordedTime(impact, s);
+}
+
 double reflectedWave(const Impact& impact, double s) {
     return impactForce(impact, s) - incidentWave(impact, s);
 }
@@ -121,10 +131,10 @@ std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count
         };
         while (from < to) {  // past the recording the last period repeats itself
             const double recorded = recordedTime(impact, from);
-            const double nextSkip = std::min(to - from, impact.incident.end() - recorded);
-            if (!(nextSkip > 1e-12 * impact.roundTrip)) break;
-            sampleRecorded(impact, recorded, recorded + nextSkip, from - recorded + shift, value, wave.curve);
-            from += nextSkip;
+            const double stretch = std::min(to - from, uninterrupted(impact, from));
+            if (!(stretch > 1e-12 * impact.roundTrip)) break;
+            sampleRecorded(impact, recorded, recorded + stretch, from - recorded + shift, value, wave.curve);
+            from += stretch;
         }
         waves.push_back(std::move(wave));
     }

@@ -1,0 +1,68 @@
+// Contact solved in closed form, one piece from front to front however long: fast where reflections are few.
+#pragma once
+
+#include "core/model/pulse_force.h"
+#include "core/model/scenario.h"
+#include "core/wave/exponential_sum.h"
+
+namespace drillwave {
+
+/// The representation of ContactMarch by exponential sums, for pulses of constant or linear pieces.
+///
+/// One term is added at each reflection in contact, and terms of the other rate are divided by the difference
+/// of the rates; so it fails(), and the caller turns to power series, after a few reflections, for γ near but
+/// not at 1, and where an event is tangential within rounding. It keeps no histories.
+class ExponentialBasis {
+  public:
+    using Real = double;
+    using Piece = ExponentialSum;
+    static constexpr bool keepsHistory = false;
+
+    struct Response {
+        double length = 0;
+        double rate = 0;
+        Piece incident, force, drive, reflected;
+        double size = 0;
+    };
+
+    /// Whether it is worth trying: few reflections, rates apart, pulse of linear pieces.
+    static bool suits(const PulseForce& pulse, const Groups& groups);
+
+    void begin(const PulseForce& pulse, const Groups& groups);
+    bool failed() const { return m_failed; }
+    double negligibleForce() const { return m_negligible; }
+    double momentumNoise() const { return 4 * std::numeric_limits<double>::epsilon(); }
+    Piece constant(double length, double value) const;
+    double hammerPieceLength(const PulseSegment&, double left) const { return left; }
+    Piece& addHammer(const PulseSegment& segment, double into, double length, Piece& g);
+
+    Response& respond(const Piece& g, double rate, double force);
+    Zero<double> gapClosure(const Piece& g, double gap);
+    Zero<double> forceVanishes(Response& r);
+    Zero<double> driveVanishes(Response& r);
+    Zero<double> forceReaches(Response& r, double peak, bool tangential);
+    double largestIntegral(const Piece& g);
+    double roundingError(const Response& r, double length) const;
+    void tidy(Piece& piece) const;
+
+  private:
+    /// A function at one point, with a lower bound of its curvature from there on.
+    struct Sample {
+        double value = 0, slope = 0, curvature = 0, leastCurvature = 0;
+        double size = 0;     ///< what the rounding of `value` is relative to
+        double fastest = 0;  ///< the largest rate in it
+    };
+    static constexpr int mostSteps = 200;
+
+    Sample sample(const Piece& f, double c2, double x) const;
+    Zero<double> firstZero(const Piece& f, double c2, double end, double start = 0, bool zeroAtStart = false);
+    Zero<double> closeIn(const Piece& f, double c2, double x, Sample s, double end);
+
+    DecayRates m_rates;
+    double m_scale = 1;
+    double m_negligible = 0;
+    bool m_failed = false;
+    Response m_response;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,101 @@
+// Seconds per COR evaluation, scene by scene: a table, or with --json an array. Not run by ctest.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "core/model/pulse_force.h"
+#include "core/model/units.h"
+#include "core/wave/exact_solver.h"
+
+using namespace drillwave;
+
+namespace {
+
+struct Scene {
+    const char* name;
+    PulseShape shape;
+    Groups groups;
+};
+
+const Scene scenes[] = {
+    {"elastic", PulseShape::rectangular, {0.5, 1, 10, 0}},
+    {"bilinear", PulseShape::rectangular, {0.5, 0.1, 10, 0}},
+    {"reference", PulseShape::rigidBody, {0.5, 1, 10, 0}},
+    {"gap", PulseShape::rectangular, {0.5, 0.1, 10, 0.521}},
+    {"soft", PulseShape::rectangular, {0.01, 0.1, 10, 0}},
+    {"stiff", PulseShape::rectangular, {1e6, 0.01, 10, 0}},
+    {"near_elastic", PulseShape::rectangular, {0.5, 0.99999999, 10, 0}},
+    {"half_sine", PulseShape::halfSine, {0.5, 0.1, 10, 0}},
+    {"piston", PulseShape::piston, {0.5, 0.1, 10, 0}},
+    {"softest", PulseShape::rectangular, {1e-7, 0.1, 0.5, 0}},
+    {"stiffest", PulseShape::rectangular, {1e9, 1e-6, 10, 0.3}},
+};
+
+struct Timing {
+    double median, least;
+    long pieces;
+};
+
+Timing measure(const Scene& scene) {
+    using Clock = std::chrono::steady_clock;
+    Scenario scenario;
+    scenario.form = ScenarioForm::dimensionless;
+    scenario.groups = scene.groups;
+    scenario.pulse.shape = scene.shape;
+    scenario.pulse.piston.impedanceRatio = 2;
+    const PulseForce pulse = pulseForceOf(scenario);
+    ExactSolver solver;
+    double sink = 0;
+    long pieces = 0;
+    const auto batch = [&](long count) {
+        const auto start = Clock::now();
+        for (long i = 0; i < count; ++i) {
+            const Impact impact = solver.solve(pulse, scene.groups, Detail::cor);
+            sink += impact.cor;
+            pieces = impact.pieces;
+        }
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    long count = 1;
+    while (batch(count) < 0.02) count *= 2;  // warm-up, and long enough for the clock
+    std::vector<double> seconds;
+    for (int run = 0; run < 11; ++run) seconds.push_back(batch(count) / double(count));
+    std::sort(seconds.begin(), seconds.end());
+    if (!(sink == sink)) std::fprintf(stderr, "not a number\n");
+    return {seconds[seconds.size() / 2], seconds.front(), pieces};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const bool json = argc > 1 && std::strcmp(argv[1], "--json") == 0;
+    if (argc > 1 && !json) {
+        std::fprintf(stderr, "usage: bench_solver [--json]\n");
+        return 2;
+    }
+    if (!json)
+        std::printf("%-13s %-12s %9s %11s %5s %6s %12s %12s %7s\n", "scene", "shape", "beta", "gamma", "tau", "delta",
+                    "median", "minimum", "pieces");
+    const char* separator = "[";
+    for (const Scene& scene : scenes) {
+        const Timing timing = measure(scene);
+        const std::string shape(name(scene.shape));
+        const auto number = [](double value) { return formatNumber(value); };
+        const Groups& g = scene.groups;
+        if (json)
+            std::printf("%s\n {\"scene\": \"%s\", \"shape\": \"%s\", \"beta\": %s, \"gamma\": %s, \"tau\": %s, "
+                        "\"delta\": %s, \"median_s\": %s, \"min_s\": %s, \"pieces\": %ld}",
+                        separator, scene.name, shape.c_str(), number(g.beta).c_str(), number(g.gamma).c_str(),
+                        number(g.tau).c_str(), number(g.delta).c_str(), number(timing.median).c_str(),
+                        number(timing.least).c_str(), timing.pieces);
+        else
+            std::printf("%-13s %-12s %9s %11s %5s %6s %9.3f us %9.3f us %7ld\n", scene.name, shape.c_str(),
+                        number(g.beta).c_str(), number(g.gamma).c_str(), number(g.tau).c_str(),
+                        number(g.delta).c_str(), 1e6 * timing.median, 1e6 * timing.least, timing.pieces);
+        separator = ",";
+    }
+    if (json) std::printf("\n]\n");
+}
