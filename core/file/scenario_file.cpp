@@ -1,6 +1,8 @@
 #include "core/file/scenario_file.h"
 
+#include "core/file/scenario_patch.h"
 #include "core/file/scenario_reader.h"
+#include "core/file/scenario_text.h"
 #include "core/file/text_input.h"
 
 namespace drillwave {
@@ -19,6 +21,23 @@ std::string joinedLines(const std::vector<Problem>& problems, const std::string&
     std::string text;
     for (const Problem& problem : problems) text += (text.empty() ? "" : "\n") + placed(problem, source);
     return text;
+}
+
+/// Whether the text says exactly this scenario; a table file is taken to hold the scenario's points.
+bool says(std::string_view text, const Scenario& scenario, const std::string& source) {
+    const ReadScenario read = readScenario(text, source, &scenario.pulse.tablePoints);
+    return read.problems.empty() && read.scenario == scenario;
+}
+
+/// The comments in front of the first key: they explain the scenario and survive a file written anew.
+std::string_view leadingComments(std::string_view text) {
+    std::size_t at = 0;
+    while (at < text.size() && (text[at] == '#' || text[at] == '\n' || text[at] == '\r')) {
+        const std::size_t lineEnd = text.find('\n', at);
+        if (lineEnd == std::string_view::npos) return text;
+        at = lineEnd + 1;
+    }
+    return text.substr(0, at);
 }
 
 }  // namespace
@@ -52,6 +71,21 @@ ScenarioDocument parseScenario(std::string_view text, const std::string& source)
         throw ScenarioError(read.unreadable ? ScenarioError::Kind::unreadable : ScenarioError::Kind::invalid,
                             source, std::move(read.problems));
     return {std::move(read.scenario), std::string(text), source};
+}
+
+std::string writeScenario(const ScenarioDocument& document) {
+    const Scenario scenario = withoutUnusedValues(document.scenario);
+    if (!document.text.empty()) {
+        if (says(document.text, scenario, document.source)) return document.text;
+        const std::optional<std::string> patched = patchedText(document.text, scenario);
+        if (patched && says(*patched, scenario, document.source)) return *patched;
+    }
+    std::string text = std::string(leadingComments(document.text)) + scenarioText(scenario);
+    if (text.size() > maximumFileBytes)
+        throw ScenarioError(
+            ScenarioError::Kind::invalid, document.source,
+            {{"pulse.points", "pulse.points (too many to stand in the file: keep them in a CSV file)"}});
+    return text;
 }
 
 }  // namespace drillwave

@@ -47,6 +47,9 @@ ScenarioDocument parseScenario(std::string_view text, const std::string& source)
 
 /// The document's scenario as YAML text. Byte for byte `document.text` if it still says the same scenario;
 /// otherwise the changed values are patched in place where that is possible, or the file is written anew.
+/// Reading the result gives the same scenario, but for what its form and shape do not use (see
+/// withoutUnusedValues()). Throws ScenarioError where that would be larger than 1 MiB. Requires a valid
+/// scenario.
 std::string writeScenario(const ScenarioDocument& document);
 
 }  // namespace drillwave

@@ -111,6 +111,15 @@ TypedQuantity refused(std::string problem) {
     return {0, nullptr, std::move(problem)};
 }
 
+/// "nan", ".inf", "-Infinity" and the like.
+bool isNotFinite(std::string_view text) {
+    const std::size_t word = text.find_first_not_of("+-.");
+    if (word == std::string_view::npos) return false;
+    std::string start(text.substr(word, 3));
+    for (char& c : start) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return start == "nan" || start == "inf";
+}
+
 std::string missingUnit(std::string_view number, Quantity quantity, const Unit* example) {
     const std::string_view unit = (example ? *example : unitsOf(quantity).front()).name;
     return "has no unit: write for example `" + shortened(number) + " " + std::string(unit) +
@@ -219,7 +228,7 @@ TypedQuantity parseQuantity(std::string_view text, Quantity quantity, BareNumber
     text = trimmed(text);
     if (text.empty()) return refused("is empty");
     const std::size_t length = numberLength(text);
-    if (length == 0) return refused("is not a number");
+    if (length == 0) return refused(isNotFinite(text) ? "must be a finite number" : "is not a number");
     const std::string_view number = text.substr(0, length);
     const std::string_view unitName = trimmed(text.substr(length));
 

@@ -1,0 +1,230 @@
+#include "core/file/scenario_patch.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/file/scenario_text.h"
+#include "core/file/text_edit.h"
+#include "core/file/yaml_tree.h"
+
+namespace drillwave {
+namespace {
+
+using Kind = YamlNode::Kind;
+
+/// Bytes [begin, end) of a text.
+struct Extent {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+/// Thrown inside this file where the text would have to be written anew.
+struct NotPatchable {};
+
+/// Where a scalar stands, with its quotes. Only scalars that stand there literally.
+Extent extentOf(std::string_view text, const YamlNode& scalar) {
+    if (scalar.kind != Kind::scalar) throw NotPatchable();
+    const std::string_view rest = text.substr(scalar.offset);
+    const bool quoted = rest.starts_with('"') || rest.starts_with('\'');
+    const std::size_t begin = quoted ? 1 : 0;
+    const bool literal =
+        rest.substr(begin).starts_with(scalar.text) && scalar.text.find('\n') == std::string::npos;
+    const std::size_t end = begin + scalar.text.size();
+    if (!literal || (quoted && (end >= rest.size() || rest[end] != rest[0]))) throw NotPatchable();
+    return {scalar.offset, scalar.offset + end + begin};
+}
+
+class Patcher {
+  public:
+    Patcher(std::string_view text, const Scenario& scenario)
+        : m_text(text), m_scenario(scenario), m_values(savedValues(scenario)) {
+        m_lineEnd = text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
+    }
+
+    std::string patched(const YamlNode& root) {
+        patchMap(root, "");
+        for (const std::string_view section : {"dimensionless", "rod", "pulse", "bit_rock", "drill"})
+            patchSection(root, section);
+        return edited(m_text, std::move(m_edits));
+    }
+
+  private:
+    const SavedValue* saved(std::string_view section, std::string_view key) const {
+        const auto same = [&](const SavedValue& value) {
+            return value.section == section && value.key == key;
+        };
+        const auto found = std::ranges::find_if(m_values, same);
+        return found == m_values.end() ? nullptr : &*found;
+    }
+
+    static std::size_t indexOf(const YamlNode& map, std::string_view key) {
+        std::size_t at = 0;
+        while (at < map.children.size() && map.children[at].text != key) at += 2;
+        return at;
+    }
+
+    void patchSection(const YamlNode& root, std::string_view section) {
+        const std::size_t at = indexOf(root, section);
+        const bool wanted =
+            std::ranges::any_of(m_values, [&](const SavedValue& v) { return v.section == section; });
+        const bool there = at < root.children.size();
+        if (there && wanted && root.children[at + 1].kind == Kind::map)
+            patchMap(root.children[at + 1], section);
+        else if (there && (wanted || root.children[at + 1].kind != Kind::null))
+            removeSection(root, at, wanted);
+        else if (wanted)
+            appendSection(section);
+    }
+
+    /// A section of which nothing is left, as long as it is one line or a few.
+    void removeSection(const YamlNode& root, std::size_t at, bool wanted) {
+        const YamlNode& map = root.children[at + 1];
+        if (wanted || root.flow || map.kind != Kind::map) throw NotPatchable();
+        if (!map.flow)
+            for (std::size_t i = 0; i + 1 < map.children.size(); i += 2) removeLine(map, i);
+        const Extent key = lineOf(extentOf(m_text, root.children[at]));
+        const std::size_t end = map.flow ? lineOf({map.offset, flowEnd(map)}).end : key.end;
+        m_edits.push_back({key.begin, end - key.begin, ""});
+    }
+
+    void appendSection(std::string_view section) {
+        std::string text = sectionText(m_scenario, section);
+        if (m_lineEnd == "\r\n")
+            for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2))
+                text.replace(at, 1, "\r\n");
+        const bool open = !m_text.ends_with('\n');
+        m_edits.push_back({m_text.size(), 0, (open ? std::string(m_lineEnd) : "") + text});
+    }
+
+    void patchMap(const YamlNode& map, std::string_view section) {
+        for (std::size_t i = 0; i + 1 < map.children.size(); i += 2) patchEntry(map, i, section);
+        const YamlNode* before = section.empty() ? &map.children.front() : nullptr;
+        for (const SavedValue& value : m_values) {
+            if (value.section != section) continue;
+            const std::size_t at = indexOf(map, value.key);
+            if (at < map.children.size())
+                before = &map.children[at];
+            else if (!value.isDefault)
+                insert(map, before, value);
+        }
+    }
+
+    void patchEntry(const YamlNode& map, std::size_t at, std::string_view section) {
+        const YamlNode& key = map.children[at];
+        const YamlNode& node = map.children[at + 1];
+        if (section.empty() && key.text != "title") return;
+        if (section == "pulse" && key.text == "points") return;
+        const SavedValue* value = saved(section, key.text);
+        if (!value && section.empty() && node.text.empty()) return;
+        if (!value) {
+            if (map.flow)
+                removeFromFlow(map, at);
+            else
+                removeLine(map, at);
+            return;
+        }
+        const Unit* unit = nullptr;
+        if (value->parameter) {
+            const TypedQuantity old = parseQuantity(node.text, value->parameter->quantity);
+            if (old.valid() && old.si == value->number) return;
+            unit = old.unit;
+        } else if (node.text == value->text && node.kind == Kind::scalar) {
+            return;
+        }
+        replace(extentOf(m_text, node), valueText(*value, unit));
+    }
+
+    /// Exchanges a value, and keeps a comment behind it in its column where there is room.
+    void replace(Extent extent, std::string text) {
+        const std::size_t behind = m_text.find_first_not_of(' ', extent.end);
+        if (behind != std::string_view::npos && m_text[behind] == '#') {
+            const std::size_t column = behind - extent.begin;
+            text.resize(std::max(column, text.size() + 1), ' ');
+            extent.end = behind;
+        }
+        m_edits.push_back({extent.begin, extent.end - extent.begin, std::move(text)});
+    }
+
+    /// The line(s) of an extent, from the first byte to behind the line end.
+    Extent lineOf(Extent extent) const {
+        const std::size_t before =
+            extent.begin == 0 ? std::string_view::npos : m_text.rfind('\n', extent.begin - 1);
+        const std::size_t after = m_text.find('\n', extent.end);
+        return {before == std::string_view::npos ? 0 : before + 1,
+                after == std::string_view::npos ? m_text.size() : after + 1};
+    }
+
+    /// The line of one entry of a block map that has it to itself.
+    Extent entryLine(const YamlNode& map, std::size_t at) const {
+        const Extent key = extentOf(m_text, map.children[at]);
+        const YamlNode& value = map.children[at + 1];
+        const Extent line =
+            lineOf(value.kind == Kind::null ? key : Extent{key.begin, extentOf(m_text, value).end});
+        const std::string_view indentation = m_text.substr(line.begin, key.begin - line.begin);
+        const bool oneLine =
+            m_text.substr(key.begin, line.end - key.begin).find('\n') + 1 == line.end - key.begin ||
+            line.end == m_text.size();
+        if (!oneLine || indentation.find_first_not_of(' ') != std::string_view::npos) throw NotPatchable();
+        return line;
+    }
+
+    void removeLine(const YamlNode& map, std::size_t at) {
+        const Extent line = entryLine(map, at);
+        m_edits.push_back({line.begin, line.end - line.begin, ""});
+    }
+
+    void removeFromFlow(const YamlNode& map, std::size_t at) {
+        const bool first = at == 0;
+        if (first && map.children.size() <= 2) throw NotPatchable();
+        const std::size_t begin = first ? map.children[0].offset : extentOf(m_text, map.children[at - 1]).end;
+        const std::size_t end = first ? map.children[2].offset : extentOf(m_text, map.children[at + 1]).end;
+        m_edits.push_back({begin, end - begin, ""});
+    }
+
+    std::size_t flowEnd(const YamlNode& map) const {
+        const std::size_t last =
+            map.children.empty() ? map.offset : extentOf(m_text, map.children.back()).end;
+        const std::size_t brace = m_text.find('}', last);
+        if (brace == std::string_view::npos) throw NotPatchable();
+        return brace;
+    }
+
+    /// A new entry behind the entry with the key `before`, or in front of all of them.
+    void insert(const YamlNode& map, const YamlNode* before, const SavedValue& value) {
+        if (map.children.empty()) throw NotPatchable();
+        const std::string entry = std::string(value.key) + ": " + valueText(value);
+        const std::size_t at = before ? static_cast<std::size_t>(before - map.children.data()) : 0;
+        if (map.flow) {
+            const std::size_t place =
+                before ? extentOf(m_text, map.children[at + 1]).end : map.children[0].offset;
+            m_edits.push_back({place, 0, before ? ", " + entry : entry + ", "});
+            return;
+        }
+        const Extent line = entryLine(map, at);
+        const std::string indentation(m_text.substr(line.begin, map.children[at].offset - line.begin));
+        const bool open = before && m_text[line.end - 1] != '\n';
+        const std::string text = open ? std::string(m_lineEnd) + indentation + entry
+                                      : indentation + entry + std::string(m_lineEnd);
+        m_edits.push_back({before ? line.end : line.begin, 0, text});
+    }
+
+    std::string_view m_text;
+    const Scenario& m_scenario;
+    std::vector<SavedValue> m_values;
+    std::string_view m_lineEnd;
+    std::vector<TextEdit> m_edits;
+};
+
+}  // namespace
+
+std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario) {
+    const YamlTree tree = parseYaml(text);
+    if (!tree.problem.text.empty() || tree.root.kind != Kind::map) return std::nullopt;
+    try {
+        return Patcher(text, scenario).patched(tree.root);
+    } catch (const NotPatchable&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace drillwave

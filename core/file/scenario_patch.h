@@ -1,0 +1,17 @@
+// Changed values put into the text of a scenario file, everything else in it left where it is.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// The text with the scenario's values: changed ones in the unit the file used, new ones on new lines, those
+/// that went taken out. nullopt where that takes more than exchanging single values and lines (another form,
+/// changed points of a table, values that span lines). The caller checks that the result says the scenario.
+std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario);
+
+}  // namespace drillwave

@@ -1,0 +1,41 @@
+// What of a scenario is kept in a file, and that file written anew.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/model/parameter.h"
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// One line of a scenario file: a parameter, or a text (title, shape, file of a table).
+struct SavedValue {
+    std::string_view section;              ///< "rod", "dimensionless", …; empty for the title
+    std::string_view key;                  ///< inside the section
+    const Parameter* parameter = nullptr;  ///< nullptr for a text
+    double number = 0;                     ///< of a parameter, SI
+    std::string text;                      ///< of a text, as it is
+    bool isDefault = false;                ///< an absent key says the same
+};
+
+/// Everything a file must say, in the order of a file. The points of an inline table are not among them.
+std::vector<SavedValue> savedValues(const Scenario& scenario);
+
+/// The scenario without what its form and shape do not use, which no file keeps.
+Scenario withoutUnusedValues(const Scenario& scenario);
+
+/// The value as it stands behind its key, in the customary unit or the given one.
+std::string valueText(const SavedValue& value, const Unit* unit = nullptr);
+
+/// A text as a YAML scalar, quoted where it needs to be.
+std::string yamlScalar(std::string_view text);
+
+/// The whole file in its customary form.
+std::string scenarioText(const Scenario& scenario);
+
+/// One section of it: "drill:\n  thrust: 8 kN\n".
+std::string sectionText(const Scenario& scenario, std::string_view section);
+
+}  // namespace drillwave

@@ -1,0 +1,21 @@
+// Replacements of parts of a text, made all at once.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drillwave {
+
+/// `length` bytes at `offset` are replaced; insertions at the same place keep their order.
+struct TextEdit {
+    std::size_t offset = 0;
+    std::size_t length = 0;
+    std::string replacement;
+};
+
+/// The text with the edits made, which must not overlap.
+std::string edited(std::string_view text, std::vector<TextEdit> edits);
+
+}  // namespace drillwave
