@@ -1,5 +1,87 @@
+// Picks between the subcommands, which never need a display, and the window.
+#include <QApplication>
+#include <QCoreApplication>
 #include <cstdio>
+#include <exception>
+#include <new>
+#include <span>
+#include <string>
+#include <vector>
 
+#include "app/command.h"
+#include "app/help_text.h"
+#include "app/window.h"
 #include "core/model/version.h"
 
-int main() { return std::printf("drillwave %s\n", drillwave::versionText) < 0; }
+namespace {
+
+using namespace drillwave;
+
+int print(const std::string& text) {
+    const bool printed = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+    return static_cast<int>(printed ? ExitCode::done : ExitCode::unwritableOutput);
+}
+
+int printVersion() {
+    return print(std::string("drillwave ") + versionText + "\n");
+}
+
+bool asksFor(std::span<const std::string> words, const std::string& option) {
+    for (const std::string& word : words) {
+        if (word == "--") return false;
+        if (word == option) return true;
+    }
+    return false;
+}
+
+const Command* findCommand(const std::string& name) {
+    for (const Command* command : commands())
+        if (command->name == name) return command;
+    return nullptr;
+}
+
+int runCommand(const Command& command, std::span<const std::string> words, int argc, char** argv) {
+    if (asksFor(words, "--help")) return print(commandHelp(command));
+    if (asksFor(words, "--version")) return printVersion();
+    const Arguments arguments = parseArguments(command, words);
+    if (!command.draws(arguments)) {
+        const QCoreApplication application(argc, argv);
+        return static_cast<int>(command.run(arguments));
+    }
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(argc, argv);
+    return static_cast<int>(command.run(arguments));
+}
+
+int report(const std::string& who, const CommandError& error) {
+    // A problem of a file begins with its place, "file:line:column: …", and needs no other name in front.
+    for (const std::string& line : error.lines())
+        std::fprintf(stderr, "%s%s\n", error.lines().size() == 1 ? who.c_str() : "", line.c_str());
+    return static_cast<int>(error.code());
+}
+
+int internalError(const std::string& who, const std::string& what) {
+    std::fprintf(stderr, "%sinternal error: %s; please report it with the command that led to it\n",
+                 who.c_str(), what.c_str());
+    return static_cast<int>(ExitCode::internalError);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const Command* command = words.empty() ? nullptr : findCommand(words.front());
+    const std::string who = command ? "drillwave " + std::string(command->name) + ": " : "drillwave: ";
+    try {
+        if (command) return runCommand(*command, std::span(words).subspan(1), argc, argv);
+        if (asksFor(words, "--help") || asksFor(words, "-h")) return print(programHelp());
+        if (asksFor(words, "--version")) return printVersion();
+        return openWindow(argc, argv);
+    } catch (const CommandError& error) {
+        return report(who, error);
+    } catch (const std::bad_alloc&) {
+        return internalError(who, "out of memory");
+    } catch (const std::exception& error) {
+        return internalError(who, error.what());
+    }
+}

@@ -14,33 +14,32 @@ namespace drillwave {
 
 /// What ended a run over rows.
 enum class RowsEnd {
-    finished,  ///< every chunk was emitted
-    stopped,   ///< on the stop token, or because `emit` returned false
+    finished,  ///< every chunk was delivered
+    stopped,   ///< on the stop token, or because `deliver` returned false
 };
 
 /// Calls `fill(chunk)` for one chunk after another until it returns false, works on the chunks with one
-/// worker per thread, and calls `emit(chunk)` in the order in which they were filled. What is emitted does
-/// not depend on the number of threads.
+/// worker per thread, and calls `deliver(chunk)` in the order in which they were filled. What is delivered
+/// does not depend on the number of threads.
 ///
 /// - `fill(Chunk&) -> bool` runs on any thread, one call at a time.
-/// - `makeWorker()` runs once on each thread; the result is called as `worker(Chunk&, std::stop_token)`. Once
-/// a stop
-///   is requested it may leave its chunk unfinished: such a chunk is not emitted.
-/// - `emit(Chunk&) -> bool` runs on the calling thread; false stops the run.
+/// - `makeWorker()` runs once on each thread; the result is called as `worker(Chunk&, std::stop_token)`.
+///   Once a stop is requested it may leave its chunk unfinished: such a chunk is not delivered.
+/// - `deliver(Chunk&) -> bool` runs on the calling thread; false stops the run.
 ///
 /// Chunks are reused, at most four for each thread are in work at once. An exception of any of the three ends
 /// the run and leaves this function.
-template <typename Chunk, typename Fill, typename MakeWorker, typename Emit>
-RowsEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker makeWorker, Emit emit) {
-    struct Slot {
+template <typename Chunk, typename Fill, typename MakeWorker, typename Deliver>
+RowsEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker makeWorker, Deliver deliver) {
+    struct Place {
         Chunk chunk;
         bool done = false;
     };
     std::mutex mutex;
     std::condition_variable_any changed;
-    std::vector<Slot> slots(static_cast<std::size_t>(jobs) * 4);
-    std::size_t filled = 0;   // chunks handed to workers so far
-    std::size_t emitted = 0;  // of these, chunks emitted
+    std::vector<Place> places(static_cast<std::size_t>(jobs) * 4);
+    std::size_t filled = 0;     // chunks handed to workers so far
+    std::size_t delivered = 0;  // of these, chunks delivered
     bool exhausted = false;
     std::exception_ptr failure;
     std::stop_source ending;  // of the threads, on `stop` or on any early end
@@ -50,20 +49,20 @@ RowsEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker mak
         std::unique_lock lock(mutex);
         for (;;) {
             const bool ready = changed.wait(lock, ending.get_token(),
-                                            [&] { return exhausted || filled - emitted < slots.size(); });
+                                            [&] { return exhausted || filled - delivered < places.size(); });
             if (!ready || exhausted || ending.stop_requested()) return;
-            Slot& slot = slots[filled % slots.size()];
-            if (!fill(slot.chunk)) {
+            Place& place = places[filled % places.size()];
+            if (!fill(place.chunk)) {
                 exhausted = true;
                 changed.notify_all();
                 return;
             }
-            slot.done = false;
+            place.done = false;
             ++filled;
             lock.unlock();
-            worker(slot.chunk, ending.get_token());
+            worker(place.chunk, ending.get_token());
             lock.lock();
-            slot.done = true;
+            place.done = true;
             changed.notify_all();
         }
     };
@@ -78,18 +77,19 @@ RowsEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker mak
             ending.request_stop();
         }
     };
-    const auto emitChunks = [&] {
+    const auto deliverChunks = [&] {
         std::unique_lock lock(mutex);
         for (;;) {
-            changed.wait(lock, ending.get_token(),
-                         [&] { return emitted < filled ? slots[emitted % slots.size()].done : exhausted; });
+            changed.wait(lock, ending.get_token(), [&] {
+                return delivered < filled ? places[delivered % places.size()].done : exhausted;
+            });
             if (ending.stop_requested()) return RowsEnd::stopped;
-            if (emitted == filled) return RowsEnd::finished;
+            if (delivered == filled) return RowsEnd::finished;
             lock.unlock();
-            const bool goOn = emit(slots[emitted % slots.size()].chunk);
+            const bool goOn = deliver(places[delivered % places.size()].chunk);
             lock.lock();
             if (!goOn) return RowsEnd::stopped;
-            ++emitted;
+            ++delivered;
             changed.notify_all();
         }
     };
@@ -104,7 +104,7 @@ RowsEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker mak
             ~EndThreads() { ending.request_stop(); }
         } endThreads{ending};
         for (int i = 0; i < jobs; ++i) threads.emplace_back(runThread);
-        end = emitChunks();
+        end = deliverChunks();
     }
     if (failure) std::rethrow_exception(failure);
     return end;

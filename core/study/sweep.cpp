@@ -146,7 +146,7 @@ RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, const Wri
         next = chunk.points.end;
         return chunk.points.size() > 0;
     };
-    const auto emit = [&](Chunk& chunk) {
+    const auto deliver = [&](Chunk& chunk) {
         if (!write(chunk.text)) return false;
         counts.rows += chunk.points.size();
         counts.failed += chunk.failed;
@@ -154,7 +154,7 @@ RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, const Wri
         return true;
     };
     counts.end = processInOrder<Chunk>(
-        jobs, stop, fill, [&] { return RowMaker(sweep); }, emit);
+        jobs, stop, fill, [&] { return RowMaker(sweep); }, deliver);
     return counts;
 }
 

@@ -28,16 +28,20 @@ std::string refusal(std::string_view key, std::string_view value, std::string_vi
 }
 
 /// Reads a value of the axis; a problem for what is no value or out of range.
-std::string readValue(SweepAxis& axis, std::string_view text, double& value) {
+std::string readValue(ParsedAxis& parsed, std::string_view text, double& value) {
+    SweepAxis& axis = parsed.axis;
     const Parameter& parameter = *axis.parameter;
     const TypedQuantity typed =
         parseQuantity(text, parameter.quantity, BareNumber::refused, &parameter.displayUnit());
+    parsed.kind = ParsedAxis::Kind::badValue;
     if (!typed.valid()) return refusal(parameter.key, text, typed.problem);
     const bool sameUnit = !axis.unit || axis.unit == typed.unit;
     axis.unit = sameUnit ? typed.unit : &unitsOf(parameter.quantity).front();
     value = typed.si;
     const std::string problem = rangeProblem(parameter, value);
-    return problem.empty() ? problem : refusal(parameter.key, text, problem);
+    if (!problem.empty()) return refusal(parameter.key, text, problem);
+    parsed.kind = ParsedAxis::Kind::badText;
+    return {};
 }
 
 /// The way from a (position 0) to b (position last). Weights rather than steps, so that 1 to 10 in ten steps
@@ -57,7 +61,8 @@ std::string readCount(SweepAxis& axis, std::string_view text) {
     return {};
 }
 
-std::string readRange(SweepAxis& axis, const std::vector<std::string_view>& parts) {
+std::string readRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts) {
+    SweepAxis& axis = parsed.axis;
     const std::string key(axis.key());
     if (parts.size() < 3 || parts.size() > 4)
         return key + " needs START:STOP:COUNT, START:STOP:COUNT:log or a list A,B,C";
@@ -65,51 +70,57 @@ std::string readRange(SweepAxis& axis, const std::vector<std::string_view>& part
         return "`" + shortened(parts[3]) + "` behind the count of " + key +
                " is not known; only `log` may follow";
     axis.kind = parts.size() == 4 ? SweepAxis::Kind::logarithmic : SweepAxis::Kind::linear;
-    for (const std::string& problem : {readValue(axis, parts[0], axis.start),
-                                       readValue(axis, parts[1], axis.stop), readCount(axis, parts[2])})
-        if (!problem.empty()) return problem;
+    if (std::string problem = readValue(parsed, parts[0], axis.start); !problem.empty()) return problem;
+    if (std::string problem = readValue(parsed, parts[1], axis.stop); !problem.empty()) return problem;
+    if (std::string problem = readCount(axis, parts[2]); !problem.empty()) return problem;
     if (axis.kind == SweepAxis::Kind::logarithmic && !(axis.start > 0 && axis.stop > 0))
         return "a logarithmic axis of " + key + " must begin and end above 0";
     return {};
 }
 
-std::string readList(SweepAxis& axis, const std::vector<std::string_view>& items) {
+std::string readList(ParsedAxis& parsed, const std::vector<std::string_view>& items) {
+    SweepAxis& axis = parsed.axis;
     axis.count = items.size();
     for (const std::string_view item : items) {
         double value = 0;
-        if (std::string problem = readValue(axis, item, value); !problem.empty()) return problem;
+        if (std::string problem = readValue(parsed, item, value); !problem.empty()) return problem;
         axis.list.push_back(value);
     }
     return {};
 }
 
-std::string readShapes(SweepAxis& axis, const std::vector<std::string_view>& items) {
+std::string readShapes(ParsedAxis& parsed, const std::vector<std::string_view>& items) {
+    SweepAxis& axis = parsed.axis;
     axis.kind = SweepAxis::Kind::shapes;
     axis.count = items.size();
     for (const std::string_view item : items) {
         const std::optional<PulseShape> shape = findPulseShape(item);
-        if (!shape) return refusal(shapeKey, item, "must be one of " + pulseShapeList());
+        if (!shape) {
+            parsed.kind = ParsedAxis::Kind::badValue;
+            return refusal(shapeKey, item, "must be one of " + pulseShapeList());
+        }
         axis.shapes.push_back(*shape);
     }
     return {};
 }
 
-std::string readAxis(SweepAxis& axis, std::string_view text) {
+std::string readAxis(ParsedAxis& parsed, std::string_view text) {
+    SweepAxis& axis = parsed.axis;
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos)
         return "`" + shortened(text) +
                "` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C";
     const std::string_view key = trimmed(text.substr(0, equals));
     const std::string_view values = text.substr(equals + 1);
-    if (key == shapeKey) return readShapes(axis, split(values, ','));
+    if (key == shapeKey) return readShapes(parsed, split(values, ','));
     axis.parameter = findParameter(key);
     if (!axis.parameter) {
         const std::string near = nearestKey(key);
         return "`" + shortened(key) + "` is not a parameter" +
                (near.empty() ? "" : "; did you mean `" + near + "`?");
     }
-    if (values.find(':') != std::string_view::npos) return readRange(axis, split(values, ':'));
-    return readList(axis, split(values, ','));
+    if (values.find(':') != std::string_view::npos) return readRange(parsed, split(values, ':'));
+    return readList(parsed, split(values, ','));
 }
 
 }  // namespace
@@ -169,7 +180,7 @@ std::vector<std::uint64_t> SweepAxis::extremes() const {
 
 ParsedAxis parseAxis(std::string_view text) {
     ParsedAxis parsed;
-    parsed.problem = readAxis(parsed.axis, text);
+    parsed.problem = readAxis(parsed, text);
     return parsed;
 }
 

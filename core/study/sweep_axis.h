@@ -43,6 +43,8 @@ inline constexpr std::uint64_t maximumSweepPoints = 1'000'000'000'000;
 
 /// An axis read from text, or why not.
 struct ParsedAxis {
+    /// What was wrong: the words, or a value that the parameter cannot take.
+    enum class Kind { badText, badValue } kind = Kind::badText;
     SweepAxis axis;
     std::string problem;
 };

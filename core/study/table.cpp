@@ -207,14 +207,14 @@ TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::st
                     chunk.problems.push_back(std::move(problem));
         };
     };
-    const auto emit = [&](Chunk& chunk) {
+    const auto deliver = [&](Chunk& chunk) {
         check.rows += chunk.used;
         for (std::string& problem : chunk.problems)
             if (check.problems.size() < maximumProblems) check.problems.push_back(std::move(problem));
         return check.problems.size() < maximumProblems;
     };
     check.end = processInOrder<Chunk>(
-        jobs, stop, [&](Chunk& chunk) { return reader.fill(chunk); }, makeWorker, emit);
+        jobs, stop, [&](Chunk& chunk) { return reader.fill(chunk); }, makeWorker, deliver);
     return check;
 }
 
@@ -228,7 +228,7 @@ RowCounts runTable(const Table& table, std::istream& cases, std::uint64_t rows, 
     if (table.shard.hasHeader() && !write(headerText(header, table.columns)))
         return {.end = RowsEnd::stopped};
 
-    const auto emit = [&](Chunk& chunk) {
+    const auto deliver = [&](Chunk& chunk) {
         if (!write(chunk.text)) return false;
         counts.rows += chunk.used;
         counts.failed += chunk.failed;
@@ -237,7 +237,7 @@ RowCounts runTable(const Table& table, std::istream& cases, std::uint64_t rows, 
     };
     counts.end = processInOrder<Chunk>(
         jobs, stop, [&](Chunk& chunk) { return reader.fill(chunk); }, [&] { return RowMaker(table, header); },
-        emit);
+        deliver);
     return counts;
 }
 

@@ -1,0 +1,120 @@
+#include "app/arguments.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "app/command_error.h"
+#include "core/model/decimal_text.h"
+#include "core/model/nearest_name.h"
+
+namespace drillwave {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& line) {
+    throw CommandError(ExitCode::usage, line);
+}
+
+/// A word that begins like an option, in its parts.
+struct OptionWord {
+    std::string_view name;
+    std::optional<std::string> value;  ///< attached: --name=value, -j4
+};
+
+OptionWord split(std::string_view word) {
+    if (!word.starts_with("--")) {
+        OptionWord option{word.substr(1, 1), std::nullopt};
+        if (word.size() > 2) option.value = std::string(word.substr(word[2] == '=' ? 3 : 2));
+        return option;
+    }
+    const std::size_t equals = word.find('=');
+    OptionWord option{word.substr(2, equals == std::string_view::npos ? equals : equals - 2), std::nullopt};
+    if (equals != std::string_view::npos) option.value = std::string(word.substr(equals + 1));
+    return option;
+}
+
+[[noreturn]] void refuseUnknown(std::string_view word, std::string_view name,
+                                std::span<const OptionSpec> options) {
+    std::vector<std::string_view> names;
+    for (const OptionSpec& option : options) names.push_back(option.name);
+    const std::string_view near = nearestName(name, names);
+    const auto nearest = std::ranges::find(options, near, &OptionSpec::name);
+    refuse("unknown option `" + shortened(word) + "`; " +
+           (near.empty() ? "--help lists the options" : "did you mean `" + nearest->text() + "`?"));
+}
+
+bool isOption(std::string_view word) {
+    return word.size() > 1 && word.starts_with('-');
+}
+
+}  // namespace
+
+std::string OptionSpec::text() const {
+    return (name.size() == 1 ? "-" : "--") + std::string(name);
+}
+
+Arguments Arguments::parse(std::span<const std::string> words, std::span<const OptionSpec> options) {
+    Arguments arguments;
+    bool optionsEnded = false;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        if (optionsEnded || !isOption(word)) {
+            arguments.m_operands.push_back(word);
+            continue;
+        }
+        if (word == "--") {
+            optionsEnded = true;
+            continue;
+        }
+        OptionWord given = split(word);
+        const auto option = std::ranges::find(options, given.name, &OptionSpec::name);
+        if (option == options.end() || (option->name.size() > 1) != word.starts_with("--"))
+            refuseUnknown(word, given.name, options);
+        if (option->times == OptionSpec::Times::once && arguments.has(option->name))
+            refuse("`" + option->text() + "` is given twice; give it once");
+        if (option->value.empty()) {
+            if (given.value) refuse("`" + option->text() + "` takes no value");
+            given.value = "";
+        } else if (!given.value) {
+            if (i + 1 == words.size())
+                refuse("`" + option->text() + "` needs a value: " + std::string(option->value));
+            given.value = words[++i];
+        }
+        arguments.m_options.emplace_back(option->name, *given.value);
+        if (option->times != OptionSpec::Times::list) continue;
+        while (i + 1 < words.size() && !isOption(words[i + 1]) && words[i + 1].find('=') != std::string::npos)
+            arguments.m_options.emplace_back(option->name, words[++i]);
+    }
+    return arguments;
+}
+
+bool Arguments::has(std::string_view option) const {
+    return value(option).has_value();
+}
+
+std::optional<std::string> Arguments::value(std::string_view option) const {
+    for (const auto& [name, value] : m_options)
+        if (name == option) return value;
+    return std::nullopt;
+}
+
+std::vector<std::string> Arguments::values(std::string_view option) const {
+    std::vector<std::string> found;
+    for (const auto& [name, value] : m_options)
+        if (name == option) found.push_back(value);
+    return found;
+}
+
+long Arguments::number(std::string_view option, long fallback, long low, long high) const {
+    const std::optional<std::string> text = value(option);
+    if (!text) return fallback;
+    long number = 0;
+    const char* end = text->data() + text->size();
+    const auto read = std::from_chars(text->data(), end, number);
+    if (text->empty() || read.ec != std::errc() || read.ptr != end || number < low || number > high)
+        refuse(OptionSpec{option, {}, {}}.text() + " = " + shortened(*text) +
+               " (must be a whole number from " + std::to_string(low) + " to " + std::to_string(high) + ")");
+    return number;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,45 @@
+// The words of a command line sorted into options and operands.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace drillwave {
+
+/// One option of a command, "--set KEY=VALUE" or "-j N".
+struct OptionSpec {
+    std::string_view name;   ///< "set", or a single letter
+    std::string_view value;  ///< what it takes, for the help; empty for a switch
+    std::string_view help;   ///< one line
+    enum class Times { once, repeated, list } times = Times::once;  ///< list: takes all KEY=… words behind it
+
+    /// "--set" or "-j".
+    std::string text() const;
+};
+
+/// The parsed words of one command.
+class Arguments {
+  public:
+    /// Reads "--name value", "--name=value", "-j 4", "-j4"; "--" ends the options. Throws CommandError
+    /// (usage) with one line that names the offending word and the nearest option.
+    static Arguments parse(std::span<const std::string> words, std::span<const OptionSpec> options);
+
+    bool has(std::string_view option) const;
+    std::optional<std::string> value(std::string_view option) const;
+    std::vector<std::string> values(std::string_view option) const;
+    const std::vector<std::string>& operands() const { return m_operands; }
+
+    /// The whole number given to an option, or `fallback`. Throws CommandError (usage) when it is none or out
+    /// of range.
+    long number(std::string_view option, long fallback, long low, long high) const;
+
+  private:
+    std::vector<std::pair<std::string_view, std::string>> m_options;  // names of specs, in the order given
+    std::vector<std::string> m_operands;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,92 @@
+// The machine-readable report.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "app/blow_report.h"
+#include "core/file/blow_csv.h"
+#include "core/model/version.h"
+#include "core/study/impact_summary.h"
+#include "core/study/result_alerts.h"
+
+namespace drillwave {
+
+namespace {
+
+QString text(std::string_view view) {
+    return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+}
+
+QJsonObject groupsJson(const Groups& groups) {
+    return {{"beta", groups.beta}, {"gamma", groups.gamma}, {"tau", groups.tau}, {"delta", groups.delta}};
+}
+
+/// Every output times its scale; null where there is no result.
+QJsonObject outputsJson(const BlowReport& report, const Scales& scales) {
+    const bool solved = report.impact.outcome == Outcome::rebounded;
+    const ImpactSummary summary =
+        solved ? summarize(report.impact, groupsOf(report.scenario)) : ImpactSummary{};
+    QJsonObject object;
+    for (const Output& output : outputs())
+        object[text(output.name)] =
+            solved ? QJsonValue(output.value(summary) * output.scale(scales)) : QJsonValue(QJsonValue::Null);
+    return object;
+}
+
+QJsonObject siJson(const BlowReport& report) {
+    QJsonObject object = outputsJson(report, scalesOf(report.scenario));
+    const bool solved = report.impact.outcome == Outcome::rebounded;
+    if (const std::optional<double> thrust = thrustNeeded(report.scenario, report.impact.cor))
+        object["thrust"] = solved ? QJsonValue(*thrust) : QJsonValue(QJsonValue::Null);
+    return object;
+}
+
+QJsonArray eventsJson(const Impact& impact) {
+    QJsonArray array;
+    for (const ImpactEvent& event : impact.events)
+        array.append(QJsonObject{{"kind", text(name(event.kind))}, {"time", event.time}});
+    return array;
+}
+
+QJsonArray alertsJson(const std::vector<Alert>& alerts) {
+    QJsonArray array;
+    for (const Alert& alert : alerts)
+        array.append(QJsonObject{{"level", alert.level == AlertLevel::warning ? "warning" : "information"},
+                                 {"code", text(alert.code)},
+                                 {"parameter", text(alert.parameter)},
+                                 {"text", text(alert.text)}});
+    return array;
+}
+
+}  // namespace
+
+std::vector<Alert> BlowReport::alerts() const {
+    std::vector<Alert> all = alertsFor(scenario);
+    if (impact.outcome != Outcome::rebounded) return all;
+    for (Alert& alert : resultAlerts(scenario, summarize(impact, groupsOf(scenario))))
+        all.push_back(std::move(alert));
+    return all;
+}
+
+QByteArray reportJson(const BlowReport& report) {
+    const Impact& impact = report.impact;
+    const bool solved = impact.outcome == Outcome::rebounded;
+    QJsonObject object{
+        {"version", versionText},
+        {"title", text(report.scenario.title)},
+        {"method", text(report.method)},
+        {"outcome", solved ? "rebounded" : "not_solved"},
+        {"run_time", report.runTime},
+        {"groups", groupsJson(groupsOf(report.scenario))},
+        {"dimensionless", outputsJson(report, Scales{})},
+        {"events", eventsJson(impact)},
+        {"contacts", impact.contacts},
+        {"pieces", static_cast<qint64>(impact.pieces)},
+        {"alerts", alertsJson(report.alerts())},
+    };
+    if (!solved) object["reason"] = text(impact.reason);
+    if (report.scenario.form == ScenarioForm::dimensional) object["si"] = siJson(report);
+    return QJsonDocument(object).toJson(QJsonDocument::Indented);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,30 @@
+// One solved blow as the run command tells it: to people and to programs.
+#pragma once
+
+#include <QByteArray>
+#include <string>
+#include <vector>
+
+#include "core/model/scenario.h"
+#include "core/model/validation.h"
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// All that is reported about one blow.
+struct BlowReport {
+    Scenario scenario;
+    Impact impact;                      ///< solved with Detail::summary or more
+    double runTime = 0;                 ///< of the solve alone [s]
+    std::string method;                 ///< "exact"
+    std::vector<Alert> alerts() const;  ///< of the scenario, and of the result if there is one
+};
+
+/// The JSON object of contract §4. Numbers read back exactly; they are null where the case could not be
+/// solved.
+QByteArray reportJson(const BlowReport& report);
+
+/// A summary for people, rounded to six digits. Requires a solved impact.
+std::string reportText(const BlowReport& report);
+
+}  // namespace drillwave

@@ -1,0 +1,132 @@
+// The report for people.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "app/blow_report.h"
+#include "core/study/impact_summary.h"
+
+namespace drillwave {
+
+namespace {
+
+std::string rounded(double value, int digits = 6) {
+    std::array<char, 48> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+    return {text.data(), end.ptr};
+}
+
+/// An SI value in the unit of its customary family that needs the fewest zeros: "71.7 kN", "3.2 mm".
+std::string inHandyUnit(double si, Quantity quantity) {
+    constexpr std::array<std::string_view, 11> handy{"us",  "ms", "s",  "um", "mm", "m",
+                                                     "N s", "N",  "kN", "J",  "kJ"};
+    const Unit* chosen = nullptr;
+    for (const std::string_view name : handy) {
+        const Unit* unit = findUnit(quantity, name);
+        if (unit && (!chosen || std::abs(unit->fromSi(si)) >= 1)) chosen = unit;
+    }
+    return rounded(chosen->fromSi(si)) + " " + std::string(chosen->name);
+}
+
+/// Columns of text: the label, the dimensionless value, the value in SI.
+class Columns {
+  public:
+    void add(std::string label, std::string dimensionless, std::string si = {}) {
+        m_rows.push_back({std::move(label), std::move(dimensionless), std::move(si)});
+    }
+
+    std::string text() const {
+        std::string text;
+        for (const Row& row : m_rows) {
+            text += "  " + padded(row[0], width(0)) + "  ";
+            text += row[2].empty() ? row[1] : padded(row[1], width(1)) + "  " + row[2];
+            text += "\n";
+        }
+        return text;
+    }
+
+  private:
+    using Row = std::array<std::string, 3>;
+
+    std::size_t width(std::size_t column) const {
+        std::size_t widest = 0;
+        for (const Row& row : m_rows)
+            if (column == 0 || !row[2].empty()) widest = std::max(widest, row[column].size());
+        return widest;
+    }
+    static std::string padded(const std::string& cell, std::size_t width) {
+        return cell + std::string(width - std::min(width, cell.size()), ' ');
+    }
+
+    std::vector<Row> m_rows;
+};
+
+/// One line of results: what is multiplied with the scale is also given in SI.
+class ResultRows {
+  public:
+    explicit ResultRows(const Scenario& scenario)
+        : m_dimensional(scenario.form == ScenarioForm::dimensional) {}
+
+    void add(const char* label, double value, const char* unit, double scale, Quantity quantity) {
+        const std::string shown = rounded(value) + " " + unit;
+        m_columns.add(label, shown, m_dimensional ? inHandyUnit(value * scale, quantity) : std::string());
+    }
+    void addText(const char* label, std::string text) { m_columns.add(label, std::move(text)); }
+    std::string text() const { return m_columns.text(); }
+
+  private:
+    bool m_dimensional;
+    Columns m_columns;
+};
+
+std::string resultText(const BlowReport& report, const ImpactSummary& summary) {
+    const Scales scales = scalesOf(report.scenario);
+    const double work = summary.workRatio * scales.energy;
+    ResultRows rows(report.scenario);
+    rows.addText("restitution e",
+                 rounded(summary.cor, 12) + "  (error below " + rounded(summary.corError, 2) + ")");
+    rows.add("impulse 1 + e", summary.impulse, "I0", scales.impulse, Quantity::impulse);
+    rows.add("peak force", summary.peakForce, "F0", scales.force, Quantity::force);
+    rows.add("largest penetration", summary.maxPenetration, "d0", scales.penetration, Quantity::length);
+    rows.add("residual penetration", summary.residualPenetration, "d0", scales.penetration, Quantity::length);
+    rows.add("first contact", summary.firstContactTime, "t0", scales.time, Quantity::time);
+    rows.add("last separation", summary.separationTime, "t0", scales.time, Quantity::time);
+    rows.add("time in contact", summary.contactDuration, "t0", scales.time, Quantity::time);
+    rows.add("hammer work W", summary.workRatio, "W0", scales.energy, Quantity::energy);
+    rows.add("  in the rock", summary.energy.rockWork, "W", work, Quantity::energy);
+    rows.add("  in the rebound", summary.energy.reboundEnergy, "W", work, Quantity::energy);
+    rows.add("  in waves", summary.energy.residualWaveEnergy, "W", work, Quantity::energy);
+    rows.addText("balance errors", rounded(summary.momentumResidual, 2) + " of I0, " +
+                                       rounded(summary.energy.residual, 2) + " of W");
+    if (const std::optional<double> thrust = thrustNeeded(report.scenario, summary.cor)) {
+        const std::optional<double> installed = report.scenario.drill.thrust;
+        rows.addText(
+            "thrust needed",
+            inHandyUnit(*thrust, Quantity::force) +
+                (installed ? ", installed " + inHandyUnit(*installed, Quantity::force) : std::string()));
+    }
+    return rows.text();
+}
+
+}  // namespace
+
+std::string reportText(const BlowReport& report) {
+    const Groups groups = groupsOf(report.scenario);
+    const Impact& impact = report.impact;
+    std::string text = report.scenario.title.empty() ? std::string() : report.scenario.title + "\n";
+    text += "  beta " + rounded(groups.beta) + "  gamma " + rounded(groups.gamma) + "  tau " +
+            rounded(groups.tau) + "  delta " + rounded(groups.delta) + "  pulse " +
+            std::string(name(report.scenario.pulse.shape)) + "\n\n";
+    text += resultText(report, summarize(impact, groups));
+    text += "\n  method " + report.method + ", " + std::to_string(impact.contacts) +
+            (impact.contacts == 1 ? " contact, " : " contacts, ") + std::to_string(impact.pieces) +
+            " pieces, solved in " + inHandyUnit(report.runTime, Quantity::time) + "\n";
+    for (const Alert& alert : report.alerts())
+        text += std::string("  ") + (alert.level == AlertLevel::warning ? "warning: " : "note: ") +
+                alert.text + "\n";
+    return text;
+}
+
+}  // namespace drillwave

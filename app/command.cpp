@@ -1,0 +1,28 @@
+#include "app/command.h"
+
+#include <array>
+
+#include "core/model/decimal_text.h"
+
+namespace drillwave {
+
+std::span<const Command* const> commands() {
+    static const std::array all{&runCommand(), &sweepCommand(), &tableCommand(), &validateCommand(),
+                                &examplesCommand()};
+    return all;
+}
+
+Arguments parseArguments(const Command& command, std::span<const std::string> words) {
+    Arguments arguments = Arguments::parse(words, command.options);
+    const std::size_t given = arguments.operands().size();
+    if (given < command.leastOperands)
+        throw CommandError(ExitCode::usage, "needs " + std::string(command.operands) + "; see drillwave " +
+                                                std::string(command.name) + " --help");
+    if (given > command.mostOperands)
+        throw CommandError(ExitCode::usage, "`" + shortened(arguments.operands()[command.mostOperands]) +
+                                                "` is too much; takes " + std::string(command.operands) +
+                                                ", see drillwave " + std::string(command.name) + " --help");
+    return arguments;
+}
+
+}  // namespace drillwave

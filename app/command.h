@@ -1,0 +1,40 @@
+// The subcommands of the program.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "app/arguments.h"
+#include "app/command_error.h"
+
+namespace drillwave {
+
+/// One subcommand: what it takes and what it does.
+struct Command {
+    std::string_view name;
+    std::string_view operands;  ///< for the help, "FILE CASES.csv"
+    std::string_view summary;   ///< one line
+    std::string_view details;   ///< further lines of its help, may be empty
+    std::vector<OptionSpec> options;
+    std::size_t leastOperands;
+    std::size_t mostOperands;
+    /// Whether these arguments ask for plots, which need a QApplication (always offscreen).
+    bool (*draws)(const Arguments&);
+    /// Does the work. Throws CommandError.
+    ExitCode (*run)(const Arguments&);
+};
+
+const Command& runCommand();
+const Command& sweepCommand();
+const Command& tableCommand();
+const Command& validateCommand();
+const Command& examplesCommand();
+
+/// All of them, in the order of the help.
+std::span<const Command* const> commands();
+
+/// Parses the words behind the subcommand and checks the number of operands.
+Arguments parseArguments(const Command& command, std::span<const std::string> words);
+
+}  // namespace drillwave

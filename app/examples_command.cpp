@@ -1,0 +1,93 @@
+// drillwave examples [-o DIR] [NAME]…
+#include <QDir>
+#include <cstdio>
+
+#include "app/command.h"
+#include "app/output_file.h"
+#include "core/file/examples.h"
+#include "core/model/decimal_text.h"
+#include "core/model/nearest_name.h"
+
+namespace drillwave {
+
+namespace {
+
+const Example& namedExample(const std::string& name) {
+    if (const Example* example = findExample(name)) return *example;
+    std::vector<std::string_view> names;
+    for (const Example& example : builtInExamples()) names.push_back(example.name);
+    const std::string near(nearestName(name, names));
+    throw CommandError(ExitCode::usage, "`" + shortened(name) + "` is not an example; " +
+                                            (near.empty() ? "`drillwave examples` lists them"
+                                                          : "did you mean `" + near + "`?"));
+}
+
+std::vector<Example> chosenExamples(const Arguments& arguments) {
+    std::vector<Example> chosen;
+    for (const std::string& name : arguments.operands()) chosen.push_back(namedExample(name));
+    if (chosen.empty()) chosen.assign(builtInExamples().begin(), builtInExamples().end());
+    return chosen;
+}
+
+void list(const std::vector<Example>& examples, OutputFile& out) {
+    std::size_t width = 0;
+    for (const Example& example : examples) width = std::max(width, example.name.size());
+    for (const Example& example : examples)
+        out.write(example.name + std::string(width - example.name.size() + 2, ' ') + example.title + "\n");
+}
+
+/// As a stream of YAML documents.
+void print(const std::vector<Example>& examples, OutputFile& out) {
+    for (const Example& example : examples) {
+        if (&example != &examples.front()) out.write("---\n");
+        out.write(example.text);
+    }
+}
+
+void writeInto(const std::string& directory, const std::vector<Example>& examples, Overwrite overwrite) {
+    if (!QDir().mkpath(QString::fromStdString(directory)))
+        throw CommandError(ExitCode::unwritableOutput,
+                           directory + ": the folder cannot be made; choose another one");
+    const auto pathOf = [&](const Example& example) { return directory + "/" + example.name + ".yaml"; };
+    for (const Example& example : examples) checkOverwrite(pathOf(example), overwrite);
+    for (const Example& example : examples) {
+        writeFile(pathOf(example), example.text, overwrite);
+        std::printf("%s\n", pathOf(example).c_str());
+    }
+}
+
+ExitCode runExamples(const Arguments& arguments) {
+    const std::vector<Example> examples = chosenExamples(arguments);
+    const std::optional<std::string> directory = arguments.value("o");
+    if (directory && *directory != "-") {
+        writeInto(*directory, examples, arguments.has("force") ? Overwrite::allowed : Overwrite::refused);
+        return ExitCode::done;
+    }
+    OutputFile out("-", Overwrite::allowed);
+    if (directory)
+        print(examples, out);
+    else
+        list(examples, out);
+    out.commit();
+    return ExitCode::done;
+}
+
+}  // namespace
+
+const Command& examplesCommand() {
+    static const Command command{
+        .name = "examples",
+        .operands = "[NAME]…",
+        .summary = "list the built-in scenarios, or write them",
+        .details = "`drillwave examples t38_medium_rock -o -` prints one.",
+        .options = {{"o", "DIR", "write them as scenario files into DIR; - prints them"},
+                    {"force", "", "overwrite existing files"}},
+        .leastOperands = 0,
+        .mostOperands = SIZE_MAX,
+        .draws = [](const Arguments&) { return false; },
+        .run = runExamples,
+    };
+    return command;
+}
+
+}  // namespace drillwave

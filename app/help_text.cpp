@@ -1,0 +1,45 @@
+#include "app/help_text.h"
+
+#include <algorithm>
+
+namespace drillwave {
+
+namespace {
+
+std::string line(const std::string& left, std::string_view right, std::size_t width) {
+    return "  " + left + std::string(width - left.size() + 2, ' ') + std::string(right) + "\n";
+}
+
+std::string synopsis(const OptionSpec& option) {
+    return option.value.empty() ? option.text() : option.text() + " " + std::string(option.value);
+}
+
+}  // namespace
+
+std::string programHelp() {
+    std::string help =
+        "Usage: drillwave [FILE]             open the window (with a scenario file)\n"
+        "       drillwave COMMAND ARGUMENTS  work without a window\n"
+        "\nCommands:\n";
+    for (const Command* command : commands()) help += line(std::string(command->name), command->summary, 8);
+    help +=
+        "\n  drillwave COMMAND --help  says more; --version prints the version.\n"
+        "  Without a display the window needs `-platform offscreen`.\n"
+        "\nExit codes: 0 done, 1 internal error, 2 usage, 3 input cannot be read, 4 output cannot be\n"
+        "written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted.\n";
+    return help;
+}
+
+std::string commandHelp(const Command& command) {
+    std::string help = "Usage: drillwave " + std::string(command.name) + " " + std::string(command.operands) +
+                       " [OPTION]…\n\n" + std::string(command.summary) + ".\n";
+    if (!command.details.empty()) help += "\n" + std::string(command.details) + "\n";
+    std::size_t width = std::string_view("--version").size();
+    for (const OptionSpec& option : command.options) width = std::max(width, synopsis(option).size());
+    help += "\nOptions:\n";
+    for (const OptionSpec& option : command.options) help += line(synopsis(option), option.help, width);
+    help += line("--help", "this text", width) + line("--version", "version of the program", width);
+    return help;
+}
+
+}  // namespace drillwave

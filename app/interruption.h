@@ -1,0 +1,27 @@
+// Ctrl-C as a stop token.
+#pragma once
+
+#include <stop_token>
+#include <thread>
+
+namespace drillwave {
+
+/// While one exists, the first SIGINT or SIGTERM requests a stop instead of ending the program; a second one
+/// ends it at once. At most one at a time.
+class Interruption {
+  public:
+    Interruption();
+    ~Interruption();
+    Interruption(const Interruption&) = delete;
+    Interruption& operator=(const Interruption&) = delete;
+
+    std::stop_token token() const { return m_source.get_token(); }
+    /// Throws CommandError (interrupted) if a stop was requested.
+    void check() const;
+
+  private:
+    std::stop_source m_source;
+    std::jthread m_watcher;
+};
+
+}  // namespace drillwave

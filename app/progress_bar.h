@@ -1,0 +1,32 @@
+// How far long work is, on a terminal.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string_view>
+
+namespace drillwave {
+
+/// Draws "[####    ] 41 %  520000/s  3 s left" on stderr, when that is a terminal and the work lasts over a
+/// second.
+class ProgressBar {
+  public:
+    /// `unit` names what is counted, "points".
+    ProgressBar(std::uint64_t total, std::string_view unit);
+    ~ProgressBar();
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+    void show(std::uint64_t done);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::uint64_t m_total;
+    std::string_view m_unit;
+    bool m_isTerminal;
+    bool m_drawn = false;
+    Clock::time_point m_start = Clock::now();
+    Clock::time_point m_nextDrawing = m_start + std::chrono::seconds(1);
+};
+
+}  // namespace drillwave

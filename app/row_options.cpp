@@ -1,0 +1,99 @@
+#include "app/row_options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <thread>
+
+#include "app/progress_bar.h"
+#include "app/scenario_argument.h"
+#include "core/model/decimal_text.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr long maximumJobs = 1024;
+
+std::vector<OutputColumn> columnsOf(const Arguments& arguments) {
+    const auto units = arguments.has("si") ? OutputUnits::si : OutputUnits::dimensionless;
+    OutputChoice choice = chooseOutputs(arguments.value("outputs").value_or("cor"), units);
+    if (!choice.problem.empty()) throw CommandError(ExitCode::usage, "--outputs: " + choice.problem);
+    return std::move(choice.columns);
+}
+
+bool readCount(std::string_view text, std::uint64_t& number) {
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    return !text.empty() && read.ec == std::errc() && read.ptr == text.data() + text.size();
+}
+
+Shard shardOf(const Arguments& arguments) {
+    const std::string text = arguments.value("shard").value_or("1/1");
+    const std::size_t slash = text.find('/');
+    Shard shard;
+    const bool read = slash != std::string::npos &&
+                      readCount(std::string_view(text).substr(0, slash), shard.index) &&
+                      readCount(std::string_view(text).substr(slash + 1), shard.count);
+    if (!read || shard.count < 1 || shard.count > maximumShards || shard.index < 1 ||
+        shard.index > shard.count)
+        throw CommandError(ExitCode::usage, "--shard " + shortened(text) + ": needs I/N, 1 <= I <= N <= " +
+                                                std::to_string(maximumShards));
+    return shard;
+}
+
+int allThreads() {
+    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 1024U));
+}
+
+}  // namespace
+
+std::vector<OptionSpec> rowOptionSpecs() {
+    return {setOption,
+            {"outputs", "A,B", "output columns, cor if not given; see below"},
+            {"si", "", "outputs in SI, with units in the header"},
+            {"j", "N", "threads to use, all of them if not given"},
+            {"shard", "I/N", "only the I-th of N contiguous parts; header only in part 1"},
+            {"o", "FILE.csv", "where to write; - is standard output, as without it"},
+            {"force", "", "overwrite an existing file"}};
+}
+
+std::string outputHelp() {
+    std::string help = "\nOutputs:";
+    std::size_t width = 0;
+    for (const Output& output : outputs()) width = std::max(width, output.name.size());
+    const auto add = [&](std::string_view name, std::string_view meaning) {
+        help += "\n  " + std::string(name) + std::string(width - name.size() + 2, ' ') + std::string(meaning);
+    };
+    for (const Output& output : outputs()) add(output.name, output.meaning);
+    add("thrust", "blow frequency times impulse, N, when the scenario has a frequency");
+    return help;
+}
+
+RowOptions rowOptions(const Arguments& arguments) {
+    return {.columns = columnsOf(arguments),
+            .jobs = static_cast<int>(arguments.number("j", allThreads(), 1, maximumJobs)),
+            .shard = shardOf(arguments),
+            .path = arguments.value("o").value_or("-"),
+            .overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused};
+}
+
+ExitCode writeRows(const RunRows& run, std::uint64_t rows, OutputFile& out,
+                   const Interruption& interruption) {
+    RowCounts counts;
+    {
+        ProgressBar bar(rows, "rows");
+        const auto write = [&](std::string_view text) {
+            out.write(text);
+            return true;
+        };
+        counts = run(interruption.token(), write, [&](const RowCounts& soFar) { bar.show(soFar.rows); });
+    }
+    if (counts.end == RowsEnd::stopped) interruption.check();
+    out.commit();
+    if (counts.failed == 0) return ExitCode::done;
+    throw CommandError(ExitCode::unsolvedOrFailed,
+                       std::to_string(counts.failed) + " of " + std::to_string(counts.rows) +
+                           " rows could not be solved: their output cells are empty");
+}
+
+}  // namespace drillwave

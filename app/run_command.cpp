@@ -1,0 +1,168 @@
+// drillwave run FILE
+#include <QDir>
+#include <QStringList>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "app/blow_report.h"
+#include "app/command.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "app/scenario_argument.h"
+#include "core/file/blow_csv.h"
+#include "core/model/decimal_text.h"
+#include "core/wave/exact_solver.h"
+#include "ui/plots/plot_export.h"
+
+namespace drillwave {
+
+namespace {
+
+/// Where the files of a run go.
+struct RunFiles {
+    std::string directory;  ///< empty: no files
+    QStringList plots;      ///< formats
+    OutputUnits units = OutputUnits::dimensionless;
+    Overwrite overwrite = Overwrite::refused;
+
+    std::string path(const std::string& name) const { return directory + "/" + name; }
+};
+
+QStringList plotFormatsOf(const std::string& list) {
+    const QStringList formats = QString::fromStdString(list).split(',');
+    for (const QString& format : formats)
+        if (!plotFormats().contains(format))
+            throw CommandError(ExitCode::usage, "--plots " + shortened(list) + ": `" + format.toStdString() +
+                                                    "` is not a plot format; choose from " +
+                                                    plotFormats().join(", ").toStdString());
+    return formats;
+}
+
+RunFiles filesOf(const Arguments& arguments) {
+    RunFiles files;
+    files.overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    files.directory = arguments.value("o").value_or("-");
+    if (files.directory == "-") files.directory.clear();
+    if (arguments.has("si")) files.units = OutputUnits::si;
+    if (const auto formats = arguments.value("plots")) files.plots = plotFormatsOf(*formats);
+    if (files.directory.empty())
+        for (const char* option : {"plots", "si", "force"})
+            if (arguments.has(option))
+                throw CommandError(ExitCode::usage, std::string("--") + option +
+                                                        " is about files; add -o DIR to say where they go");
+    return files;
+}
+
+void checkMethod(const Arguments& arguments) {
+    const std::string method = arguments.value("method").value_or("exact");
+    if (method != "exact")
+        throw CommandError(ExitCode::usage,
+                           "--method " + shortened(method) + ": is not known; this version has: exact");
+}
+
+/// Finds out before anything is computed whether the files can be written.
+void prepare(const RunFiles& files) {
+    if (files.directory.empty()) return;
+    if (!QDir().mkpath(QString::fromStdString(files.directory)))
+        throw CommandError(ExitCode::unwritableOutput,
+                           files.directory + ": the folder cannot be made; choose another one with -o");
+    std::vector<std::string> names{"summary.json", "histories.csv", "events.csv"};
+    for (const QString& format : files.plots)
+        for (const char* plot : {"blow.", "rock."}) names.push_back(plot + format.toStdString());
+    for (const std::string& name : names) checkOverwrite(files.path(name), files.overwrite);
+}
+
+BlowReport solve(const Scenario& scenario, Detail detail) {
+    BlowReport report{.scenario = scenario, .impact = {}, .runTime = 0, .method = "exact"};
+    const PulseForce pulse = pulseForceOf(scenario);
+    const Groups groups = groupsOf(scenario);
+    ExactSolver solver;
+    const auto start = std::chrono::steady_clock::now();
+    report.impact = solver.solve(pulse, groups, detail);
+    report.runTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return report;
+}
+
+/// The scenario as it was solved, complete in itself: points that came from a file are written out.
+std::string completeYaml(ScenarioDocument document) {
+    document.scenario.pulse.tableFile.clear();
+    return writeScenario(document);
+}
+
+void writeFiles(const RunFiles& files, const ScenarioDocument& document, const BlowReport& report) {
+    const Scales scales = scalesOf(report.scenario);
+    const std::string header = scenarioHeader(completeYaml(document));
+    const PulseForce pulse = pulseForceOf(report.scenario);
+    writeFile(files.path("histories.csv"), header + historiesCsv(report.impact, pulse, files.units, scales),
+              files.overwrite);
+    writeFile(files.path("events.csv"), header + eventsCsv(report.impact, files.units, scales),
+              files.overwrite);
+    if (!files.plots.isEmpty()) {
+        QString problem;
+        writeBlowPlots(report.scenario, report.impact, QString::fromStdString(files.directory), files.plots,
+                       files.overwrite == Overwrite::allowed, &problem);
+        if (!problem.isEmpty()) throw CommandError(ExitCode::unwritableOutput, problem.toStdString());
+    }
+    // Last, so that a folder with a summary is complete.
+    writeFile(files.path("summary.json"), reportJson(report).toStdString(), files.overwrite);
+}
+
+void print(const BlowReport& report, const RunFiles& files, bool json) {
+    std::string text = json ? reportJson(report).toStdString() : reportText(report);
+    if (!json && !files.directory.empty()) text += "  files in " + files.directory + "\n";
+    writeFile("-", text, Overwrite::allowed);
+}
+
+ExitCode runBlow(const Arguments& arguments) {
+    const std::string& path = arguments.operands().front();
+    const RunFiles files = filesOf(arguments);
+    const bool json = arguments.has("json");
+    checkMethod(arguments);
+    const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    if (files.units == OutputUnits::si && document.scenario.form != ScenarioForm::dimensional)
+        throw CommandError(ExitCode::usage,
+                           "--si: " + path + " is given by its dimensionless groups and has no SI units");
+    prepare(files);
+
+    const Interruption interruption;
+    const BlowReport report =
+        solve(document.scenario, files.directory.empty() ? Detail::summary : Detail::histories);
+    interruption.check();
+    if (report.impact.outcome != Outcome::rebounded) {
+        if (json) print(report, {}, json);
+        throw CommandError(ExitCode::unsolvedOrFailed,
+                           path + ": could not be solved: " + report.impact.reason);
+    }
+    if (!files.directory.empty()) writeFiles(files, document, report);
+    print(report, files, json);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+const Command& runCommand() {
+    static const Command command{
+        .name = "run",
+        .operands = "FILE",
+        .summary = "solve one blow; a summary, and histories, events and plots into a folder",
+        .details =
+            "FILE is a scenario, or a histories.csv or events.csv of an earlier run, which begin with "
+            "theirs.\n"
+            "With -o, DIR gets summary.json, histories.csv, events.csv and the plots.",
+        .options = {setOption,
+                    {"json", "", "print one JSON object in place of the summary"},
+                    {"method", "exact", "how to solve it; exact is the only method"},
+                    {"o", "DIR", "write the files of the run into DIR; - writes none"},
+                    {"plots", "png,svg,pdf", "with -o, also plots in these formats"},
+                    {"si", "", "with -o, CSV columns in SI units"},
+                    {"force", "", "overwrite existing files"}},
+        .leastOperands = 1,
+        .mostOperands = 1,
+        .draws = [](const Arguments& arguments) { return arguments.has("plots"); },
+        .run = runBlow,
+    };
+    return command;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,23 @@
+// The scenario that a command line names.
+#pragma once
+
+#include <string>
+
+#include "app/arguments.h"
+#include "core/file/scenario_file.h"
+
+namespace drillwave {
+
+/// The options of every command that takes a scenario.
+inline constexpr OptionSpec setOption{
+    "set", "KEY=VALUE", "change a parameter, e.g. rod.length=4.27m or beta=0.8", OptionSpec::Times::repeated};
+
+/// Loads a scenario file, or the scenario in the "#" lines of a CSV file that `run -o` wrote, and applies
+/// every --set: pulse.shape first, then physical parameters, then groups, whatever their order. The scenario
+/// is valid. Throws CommandError.
+ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments);
+
+/// Just loads. Throws CommandError with every problem of the file.
+ScenarioDocument loadScenarioFile(const std::string& path);
+
+}  // namespace drillwave
