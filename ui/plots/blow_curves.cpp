@@ -21,16 +21,36 @@ GraphData graphData(const QVector<QCPGraphData>& points) {
     return data;
 }
 
-GraphData scaled(const std::vector<double>& time, const std::vector<double>& value, const ShownUnit& timeUnit,
-                 const ShownUnit& valueUnit, bool startsAtRest) {
+QVector<QCPGraphData> scaled(const std::vector<double>& time, const std::vector<double>& value,
+                             const ShownUnit& timeUnit, const ShownUnit& valueUnit) {
     QVector<QCPGraphData> points;
-    points.reserve(static_cast<qsizetype>(time.size()) + 2);
-    if (startsAtRest && !time.empty() && time.front() > 0) {
-        append(points, 0, 0);
-        append(points, time.front() * timeUnit.factor, 0);
-    }
+    points.reserve(static_cast<qsizetype>(time.size()) + 3);
     for (std::size_t i = 0; i < time.size(); ++i)
         append(points, time[i] * timeUnit.factor, value[i] * valueUnit.factor);
+    return points;
+}
+
+// A wave rises from nothing at its arrival, and ends before the jump of the wave that follows it.
+GraphData waveData(const SampledCurve& wave, const ShownUnits& units) {
+    QVector<QCPGraphData> points = scaled(wave.time, wave.value, units.time, units.force);
+    if (points.isEmpty()) return graphData(points);
+    const double end = points.last().key;
+    const double rounding = 1e-9 * (end - points.first().key);
+    const auto ending = [&](const QCPGraphData& point) { return point.key >= end - rounding; };
+    points.erase(std::min(std::find_if(points.begin(), points.end(), ending) + 1, points.end()),
+                 points.end());
+    points.prepend(QCPGraphData(points.first().key, 0));
+    return graphData(points);
+}
+
+// A history at the bit: nothing before the first front arrives, constant after its end.
+GraphData historyData(QVector<QCPGraphData> points, double timeEnd) {
+    if (points.isEmpty()) return graphData(points);
+    if (points.first().key > 0) {
+        points.prepend(QCPGraphData(points.first().key, 0));
+        points.prepend(QCPGraphData(0, 0));
+    }
+    if (points.last().key < timeEnd) points.append(QCPGraphData(timeEnd, points.last().value));
     return graphData(points);
 }
 
@@ -46,23 +66,24 @@ std::vector<double> pulseTimes(const PulseForce& pulse) {
     return times;
 }
 
-GraphData momentumData(const Impact& impact, const PulseForce& pulse, const std::vector<double>& history,
-                       const ShownUnits& units) {
+QVector<QCPGraphData> momentumPoints(const Impact& impact, const PulseForce& pulse,
+                                     const std::vector<double>& history, const ShownUnits& units) {
     std::vector<double> times = pulseTimes(pulse);
     times.insert(times.end(), history.begin(), history.end());
     std::sort(times.begin(), times.end());
     times.erase(std::unique(times.begin(), times.end()), times.end());
     QVector<QCPGraphData> points;
-    points.reserve(static_cast<qsizetype>(times.size()));
+    points.reserve(static_cast<qsizetype>(times.size()) + 1);
     for (double t : times) {
         const double given = pulse.isRigidBody() ? 1 : pulse.impulseUntil(t);
-        append(points, t * units.time.factor, momentum(impact, given, t) * units.impulse.factor);
+        const double taken = impactImpulse(impact, t - impact.frontArrival);
+        append(points, t * units.time.factor, (given - taken) * units.impulse.factor);
     }
-    return graphData(points);
+    return points;
 }
 
-double lastTime(const GraphData& data) {
-    return data->isEmpty() ? 0 : (data->constEnd() - 1)->key;
+double lastTime(const QVector<QCPGraphData>& points) {
+    return points.isEmpty() ? 0 : points.last().key;
 }
 
 }  // namespace
@@ -72,18 +93,20 @@ BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const Shown
     BlowCurves curves;
     curves.units = units;
     curves.section = section;
-    const std::vector<SectionWave> waves = sectionWaves(impact, section, BlowCurves::waveCount);
-    for (std::size_t i = 0; i < curves.waves.size(); ++i)
-        curves.waves[i] = i < waves.size()
-                              ? scaled(waves[i].time, waves[i].value, units.time, units.force, false)
-                              : GraphData::create();
+    curves.waves.fill(GraphData::create());
+    for (const SectionWave& wave : sectionWaves(impact, section, BlowCurves::waveCount)) {
+        curves.waves[static_cast<std::size_t>(wave.number)] = waveData(wave.curve, units);
+        if (!wave.curve.time.empty())
+            curves.timeEnd = std::max(curves.timeEnd, wave.curve.time.back() * units.time.factor);
+    }
     const SampledHistory history = sampleHistory(impact);
-    curves.force = scaled(history.time, history.force, units.time, units.force, true);
-    curves.impulse = scaled(history.time, history.impulse, units.time, units.impulse, true);
-    curves.momentum = momentumData(impact, pulse, history.time, units);
-    for (const GraphData& data :
-         {curves.waves[0], curves.waves[1], curves.waves[2], curves.waves[3], curves.force, curves.momentum})
-        curves.timeEnd = std::max(curves.timeEnd, lastTime(data));
+    const QVector<QCPGraphData> force = scaled(history.time, history.force, units.time, units.force);
+    const QVector<QCPGraphData> impulse = scaled(history.time, history.impulse, units.time, units.impulse);
+    const QVector<QCPGraphData> momentum = momentumPoints(impact, pulse, history.time, units);
+    curves.timeEnd = std::max({curves.timeEnd, lastTime(force), lastTime(momentum)});
+    curves.force = historyData(force, curves.timeEnd);
+    curves.impulse = historyData(impulse, curves.timeEnd);
+    curves.momentum = historyData(momentum, curves.timeEnd);
     return curves;
 }
 

@@ -55,14 +55,19 @@ BlowPlots::BlowPlots(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
 
 void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins) {
     Plot& added = m_plots[index];
+    const int row = 2 * static_cast<int>(index);
     auto* header = new QCPLayoutGrid;
-    header->setColumnSpacing(6);
-    header->setMargins(QMargins(0, 2, 0, 0));
+    m_plot->plotLayout()->addElement(row, 0, header);
+    header->setColumnSpacing(0);
+    // Begins where the axes do.
+    header->setMinimumMargins(QMargins(0, 2, 0, 0));
+    header->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
     added.title = new QCPTextElement(m_plot);
-    added.title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    added.title->setTextFlags(Qt::AlignLeft | Qt::AlignTop);
+    added.title->setMargins(QMargins(0, 0, 0, 0));
     added.legend = new QCPLegend;
     added.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    added.legend->setMargins(QMargins(0, 0, 0, 0));
+    added.legend->setMargins(QMargins(index == waves ? 14 : 0, 0, 0, 0));
     added.legend->setColumnSpacing(12);
     added.legend->setIconSize(28, 12);
     header->addElement(0, 0, added.title);
@@ -80,8 +85,6 @@ void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGr
     for (QCPAxis* axis : added.rect->axes()) axis->grid()->setLayer(QStringLiteral("grid"));
     // The lowest plot alone carries the numbers of the common time axis.
     added.rect->axis(QCPAxis::atBottom)->setTickLabels(index + 1 == plotCount);
-    const int row = 2 * static_cast<int>(index);
-    m_plot->plotLayout()->addElement(row, 0, header);
     m_plot->plotLayout()->addElement(row + 1, 0, added.rect);
     m_plot->plotLayout()->setRowStretchFactor(row, 1e-3);
 
@@ -89,6 +92,8 @@ void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGr
         QCPGraph* graph =
             m_plot->addGraph(added.rect->axis(QCPAxis::atBottom), added.rect->axis(QCPAxis::atLeft));
         graph->setName(name);
+        // It would draw steep parts of a curve as a saw.
+        graph->setAdaptiveSampling(false);
         graph->addToLegend(added.legend);
         added.graphs.append(graph);
     }

@@ -76,7 +76,6 @@ QBrush PlotStyle::areaBrush(int index) const {
 }
 
 void PlotStyle::applyTo(QCPAxisRect& rect) const {
-    rect.setBackground(background);
     for (QCPAxis* axis : rect.axes()) drillwave::applyTo(*axis, *this);
 }
 

@@ -1,0 +1,211 @@
+#include "ui/document.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
+#include <QSaveFile>
+#include <cassert>
+
+#include "core/model/optional_parameter.h"
+#include "ui/parameter_row.h"
+#include "ui/typed_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int undoLimit = 1000;
+
+std::string nativePath(const QString& path) {
+    return QFile::encodeName(path).toStdString();
+}
+
+QString lines(const ScenarioError& error) {
+    QStringList all;
+    for (const std::string& line : error.lines()) all.append(QString::fromStdString(line));
+    return all.join(QLatin1Char('\n'));
+}
+
+// "stiffness β", as in "Undo change stiffness β to 0.6".
+QString editName(const Parameter& parameter) {
+    const QString label =
+        QString::fromUtf8(parameter.label.data(), static_cast<qsizetype>(parameter.label.size()));
+    return (label + QLatin1Char(' ') + shownSymbol(parameter.symbol)).trimmed();
+}
+
+QString shownValue(const Parameter& parameter, double si) {
+    const Unit& unit = parameter.displayUnit();
+    const QString number = QLocale().toString(unit.fromSi(si), 'g', 4);
+    return unit.name.empty() ? number : number + QLatin1Char(' ') + shownUnitName(unit.name);
+}
+
+}  // namespace
+
+// One undo step: the scenario before and after. Edits of the same parameter within a gesture melt into one.
+class Document::Edit : public QUndoCommand {
+  public:
+    Edit(Document& document, Scenario after, QString key, int gesture)
+        : m_document(document),
+          m_before(document.m_scenario),
+          m_after(std::move(after)),
+          m_key(std::move(key)),
+          m_gesture(gesture) {}
+
+    void undo() override { m_document.setScenario(m_before); }
+    void redo() override { m_document.setScenario(m_after); }
+    int id() const override { return m_key.isEmpty() ? -1 : 1; }
+    bool mergeWith(const QUndoCommand* other) override {
+        const auto* later = static_cast<const Edit*>(other);
+        if (later->m_key != m_key || later->m_gesture != m_gesture) return false;
+        m_after = later->m_after;
+        setText(later->text());
+        setObsolete(m_after == m_before);
+        return true;
+    }
+
+  private:
+    Document& m_document;
+    Scenario m_before;
+    Scenario m_after;
+    QString m_key;
+    int m_gesture;
+};
+
+Document::Document(QObject* parent) : QObject(parent) {
+    m_undoStack.setUndoLimit(undoLimit);
+    connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Document::stateChanged);
+}
+
+QString Document::displayName() const {
+    if (!m_scenario.title.empty()) return QString::fromStdString(m_scenario.title);
+    return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName();
+}
+
+QByteArray Document::text() const {
+    return QByteArray::fromStdString(writeScenario({m_scenario, m_source.text, m_source.source}));
+}
+
+QString Document::whyNot(const Parameter& parameter, double si) const {
+    const std::string outside = rangeProblem(parameter, si);
+    if (!outside.empty()) return QString::fromStdString(outside);
+    Scenario changed = m_scenario;
+    parameter.assign(changed, si);
+    const std::vector<Problem> problems = validate(changed);
+    return problems.empty() ? QString()
+                            : tr("cannot be that: %1").arg(QString::fromStdString(problems.front().text));
+}
+
+void Document::assign(const Parameter& parameter, double si, int gesture) {
+    if (!whyNot(parameter, si).isEmpty()) return;
+    Scenario changed = m_scenario;
+    parameter.assign(changed, si);
+    const QString key = QString::fromUtf8(parameter.key.data(), static_cast<qsizetype>(parameter.key.size()));
+    push(std::move(changed), tr("change %1 to %2").arg(editName(parameter), shownValue(parameter, si)), key,
+         gesture);
+}
+
+void Document::clear(const Parameter& parameter) {
+    Scenario changed = m_scenario;
+    std::optional<double>* value = optionalValue(changed, parameter.key);
+    assert(value);
+    value->reset();
+    push(std::move(changed), tr("clear %1").arg(editName(parameter)));
+}
+
+bool Document::canHaveShape(PulseShape shape) const {
+    Scenario changed = m_scenario;
+    changed.pulse.shape = shape;
+    return validate(changed).empty();
+}
+
+void Document::setShape(PulseShape shape) {
+    if (!canHaveShape(shape)) return;
+    Scenario changed = m_scenario;
+    changed.pulse.shape = shape;
+    const std::string_view shapeName = name(shape);
+    push(std::move(changed),
+         tr("change the pulse shape to %1")
+             .arg(QString::fromUtf8(shapeName.data(), static_cast<qsizetype>(shapeName.size()))
+                      .replace(u'_', u' ')));
+}
+
+void Document::setTitle(const QString& title) {
+    Scenario changed = m_scenario;
+    changed.title = title.toStdString();
+    push(std::move(changed), tr("change the title"));
+}
+
+void Document::push(Scenario after, const QString& name, const QString& key, int gesture) {
+    if (after == m_scenario) return;
+    auto* edit = new Edit(*this, std::move(after), key, gesture);
+    edit->setText(name);
+    m_undoStack.push(edit);
+}
+
+void Document::setScenario(const Scenario& scenario) {
+    m_scenario = scenario;
+    emit scenarioChanged();
+    emit stateChanged();
+}
+
+void Document::take(ScenarioDocument source, const QString& path) {
+    m_source = std::move(source);
+    m_path = path;
+    m_undoStack.clear();
+    setScenario(m_source.scenario);
+}
+
+void Document::start() {
+    take({}, {});
+}
+
+QString Document::startFrom(std::string_view text, const QString& name) {
+    try {
+        take(parseScenario(text, name.toStdString()), {});
+    } catch (const ScenarioError& error) {
+        return lines(error);
+    }
+    return {};
+}
+
+QString Document::open(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    try {
+        take(loadScenario(nativePath(absolute)), absolute);
+    } catch (const ScenarioError& error) {
+        return lines(error);
+    }
+    return {};
+}
+
+// The points of a table are in a file named relative to the scenario: saved elsewhere, the name must follow.
+bool Document::keepTableInReach(const QString& path) {
+    const QString table = QFile::decodeName(m_scenario.pulse.tableFile.c_str());
+    const QDir from = QFileInfo(m_path).absoluteDir();
+    const QDir to = QFileInfo(path).absoluteDir();
+    if (table.isEmpty() || m_path.isEmpty() || QDir::isAbsolutePath(table) || from == to) return false;
+    Scenario changed = m_scenario;
+    changed.pulse.tableFile = nativePath(to.relativeFilePath(from.absoluteFilePath(table)));
+    push(std::move(changed), tr("follow the table of the pulse"));
+    return true;
+}
+
+QString Document::save(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    const bool tableMoved = keepTableInReach(absolute);
+    const QByteArray bytes = text();
+    QSaveFile file(absolute);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
+        if (tableMoved) m_undoStack.undo();
+        return tr("%1: cannot be saved: %2. Nothing is lost: save it under another name or in another "
+                  "folder.")
+            .arg(QDir::toNativeSeparators(absolute), file.errorString());
+    }
+    m_source = {m_scenario, bytes.toStdString(), nativePath(absolute)};
+    m_path = absolute;
+    m_undoStack.setClean();
+    emit stateChanged();
+    return {};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,56 @@
+#include "ui/event_model.h"
+
+#include <QLocale>
+
+#include "ui/number_text.h"
+
+namespace drillwave {
+namespace {
+
+QString eventText(ContactEvent kind) {
+    switch (kind) {
+        case ContactEvent::contact:
+            return EventModel::tr("contact");
+        case ContactEvent::unloading:
+            return EventModel::tr("unloading begins");
+        case ContactEvent::primaryLoading:
+            return EventModel::tr("primary loading");
+        case ContactEvent::separation:
+            return EventModel::tr("separation");
+    }
+    return {};
+}
+
+}  // namespace
+
+void EventModel::show(const SolvedBlowPtr& blow) {
+    beginResetModel();
+    m_blow = blow;
+    endResetModel();
+}
+
+int EventModel::rowCount(const QModelIndex& parent) const {
+    if (parent.isValid() || !m_blow || !m_blow->problem.isEmpty()) return 0;
+    return static_cast<int>(m_blow->impact.events.size());
+}
+
+int EventModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : 2;
+}
+
+QVariant EventModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) return {};
+    if (role == Qt::TextAlignmentRole && index.column() == 0) return int{Qt::AlignRight | Qt::AlignVCenter};
+    if (role != Qt::DisplayRole) return {};
+    const ImpactEvent& event = m_blow->impact.events[static_cast<std::size_t>(index.row())];
+    if (index.column() == 1) return eventText(event.kind);
+    return numberText(event.time * m_blow->units.time.factor, 5, QLocale());
+}
+
+QVariant EventModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    if (section == 1) return tr("event at the bit");
+    return m_blow ? m_blow->units.time.axisLabel(QStringLiteral("t")) : QStringLiteral("t");
+}
+
+}  // namespace drillwave

@@ -1,0 +1,28 @@
+// The events of a blow as a table: when, and what happened at the bit.
+#pragma once
+
+#include <QAbstractTableModel>
+
+#include "ui/solved_blow.h"
+
+namespace drillwave {
+
+/// Reads from the shared answer: a blow with many contacts costs nothing to list.
+class EventModel : public QAbstractTableModel {
+    Q_OBJECT
+
+  public:
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void show(const SolvedBlowPtr& blow);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+
+  private:
+    SolvedBlowPtr m_blow;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,233 @@
+#include "ui/main_window.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenuBar>
+#include <QRadioButton>
+#include <QScreen>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QTimer>
+
+#include "core/file/examples.h"
+#include "core/model/version.h"
+#include "ui/file_menu.h"
+#include "ui/number_text.h"
+#include "ui/pages/blow_page.h"
+#include "ui/result_panel.h"
+#include "ui/scenario_panel.h"
+#include "ui/settings.h"
+
+namespace drillwave {
+namespace {
+
+// Raised when docks or toolbars change so that an old layout no longer fits.
+constexpr int layoutVersion = 1;
+const QString geometryKey = QStringLiteral("window/geometry");
+const QString layoutKey = QStringLiteral("window/layout");
+
+QString statusText(const SolvedBlow& blow) {
+    if (!blow.problem.isEmpty()) return MainWindow::tr("exact · not solved");
+    const QLocale locale;
+    const int contacts = blow.impact.contacts;
+    return MainWindow::tr("exact · %1 · %2 · e = %3")
+        .arg(contacts == 1 ? MainWindow::tr("1 contact") : MainWindow::tr("%1 contacts").arg(contacts),
+             runTimeText(blow.runTime, locale), numberText(blow.summary.cor, 4, locale));
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : MainWindow(std::make_unique<DialogQuestions>(), std::make_unique<SolveJob>(), parent) {}
+
+MainWindow::MainWindow(std::unique_ptr<Questions> questions, SolveJob::Solve solve, QWidget* parent)
+    : MainWindow(std::move(questions), std::make_unique<SolveJob>(std::move(solve)), parent) {}
+
+MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<SolveJob> job, QWidget* parent)
+    : QMainWindow(parent), m_questions(std::move(questions)), m_job(std::move(job)) {
+    const Example& example = defaultExample();
+    m_document.startFrom(example.text, QString::fromStdString(example.name));
+    m_pages = new QTabWidget(this);
+    m_pages->setDocumentMode(true);
+    m_pages->setTabBarAutoHide(true);
+    setCentralWidget(m_pages);
+    addDocks();
+    addPage(m_blowPage = new BlowPage);
+    addMenus();
+    addStatusBar();
+    wire();
+    presentState();
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
+    restoreGeometry(Settings().value(geometryKey).toByteArray());
+    present(m_job->solveNow(request()));
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::addDocks() {
+    const auto addDock = [this](const QString& title, const QString& name, QWidget* content,
+                                Qt::DockWidgetArea area) {
+        auto* dock = new QDockWidget(title, this);
+        dock->setObjectName(name);
+        dock->setWidget(content);
+        addDockWidget(area, dock);
+        m_docks.append(dock);
+    };
+    m_scenarioPanel = new ScenarioPanel(m_document);
+    m_resultPanel = new ResultPanel;
+    addDock(tr("Scenario"), QStringLiteral("scenario"), m_scenarioPanel, Qt::LeftDockWidgetArea);
+    addDock(tr("Result"), QStringLiteral("result"), m_resultPanel, Qt::RightDockWidgetArea);
+}
+
+void MainWindow::addPage(Page* page) {
+    m_pages->addTab(page, page->title());
+    connect(page, &Page::needsChanged, this, &MainWindow::solve);
+}
+
+void MainWindow::addMenus() {
+    m_fileMenu = new FileMenu(m_document, *m_questions, this);
+    menuBar()->addMenu(m_fileMenu);
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    QAction* undo = m_document.undoStack().createUndoAction(edit, tr("&Undo"));
+    undo->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
+    QAction* redo = m_document.undoStack().createRedoAction(edit, tr("&Redo"));
+    redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    edit->addActions({undo, redo});
+    addViewMenu();
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    help->addAction(tr("&About Drillwave"), this, [this] {
+        m_questions->tell(
+            this, tr("Drillwave %1").arg(QLatin1String(versionText)),
+            tr("Percussive rock drilling: waves in the rod, the impact on the rock, the rebound.\n"
+               "Free software under the GNU General Public License, version 3 or later."));
+    });
+}
+
+void MainWindow::addViewMenu() {
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    auto* units = new QActionGroup(this);
+    m_dimensionlessAction = units->addAction(tr("&Dimensionless"));
+    m_dimensionlessAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_D));
+    m_siAction = units->addAction(tr("&SI units"));
+    m_siAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_I));
+    connect(m_dimensionlessAction, &QAction::triggered, this,
+            [this] { setUnits(UnitSystem::dimensionless); });
+    connect(m_siAction, &QAction::triggered, this, [this] { setUnits(UnitSystem::si); });
+    for (QAction* action : units->actions()) action->setCheckable(true);
+    view->addActions(units->actions());
+    view->addSeparator();
+    view->addAction(tr("&Fit plots"), QKeySequence(Qt::CTRL | Qt::Key_0), this,
+                    [this] { currentPage().fit(); });
+    view->addSeparator();
+    for (QDockWidget* dock : std::as_const(m_docks)) view->addAction(dock->toggleViewAction());
+    view->addAction(tr("&Reset layout"), this, &MainWindow::resetLayout);
+}
+
+void MainWindow::addStatusBar() {
+    m_status = new QLabel(this);
+    m_status->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_dimensionless = new QRadioButton(tr("dimensionless"), this);
+    m_si = new QRadioButton(tr("SI"), this);
+    m_dimensionless->setAccessibleName(tr("Show results dimensionless"));
+    m_si->setAccessibleName(tr("Show results in SI units"));
+    statusBar()->addWidget(m_status);
+    statusBar()->addPermanentWidget(m_dimensionless);
+    statusBar()->addPermanentWidget(m_si);
+    connect(m_dimensionless, &QRadioButton::clicked, this, [this] { setUnits(UnitSystem::dimensionless); });
+    connect(m_si, &QRadioButton::clicked, this, [this] { setUnits(UnitSystem::si); });
+}
+
+void MainWindow::wire() {
+    connect(&m_document, &Document::scenarioChanged, this, &MainWindow::solve);
+    connect(&m_document, &Document::stateChanged, this, &MainWindow::presentState);
+    connect(m_pages, &QTabWidget::currentChanged, this, &MainWindow::solve);
+    connect(m_job.get(), &SolveJob::solved, this, &MainWindow::present);
+}
+
+bool MainWindow::openFile(const QString& path) {
+    return m_fileMenu->openFile(path);
+}
+
+Page& MainWindow::currentPage() const {
+    return *static_cast<Page*>(m_pages->currentWidget());
+}
+
+SolveRequest MainWindow::request() const {
+    SolveRequest request;
+    request.scenario = m_document.scenario();
+    const bool hasSi = naturalUnits(request.scenario) == UnitSystem::si;
+    request.units = hasSi ? m_units : UnitSystem::dimensionless;
+    currentPage().addNeeds(request);
+    return request;
+}
+
+void MainWindow::solve() {
+    m_job->submit(request());
+}
+
+void MainWindow::present(const SolvedBlowPtr& blow) {
+    m_shown = blow;
+    m_resultPanel->show(blow);
+    currentPage().setResult(blow);
+    m_status->setText(statusText(*blow));
+    presentUnits();
+}
+
+void MainWindow::setUnits(UnitSystem units) {
+    m_units = units;
+    presentUnits();
+    solve();
+}
+
+void MainWindow::presentUnits() {
+    const bool hasSi = naturalUnits(m_document.scenario()) == UnitSystem::si;
+    const bool si = hasSi && m_units == UnitSystem::si;
+    m_si->setEnabled(hasSi);
+    m_siAction->setEnabled(hasSi);
+    m_si->setToolTip(hasSi ? QString() : tr("This scenario is dimensionless: it has no SI values."));
+    m_si->setChecked(si);
+    m_siAction->setChecked(si);
+    m_dimensionless->setChecked(!si);
+    m_dimensionlessAction->setChecked(!si);
+}
+
+void MainWindow::presentState() {
+    setWindowTitle(tr("%1[*] — Drillwave").arg(m_document.displayName()));
+    setWindowModified(m_document.isModified());
+    setWindowFilePath(m_document.path());
+}
+
+void MainWindow::resetLayout() {
+    const QList<Qt::DockWidgetArea> areas{Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea};
+    for (qsizetype i = 0; i < m_docks.size(); ++i) {
+        m_docks[i]->setFloating(false);
+        addDockWidget(areas[i], m_docks[i]);
+        m_docks[i]->show();
+    }
+    resizeDocks(m_docks, {m_scenarioPanel->sizeHint().width(), m_resultPanel->sizeHint().width()},
+                Qt::Horizontal);
+}
+
+void MainWindow::restoreLayout() {
+    if (!restoreState(Settings().value(layoutKey).toByteArray(), layoutVersion)) resetLayout();
+}
+
+// Restored before the window is shown, docks come out in wrong sizes.
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    if (std::exchange(m_restored, true)) return;
+    QTimer::singleShot(0, this, &MainWindow::restoreLayout);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!m_fileMenu->mayDiscard()) return event->ignore();
+    Settings settings;
+    settings.setValue(geometryKey, saveGeometry());
+    settings.setValue(layoutKey, saveState(layoutVersion));
+    event->accept();
+}
+
+}  // namespace drillwave

@@ -1,0 +1,90 @@
+// The window: puts the parts together and wires them, and does nothing else.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "ui/document.h"
+#include "ui/questions.h"
+#include "ui/solve_job.h"
+
+class QDockWidget;
+class QLabel;
+class QRadioButton;
+class QTabWidget;
+
+namespace drillwave {
+
+class BlowPage;
+class FileMenu;
+class Page;
+class ResultPanel;
+class ScenarioPanel;
+
+/// Opens with the default example, solved.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    /// With another solver and other answers to its questions.
+    MainWindow(std::unique_ptr<Questions> questions, SolveJob::Solve solve, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// Opens a scenario file, or tells why it cannot. True when opened.
+    bool openFile(const QString& path);
+
+    Document& document() { return m_document; }
+    SolveJob& job() { return *m_job; }
+    FileMenu& fileMenu() { return *m_fileMenu; }
+    ScenarioPanel& scenarioPanel() { return *m_scenarioPanel; }
+    ResultPanel& resultPanel() { return *m_resultPanel; }
+    BlowPage& blowPage() { return *m_blowPage; }
+    /// What is on show.
+    const SolvedBlowPtr& shown() const { return m_shown; }
+    /// Dimensionless or SI; a dimensionless scenario has no SI.
+    void setUnits(UnitSystem units);
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<SolveJob> job, QWidget* parent);
+    void addDocks();
+    void addPage(Page* page);
+    void addMenus();
+    void addViewMenu();
+    void addStatusBar();
+    void wire();
+    void restoreLayout();
+    void resetLayout();
+
+    Page& currentPage() const;
+    SolveRequest request() const;
+    void solve();
+    void present(const SolvedBlowPtr& blow);
+    void presentState();
+    void presentUnits();
+
+    Document m_document;
+    std::unique_ptr<Questions> m_questions;
+    std::unique_ptr<SolveJob> m_job;
+    SolvedBlowPtr m_shown;
+    UnitSystem m_units = UnitSystem::si;
+
+    FileMenu* m_fileMenu = nullptr;
+    ScenarioPanel* m_scenarioPanel = nullptr;
+    ResultPanel* m_resultPanel = nullptr;
+    QTabWidget* m_pages = nullptr;
+    BlowPage* m_blowPage = nullptr;
+    QLabel* m_status = nullptr;
+    QRadioButton* m_dimensionless = nullptr;
+    QRadioButton* m_si = nullptr;
+    QAction* m_dimensionlessAction = nullptr;
+    QAction* m_siAction = nullptr;
+    QList<QDockWidget*> m_docks;
+    bool m_restored = false;
+};
+
+}  // namespace drillwave

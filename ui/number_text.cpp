@@ -1,0 +1,45 @@
+#include "ui/number_text.h"
+
+#include <cmath>
+
+namespace drillwave {
+namespace {
+
+QString superscript(int exponent) {
+    static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString text = exponent < 0 ? QStringLiteral("⁻") : QString();
+    for (const QChar digit : QString::number(std::abs(exponent))) text += digits[digit.digitValue()];
+    return text;
+}
+
+}  // namespace
+
+QString numberText(double value, int digits, const QLocale& locale) {
+    QLocale plain = locale;
+    plain.setNumberOptions(QLocale::OmitGroupSeparator);
+    const double magnitude = std::abs(value);
+    const bool plainSize = value == 0 || (magnitude >= 1e-4 && magnitude < 1e6);
+    QString text = plain.toString(value, plainSize ? 'g' : 'e', plainSize ? digits : digits - 1);
+    return text.replace(QLatin1Char('-'), QStringLiteral("−"));
+}
+
+QString magnitudeText(double value, const QLocale& locale) {
+    if (value == 0) return QStringLiteral("0");
+    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
+    const double mantissa = value / std::pow(10, exponent);
+    return numberText(mantissa, 1, locale) + QStringLiteral("·10") + superscript(exponent);
+}
+
+QString quantityText(double value, const ShownUnit& unit, const QLocale& locale) {
+    return numberText(value * unit.factor, 4, locale) + QChar(QChar::Nbsp) + unit.unit;
+}
+
+QString runTimeText(double seconds, const QLocale& locale) {
+    const auto text = [&locale](double value, const QString& unit) {
+        return numberText(value, value < 10 ? 2 : 3, locale) + QChar(QChar::Nbsp) + unit;
+    };
+    if (seconds < 1e-3) return text(seconds * 1e6, QStringLiteral("µs"));
+    return seconds < 1 ? text(seconds * 1e3, QStringLiteral("ms")) : text(seconds, QStringLiteral("s"));
+}
+
+}  // namespace drillwave

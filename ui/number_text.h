@@ -1,0 +1,23 @@
+// Results as text for people.
+#pragma once
+
+#include <QLocale>
+#include <QString>
+
+#include "ui/shown_units.h"
+
+namespace drillwave {
+
+/// Four to six significant digits: "0.4067", "1 234" never, "−0.4067" with a real minus sign.
+QString numberText(double value, int digits, const QLocale& locale);
+
+/// Order of magnitude with one digit, "3·10⁻¹⁵"; "0" for zero.
+QString magnitudeText(double value, const QLocale& locale);
+
+/// A dimensionless value in the unit it is shown in: "187.3 kN".
+QString quantityText(double value, const ShownUnit& unit, const QLocale& locale);
+
+/// A duration of the program itself: "3 µs", "12 ms".
+QString runTimeText(double seconds, const QLocale& locale);
+
+}  // namespace drillwave

@@ -1,0 +1,32 @@
+// The blow over time: waves at a section, impact force, impulse and momentum (paper, Figs. 3–5).
+#pragma once
+
+#include "ui/pages/page.h"
+#include "ui/plots/blow_plots.h"
+#include "ui/plots/plot_widget.h"
+
+class QDoubleSpinBox;
+
+namespace drillwave {
+
+class BlowPage : public Page {
+    Q_OBJECT
+
+  public:
+    explicit BlowPage(QWidget* parent = nullptr);
+
+    QString title() const override { return tr("Blow"); }
+    void addNeeds(SolveRequest& request) const override;
+    void setResult(const SolvedBlowPtr& blow) override;
+    void fit() override;
+
+    PlotWidget* plot() const { return m_plot; }
+    BlowPlots* plots() const { return m_plots; }
+
+  private:
+    QDoubleSpinBox* m_section;
+    PlotWidget* m_plot;
+    BlowPlots* m_plots;
+};
+
+}  // namespace drillwave

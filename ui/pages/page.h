@@ -1,0 +1,31 @@
+// What every page of the window has in common.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/solved_blow.h"
+
+namespace drillwave {
+
+/// A page asks for what it shows while it can be seen, and computes nothing otherwise.
+class Page : public QWidget {
+    Q_OBJECT
+
+  public:
+    using QWidget::QWidget;
+
+    /// Name on the tab.
+    virtual QString title() const = 0;
+    /// Adds to a request what this page needs; called only while the page can be seen.
+    virtual void addNeeds(SolveRequest& request) const = 0;
+    /// Shows an answer to such a request.
+    virtual void setResult(const SolvedBlowPtr& blow) = 0;
+    /// Brings everything into view.
+    virtual void fit() = 0;
+
+  signals:
+    /// The page needs something else now than in the last request.
+    void needsChanged();
+};
+
+}  // namespace drillwave

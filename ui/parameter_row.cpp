@@ -1,0 +1,92 @@
+#include "ui/parameter_row.h"
+
+#include "ui/typed_text.h"
+
+namespace drillwave {
+namespace {
+
+QString fromView(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+}  // namespace
+
+QString shownSymbol(std::string_view symbol) {
+    return fromView(symbol).replace(u'0', QStringLiteral("₀"));
+}
+
+ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid,
+                           QWidget* parent)
+    : QObject(parent),
+      m_parameter(parameter),
+      m_label(new QLabel(parent)),
+      m_field(new QuantityField(parameter.quantity, parameter.displayUnit(), parent)),
+      m_slider(new QuantitySlider(parameter.plausible, parameter.slider, parent)),
+      m_message(new QLabel(parent)) {
+    m_field->setStepAtZero((parameter.plausible.high - parameter.plausible.low) / 100);
+    m_slider->setFocusPolicy(Qt::ClickFocus);
+    m_slider->setMinimumWidth(44);
+    m_message->setWordWrap(true);
+    m_message->setVisible(false);
+    m_message->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    nameWidgets(sectionTitle);
+
+    const int row = grid->rowCount();
+    grid->addWidget(m_label, row, 0);
+    grid->addWidget(m_slider, row, 1);
+    grid->addWidget(m_field, row, 2);
+    if (m_field->unitButton()) grid->addWidget(m_field->unitButton(), row, 3);
+    grid->addWidget(m_message, row + 1, 0, 1, 4);
+
+    connect(m_field, &QuantityField::valueEdited, this, &ParameterRow::edited);
+    connect(m_field, &QuantityField::cleared, this, &ParameterRow::cleared);
+    connect(m_field, &QuantityField::editsEnded, this, &ParameterRow::editsEnded);
+    connect(m_field, &QuantityField::problemShown, m_message, [this](const QString& problem) {
+        m_message->setText(QStringLiteral("⚠ ") + m_label->text() + QLatin1Char(' ') + problem);
+        m_message->setVisible(!problem.isEmpty() && m_field->isVisibleTo(m_field->parentWidget()));
+    });
+    connect(m_slider, &QuantitySlider::valueDragged, this,
+            [this](double si) { emit edited(m_field->rounded(si)); });
+    connect(m_slider, &QuantitySlider::dragEnded, this, &ParameterRow::editsEnded);
+}
+
+void ParameterRow::nameWidgets(const QString& sectionTitle) {
+    const QString label = fromView(m_parameter.label);
+    const QString symbol = shownSymbol(m_parameter.symbol);
+    const QString meaning = fromView(m_parameter.meaning);
+    const QString name = QStringLiteral("%1: %2").arg(sectionTitle, label);
+    m_label->setText(symbol.isEmpty() ? label : QStringLiteral("%1 %2").arg(label, symbol));
+    m_label->setBuddy(m_field);
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_label), static_cast<QWidget*>(m_field), static_cast<QWidget*>(m_slider)}) {
+        widget->setToolTip(meaning);
+        widget->setAccessibleDescription(meaning);
+    }
+    m_field->setObjectName(fromView(m_parameter.key));
+    m_field->setAccessibleName(name);
+    m_slider->setObjectName(fromView(m_parameter.key) + QStringLiteral(".slider"));
+    m_slider->setAccessibleName(tr("%1, slider").arg(name));
+    if (m_field->unitButton()) {
+        m_field->unitButton()->setAccessibleName(tr("%1, unit").arg(name));
+        m_field->unitButton()->setToolTip(tr("Unit in which the %1 is shown").arg(label));
+    }
+}
+
+void ParameterRow::show(const Scenario& scenario) {
+    const bool applies = m_parameter.applies(scenario);
+    setVisible(applies);
+    if (!applies) return;
+    const std::optional<double> si = m_parameter.value(scenario);
+    m_field->setValue(si);
+    m_slider->show(si.value_or(m_parameter.plausible.low));
+}
+
+void ParameterRow::setVisible(bool visible) {
+    m_label->setVisible(visible);
+    m_field->setVisible(visible);
+    m_slider->setVisible(visible);
+    if (m_field->unitButton()) m_field->unitButton()->setVisible(visible);
+    m_message->setVisible(visible && !m_message->text().isEmpty() && !m_field->problem().isEmpty());
+}
+
+}  // namespace drillwave

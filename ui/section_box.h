@@ -1,0 +1,25 @@
+// A titled part of a panel that can be folded away.
+#pragma once
+
+#include <QToolButton>
+#include <QWidget>
+
+namespace drillwave {
+
+class SectionBox : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit SectionBox(const QString& title, QWidget* parent = nullptr);
+
+    /// Where the content goes; give it a layout.
+    QWidget* content() const { return m_content; }
+    bool isOpen() const { return m_content->isVisibleTo(this); }
+    void setOpen(bool open);
+
+  private:
+    QToolButton* m_header;
+    QWidget* m_content;
+};
+
+}  // namespace drillwave

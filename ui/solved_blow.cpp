@@ -1,0 +1,54 @@
+#include "ui/solved_blow.h"
+
+#include <chrono>
+#include <exception>
+
+namespace drillwave {
+namespace {
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void solve(SolvedBlow& blow, ExactSolver& solver) {
+    const PulseForce pulse = pulseForceOf(blow.request.scenario);
+    const auto start = std::chrono::steady_clock::now();
+    blow.impact = solver.solve(pulse, blow.groups, Detail::histories);
+    blow.runTime = secondsSince(start);
+    if (blow.impact.outcome != Outcome::rebounded) {
+        blow.problem = QString::fromStdString(blow.impact.reason);
+        if (blow.problem.isEmpty()) blow.problem = QStringLiteral("The blow could not be solved.");
+        return;
+    }
+    blow.summary = summarize(blow.impact, blow.groups);
+    blow.thrust = thrustNeeded(blow.request.scenario, blow.impact.cor);
+    if (blow.request.section) blow.curves = blowCurves(blow.impact, pulse, blow.units, *blow.request.section);
+}
+
+}  // namespace
+
+SolvedBlowPtr solveBlow(const SolveRequest& request, ExactSolver& solver) noexcept {
+    auto blow = std::make_shared<SolvedBlow>();
+    try {
+        blow->request = request;
+        const std::vector<Problem> problems = validate(request.scenario);
+        if (!problems.empty()) return failedBlow(request, QString::fromStdString(problems.front().text));
+        blow->groups = groupsOf(request.scenario);
+        blow->scales = scalesOf(request.scenario);
+        blow->units = shownUnits(request.units, blow->scales);
+        blow->alerts = alertsFor(request.scenario);
+        solve(*blow, solver);
+    } catch (const std::exception& error) {
+        return failedBlow(request, QString::fromUtf8(error.what()));
+    }
+    return blow;
+}
+
+SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem) {
+    auto blow = std::make_shared<SolvedBlow>();
+    blow->request = request;
+    blow->problem = problem;
+    return blow;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,48 @@
+// A blow as the window needs it: asked for once, solved once, shared by everything that shows it.
+#pragma once
+
+#include <QString>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/model/scales.h"
+#include "core/model/validation.h"
+#include "core/study/impact_summary.h"
+#include "core/wave/exact_solver.h"
+#include "ui/plots/blow_curves.h"
+#include "ui/shown_units.h"
+
+namespace drillwave {
+
+/// What is wanted. Pages that can be seen add what they need; the rest is not computed.
+struct SolveRequest {
+    Scenario scenario;
+    UnitSystem units = UnitSystem::dimensionless;
+    std::optional<double> section;  ///< x/L of the waves to be plotted, when the curves are wanted
+};
+
+/// The answer, never changed once made. `problem` is empty when the blow was solved; otherwise it says in a
+/// sentence why not, and the numbers are not to be used.
+struct SolvedBlow {
+    SolveRequest request;
+    QString problem;
+    Groups groups;
+    Scales scales;
+    ShownUnits units;
+    Impact impact;
+    ImpactSummary summary;
+    std::optional<double> thrust;  ///< needed [N], when a blow frequency is given
+    std::vector<Alert> alerts;
+    double runTime = 0;  ///< of the solve alone [s]
+    std::optional<BlowCurves> curves;
+};
+using SolvedBlowPtr = std::shared_ptr<const SolvedBlow>;
+
+/// Solves and prepares what was asked for. Never throws: whatever goes wrong is the answer's `problem`.
+SolvedBlowPtr solveBlow(const SolveRequest& request, ExactSolver& solver) noexcept;
+
+/// An answer that only says why there is none.
+SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem);
+
+}  // namespace drillwave
