@@ -20,22 +20,27 @@ enum class ExitCode : int {
     interrupted = 130,
 };
 
-/// Thrown by commands, caught in main(): each line goes to stderr.
+/// Thrown by commands, caught in main(), which prints it to stderr.
 class CommandError : public std::runtime_error {
   public:
-    CommandError(ExitCode code, std::vector<std::string> lines)
-        : std::runtime_error(lines.empty() ? std::string() : lines.front()),
-          m_code(code),
-          m_lines(std::move(lines)) {}
+    /// One line, printed behind the name of the command.
     CommandError(ExitCode code, const std::string& line)
-        : CommandError(code, std::vector<std::string>{line}) {}
+        : std::runtime_error(line), m_code(code), m_lines{line}, m_isLocated(false) {}
+    /// Problems that begin with their place, "file:line:column: …", printed as they are.
+    CommandError(ExitCode code, std::vector<std::string> problems)
+        : std::runtime_error("problems in the input"),
+          m_code(code),
+          m_lines(std::move(problems)),
+          m_isLocated(true) {}
 
     ExitCode code() const { return m_code; }
     const std::vector<std::string>& lines() const { return m_lines; }
+    bool isLocated() const { return m_isLocated; }
 
   private:
     ExitCode m_code;
     std::vector<std::string> m_lines;
+    bool m_isLocated;
 };
 
 }  // namespace drillwave

@@ -33,12 +33,12 @@ std::string programHelp() {
 std::string commandHelp(const Command& command) {
     std::string help = "Usage: drillwave " + std::string(command.name) + " " + std::string(command.operands) +
                        " [OPTION]…\n\n" + std::string(command.summary) + ".\n";
-    if (!command.details.empty()) help += "\n" + std::string(command.details) + "\n";
     std::size_t width = std::string_view("--version").size();
     for (const OptionSpec& option : command.options) width = std::max(width, synopsis(option).size());
     help += "\nOptions:\n";
     for (const OptionSpec& option : command.options) help += line(synopsis(option), option.help, width);
     help += line("--help", "this text", width) + line("--version", "version of the program", width);
+    if (!command.details.empty()) help += "\n" + std::string(command.details) + "\n";
     return help;
 }
 

@@ -49,14 +49,17 @@ int runCommand(const Command& command, std::span<const std::string> words, int a
         return static_cast<int>(command.run(arguments));
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    // Qt's remarks on the desktop (no runtime folder, no fonts configured) do not matter to files.
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
+        if (type == QtFatalMsg) std::fprintf(stderr, "%s\n", message.toUtf8().constData());
+    });
     const QApplication application(argc, argv);
     return static_cast<int>(command.run(arguments));
 }
 
 int report(const std::string& who, const CommandError& error) {
-    // A problem of a file begins with its place, "file:line:column: …", and needs no other name in front.
     for (const std::string& line : error.lines())
-        std::fprintf(stderr, "%s%s\n", error.lines().size() == 1 ? who.c_str() : "", line.c_str());
+        std::fprintf(stderr, "%s%s\n", error.isLocated() ? "" : who.c_str(), line.c_str());
     return static_cast<int>(error.code());
 }
 

@@ -73,14 +73,22 @@ void prepare(const RunFiles& files) {
     for (const std::string& name : names) checkOverwrite(files.path(name), files.overwrite);
 }
 
+/// Solves, and times the solve alone: where it is quick, a second time, because the first one pays for fresh
+/// memory.
 BlowReport solve(const Scenario& scenario, Detail detail) {
+    using Clock = std::chrono::steady_clock;
+    constexpr double quick = 1e-3;
     BlowReport report{.scenario = scenario, .impact = {}, .runTime = 0, .method = "exact"};
     const PulseForce pulse = pulseForceOf(scenario);
     const Groups groups = groupsOf(scenario);
     ExactSolver solver;
-    const auto start = std::chrono::steady_clock::now();
-    report.impact = solver.solve(pulse, groups, detail);
-    report.runTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const auto timedSolve = [&] {
+        const auto start = Clock::now();
+        report.impact = solver.solve(pulse, groups, detail);
+        report.runTime = std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    timedSolve();
+    if (report.runTime < quick) timedSolve();
     return report;
 }
 

@@ -33,8 +33,10 @@ ExitCode runSweepCommand(const Arguments& arguments) {
     const ScenarioDocument base = loadScenarioArgument(path, arguments);
     const Sweep sweep{
         .base = base.scenario, .axes = axes, .columns = options.columns, .shard = options.shard};
-    if (std::vector<std::string> problems = problemsOf(sweep); !problems.empty())
+    if (std::vector<std::string> problems = problemsOf(sweep); !problems.empty()) {
+        for (std::string& problem : problems) problem = path + ": " + problem;
         throw CommandError(ExitCode::invalidScenario, std::move(problems));
+    }
 
     const Interruption interruption;
     OutputFile out(options.path, options.overwrite);
@@ -45,7 +47,7 @@ ExitCode runSweepCommand(const Arguments& arguments) {
 }
 
 std::vector<OptionSpec> sweepOptions() {
-    std::vector<OptionSpec> options{{"vary", "KEY=…",
+    std::vector<OptionSpec> options{{"vary", "KEY=VALUES",
                                      "an axis: START:STOP:COUNT, START:STOP:COUNT:log or A,B,C",
                                      OptionSpec::Times::list}};
     for (const OptionSpec& option : rowOptionSpecs()) options.push_back(option);
