@@ -12,6 +12,28 @@
 
 namespace drillwave {
 
+/// A sum that keeps what rounding drops: times and impulses of many thousand pieces stay exact.
+template <class Real>
+class CompensatedSum {
+  public:
+    CompensatedSum& operator=(Real value) {
+        m_sum = value;
+        m_lost = 0;
+        return *this;
+    }
+    CompensatedSum& operator+=(Real term) {
+        const Real sum = m_sum + term;
+        m_lost += std::abs(m_sum) >= std::abs(term) ? (m_sum - sum) + term : (term - sum) + m_sum;
+        m_sum = sum;
+        return *this;
+    }
+    operator Real() const { return m_sum + m_lost; }
+
+  private:
+    Real m_sum = 0;
+    Real m_lost = 0;
+};
+
 /// Solves  g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ),  F' = a(2g − F),  a = β, β/γ or 0, piece by piece.
 ///
 /// `Basis` represents functions on an interval: it solves one piece of contact exactly, finds first zeros,
@@ -33,7 +55,7 @@ class ContactMarch {
     };
     enum class Progress { goesOn, finished };
 
-    static constexpr long mostPieces = 6'000'000;
+    static constexpr long mostPieces = 30'000'000;
     static constexpr std::size_t mostWaiting = 400'000;
 
     void begin(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact);
@@ -42,6 +64,7 @@ class ContactMarch {
     void advanceContact();
     Progress flyFree();
     Progress skipPeriods(Real momentum);
+    void passPeriods(Real periods);
     void closeGap();
     void separate();
     void leave(const Piece& reflected, const Piece& incident, const Piece* force, Real length);
@@ -64,20 +87,22 @@ class ContactMarch {
     Detail m_detail = Detail::cor;
 
     Real m_beta = 0, m_unloadingRate = 0, m_roundTrip = 0;
-    Real m_arrival = 0;     ///< global time of s = 0
-    Real m_s = 0;           ///< time at the front end
-    Real m_hammerTime = 0;  ///< how far the hammer force has been used
+    Real m_arrival = 0;                 ///< global time of s = 0
+    CompensatedSum<Real> m_s;           ///< time at the front end
+    CompensatedSum<Real> m_hammerTime;  ///< how far the hammer force has been used
     std::size_t m_hammerPiece = 0;
     bool m_elasticRock = false;
     bool m_everTouched = false;
     bool m_touching = false;  ///< apart, but by zero: forceless contact
     bool m_justUnloaded = false;
+    int m_stillEvents = 0;  ///< events in a row without progress in time
     Phase m_phase = Phase::apart;
-    Real m_gap = 0;  ///< distance still to close, displacement unit I0/Z
+    Real m_periodsAhead = 0;  ///< periods of free flight still to come before `m_gap` counts
+    Real m_gap = 0;           ///< distance still to close, displacement unit I0/Z
     Real m_force = 0;
     Real m_peak = 0;  ///< largest force so far: the memory of the rock
     Real m_contactStart = 0;
-    Real m_impulse = 0, m_impulseCarry = 0;
+    CompensatedSum<Real> m_impulse;
     Real m_error = 0;
 };
 
@@ -97,6 +122,7 @@ bool ContactMarch<Basis>::solve(const PulseForce& pulse, const Groups& groups, D
         else
             advanceContact();
         if (m_basis.failed()) return false;
+        if (!(m_force >= 0 || m_force < 0)) return fail("the wave force overflowed");
         if (m_impact->pieces > mostPieces || m_waves.size() > mostWaiting)
             return fail("more than the permitted number of wave pieces is needed");
     }
@@ -113,13 +139,20 @@ void ContactMarch<Basis>::begin(const PulseForce& pulse, const Groups& groups, D
     m_elasticRock = groups.gamma == 1;
     m_roundTrip = 2 * Real(groups.tau);
     m_arrival = pulse.isRigidBody() ? Real(0) : Real(groups.tau);
-    m_s = m_hammerTime = 0;
+    m_s = 0;
+    m_hammerTime = 0;
     m_hammerPiece = 0;
     m_everTouched = m_touching = m_justUnloaded = false;
+    m_stillEvents = 0;
     m_phase = Phase::apart;
-    m_gap = pulse.isRigidBody() ? Real(0) : 2 * Real(groups.delta);
+    // Free flight advances by 2 in each period once the hammer has ended: whole periods of the gap beyond
+    // that are kept apart, exactly.
+    const double hammerPeriods = std::ceil(pulse.end / (2 * groups.tau)) + 2;
+    m_periodsAhead = Real(std::max(0.0, std::floor(groups.delta) - hammerPeriods));
+    m_gap = pulse.isRigidBody() ? Real(0) : 2 * (Real(groups.delta) - m_periodsAhead);
     m_force = m_peak = m_contactStart = 0;
-    m_impulse = m_impulseCarry = m_error = 0;
+    m_impulse = 0;
+    m_error = 0;
     m_waves.clear();
     m_incident = Piece::zero(0);
     m_basis.begin(pulse, groups);
@@ -132,9 +165,12 @@ void ContactMarch<Basis>::begin(const PulseForce& pulse, const Groups& groups, D
     if (pulse.isRigidBody()) impact.hammerWork = double(1 / m_roundTrip);  // ½ m v0²: the rod arrives with it
 }
 
-/// Takes the next piece of the incident wave and adds the hammer force that arrives with it.
+/// Takes the next piece of the incident wave and adds the hammer force that arrives with it. Ends of pieces
+/// that coincide within rounding are taken as one.
 template <class Basis>
 void ContactMarch<Basis>::nextArrival() {
+    const Real coincident = 4 * std::numeric_limits<Real>::epsilon() * (m_roundTrip + m_hammerTime);
+    while (m_waves.front().length <= coincident && m_waves.size() > 1) m_waves.popFront();
     m_incident = m_waves.front();
     if (m_hammerPiece >= m_pulse->segments.size()) {
         m_waves.popFront();
@@ -142,13 +178,11 @@ void ContactMarch<Basis>::nextArrival() {
     }
     const PulseSegment& segment = m_pulse->segments[m_hammerPiece];
     const Real into = m_hammerTime - Real(segment.start);
-    const Real left = Real(segment.length) - into;
-    Real length = m_basis.hammerPieceLength(segment, left);
-    const bool endsSegment = length >= left;
-    if (m_incident.length > length) {
+    const Real left = std::max(Real(segment.length) - into, coincident);
+    Real length = std::min(m_basis.hammerPieceLength(segment, left), m_incident.length);
+    if (m_incident.length - length > coincident) {
         m_waves.front().dropFront(length);
         m_incident.shorten(length);
-        if (m_waves.front().length <= std::numeric_limits<Real>::epsilon() * m_roundTrip) m_waves.popFront();
     } else {
         length = m_incident.length;
         m_waves.popFront();
@@ -158,12 +192,11 @@ void ContactMarch<Basis>::nextArrival() {
         if (m_detail != Detail::cor)  // Fa va = Fa (2g − Fa)
             m_impact->hammerWork += double(2 * Basis::productIntegral(hammer, m_incident, length) -
                                            Basis::productIntegral(hammer, hammer, length));
-    if (endsSegment && length >= left) {
+    m_hammerTime += length;
+    if (left - length <= coincident) {
         ++m_hammerPiece;
         m_hammerTime = m_hammerPiece < m_pulse->segments.size() ? Real(m_pulse->segments[m_hammerPiece].start)
                                                                 : Real(m_pulse->end);
-    } else {
-        m_hammerTime += length;
     }
 }
 
@@ -199,6 +232,13 @@ void ContactMarch<Basis>::leave(const Piece& reflected, const Piece& incident, c
     if (length <= 0) return;
     if constexpr (Basis::keepsHistory)
         if (m_detail == Detail::histories) m_basis.record(incident, force, length, *m_impact);
+    if constexpr (Basis::keepsHistory)
+        if (m_waves.size() > Basis::manyPieces) {
+            Piece last = reflected;
+            last.shorten(length);
+            m_basis.tidy(last);
+            if (m_basis.join(m_waves.back(), last, m_error)) return;
+        }
     m_waves.pushBack(reflected);
     m_waves.back().shorten(length);
     m_basis.tidy(m_waves.back());
@@ -260,12 +300,14 @@ void ContactMarch<Basis>::advanceContact() {
             }
     }
     if (m_basis.failed()) return;
+    m_stillEvents = length > 0 ? 0 : m_stillEvents + 1;
+    if (m_stillEvents > 3) {  // branches that differ by rounding only: any of them will do
+        ending = Ending::none;
+        length = response.length;
+        if (m_phase == Phase::primary) m_peak = std::max(m_peak, response.force.value(length));
+    }
 
-    const Real impulse = response.force.integral(length);
-    const Real corrected = impulse - m_impulseCarry;  // compensated sum
-    const Real sum = m_impulse + corrected;
-    m_impulseCarry = (sum - m_impulse) - corrected;
-    m_impulse = sum;
+    m_impulse += response.force.integral(length);
     m_error += m_basis.roundingError(response, length);
     if constexpr (Basis::keepsHistory)
         if (m_detail != Detail::cor) {
@@ -341,6 +383,11 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
 template <class Basis>
 typename ContactMarch<Basis>::Progress ContactMarch<Basis>::skipPeriods(Real momentum) {
     if (!m_everTouched) momentum = 1;  // nothing but the hammer has acted
+    if (m_periodsAhead > 0) {
+        passPeriods(m_periodsAhead);
+        m_periodsAhead = 0;
+        return Progress::goesOn;
+    }
     const Real uncertain = 4 * (m_error + m_basis.momentumNoise());
     if (momentum <= 0 || (m_touching && momentum <= uncertain)) {
         finish();
@@ -371,15 +418,20 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::skipPeriods(Real mom
         const Real from = m_gap;
         m_gap = std::fma(-periods, advance, m_gap);
         m_error += std::numeric_limits<Real>::epsilon() * (m_everTouched ? from : m_gap);
-        if (m_detail == Detail::histories)
-            m_impact->skips.push_back({double(m_s), double(periods * m_roundTrip)});
-        m_s += periods * m_roundTrip;
+        passPeriods(periods);
     }
     if (m_impact->pieces > mostPieces) {
         fail("more than the permitted number of wave pieces is needed");
         return Progress::finished;
     }
     return Progress::goesOn;
+}
+
+template <class Basis>
+void ContactMarch<Basis>::passPeriods(Real periods) {
+    if (m_detail == Detail::histories)
+        m_impact->skips.push_back({double(m_s), double(periods * m_roundTrip)});
+    m_s += periods * m_roundTrip;
 }
 
 template <class Basis>

@@ -74,7 +74,7 @@ Local localOf(const DecayTerms& f, double y, double decay) {
 
 bool ExponentialBasis::suits(const PulseForce& pulse, const Groups& groups) {
     if (groups.gamma > 0.7 && groups.gamma < 1) return false;
-    if (groups.beta * groups.tau < 1.5) return false;
+    if (groups.beta * groups.tau < 1.5 || groups.beta < 0.02) return false;
     if (pulse.segments.size() > 12) return false;
     for (const PulseSegment& segment : pulse.segments)
         if (segment.kind != PulseSegment::Kind::linear) return false;
@@ -283,7 +283,9 @@ double ExponentialBasis::roundingError(const Response& r, double length) const {
         (std::abs(r.force.c0) + std::abs(r.force.c1) * length) * length +
         r.force.primary.magnitude() * std::min(length, DecayTerms::capacity / m_rates.primary) +
         r.force.elastic.magnitude() * std::min(length, DecayTerms::capacity / m_rates.elastic);
-    return 4 * (epsilon * weighted + m_negligible * length);
+    const double persisting =
+        r.size * epsilon / m_rates.primary;  // decays only as slowly as the contact force
+    return 4 * (epsilon * weighted + persisting + m_negligible * length);
 }
 
 void ExponentialBasis::tidy(Piece& piece) const {

@@ -30,12 +30,24 @@ class SeriesBasis {
     void begin(const PulseForce& pulse, const Groups& groups) {
         m_scale = std::max(Real(pulse.peak), 1 / (2 * Real(groups.tau)));
         if (!pulse.isRigidBody() && groups.tau >= 0.5) m_scale = Real(pulse.peak);
+        m_relativePeak = Real(std::sqrt(groups.beta * groups.tau));
+        m_worstJoint = 0;
+        m_fastest = Real(groups.beta) / Real(groups.gamma);
+        // of the order of the round trips in contact: the more there are, the more each may err
+        const double trips = 1.6 / std::sqrt(groups.beta * groups.tau);
+        m_tolerance = Real(1e-17) * Real(std::max(1.0, trips / 100)) * std::numeric_limits<Real>::epsilon() /
+                      Real(std::numeric_limits<double>::epsilon());
         m_negligible = std::ldexp(m_scale, std::numeric_limits<Real>::digits == 53 ? -62 : -80);
     }
+    /// How many pieces a round trip may have before joining them is worth the effort.
+    static constexpr std::size_t manyPieces = 32;
+
     bool failed() const { return false; }
     Real negligibleForce() const { return m_negligible; }
     /// Rounding of a sum of impulses of order one.
-    Real momentumNoise() const { return 4 * std::numeric_limits<Real>::epsilon(); }
+    Real momentumNoise() const {
+        return 4 * std::numeric_limits<Real>::epsilon() + 4 * m_worstJoint * m_relativePeak;
+    }
 
     Piece constant(Real length, Real value) const {
         Piece f = Piece::zero(length);
@@ -159,10 +171,51 @@ class SeriesBasis {
     }
 
     Real roundingError(const Response& r, Real length) const {
-        return 2 * (std::numeric_limits<Real>::epsilon() * r.size + m_negligible) * length;
+        const Real size = r.size + r.incident.magnitude();
+        return 4 * (std::numeric_limits<Real>::epsilon() * size + m_negligible) * length;
     }
 
     void tidy(Piece& piece) const { piece.trim(m_negligible); }
+
+    /// Joins `next` to `last` where one series follows both closely enough; true when done. The mean is kept,
+    /// so that only a·|deviation|·(its length)·(whole length) can reach the impulse: that is added to
+    /// `error`.
+    bool join(Piece& last, const Piece& next, Real& error) {
+        const Real whole = last.length + next.length;
+        if (m_fastest * whole > Real(0.5)) return false;
+        const bool forward = last.length >= next.length;  // the longer piece is extended over the shorter
+        Piece longer = forward ? last : next;
+        Piece shorter = forward ? next : last;
+        if (std::abs(longer.startValue() - shorter.startValue()) * m_fastest * shorter.length * whole >
+                4 * m_tolerance &&
+            longer.count <= 1 && shorter.count <= 1)
+            return false;
+        Piece extended = longer;
+        extended.dropFront(forward ? last.length : -last.length);
+        Piece deviation = extended;
+        deviation.rescale(shorter.length);
+        shorter.rescale(shorter.length);
+        for (int k = deviation.count; k < shorter.count; ++k) deviation.c[k] = 0;
+        deviation.count = std::max(deviation.count, shorter.count);
+        for (int k = 0; k < deviation.count; ++k)
+            deviation.c[k] = (k < shorter.count ? shorter.c[k] : Real(0)) - deviation.c[k];
+        const Real size = deviation.magnitude();
+        const Real effect = m_fastest * size * shorter.length * whole;
+        if (effect > m_tolerance || size > Real(1e-8) * m_scale) return false;
+        const Real mean = deviation.integral(shorter.length) / whole;
+        Piece& joined = forward ? longer : extended;
+        joined.length = whole;
+        joined.rescale(whole);
+        if (joined.count == 0) {
+            joined.count = 1;
+            joined.c[0] = 0;
+        }
+        joined.c[0] += mean;
+        last = joined;
+        error += effect;
+        m_worstJoint = std::max(m_worstJoint, size * shorter.length);
+        return true;
+    }
 
     static Real productIntegral(const Piece& f, const Piece& g, Real length) {
         return Piece::productIntegral(f, g, length);
@@ -226,7 +279,8 @@ class SeriesBasis {
             r.force.c[k] = next;
         }
         m_layer = std::abs(force - r.force.startValue());
-        if (m_layer > m_negligible) return false;
+        const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * (std::abs(force) + g.magnitude());
+        if (m_layer > m_negligible + rounding) return false;
         r.drive.scale = r.reflected.scale = g.scale;
         r.drive.count = std::max(g.count - 1, 0);
         r.reflected.count = g.count;
@@ -284,9 +338,13 @@ class SeriesBasis {
         return (converged && size <= 256 * m_scale) || g.length * m_scale < m_negligible;
     }
 
-    Real m_scale = 1;       ///< largest wave force of this blow
-    Real m_negligible = 0;  ///< what is dropped
-    Real m_layer = 0;       ///< distance of F from the slow solution
+    Real m_scale = 1;         ///< largest wave force of this blow
+    Real m_negligible = 0;    ///< what is dropped
+    Real m_fastest = 0;       ///< β/γ
+    Real m_relativePeak = 0;  ///< √(βτ), about β over the peak force of a soft rock
+    Real m_worstJoint = 0;    ///< largest impulse that joining displaced: the peak force errs by β times it
+    Real m_tolerance = 0;     ///< of the effect of joining two pieces on the impulse
+    Real m_layer = 0;         ///< distance of F from the slow solution
     Piece m_hammer;
     Response m_response;
 };
