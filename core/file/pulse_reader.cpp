@@ -16,7 +16,7 @@ constexpr std::size_t maximumWrongPoints = 20;
 std::optional<PulseShape> readShape(SectionReader& reader, const YamlEntries& entries) {
     const auto found = entries.find("shape");
     if (found == entries.end()) {
-        reader.reportMissing("pulse", "shape", "is missing, one of " + pulseShapeList());
+        reader.require(entries, "pulse", {"shape"});
         return std::nullopt;
     }
     const YamlEntry& entry = found->second;

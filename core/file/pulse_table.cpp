@@ -127,7 +127,8 @@ PulseTable readPulseTable(const std::string& path, const std::string& source, Sc
     const TextProblem text = checkText(file.bytes);
     if (!text.reason.empty()) {
         const TextPosition at = positionOf(file.bytes, text.offset);
-        table.problems.push_back({"pulse.file", "is not text: " + text.reason, at.line, at.column, source});
+        table.problems.push_back(
+            {"pulse.file", "is not text: it holds " + text.reason, at.line, at.column, source});
         return table;
     }
     return TableReader(source, form).read(file.bytes);

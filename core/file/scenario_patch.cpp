@@ -42,6 +42,9 @@ class Patcher {
     }
 
     std::string patched(const YamlNode& root) {
+        // In another form little of the file stays: its sections are better put in order again.
+        const bool dimensionless = m_scenario.form == ScenarioForm::dimensionless;
+        if (dimensionless != (indexOf(root, "dimensionless") < root.children.size())) throw NotPatchable();
         patchMap(root, "");
         for (const std::string_view section : {"dimensionless", "rod", "pulse", "bit_rock", "drill"})
             patchSection(root, section);

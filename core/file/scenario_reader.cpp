@@ -99,11 +99,20 @@ bool isAboutTheFile(SectionReader& reader, const Problem& problem) {
     return problem.key == "pulse.points" && read("pulse.points") && !reader.problems().concerns("pulse.file");
 }
 
+/// Where a group comes from in a dimensional scenario.
+std::string_view originOf(std::string_view key) {
+    if (key == "beta") return "bit_rock.stiffness";
+    if (key == "tau") return "rod.length";
+    return key == "delta" ? "bit_rock.gap" : key;
+}
+
 void checkWhole(SectionReader& reader) {
     const bool clean = reader.problems().empty();
     for (Problem& problem : validate(reader.scenario())) {
         if (!clean && !isAboutTheFile(reader, problem)) continue;
-        const TextPosition at = reader.problems().position(reader.placeOf(problem.key).value_or(0));
+        const std::optional<std::size_t> place =
+            reader.placeOf(reader.dimensional() ? originOf(problem.key) : problem.key);
+        const TextPosition at = reader.problems().position(place.value_or(0));
         problem.line = at.line;
         problem.column = at.column;
         reader.problems().report(std::move(problem));

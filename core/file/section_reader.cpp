@@ -48,6 +48,7 @@ YamlEntries SectionReader::entriesOf(const YamlNode& map, std::string_view secti
         const std::string path = joinedKey(section, key.text);
         if (std::ranges::find(known, key.text) == known.end()) {
             const std::string_view near = nearestName(key.text, known);
+            m_mistyped.insert(joinedKey(section, near));
             m_problems.reportKey(key.offset, path,
                                  near.empty()
                                      ? "is not a known key; known here: " + listOf(known)
@@ -64,7 +65,7 @@ std::optional<YamlEntries> SectionReader::section(const YamlEntries& file, std::
                                                   std::vector<std::string_view> moreKeys) {
     const auto found = file.find(name);
     if (found == file.end()) {
-        reportMissing("", name, "is missing");
+        if (!m_mistyped.contains(name)) reportMissing("", name, "is missing");
         return std::nullopt;
     }
     const YamlEntry& entry = found->second;
@@ -113,7 +114,11 @@ void SectionReader::readParameter(const Parameter& parameter, const YamlEntry& e
 void SectionReader::require(const YamlEntries& entries, std::string_view section,
                             std::initializer_list<std::string_view> keys) {
     for (const std::string_view key : keys) {
-        if (entries.contains(key)) continue;
+        if (isThere(entries, section, key)) continue;
+        if (section == "pulse" && key == "shape") {
+            reportMissing(section, key, "is missing, one of " + pulseShapeList());
+            continue;
+        }
         const Parameter* parameter =
             findParameter(section == "dimensionless" ? std::string(key) : joinedKey(section, key));
         reportMissing(section, key, "is missing" + (parameter ? example(*parameter) : std::string()));
@@ -124,11 +129,16 @@ void SectionReader::requireOneOf(const YamlEntries& entries, std::string_view se
                                  std::string_view other) {
     const auto second = entries.find(other);
     const bool both = entries.contains(one) && second != entries.end();
-    if (!entries.contains(one) && second == entries.end())
+    if (!isThere(entries, section, one) && !isThere(entries, section, other))
         reportMissing(section, one, "is missing: give it or " + joinedKey(section, other));
     if (both)
         m_problems.reportKey(second->second.key->offset, joinedKey(section, other),
                              "cannot stand beside " + joinedKey(section, one) + ": give one or the other");
+}
+
+bool SectionReader::isThere(const YamlEntries& entries, std::string_view section,
+                            std::string_view key) const {
+    return entries.contains(key) || m_mistyped.contains(joinedKey(section, key));
 }
 
 void SectionReader::reportMissing(std::string_view section, std::string_view key, std::string_view reason) {

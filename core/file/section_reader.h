@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,11 +64,14 @@ class SectionReader {
     std::optional<std::size_t> placeOf(std::string_view key) const;
 
   private:
+    /// Given, or mistyped, which is reported already.
+    bool isThere(const YamlEntries& entries, std::string_view section, std::string_view key) const;
     void readParameter(const Parameter& parameter, const YamlEntry& entry);
 
     ProblemList m_problems;
     Scenario m_scenario;
     std::map<std::string, std::size_t, std::less<>> m_places;
+    std::set<std::string, std::less<>> m_mistyped;  // keys that an unknown one is likely to mean
 };
 
 }  // namespace drillwave

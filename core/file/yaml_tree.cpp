@@ -82,6 +82,19 @@ class TreeBuilder final : public YAML::EventHandler {
         return std::min(position + byteOrderMarkLength(m_text), m_text.size());
     }
 
+    /// The parser takes a quote that is never closed to end with the file.
+    bool isClosed(std::size_t quote) const {
+        const char mark = m_text[quote];
+        for (std::size_t at = quote + 1; at < m_text.size(); ++at) {
+            const bool escaped = mark == '"' ? m_text[at] == '\\' : m_text.substr(at).starts_with("''");
+            if (escaped)
+                ++at;
+            else if (m_text[at] == mark)
+                return true;
+        }
+        return false;
+    }
+
     [[noreturn]] void refuse(const YAML::Mark& mark, std::string reason) const {
         throw Refusal{{offsetOf(mark), std::move(reason), true}};
     }
@@ -94,6 +107,8 @@ class TreeBuilder final : public YAML::EventHandler {
         const bool quoted = tag == "!" && offset < m_text.size() && m_text[offset] != '!';
         if (!tag.empty() && tag != "?" && !quoted)
             refuse(mark, "a tag (!) is not accepted here: write the value alone");
+        if (quoted && (m_text[offset] == '"' || m_text[offset] == '\'') && !isClosed(offset))
+            throw Refusal{{offset, "not YAML: the quote that begins here is not closed", false}};
         if (++m_count > maximumNodes) refuse(mark, "there are too many values from here on");
         YamlNode result;
         result.kind = kind;

@@ -72,9 +72,8 @@ void checkGroups(const Scenario& scenario, std::vector<Problem>& problems) {
     for (const double scale : {scales.time, scales.impulse, scales.force, scales.velocity, scales.penetration,
                                scales.stiffness, scales.energy}) {
         if (isPositiveAndFinite(scale)) continue;
-        report(
-            problems, "", "",
-            "the values are so large or small that force, velocity or energy of the blow cannot be computed");
+        problems.push_back(
+            {"", "the values are so large or small that the force or energy of the blow overflows"});
         return;
     }
     for (const Parameter& parameter : parameters()) {

@@ -1,0 +1,550 @@
+// Scenario files: the two forms of the contract, and saving without moving what did not change.
+#include <QtTest>
+
+#include <QTemporaryDir>
+#include <filesystem>
+#include <locale>
+#include <random>
+
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
+#include "core/file/scenario_text.h"
+#include "core/model/parameter.h"
+#include "core/model/scales.h"
+
+using namespace drillwave;
+
+namespace {
+
+const char* const t38 = R"(drillwave: 1                      # format number, first key, required
+title: T38 rod, medium rock       # optional
+rod:
+  length: 3.66 m
+  diameter: 38 mm                 # or  area: 1134 mm^2
+  bore: 14.5 mm                   # optional flushing hole, default 0
+  youngs_modulus: 210 GPa
+  density: 7850 kg/m^3
+pulse:
+  shape: rectangular
+  duration: 200 us                # t0
+  impulse: 51 N s                 # I0
+bit_rock:
+  stiffness: 105 MN/m             # k, primary loading
+  gamma: 0.1
+  gap: 0 mm                       # d
+drill:                            # optional
+  blow_frequency: 60 Hz
+  thrust: 8 kN                    # installed feed force
+)";
+
+const char* const figure4b = R"(drillwave: 1
+title: Fig. 4 (b) of the paper
+dimensionless: {beta: 0.5, gamma: 0.1, tau: 10, delta: 0}
+pulse: {shape: rectangular}
+)";
+
+ScenarioDocument parsed(const std::string& text) {
+    return parseScenario(text, "test.yaml");
+}
+
+/// Compares as text, so that a difference is shown.
+void compareText(const std::string& text, const std::string& expected) {
+    if (text != expected) qInfo("%s", text.c_str());
+    QCOMPARE(QString::fromStdString(text), QString::fromStdString(expected));
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) throw std::logic_error("the test text does not hold " + from);
+    return text.replace(at, from.size(), to);
+}
+
+void writeFile(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(bytes), bytes.size());
+}
+
+std::string rodWithPulse(const std::string& pulse) {
+    const std::string text(t38);
+    const std::size_t from = text.find("pulse:");
+    return text.substr(0, from) + pulse + text.substr(text.find("bit_rock:"));
+}
+
+}  // namespace
+
+class TestScenarioFile : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theFileOfTheContractIsRead();
+    void theDimensionlessFileOfTheContractIsRead();
+    void everyExampleLoadsAndSavesByteForByte();
+    void everyShapeIsRead_data();
+    void everyShapeIsRead();
+    void optionalValuesHaveTheirDefaults();
+    void anAreaReplacesTheDiameter();
+    void aMeanForceIsReadAndKept();
+    void aTableFileIsReadBesideTheScenario();
+    void aTableFileIsWrittenBackByItsName();
+    void problemsOfATableFileHaveItsLines_data();
+    void problemsOfATableFileHaveItsLines();
+    void anythingUnchangedIsSavedByteForByte_data();
+    void anythingUnchangedIsSavedByteForByte();
+    void aChangedValueIsExchangedInItsUnit();
+    void aChangedGroupIsExchangedInItsPlace();
+    void aTitleIsExchangedAndQuotedWhereNeeded_data();
+    void aTitleIsExchangedAndQuotedWhereNeeded();
+    void aNewValueIsPutWhereItBelongs();
+    void aValueThatWentIsTakenOut();
+    void aNewSectionIsAppended();
+    void aSectionThatWentIsTakenOut();
+    void anotherShapeExchangesItsKeys();
+    void anotherFormIsWrittenAnewBelowTheExplanation();
+    void windowsLineEndsAndByteOrderMarkSurviveAChange();
+    void aNewScenarioIsWrittenInItsCustomaryForm();
+    void everyNewScenarioReadsBackTheSame();
+    void randomEditsReadBackTheSame();
+    void pointsThatDoNotFitIntoAFileAreRefused();
+    void theUsersLocaleChangesNothing();
+};
+
+void TestScenarioFile::theFileOfTheContractIsRead() {
+    const Scenario scenario = parsed(t38).scenario;
+    Scenario expected;
+    expected.title = "T38 rod, medium rock";
+    expected.rod.bore = 0.0145;
+    expected.drill.blowFrequency = 60;
+    expected.drill.thrust = 8000;
+    QVERIFY(scenario == expected);
+}
+
+void TestScenarioFile::theDimensionlessFileOfTheContractIsRead() {
+    Scenario expected;
+    expected.title = "Fig. 4 (b) of the paper";
+    expected.form = ScenarioForm::dimensionless;
+    expected.groups = {.beta = 0.5, .gamma = 0.1, .tau = 10, .delta = 0};
+    QVERIFY(parsed(figure4b).scenario == expected);
+}
+
+void TestScenarioFile::everyExampleLoadsAndSavesByteForByte() {
+    QVERIFY(!builtInExamples().empty());
+    for (const Example& example : builtInExamples()) {
+        const ScenarioDocument document = parseScenario(example.text, example.name);
+        compareText(writeScenario(document), std::string(example.text));
+        QVERIFY(!document.scenario.title.empty());
+        QVERIFY(validate(document.scenario).empty());
+    }
+}
+
+void TestScenarioFile::everyShapeIsRead_data() {
+    QTest::addColumn<QString>("pulse");
+    QTest::addColumn<PulseShape>("shape");
+    for (const char* shape : {"rectangular", "triangular", "half_sine", "exponential", "rigid_body"})
+        QTest::newRow(shape) << QString("pulse: {shape: %1, duration: 0.2 ms, impulse: 51 N s}\n").arg(shape)
+                             << *findPulseShape(shape);
+    QTest::newRow("trapezoid")
+        << "pulse: {shape: trapezoid, duration: 0.2 ms, impulse: 51 N s, rise: 0.1, fall: 0}\n"
+        << PulseShape::trapezoid;
+    QTest::newRow("piston")
+        << "pulse:\n  shape: piston\n  length: 0.5 m\n  diameter: 45 mm\n  velocity: 10 m/s\n"
+           "  youngs_modulus: 200 GPa\n  density: 7.8 g/cm^3\n"
+        << PulseShape::piston;
+    QTest::newRow("table")
+        << "pulse:\n  shape: table\n  points: [[0 us, 0 kN], [0.1 ms, 500 kN], [200 us, 0 N]]\n"
+        << PulseShape::table;
+    QTest::newRow("table, block style")
+        << "pulse:\n  shape: table\n  points:\n  - [0 us, 0 kN]\n  -\n    - 200 us\n    - 500 kN\n"
+        << PulseShape::table;
+}
+
+void TestScenarioFile::everyShapeIsRead() {
+    QFETCH(QString, pulse);
+    QFETCH(PulseShape, shape);
+    const std::string text = rodWithPulse(pulse.toStdString());
+    const ScenarioDocument document = parsed(text);
+    QVERIFY(document.scenario.pulse.shape == shape);
+    QVERIFY(pulseDuration(document.scenario) > 1e-4 && pulseDuration(document.scenario) < 3e-4);
+    compareText(writeScenario(document), text);
+}
+
+void TestScenarioFile::optionalValuesHaveTheirDefaults() {
+    const Scenario scenario = parsed(R"(drillwave: 1
+rod: {length: 1 m, diameter: 30 mm, youngs_modulus: 200 GPa, density: 7800 kg/m^3}
+pulse: {shape: trapezoid, duration: 100 us, impulse: 20 N s}
+bit_rock: {stiffness: 1 GN/m, gamma: 1}
+)")
+                                  .scenario;
+    QCOMPARE(scenario.rod.bore, 0.0);
+    QCOMPARE(scenario.pulse.rise, 0.2);
+    QCOMPARE(scenario.pulse.fall, 0.3);
+    QCOMPARE(scenario.bitRock.gap, 0.0);
+    QVERIFY(scenario.drill == Drill());
+    QVERIFY(scenario.title.empty());
+    const Scenario bare =
+        parsed("drillwave: 1\ndimensionless: {beta: 1, gamma: 1, tau: 1}\npulse: {shape: rigid_body}")
+            .scenario;
+    QCOMPARE(bare.groups.delta, 0.0);
+}
+
+void TestScenarioFile::anAreaReplacesTheDiameter() {
+    const std::string text =
+        replaced(replaced(t38, "  bore: 14.5 mm                   # optional flushing hole, default 0\n", ""),
+                 "diameter: 38 mm", "area: 1134 mm^2");
+    const ScenarioDocument document = parsed(text);
+    QCOMPARE(document.scenario.rod.area.value(), 1134e-6);
+    compareText(writeScenario(document), text);
+}
+
+void TestScenarioFile::aMeanForceIsReadAndKept() {
+    const std::string text = replaced(t38, "impulse: 51 N s ", "force: 255 kN   ");
+    ScenarioDocument document = parsed(text);
+    QVERIFY(document.scenario.pulse.impulseFromForce);
+    QCOMPARE(document.scenario.pulse.impulse, 255e3 * 200e-6);
+    compareText(writeScenario(document), text);
+    QCOMPARE(QString::fromStdString(assignText(document.scenario, "pulse.duration", "100 us")), QString());
+    compareText(writeScenario(document), replaced(text, "200 us", "100 us"));
+}
+
+void TestScenarioFile::aTableFileIsReadBesideTheScenario() {
+    QTemporaryDir folder;
+    writeFile(folder.filePath("blow.csv"),
+              "# measured\r\ntime [us],force [kN]\r\n10,0\r\n60,500\r\n\r\n210,0\r\n");
+    writeFile(folder.filePath("case.yaml"),
+              QByteArray::fromStdString(rodWithPulse("pulse: {shape: table, file: blow.csv}\n")));
+    const ScenarioDocument document = loadScenario(folder.filePath("case.yaml").toStdString());
+    const std::vector<TablePoint> expected{{10e-6, 0}, {60e-6, 500e3}, {210e-6, 0}};
+    QVERIFY(document.scenario.pulse.tablePoints == expected);
+    compareText(document.scenario.pulse.tableFile, "blow.csv");
+}
+
+void TestScenarioFile::aTableFileIsWrittenBackByItsName() {
+    QTemporaryDir folder;
+    writeFile(folder.filePath("blow.csv"), "time,force\n0,1\n1,1\n");
+    const std::string text =
+        "drillwave: 1\ndimensionless: {beta: 0.5, gamma: 1, tau: 10}\npulse: {shape: table, file: "
+        "blow.csv}\n";
+    writeFile(folder.filePath("case.yaml"), QByteArray::fromStdString(text));
+    ScenarioDocument document = loadScenario(folder.filePath("case.yaml").toStdString());
+    // What is saved does not depend on whether the table is still there.
+    QVERIFY(QFile::remove(folder.filePath("blow.csv")));
+    compareText(writeScenario(document), text);
+    document.scenario.groups.beta = 0.7;
+    compareText(writeScenario(document), replaced(text, "0.5", "0.7"));
+}
+
+void TestScenarioFile::problemsOfATableFileHaveItsLines_data() {
+    QTest::addColumn<QByteArray>("csv");
+    QTest::addColumn<QString>("problem");
+    QTest::newRow("empty") << QByteArray() << "blow.csv:1:1: holds no header";
+    QTest::newRow("no units") << QByteArray("time,force\n0,1\n1,1\n") << "blow.csv:1:1: `time` (needs a unit";
+    QTest::newRow("wrong unit") << QByteArray("time [us],force [mm]\n0,1\n1,1\n")
+                                << "blow.csv:1:1: `force [mm]`";
+    QTest::newRow("wrong columns") << QByteArray("force [kN],time [us]\n0,1\n")
+                                   << "blow.csv:1:1: `force [kN]` (the header";
+    QTest::newRow("three columns") << QByteArray("time [us],force [kN]\n0,1\n1,1,1\n")
+                                   << "blow.csv:3:1: a row must be";
+    QTest::newRow("word") << QByteArray("time [us],force [kN]\n0,1\n1,much\n")
+                          << "blow.csv:3:1: force = much (is not a number)";
+    QTest::newRow("nan") << QByteArray("time [us],force [kN]\n0,1\nnan,1\n")
+                         << "blow.csv:3:1: time = nan (must be a finite";
+    QTest::newRow("decimal comma") << QByteArray("time [us],force [kN]\n\"0,5\",1\n") << "decimal comma";
+    QTest::newRow("backwards") << QByteArray("time [us],force [kN]\n0,1\n2,1\n1,1\n")
+                               << "blow.csv:4:1: point 3 must be later";
+    QTest::newRow("pulling") << QByteArray("time [us],force [kN]\n0,1\n2,-1\n")
+                             << "blow.csv:3:1: point 2 has a negative force";
+    QTest::newRow("one row") << QByteArray("time [us],force [kN]\n0,1\n")
+                             << "blow.csv:2:1: needs at least two points";
+    QTest::newRow("open quote") << QByteArray("time [us],force [kN]\n0,1\n\"1,1\n")
+                                << "blow.csv:3:1: a quote is not closed";
+    QTest::newRow("binary") << QByteArray("time [us],force [kN]\n\0\1", 23)
+                            << "blow.csv:2:1: is not text: it holds a NUL byte";
+}
+
+void TestScenarioFile::problemsOfATableFileHaveItsLines() {
+    QFETCH(QByteArray, csv);
+    QFETCH(QString, problem);
+    QTemporaryDir folder;
+    writeFile(folder.filePath("blow.csv"), csv);
+    writeFile(folder.filePath("case.yaml"),
+              QByteArray::fromStdString(rodWithPulse("pulse: {shape: table, file: blow.csv}\n")));
+    try {
+        loadScenario(folder.filePath("case.yaml").toStdString());
+        QFAIL("the table was accepted");
+    } catch (const ScenarioError& error) {
+        QVERIFY2(QString::fromStdString(error.lines().front()).contains(problem), error.what());
+    }
+}
+
+void TestScenarioFile::anythingUnchangedIsSavedByteForByte_data() {
+    QTest::addColumn<QString>("text");
+    QTest::newRow("T38 of the contract") << t38;
+    QTest::newRow("Fig. 4 (b) of the contract") << figure4b;
+    QTest::newRow("no last line end") << QString(figure4b).trimmed();
+    QTest::newRow("document marks") << "%YAML 1.2\n---\n" + QString(figure4b) + "...\n";
+    QTest::newRow("byte order mark") << QString("\ufeff") + figure4b;
+    QTest::newRow("Windows line ends") << QString(t38).replace("\n", "\r\n");
+    QTest::newRow("quoted values")
+        << QString(t38).replace("3.66 m", "\"3.66 m\"").replace("38 mm", "'38 mm'");
+    QTest::newRow("all in braces") << "{drillwave: 1, dimensionless: {beta: 5e-1, gamma: 1.0, tau: 10.}, "
+                                      "pulse: {shape: piston, impedance_ratio: 2}}";
+    QTest::newRow("numbers as nobody writes them") << QString(figure4b).replace("0.5", "+0.50000e0");
+    QTest::newRow("title over several lines")
+        << QString(figure4b).replace("Fig. 4 (b) of the paper", "|\n  Fig.\n  4");
+    QTest::newRow("empty title and drill")
+        << QString(t38).left(QString(t38).indexOf("drill:  ")).replace("T38 rod, medium rock", "") +
+               "drill:\n";
+}
+
+void TestScenarioFile::anythingUnchangedIsSavedByteForByte() {
+    QFETCH(QString, text);
+    compareText(writeScenario(parsed(text.toStdString())), text.toStdString());
+}
+
+void TestScenarioFile::aChangedValueIsExchangedInItsUnit() {
+    ScenarioDocument document = parsed(t38);
+    document.scenario.rod.length = 4.2;
+    document.scenario.rod.diameter = 0.0381;
+    document.scenario.drill.thrust = 9500;
+    std::string expected = replaced(t38, "3.66 m", "4.2 m");
+    expected = replaced(expected, "38 mm                 #", "38.1 mm               #");
+    compareText(writeScenario(document),
+                replaced(expected, "8 kN                    #", "9.5 kN                  #"));
+    // A comment with no room left moves on.
+    document.scenario = parsed(t38).scenario;
+    document.scenario.pulse.duration = 200e-6 / 3;
+    document.scenario.bitRock.stiffness = 1e8 / 3;
+    expected = replaced(t38, "200 us                #", "66.66666666666667 us  #");
+    compareText(writeScenario(document),
+                replaced(expected, "105 MN/m             #", "33.333333333333332 MN/m #"));
+}
+
+void TestScenarioFile::aChangedGroupIsExchangedInItsPlace() {
+    ScenarioDocument document = parsed(figure4b);
+    document.scenario.groups = {.beta = 1e-7, .gamma = 1, .tau = 12.5, .delta = 0.521};
+    compareText(writeScenario(document), replaced(figure4b, "{beta: 0.5, gamma: 0.1, tau: 10, delta: 0}",
+                                                  "{beta: 1e-7, gamma: 1, tau: 12.5, delta: 0.521}"));
+}
+
+void TestScenarioFile::aTitleIsExchangedAndQuotedWhereNeeded_data() {
+    QTest::addColumn<QString>("title");
+    QTest::addColumn<QString>("written");
+    QTest::newRow("plain") << "Harder rock"
+                           << "Harder rock";
+    QTest::newRow("umlauts") << "Schlagbohren für Anfänger"
+                             << "Schlagbohren für Anfänger";
+    QTest::newRow("colon") << "rock: hard"
+                           << "\"rock: hard\"";
+    QTest::newRow("number sign") << "case #3"
+                                 << "\"case #3\"";
+    QTest::newRow("no comment") << "case#3"
+                                << "case#3";
+    QTest::newRow("quotes") << "\"hard\" rock"
+                            << R"("\"hard\" rock")";
+    QTest::newRow("backslash") << "C:\\drill"
+                               << "C:\\drill";
+    QTest::newRow("leading dash") << "- hard"
+                                  << "\"- hard\"";
+    QTest::newRow("null") << "null"
+                          << "\"null\"";
+    QTest::newRow("trailing blank") << "rock "
+                                    << "\"rock \"";
+    QTest::newRow("two lines") << "rock\nhard"
+                               << R"("rock\nhard")";
+    QTest::newRow("tab") << "rock\thard"
+                         << R"("rock\x09hard")";
+    QTest::newRow("alias") << "*rock"
+                           << "\"*rock\"";
+}
+
+void TestScenarioFile::aTitleIsExchangedAndQuotedWhereNeeded() {
+    QFETCH(QString, title);
+    QFETCH(QString, written);
+    ScenarioDocument document = parsed(figure4b);
+    document.scenario.title = title.toStdString();
+    const std::string text = writeScenario(document);
+    compareText(text, replaced(figure4b, "Fig. 4 (b) of the paper", written.toStdString()));
+    compareText(parsed(text).scenario.title, title.toStdString());
+}
+
+void TestScenarioFile::aNewValueIsPutWhereItBelongs() {
+    std::string text =
+        replaced(t38, "  bore: 14.5 mm                   # optional flushing hole, default 0\n", "");
+    ScenarioDocument document = parsed(text);
+    document.scenario.rod.bore = 0.0145;
+    compareText(writeScenario(document), replaced(text, "  youngs", "  bore: 14.5 mm\n  youngs"));
+
+    text = replaced(figure4b, ", delta: 0}", "}");
+    document = parsed(text);
+    document.scenario.groups.delta = 0.25;
+    compareText(writeScenario(document), replaced(text, "tau: 10}", "tau: 10, delta: 0.25}"));
+
+    text = replaced(figure4b, "title: Fig. 4 (b) of the paper\n", "");
+    document = parsed(text);
+    document.scenario.title = "New";
+    compareText(writeScenario(document), replaced(text, "drillwave: 1\n", "drillwave: 1\ntitle: New\n"));
+}
+
+void TestScenarioFile::aValueThatWentIsTakenOut() {
+    ScenarioDocument document = parsed(t38);
+    document.scenario.drill.blowFrequency.reset();
+    document.scenario.title.clear();
+    std::string expected = replaced(t38, "  blow_frequency: 60 Hz\n", "");
+    expected = replaced(expected, "title: T38 rod, medium rock       # optional\n", "");
+    compareText(writeScenario(document), expected);
+}
+
+void TestScenarioFile::aNewSectionIsAppended() {
+    const std::string text = std::string(t38).substr(0, std::string(t38).find("drill:  "));
+    ScenarioDocument document = parsed(text);
+    document.scenario.drill.thrust = 8000;
+    compareText(writeScenario(document), text + "drill:\n  thrust: 8 kN\n");
+}
+
+void TestScenarioFile::aSectionThatWentIsTakenOut() {
+    ScenarioDocument document = parsed(t38);
+    document.scenario.drill = {};
+    compareText(writeScenario(document), std::string(t38).substr(0, std::string(t38).find("drill:  ")));
+}
+
+void TestScenarioFile::anotherShapeExchangesItsKeys() {
+    ScenarioDocument document = parsed(t38);
+    document.scenario.pulse.shape = PulseShape::trapezoid;
+    document.scenario.pulse.rise = 0.4;
+    std::string expected = replaced(t38, "rectangular", "trapezoid");
+    expected = replaced(expected, "# I0\n", "# I0\n  rise: 0.4\n");
+    compareText(writeScenario(document), expected);
+
+    document = parsed(t38);
+    document.scenario.pulse.shape = PulseShape::piston;
+    const std::string text = writeScenario(document);
+    QVERIFY(parsed(text).scenario == withoutUnusedValues(document.scenario));
+    QVERIFY2(text.find("shape: piston\n  length: 500 mm\n  diameter: 38 mm\n  velocity: 10 m/s\nbit_rock:") !=
+                 std::string::npos,
+             text.c_str());
+    QVERIFY(text.find("or  area: 1134 mm^2") != std::string::npos);
+}
+
+void TestScenarioFile::anotherFormIsWrittenAnewBelowTheExplanation() {
+    ScenarioDocument document = parsed("# What to look at.\n\n" + std::string(t38));
+    document.scenario.form = ScenarioForm::dimensionless;
+    document.scenario.groups = {.beta = 0.5, .gamma = 0.1, .tau = 10, .delta = 0};
+    document.scenario.title = "Fig. 4 (b) of the paper";
+    compareText(writeScenario(document), "# What to look at.\n\n" + std::string(figure4b));
+}
+
+void TestScenarioFile::windowsLineEndsAndByteOrderMarkSurviveAChange() {
+    const QString text = QString("\ufeff") + QString(t38).replace("\n", "\r\n");
+    ScenarioDocument document = parsed(text.toStdString());
+    document.scenario.rod.length = 4.2;
+    document.scenario.drill = {};
+    QString expected = QString(text).replace("3.66 m", "4.2 m");
+    compareText(writeScenario(document), expected.left(expected.indexOf("drill:  ")).toStdString());
+    // And a section appended.
+    document = parsed(writeScenario(document));
+    document.scenario.drill.thrust = 1000;
+    QVERIFY(QString::fromStdString(writeScenario(document)).endsWith("\r\ndrill:\r\n  thrust: 1 kN\r\n"));
+}
+
+void TestScenarioFile::aNewScenarioIsWrittenInItsCustomaryForm() {
+    compareText(writeScenario({Scenario(), "", ""}), R"(drillwave: 1
+rod:
+  length: 3.66 m
+  diameter: 38 mm
+  youngs_modulus: 210 GPa
+  density: 7850 kg/m^3
+pulse:
+  shape: rectangular
+  duration: 200 us
+  impulse: 51 N s
+bit_rock:
+  stiffness: 105 MN/m
+  gamma: 0.1
+  gap: 0 mm
+)");
+    compareText(writeScenario({parsed(figure4b).scenario, "", ""}), figure4b);
+    Scenario table = parsed(figure4b).scenario;
+    table.pulse.shape = PulseShape::table;
+    table.pulse.tablePoints = {{0, 0}, {0.1, 1}};
+    compareText(writeScenario({table, "", ""}),
+                replaced(figure4b, "pulse: {shape: rectangular}\n",
+                         "pulse:\n  shape: table\n  points:\n    - [0, 0]\n    - [0.1, 1]\n"));
+}
+
+void TestScenarioFile::everyNewScenarioReadsBackTheSame() {
+    std::mt19937_64 random(6);
+    for (int i = 0; i < 400; ++i) {
+        Scenario scenario;
+        if (i % 3 == 0) scenario.form = ScenarioForm::dimensionless;
+        scenario.pulse.shape = static_cast<PulseShape>(i % 8);
+        if (scenario.pulse.shape == PulseShape::table)
+            for (int n = 0; n < 20; ++n)
+                scenario.pulse.tablePoints.push_back({n * 1.1e-5 / 3, 1e5 / (n + 1)});
+        for (const Parameter& parameter : parameters()) {
+            // The groups of a dimensional scenario would only move what was set before.
+            if (!isGiven(parameter, scenario) || parameter.key == "rod.area" || random() % 3 == 0) continue;
+            std::uniform_real_distribution<double> plausible(parameter.plausible.low,
+                                                             parameter.plausible.high);
+            parameter.assign(scenario, parameter.section() == "pulse" && parameter.key == "pulse.fall"
+                                           ? 0.1
+                                           : plausible(random));
+        }
+        if (i % 5 == 0 && scenario.form == ScenarioForm::dimensional) scenario.rod.area = 1e-3 / 3;
+        if (scenario.rod.bore >= scenario.rod.diameter) scenario.rod.bore = 0;
+        if (scenario.pulse.rise + scenario.pulse.fall > 1)
+            scenario.pulse.rise = scenario.pulse.fall = 1.0 / 3;
+        const std::vector<Problem> problems = validate(scenario);
+        QVERIFY2(problems.empty(), problems.empty() ? "" : problems.front().text.c_str());
+        const std::string text = writeScenario({scenario, "", ""});
+        QVERIFY2(parsed(text).scenario == withoutUnusedValues(scenario), text.c_str());
+    }
+}
+
+void TestScenarioFile::randomEditsReadBackTheSame() {
+    std::mt19937_64 random(7);
+    for (const char* base : {t38, figure4b}) {
+        for (int i = 0; i < 300; ++i) {
+            ScenarioDocument document = parsed(base);
+            for (int edit = 0; edit < 3; ++edit) {
+                const Parameter& parameter = parameters()[random() % parameters().size()];
+                std::uniform_real_distribution<double> plausible(parameter.plausible.low,
+                                                                 parameter.plausible.high);
+                if (parameter.applies(document.scenario))
+                    parameter.assign(document.scenario, plausible(random));
+                if (random() % 4 == 0) document.scenario.pulse.shape = static_cast<PulseShape>(random() % 6);
+                if (random() % 6 == 0) document.scenario.title = edit == 0 ? "" : "t: " + std::to_string(i);
+                if (random() % 6 == 0) document.scenario.drill = {};
+            }
+            if (!validate(document.scenario).empty()) continue;
+            const std::string text = writeScenario(document);
+            const ScenarioDocument saved = parsed(text);
+            QVERIFY2(saved.scenario == withoutUnusedValues(document.scenario), text.c_str());
+            compareText(writeScenario(saved), text);
+        }
+    }
+}
+
+void TestScenarioFile::pointsThatDoNotFitIntoAFileAreRefused() {
+    Scenario scenario;
+    scenario.pulse.shape = PulseShape::table;
+    for (int i = 0; i < 80000; ++i) scenario.pulse.tablePoints.push_back({i * 1e-9 / 3, 1e5 / (i + 1)});
+    QVERIFY_EXCEPTION_THROWN(writeScenario({scenario, "", ""}), ScenarioError);
+}
+
+void TestScenarioFile::theUsersLocaleChangesNothing() {
+    struct CommaPoint : std::numpunct<char> {
+        char do_decimal_point() const override { return ','; }
+        char do_thousands_sep() const override { return '.'; }
+        std::string do_grouping() const override { return "\3"; }
+    };
+    const std::locale before = std::locale::global(std::locale(std::locale(), new CommaPoint));
+    ScenarioDocument document = parsed(t38);
+    document.scenario.rod.density = 7850.5;
+    const std::string text = writeScenario(document);
+    std::locale::global(before);
+    QCOMPARE(document.scenario.rod.length, 3.66);
+    compareText(text, replaced(t38, "7850 kg", "7850.5 kg"));
+}
+
+QTEST_APPLESS_MAIN(TestScenarioFile)
+#include "tst_scenario_file.moc"
