@@ -204,9 +204,12 @@ void MainWindow::resetLayout() {
     const QList<Qt::DockWidgetArea> areas{Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea};
     for (qsizetype i = 0; i < m_docks.size(); ++i) {
         m_docks[i]->setFloating(false);
-        addDockWidget(areas[i], m_docks[i]);
+        if (dockWidgetArea(m_docks[i]) != areas[i]) addDockWidget(areas[i], m_docks[i]);
         m_docks[i]->show();
     }
+    const int wanted = m_scenarioPanel->sizeHint().width() + m_resultPanel->sizeHint().width();
+    // A small window stays small: docks that ask for more than there is would widen it.
+    if (wanted + m_pages->minimumSizeHint().width() > width()) return;
     resizeDocks(m_docks, {m_scenarioPanel->sizeHint().width(), m_resultPanel->sizeHint().width()},
                 Qt::Horizontal);
 }

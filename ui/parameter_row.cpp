@@ -1,5 +1,7 @@
 #include "ui/parameter_row.h"
 
+#include <QRegularExpression>
+
 #include "ui/typed_text.h"
 
 namespace drillwave {
@@ -51,7 +53,8 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTit
 }
 
 void ParameterRow::nameWidgets(const QString& sectionTitle) {
-    const QString label = fromView(m_parameter.label);
+    // "hammer length" in messages; in its own section "length" will do.
+    const QString label = fromView(m_parameter.label).remove(QRegularExpression(QStringLiteral("^hammer ")));
     const QString symbol = shownSymbol(m_parameter.symbol);
     const QString meaning = fromView(m_parameter.meaning);
     const QString name = QStringLiteral("%1: %2").arg(sectionTitle, label);

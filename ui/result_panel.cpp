@@ -3,6 +3,7 @@
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QScrollBar>
+#include <QSet>
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -49,7 +50,7 @@ ResultPanel::ResultPanel(QWidget* parent) : QScrollArea(parent), m_eventModel(ne
     auto* layout = new QVBoxLayout(widget());
     layout->setContentsMargins(6, 6, 6, 6);
     layout->setSpacing(8);
-    widget()->setMinimumWidth(230);
+    widget()->setMinimumWidth(215);
     addHeadline();
     addNumbers(
         tr("Impact"),
@@ -122,7 +123,8 @@ void ResultPanel::addHeadline() {
 }
 
 void ResultPanel::addNumbers(const QString& title, const QList<Entry>& entries) {
-    QWidget* content = addSection(title)->content();
+    SectionBox* section = addSection(title);
+    QWidget* content = section->content();
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(8, 0, 0, 0);
     grid->setHorizontalSpacing(8);
@@ -139,7 +141,7 @@ void ResultPanel::addNumbers(const QString& title, const QList<Entry>& entries) 
         const int row = grid->rowCount();
         grid->addWidget(name, row, 0);
         grid->addWidget(value, row, 1);
-        m_rows.append({name, value, entry.text});
+        m_rows.append({section, name, value, entry.text});
     }
 }
 
@@ -155,6 +157,7 @@ void ResultPanel::addEvents() {
     m_events->verticalHeader()->hide();
     m_events->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     m_events->horizontalHeader()->setStretchLastSection(true);
+    m_events->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     m_events->setTabKeyNavigation(false);
     const int header = m_events->horizontalHeader()->sizeHint().height();
     m_events->setMinimumHeight(header + visibleEvents * m_events->verticalHeader()->defaultSectionSize());
@@ -169,11 +172,16 @@ void ResultPanel::show(const SolvedBlowPtr& blow) {
     m_error->setText(solved ? QStringLiteral("± ") + magnitudeText(blow->summary.corError, QLocale())
                             : QString());
     m_error->setAccessibleName(tr("Numerical error of the coefficient of restitution"));
+    QSet<SectionBox*> filled;
     for (const Row& row : std::as_const(m_rows)) {
         const QString text = solved ? row.text(*blow) : QString();
         row.value->setText(text.isEmpty() ? nothing : text);
+        if (!text.isEmpty()) filled.insert(row.section);
         row.value->setAccessibleName(QStringLiteral("%1: %2").arg(row.name->text(), row.value->text()));
     }
+    // Without frequency and feed force there is nothing to say about the thrust.
+    for (const Row& row : std::as_const(m_rows))
+        row.section->setVisible(!solved || filled.contains(row.section));
     m_alerts->show(blow->problem, blow->alerts);
     m_eventModel->show(blow);
 }
@@ -184,7 +192,9 @@ QSize ResultPanel::sizeHint() const {
 }
 
 QSize ResultPanel::minimumSizeHint() const {
-    return {widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width() + 2, 200};
+    return {std::max(widget()->minimumWidth(), widget()->minimumSizeHint().width()) +
+                verticalScrollBar()->sizeHint().width() + 2,
+            200};
 }
 
 }  // namespace drillwave

@@ -32,6 +32,7 @@ class ResultPanel : public QScrollArea {
     /// How one number of a blow is written; empty where it is not given.
     using Text = QString (*)(const SolvedBlow&);
     struct Row {
+        SectionBox* section;
         QLabel* name;
         QLabel* value;
         Text text;

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <exception>
 
+#include "core/study/result_alerts.h"
+
 namespace drillwave {
 namespace {
 
@@ -22,6 +24,8 @@ void solve(SolvedBlow& blow, ExactSolver& solver) {
     }
     blow.summary = summarize(blow.impact, blow.groups);
     blow.thrust = thrustNeeded(blow.request.scenario, blow.impact.cor);
+    const std::vector<Alert> remarks = resultAlerts(blow.request.scenario, blow.summary);
+    blow.alerts.insert(blow.alerts.end(), remarks.begin(), remarks.end());
     if (blow.request.section) blow.curves = blowCurves(blow.impact, pulse, blow.units, *blow.request.section);
 }
 

@@ -10,6 +10,7 @@ namespace drillwave {
 
 BlowPage::BlowPage(QWidget* parent)
     : Page(parent),
+      m_hint(new QLabel(this)),
       m_section(new QDoubleSpinBox(this)),
       m_plot(new PlotWidget(this)),
       m_plots(new BlowPlots(m_plot)) {
@@ -22,10 +23,10 @@ BlowPage::BlowPage(QWidget* parent)
     m_section->setToolTip(tr("Where in the rod the waves are observed: 0 is the struck end, 1 the bit"));
     auto* label = new QLabel(tr("Section x/L"), this);
     label->setBuddy(m_section);
-    auto* hint = new QLabel(tr("wheel zooms · drag moves · double-click fits"), this);
-    hint->setForegroundRole(QPalette::PlaceholderText);
-    hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_hint->setForegroundRole(QPalette::PlaceholderText);
+    // Asks for no width: it is there when there is room.
+    m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* fitButton = new QPushButton(tr("Fit"), this);
     fitButton->setToolTip(tr("Bring all curves into view (double-click in the plots)"));
 
@@ -33,7 +34,7 @@ BlowPage::BlowPage(QWidget* parent)
     bar->setContentsMargins(8, 6, 8, 0);
     bar->addWidget(label);
     bar->addWidget(m_section);
-    bar->addWidget(hint, 1);
+    bar->addWidget(m_hint, 1);
     bar->addWidget(fitButton);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -59,6 +60,11 @@ void BlowPage::setResult(const SolvedBlowPtr& blow) {
         m_plots->showNothing(tr("Nothing to show: %1").arg(blow->problem));
     m_plot->setAccessibleDescription(m_plots->textSummary());
     m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void BlowPage::resizeEvent(QResizeEvent* event) {
+    Page::resizeEvent(event);
+    m_hint->setText(width() > 560 ? tr("wheel zooms · drag moves · double-click fits") : QString());
 }
 
 void BlowPage::fit() {

@@ -6,6 +6,7 @@
 #include "ui/plots/plot_widget.h"
 
 class QDoubleSpinBox;
+class QLabel;
 
 namespace drillwave {
 
@@ -23,7 +24,11 @@ class BlowPage : public Page {
     PlotWidget* plot() const { return m_plot; }
     BlowPlots* plots() const { return m_plots; }
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    QLabel* m_hint;
     QDoubleSpinBox* m_section;
     PlotWidget* m_plot;
     BlowPlots* m_plots;

@@ -54,6 +54,13 @@ GraphData historyData(QVector<QCPGraphData> points, double timeEnd) {
     return graphData(points);
 }
 
+// How far into a segment a share of its samples lies, as a fraction of its length or, where the force decays,
+// of its impulse.
+double localTime(const PulseSegment& segment, double share) {
+    if (segment.kind != PulseSegment::Kind::exponential) return segment.length * share;
+    return share < 1 ? std::min(-std::log1p(-share), segment.length) : segment.length;
+}
+
 // Times at which the impulse of the hammer is sampled: its curve is smooth inside a segment.
 std::vector<double> pulseTimes(const PulseForce& pulse) {
     constexpr int samplesPerSegment = 48;
@@ -61,7 +68,8 @@ std::vector<double> pulseTimes(const PulseForce& pulse) {
     for (const PulseSegment& segment : pulse.segments) {
         const bool straight = segment.kind == PulseSegment::Kind::linear && segment.slope == 0;
         const int samples = straight ? 1 : samplesPerSegment;
-        for (int i = 1; i <= samples; ++i) times.push_back(segment.start + segment.length * i / samples);
+        for (int i = 1; i <= samples; ++i)
+            times.push_back(segment.start + localTime(segment, static_cast<double>(i) / samples));
     }
     return times;
 }
@@ -82,8 +90,19 @@ QVector<QCPGraphData> momentumPoints(const Impact& impact, const PulseForce& pul
     return points;
 }
 
-double lastTime(const QVector<QCPGraphData>& points) {
-    return points.isEmpty() ? 0 : points.last().key;
+// The tail of an exponential blow or of a staircase is long, and nothing can be seen in it.
+double visibleEnd(const PulseForce& pulse) {
+    constexpr double visible = 0.97;
+    for (const double time : pulseTimes(pulse))
+        if (pulse.impulseUntil(time) >= visible) return time;
+    return pulse.end;
+}
+
+double interestingEnd(const Impact& impact, const PulseForce& pulse, const std::vector<SectionWave>& waves) {
+    double end = std::max(1.1 * impact.separationTime, visibleEnd(pulse));
+    for (const SectionWave& wave : waves)
+        if (!wave.curve.time.empty()) end = std::max(end, wave.curve.time.back());
+    return end;
 }
 
 }  // namespace
@@ -94,19 +113,15 @@ BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const Shown
     curves.units = units;
     curves.section = section;
     curves.waves.fill(GraphData::create());
-    for (const SectionWave& wave : sectionWaves(impact, section, BlowCurves::waveCount)) {
+    const std::vector<SectionWave> waves = sectionWaves(impact, section, BlowCurves::waveCount);
+    for (const SectionWave& wave : waves)
         curves.waves[static_cast<std::size_t>(wave.number)] = waveData(wave.curve, units);
-        if (!wave.curve.time.empty())
-            curves.timeEnd = std::max(curves.timeEnd, wave.curve.time.back() * units.time.factor);
-    }
+    curves.timeEnd = interestingEnd(impact, pulse, waves) * units.time.factor;
     const SampledHistory history = sampleHistory(impact);
-    const QVector<QCPGraphData> force = scaled(history.time, history.force, units.time, units.force);
-    const QVector<QCPGraphData> impulse = scaled(history.time, history.impulse, units.time, units.impulse);
-    const QVector<QCPGraphData> momentum = momentumPoints(impact, pulse, history.time, units);
-    curves.timeEnd = std::max({curves.timeEnd, lastTime(force), lastTime(momentum)});
-    curves.force = historyData(force, curves.timeEnd);
-    curves.impulse = historyData(impulse, curves.timeEnd);
-    curves.momentum = historyData(momentum, curves.timeEnd);
+    curves.force = historyData(scaled(history.time, history.force, units.time, units.force), curves.timeEnd);
+    curves.impulse =
+        historyData(scaled(history.time, history.impulse, units.time, units.impulse), curves.timeEnd);
+    curves.momentum = historyData(momentumPoints(impact, pulse, history.time, units), curves.timeEnd);
     return curves;
 }
 

@@ -25,7 +25,7 @@ struct BlowCurves {
     GraphData force;                         ///< impact force
     GraphData impulse;                       ///< of the impact force so far
     GraphData momentum;                      ///< of the rod, positive towards the rock
-    double timeEnd = 0;                      ///< the latest time of any curve
+    double timeEnd = 0;                      ///< until then something happens; the curves may go on
 };
 
 /// Requires an impact solved with Detail::histories.

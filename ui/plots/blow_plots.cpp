@@ -9,8 +9,8 @@ namespace {
 
 enum PlotIndex : std::size_t { waves, force, impulse, momentumOfRod };
 
-const QStringList waveNames{QStringLiteral("N₀ₚ →"), QStringLiteral("N₁ₙ ←"), QStringLiteral("N₂ₚ →"),
-                            QStringLiteral("N₃ₙ ←")};
+const QStringList waveNames{QStringLiteral("N₀ₚ"), QStringLiteral("N₁ₙ"), QStringLiteral("N₂ₚ"),
+                            QStringLiteral("N₃ₙ")};
 
 // The range of all graphs of a plot with zero in it and room to spare, so that flat curves are readable too.
 QCPRange valueRange(const QVector<QCPGraph*>& graphs) {
@@ -67,9 +67,10 @@ void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGr
     added.title->setMargins(QMargins(0, 0, 0, 0));
     added.legend = new QCPLegend;
     added.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    added.legend->setMargins(QMargins(index == waves ? 14 : 0, 0, 0, 0));
-    added.legend->setColumnSpacing(12);
-    added.legend->setIconSize(28, 12);
+    added.legend->setMargins(QMargins(index == waves ? 10 : 0, 0, 0, 0));
+    added.legend->setColumnSpacing(8);
+    added.legend->setIconTextPadding(4);
+    added.legend->setIconSize(20, 12);
     header->addElement(0, 0, added.title);
     header->addElement(0, 1, added.legend);
     header->addElement(0, 2, new QCPTextElement(m_plot));  // takes what width is left

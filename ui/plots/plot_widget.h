@@ -21,7 +21,7 @@ class PlotWidget : public QCustomPlot {
     /// Applies the style of the present palette now, and again whenever palette or font change.
     void followPalette(Restyle restyle);
 
-    QSize minimumSizeHint() const override { return {320, 240}; }
+    QSize minimumSizeHint() const override { return {400, 300}; }
 
   signals:
     void fitRequested();
