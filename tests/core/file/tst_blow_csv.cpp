@@ -1,0 +1,145 @@
+// Histories and events as CSV: they say what was solved, and what with.
+#include <QtTest>
+
+#include <sstream>
+
+#include "core/file/blow_csv.h"
+#include "core/file/csv.h"
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
+#include "core/model/units.h"
+#include "core/wave/exact_solver.h"
+
+using namespace drillwave;
+
+namespace {
+
+struct Solved {
+    Scenario scenario;
+    PulseForce pulse;
+    Scales scales;
+    Impact impact;
+};
+
+Solved solved(const char* example) {
+    const Scenario scenario = parseScenario(findExample(example)->text, example).scenario;
+    const PulseForce pulse = pulseForceOf(scenario);
+    return {scenario, pulse, scalesOf(scenario),
+            ExactSolver().solve(pulse, groupsOf(scenario), Detail::histories)};
+}
+
+struct Columns {
+    std::vector<std::string> header;
+    std::vector<std::vector<double>> rows;
+};
+
+Columns columnsOf(const std::string& csv) {
+    std::istringstream in(csv);
+    CsvReader reader(in);
+    Columns columns;
+    CsvRecord record;
+    reader.next(record);
+    columns.header = record.cells;
+    while (reader.next(record)) {
+        columns.rows.emplace_back();
+        for (const std::string& cell : record.cells) columns.rows.back().push_back(*parseNumber(cell));
+    }
+    return columns;
+}
+
+}  // namespace
+
+class TestBlowCsv : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void historiesBeginAtRestAndEndWithTheRebound();
+    void theForceIntegratesToTheImpulse();
+    void theReferenceCaseHasItsMomentumFromTheStart();
+    void siColumnsAreScaledAndNamed();
+    void eventsAreListedInTheirOrder();
+    void theHeaderGivesTheScenarioBack_data();
+    void theHeaderGivesTheScenarioBack();
+};
+
+void TestBlowCsv::historiesBeginAtRestAndEndWithTheRebound() {
+    const Solved blow = solved("paper_fig4b");
+    const Columns csv =
+        columnsOf(historiesCsv(blow.impact, blow.pulse, OutputUnits::dimensionless, blow.scales));
+    QCOMPARE(csv.header,
+             (std::vector<std::string>{"time", "impact_force", "impulse", "momentum", "incident_wave"}));
+    // τ = 10: the first wave front arrives long after the pulse is over.
+    QCOMPARE(csv.rows.front()[0], 10.0);
+    QCOMPARE(csv.rows.front()[3], 1.0);
+    QVERIFY(std::abs(csv.rows.back()[3] + blow.impact.cor) < 1e-12);
+    QVERIFY(std::abs(csv.rows.back()[2] - blow.impact.impulse) < 1e-12);
+}
+
+void TestBlowCsv::theForceIntegratesToTheImpulse() {
+    const Solved blow = solved("t38_medium_rock");
+    const Columns csv = columnsOf(historiesCsv(blow.impact, blow.pulse, OutputUnits::si, blow.scales));
+    double impulse = 0;
+    for (std::size_t i = 1; i < csv.rows.size(); ++i) {
+        QVERIFY(csv.rows[i][0] >= csv.rows[i - 1][0]);
+        QVERIFY(csv.rows[i][1] >= 0);
+        impulse += (csv.rows[i][0] - csv.rows[i - 1][0]) * (csv.rows[i][1] + csv.rows[i - 1][1]) / 2;
+    }
+    // The chords follow the force to 1e-4 of its pieces.
+    QVERIFY(std::abs(impulse / (blow.impact.impulse * blow.scales.impulse) - 1) < 2e-4);
+}
+
+void TestBlowCsv::theReferenceCaseHasItsMomentumFromTheStart() {
+    const Solved blow = solved("reference_case");
+    const Columns csv =
+        columnsOf(historiesCsv(blow.impact, blow.pulse, OutputUnits::dimensionless, blow.scales));
+    QCOMPARE(csv.rows.front()[0], 0.0);
+    QCOMPARE(csv.rows.front()[3], 1.0);
+    QVERIFY(std::abs(csv.rows.back()[3] + blow.impact.cor) < 1e-12);
+}
+
+void TestBlowCsv::siColumnsAreScaledAndNamed() {
+    const Solved blow = solved("t38_medium_rock");
+    const Columns plain =
+        columnsOf(historiesCsv(blow.impact, blow.pulse, OutputUnits::dimensionless, blow.scales));
+    const Columns si = columnsOf(historiesCsv(blow.impact, blow.pulse, OutputUnits::si, blow.scales));
+    QCOMPARE(si.header, (std::vector<std::string>{"time [s]", "impact_force [N]", "impulse [N s]",
+                                                  "momentum [N s]", "incident_wave [N]"}));
+    QCOMPARE(si.rows.size(), plain.rows.size());
+    const double scales[] = {blow.scales.time, blow.scales.force, blow.scales.impulse, blow.scales.impulse,
+                             blow.scales.force};
+    for (std::size_t r = 0; r < si.rows.size(); ++r)
+        for (std::size_t c = 0; c < 5; ++c) QCOMPARE(si.rows[r][c], plain.rows[r][c] * scales[c]);
+}
+
+void TestBlowCsv::eventsAreListedInTheirOrder() {
+    const Solved blow = solved("paper_fig4b");
+    const std::string csv = eventsCsv(blow.impact, OutputUnits::dimensionless, blow.scales);
+    // δ = 0, τ = 10: contact when the front arrives; the force turns where the rectangular wave ends.
+    const QStringList lines = QString::fromStdString(csv).split('\n');
+    QCOMPARE(lines[0], QString("kind,time"));
+    QCOMPARE(lines[1], QString("contact,10"));
+    QCOMPARE(lines[2], QString("unloading,11"));
+    QVERIFY(lines[lines.size() - 2].startsWith("separation,"));
+    QVERIFY(eventsCsv(blow.impact, OutputUnits::si, blow.scales).starts_with("kind,time [s]\n"));
+}
+
+void TestBlowCsv::theHeaderGivesTheScenarioBack_data() {
+    QTest::addColumn<QString>("name");
+    for (const Example& example : builtInExamples())
+        QTest::newRow(example.name.c_str()) << QString::fromStdString(example.name);
+}
+
+void TestBlowCsv::theHeaderGivesTheScenarioBack() {
+    QFETCH(QString, name);
+    const Example& example = *findExample(name.toStdString());
+    const Scenario scenario = parseScenario(example.text, example.name).scenario;
+    const std::string csv = scenarioHeader(example.text) + "time,value\n1,2\n";
+    QCOMPARE(parseScenario(scenarioFromHeader(csv), "again").scenario, scenario);
+    // Also after an editor has turned the line ends.
+    const QByteArray windows = QByteArray::fromStdString(csv).replace("\n", "\r\n");
+    QCOMPARE(parseScenario(scenarioFromHeader(windows.toStdString()), "again").scenario, scenario);
+    QVERIFY(scenarioFromHeader("time,value\n# 1\n").empty());
+}
+
+QTEST_GUILESS_MAIN(TestBlowCsv)
+#include "tst_blow_csv.moc"
