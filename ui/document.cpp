@@ -33,6 +33,10 @@ QString editName(const Parameter& parameter) {
     return (label + QLatin1Char(' ') + shownSymbol(parameter.symbol)).trimmed();
 }
 
+QString keyOf(const Parameter& parameter) {
+    return QString::fromUtf8(parameter.key.data(), static_cast<qsizetype>(parameter.key.size()));
+}
+
 QString shownValue(const Parameter& parameter, double si) {
     const Unit& unit = parameter.displayUnit();
     const QString number = QLocale().toString(unit.fromSi(si), 'g', 4);
@@ -99,17 +103,16 @@ void Document::assign(const Parameter& parameter, double si, int gesture) {
     if (!whyNot(parameter, si).isEmpty()) return;
     Scenario changed = m_scenario;
     parameter.assign(changed, si);
-    const QString key = QString::fromUtf8(parameter.key.data(), static_cast<qsizetype>(parameter.key.size()));
-    push(std::move(changed), tr("change %1 to %2").arg(editName(parameter), shownValue(parameter, si)), key,
-         gesture);
+    push(std::move(changed), tr("change %1 to %2").arg(editName(parameter), shownValue(parameter, si)),
+         keyOf(parameter), gesture);
 }
 
-void Document::clear(const Parameter& parameter) {
+void Document::clear(const Parameter& parameter, int gesture) {
     Scenario changed = m_scenario;
     std::optional<double>* value = optionalValue(changed, parameter.key);
     assert(value);
     value->reset();
-    push(std::move(changed), tr("clear %1").arg(editName(parameter)));
+    push(std::move(changed), tr("clear %1").arg(editName(parameter)), keyOf(parameter), gesture);
 }
 
 bool Document::canHaveShape(PulseShape shape) const {

@@ -96,19 +96,23 @@ void QuantityField::setOptional(const QString& placeholder) {
 }
 
 void QuantityField::setValue(std::optional<double> si) {
-    if (si == m_value && !lineEdit()->text().isEmpty()) return;
+    if (si == m_value) return;
+    // A group follows from physical values, which sometimes miss it by a rounding: no reason to change the
+    // text.
+    const bool roundingOnly = m_editing && si && m_value && std::abs(*si - *m_value) <= 1e-14 * std::abs(*si);
     m_value = si;
+    if (roundingOnly) return;
+    m_valueBefore = si;
     m_typedUnit = nullptr;
     accept();
     showValue();
 }
 
 void QuantityField::readText(const QString& text) {
+    m_editing = true;
     if (m_optional && text.trimmed().isEmpty()) {
-        m_value.reset();
         accept();
-        emit cleared();
-        return;
+        return take(std::nullopt);
     }
     const PlainText plain = plainText(text, locale());
     if (!plain.problem.isEmpty()) return refuse(plain.problem);
@@ -119,13 +123,23 @@ void QuantityField::readText(const QString& text) {
     if (!objection.isEmpty()) return refuse(objection);
     accept();
     m_typedUnit = typed.unit;
-    if (m_value == typed.si) return;
-    m_value = typed.si;
-    emit valueEdited(typed.si);
+    take(typed.si);
+}
+
+void QuantityField::take(std::optional<double> si) {
+    if (m_value == si) return;
+    m_value = si;
+    if (si)
+        emit valueEdited(*si);
+    else
+        emit cleared();
 }
 
 void QuantityField::refuse(const QString& reason) {
     m_problem = reason;
+    m_typedUnit = nullptr;
+    // The beginning of the text may have been a value ("3" of "3 kN"); as a whole it is none.
+    take(m_valueBefore);
     if (m_shownProblem.isEmpty())
         m_markTimer.start();
     else
@@ -164,6 +178,8 @@ void QuantityField::endEdits() {
         m_typedUnit = nullptr;
         showValue();
     }
+    m_editing = false;
+    m_valueBefore = m_value;
     m_markTimer.stop();
     showProblem();
     emit editsEnded();
@@ -196,11 +212,11 @@ void QuantityField::stepBy(int steps) {
     double si = rounded(m_unit->toSi(shown + steps * step));
     if (*m_value > 0 && si < 0) si = 0;
     if (si == *m_value || (m_check && !m_check(si).isEmpty())) return;
-    m_value = si;
     accept();
+    take(si);
+    m_valueBefore = m_value;
     showValue();
     selectAll();
-    emit valueEdited(si);
     m_stepTimer.start();
 }
 

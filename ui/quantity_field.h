@@ -71,6 +71,7 @@ class QuantityField : public QAbstractSpinBox {
 
   private:
     void readText(const QString& text);
+    void take(std::optional<double> si);
     void refuse(const QString& reason);
     void accept();
     void showProblem();
@@ -83,6 +84,8 @@ class QuantityField : public QAbstractSpinBox {
     const Unit* m_unit;
     const Unit* m_typedUnit = nullptr;
     std::optional<double> m_value;
+    std::optional<double> m_valueBefore;  // what wrong text falls back to: the value when editing began
+    bool m_editing = false;
     double m_stepAtZero = 1;
     bool m_optional = false;
     Check m_check;

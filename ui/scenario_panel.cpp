@@ -102,7 +102,8 @@ void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTit
     if (optionalValue(probe, parameter.key)) row->field()->setOptional(tr("not given"));
     connect(row, &ParameterRow::edited, this,
             [this, &parameter](double si) { m_document.assign(parameter, si, m_gesture); });
-    connect(row, &ParameterRow::cleared, this, [this, &parameter] { m_document.clear(parameter); });
+    connect(row, &ParameterRow::cleared, this,
+            [this, &parameter] { m_document.clear(parameter, m_gesture); });
     connect(row, &ParameterRow::editsEnded, this, [this] { ++m_gesture; });
 }
 

@@ -1,0 +1,177 @@
+#include <QEventLoop>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTimer>
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+
+#include "ui/solve_job.h"
+
+using namespace drillwave;
+
+namespace {
+
+SolveRequest requestFor(double beta) {
+    SolveRequest request;
+    request.scenario.form = ScenarioForm::dimensionless;
+    request.scenario.groups.beta = beta;
+    return request;
+}
+
+double betaOf(const SolvedBlowPtr& blow) {
+    return blow->request.scenario.groups.beta;
+}
+
+// A solver that takes its time and notices when it is called twice at once.
+struct SlowSolver {
+    std::chrono::milliseconds duration;
+    std::atomic<int> running = 0;
+    std::atomic<int> mostAtOnce = 0;
+    std::atomic<int> calls = 0;
+
+    SolvedBlowPtr operator()(const SolveRequest& request) {
+        ++calls;
+        const int now = ++running;
+        if (now > mostAtOnce) mostAtOnce = now;
+        std::this_thread::sleep_for(duration);
+        --running;
+        auto blow = std::make_shared<SolvedBlow>();
+        blow->request = request;
+        return blow;
+    }
+};
+
+}  // namespace
+
+class TestSolveJob : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theLastOfManyRequestsWins_data();
+    void theLastOfManyRequestsWins();
+    void anIdleJobAnswersEveryRequest();
+    void whatASolverThrowsBecomesTheProblem();
+    void aSolverWithoutAnAnswerIsAProblem();
+    void aCancelledRequestGetsNoAnswer();
+    void aJobCanEndWhileItsSolverRuns();
+    void answersAreThoseOfTheExactSolver();
+    void aRequestForCurvesGetsCurves();
+    void anInvalidScenarioIsAProblem();
+};
+
+void TestSolveJob::theLastOfManyRequestsWins_data() {
+    QTest::addColumn<int>("milliseconds");
+    QTest::newRow("1 ms solver") << 1;
+    QTest::newRow("5 ms solver") << 5;
+    QTest::newRow("30 ms solver") << 30;
+}
+
+void TestSolveJob::theLastOfManyRequestsWins() {
+    QFETCH(int, milliseconds);
+    constexpr int requests = 200;
+    SlowSolver solver{std::chrono::milliseconds(milliseconds)};
+    SolveJob job(std::ref(solver));
+    QEventLoop loop;
+    QList<double> answers;
+    connect(&job, &SolveJob::solved, this, [&](const SolvedBlowPtr& blow) {
+        answers.append(betaOf(blow));
+        if (answers.last() == requests) loop.quit();
+    });
+    int sent = 0;
+    QTimer timer;
+    connect(&timer, &QTimer::timeout, this, [&] {
+        job.submit(requestFor(++sent));
+        if (sent == requests) timer.stop();
+    });
+    timer.start(1);
+    QTimer::singleShot(30000, &loop, [&loop] { loop.exit(1); });
+    QCOMPARE(loop.exec(), 0);
+    QVERIFY(!job.isBusy());
+    QCOMPARE(solver.mostAtOnce.load(), 1);
+    QCOMPARE(answers.last(), double(requests));
+    QVERIFY(std::is_sorted(answers.begin(), answers.end()));
+    QCOMPARE(int(answers.size()), solver.calls.load());
+    // While 30 ms pass, some 30 requests arrive and all but the last of them are dropped.
+    if (milliseconds == 30) QVERIFY(answers.size() < requests / 2);
+}
+
+void TestSolveJob::anIdleJobAnswersEveryRequest() {
+    SlowSolver solver{std::chrono::milliseconds(0)};
+    SolveJob job(std::ref(solver));
+    QSignalSpy solved(&job, &SolveJob::solved);
+    for (int i = 1; i <= 20; ++i) {
+        job.submit(requestFor(i));
+        QTRY_COMPARE(solved.count(), i);
+        QTRY_VERIFY(!job.isBusy());
+    }
+}
+
+void TestSolveJob::whatASolverThrowsBecomesTheProblem() {
+    SolveJob job([](const SolveRequest&) -> SolvedBlowPtr { throw std::runtime_error("the rod is gone"); });
+    SolvedBlowPtr answer;
+    connect(&job, &SolveJob::solved, this, [&](const SolvedBlowPtr& blow) { answer = blow; });
+    job.submit(requestFor(1));
+    QTRY_VERIFY(answer);
+    QCOMPARE(answer->problem, QStringLiteral("the rod is gone"));
+    QCOMPARE(job.solveNow(requestFor(1))->problem, QStringLiteral("the rod is gone"));
+}
+
+void TestSolveJob::aSolverWithoutAnAnswerIsAProblem() {
+    SolveJob job([](const SolveRequest&) { return SolvedBlowPtr(); });
+    QVERIFY(!job.solveNow(requestFor(1))->problem.isEmpty());
+}
+
+void TestSolveJob::aCancelledRequestGetsNoAnswer() {
+    SlowSolver solver{std::chrono::milliseconds(30)};
+    SolveJob job(std::ref(solver));
+    QList<double> answers;
+    connect(&job, &SolveJob::solved, this, [&](const SolvedBlowPtr& blow) { answers.append(betaOf(blow)); });
+    job.submit(requestFor(1));
+    job.submit(requestFor(2));
+    job.cancel();
+    QTRY_VERIFY(!job.isBusy());
+    QCOMPARE(answers, QList<double>());
+    job.submit(requestFor(3));
+    QTRY_COMPARE(answers, QList<double>{3});
+}
+
+void TestSolveJob::aJobCanEndWhileItsSolverRuns() {
+    SlowSolver solver{std::chrono::milliseconds(50)};
+    {
+        SolveJob job(std::ref(solver));
+        job.submit(requestFor(1));
+        job.submit(requestFor(2));
+        while (solver.running == 0) std::this_thread::yield();
+    }
+    QCOMPARE(solver.running.load(), 0);
+    QCOMPARE(solver.calls.load(), 1);
+}
+
+void TestSolveJob::answersAreThoseOfTheExactSolver() {
+    SolveJob job;
+    const SolveRequest request = requestFor(0.5);
+    const SolvedBlowPtr blow = job.solveNow(request);
+    QCOMPARE(blow->problem, QString());
+    // Paper, Fig. 4 (a): β = 0.5, γ = 1, τ = 10, δ = 0; the value of the reference solver, to its 1e-13.
+    QVERIFY(std::abs(blow->summary.cor - 1.4010824845070556) < 1e-13);
+    QVERIFY(!blow->curves);
+}
+
+void TestSolveJob::aRequestForCurvesGetsCurves() {
+    SolveJob job;
+    SolveRequest request = requestFor(0.5);
+    request.section = 0.25;
+    const SolvedBlowPtr blow = job.solveNow(request);
+    QVERIFY(blow->curves);
+    QCOMPARE(blow->curves->section, 0.25);
+    QVERIFY(!blow->curves->force->isEmpty());
+}
+
+void TestSolveJob::anInvalidScenarioIsAProblem() {
+    SolveJob job;
+    QVERIFY(job.solveNow(requestFor(-1))->problem.contains(QStringLiteral("beta")));
+}
+
+QTEST_MAIN(TestSolveJob)
+#include "tst_solve_job.moc"
