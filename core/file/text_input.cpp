@@ -67,7 +67,16 @@ TextProblem checkText(std::string_view text) {
     return {};
 }
 
+std::size_t byteOrderMarkLength(std::string_view text) {
+    return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+}
+
 TextPosition positionOf(std::string_view text, std::size_t offset) {
+    // A byte order mark is no character of the first line.
+    if (const std::size_t mark = byteOrderMarkLength(text); offset >= mark) {
+        text.remove_prefix(mark);
+        offset -= mark;
+    }
     const std::string_view before = text.substr(0, offset);
     const std::size_t lineStart = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
     const auto startsCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };

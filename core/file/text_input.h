@@ -25,6 +25,9 @@ struct TextProblem {
 };
 TextProblem checkText(std::string_view text);
 
+/// 3 for a text that begins with the UTF-8 byte order mark, else 0.
+std::size_t byteOrderMarkLength(std::string_view text);
+
 /// Line and column of a byte, both from 1; a column is a character.
 struct TextPosition {
     int line = 1;

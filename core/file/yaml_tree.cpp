@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/file/text_input.h"
+
 namespace drillwave {
 namespace {
 
@@ -39,8 +41,11 @@ std::string tooDeep() {
     return "more than " + std::to_string(maximumDepth) + " levels of nesting are not accepted";
 }
 
-std::size_t byteOrderMarkLength(std::string_view text) {
-    return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+/// The parser's words; it may quote half a character.
+std::string asciiOnly(std::string text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) >= 0x80) c = '?';
+    return text;
 }
 
 /// Builds the tree from the parser's events. The parser is left at the first thing that is refused, so that
@@ -192,7 +197,7 @@ YamlTree parseYaml(std::string_view text) {
     } catch (const YAML::Exception& error) {
         const std::size_t position = error.mark.pos < 0 ? 0 : static_cast<std::size_t>(error.mark.pos);
         const std::size_t offset = std::min(position + byteOrderMarkLength(text), text.size());
-        tree.problem = {offset, "not YAML: " + error.msg, false};
+        tree.problem = {offset, "not YAML: " + asciiOnly(error.msg), false};
     }
     return tree;
 }

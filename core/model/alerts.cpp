@@ -1,4 +1,6 @@
 // Remarks on valid scenarios.
+#include <cmath>
+
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
@@ -9,6 +11,9 @@ namespace {
 
 /// What may be pushed after the first reflection has returned before it is worth a remark.
 constexpr double negligibleImpulse = 1e-3;
+
+/// Hammer and rod within one percent pass for equal.
+constexpr double matchedImpedances = 0.01;
 
 std::string inUnit(const Parameter& parameter, double value) {
     return formatQuantity(value, parameter.quantity, parameter.displayUnit());
@@ -42,7 +47,7 @@ void addLongPulse(const Scenario& scenario, std::vector<Alert>& alerts) {
 void addPistonAssumption(const Scenario& scenario, std::vector<Alert>& alerts) {
     if (scenario.pulse.shape != PulseShape::piston) return;
     const double ratio = pistonImpedanceRatio(scenario);
-    if (ratio == 1) return;
+    if (std::abs(ratio - 1) < matchedImpedances) return;
     alerts.push_back(
         {AlertLevel::information, "piston_impedance_ratio",
          scenario.form == ScenarioForm::dimensional ? "pulse.diameter" : "pulse.impedance_ratio",
