@@ -301,7 +301,10 @@ void ContactMarch<Basis>::advanceContact() {
     }
     if (m_basis.failed()) return;
     m_stillEvents = length > 0 ? 0 : m_stillEvents + 1;
-    if (m_stillEvents > 3) {  // branches that differ by rounding only: any of them will do
+    if (m_stillEvents > 1) m_basis.stall();
+    if (m_basis.failed()) return;
+    if (m_stillEvents > 3 &&
+        ending != Ending::separation) {  // branches that differ by rounding only: either will do
         ending = Ending::none;
         length = response.length;
         if (m_phase == Phase::primary) m_peak = std::max(m_peak, response.force.value(length));

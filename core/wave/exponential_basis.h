@@ -30,6 +30,8 @@ class ExponentialBasis {
 
     void begin(const PulseForce& pulse, const Groups& groups);
     bool failed() const { return m_failed; }
+    /// Events that repeat without progress in time hang on rounding here.
+    void stall() { m_failed = true; }
     double negligibleForce() const { return m_negligible; }
     double momentumNoise() const { return 4 * std::numeric_limits<double>::epsilon(); }
     Piece constant(double length, double value) const;

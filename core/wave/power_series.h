@@ -107,9 +107,74 @@ struct Zero {
     Real u = 0;
 };
 
-/// First zero in (0, end] of p(u) = Σ c_k u^k, p > 0 just after `start`. The steps come from a bound on the
-/// curvature, so no zero is stepped over; they converge quadratically. Exact zeros of p at u = 0 (leading
-/// zero coefficients) are divided out; if p is negative just after 0, the answer is 0.
+/// A polynomial seen from one point: the coefficients are relative to it.
+template <class Real>
+struct LocalPolynomial {
+    static constexpr int capacity = PowerSeries<Real>::capacity + 1;
+    int count = 0;
+    std::array<Real, capacity> c;
+
+    void moveBy(Real u) {
+        for (int i = 0; i + 1 < count; ++i)
+            for (int k = count - 2; k >= i; --k) c[k] += u * c[k + 1];
+    }
+};
+
+/// Where a march along a polynomial ended.
+enum class MarchEnd { zero, passed, exhausted };
+
+/// Marches from u towards `end` with steps that the curvature bound `curvature` on the way allows: no zero is
+/// stepped over, and a zero is approached quadratically. p(u) must not be negative.
+template <class Real>
+MarchEnd marchToZero(const Real* c, int count, Real end, Real curvature, Real noise, Real& u, int mostSteps) {
+    const Real tiny = std::numeric_limits<Real>::min();
+    for (int step = 0; step < mostSteps; ++step) {
+        Real value = 0, slope = 0;
+        for (int k = count - 1; k >= 0; --k) {
+            slope = slope * u + value;
+            value = value * u + c[k];
+        }
+        if (step > 0 && value <= noise && slope <= 0) return MarchEnd::zero;
+        value = std::max(value, Real(0));
+        // largest h with value + slope h − curvature h²/2 ≥ 0
+        const Real root = std::sqrt(slope * slope + 2 * curvature * value);
+        const Real h = slope > 0 ? (slope + root) / (curvature + tiny) : 2 * value / (root - slope + tiny);
+        u += std::max(h, 8 * std::numeric_limits<Real>::epsilon());
+        if (!(u <= end)) return MarchEnd::passed;
+    }
+    return MarchEnd::exhausted;
+}
+
+/// The same search where one curvature bound is too coarse: the interval is cut, and the bounds with it.
+template <class Real>
+Zero<Real> firstZeroInParts(const Real* c, int count, Real end, Real from, Real noise) {
+    LocalPolynomial<Real> p;
+    p.count = count;
+    std::copy_n(c, count, p.c.begin());
+    p.moveBy(from);
+    Real u = from, width = (end - from) / 2;
+    constexpr int mostParts = 2000;
+    for (int part = 0; part < mostParts && width > std::numeric_limits<Real>::epsilon() * end; ++part) {
+        LocalPolynomial<Real> q = p;
+        Real power = 1, curvature = 0;
+        for (int k = 1; k < count; ++k) {
+            q.c[k] *= (power *= width);
+            curvature += Real(k * (k - 1)) * std::abs(q.c[k]);
+        }
+        Real x = 0;
+        const MarchEnd ended = marchToZero(q.c.data(), count, Real(1), curvature, noise, x, 24);
+        if (ended == MarchEnd::zero) return {true, u + width * x};
+        const Real advance = ended == MarchEnd::passed ? width : width * x;
+        u += advance;
+        if (u >= end) return {};
+        p.moveBy(advance);
+        width = ended == MarchEnd::passed ? std::min(2 * width, end - u) : std::min(width / 4, end - u);
+    }
+    return {true, u};
+}
+
+/// First zero in (start, end] of p(u) = Σ c_k u^k, end ≤ 1, p > 0 just after `start`. Exact zeros of p at u =
+/// 0 (leading zero coefficients) are divided out; if p is negative just after 0, the answer is 0.
 template <class Real>
 Zero<Real> firstZero(const Real* c, int count, Real end, Real start = 0) {
     if (start == 0)
@@ -123,26 +188,17 @@ Zero<Real> firstZero(const Real* c, int count, Real end, Real start = 0) {
         curvature += Real(k * (k - 1)) * size;
     }
     if (start == 0 && c[0] > slopeSum) return {};  // p cannot reach zero on [0, 1]
-    const Real noise = 4 * std::numeric_limits<Real>::epsilon() * (c[0] + slopeSum);
-    const Real tiny = std::numeric_limits<Real>::min();
+    const Real noise = 4 * std::numeric_limits<Real>::epsilon() * (std::abs(c[0]) + slopeSum);
     Real u = start;
-    constexpr int mostSteps = 400;
-    for (int step = 0; step < mostSteps; ++step) {
-        Real value = 0, slope = 0;
-        for (int k = count - 1; k >= 0; --k) {
-            slope = slope * u + value;
-            value = value * u + c[k];
-        }
-        if (step > 0 && value <= noise && slope <= 0) return {true, u};
-        value = std::max(value, Real(0));
-        // largest h with value + slope h − curvature h²/2 ≥ 0
-        const Real root = std::sqrt(slope * slope + 2 * curvature * value);
-        Real h = slope > 0 ? (slope + root) / (curvature + tiny) : 2 * value / (root - slope + tiny);
-        h = std::max(h, 8 * std::numeric_limits<Real>::epsilon());
-        u += h;
-        if (!(u <= end)) return {};
+    switch (marchToZero(c, count, end, curvature, noise, u, 24)) {
+        case MarchEnd::zero:
+            return {true, u};
+        case MarchEnd::passed:
+            return {};
+        case MarchEnd::exhausted:
+            break;
     }
-    return {true, u};
+    return firstZeroInParts(c, count, end, u, noise);
 }
 
 }  // namespace drillwave

@@ -24,12 +24,14 @@ class SeriesBasis {
     struct Response {
         Real length = 0;
         Piece incident, force, drive, reflected;
-        Real size = 0;  ///< Σ|coefficients|: what rounding is relative to
+        bool isSlow = false;  ///< F = 2g − F'/a without a layer: F' does not start from 2g − F
+        Real size = 0;        ///< Σ|coefficients|: what rounding is relative to
     };
 
     void begin(const PulseForce& pulse, const Groups& groups) {
         m_scale = std::max(Real(pulse.peak), 1 / (2 * Real(groups.tau)));
         if (!pulse.isRigidBody() && groups.tau >= 0.5) m_scale = Real(pulse.peak);
+        m_softForce = Real(std::sqrt(groups.beta / groups.tau));
         m_relativePeak = Real(std::sqrt(groups.beta * groups.tau));
         m_worstJoint = 0;
         m_fastest = Real(groups.beta) / Real(groups.gamma);
@@ -43,6 +45,7 @@ class SeriesBasis {
     static constexpr std::size_t manyPieces = 32;
 
     bool failed() const { return false; }
+    void stall() const {}
     Real negligibleForce() const { return m_negligible; }
     /// Rounding of a sum of impulses of order one.
     Real momentumNoise() const {
@@ -113,6 +116,7 @@ class SeriesBasis {
     Response& respond(const Piece& g, Real rate, Real force) {
         Response& r = m_response;
         r.incident = g;
+        r.isSlow = false;
         const Real alpha = rate * g.length;
         Real length = g.length;
         if (alpha > Real(2)) {
@@ -151,7 +155,10 @@ class SeriesBasis {
             c[k] = -r.force.c[k];
             rise += std::abs(c[k]);
         }
-        if (tangential && r.force.count > 1) c[1] = 0;
+        if (r.isSlow && c[0] <= 16 * (m_negligible + std::numeric_limits<Real>::epsilon() * peak))
+            c[0] = 0;  // the slow solution differs from the force before by rounding
+        else if (tangential && r.force.count > 1)
+            c[1] = 0;
         if (c[0] > rise) return {};
         return scaled(firstZero(c, std::max(r.force.count, 1), r.length / r.force.scale), r.force.scale,
                       r.length);
@@ -201,7 +208,7 @@ class SeriesBasis {
             deviation.c[k] = (k < shorter.count ? shorter.c[k] : Real(0)) - deviation.c[k];
         const Real size = deviation.magnitude();
         const Real effect = m_fastest * size * shorter.length * whole;
-        if (effect > m_tolerance || size > Real(1e-8) * m_scale) return false;
+        if (effect > m_tolerance || size > Real(1e-7) * m_softForce) return false;
         const Real mean = deviation.integral(shorter.length) / whole;
         Piece& joined = forward ? longer : extended;
         joined.length = whole;
@@ -211,6 +218,7 @@ class SeriesBasis {
             joined.c[0] = 0;
         }
         joined.c[0] += mean;
+        if (joined.magnitude() > 2 * (last.magnitude() + next.magnitude())) return false;  // would cancel
         last = joined;
         error += effect;
         m_worstJoint = std::max(m_worstJoint, size * shorter.length);
@@ -280,7 +288,8 @@ class SeriesBasis {
         }
         m_layer = std::abs(force - r.force.startValue());
         const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * (std::abs(force) + g.magnitude());
-        if (m_layer > m_negligible + rounding) return false;
+        if (m_layer > 16 * m_negligible + rounding) return false;
+        r.isSlow = true;
         r.drive.scale = r.reflected.scale = g.scale;
         r.drive.count = std::max(g.count - 1, 0);
         r.reflected.count = g.count;
@@ -341,6 +350,7 @@ class SeriesBasis {
     Real m_scale = 1;         ///< largest wave force of this blow
     Real m_negligible = 0;    ///< what is dropped
     Real m_fastest = 0;       ///< β/γ
+    Real m_softForce = 0;     ///< √(β/τ), about the peak force on a soft rock
     Real m_relativePeak = 0;  ///< √(βτ), about β over the peak force of a soft rock
     Real m_worstJoint = 0;    ///< largest impulse that joining displaced: the peak force errs by β times it
     Real m_tolerance = 0;     ///< of the effect of joining two pieces on the impulse
