@@ -1,0 +1,27 @@
+// Runs the built program as a shell would.
+#pragma once
+
+#include <QByteArray>
+#include <QProcessEnvironment>
+#include <QString>
+#include <QStringList>
+
+namespace drillwave::test {
+
+/// What a run of the program left behind.
+struct Finished {
+    int exitCode = -1;  ///< −1 when it did not end by itself in a minute
+    QByteArray out;
+    QByteArray error;
+};
+
+Finished run(const QStringList& words,
+             const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment());
+
+/// Path of a file of resources/examples.
+QString example(const QString& name);
+
+QByteArray read(const QString& path);
+void write(const QString& path, const QByteArray& bytes);
+
+}  // namespace drillwave::test

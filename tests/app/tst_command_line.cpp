@@ -1,0 +1,189 @@
+// The program as its users' scripts see it: exit codes, messages, names and bytes.
+#include <QtTest>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <csignal>
+
+#include "tests/app/program.h"
+
+using namespace drillwave::test;
+
+class TestCommandLine : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void helpAndVersionAreEverywhere_data();
+    void helpAndVersionAreEverywhere();
+    void mistakesGetOneLineAndTheirExitCode_data();
+    void mistakesGetOneLineAndTheirExitCode();
+    void everyProblemOfAFileIsALine();
+    void validateIsSilentAboutGoodFiles();
+    void examplesAreListedAndWritten();
+    void aMissingDisplayIsToldInOneLine_data();
+    void aMissingDisplayIsToldInOneLine();
+};
+
+void TestCommandLine::helpAndVersionAreEverywhere_data() {
+    QTest::addColumn<QString>("command");
+    for (const char* command : {"", "run", "sweep", "table", "validate", "examples"})
+        QTest::newRow(*command ? command : "program") << command;
+}
+
+void TestCommandLine::helpAndVersionAreEverywhere() {
+    QFETCH(QString, command);
+    const QStringList words = command.isEmpty() ? QStringList() : QStringList{command};
+    const Finished help = run(words + QStringList{"--help"});
+    QCOMPARE(help.exitCode, 0);
+    QVERIFY(help.out.startsWith("Usage: drillwave"));
+    QCOMPARE(help.error, QByteArray());
+    const Finished version = run(words + QStringList{"--version"});
+    QCOMPARE(version.exitCode, 0);
+    QVERIFY(QRegularExpression("^drillwave \\d+\\.\\d+\\.\\d+\n$").match(version.out).hasMatch());
+}
+
+void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<int>("exitCode");
+    QTest::addColumn<QString>("part");
+    const QString paper = example("paper_fig4a");
+    const QString drill = example("t38_medium_rock");
+    const QString cases = QStringLiteral(DRILLWAVE_SOURCE_DIR "/tests/cases/reference.csv");
+    QTest::newRow("mistyped command") << QStringList{"swep"} << 2 << "did you mean `drillwave sweep`?";
+    QTest::newRow("no such file or command") << QStringList{"nothing.yaml"} << 3 << "No such file";
+    QTest::newRow("unknown option") << QStringList{"--frobnicate"} << 2 << "unknown option `--frobnicate`";
+    QTest::newRow("run without a file") << QStringList{"run"} << 2 << "needs FILE";
+    QTest::newRow("run with two files") << QStringList{"run", paper, drill} << 2 << "too much";
+    QTest::newRow("mistyped option") << QStringList{"run", paper, "--jsn"} << 2 << "did you mean `--json`?";
+    QTest::newRow("option without its value")
+        << QStringList{"run", paper, "--set"} << 2 << "needs a value: KEY=VALUE";
+    QTest::newRow("switch with a value") << QStringList{"run", paper, "--json=1"} << 2 << "takes no value";
+    QTest::newRow("option twice") << QStringList{"run", paper, "--json", "--json"} << 2 << "given twice";
+    QTest::newRow("method that does not exist")
+        << QStringList{"run", paper, "--method", "guess"} << 2 << "this version has: exact";
+    QTest::newRow("setting without a value")
+        << QStringList{"run", paper, "--set", "beta"} << 2 << "needs KEY=VALUE";
+    QTest::newRow("setting of nothing")
+        << QStringList{"run", paper, "--set", "bet=1"} << 2 << "did you mean `beta`?";
+    QTest::newRow("setting out of range")
+        << QStringList{"run", paper, "--set", "gamma=1.3"} << 5 << "gamma = 1.3 (must be in (0, 1])";
+    QTest::newRow("setting without unit")
+        << QStringList{"run", drill, "--set", "rod.length=3"} << 5 << "has no unit";
+    QTest::newRow("settings that do not go together")
+        << QStringList{"run", drill, "--set", "rod.bore=50mm"} << 5 << "must be less than the diameter";
+    QTest::newRow("plots without a folder")
+        << QStringList{"run", paper, "--plots", "png"} << 2 << "add -o DIR";
+    QTest::newRow("unknown plot format")
+        << QStringList{"run", paper, "--plots", "gif", "-o", "x"} << 2 << "choose from png, svg, pdf";
+    QTest::newRow("SI files of groups")
+        << QStringList{"run", paper, "--si", "-o", "x"} << 2 << "has no SI units";
+    QTest::newRow("missing scenario") << QStringList{"run", "nothing.yaml"} << 3 << "nothing.yaml";
+    QTest::newRow("CSV without a scenario") << QStringList{"run", cases} << 3 << "holds no scenario";
+    QTest::newRow("folder as a scenario") << QStringList{"run", QDir::tempPath()} << 3 << "";
+    QTest::newRow("folder that cannot be made")
+        << QStringList{"run", paper, "-o", "/dev/null/x"} << 4 << "cannot be made";
+    QTest::newRow("case beyond the limit of work")
+        << QStringList{"run", paper, "--set", "beta=1e-300"} << 6 << "could not be solved";
+    QTest::newRow("sweep of nothing") << QStringList{"sweep", paper} << 2 << "needs --vary";
+    QTest::newRow("axis of nothing") << QStringList{"sweep", paper, "--vary", "bta=1,2"} << 2
+                                     << "did you mean `beta`?";
+    QTest::newRow("axis out of range")
+        << QStringList{"sweep", paper, "--vary", "beta=0:1:3"} << 5 << "beta = 0 (must be greater than 0)";
+    QTest::newRow("axis invalid at its end")
+        << QStringList{"sweep", drill, "--vary", "rod.bore=1mm:40mm:3"} << 5 << "at rod.bore = 40 mm";
+    QTest::newRow("mistyped output") << QStringList{"sweep",    paper,       "--vary",
+                                                    "beta=1,2", "--outputs", "peak_forc"}
+                                     << 2 << "did you mean `peak_force`?";
+    QTest::newRow("no threads") << QStringList{"sweep", paper, "--vary", "beta=1,2", "-j", "0"} << 2
+                                << "whole number from 1";
+    QTest::newRow("shard beyond the last")
+        << QStringList{"sweep", paper, "--vary", "beta=1,2", "--shard", "3/2"} << 2 << "needs I/N";
+    QTest::newRow("folder that does not exist")
+        << QStringList{"sweep", paper, "--vary", "beta=1,2", "-o", "/nowhere/x.csv"} << 4 << "/nowhere/x.csv";
+    QTest::newRow("full device") << QStringList{"sweep", paper, "--vary", "beta=1,2", "-o", "/dev/full"} << 4
+                                 << "No space left";
+    QTest::newRow("table without cases") << QStringList{"table", paper} << 2 << "needs FILE CASES.csv";
+    QTest::newRow("missing cases") << QStringList{"table", paper, "nothing.csv"} << 3 << "nothing.csv";
+    QTest::newRow("cases from a device")
+        << QStringList{"table", paper, "/dev/null"} << 3 << "not a regular file";
+    QTest::newRow("unknown example") << QStringList{"examples", "t38_medium"} << 2 << "t38_medium";
+}
+
+void TestCommandLine::mistakesGetOneLineAndTheirExitCode() {
+    QFETCH(QStringList, words);
+    QFETCH(int, exitCode);
+    QFETCH(QString, part);
+    const Finished finished = run(words);
+    QCOMPARE(finished.exitCode, exitCode);
+    QCOMPARE(finished.out, QByteArray());
+    QVERIFY2(QString::fromUtf8(finished.error).contains(part), finished.error);
+    QCOMPARE(finished.error.count('\n'), 1);
+    QVERIFY(finished.error.endsWith('\n'));
+}
+
+void TestCommandLine::everyProblemOfAFileIsALine() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("bad.yaml");
+    write(path,
+          "drillwave: 1\n"
+          "dimensionless: {beta: 0.5, gamma: 1.3, tau: 10, delta: -1}\n"
+          "pulse: {shape: square}\n");
+    for (const char* command : {"validate", "run"}) {
+        const Finished finished = run({command, path});
+        QCOMPARE(finished.exitCode, 5);
+        const QStringList lines = QString::fromUtf8(finished.error).trimmed().split('\n');
+        QCOMPARE(lines.size(), 3);
+        QVERIFY2(lines[0].startsWith(path + ":2:") && lines[0].contains("gamma = 1.3 (must be in (0, 1])"),
+                 finished.error);
+        QVERIFY(lines[1].startsWith(path + ":2:") && lines[1].contains("delta"));
+        QVERIFY(lines[2].startsWith(path + ":3:") && lines[2].contains("square"));
+    }
+}
+
+void TestCommandLine::validateIsSilentAboutGoodFiles() {
+    const Finished finished = run({"validate", example("paper_fig4a"), example("t51_soft_rock")});
+    QCOMPARE(finished.exitCode, 0);
+    QCOMPARE(finished.out + finished.error, QByteArray());
+}
+
+void TestCommandLine::examplesAreListedAndWritten() {
+    const Finished list = run({"examples"});
+    QCOMPARE(list.exitCode, 0);
+    const QTemporaryDir folder;
+    const QString inside = folder.filePath("new");
+    QCOMPARE(run({"examples", "-o", inside}).exitCode, 0);
+    const QStringList files = QDir(inside).entryList(QDir::Files);
+    QCOMPARE(files.size(), list.out.count('\n'));
+    for (const QString& file : files) {
+        QVERIFY(list.out.contains(file.chopped(5).toUtf8()));
+        QCOMPARE(read(inside + "/" + file), read(example(file.chopped(5))));
+    }
+    QCOMPARE(run({"examples", "-o", inside}).exitCode, 4);
+    QCOMPARE(run({"examples", "-o", inside, "--force"}).exitCode, 0);
+    QCOMPARE(run({"examples", "paper_fig4a", "-o", "-"}).out, read(example("paper_fig4a")));
+}
+
+void TestCommandLine::aMissingDisplayIsToldInOneLine_data() {
+    QTest::addColumn<QString>("display");
+    QTest::newRow("none") << "";
+    QTest::newRow("one that does not answer") << ":9977";
+}
+
+void TestCommandLine::aMissingDisplayIsToldInOneLine() {
+    QFETCH(QString, display);
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) environment.remove(name);
+    if (!display.isEmpty()) environment.insert("DISPLAY", display);
+    const Finished finished = run({}, environment);
+    QCOMPARE(finished.exitCode, 2);
+    QCOMPARE(finished.error.count('\n'), 1);
+    QVERIFY(finished.error.contains("-platform offscreen") && finished.error.contains("drillwave run FILE"));
+}
+
+QTEST_GUILESS_MAIN(TestCommandLine)
+#include "tst_command_line.moc"

@@ -1,0 +1,253 @@
+// drillwave run: the JSON object, the files, and running a case again from them.
+#include <QtTest>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+
+#include "tests/app/program.h"
+
+using namespace drillwave::test;
+
+namespace {
+
+QJsonObject json(const QStringList& words) {
+    const Finished finished = run(QStringList{"run"} + words + QStringList{"--json"});
+    if (finished.exitCode != 0) qFatal("%s", finished.error.constData());
+    return QJsonDocument::fromJson(finished.out).object();
+}
+
+const QStringList outputNames{"cor",
+                              "impulse",
+                              "peak_force",
+                              "max_penetration",
+                              "residual_penetration",
+                              "first_contact_time",
+                              "separation_time",
+                              "contact_duration",
+                              "work_ratio",
+                              "rock_work",
+                              "rebound_energy",
+                              "residual_wave_energy",
+                              "efficiency",
+                              "momentum_residual",
+                              "energy_residual",
+                              "cor_error"};
+
+}  // namespace
+
+class TestRun : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void jsonGivesTheKnownRestitution_data();
+    void jsonGivesTheKnownRestitution();
+    void jsonHasEveryNameOfTheContract();
+    void jsonInSiIsTheDimensionlessResultTimesTheScales();
+    void anUnsolvedCaseHasNullsAndExitCodeSix();
+    void settingsApplyWhateverTheirOrder();
+    void theSummaryIsForPeople();
+    void filesAreWrittenAndNotOverwritten();
+    void aRunIsRepeatedFromItsHistories();
+    void aTableOfPointsIsCompleteInTheHistories();
+    void plotsAreWrittenWithoutADisplay();
+    void theLocaleDoesNotMatter();
+};
+
+void TestRun::jsonGivesTheKnownRestitution_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<double>("cor");
+    QTest::addColumn<double>("tolerance");
+    // 33-digit event-driven solution; the tolerance is the accuracy of the solver in double precision.
+    const QString elastic = example("paper_fig4a");
+    const QString reference = example("reference_case");
+    const auto set = [](const QString& file, std::initializer_list<const char*> settings) {
+        QStringList words{file};
+        for (const char* setting : settings) words << "--set" << setting;
+        return words;
+    };
+    QTest::newRow("paper Fig. 4 (a)") << QStringList{elastic} << 1.4010824845070556 << 1e-13;
+    QTest::newRow("paper Fig. 4 (b)") << QStringList{example("paper_fig4b")} << 0.40671074387478970 << 1e-13;
+    QTest::newRow("paper Fig. 8, minimum")
+        << QStringList{example("paper_fig8_minimum")} << 0.84210576467383562 << 1e-13;
+    QTest::newRow("soft and inelastic")
+        << set(elastic, {"beta=0.01", "gamma=0.1"}) << 0.14105214688032185 << 1e-13;
+    QTest::newRow("nearly elastic") << set(elastic, {"gamma=0.99999999", "delta=0.1"}) << 1.2742670575735909
+                                    << 1e-13;
+    QTest::newRow("soft reference") << set(reference, {"tau=1", "beta=5e-4"}) << 0.99999999498851341 << 1e-13;
+    QTest::newRow("soft and short") << set(elastic, {"tau=0.6", "beta=0.001"}) << 1.0000500288434207 << 1e-13;
+    QTest::newRow("very stiff") << set(elastic, {"beta=1e8", "gamma=0.1", "delta=0.3"}) << 0.99999998802999747
+                                << 1e-13;
+}
+
+void TestRun::jsonGivesTheKnownRestitution() {
+    QFETCH(QStringList, words);
+    QFETCH(double, cor);
+    QFETCH(double, tolerance);
+    const QJsonObject result = json(words)["dimensionless"].toObject();
+    const double found = result["cor"].toDouble();
+    QVERIFY2(std::abs(found - cor) <= tolerance, qPrintable(QString::number(found - cor)));
+    QVERIFY(result["cor_error"].toDouble() >= std::abs(found - cor) - 1e-16);
+}
+
+void TestRun::jsonHasEveryNameOfTheContract() {
+    const QJsonObject object = json({example("t38_medium_rock")});
+    for (const char* key :
+         {"groups", "dimensionless", "si", "events", "method", "run_time", "alerts", "outcome"})
+        QVERIFY2(object.contains(key), key);
+    for (const QString& name : outputNames) {
+        QVERIFY2(object["dimensionless"].toObject()[name].isDouble(), qPrintable(name));
+        QVERIFY2(object["si"].toObject()[name].isDouble(), qPrintable(name));
+    }
+    for (const char* group : {"beta", "gamma", "tau", "delta"})
+        QVERIFY(object["groups"].toObject()[group].isDouble());
+    QVERIFY(object["si"].toObject()["thrust"].isDouble());
+    QVERIFY(!object["dimensionless"].toObject().contains("thrust"));
+    QCOMPARE(object["method"].toString(), QString("exact"));
+    QCOMPARE(object["outcome"].toString(), QString("rebounded"));
+    QVERIFY(object["run_time"].toDouble() > 0);
+    const QJsonArray events = object["events"].toArray();
+    QCOMPARE(events.first().toObject()["kind"].toString(), QString("contact"));
+    QCOMPARE(events.last().toObject()["kind"].toString(), QString("separation"));
+    QVERIFY(events.last().toObject()["time"].isDouble());
+    // Given by its groups, a scenario has no SI values.
+    QVERIFY(!json({example("paper_fig4a")}).contains("si"));
+    const QJsonArray alerts = json({example("paper_fig4a")})["alerts"].toArray();
+    for (const char* key : {"level", "code", "parameter", "text"})
+        QVERIFY(alerts.first().toObject().contains(key));
+}
+
+void TestRun::jsonInSiIsTheDimensionlessResultTimesTheScales() {
+    const QJsonObject object = json({example("t38_medium_rock")});
+    const QJsonObject plain = object["dimensionless"].toObject();
+    const QJsonObject si = object["si"].toObject();
+    const auto scale = [&](const char* name) { return si[name].toDouble() / plain[name].toDouble(); };
+    // I0 = 51 N s, t0 = 200 us; two roundings.
+    QVERIFY(std::abs(scale("impulse") / 51 - 1) < 1e-15);
+    QVERIFY(std::abs(scale("separation_time") / 200e-6 - 1) < 1e-15);
+    QVERIFY(std::abs(scale("peak_force") / 255e3 - 1) < 1e-15);
+    QCOMPARE(si["cor"], plain["cor"]);
+    QVERIFY(std::abs(si["thrust"].toDouble() / (60 * si["impulse"].toDouble()) - 1) < 1e-15);
+}
+
+void TestRun::anUnsolvedCaseHasNullsAndExitCodeSix() {
+    const Finished finished = run({"run", example("paper_fig4a"), "--set", "beta=1e-300", "--json"});
+    QCOMPARE(finished.exitCode, 6);
+    const QJsonObject object = QJsonDocument::fromJson(finished.out).object();
+    QCOMPARE(object["outcome"].toString(), QString("not_solved"));
+    QVERIFY(!object["reason"].toString().isEmpty());
+    for (const QString& name : outputNames) QVERIFY(object["dimensionless"].toObject()[name].isNull());
+}
+
+void TestRun::settingsApplyWhateverTheirOrder() {
+    const QString file = example("t38_medium_rock");
+    const QJsonObject one = json({file, "--set", "beta=0.8", "--set", "rod.diameter=45 mm"});
+    const QJsonObject two = json({file, "--set", "rod.diameter=45mm", "--set", "beta=0.8"});
+    QCOMPARE(one["groups"], two["groups"]);
+    QCOMPARE(one["groups"].toObject()["beta"].toDouble(), 0.8);
+    QCOMPARE(one["dimensionless"], two["dimensionless"]);
+}
+
+void TestRun::theSummaryIsForPeople() {
+    const Finished finished = run({"run", example("t38_medium_rock")});
+    QCOMPARE(finished.exitCode, 0);
+    QCOMPARE(finished.error, QByteArray());
+    for (const char* part :
+         {"T38 rod, medium rock", "restitution", " kN", " mm", " ms", " J", "thrust needed"})
+        QVERIFY2(finished.out.contains(part), part);
+    for (const QByteArray& line : finished.out.split('\n')) QVERIFY2(line.size() < 160, line);
+    const Finished warned = run({"run", example("t38_medium_rock"), "--set", "drill.thrust=1kN"});
+    QVERIFY(warned.out.contains("warning: The installed thrust of 1 kN is below"));
+}
+
+void TestRun::filesAreWrittenAndNotOverwritten() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("new/folder");
+    const QStringList words{"run", example("t38_medium_rock"), "-o", out};
+    QCOMPARE(run(words).exitCode, 0);
+    QCOMPARE(QDir(out).entryList(QDir::Files), QStringList({"events.csv", "histories.csv", "summary.json"}));
+    const QByteArray histories = read(out + "/histories.csv");
+    QVERIFY(histories.startsWith("# # Written by Drillwave "));
+    QVERIFY(histories.contains("\ntime,impact_force,impulse,momentum,incident_wave\n"));
+    QVERIFY(read(out + "/events.csv").contains("\nkind,time\ncontact,"));
+    const QJsonObject summary = QJsonDocument::fromJson(read(out + "/summary.json")).object();
+    QCOMPARE(summary["dimensionless"].toObject()["separation_time"].toDouble(),
+             json({example("t38_medium_rock")})["dimensionless"].toObject()["separation_time"].toDouble());
+
+    // One of the files is enough to refuse, and nothing is touched then.
+    QVERIFY(QFile::remove(out + "/events.csv") && QFile::remove(out + "/summary.json"));
+    const Finished refused = run(words);
+    QCOMPARE(refused.exitCode, 4);
+    QVERIFY(refused.error.contains("histories.csv: exists already; use --force"));
+    QVERIFY(!QFileInfo::exists(out + "/events.csv"));
+    QCOMPARE(run(words + QStringList{"--force", "--si"}).exitCode, 0);
+    QVERIFY(read(out + "/histories.csv").contains("\ntime [s],impact_force [N],"));
+}
+
+void TestRun::aRunIsRepeatedFromItsHistories() {
+    const QTemporaryDir folder;
+    const QStringList settings{"--set", "beta=0.7", "--set", "pulse.shape=half_sine"};
+    const QString out = folder.filePath("out");
+    QCOMPARE(run(QStringList{"run", example("t38_medium_rock"), "-o", out} + settings).exitCode, 0);
+    QJsonObject first = json(QStringList{example("t38_medium_rock")} + settings);
+    for (const char* file : {"/histories.csv", "/events.csv"}) {
+        QJsonObject again = json({out + file});
+        for (QJsonObject* object : {&first, &again}) object->remove("run_time");
+        QCOMPARE(again, first);
+    }
+}
+
+void TestRun::aTableOfPointsIsCompleteInTheHistories() {
+    const QTemporaryDir folder;
+    write(folder.filePath("blow.csv"), "time [us],force [kN]\n0,0\n100,300\n250,0\n");
+    QByteArray scenario = read(example("t38_medium_rock"));
+    const qsizetype pulse = scenario.indexOf("pulse:");
+    scenario.replace(pulse, scenario.indexOf("bit_rock:") - pulse,
+                     "pulse:\n  shape: table\n  file: blow.csv\n");
+    write(folder.filePath("case.yaml"), scenario);
+    const QString out = folder.filePath("out");
+    QCOMPARE(run({"run", folder.filePath("case.yaml"), "-o", out}).exitCode, 0);
+    const QJsonObject first = json({folder.filePath("case.yaml")});
+    // The points are in the file itself: the table may be gone.
+    QVERIFY(QFile::remove(folder.filePath("blow.csv")));
+    const QJsonObject again = json({out + "/histories.csv"});
+    QCOMPARE(again["groups"], first["groups"]);
+    QCOMPARE(again["dimensionless"], first["dimensionless"]);
+}
+
+void TestRun::plotsAreWrittenWithoutADisplay() {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "XDG_RUNTIME_DIR"})
+        environment.remove(name);
+    const QTemporaryDir folder;
+    const QStringList words{"run", example("paper_fig4b"), "-o", folder.path(), "--plots", "png,svg,pdf"};
+    const Finished finished = run(words, environment);
+    QCOMPARE(finished.exitCode, 0);
+    QCOMPARE(finished.error, QByteArray());
+    QVERIFY(read(folder.filePath("blow.png")).startsWith("\x89PNG"));
+    QVERIFY(read(folder.filePath("blow.svg")).contains("<svg"));
+    QVERIFY(read(folder.filePath("blow.pdf")).startsWith("%PDF"));
+    QVERIFY(QFile::remove(folder.filePath("summary.json")));
+    QCOMPARE(run(words, environment).exitCode, 4);
+}
+
+void TestRun::theLocaleDoesNotMatter() {
+    QProcessEnvironment german = QProcessEnvironment::systemEnvironment();
+    german.insert("LC_ALL", "de_DE.UTF-8");
+    german.insert("LANG", "de_DE.UTF-8");
+    const QStringList words{"run",      example("t38_medium_rock"), "--set", "rod.length=4.27 m", "--set",
+                            "beta=0.55"};
+    const auto withoutTime = [](const QByteArray& out) {
+        QList<QByteArray> lines = out.split('\n');
+        lines.removeIf([](const QByteArray& line) { return line.contains("solved in"); });
+        return lines.join('\n');
+    };
+    QCOMPARE(withoutTime(run(words, german).out), withoutTime(run(words).out));
+    QVERIFY(run(words, german).out.contains("beta 0.55 "));
+}
+
+QTEST_GUILESS_MAIN(TestRun)
+#include "tst_run.moc"
