@@ -12,28 +12,6 @@
 
 namespace drillwave {
 
-/// A sum that keeps what rounding drops: times and impulses of many thousand pieces stay exact.
-template <class Real>
-class CompensatedSum {
-  public:
-    CompensatedSum& operator=(Real value) {
-        m_sum = value;
-        m_lost = 0;
-        return *this;
-    }
-    CompensatedSum& operator+=(Real term) {
-        const Real sum = m_sum + term;
-        m_lost += std::abs(m_sum) >= std::abs(term) ? (m_sum - sum) + term : (term - sum) + m_sum;
-        m_sum = sum;
-        return *this;
-    }
-    operator Real() const { return m_sum + m_lost; }
-
-  private:
-    Real m_sum = 0;
-    Real m_lost = 0;
-};
-
 /// Solves  g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ),  F' = a(2g − F),  a = β, β/γ or 0, piece by piece.
 ///
 /// `Basis` represents functions on an interval: it solves one piece of contact exactly, finds first zeros,
@@ -87,9 +65,9 @@ class ContactMarch {
     Detail m_detail = Detail::cor;
 
     Real m_beta = 0, m_unloadingRate = 0, m_roundTrip = 0;
-    Real m_arrival = 0;                 ///< global time of s = 0
-    CompensatedSum<Real> m_s;           ///< time at the front end
-    CompensatedSum<Real> m_hammerTime;  ///< how far the hammer force has been used
+    Real m_arrival = 0;                ///< global time of s = 0
+    typename Basis::Sum m_s;           ///< time at the front end
+    typename Basis::Sum m_hammerTime;  ///< how far the hammer force has been used
     std::size_t m_hammerPiece = 0;
     bool m_elasticRock = false;
     bool m_everTouched = false;
@@ -102,7 +80,7 @@ class ContactMarch {
     Real m_force = 0;
     Real m_peak = 0;  ///< largest force so far: the memory of the rock
     Real m_contactStart = 0;
-    CompensatedSum<Real> m_impulse;
+    typename Basis::Sum m_impulse;
     Real m_error = 0;
 };
 
@@ -310,6 +288,7 @@ void ContactMarch<Basis>::advanceContact() {
         if (m_phase == Phase::primary) m_peak = std::max(m_peak, response.force.value(length));
     }
 
+    m_basis.endAt(response, length);
     m_impulse += response.force.integral(length);
     m_error += m_basis.roundingError(response, length);
     if constexpr (Basis::keepsHistory)
@@ -320,7 +299,7 @@ void ContactMarch<Basis>::advanceContact() {
     const Real force = response.force.value(length);
     leave(response.reflected, response.incident, &response.force, length);
     if (length < m_incident.length)
-        m_incident.dropFront(length);
+        m_basis.dropFront(m_incident, response);
     else
         m_incident.length = 0;
     if (length > 0) m_justUnloaded = false;

@@ -143,6 +143,23 @@ ExponentialBasis::Response& ExponentialBasis::respond(const Piece& g, double rat
     return r;
 }
 
+/// The decays up to the end serve every function of this stretch.
+void ExponentialBasis::endAt(Response& r, double length) {
+    if (length == r.length) return;
+    r.length = length;
+    r.force.shorten(length);
+    if (r.force.primary.count) r.force.primaryDecay = std::exp(-m_rates.primary * length);
+    if (r.force.elastic.count) r.force.elasticDecay = std::exp(-m_rates.elastic * length);
+    r.reflected.length = length;
+    r.reflected.primaryDecay = r.force.primaryDecay;
+    r.reflected.elasticDecay = r.force.elasticDecay;
+}
+
+void ExponentialBasis::dropFront(Piece& g, const Response& r) const {
+    g.rates = &m_rates;
+    g.dropFront(r.length, r.force.primaryDecay, r.force.elasticDecay);
+}
+
 ExponentialBasis::Sample ExponentialBasis::sample(const Piece& f, double c2, double x) const {
     Sample s;
     s.value = f.c0 + x * (f.c1 + x * c2);

@@ -16,6 +16,7 @@ class ExponentialBasis {
   public:
     using Real = double;
     using Piece = ExponentialSum;
+    using Sum = double;  ///< its pieces are few
     static constexpr bool keepsHistory = false;
 
     struct Response {
@@ -39,6 +40,8 @@ class ExponentialBasis {
     Piece& addHammer(const PulseSegment& segment, double into, double length, Piece& g);
 
     Response& respond(const Piece& g, double rate, double force);
+    void endAt(Response& r, double length);
+    void dropFront(Piece& g, const Response& r) const;
     Zero<double> gapClosure(const Piece& g, double gap);
     Zero<double> forceVanishes(Response& r);
     Zero<double> driveVanishes(Response& r);

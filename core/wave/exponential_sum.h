@@ -124,12 +124,17 @@ struct ExponentialSum {
                  rates->elastic;
         return f;
     }
-    void dropFront(double x) {
+    /// The function seen from x on, with the decays up to there given.
+    void dropFront(double x, double primaryTo, double elasticTo) {
         c0 += c1 * x;
-        if (primary.count) primary.dropFront(rates->primary * x, decayOver(x, rates->primary, primaryDecay));
-        if (elastic.count) elastic.dropFront(rates->elastic * x, decayOver(x, rates->elastic, elasticDecay));
+        if (primary.count) primary.dropFront(rates->primary * x, primaryTo);
+        if (elastic.count) elastic.dropFront(rates->elastic * x, elasticTo);
         length -= x;
         primaryDecay = elasticDecay = -1;
+    }
+    void dropFront(double x) {
+        dropFront(x, primary.count ? decayOver(x, rates->primary, primaryDecay) : 0,
+                  elastic.count ? decayOver(x, rates->elastic, elasticDecay) : 0);
     }
     void shorten(double x) {
         if (x == length) return;

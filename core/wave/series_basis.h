@@ -3,6 +3,7 @@
 
 #include "core/model/pulse_force.h"
 #include "core/model/scenario.h"
+#include "core/wave/compensated_sum.h"
 #include "core/wave/impact.h"
 #include "core/wave/power_series.h"
 
@@ -18,6 +19,7 @@ class SeriesBasis {
   public:
     using Real = RealType;
     using Piece = PowerSeries<Real>;
+    using Sum = CompensatedSum<Real>;
     static constexpr bool keepsHistory = true;
 
     /// One solved stretch of contact: F, the drive 2g − F = U' = F'/a and the reflected g − F, on one scale.
@@ -133,6 +135,11 @@ class SeriesBasis {
             length /= 2;
         }
     }
+
+    /// The stretch ends at `length`, by an event or at its end.
+    void endAt(Response& r, Real length) const { r.length = length; }
+    /// The rest of g behind that stretch.
+    void dropFront(Piece& g, const Response& r) const { g.dropFront(r.length); }
 
     /// When ∫2g closes the gap.
     Zero<Real> gapClosure(const Piece& g, Real gap) const {
