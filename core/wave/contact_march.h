@@ -23,7 +23,11 @@ class ContactMarch {
     using Piece = typename Basis::Piece;
 
     /// Solves into `impact`. False when the basis cannot represent this blow to full accuracy.
-    bool solve(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact);
+    /// More than `mostPieces` smooth pieces are refused as Outcome::notSolved.
+    bool solve(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact,
+               long mostPieces = defaultMostPieces);
+
+    static constexpr long defaultMostPieces = 30'000'000;
 
   private:
     enum class Phase {
@@ -33,7 +37,6 @@ class ContactMarch {
     };
     enum class Progress { goesOn, finished };
 
-    static constexpr long mostPieces = 30'000'000;
     static constexpr std::size_t mostWaiting = 400'000;
 
     void begin(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact);
@@ -62,6 +65,7 @@ class ContactMarch {
     Piece m_incident;          ///< g now arriving
     const PulseForce* m_pulse = nullptr;
     Impact* m_impact = nullptr;
+    long m_mostPieces = defaultMostPieces;
     Detail m_detail = Detail::cor;
 
     Real m_beta = 0, m_unloadingRate = 0, m_roundTrip = 0;
@@ -85,8 +89,9 @@ class ContactMarch {
 };
 
 template <class Basis>
-bool ContactMarch<Basis>::solve(const PulseForce& pulse, const Groups& groups, Detail detail,
-                                Impact& impact) {
+bool ContactMarch<Basis>::solve(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact,
+                                long mostPieces) {
+    m_mostPieces = mostPieces;
     begin(pulse, groups, detail, impact);
     for (;;) {
         const bool hammerEnded = m_hammerPiece >= m_pulse->segments.size();
@@ -101,7 +106,7 @@ bool ContactMarch<Basis>::solve(const PulseForce& pulse, const Groups& groups, D
             advanceContact();
         if (m_basis.failed()) return false;
         if (!(m_force >= 0 || m_force < 0)) return fail("the wave force overflowed");
-        if (m_impact->pieces > mostPieces || m_waves.size() > mostWaiting)
+        if (m_impact->pieces > m_mostPieces || m_waves.size() > mostWaiting)
             return fail("more than the permitted number of wave pieces is needed");
     }
 }
@@ -402,7 +407,7 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::skipPeriods(Real mom
         m_error += std::numeric_limits<Real>::epsilon() * (m_everTouched ? from : m_gap);
         passPeriods(periods);
     }
-    if (m_impact->pieces > mostPieces) {
+    if (m_impact->pieces > m_mostPieces) {
         fail("more than the permitted number of wave pieces is needed");
         return Progress::finished;
     }

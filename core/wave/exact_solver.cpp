@@ -13,7 +13,8 @@ struct ExactSolver::Workspace {
     ContactMarch<SeriesBasis<double>> series;
 };
 
-ExactSolver::ExactSolver() : m_workspace(std::make_unique<Workspace>()) {}
+ExactSolver::ExactSolver(long mostPieces)
+    : m_workspace(std::make_unique<Workspace>()), m_mostPieces(mostPieces) {}
 ExactSolver::~ExactSolver() = default;
 ExactSolver::ExactSolver(ExactSolver&&) noexcept = default;
 ExactSolver& ExactSolver::operator=(ExactSolver&&) noexcept = default;
@@ -21,11 +22,11 @@ ExactSolver& ExactSolver::operator=(ExactSolver&&) noexcept = default;
 Impact ExactSolver::solve(const PulseForce& pulse, const Groups& groups, Detail detail) {
     Impact impact;
     const bool inClosedForm = ExponentialBasis::suits(pulse, groups) &&
-                              m_workspace->closed.solve(pulse, groups, Detail::cor, impact);
+                              m_workspace->closed.solve(pulse, groups, Detail::cor, impact, m_mostPieces);
     if (inClosedForm && detail == Detail::cor) return impact;
     const Impact closed = inClosedForm ? std::exchange(impact, Impact{}) : Impact{};
     impact = Impact{};
-    m_workspace->series.solve(pulse, groups, detail, impact);
+    m_workspace->series.solve(pulse, groups, detail, impact, m_mostPieces);
     if (inClosedForm && impact.outcome == closed.outcome) {  // the same digits whatever detail is asked for
         impact.cor = closed.cor;
         impact.corError = closed.corError;

@@ -13,7 +13,8 @@ namespace drillwave {
 /// Detail::cor is asked for. One solver per thread.
 class ExactSolver {
   public:
-    ExactSolver();
+    /// `mostPieces` bounds the work of one solve (about 0.05 µs each): beyond it the outcome is notSolved.
+    explicit ExactSolver(long mostPieces = 30'000'000);
     ~ExactSolver();
     ExactSolver(ExactSolver&&) noexcept;
     ExactSolver& operator=(ExactSolver&&) noexcept;
@@ -24,6 +25,7 @@ class ExactSolver {
   private:
     struct Workspace;
     std::unique_ptr<Workspace> m_workspace;
+    long m_mostPieces;
 };
 
 }  // namespace drillwave

@@ -215,7 +215,7 @@ class SeriesBasis {
             deviation.c[k] = (k < shorter.count ? shorter.c[k] : Real(0)) - deviation.c[k];
         const Real size = deviation.magnitude();
         const Real effect = m_fastest * size * shorter.length * whole;
-        if (effect > m_tolerance || size > Real(1e-7) * m_softForce) return false;
+        if (effect > m_tolerance || size > Real(1e-9) * m_softForce) return false;
         const Real mean = deviation.integral(shorter.length) / whole;
         Piece& joined = forward ? longer : extended;
         joined.length = whole;

@@ -77,8 +77,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     if (!json)
-        std::printf("%-13s %-12s %9s %11s %5s %6s %12s %12s %7s\n", "scene", "shape", "beta", "gamma", "tau", "delta",
-                    "median", "minimum", "pieces");
+        std::printf("%-13s %-12s %9s %11s %5s %6s %12s %12s %7s\n", "scene", "shape", "beta", "gamma", "tau",
+                    "delta", "median", "minimum", "pieces");
     const char* separator = "[";
     for (const Scene& scene : scenes) {
         const Timing timing = measure(scene);
@@ -86,11 +86,12 @@ int main(int argc, char** argv) {
         const auto number = [](double value) { return formatNumber(value); };
         const Groups& g = scene.groups;
         if (json)
-            std::printf("%s\n {\"scene\": \"%s\", \"shape\": \"%s\", \"beta\": %s, \"gamma\": %s, \"tau\": %s, "
-                        "\"delta\": %s, \"median_s\": %s, \"min_s\": %s, \"pieces\": %ld}",
-                        separator, scene.name, shape.c_str(), number(g.beta).c_str(), number(g.gamma).c_str(),
-                        number(g.tau).c_str(), number(g.delta).c_str(), number(timing.median).c_str(),
-                        number(timing.least).c_str(), timing.pieces);
+            std::printf(
+                "%s\n {\"scene\": \"%s\", \"shape\": \"%s\", \"beta\": %s, \"gamma\": %s, \"tau\": %s, "
+                "\"delta\": %s, \"median_s\": %s, \"min_s\": %s, \"pieces\": %ld}",
+                separator, scene.name, shape.c_str(), number(g.beta).c_str(), number(g.gamma).c_str(),
+                number(g.tau).c_str(), number(g.delta).c_str(), number(timing.median).c_str(),
+                number(timing.least).c_str(), timing.pieces);
         else
             std::printf("%-13s %-12s %9s %11s %5s %6s %9.3f us %9.3f us %7ld\n", scene.name, shape.c_str(),
                         number(g.beta).c_str(), number(g.gamma).c_str(), number(g.tau).c_str(),

@@ -1,0 +1,93 @@
+#include <QtTest>
+
+#include "tests/support/scenes.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+// What must hold in every scene, checked over thousands of random ones.
+class InvariantsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void momentumAndEnergyBalance_data() {
+        QTest::addColumn<bool>("extreme");
+        QTest::newRow("engineering domain") << false;
+        QTest::newRow("extreme domain") << true;
+    }
+    void momentumAndEnergyBalance() {
+        QFETCH(bool, extreme);
+        RandomScenes scenes(extreme ? extremeDomain : engineeringDomain, 11);
+        int checked = 0;
+        for (int i = 0; i < 3000; ++i) {
+            const Scene scene = scenes.next();
+            const PulseForce pulse = pulseOf(scene);
+            if (!isQuick(scene, pulse)) continue;
+            const Impact impact = solve(scene, Detail::summary);
+            QVERIFY2(impact.outcome == Outcome::rebounded, (describe(scene) + impact.reason).c_str());
+            ++checked;
+            // the impulse is summed from F, the momentum from the waves that are left: independent sums
+            QVERIFY2(std::abs(1 - impact.impulse - impact.finalMomentum) <= 1e-11, describe(scene).c_str());
+            const double energy = impact.hammerWork - impact.rockWork - impact.finalEnergy;
+            // a hammer that pushes the rod against the rock does next to no work: the sums round at 1e-15 of
+            // F0²t0/Z
+            const double tolerance = 1e-11 * impact.hammerWork + 1e-14;
+            QVERIFY2(std::abs(energy) <= tolerance, describe(scene).c_str());
+            // what the contact law says was lost, from the peak alone
+            const double lost =
+                (1 - scene.groups.gamma) * impact.peakForce * impact.peakForce / (2 * scene.groups.beta);
+            QVERIFY2(std::abs(impact.rockWork - lost) <= tolerance, describe(scene).c_str());
+            QVERIFY(impact.cor > -1e-12);
+            QVERIFY(impact.finalMomentum <= 1e-12);
+        }
+        QVERIFY(checked > 1500);
+    }
+
+    void theRockNeverPulls() {
+        RandomScenes scenes(engineeringDomain, 12);
+        for (int i = 0; i < 400; ++i) {
+            const Scene scene = scenes.next();
+            const PulseForce pulse = pulseOf(scene);
+            if (!isQuick(scene, pulse)) continue;
+            const Impact impact = solve(scene, Detail::histories);
+            for (const auto& piece : impact.force.pieces())
+                for (int k = 0; k <= 8; ++k)
+                    QVERIFY2(impact.force.value(piece, piece.length * k / 8) >= -1e-14,
+                             describe(scene).c_str());
+        }
+    }
+
+    void eventsFollowTheContactLaw() {
+        RandomScenes scenes(engineeringDomain, 13);
+        for (int i = 0; i < 600; ++i) {
+            const Scene scene = scenes.next();
+            const PulseForce pulse = pulseOf(scene);
+            if (!isQuick(scene, pulse)) continue;
+            const Impact impact = solve(scene, Detail::summary);
+            QVERIFY(!impact.events.empty());
+            QCOMPARE(impact.events.front().kind, ContactEvent::contact);
+            double last = 0;
+            bool apart = true;
+            for (const ImpactEvent& event : impact.events) {
+                QVERIFY2(event.time >= last, describe(scene).c_str());
+                last = event.time;
+                QVERIFY2((event.kind == ContactEvent::contact) == apart, describe(scene).c_str());
+                apart = event.kind == ContactEvent::separation;
+            }
+            QVERIFY(impact.events.front().time == impact.firstContactTime);
+        }
+    }
+
+    void unloadingEventsNeedAnInelasticRock() {
+        const Impact elastic = solve({PulseShape::rectangular, {0.5, 1, 10, 0.3}}, Detail::summary);
+        for (const ImpactEvent& event : elastic.events)
+            QVERIFY(event.kind == ContactEvent::contact || event.kind == ContactEvent::separation);
+        const Impact inelastic = solve({PulseShape::rectangular, {0.5, 0.1, 10, 0.3}}, Detail::summary);
+        int unloadings = 0;
+        for (const ImpactEvent& event : inelastic.events) unloadings += event.kind == ContactEvent::unloading;
+        QVERIFY(unloadings >= 1);
+    }
+};
+
+QTEST_GUILESS_MAIN(InvariantsTest)
+#include "tst_invariants.moc"

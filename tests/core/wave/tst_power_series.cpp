@@ -1,0 +1,89 @@
+#include <QtTest>
+
+#include "core/wave/power_series.h"
+
+using namespace drillwave;
+
+namespace {
+
+PowerSeries<double> series(double length, std::initializer_list<double> coefficients) {
+    auto f = PowerSeries<double>::zero(length);
+    for (const double c : coefficients) f.c[f.count++] = c;
+    return f;
+}
+
+Zero<double> zeroOf(std::initializer_list<double> c, double end = 1) {
+    return firstZero(std::data(c), static_cast<int>(c.size()), end);
+}
+
+}  // namespace
+
+class PowerSeriesTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theRestOfAPieceIsTheSameFunction() {
+        const auto f = series(2, {1, -3, 2, 0.5});
+        auto rest = f;
+        rest.dropFront(0.7);
+        QCOMPARE(rest.length, 2 - 0.7);
+        for (const double x : {0.0, 0.4, 1.3}) QVERIFY(std::abs(rest.value(x) - f.value(x + 0.7)) < 1e-15);
+    }
+
+    void rescalingKeepsTheFunction() {
+        auto f = series(2, {1, -3, 2, 0.5});
+        const double before = f.value(0.9);
+        f.rescale(0.25);
+        QVERIFY(std::abs(f.value(0.9) - before) < 1e-14);
+    }
+
+    void productIntegralIsTheIntegralOfTheProduct() {
+        const auto f = series(2, {1, 2});     // 1 + x
+        const auto g = series(2, {0, 0, 4});  // x²
+        QVERIFY(std::abs(PowerSeries<double>::productIntegral(f, g, 2.0) - (8.0 / 3 + 4)) < 1e-14);
+    }
+
+    void theFirstOfSeveralZerosIsFound() {
+        // (u − 0.3)(u − 0.5)(u − 0.9), negative at 0, so its negative is searched
+        const auto zero = zeroOf({0.135, -0.87, 1.7, -1});
+        QVERIFY(zero.found);
+        QVERIFY(std::abs(zero.u - 0.3) < 1e-14);
+    }
+
+    void aPolynomialWithoutZeroHasNone() {
+        QVERIFY(!zeroOf({1, -1.9, 1}).found);  // minimum 0.0975
+        QVERIFY(!zeroOf({1e-3, -0.06, 1}).found);
+    }
+
+    void aZeroBeyondTheEndIsNotFound() { QVERIFY(!zeroOf({1, -2}, 0.4).found); }
+
+    void aZeroAtTheStartIsNotCountedWhenItRises() {
+        QVERIFY(!zeroOf({0, 1, 1}).found);
+        QVERIFY(!zeroOf({0, 0, 1}).found);
+        const auto falls = zeroOf({0, -1, 1});
+        QVERIFY(falls.found);
+        QCOMPARE(falls.u, 0.0);
+        const auto returns = zeroOf({0, 1, -2});
+        QVERIFY(returns.found);
+        QVERIFY(std::abs(returns.u - 0.5) < 1e-15);
+    }
+
+    void aSteepDecayOverALongPieceHasNoZero() {
+        // e^{−6u} by its series: one curvature bound for the whole piece allows only tiny steps, and running
+        // out of them must not count as a zero
+        std::array<double, 30> c{};
+        double term = 1;
+        for (int k = 0; k < 30; ++k) {
+            c[k] = term;
+            term *= -6.0 / (k + 1);
+        }
+        QVERIFY(!firstZero(c.data(), 30, 1.0).found);
+        c[0] -= std::exp(-3.0);
+        const auto zero = firstZero(c.data(), 30, 1.0);
+        QVERIFY(zero.found);
+        QVERIFY(std::abs(zero.u - 0.5) < 1e-12);
+    }
+};
+
+QTEST_GUILESS_MAIN(PowerSeriesTest)
+#include "tst_power_series.moc"

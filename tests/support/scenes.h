@@ -1,0 +1,135 @@
+// Scenes for the tests of the solvers: solved blows, the reference table, random scenarios.
+#pragma once
+
+#include <cmath>
+#include <fstream>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/file/csv.h"
+#include "core/model/pulse_force.h"
+#include "core/model/units.h"
+#include "core/wave/exact_solver.h"
+
+namespace drillwave::test {
+
+/// A dimensionless scene: a pulse shape and the four groups.
+struct Scene {
+    PulseShape shape = PulseShape::rectangular;
+    Groups groups;
+    double impedanceRatio = 2;  ///< of a piston
+};
+
+inline PulseForce pulseOf(const Scene& scene) {
+    Scenario scenario;
+    scenario.form = ScenarioForm::dimensionless;
+    scenario.groups = scene.groups;
+    scenario.pulse.shape = scene.shape;
+    scenario.pulse.piston.impedanceRatio = scene.impedanceRatio;
+    return pulseForceOf(scenario);
+}
+
+inline Impact solve(const Scene& scene, Detail detail = Detail::cor) {
+    ExactSolver solver;
+    return solver.solve(pulseOf(scene), scene.groups, detail);
+}
+
+inline double cor(PulseShape shape, double beta, double gamma, double tau, double delta) {
+    return solve({shape, {beta, gamma, tau, delta}}).cor;
+}
+
+/// Words that find the scene again when a check fails.
+inline std::string describe(const Scene& scene) {
+    return std::string(name(scene.shape)) + " beta " + formatNumber(scene.groups.beta) + " gamma " +
+           formatNumber(scene.groups.gamma) + " tau " + formatNumber(scene.groups.tau) + " delta " +
+           formatNumber(scene.groups.delta) + " impedance ratio " + formatNumber(scene.impedanceRatio);
+}
+
+/// One row of tests/cases/reference.csv (33-digit event-driven solution).
+struct ReferenceCase {
+    Scene scene;
+    double cor, peakForce, residualPenetration, separationTime, rockWork;
+};
+
+inline std::vector<ReferenceCase> referenceCases() {
+    std::ifstream file(DRILLWAVE_SOURCE_DIR "/tests/cases/reference.csv");
+    CsvReader reader(file);
+    CsvRecord record;
+    reader.next(record);  // header
+    std::vector<ReferenceCase> cases;
+    while (reader.next(record)) {
+        const auto number = [&](std::size_t column) { return parseNumber(record.cells.at(column)).value(); };
+        const auto shape = findPulseShape(record.cells.at(0));
+        if (!shape) throw std::runtime_error("unknown shape in reference.csv: " + record.cells.at(0));
+        cases.push_back({{*shape, {number(1), number(2), number(3), number(4)}},
+                         number(5),
+                         number(6),
+                         number(7),
+                         number(8),
+                         number(9)});
+    }
+    return cases;
+}
+
+/// A box of the parameter domain from which random scenes are drawn, logarithmically.
+struct Domain {
+    double leastBeta, mostBeta, leastGamma, leastTau, mostTau, mostDelta;
+};
+inline constexpr Domain engineeringDomain{1e-3, 1e3, 0.01, 0.05, 1000, 100};
+inline constexpr Domain extremeDomain{1e-7, 1e9, 1e-6, 0.05, 1000, 1000};
+
+/// Random scenes of every shape, the same sequence on every machine: γ = 1 and nearly 1, integral gaps and
+/// commensurate transit times occur often.
+class RandomScenes {
+  public:
+    RandomScenes(const Domain& domain, unsigned seed) : m_domain(domain), m_random(seed) {}
+
+    Scene next() {
+        static constexpr PulseShape shapes[] = {
+            PulseShape::rectangular, PulseShape::triangular, PulseShape::halfSine, PulseShape::trapezoid,
+            PulseShape::exponential, PulseShape::piston,     PulseShape::rigidBody};
+        Scene scene;
+        scene.shape = shapes[below(7)];
+        scene.impedanceRatio = logarithmic(0.3, 5);
+        Groups& g = scene.groups;
+        g.beta = logarithmic(m_domain.leastBeta, m_domain.mostBeta);
+        g.gamma = logarithmic(m_domain.leastGamma, 1);
+        if (below(3) == 0) g.gamma = 1;
+        if (below(10) == 0) g.gamma = 1 - logarithmic(1e-12, 0.1);
+        g.tau = logarithmic(m_domain.leastTau, m_domain.mostTau);
+        if (below(10) == 0) g.tau = 0.5 * (1 + below(8));
+        switch (below(4)) {
+            case 0:
+                g.delta = 0;
+                break;
+            case 1:
+                g.delta = below(4);
+                break;
+            case 2:
+                g.delta = 3 * fraction();
+                break;
+            default:
+                g.delta = logarithmic(1e-6, m_domain.mostDelta);
+        }
+        if (scene.shape == PulseShape::rigidBody) g.delta = 0;
+        return scene;
+    }
+
+  private:
+    unsigned below(unsigned n) { return static_cast<unsigned>(m_random() % n); }
+    double fraction() { return static_cast<double>(m_random() >> 11) * 0x1p-53; }
+    double logarithmic(double low, double high) { return low * std::pow(high / low, fraction()); }
+
+    Domain m_domain;
+    std::mt19937_64 m_random;
+};
+
+/// Long blows on rods shorter than them take up to a million wave pieces: too slow for thousands of scenes.
+inline bool isQuick(const Scene& scene, const PulseForce& pulse) {
+    if (scene.groups.tau < 1.5 && pulse.end > 1) return false;
+    return scene.groups.beta > 1e-5 || scene.groups.gamma > 0.3;
+}
+
+}  // namespace drillwave::test
