@@ -264,7 +264,10 @@ class ExactSolverTest : public QObject {
             ++checked;
             // a look-up one round trip earlier errs by the rounding of time, times the steepest slope
             const double steepness = scene.groups.beta / scene.groups.gamma / scene.groups.tau;
-            const double tolerance = 1e-12 + 1e-14 * (1 + steepness) * (1 + impact.incident.end());
+            // where pieces are many, joined ones may differ from the wave by 1e-9 of the force on a soft rock
+            const double joined =
+                impact.pieces > 32 ? 2e-9 * std::sqrt(scene.groups.beta / scene.groups.tau) : 0;
+            const double tolerance = joined + 1e-12 + 1e-14 * (1 + steepness) * (1 + impact.incident.end());
             QVERIFY2(worstViolation(impact, pulse) < tolerance, describe(scene).c_str());
         }
         QVERIFY(checked > 100);
