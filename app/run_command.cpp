@@ -1,5 +1,6 @@
 // drillwave run FILE
 #include <QDir>
+#include <QFile>
 #include <QStringList>
 #include <algorithm>
 #include <chrono>
@@ -92,6 +93,15 @@ BlowReport solve(const Scenario& scenario, Detail detail) {
     return report;
 }
 
+/// Ctrl-C during the solve ends the command with its own exit code; later it just ends it, as each file is
+/// whole or absent.
+BlowReport solveInterruptibly(const Scenario& scenario, Detail detail) {
+    const Interruption interruption;
+    BlowReport report = solve(scenario, detail);
+    interruption.check();
+    return report;
+}
+
 /// The scenario as it was solved, complete in itself: points that came from a file are written out.
 std::string completeYaml(ScenarioDocument document) {
     document.scenario.pulse.tableFile.clear();
@@ -99,6 +109,8 @@ std::string completeYaml(ScenarioDocument document) {
 }
 
 void writeFiles(const RunFiles& files, const ScenarioDocument& document, const BlowReport& report) {
+    // A folder with a summary is complete: it goes first and comes last.
+    QFile::remove(QString::fromStdString(files.path("summary.json")));
     const Scales scales = scalesOf(report.scenario);
     const std::string header = scenarioHeader(completeYaml(document));
     const PulseForce pulse = pulseForceOf(report.scenario);
@@ -112,7 +124,6 @@ void writeFiles(const RunFiles& files, const ScenarioDocument& document, const B
                        files.overwrite == Overwrite::allowed, &problem);
         if (!problem.isEmpty()) throw CommandError(ExitCode::unwritableOutput, problem.toStdString());
     }
-    // Last, so that a folder with a summary is complete.
     writeFile(files.path("summary.json"), reportJson(report).toStdString(), files.overwrite);
 }
 
@@ -133,10 +144,8 @@ ExitCode runBlow(const Arguments& arguments) {
                            "--si: " + path + " is given by its dimensionless groups and has no SI units");
     prepare(files);
 
-    const Interruption interruption;
     const BlowReport report =
-        solve(document.scenario, files.directory.empty() ? Detail::summary : Detail::histories);
-    interruption.check();
+        solveInterruptibly(document.scenario, files.directory.empty() ? Detail::summary : Detail::histories);
     if (report.impact.outcome != Outcome::rebounded) {
         if (json) print(report, {}, json);
         throw CommandError(ExitCode::unsolvedOrFailed,

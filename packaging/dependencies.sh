@@ -1,7 +1,7 @@
 # Sourced by run and test: installs what is missing on Debian 12, or says which command would.
 
-build_packages=(g++ cmake ninja-build qt6-base-dev qt6-svg-dev libqcustomplot-dev libyaml-cpp-dev libgl-dev
-    fonts-dejavu-core)
+build_packages=(g++ cmake ninja-build qt6-base-dev qt6-svg-dev libqcustomplot-dev libeigen3-dev libyaml-cpp-dev
+    libgl-dev fonts-dejavu-core)
 test_packages=(locales)
 
 is_installed() {
@@ -20,7 +20,7 @@ require_packages() {
     local install=(apt-get install -y --no-install-recommends "${missing[@]}")
     if [ "$(id -u)" -ne 0 ]; then
         if ! sudo -n true 2>/dev/null; then
-            echo "packages are missing; run this as root, then try again: ${install[*]}" >&2
+            echo "packages are missing; run this as root, then try again: apt-get update && ${install[*]}" >&2
             exit 1
         fi
         as_root=(sudo)
@@ -32,7 +32,7 @@ require_packages() {
         "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive "${install[@]}"; } >"$log" 2>&1; then
         tail -n 5 "$log" >&2
         rm -f "$log"
-        echo "packages could not be installed; check the network, or run as root: ${install[*]}" >&2
+        echo "packages could not be installed; check the network, or run as root: apt-get update && ${install[*]}" >&2
         exit 1
     fi
     rm -f "$log"
