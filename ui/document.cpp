@@ -95,8 +95,7 @@ QString Document::whyNot(const Parameter& parameter, double si) const {
     Scenario changed = m_scenario;
     parameter.assign(changed, si);
     const std::vector<Problem> problems = validate(changed);
-    return problems.empty() ? QString()
-                            : tr("cannot be that: %1").arg(QString::fromStdString(problems.front().text));
+    return problems.empty() ? QString() : QString::fromStdString(problems.front().text);
 }
 
 void Document::assign(const Parameter& parameter, double si, int gesture) {

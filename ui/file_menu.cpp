@@ -118,7 +118,7 @@ bool FileMenu::saveTo(const QString& path) {
 }
 
 bool FileMenu::succeeded(const QString& what, const QString& problem) {
-    if (!problem.isEmpty()) m_questions.tell(m_window, what, problem);
+    if (!problem.isEmpty()) m_questions.tell(m_window, Questions::Tone::failure, what, problem);
     return problem.isEmpty();
 }
 

@@ -100,7 +100,7 @@ void MainWindow::addMenus() {
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     help->addAction(tr("&About Drillwave"), this, [this] {
         m_questions->tell(
-            this, tr("Drillwave %1").arg(QLatin1String(versionText)),
+            this, Questions::Tone::information, tr("Drillwave %1").arg(QLatin1String(versionText)),
             tr("Percussive rock drilling: waves in the rod, the impact on the rock, the rebound.\n"
                "Free software under the GNU General Public License, version 3 or later."));
     });

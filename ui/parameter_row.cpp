@@ -44,7 +44,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTit
     connect(m_field, &QuantityField::cleared, this, &ParameterRow::cleared);
     connect(m_field, &QuantityField::editsEnded, this, &ParameterRow::editsEnded);
     connect(m_field, &QuantityField::problemShown, m_message, [this](const QString& problem) {
-        m_message->setText(QStringLiteral("⚠ ") + m_label->text() + QLatin1Char(' ') + problem);
+        m_message->setText(QStringLiteral("⚠ ") + m_label->text() + QStringLiteral(": ") + problem);
         m_message->setVisible(!problem.isEmpty() && m_field->isVisibleTo(m_field->parentWidget()));
     });
     connect(m_slider, &QuantitySlider::valueDragged, this,

@@ -61,6 +61,10 @@ QuantityField::QuantityField(Quantity quantity, const Unit& unit, QWidget* paren
     if (unitsOf(quantity).size() > 1) createUnitButton(parent);
 }
 
+QuantityField::~QuantityField() {
+    delete m_unitButton;
+}
+
 void QuantityField::createUnitButton(QWidget* parent) {
     m_unitButton = new UnitButton(parent);
     m_unitButton->setText(shownUnitName(m_unit->name));

@@ -2,15 +2,16 @@
 #pragma once
 
 #include <QAbstractSpinBox>
+#include <QPointer>
 #include <QString>
 #include <QTimer>
+#include <QToolButton>
 #include <functional>
 #include <optional>
 
 #include "core/model/units.h"
 
 class QAction;
-class QToolButton;
 
 namespace drillwave {
 
@@ -24,6 +25,7 @@ class QuantityField : public QAbstractSpinBox {
     using Check = std::function<QString(double)>;
 
     QuantityField(Quantity quantity, const Unit& unit, QWidget* parent = nullptr);
+    ~QuantityField() override;
 
     /// The value in SI; nothing where an optional quantity is not given.
     std::optional<double> value() const { return m_value; }
@@ -39,8 +41,8 @@ class QuantityField : public QAbstractSpinBox {
     const Unit& unit() const { return *m_unit; }
     /// Changes what is shown, not the value.
     void setUnit(const Unit& unit);
-    /// Shows the unit and offers the others (also by Alt+Down in the field); nullptr for a ratio. Belongs to
-    /// the parent of this field.
+    /// Shows the unit and offers the others (also by Alt+Down in the field); nullptr for a ratio. To be
+    /// laid out beside the field; it goes with it.
     QToolButton* unitButton() const { return m_unitButton; }
 
     /// Why the text is not taken, empty when it is.
@@ -95,7 +97,7 @@ class QuantityField : public QAbstractSpinBox {
     QTimer m_markTimer;
     QTimer m_stepTimer;
     QAction* m_mark = nullptr;
-    QToolButton* m_unitButton = nullptr;
+    QPointer<QToolButton> m_unitButton;
 };
 
 }  // namespace drillwave

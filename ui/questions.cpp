@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFileDialog>
+#include <QGridLayout>
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <cstdio>
@@ -54,15 +55,18 @@ QString DialogQuestions::fileToSave(QWidget* parent, const QString& suggestion) 
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
-void DialogQuestions::tell(QWidget* parent, const QString& what, const QString& details) {
+void DialogQuestions::tell(QWidget* parent, Tone tone, const QString& what, const QString& details) {
     if (!someoneIsThere()) {
         std::fprintf(stderr, "%s: %s\n", qPrintable(what), qPrintable(details));
         return;
     }
-    auto* box = new QMessageBox(QMessageBox::Information, QCoreApplication::applicationName(), what,
-                                QMessageBox::Ok, parent);
+    auto* box = new QMessageBox(tone == Tone::failure ? QMessageBox::Warning : QMessageBox::Information,
+                                tr("Drillwave"), what, QMessageBox::Ok, parent);
     box->setInformativeText(details);
     box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    // Lines that begin with a path need width.
+    auto* layout = static_cast<QGridLayout*>(box->layout());
+    layout->addItem(new QSpacerItem(520, 0), layout->rowCount(), 0, 1, layout->columnCount());
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
 }

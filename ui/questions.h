@@ -10,6 +10,7 @@ namespace drillwave {
 class Questions {
   public:
     enum class Unsaved { save, discard, cancel };
+    enum class Tone { information, failure };
 
     virtual ~Questions() = default;
     /// What to do with changes that would be lost.
@@ -18,8 +19,8 @@ class Questions {
     virtual QString fileToOpen(QWidget* parent, const QString& folder) = 0;
     /// Where to save, overwriting confirmed; empty when the user gave up.
     virtual QString fileToSave(QWidget* parent, const QString& suggestion) = 0;
-    /// Tells of a failure or gives information, without waiting for the user.
-    virtual void tell(QWidget* parent, const QString& what, const QString& details) = 0;
+    /// Tells of a failure, or gives information, without waiting for the user.
+    virtual void tell(QWidget* parent, Tone tone, const QString& what, const QString& details) = 0;
 };
 
 /// Asks by dialogs. On a platform without a screen nobody could answer, so there every question is answered
@@ -30,7 +31,7 @@ class DialogQuestions : public Questions {
     Unsaved unsavedChanges(QWidget* parent, const QString& name) override;
     QString fileToOpen(QWidget* parent, const QString& folder) override;
     QString fileToSave(QWidget* parent, const QString& suggestion) override;
-    void tell(QWidget* parent, const QString& what, const QString& details) override;
+    void tell(QWidget* parent, Tone tone, const QString& what, const QString& details) override;
 };
 
 }  // namespace drillwave

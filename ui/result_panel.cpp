@@ -1,6 +1,6 @@
 #include "ui/result_panel.h"
 
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QScrollBar>
 #include <QSet>

@@ -10,7 +10,6 @@
 #include "ui/section_box.h"
 #include "ui/solved_blow.h"
 
-class QFormLayout;
 class QTableView;
 
 namespace drillwave {

@@ -25,7 +25,7 @@ class ScriptedQuestions : public Questions {
     }
     QString fileToOpen(QWidget* /*parent*/, const QString& /*folder*/) override { return m_answers.open; }
     QString fileToSave(QWidget* /*parent*/, const QString& /*suggestion*/) override { return m_answers.save; }
-    void tell(QWidget* /*parent*/, const QString& what, const QString& details) override {
+    void tell(QWidget* /*parent*/, Tone /*tone*/, const QString& what, const QString& details) override {
         m_answers.told.append(what + QLatin1Char('\n') + details);
     }
 

@@ -33,6 +33,13 @@ double largestMagnitude(const GraphData& data) {
     return largest;
 }
 
+// Adaptive sampling draws steep parts of a curve as a saw; only very long curves are worth that.
+void setData(QCPGraph& graph, const GraphData& data) {
+    constexpr int manyPoints = 50000;
+    graph.setAdaptiveSampling(data->size() > manyPoints);
+    graph.setData(data);
+}
+
 }  // namespace
 
 BlowPlots::BlowPlots(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
@@ -93,8 +100,6 @@ void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGr
         QCPGraph* graph =
             m_plot->addGraph(added.rect->axis(QCPAxis::atBottom), added.rect->axis(QCPAxis::atLeft));
         graph->setName(name);
-        // It would draw steep parts of a curve as a saw.
-        graph->setAdaptiveSampling(false);
         graph->addToLegend(added.legend);
         added.graphs.append(graph);
     }
@@ -115,10 +120,10 @@ void BlowPlots::linkTimeAxes() {
 
 void BlowPlots::show(const BlowCurves& curves) {
     for (std::size_t i = 0; i < curves.waves.size(); ++i)
-        m_plots[waves].graphs[static_cast<qsizetype>(i)]->setData(curves.waves[i]);
-    m_plots[force].graphs.first()->setData(curves.force);
-    m_plots[impulse].graphs.first()->setData(curves.impulse);
-    m_plots[momentumOfRod].graphs.first()->setData(curves.momentum);
+        setData(*m_plots[waves].graphs[static_cast<qsizetype>(i)], curves.waves[i]);
+    setData(*m_plots[force].graphs.first(), curves.force);
+    setData(*m_plots[impulse].graphs.first(), curves.impulse);
+    setData(*m_plots[momentumOfRod].graphs.first(), curves.momentum);
     m_message->setVisible(false);
     const bool unitsChanged = !(m_units == curves.units);
     m_units = curves.units;

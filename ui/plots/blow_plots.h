@@ -26,9 +26,6 @@ class BlowPlots : public QObject {
     void setStyle(const PlotStyle& style);
     /// All curves in view.
     void fit();
-    /// Whether the next curves are fitted: true until the user zooms or pans.
-    bool isFitted() const { return m_fitted; }
-
     /// What the plots show, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
     QCPAxisRect* axisRect(int index) const { return m_plots.at(static_cast<std::size_t>(index)).rect; }
@@ -50,7 +47,7 @@ class BlowPlots : public QObject {
     QCPItemText* m_message;
     ShownUnits m_units;
     double m_timeEnd = 1;
-    bool m_fitted = true;
+    bool m_fitted = true;  // until the user zooms or pans
     bool m_fitting = false;
     QString m_summary;
 };
