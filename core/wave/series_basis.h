@@ -6,6 +6,7 @@
 #include "core/wave/compensated_sum.h"
 #include "core/wave/impact.h"
 #include "core/wave/power_series.h"
+#include "core/wave/series_joiner.h"
 
 namespace drillwave {
 
@@ -33,14 +34,7 @@ class SeriesBasis {
     void begin(const PulseForce& pulse, const Groups& groups) {
         m_scale = std::max(Real(pulse.peak), 1 / (2 * Real(groups.tau)));
         if (!pulse.isRigidBody() && groups.tau >= 0.5) m_scale = Real(pulse.peak);
-        m_softForce = Real(std::sqrt(groups.beta / groups.tau));
-        m_relativePeak = Real(std::sqrt(groups.beta * groups.tau));
-        m_worstJoint = 0;
-        m_fastest = Real(groups.beta) / Real(groups.gamma);
-        // of the order of the round trips in contact: the more there are, the more each may err
-        const double trips = 1.6 / std::sqrt(groups.beta * groups.tau);
-        m_tolerance = Real(1e-17) * Real(std::max(1.0, trips / 100)) * std::numeric_limits<Real>::epsilon() /
-                      Real(std::numeric_limits<double>::epsilon());
+        m_joiner.begin(groups);
         m_negligible = std::ldexp(m_scale, std::numeric_limits<Real>::digits == 53 ? -62 : -80);
     }
     /// How many pieces a round trip may have before joining them is worth the effort.
@@ -50,9 +44,7 @@ class SeriesBasis {
     void stall() const {}
     Real negligibleForce() const { return m_negligible; }
     /// Rounding of a sum of impulses of order one.
-    Real momentumNoise() const {
-        return 4 * std::numeric_limits<Real>::epsilon() + 4 * m_worstJoint * m_relativePeak;
-    }
+    Real momentumNoise() const { return 4 * std::numeric_limits<Real>::epsilon() + m_joiner.peakError(); }
 
     Piece constant(Real length, Real value) const {
         Piece f = Piece::zero(length);
@@ -191,46 +183,7 @@ class SeriesBasis {
 
     void tidy(Piece& piece) const { piece.trim(m_negligible); }
 
-    /// Joins `next` to `last` where one series follows both closely enough; true when done. The mean is kept,
-    /// so that only a·|deviation|·(its length)·(whole length) can reach the impulse: that is added to
-    /// `error`.
-    bool join(Piece& last, const Piece& next, Real& error) {
-        const Real whole = last.length + next.length;
-        if (m_fastest * whole > Real(0.5)) return false;
-        const bool forward = last.length >= next.length;  // the longer piece is extended over the shorter
-        Piece longer = forward ? last : next;
-        Piece shorter = forward ? next : last;
-        if (std::abs(longer.startValue() - shorter.startValue()) * m_fastest * shorter.length * whole >
-                4 * m_tolerance &&
-            longer.count <= 1 && shorter.count <= 1)
-            return false;
-        Piece extended = longer;
-        extended.dropFront(forward ? last.length : -last.length);
-        Piece deviation = extended;
-        deviation.rescale(shorter.length);
-        shorter.rescale(shorter.length);
-        for (int k = deviation.count; k < shorter.count; ++k) deviation.c[k] = 0;
-        deviation.count = std::max(deviation.count, shorter.count);
-        for (int k = 0; k < deviation.count; ++k)
-            deviation.c[k] = (k < shorter.count ? shorter.c[k] : Real(0)) - deviation.c[k];
-        const Real size = deviation.magnitude();
-        const Real effect = m_fastest * size * shorter.length * whole;
-        if (effect > m_tolerance || size > Real(1e-9) * m_softForce) return false;
-        const Real mean = deviation.integral(shorter.length) / whole;
-        Piece& joined = forward ? longer : extended;
-        joined.length = whole;
-        joined.rescale(whole);
-        if (joined.count == 0) {
-            joined.count = 1;
-            joined.c[0] = 0;
-        }
-        joined.c[0] += mean;
-        if (joined.magnitude() > 2 * (last.magnitude() + next.magnitude())) return false;  // would cancel
-        last = joined;
-        error += effect;
-        m_worstJoint = std::max(m_worstJoint, size * shorter.length);
-        return true;
-    }
+    bool join(Piece& last, const Piece& next, Real& error) { return m_joiner.join(last, next, error); }
 
     static Real productIntegral(const Piece& f, const Piece& g, Real length) {
         return Piece::productIntegral(f, g, length);
@@ -354,14 +307,10 @@ class SeriesBasis {
         return (converged && size <= 256 * m_scale) || g.length * m_scale < m_negligible;
     }
 
-    Real m_scale = 1;         ///< largest wave force of this blow
-    Real m_negligible = 0;    ///< what is dropped
-    Real m_fastest = 0;       ///< β/γ
-    Real m_softForce = 0;     ///< √(β/τ), about the peak force on a soft rock
-    Real m_relativePeak = 0;  ///< √(βτ), about β over the peak force of a soft rock
-    Real m_worstJoint = 0;    ///< largest impulse that joining displaced: the peak force errs by β times it
-    Real m_tolerance = 0;     ///< of the effect of joining two pieces on the impulse
-    Real m_layer = 0;         ///< distance of F from the slow solution
+    Real m_scale = 1;       ///< largest wave force of this blow
+    Real m_negligible = 0;  ///< what is dropped
+    Real m_layer = 0;       ///< distance of F from the slow solution
+    SeriesJoiner<Real> m_joiner;
     Piece m_hammer;
     Response m_response;
 };
