@@ -65,7 +65,10 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     present(m_job->solveNow(request()));
 }
 
-MainWindow::~MainWindow() = default;
+// Fields that lose the focus hand their edits over: while the document is still there.
+MainWindow::~MainWindow() {
+    hide();
+}
 
 void MainWindow::addDocks() {
     const auto addDock = [this](const QString& title, const QString& name, QWidget* content,

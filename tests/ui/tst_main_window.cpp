@@ -67,6 +67,8 @@ class TestMainWindow : public QObject {
     void theSectionOfTheWavesCanBeMoved();
     void theShapeOfThePulseChangesItsRows();
     void everyExampleOpensSolved();
+    void aWindowCanGoWhileAFieldIsEdited_data();
+    void aWindowCanGoWhileAFieldIsEdited();
 
   private:
     MainWindow& window() { return *m_window; }
@@ -350,6 +352,24 @@ void TestMainWindow::everyExampleOpensSolved() {
         QTRY_COMPARE(window().shown()->request.scenario, window().document().scenario());
         QCOMPARE(window().shown()->problem, QString());
     }
+}
+
+void TestMainWindow::aWindowCanGoWhileAFieldIsEdited_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("title") << "title";
+    QTest::newRow("quantity") << "rod.length";
+}
+
+// The last thing a field does is to lose the focus and to hand over its edits: to a document that must still
+// be there.
+void TestMainWindow::aWindowCanGoWhileAFieldIsEdited() {
+    QFETCH(QString, name);
+    auto* edited = window().scenarioPanel().findChild<QWidget*>(name);
+    edited->setFocus();
+    QVERIFY(edited->hasFocus());
+    QTest::keyClicks(edited, QStringLiteral("1"));
+    m_window.reset();
+    QVERIFY(!QApplication::focusWidget());
 }
 
 QTEST_MAIN(TestMainWindow)
