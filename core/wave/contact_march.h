@@ -37,6 +37,10 @@ class ContactMarch {
     };
     enum class Progress { goesOn, finished };
 
+    /// Layers thinner than this are below the rounding of time; taking them so thick moves e by less than
+    /// 1e-13.
+    static constexpr Real fastestRate = Real(1e15);
+
     static constexpr std::size_t mostWaiting = 400'000;
 
     void begin(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact);
@@ -117,8 +121,8 @@ void ContactMarch<Basis>::begin(const PulseForce& pulse, const Groups& groups, D
     m_pulse = &pulse;
     m_impact = &impact;
     m_detail = detail;
-    m_beta = groups.beta;
-    m_unloadingRate = Real(groups.beta) / Real(groups.gamma);
+    m_beta = std::min(Real(groups.beta), fastestRate);
+    m_unloadingRate = std::min(Real(groups.beta) / Real(groups.gamma), fastestRate);
     m_elasticRock = groups.gamma == 1;
     m_roundTrip = 2 * Real(groups.tau);
     m_arrival = pulse.isRigidBody() ? Real(0) : Real(groups.tau);
