@@ -43,14 +43,25 @@ GraphData waveData(const SampledCurve& wave, const ShownUnits& units) {
     return graphData(points);
 }
 
+void cutAt(QVector<QCPGraphData>& points, double end) {
+    const auto behind =
+        std::find_if(points.begin(), points.end(), [end](const auto& point) { return point.key > end; });
+    if (behind == points.begin() || behind == points.end()) return;
+    const QCPGraphData& before = *(behind - 1);
+    const double share = (end - before.key) / (behind->key - before.key);
+    *behind = QCPGraphData(end, before.value + share * (behind->value - before.value));
+    points.erase(behind + 1, points.end());
+}
+
 // A history at the bit: nothing before the first front arrives, constant after its end.
-GraphData historyData(QVector<QCPGraphData> points, double timeEnd) {
+GraphData historyData(QVector<QCPGraphData> points, double timeEnd, Tail tail) {
     if (points.isEmpty()) return graphData(points);
     if (points.first().key > 0) {
         points.prepend(QCPGraphData(points.first().key, 0));
         points.prepend(QCPGraphData(0, 0));
     }
     if (points.last().key < timeEnd) points.append(QCPGraphData(timeEnd, points.last().value));
+    if (tail == Tail::cut) cutAt(points, timeEnd);
     return graphData(points);
 }
 
@@ -107,8 +118,8 @@ double interestingEnd(const Impact& impact, const PulseForce& pulse, const std::
 
 }  // namespace
 
-BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const ShownUnits& units,
-                      double section) {
+BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const ShownUnits& units, double section,
+                      Tail tail) {
     BlowCurves curves;
     curves.units = units;
     curves.section = section;
@@ -118,10 +129,11 @@ BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const Shown
         curves.waves[static_cast<std::size_t>(wave.number)] = waveData(wave.curve, units);
     curves.timeEnd = interestingEnd(impact, pulse, waves) * units.time.factor;
     const SampledHistory history = sampleHistory(impact);
-    curves.force = historyData(scaled(history.time, history.force, units.time, units.force), curves.timeEnd);
+    curves.force =
+        historyData(scaled(history.time, history.force, units.time, units.force), curves.timeEnd, tail);
     curves.impulse =
-        historyData(scaled(history.time, history.impulse, units.time, units.impulse), curves.timeEnd);
-    curves.momentum = historyData(momentumPoints(impact, pulse, history.time, units), curves.timeEnd);
+        historyData(scaled(history.time, history.impulse, units.time, units.impulse), curves.timeEnd, tail);
+    curves.momentum = historyData(momentumPoints(impact, pulse, history.time, units), curves.timeEnd, tail);
     return curves;
 }
 

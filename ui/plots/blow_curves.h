@@ -28,7 +28,11 @@ struct BlowCurves {
     double timeEnd = 0;                      ///< until then something happens; the curves may go on
 };
 
+/// Whether curves go on behind `timeEnd`, to be panned to, or end there, for formats that do not clip.
+enum class Tail { kept, cut };
+
 /// Requires an impact solved with Detail::histories.
-BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const ShownUnits& units, double section);
+BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const ShownUnits& units, double section,
+                      Tail tail = Tail::kept);
 
 }  // namespace drillwave

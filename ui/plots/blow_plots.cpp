@@ -76,7 +76,6 @@ void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGr
     added.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
     added.legend->setMargins(QMargins(index == waves ? 10 : 0, 0, 0, 0));
     added.legend->setColumnSpacing(8);
-    added.legend->setIconTextPadding(4);
     added.legend->setIconSize(20, 12);
     header->addElement(0, 0, added.title);
     header->addElement(0, 1, added.legend);

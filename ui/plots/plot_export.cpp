@@ -60,7 +60,10 @@ QByteArray svg(QCustomPlot& plot, Millimetres size, const QString& title) {
     painter.begin(&generator);
     paint(plot, painter, size.pixels());
     painter.end();
-    return buffer.data();
+    // Readers that do not have the font shall take another one without serifs.
+    const QByteArray family = PlotStyle::forPaper().font.family().toUtf8();
+    QByteArray bytes = buffer.data();
+    return bytes.replace("font-family=\"" + family + "\"", "font-family=\"" + family + ", sans-serif\"");
 }
 
 QByteArray pdf(QCustomPlot& plot, Millimetres size, const QString& title) {
@@ -142,7 +145,7 @@ QStringList writeBlowPlots(const Scenario& scenario, const Impact& impact, UnitS
     blowPlot.setLocale(QLocale::c());
     BlowPlots blow(&blowPlot);
     blow.setStyle(style);
-    blow.show(blowCurves(impact, pulseForceOf(scenario), shown, 0.5));
+    blow.show(blowCurves(impact, pulseForceOf(scenario), shown, 0.5, Tail::cut));
     QCustomPlot rockPlot;
     rockPlot.setLocale(QLocale::c());
     RockPlot rock(&rockPlot);

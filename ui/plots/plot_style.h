@@ -23,6 +23,7 @@ struct PlotStyle {
     QColor lines[lineKinds];  ///< contrast of at least 4.5 with the background
     QFont font;               ///< size in pixels, so that files look the same at any resolution
     double lineWidth = 1.6;   ///< [px]
+    int legendGap = 4;        ///< between line and name [px]
 
     /// Light or dark after the palette of a widget.
     static PlotStyle forScreen(const QPalette& palette, const QFont& font);

@@ -62,6 +62,7 @@ class TestBlowCurves : public QObject {
     void aWaveEndsBeforeTheJumpOfTheNext();
     void curvesScaleWithTheirUnits();
     void everyPointIsFinite();
+    void aCutTailEndsOnTheCurve();
     void theRockCurveEnclosesTheRockWork();
 };
 
@@ -124,6 +125,16 @@ void TestBlowCurves::everyPointIsFinite() {
          {curves.waves[0], curves.waves[3], curves.force, curves.impulse, curves.momentum})
         for (auto point = data->constBegin(); point != data->constEnd(); ++point)
             QVERIFY(std::isfinite(point->key) && std::isfinite(point->value));
+}
+
+void TestBlowCurves::aCutTailEndsOnTheCurve() {
+    const Solved blow = solved({0.5, 0.3, 0.4, 0}, PulseShape::exponential);
+    const ShownUnits units = shownUnits(UnitSystem::dimensionless, {});
+    const BlowCurves kept = blowCurves(blow.impact, blow.pulse, units, 0.5);
+    const BlowCurves cut = blowCurves(blow.impact, blow.pulse, units, 0.5, Tail::cut);
+    QVERIFY((kept.momentum->constEnd() - 1)->key > kept.timeEnd);
+    QCOMPARE((cut.momentum->constEnd() - 1)->key, cut.timeEnd);
+    QVERIFY(std::abs(last(cut.momentum) - valueAt(kept.momentum, cut.timeEnd)) < 1e-12);
 }
 
 void TestBlowCurves::theRockCurveEnclosesTheRockWork() {

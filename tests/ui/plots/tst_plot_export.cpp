@@ -27,7 +27,8 @@ QString textsOf(const QByteArray& svg) {
     QXmlStreamReader xml(svg);
     QString texts;
     while (!xml.atEnd())
-        if (xml.readNext() == QXmlStreamReader::Characters) texts += xml.text().toString().trimmed() + QLatin1Char('\n');
+        if (xml.readNext() == QXmlStreamReader::Characters)
+            texts += xml.text().toString().trimmed() + QLatin1Char('\n');
     return texts;
 }
 
