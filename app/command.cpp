@@ -7,8 +7,8 @@
 namespace drillwave {
 
 std::span<const Command* const> commands() {
-    static const std::array all{&runCommand(), &sweepCommand(), &tableCommand(), &validateCommand(),
-                                &examplesCommand()};
+    static const std::array all{&runCommand(),       &sweepCommand(),    &tableCommand(),
+                                &stabilityCommand(), &validateCommand(), &examplesCommand()};
     return all;
 }
 

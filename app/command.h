@@ -28,6 +28,7 @@ struct Command {
 const Command& runCommand();
 const Command& sweepCommand();
 const Command& tableCommand();
+const Command& stabilityCommand();
 const Command& validateCommand();
 const Command& examplesCommand();
 

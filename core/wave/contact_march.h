@@ -44,6 +44,7 @@ class ContactMarch {
     static constexpr std::size_t mostWaiting = 400'000;
 
     void begin(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact);
+    bool isSliver(const Piece& piece);
     void nextArrival();
     void advanceApart();
     void advanceContact();
@@ -152,26 +153,36 @@ void ContactMarch<Basis>::begin(const PulseForce& pulse, const Groups& groups, D
     if (pulse.isRigidBody()) impact.hammerWork = double(1 / m_roundTrip);  // ½ m v0²: the rod arrives with it
 }
 
+/// Whether a piece is but the rounding between two breakpoints that coincide; its impulse counts as error.
+template <class Basis>
+bool ContactMarch<Basis>::isSliver(const Piece& piece) {
+    const Real coincident = 4 * std::numeric_limits<Real>::epsilon() * (m_roundTrip + m_hammerTime);
+    if (piece.length > coincident) return false;
+    const Real impulse = piece.magnitude() * piece.length;
+    if (impulse > std::numeric_limits<Real>::epsilon() / 2) return false;
+    m_error += impulse;
+    return true;
+}
+
 /// Takes the next piece of the incident wave and adds the hammer force that arrives with it. Ends of pieces
 /// that coincide within rounding are taken as one.
 template <class Basis>
 void ContactMarch<Basis>::nextArrival() {
-    const Real coincident = 4 * std::numeric_limits<Real>::epsilon() * (m_roundTrip + m_hammerTime);
-    while (m_waves.front().length <= coincident && m_waves.size() > 1) m_waves.popFront();
+    while (m_waves.size() > 1 && isSliver(m_waves.front())) m_waves.popFront();
     m_incident = m_waves.front();
     if (m_hammerPiece >= m_pulse->segments.size()) {
         m_waves.popFront();
         return;
     }
+    const Real coincident = 4 * std::numeric_limits<Real>::epsilon() * (1 + m_hammerTime);
     const PulseSegment& segment = m_pulse->segments[m_hammerPiece];
     const Real into = m_hammerTime - Real(segment.start);
     const Real left = std::max(Real(segment.length) - into, coincident);
-    Real length = std::min(m_basis.hammerPieceLength(segment, left), m_incident.length);
-    if (m_incident.length - length > coincident) {
+    const Real length = std::min(m_basis.hammerPieceLength(segment, left), m_incident.length);
+    if (m_incident.length > length) {
         m_waves.front().dropFront(length);
         m_incident.shorten(length);
     } else {
-        length = m_incident.length;
         m_waves.popFront();
     }
     const Piece& hammer = m_basis.addHammer(segment, into, length, m_incident);
