@@ -106,6 +106,10 @@ double impactImpulse(const Impact& impact, double s) {
     return impact.force.integral(recordedTime(impact, s));
 }
 
+double timeOfRecorded(const Impact& impact, double recorded) {
+    return recorded + unrecordedBefore(impact, recorded);
+}
+
 double positiveWave(const Impact& impact, double xi, double t) {
     return -incidentWave(impact, t - impact.frontArrival + (1 - xi) * impact.roundTrip / 2);
 }

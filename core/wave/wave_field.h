@@ -21,6 +21,9 @@ double impactForce(const Impact& impact, double s);
 /// Impulse of the impact force up to s, ∫F.
 double impactImpulse(const Impact& impact, double s);
 
+/// The time s at which a point of the recording was reached: later by the periods left out before it.
+double timeOfRecorded(const Impact& impact, double recorded);
+
 /// Np(ξ, t) = −g(s = t − ξτ): the wave to +x, tension positive.
 double positiveWave(const Impact& impact, double xi, double t);
 
