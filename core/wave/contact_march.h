@@ -36,6 +36,12 @@ class ContactMarch {
         elastic,  ///< below the largest force so far, rate β/γ
     };
     enum class Progress { goesOn, finished };
+    enum class Ending { none, separation, unloading, primaryLoading };
+    struct Stretch {
+        Real length;
+        Ending ending;
+    };
+    using Response = typename Basis::Response;
 
     /// Layers thinner than this are below the rounding of time; taking them so thick moves e by less than
     /// 1e-13.
@@ -48,7 +54,9 @@ class ContactMarch {
     bool isSliver(const Piece& piece);
     void nextArrival();
     void advanceApart();
+    Stretch firstEvent(Response& response);
     void advanceContact();
+    void changeBranch(Ending ending, Real length);
     Progress flyFree();
     Progress skipPeriods(Real momentum);
     void passPeriods(Real periods);
@@ -92,7 +100,7 @@ class ContactMarch {
     bool m_everTouched = false;
     bool m_touching = false;  ///< apart, but by zero: forceless contact
     bool m_justUnloaded = false;
-    int m_stillEvents = 0;  ///< events in a row without progress in time
+    int m_eventsOnTheSpot = 0;  ///< events in a row without progress in time
     Phase m_phase = Phase::apart;
     Real m_periodsAhead = 0;  ///< periods of free flight still to come before `m_gap` counts
     Real m_gap = 0;           ///< distance still to close, displacement unit I0/Z
@@ -140,7 +148,7 @@ void ContactMarch<Basis>::begin(const PulseForce& pulse, const Groups& groups, D
     m_hammerTime = 0;
     m_hammerPiece = 0;
     m_everTouched = m_touching = m_justUnloaded = false;
-    m_stillEvents = 0;
+    m_eventsOnTheSpot = 0;
     m_phase = Phase::apart;
     // Free flight advances by 2 in each period once the hammer has ended: whole periods of the gap beyond
     // that are kept apart, exactly.

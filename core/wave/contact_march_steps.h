@@ -117,10 +117,37 @@ void ContactMarch<Basis>::advanceApart() {
     closeGap();
 }
 
+/// Where the solved stretch ends: at its first event, or at its end.
+template <class Basis>
+typename ContactMarch<Basis>::Stretch ContactMarch<Basis>::firstEvent(Response& response) {
+    Stretch stretch{response.length, Ending::none};
+    const auto endsAt = [&stretch](const auto& zero, Ending ending) {
+        if (zero.found && (stretch.ending == Ending::none || zero.u < stretch.length))
+            stretch = {zero.u, ending};
+    };
+    if (m_phase == Phase::primary && !m_elasticRock) {
+        endsAt(m_basis.driveVanishes(response), Ending::unloading);
+    } else {
+        endsAt(m_basis.forceVanishes(response), Ending::separation);
+        if (!m_elasticRock)
+            endsAt(m_basis.forceReaches(response, m_peak, m_justUnloaded), Ending::primaryLoading);
+    }
+    if (stretch.length > 0) {
+        m_eventsOnTheSpot = 0;
+        return stretch;
+    }
+    if (++m_eventsOnTheSpot > 1) m_basis.stall();
+    if (m_eventsOnTheSpot > 3 && stretch.ending != Ending::separation) {
+        // two branches that differ by rounding only: either will do
+        stretch = {response.length, Ending::none};
+        if (m_phase == Phase::primary) m_peak = std::max(m_peak, response.force.value(response.length));
+    }
+    return stretch;
+}
+
 /// Contact over the piece now arriving, up to the first event or its end.
 template <class Basis>
 void ContactMarch<Basis>::advanceContact() {
-    const Real rate = m_phase == Phase::primary ? m_beta : m_unloadingRate;
     if (m_incident.isZero() && m_force <= m_basis.negligibleForce()) {
         m_force = 0;  // forceless contact: what is left of an exponential is rounding
         m_phase = Phase::apart;
@@ -128,41 +155,11 @@ void ContactMarch<Basis>::advanceContact() {
         m_gap = 0;
         return;
     }
-    auto& response = m_basis.respond(m_incident, rate, m_force);
+    const Real rate = m_phase == Phase::primary ? m_beta : m_unloadingRate;
+    Response& response = m_basis.respond(m_incident, rate, m_force);
     if (m_basis.failed()) return;
-    Real length = response.length;
-    enum class Ending { none, separation, unloading, primaryLoading } ending = Ending::none;
-    if (m_elasticRock) {
-        if (const auto zero = m_basis.forceVanishes(response); zero.found) {
-            length = zero.u;
-            ending = Ending::separation;
-        }
-    } else if (m_phase == Phase::primary) {
-        if (const auto zero = m_basis.driveVanishes(response); zero.found) {
-            length = zero.u;
-            ending = Ending::unloading;
-        }
-    } else {
-        if (const auto zero = m_basis.forceVanishes(response); zero.found) {
-            length = zero.u;
-            ending = Ending::separation;
-        }
-        if (const auto zero = m_basis.forceReaches(response, m_peak, m_justUnloaded); zero.found)
-            if (ending == Ending::none || zero.u < length) {
-                length = zero.u;
-                ending = Ending::primaryLoading;
-            }
-    }
+    const auto [length, ending] = firstEvent(response);
     if (m_basis.failed()) return;
-    m_stillEvents = length > 0 ? 0 : m_stillEvents + 1;
-    if (m_stillEvents > 1) m_basis.stall();
-    if (m_basis.failed()) return;
-    if (m_stillEvents > 3 &&
-        ending != Ending::separation) {  // branches that differ by rounding only: either will do
-        ending = Ending::none;
-        length = response.length;
-        if (m_phase == Phase::primary) m_peak = std::max(m_peak, response.force.value(length));
-    }
 
     m_basis.endAt(response, length);
     m_impulse += response.force.integral(length);
@@ -172,16 +169,20 @@ void ContactMarch<Basis>::advanceContact() {
             m_impact->rockWork += double(Basis::productIntegral(response.force, response.drive, length));
             if (m_elasticRock) m_peak = std::max(m_peak, m_basis.largest(response, length));
         }
-    const Real force = response.force.value(length);
+    m_force = response.force.value(length);
     leave(response.reflected, response.incident, &response.force, length);
     if (length < m_incident.length)
         m_basis.dropFront(m_incident, response);
     else
         m_incident.length = 0;
+    changeBranch(ending, length);
+}
+
+template <class Basis>
+void ContactMarch<Basis>::changeBranch(Ending ending, Real length) {
     if (length > 0) m_justUnloaded = false;
     switch (ending) {
         case Ending::none:
-            m_force = force;
             break;
         case Ending::separation:
             m_force = 0;
@@ -190,7 +191,7 @@ void ContactMarch<Basis>::advanceContact() {
             separate();
             break;
         case Ending::unloading:
-            m_force = m_peak = std::max(force, m_peak);
+            m_force = m_peak = std::max(m_force, m_peak);
             m_phase = Phase::elastic;
             m_justUnloaded = length > 0;  // at a jump of g, F' is negative at once
             note(ContactEvent::unloading);

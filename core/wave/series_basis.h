@@ -115,7 +115,7 @@ class SeriesBasis {
         Real length = g.length;
         if (alpha > Real(2)) {
             if (alpha >= Real(16 + 4 * g.count) && slowSolution(r, alpha, force)) return r;
-            length = layerLength(g, rate, alpha, force);
+            length = layerLength(g, rate, alpha);
         }
         for (;;) {
             if (r.incident.scale != length) {
@@ -264,11 +264,10 @@ class SeriesBasis {
     }
 
     /// How much of a long piece to take: aℓ = 2 in general, more where only a faint layer remains.
-    Real layerLength(const Piece& g, Real rate, Real alpha, Real force) const {
+    Real layerLength(const Piece& g, Real rate, Real alpha) const {
         if (alpha < Real(16 + 4 * g.count)) return g.length / std::ceil(alpha / 2);
         const Real layer = std::max(m_layer / m_scale, std::numeric_limits<Real>::epsilon());
         const Real wide = 2 * std::exp2(-std::log2(layer) / 28);
-        (void)force;
         return std::min(g.length, std::clamp(wide, Real(2), Real(6)) / rate);
     }
 
