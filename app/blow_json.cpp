@@ -74,7 +74,7 @@ QByteArray reportJson(const BlowReport& report) {
     QJsonObject object{
         {"version", versionText},
         {"title", text(report.scenario.title)},
-        {"method", text(report.method)},
+        {"method", text(name(report.choice.method))},
         {"outcome", solved ? "rebounded" : "not_solved"},
         {"run_time", report.runTime},
         {"groups", groupsJson(groupsOf(report.scenario))},
@@ -84,6 +84,7 @@ QByteArray reportJson(const BlowReport& report) {
         {"pieces", static_cast<qint64>(impact.pieces)},
         {"alerts", alertsJson(report.alerts())},
     };
+    if (report.choice.method == Method::lattice) object["segments"] = report.choice.lattice.segments;
     if (!solved) object["reason"] = text(impact.reason);
     if (report.scenario.form == ScenarioForm::dimensional) object["si"] = siJson(report);
     return QJsonDocument(object).toJson(QJsonDocument::Indented);

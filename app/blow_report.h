@@ -7,6 +7,7 @@
 
 #include "core/model/scenario.h"
 #include "core/model/validation.h"
+#include "core/study/method.h"
 #include "core/wave/impact.h"
 
 namespace drillwave {
@@ -16,7 +17,7 @@ struct BlowReport {
     Scenario scenario;
     Impact impact;                      ///< solved with Detail::summary or more
     double runTime = 0;                 ///< of the solve alone [s]
-    std::string method;                 ///< "exact"
+    MethodChoice choice;                ///< how it was solved
     std::vector<Alert> alerts() const;  ///< of the scenario, and of the result if there is one
 };
 

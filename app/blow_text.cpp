@@ -85,8 +85,10 @@ std::string resultText(const BlowReport& report, const ImpactSummary& summary) {
     const Scales scales = scalesOf(report.scenario);
     const double work = summary.workRatio * scales.energy;
     ResultRows rows(report.scenario);
-    rows.addText("restitution e",
-                 rounded(summary.cor, 12) + "  (error below " + rounded(summary.corError, 2) + ")");
+    rows.addText("restitution e", rounded(summary.cor, 12) +
+                                      (report.choice.method == Method::lattice ? "  (error estimated as "
+                                                                               : "  (error below ") +
+                                      rounded(summary.corError, 2) + ")");
     rows.add("impulse 1 + e", summary.impulse, "I0", scales.impulse, Quantity::impulse);
     rows.add("peak force", summary.peakForce, "F0", scales.force, Quantity::force);
     rows.add("largest penetration", summary.maxPenetration, "d0", scales.penetration, Quantity::length);
@@ -110,6 +112,12 @@ std::string resultText(const BlowReport& report, const ImpactSummary& summary) {
     return rows.text();
 }
 
+std::string methodText(const MethodChoice& choice) {
+    const std::string text(name(choice.method));
+    if (choice.method != Method::lattice) return text;
+    return text + " of " + std::to_string(choice.lattice.segments) + " segments";
+}
+
 }  // namespace
 
 std::string reportText(const BlowReport& report) {
@@ -120,9 +128,10 @@ std::string reportText(const BlowReport& report) {
             rounded(groups.tau) + "  delta " + rounded(groups.delta) + "  pulse " +
             std::string(name(report.scenario.pulse.shape)) + "\n\n";
     text += resultText(report, summarize(impact, groups));
-    text += "\n  method " + report.method + ", " + std::to_string(impact.contacts) +
+    text += "\n  method " + methodText(report.choice) + ", " + std::to_string(impact.contacts) +
             (impact.contacts == 1 ? " contact, " : " contacts, ") + std::to_string(impact.pieces) +
-            " pieces, solved in " + inHandyUnit(report.runTime, Quantity::time) + "\n";
+            (report.choice.method == Method::lattice ? " steps" : " pieces") + ", solved in " +
+            inHandyUnit(report.runTime, Quantity::time) + "\n";
     for (const Alert& alert : report.alerts())
         text += std::string("  ") + (alert.level == AlertLevel::warning ? "warning: " : "note: ") +
                 alert.text + "\n";

@@ -29,6 +29,7 @@ const Command& runCommand();
 const Command& sweepCommand();
 const Command& tableCommand();
 const Command& stabilityCommand();
+const Command& accuracyCommand();
 const Command& validateCommand();
 const Command& examplesCommand();
 

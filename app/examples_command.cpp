@@ -1,5 +1,4 @@
 // drillwave examples [-o DIR] [NAME]…
-#include <QDir>
 #include <cstdio>
 
 #include "app/command.h"
@@ -45,9 +44,7 @@ void print(const std::vector<Example>& examples, OutputFile& out) {
 }
 
 void writeInto(const std::string& directory, const std::vector<Example>& examples, Overwrite overwrite) {
-    if (!QDir().mkpath(QString::fromStdString(directory)))
-        throw CommandError(ExitCode::unwritableOutput,
-                           directory + ": the folder cannot be made; choose another one");
+    makeFolder(directory);
     const auto pathOf = [&](const Example& example) { return directory + "/" + example.name + ".yaml"; };
     for (const Example& example : examples) checkOverwrite(pathOf(example), overwrite);
     for (const Example& example : examples) {

@@ -1,5 +1,6 @@
 #include "app/output_file.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <cstdio>
@@ -34,6 +35,12 @@ void checkOverwrite(const std::string& path, Overwrite overwrite) {
     if ((info.exists() || info.isSymLink()) && overwrite == Overwrite::refused)
         throw CommandError(ExitCode::unwritableOutput,
                            path + ": exists already; use --force to overwrite it or choose another name");
+}
+
+void makeFolder(const std::string& path) {
+    if (!QDir().mkpath(nameOf(path)))
+        throw CommandError(ExitCode::unwritableOutput,
+                           path + ": the folder cannot be made; choose another one with -o");
 }
 
 OutputFile::OutputFile(const std::string& path, Overwrite overwrite) : m_path(path) {

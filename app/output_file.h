@@ -13,6 +13,9 @@ enum class Overwrite { refused, allowed };
 /// Throws CommandError (unwritable output) when a file of that name exists and may not be overwritten.
 void checkOverwrite(const std::string& path, Overwrite overwrite);
 
+/// Makes a folder and those it is in, if they are not there. Throws CommandError (unwritable output).
+void makeFolder(const std::string& path);
+
 /// One output. All failures throw CommandError (unwritable output), at opening already where they can be
 /// known then.
 class OutputFile {

@@ -1,5 +1,4 @@
 // drillwave run FILE
-#include <QDir>
 #include <QFile>
 #include <QStringList>
 #include <algorithm>
@@ -9,11 +8,11 @@
 #include "app/blow_report.h"
 #include "app/command.h"
 #include "app/interruption.h"
+#include "app/method_options.h"
 #include "app/output_file.h"
 #include "app/scenario_argument.h"
 #include "core/file/blow_csv.h"
 #include "core/model/decimal_text.h"
-#include "core/wave/exact_solver.h"
 #include "ui/plots/plot_export.h"
 
 namespace drillwave {
@@ -55,19 +54,10 @@ RunFiles filesOf(const Arguments& arguments) {
     return files;
 }
 
-void checkMethod(const Arguments& arguments) {
-    const std::string method = arguments.value("method").value_or("exact");
-    if (method != "exact")
-        throw CommandError(ExitCode::usage,
-                           "--method " + shortened(method) + ": is not known; this version has: exact");
-}
-
 /// Finds out before anything is computed whether the files can be written.
 void prepare(const RunFiles& files) {
     if (files.directory.empty()) return;
-    if (!QDir().mkpath(QString::fromStdString(files.directory)))
-        throw CommandError(ExitCode::unwritableOutput,
-                           files.directory + ": the folder cannot be made; choose another one with -o");
+    makeFolder(files.directory);
     std::vector<std::string> names{"summary.json", "histories.csv", "events.csv"};
     for (const QString& format : files.plots)
         for (const char* plot : {"blow.", "rock."}) names.push_back(plot + format.toStdString());
@@ -76,16 +66,17 @@ void prepare(const RunFiles& files) {
 
 /// Solves, and times the solve alone: where it is quick, a second time, because the first one pays for fresh
 /// memory.
-BlowReport solve(const Scenario& scenario, Detail detail) {
+BlowReport solve(const Scenario& scenario, Detail detail, const MethodChoice& choice,
+                 const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
     constexpr double quick = 1e-3;
-    BlowReport report{.scenario = scenario, .impact = {}, .runTime = 0, .method = "exact"};
+    BlowReport report{.scenario = scenario, .impact = {}, .runTime = 0, .choice = choice};
     const PulseForce pulse = pulseForceOf(scenario);
     const Groups groups = groupsOf(scenario);
-    ExactSolver solver;
+    MethodSolver solver;
     const auto timedSolve = [&] {
         const auto start = Clock::now();
-        report.impact = solver.solve(pulse, groups, detail);
+        report.impact = solver.solve(pulse, groups, detail, choice, stop);
         report.runTime = std::chrono::duration<double>(Clock::now() - start).count();
     };
     timedSolve();
@@ -95,24 +86,18 @@ BlowReport solve(const Scenario& scenario, Detail detail) {
 
 /// Ctrl-C during the solve ends the command with its own exit code; later it just ends it, as each file is
 /// whole or absent.
-BlowReport solveInterruptibly(const Scenario& scenario, Detail detail) {
+BlowReport solveInterruptibly(const Scenario& scenario, Detail detail, const MethodChoice& choice) {
     const Interruption interruption;
-    BlowReport report = solve(scenario, detail);
+    BlowReport report = solve(scenario, detail, choice, interruption.token());
     interruption.check();
     return report;
-}
-
-/// The scenario as it was solved, complete in itself: points that came from a file are written out.
-std::string completeYaml(ScenarioDocument document) {
-    document.scenario.pulse.tableFile.clear();
-    return writeScenario(document);
 }
 
 void writeFiles(const RunFiles& files, const ScenarioDocument& document, const BlowReport& report) {
     // A folder with a summary is complete: it goes first and comes last.
     QFile::remove(QString::fromStdString(files.path("summary.json")));
     const Scales scales = scalesOf(report.scenario);
-    const std::string header = scenarioHeader(completeYaml(document));
+    const std::string header = scenarioHeader(completeScenarioText(document));
     const PulseForce pulse = pulseForceOf(report.scenario);
     writeFile(files.path("histories.csv"), header + historiesCsv(report.impact, pulse, files.units, scales),
               files.overwrite);
@@ -137,15 +122,16 @@ ExitCode runBlow(const Arguments& arguments) {
     const std::string& path = arguments.operands().front();
     const RunFiles files = filesOf(arguments);
     const bool json = arguments.has("json");
-    checkMethod(arguments);
+    const MethodChoice choice = methodChoice(arguments);
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    checkMethodApplies(choice, document.scenario, path);
     if (files.units == OutputUnits::si && document.scenario.form != ScenarioForm::dimensional)
         throw CommandError(ExitCode::usage,
                            "--si: " + path + " is given by its dimensionless groups and has no SI units");
     prepare(files);
 
-    const BlowReport report =
-        solveInterruptibly(document.scenario, files.directory.empty() ? Detail::summary : Detail::histories);
+    const Detail detail = files.directory.empty() ? Detail::summary : Detail::histories;
+    const BlowReport report = solveInterruptibly(document.scenario, detail, choice);
     if (report.impact.outcome != Outcome::rebounded) {
         if (json) print(report, {}, json);
         throw CommandError(ExitCode::unsolvedOrFailed,
@@ -154,6 +140,18 @@ ExitCode runBlow(const Arguments& arguments) {
     if (!files.directory.empty()) writeFiles(files, document, report);
     print(report, files, json);
     return ExitCode::done;
+}
+
+std::vector<OptionSpec> runOptions() {
+    std::vector<OptionSpec> options{setOption, {"json", "", "print one JSON object in place of the summary"}};
+    for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
+    for (const OptionSpec& option :
+         {OptionSpec{"o", "DIR", "write the files of the run into DIR; - writes none"},
+          OptionSpec{"plots", "png,svg,pdf", "with -o, also plots in these formats"},
+          OptionSpec{"si", "", "with -o, CSV columns in SI units"},
+          OptionSpec{"force", "", "overwrite existing files"}})
+        options.push_back(option);
+    return options;
 }
 
 }  // namespace
@@ -167,13 +165,7 @@ const Command& runCommand() {
             "FILE is a scenario, or a histories.csv or events.csv of an earlier run, which begin with "
             "theirs.\n"
             "With -o, DIR gets summary.json, histories.csv, events.csv and the plots.",
-        .options = {setOption,
-                    {"json", "", "print one JSON object in place of the summary"},
-                    {"method", "exact", "how to solve it; exact is the only method"},
-                    {"o", "DIR", "write the files of the run into DIR; - writes none"},
-                    {"plots", "png,svg,pdf", "with -o, also plots in these formats"},
-                    {"si", "", "with -o, CSV columns in SI units"},
-                    {"force", "", "overwrite existing files"}},
+        .options = runOptions(),
         .leastOperands = 1,
         .mostOperands = 1,
         .draws = [](const Arguments& arguments) { return arguments.has("plots"); },

@@ -65,6 +65,11 @@ bool isKey(const std::string& key) {
 
 }  // namespace
 
+std::string completeScenarioText(ScenarioDocument document) {
+    document.scenario.pulse.tableFile.clear();
+    return writeScenario(document);
+}
+
 ScenarioDocument loadScenarioFile(const std::string& path) {
     try {
         return path.ends_with(".csv") ? loadFromCsv(path) : loadScenario(path);

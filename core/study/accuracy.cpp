@@ -21,12 +21,13 @@ MethodChoice lattice(int segments, LatticeWaves waves) {
 }
 
 /// What is to be measured, in order.
-std::vector<MethodChoice> plan(const PulseForce& pulse, const Groups& groups) {
+std::vector<MethodChoice> plan(const PulseForce& pulse, const Groups& groups,
+                               const std::vector<int>& ladder) {
     std::vector<MethodChoice> choices{{.method = Method::exact, .lattice = {}}};
     if (methodRefusal(Method::closedForm, pulse, groups).empty())
         choices.push_back({.method = Method::closedForm, .lattice = {}});
     for (const LatticeWaves waves : {LatticeWaves::ring, LatticeWaves::moved})
-        for (const int segments : latticeLadder()) choices.push_back(lattice(segments, waves));
+        for (const int segments : ladder) choices.push_back(lattice(segments, waves));
     return choices;
 }
 
@@ -45,13 +46,13 @@ class Study {
     Study(const Scenario& scenario, const std::stop_token& stop, const AccuracyProgress& progress)
         : m_pulse(pulseForceOf(scenario)), m_groups(groupsOf(scenario)), m_stop(stop), m_progress(progress) {}
 
-    Accuracy run() {
+    Accuracy run(const std::vector<int>& ladder) {
         m_result.groups = m_groups;
         m_result.exact = m_solver.solve(m_pulse, m_groups, Detail::histories);
         if (m_result.exact.outcome != Outcome::rebounded) return std::move(m_result);
         solveExtended();
         m_result.residuals = equationResiduals(m_result.exact, m_pulse, m_groups);
-        const std::vector<MethodChoice> choices = plan(m_pulse, m_groups);
+        const std::vector<MethodChoice> choices = plan(m_pulse, m_groups, ladder);
         for (const MethodChoice& choice : choices) m_total += cost(choice);
         for (const MethodChoice& choice : choices) {
             if (m_stop.stop_requested()) break;
@@ -127,10 +128,9 @@ class Study {
 
     /// What follows from several rows.
     void relate() {
-        const auto paper = std::ranges::find_if(m_result.rows, [](const AccuracyRow& row) {
-            return row.choice == lattice(paperSegments, LatticeWaves::moved);
-        });
-        const double paperTime = paper->outcome == Outcome::rebounded ? paper->time.median : unknown;
+        const AccuracyRow* paper = moved(paperSegments);
+        const bool isKnown = paper && paper->outcome == Outcome::rebounded;
+        const double paperTime = isKnown ? paper->time.median : unknown;
         const AccuracyRow* before = nullptr;
         for (AccuracyRow& row : m_result.rows) {
             row.speed = row.outcome == Outcome::rebounded ? paperTime / row.time.median : unknown;
@@ -146,14 +146,18 @@ class Study {
         m_result.latticeOrder = order();
     }
 
+    const AccuracyRow* moved(int segments) const {
+        const auto found =
+            std::ranges::find(m_result.rows, lattice(segments, LatticeWaves::moved), &AccuracyRow::choice);
+        return found == m_result.rows.end() ? nullptr : &*found;
+    }
+
     bool agreesWithMoved(const AccuracyRow& row) const {
-        if (row.choice.method != Method::lattice) return true;
-        const auto moved = std::ranges::find_if(m_result.rows, [&](const AccuracyRow& other) {
-            return other.choice == lattice(row.choice.lattice.segments, LatticeWaves::moved);
-        });
-        if (moved->outcome != Outcome::rebounded || row.outcome != Outcome::rebounded) return true;
-        return moved->cor == row.cor && moved->forceError == row.forceError && moved->pieces == row.pieces &&
-               moved->peakForceError == row.peakForceError && moved->events == row.events;
+        if (row.choice.method != Method::lattice || row.outcome != Outcome::rebounded) return true;
+        const AccuracyRow& other = *moved(row.choice.lattice.segments);
+        if (other.outcome != Outcome::rebounded) return true;
+        return other.cor == row.cor && other.forceError == row.forceError && other.pieces == row.pieces &&
+               other.peakForceError == row.peakForceError && other.events == row.events;
     }
 
     /// Least-squares slope of log error over log N.
@@ -187,9 +191,9 @@ std::vector<int> latticeLadder() {
     return {100, 200, 500, 1'000, 2'000, 5'000, paperSegments, 20'000};
 }
 
-Accuracy measureAccuracy(const Scenario& scenario, const std::stop_token& stop,
-                         const AccuracyProgress& progress) {
-    return Study(scenario, stop, progress).run();
+Accuracy measureAccuracy(const Scenario& scenario, const std::vector<int>& ladder,
+                         const std::stop_token& stop, const AccuracyProgress& progress) {
+    return Study(scenario, stop, progress).run(ladder);
 }
 
 }  // namespace drillwave

@@ -57,9 +57,10 @@ inline constexpr int paperSegments = 10'000;
 /// Told how much of the work is done, 0 … 1.
 using AccuracyProgress = std::function<void(double done)>;
 
-/// Solves, compares and measures. `scenario` must be valid; takes about half a minute, most of it for moved
-/// waves.
-Accuracy measureAccuracy(const Scenario& scenario, const std::stop_token& stop = {},
-                         const AccuracyProgress& progress = {});
+/// Solves, compares and measures. `scenario` must be valid; `ladder` holds numbers of segments in growing
+/// order. Speeds are known only if it holds paperSegments. latticeLadder() takes some ten seconds, most of it
+/// for moved waves.
+Accuracy measureAccuracy(const Scenario& scenario, const std::vector<int>& ladder,
+                         const std::stop_token& stop = {}, const AccuracyProgress& progress = {});
 
 }  // namespace drillwave

@@ -31,7 +31,7 @@ class TestCommandLine : public QObject {
 
 void TestCommandLine::helpAndVersionAreEverywhere_data() {
     QTest::addColumn<QString>("command");
-    for (const char* command : {"", "run", "sweep", "table", "validate", "examples"})
+    for (const char* command : {"", "run", "sweep", "table", "accuracy", "validate", "examples"})
         QTest::newRow(*command ? command : "program") << command;
 }
 
@@ -65,7 +65,23 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("switch with a value") << QStringList{"run", paper, "--json=1"} << 2 << "takes no value";
     QTest::newRow("option twice") << QStringList{"run", paper, "--json", "--json"} << 2 << "given twice";
     QTest::newRow("method that does not exist")
-        << QStringList{"run", paper, "--method", "guess"} << 2 << "this version has: exact";
+        << QStringList{"run", paper, "--method", "guess"} << 2 << "exact, lattice, closed_form";
+    QTest::newRow("segments of no lattice")
+        << QStringList{"run", paper, "--segments", "100"} << 2 << "add --method lattice";
+    QTest::newRow("too few segments")
+        << QStringList{"run", paper, "--method", "lattice", "--segments", "1"} << 2 << "from 10 to 1000000";
+    QTest::newRow("closed form of an inelastic rock")
+        << QStringList{"run", example("paper_fig4b"), "--method", "closed_form"} << 2 << "not gamma = 0.1";
+    QTest::newRow("closed form of overlapping waves")
+        << QStringList{"run", paper, "--method", "closed_form", "--set", "beta=0.001"} << 6 << "overlap";
+    QTest::newRow("lattice too coarse for the rock")
+        << QStringList{"run", paper, "--method", "lattice", "--set", "beta=1e9"} << 6
+        << "it takes at least 5e+09 segments";
+    QTest::newRow("ladder with a hole")
+        << QStringList{"accuracy", paper, "--segments", "100,,200"} << 2 << "as in 100,1000,10000";
+    QTest::newRow("accuracy of what cannot be solved")
+        << QStringList{"accuracy", paper, "--set", "beta=1e-300"} << 6 << "could not be solved";
+    QTest::newRow("accuracy without a file") << QStringList{"accuracy"} << 2 << "needs FILE";
     QTest::newRow("setting without a value")
         << QStringList{"run", paper, "--set", "beta"} << 2 << "needs KEY=VALUE";
     QTest::newRow("setting of nothing")

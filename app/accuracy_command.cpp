@@ -1,0 +1,105 @@
+// drillwave accuracy FILE
+#include <algorithm>
+#include <charconv>
+
+#include "app/accuracy_report.h"
+#include "app/command.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "app/progress_bar.h"
+#include "app/scenario_argument.h"
+#include "core/file/blow_csv.h"
+#include "core/model/decimal_text.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr std::size_t longestLadder = 30;
+
+/// "100,200,500" in growing order.
+std::vector<int> ladderOf(const Arguments& arguments) {
+    const std::optional<std::string> list = arguments.value("segments");
+    if (!list) return latticeLadder();
+    std::vector<int> ladder;
+    for (std::string_view rest = *list; ladder.size() <= longestLadder; rest.remove_prefix(1)) {
+        int segments = 0;
+        const auto read = std::from_chars(rest.data(), rest.data() + rest.size(), segments);
+        if (read.ec != std::errc() || segments < minimumSegments || segments > maximumSegments) break;
+        ladder.push_back(segments);
+        rest.remove_prefix(static_cast<std::size_t>(read.ptr - rest.data()));
+        if (rest.empty()) {
+            std::ranges::sort(ladder);
+            ladder.erase(std::ranges::unique(ladder).begin(), ladder.end());
+            return ladder;
+        }
+        if (rest.front() != ',') break;
+    }
+    throw CommandError(ExitCode::usage, "--segments " + shortened(*list) + ": needs at most " +
+                                            std::to_string(longestLadder) + " whole numbers from " +
+                                            std::to_string(minimumSegments) + " to " +
+                                            std::to_string(maximumSegments) + ", as in 100,1000,10000");
+}
+
+/// With progress on a terminal.
+Accuracy measure(const Scenario& scenario, const std::vector<int>& ladder, const Interruption& interruption) {
+    constexpr double parts = 1000;
+    ProgressBar bar(static_cast<std::uint64_t>(parts), "permille");
+    const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
+    Accuracy accuracy = measureAccuracy(scenario, ladder, interruption.token(), progress);
+    interruption.check();
+    return accuracy;
+}
+
+ExitCode runAccuracy(const Arguments& arguments) {
+    const std::string& path = arguments.operands().front();
+    const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    const std::vector<int> ladder = ladderOf(arguments);
+    const std::string directory = arguments.value("o").value_or(std::string());
+    const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    std::string csvPath;
+    if (!directory.empty()) {
+        csvPath = directory == "-" ? "-" : directory + "/accuracy.csv";
+        if (csvPath != "-") makeFolder(directory);
+        checkOverwrite(csvPath, overwrite);
+    }
+
+    const Interruption interruption;
+    const Accuracy accuracy = measure(document.scenario, ladder, interruption);
+    if (accuracy.exact.outcome != Outcome::rebounded)
+        throw CommandError(ExitCode::unsolvedOrFailed,
+                           path + ": could not be solved: " + accuracy.exact.reason);
+    if (!csvPath.empty())
+        writeFile(csvPath, scenarioHeader(completeScenarioText(document)) + accuracyCsv(accuracy), overwrite);
+    if (csvPath == "-") return ExitCode::done;
+    writeFile("-",
+              arguments.has("json") ? accuracyJson(document.scenario, accuracy).toStdString()
+                                    : accuracyText(document.scenario, accuracy),
+              Overwrite::allowed);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+const Command& accuracyCommand() {
+    static const Command command{
+        .name = "accuracy",
+        .operands = "FILE",
+        .summary = "error against run time, every method and resolution",
+        .details =
+            "Solves the blow exactly, in closed form where that applies, and with the paper's lattice of\n"
+            "100 to 20000 segments, and compares errors and run times. Takes some ten seconds.",
+        .options = {setOption,
+                    {"segments", "A,B,C", "of the lattice, in place of 100 to 20000"},
+                    {"json", "", "print one JSON object in place of the table"},
+                    {"o", "DIR", "also write accuracy.csv into DIR; - prints it instead of the table"},
+                    {"force", "", "overwrite an existing file"}},
+        .leastOperands = 1,
+        .mostOperands = 1,
+        .draws = [](const Arguments&) { return false; },
+        .run = runAccuracy,
+    };
+    return command;
+}
+
+}  // namespace drillwave

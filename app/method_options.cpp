@@ -1,0 +1,40 @@
+#include "app/method_options.h"
+
+#include "app/command_error.h"
+#include "core/model/decimal_text.h"
+#include "core/model/scales.h"
+
+namespace drillwave {
+
+std::vector<OptionSpec> methodOptionSpecs() {
+    return {{"method", "NAME", "how to solve it: exact (if not given), lattice or closed_form"},
+            {"segments", "N", "of the lattice, 10000 as in the paper if not given"}};
+}
+
+MethodChoice methodChoice(const Arguments& arguments) {
+    MethodChoice choice;
+    const std::string given = arguments.value("method").value_or(std::string(name(choice.method)));
+    const std::optional<Method> method = findMethod(given);
+    if (!method) {
+        std::string known;
+        for (const std::string_view one : methodNames())
+            known += (known.empty() ? "" : ", ") + std::string(one);
+        throw CommandError(ExitCode::usage,
+                           "--method " + shortened(given) + ": is not known; choose from " + known);
+    }
+    choice.method = *method;
+    if (arguments.has("segments") && choice.method != Method::lattice)
+        throw CommandError(ExitCode::usage, "--segments is about the lattice; add --method lattice");
+    choice.lattice.segments = static_cast<int>(
+        arguments.number("segments", choice.lattice.segments, minimumSegments, maximumSegments));
+    return choice;
+}
+
+void checkMethodApplies(const MethodChoice& choice, const Scenario& scenario, const std::string& path) {
+    const std::string refusal = methodRefusal(choice.method, pulseForceOf(scenario), groupsOf(scenario));
+    if (!refusal.empty())
+        throw CommandError(ExitCode::usage,
+                           "--method " + std::string(name(choice.method)) + ": " + path + ": " + refusal);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,21 @@
+// --method and --segments.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/arguments.h"
+#include "core/study/method.h"
+
+namespace drillwave {
+
+/// The two options, for a command's table of options.
+std::vector<OptionSpec> methodOptionSpecs();
+
+/// What they choose. Throws CommandError (usage).
+MethodChoice methodChoice(const Arguments& arguments);
+
+/// Throws CommandError (usage) if the method says nothing about this scenario, which `path` names.
+void checkMethodApplies(const MethodChoice& choice, const Scenario& scenario, const std::string& path);
+
+}  // namespace drillwave
