@@ -21,10 +21,11 @@ constexpr double leastWidth = 1e-11;  // of a piece that is still halved
 constexpr int cellsOfPeriod = 8;      // to begin with
 constexpr std::size_t mostHammerCuts = 64;
 constexpr double negligibleImpulse = 1e-13;
-// Limits on the work for results that never become smooth, for each period of the gap.
-constexpr std::uint64_t mostSolves = 60'000;
-constexpr std::uint64_t mostKinks = 500;
-constexpr std::uint64_t mostFailures = 100;
+// Limits on the work for results that never become smooth: where a blow nearly stops the rod, it drifts
+// through any number of periods, and the contacts that follow change with every one of them.
+constexpr std::uint64_t mostSolvesOfCell = 2'000;  // and what earlier cells left over
+constexpr std::uint64_t mostKinksOfCell = 100;
+constexpr std::uint64_t mostFailuresOfCell = 20;
 
 constexpr std::size_t coarseNodes = 9;
 constexpr std::size_t fineNodes = Chebyshev::mostNodes;  // every second one is a coarse node
@@ -185,7 +186,7 @@ Builder::Finding Builder::probe(Nodes& nodes) {
 
 void Builder::refine(const Sample& a, const Sample& b) {
     if (m_stop.stop_requested() || !(b.gap > a.gap)) return;
-    if (m_failures >= mostFailures) return acceptUnsolved(a.gap, b.gap);
+    if (m_failures >= mostFailuresOfCell) return acceptUnsolved(a.gap, b.gap);
     if (b.gap - a.gap <= leastWidth) return acceptAsIs(std::array{a, b});
     if (ordersCount() && a.solved && b.solved && a.order != b.order) return bracketKink(a, b);
 
@@ -282,9 +283,6 @@ GapCurve Builder::build(double start) {
     m_curve.start = std::min(std::floor(start), m_curve.periodStart);
     m_curve.end = m_curve.periodStart + 1;
     m_curve.outputCount = m_detail == Detail::cor ? 1 : gapOutputCount;
-    const auto periods = static_cast<std::uint64_t>(m_curve.end - m_curve.start);
-    m_solveLimit = mostSolves * periods;
-    m_kinksLeft = mostKinks * periods;
     if (m_pulse.isRigidBody()) {
         m_curve.dependsOnGap = false;
         const Sample only = solve(m_curve.start);
@@ -296,6 +294,9 @@ GapCurve Builder::build(double start) {
     Sample a = solve(m_curve.start);
     for (const double cut : firstCuts()) {
         if (cut <= a.gap) continue;
+        m_solveLimit += mostSolvesOfCell;
+        m_kinksLeft += mostKinksOfCell;
+        m_failures = 0;
         const Sample b = solve(cut);
         refine(a, b);
         if (b.gap == std::floor(b.gap)) m_curve.borders.push_back(b.gap);
