@@ -5,6 +5,7 @@
 
 #include "app/accuracy_columns.h"
 #include "app/accuracy_report.h"
+#include "app/report_text.h"
 #include "core/file/csv.h"
 #include "core/model/units.h"
 
@@ -51,38 +52,8 @@ std::string label(const AccuracyRow& row) {
     return text;
 }
 
-/// Lines of cells, the first aligned to the left and the others to the right.
-class Grid {
-  public:
-    void add(std::vector<std::string> cells) { m_rows.push_back(std::move(cells)); }
-
-    std::string text() const {
-        std::string text;
-        for (const auto& row : m_rows) {
-            std::string line = " ";
-            for (std::size_t c = 0; c < row.size(); ++c) {
-                const std::string space(width(c) - std::min(width(c), row[c].size()), ' ');
-                line += " " + (c == 0 ? row[c] + space : space + row[c]) + " ";
-            }
-            line.erase(line.find_last_not_of(' ') + 1);
-            text += line + "\n";
-        }
-        return text;
-    }
-
-  private:
-    std::size_t width(std::size_t column) const {
-        std::size_t widest = 0;
-        for (const auto& row : m_rows)
-            if (column < row.size() && row.size() > 2) widest = std::max(widest, row[column].size());
-        return widest;
-    }
-
-    std::vector<std::vector<std::string>> m_rows;
-};
-
 std::string table(const Accuracy& accuracy) {
-    Grid grid;
+    TextGrid grid;
     std::vector<std::string> titles{"method"};
     for (const AccuracyColumn& column : accuracyColumns)
         if (!column.title.empty()) titles.emplace_back(column.title);

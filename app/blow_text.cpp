@@ -5,30 +5,12 @@
 #include <cmath>
 
 #include "app/blow_report.h"
+#include "app/report_text.h"
 #include "core/study/impact_summary.h"
 
 namespace drillwave {
 
 namespace {
-
-std::string rounded(double value, int digits = 6) {
-    std::array<char, 48> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
-    return {text.data(), end.ptr};
-}
-
-/// An SI value in the unit of its customary family that needs the fewest zeros: "71.7 kN", "3.2 mm".
-std::string inHandyUnit(double si, Quantity quantity) {
-    constexpr std::array<std::string_view, 11> handy{"us",  "ms", "s",  "um", "mm", "m",
-                                                     "N s", "N",  "kN", "J",  "kJ"};
-    const Unit* chosen = nullptr;
-    for (const std::string_view name : handy) {
-        const Unit* unit = findUnit(quantity, name);
-        if (unit && (!chosen || std::abs(unit->fromSi(si)) >= 1)) chosen = unit;
-    }
-    return rounded(chosen->fromSi(si)) + " " + std::string(chosen->name);
-}
 
 /// Columns of text: the label, the dimensionless value, the value in SI.
 class Columns {

@@ -1,0 +1,50 @@
+#include "app/report_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace drillwave {
+
+std::string rounded(double value, int digits) {
+    std::array<char, 48> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+    return {text.data(), end.ptr};
+}
+
+std::string inHandyUnit(double si, Quantity quantity, int digits) {
+    constexpr std::array<std::string_view, 11> handy{"us",  "ms", "s",  "um", "mm", "m",
+                                                     "N s", "N",  "kN", "J",  "kJ"};
+    const Unit* chosen = nullptr;
+    for (const std::string_view name : handy) {
+        const Unit* unit = findUnit(quantity, name);
+        if (unit && (!chosen || std::abs(unit->fromSi(si)) >= 1)) chosen = unit;
+    }
+    return rounded(chosen->fromSi(si), digits) + " " + std::string(chosen->name);
+}
+
+std::string TextGrid::text() const {
+    std::string text;
+    for (const auto& row : m_rows) {
+        std::string line = " ";
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            const std::string space(width(c) - std::min(width(c), row[c].size()), ' ');
+            line += " " + (c == 0 ? row[c] + space : space + row[c]) + " ";
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
+    }
+    return text;
+}
+
+std::size_t TextGrid::width(std::size_t column) const {
+    std::size_t widest = 0;
+    for (const auto& row : m_rows)
+        if (column < row.size() && row.size() > 2) widest = std::max(widest, row[column].size());
+    return widest;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,30 @@
+// Numbers and tables of numbers as reports for people show them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/model/units.h"
+
+namespace drillwave {
+
+/// With so many significant digits.
+std::string rounded(double value, int digits = 6);
+
+/// An SI value in the unit of its customary family that needs the fewest zeros: "71.7 kN", "3.2 mm".
+std::string inHandyUnit(double si, Quantity quantity, int digits = 6);
+
+/// Lines of cells, the first aligned to the left and the others to the right. Lines of one or two cells are
+/// remarks: they do not widen the columns.
+class TextGrid {
+  public:
+    void add(std::vector<std::string> cells) { m_rows.push_back(std::move(cells)); }
+    std::string text() const;
+
+  private:
+    std::size_t width(std::size_t column) const;
+
+    std::vector<std::vector<std::string>> m_rows;
+};
+
+}  // namespace drillwave
