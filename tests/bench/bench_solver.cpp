@@ -1,13 +1,11 @@
 // Seconds per COR evaluation, scene by scene: a table, or with --json an array. Not run by ctest.
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <string>
-#include <vector>
 
 #include "core/model/pulse_force.h"
 #include "core/model/units.h"
+#include "core/study/run_time.h"
 #include "core/wave/exact_solver.h"
 
 using namespace drillwave;
@@ -34,13 +32,12 @@ const Scene scenes[] = {
     {"stiffest", PulseShape::rectangular, {1e9, 1e-6, 10, 0.3}},
 };
 
-struct Timing {
-    double median, least;
-    long pieces;
+struct Measured {
+    RunTime time;
+    long pieces = 0;
 };
 
-Timing measure(const Scene& scene) {
-    using Clock = std::chrono::steady_clock;
+Measured measure(const Scene& scene) {
     Scenario scenario;
     scenario.form = ScenarioForm::dimensionless;
     scenario.groups = scene.groups;
@@ -48,24 +45,11 @@ Timing measure(const Scene& scene) {
     scenario.pulse.piston.impedanceRatio = 2;
     const PulseForce pulse = pulseForceOf(scenario);
     ExactSolver solver;
-    double sink = 0;
-    long pieces = 0;
-    const auto batch = [&](long count) {
-        const auto start = Clock::now();
-        for (long i = 0; i < count; ++i) {
-            const Impact impact = solver.solve(pulse, scene.groups, Detail::cor);
-            sink += impact.cor;
-            pieces = impact.pieces;
-        }
-        return std::chrono::duration<double>(Clock::now() - start).count();
-    };
-    long count = 1;
-    while (batch(count) < 0.02) count *= 2;  // warm-up, and long enough for the clock
-    std::vector<double> seconds;
-    for (int run = 0; run < 11; ++run) seconds.push_back(batch(count) / double(count));
-    std::sort(seconds.begin(), seconds.end());
-    if (!(sink == sink)) std::fprintf(stderr, "not a number\n");
-    return {seconds[seconds.size() / 2], seconds.front(), pieces};
+    Measured measured;
+    const auto work = [&] { measured.pieces = solver.solve(pulse, scene.groups, Detail::cor).pieces; };
+    work();  // warm
+    measured.time = measureRunTime(work, 0, {}, [] {});
+    return measured;
 }
 
 }  // namespace
@@ -81,7 +65,7 @@ int main(int argc, char** argv) {
                     "delta", "median", "minimum", "pieces");
     const char* separator = "[";
     for (const Scene& scene : scenes) {
-        const Timing timing = measure(scene);
+        const auto [timing, pieces] = measure(scene);
         const std::string shape(name(scene.shape));
         const auto number = [](double value) { return formatNumber(value); };
         const Groups& g = scene.groups;
@@ -91,11 +75,11 @@ int main(int argc, char** argv) {
                 "\"delta\": %s, \"median_s\": %s, \"min_s\": %s, \"pieces\": %ld}",
                 separator, scene.name, shape.c_str(), number(g.beta).c_str(), number(g.gamma).c_str(),
                 number(g.tau).c_str(), number(g.delta).c_str(), number(timing.median).c_str(),
-                number(timing.least).c_str(), timing.pieces);
+                number(timing.least).c_str(), pieces);
         else
             std::printf("%-13s %-12s %9s %11s %5s %6s %9.3f us %9.3f us %7ld\n", scene.name, shape.c_str(),
                         number(g.beta).c_str(), number(g.gamma).c_str(), number(g.tau).c_str(),
-                        number(g.delta).c_str(), 1e6 * timing.median, 1e6 * timing.least, timing.pieces);
+                        number(g.delta).c_str(), 1e6 * timing.median, 1e6 * timing.least, pieces);
         separator = ",";
     }
     if (json) std::printf("\n]\n");
