@@ -8,6 +8,7 @@
 #include "core/model/version.h"
 #include "core/study/impact_summary.h"
 #include "core/study/result_alerts.h"
+#include "core/study/thrust.h"
 
 namespace drillwave {
 

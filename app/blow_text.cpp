@@ -7,6 +7,7 @@
 #include "app/blow_report.h"
 #include "app/report_text.h"
 #include "core/study/impact_summary.h"
+#include "core/study/thrust.h"
 
 namespace drillwave {
 

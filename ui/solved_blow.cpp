@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "core/study/result_alerts.h"
+#include "core/study/thrust.h"
 
 namespace drillwave {
 namespace {

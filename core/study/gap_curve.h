@@ -53,6 +53,8 @@ struct GapCurve {
     std::string reason;            ///< why there is none somewhere
     bool stopped = false;          ///< on the stop token: nothing here is complete
     bool usable() const { return !stopped && !pieces.empty(); }
+    /// Whether there is an answer all along the gap, but for what is too little to matter.
+    bool isComplete() const { return usable() && unsolved <= 1e-6; }
 
     /// An output at any gap ≥ start. Requires that there is an answer there.
     double value(GapOutput output, double gap) const;

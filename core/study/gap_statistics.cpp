@@ -235,6 +235,12 @@ GapStatistics gapStatistics(const GapCurve& curve, const std::optional<NormalGap
     return statistics;
 }
 
+Estimate shareAbove(const GapCurve& curve, double cor) {
+    const std::vector<GapSegment> segments = segmentsOf(curve, GapOutput::cor);
+    const GapDistribution alike = GapDistribution::uniform(curve);
+    return ValueDistribution(inPeriod(segments, curve), alike).shareAbove(cor);
+}
+
 Estimate largestCor(const GapCurve& curve) {
     const std::vector<GapSegment> segments = segmentsOf(curve, GapOutput::cor);
     return extremeOf(curve, segments, 1).value;

@@ -63,6 +63,9 @@ struct GapStatistics {
 /// there is none, a gap is left out), beginning no later than lowestGap(*normal).
 GapStatistics gapStatistics(const GapCurve& curve, const std::optional<NormalGap>& normal = {});
 
+/// Share of one period of the gap, all gaps alike, with a larger e than that.
+Estimate shareAbove(const GapCurve& curve, double cor);
+
 /// The largest e over all gaps of the curve, also those before the period.
 Estimate largestCor(const GapCurve& curve);
 

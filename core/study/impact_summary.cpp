@@ -88,11 +88,6 @@ ImpactSummary summarize(const Impact& impact, const Groups& groups) {
             .corError = impact.corError};
 }
 
-std::optional<double> thrustNeeded(const Scenario& scenario, double cor) {
-    if (scenario.form != ScenarioForm::dimensional || !scenario.drill.blowFrequency) return std::nullopt;
-    return *scenario.drill.blowFrequency * pulseImpulse(scenario) * (1 + cor);
-}
-
 std::span<const Output> outputs() {
     return outputTable;
 }

@@ -1,7 +1,6 @@
 // The numbers of contract §4 for one solved blow, dimensionless and in SI, with their names.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -39,9 +38,6 @@ struct ImpactSummary {
 /// Of an impact solved with Detail::summary or more. From one solved with Detail::cor only `cor`, `impulse`
 /// and `corError` mean anything.
 ImpactSummary summarize(const Impact& impact, const Groups& groups);
-
-/// Thrust blow_frequency·I0·(1 + e) [N], when the scenario has a frequency.
-std::optional<double> thrustNeeded(const Scenario& scenario, double cor);
 
 /// One named output: JSON key, CSV column and --outputs name.
 struct Output {

@@ -4,6 +4,7 @@
 
 #include "core/model/decimal_text.h"
 #include "core/model/nearest_name.h"
+#include "core/study/thrust.h"
 
 namespace drillwave {
 
@@ -66,11 +67,8 @@ std::string columnProblem(std::span<const OutputColumn> columns, const Scenario&
         if (column.units == OutputUnits::si && !dimensional)
             return "SI columns need a scenario in physical units; this one is given by its dimensionless "
                    "groups";
-        if (!column.output && !dimensional)
-            return "the thrust needs a scenario in physical units; this one is given by its dimensionless "
-                   "groups";
-        if (!column.output && !scenario.drill.blowFrequency)
-            return "the thrust needs drill.blow_frequency; give it in the scenario or with --set";
+        if (column.output) continue;
+        if (std::string problem = thrustProblem(scenario); !problem.empty()) return problem;
     }
     return {};
 }

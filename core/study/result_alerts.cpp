@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include "core/study/thrust.h"
+
 namespace drillwave {
 
 namespace {

@@ -48,7 +48,6 @@ class TestImpactSummary : public QObject {
     void workRatioOfARectangularBlowIsTwiceTau();
     void penetrationFollowsTheBilinearLaw();
     void siValuesDoNotDependOnTheUnitsOfTheScenario();
-    void thrustIsFrequencyTimesImpulse();
     void everyOutputIsFoundByItsName();
     void corNeedsNoMoreThanCorDetail();
     void alertsFollowFromTheResult();
@@ -149,15 +148,6 @@ void TestImpactSummary::siValuesDoNotDependOnTheUnitsOfTheScenario() {
         const double second = output.value(y) * output.scale(scalesOf(b));
         QVERIFY2(std::abs(first - second) <= 1e-12 * std::abs(second), std::string(output.name).c_str());
     }
-}
-
-void TestImpactSummary::thrustIsFrequencyTimesImpulse() {
-    Scenario scenario;
-    QVERIFY(!thrustNeeded(scenario, 0.4));
-    scenario.drill.blowFrequency = 60;
-    QCOMPARE(*thrustNeeded(scenario, 0.4), 60 * 51 * 1.4);
-    scenario.form = ScenarioForm::dimensionless;
-    QVERIFY(!thrustNeeded(scenario, 0.4));
 }
 
 void TestImpactSummary::everyOutputIsFoundByItsName() {

@@ -1,0 +1,18 @@
+// The feed force that keeps the bit on the rock.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// Mean thrust f·I0·(1 + e) [N]: the impulse that the rock gives back with every blow. nullopt where
+/// thrustProblem() says why.
+std::optional<double> thrustNeeded(const Scenario& scenario, double cor);
+
+/// Why there is no thrust for a scenario and what to do; empty when there is one.
+std::string thrustProblem(const Scenario& scenario);
+
+}  // namespace drillwave

@@ -1,0 +1,150 @@
+// The feed force: its formula, its cases from this blow to the worst, and what the installed one means.
+#include <QtTest>
+
+#include <cmath>
+
+#include "core/model/scales.h"
+#include "core/study/thrust.h"
+#include "core/study/thrust_study.h"
+#include "core/wave/exact_solver.h"
+
+using namespace drillwave;
+
+namespace {
+
+/// The paper's Fig. 8 in steel: β = 0.5, γ = 0.1 unless set, τ = 10, no gap, 50 blows a second of 40 N s.
+Scenario drill(double gamma = 0.1) {
+    Scenario scenario;
+    scenario.pulse.impulse = 40;
+    scenario.drill.blowFrequency = 50;
+    scenario.bitRock.gamma = gamma;
+    const RodProperties rod = propertiesOf(scenario.rod);
+    scenario.rod.length = 10 * scenario.pulse.duration * rod.waveSpeed;
+    scenario.bitRock.stiffness = 0.5 * rod.impedance / scenario.pulse.duration;
+    return scenario;
+}
+
+}  // namespace
+
+class TestThrust : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void thrustIsFrequencyTimesImpulse();
+    void whereThereIsNoThrustTheReasonSaysWhatToDo();
+    void theCasesAreThoseOfTheTheory();
+    void anElasticRockNeedsMoreThanARigidOne();
+    void marginsAndFrequencyLimitFollowFromTheInstalledThrust();
+    void theFeedIsJudgedByWhatItIsEnoughFor_data();
+    void theFeedIsJudgedByWhatItIsEnoughFor();
+    void theShareHeldIsTheShareOfGapsThatNeedLess();
+    void theReferenceCaseHasOneRebound();
+    void aStopEndsTheStudy();
+};
+
+void TestThrust::thrustIsFrequencyTimesImpulse() {
+    QCOMPARE(*thrustNeeded(drill(), 0.4), 50 * 40 * 1.4);
+    // A piston brings its own impulse, all of its momentum where impedances match.
+    Scenario piston = drill();
+    piston.pulse.shape = PulseShape::piston;
+    piston.pulse.piston.diameter = piston.rod.diameter;
+    const double mass =
+        piston.rod.density * M_PI / 4 * std::pow(piston.rod.diameter, 2) * piston.pulse.piston.length;
+    QVERIFY(std::abs(*thrustNeeded(piston, 0) / (50 * mass * piston.pulse.piston.velocity) - 1) < 1e-12);
+}
+
+void TestThrust::whereThereIsNoThrustTheReasonSaysWhatToDo() {
+    Scenario scenario = drill();
+    QCOMPARE(thrustProblem(scenario), std::string());
+    scenario.drill.blowFrequency.reset();
+    QVERIFY(!thrustNeeded(scenario, 0.4));
+    QVERIFY(thrustProblem(scenario).find("drill.blow_frequency") != std::string::npos);
+    scenario = drill();
+    scenario.form = ScenarioForm::dimensionless;
+    QVERIFY(!thrustNeeded(scenario, 0.4));
+    QVERIFY(thrustProblem(scenario).find("physical units") != std::string::npos);
+}
+
+// Theory, sections 7 and 9, at these groups: e = 0.4067107 at no gap; the elastic worst is e = 1.4010825.
+void TestThrust::theCasesAreThoseOfTheTheory() {
+    const ThrustStudy study = studyThrust(drill());
+    QCOMPARE(study.reason, std::string());
+    QVERIFY(std::abs(study.need(ThrustCase::scenario).cor.value - 0.40671074387478970) < 1e-12);
+    QCOMPARE(study.need(ThrustCase::rigidRock).cor.value, 1.0);
+    QVERIFY(std::abs(study.need(ThrustCase::elasticWorst).cor.value - 1.4010824845070556) < 1e-10);
+    const GapCurve curve = gapCurve(pulseForceOf(drill()), groupsOf(drill()), Detail::cor);
+    QCOMPARE(study.need(ThrustCase::gapQuantile).cor.value,
+             gapStatistics(curve).of(GapOutput::cor).uniform.quantiles[2].value);
+    for (const ThrustNeed& need : study.needs) QCOMPARE(need.thrust, 50 * 40 * (1 + need.cor.value));
+}
+
+// The paper, section 6: with e = 1.4 some 20 % more thrust than for rigid rock.
+void TestThrust::anElasticRockNeedsMoreThanARigidOne() {
+    const ThrustStudy study = studyThrust(drill());
+    const double ratio =
+        study.need(ThrustCase::elasticWorst).thrust / study.need(ThrustCase::rigidRock).thrust;
+    QVERIFY(std::abs(ratio - 1.2) < 0.005);
+    QCOMPARE(&study.largestNeed(), &study.need(ThrustCase::elasticWorst));
+}
+
+void TestThrust::marginsAndFrequencyLimitFollowFromTheInstalledThrust() {
+    Scenario scenario = drill();
+    QVERIFY(!studyThrust(scenario).need(ThrustCase::rigidRock).margin);
+    QVERIFY(!studyThrust(scenario).shareHeld);
+    scenario.drill.thrust = 5000;
+    const ThrustStudy study = studyThrust(scenario);
+    QCOMPARE(*study.need(ThrustCase::rigidRock).margin, 0.25);  // 4000 N needed
+    QCOMPARE(*study.need(ThrustCase::rigidRock).frequencyLimit, 62.5);
+    // At the limit the installed thrust is just what is needed.
+    scenario.drill.blowFrequency = *study.need(ThrustCase::elasticWorst).frequencyLimit;
+    QVERIFY(std::abs(*studyThrust(scenario).need(ThrustCase::elasticWorst).margin) < 1e-12);
+}
+
+void TestThrust::theFeedIsJudgedByWhatItIsEnoughFor_data() {
+    QTest::addColumn<double>("thrust");
+    QTest::addColumn<QString>("feed");
+    // Needs: 2813 N here, 2892 N for 95 % of gaps, 4000 N on rigid, 4802 N on the worst elastic rock.
+    QTest::newRow("less than this blow needs") << 2800.0 << "too_low";
+    QTest::newRow("less than most gaps need") << 2850.0 << "low_at_other_gaps";
+    QTest::newRow("less than rigid rock needs") << 3500.0 << "low_on_elastic_rock";
+    QTest::newRow("less than elastic rock needs") << 4500.0 << "low_on_elastic_rock";
+    QTest::newRow("enough for all") << 5000.0 << "enough";
+    QTest::newRow("half as much again") << 7300.0 << "too_high";
+}
+
+void TestThrust::theFeedIsJudgedByWhatItIsEnoughFor() {
+    QFETCH(double, thrust);
+    QFETCH(QString, feed);
+    Scenario scenario = drill();
+    scenario.drill.thrust = thrust;
+    const ThrustStudy study = studyThrust(scenario);
+    QCOMPARE(QString::fromUtf8(name(study.feed).data()), feed);
+    QVERIFY(!feedAdvice(study.feed).empty());
+}
+
+void TestThrust::theShareHeldIsTheShareOfGapsThatNeedLess() {
+    Scenario scenario = drill(1);
+    // Just enough for rigid rock: held at gaps with e ≤ 1 (theory, section 7).
+    scenario.drill.thrust = *thrustNeeded(scenario, 1);
+    QVERIFY(std::abs(*studyThrust(scenario).shareHeld - (1 - 0.548346)) < 5.1e-7);
+    scenario.drill.thrust = *thrustNeeded(scenario, 0.84);
+    QCOMPARE(*studyThrust(scenario).shareHeld, 0.0);
+    scenario.drill.thrust = *thrustNeeded(scenario, 1.41);
+    QCOMPARE(*studyThrust(scenario).shareHeld, 1.0);
+}
+
+void TestThrust::theReferenceCaseHasOneRebound() {
+    Scenario scenario = drill();
+    scenario.pulse.shape = PulseShape::rigidBody;
+    const ThrustStudy study = studyThrust(scenario);
+    QCOMPARE(study.need(ThrustCase::gapQuantile).cor.value, study.need(ThrustCase::scenario).cor.value);
+}
+
+void TestThrust::aStopEndsTheStudy() {
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(studyThrust(drill(), stop.get_token()).stopped);
+}
+
+QTEST_GUILESS_MAIN(TestThrust)
+#include "tst_thrust.moc"
