@@ -119,8 +119,8 @@ void printKinds(const StabilityReport& report) {
         kind.balance = std::max({kind.balance, std::abs(row.momentumResidual), std::abs(row.energyResidual)});
         kind.change = std::max(kind.change, row.change);
     }
-    std::printf("%-46s %6s %7s %14s %12s %10s\n", "cases", "solved", "passed", "worst balance", "continuity",
-                "pieces");
+    std::printf("%-46s %6s %7s %14s %12s %10s\n", "kind of case", "cases", "passed", "worst balance",
+                "continuity", "pieces");
     for (const std::string& name : order) {
         const Kind& kind = kinds[name];
         std::printf("%-46s %6d %7d %14.1e %12.1e %10ld\n", name.c_str(), kind.cases, kind.passed,
