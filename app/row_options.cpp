@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "app/method_options.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
 #include "core/model/decimal_text.h"
@@ -48,13 +49,17 @@ int allThreads() {
 }  // namespace
 
 std::vector<OptionSpec> rowOptionSpecs() {
-    return {setOption,
-            {"outputs", "A,B", "output columns, cor if not given; see below"},
-            {"si", "", "outputs in SI, with units in the header"},
-            {"j", "N", "threads to use, all of them if not given"},
-            {"shard", "I/N", "only the I-th of N contiguous parts; header only in part 1"},
-            {"o", "FILE.csv", "where to write; - is standard output, as without it"},
-            {"force", "", "overwrite an existing file"}};
+    std::vector<OptionSpec> options{setOption,
+                                    {"outputs", "A,B", "output columns, cor if not given; see below"},
+                                    {"si", "", "outputs in SI, with units in the header"}};
+    for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
+    for (const OptionSpec& option : std::initializer_list<OptionSpec>{
+             {"j", "N", "threads to use, all of them if not given"},
+             {"shard", "I/N", "only the I-th of N contiguous parts; header only in part 1"},
+             {"o", "FILE.csv", "where to write; - is standard output, as without it"},
+             {"force", "", "overwrite an existing file"}})
+        options.push_back(option);
+    return options;
 }
 
 std::string outputHelp() {
@@ -74,7 +79,8 @@ RowOptions rowOptions(const Arguments& arguments) {
             .jobs = static_cast<int>(arguments.number("j", allThreads(), 1, maximumJobs)),
             .shard = shardOf(arguments),
             .path = arguments.value("o").value_or("-"),
-            .overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused};
+            .overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused,
+            .method = methodChoice(arguments)};
 }
 
 ExitCode writeRows(const RunRows& run, std::uint64_t rows, OutputFile& out,

@@ -12,6 +12,7 @@
 #include "app/command_error.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
+#include "core/study/method.h"
 #include "core/study/output_column.h"
 #include "core/study/rows.h"
 #include "core/study/shard.h"
@@ -31,6 +32,7 @@ struct RowOptions {
     Shard shard;
     std::string path;  ///< "-" is standard output
     Overwrite overwrite = Overwrite::refused;
+    MethodChoice method;
 };
 
 /// Throws CommandError (usage).

@@ -31,8 +31,11 @@ ExitCode runSweepCommand(const Arguments& arguments) {
     const std::string& path = arguments.operands().front();
     const std::vector<SweepAxis> axes = axesOf(arguments);
     const ScenarioDocument base = loadScenarioArgument(path, arguments);
-    const Sweep sweep{
-        .base = base.scenario, .axes = axes, .columns = options.columns, .shard = options.shard};
+    const Sweep sweep{.base = base.scenario,
+                      .axes = axes,
+                      .columns = options.columns,
+                      .shard = options.shard,
+                      .method = options.method};
     if (std::vector<std::string> problems = problemsOf(sweep); !problems.empty()) {
         for (std::string& problem : problems) problem = path + ": " + problem;
         throw CommandError(ExitCode::invalidScenario, std::move(problems));

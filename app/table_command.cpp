@@ -45,7 +45,8 @@ ExitCode runTableCommand(const Arguments& arguments) {
     const Table table{.base = loadScenarioArgument(arguments.operands()[0], arguments).scenario,
                       .source = path,
                       .columns = options.columns,
-                      .shard = options.shard};
+                      .shard = options.shard,
+                      .method = options.method};
     std::ifstream cases = openCases(path);
     const Interruption interruption;
     OutputFile out(options.path, options.overwrite);

@@ -6,15 +6,15 @@
 
 namespace drillwave {
 
-CaseSolver::CaseSolver(std::span<const OutputColumn> columns)
+CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method)
     : m_columns(columns),
       m_detail(detailFor(columns)),
-      m_inSi(std::ranges::any_of(columns, [](const OutputColumn& c) { return c.units == OutputUnits::si; })) {
-}
+      m_inSi(std::ranges::any_of(columns, [](const OutputColumn& c) { return c.units == OutputUnits::si; })),
+      m_method(method) {}
 
-bool CaseSolver::solve(const Scenario& scenario, std::string& row) {
+bool CaseSolver::solve(const Scenario& scenario, std::string& row, const std::stop_token& stop) {
     const Groups groups = groupsOf(scenario);
-    const Impact impact = m_solver.solve(m_pulse, groups, m_detail);
+    const Impact impact = m_solver.solve(m_pulse, groups, m_detail, m_method, stop);
     if (impact.outcome != Outcome::rebounded) {
         row.append(m_columns.size(), ',');
         return false;

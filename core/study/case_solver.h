@@ -2,11 +2,12 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <string>
 
 #include "core/model/pulse_force.h"
+#include "core/study/method.h"
 #include "core/study/output_column.h"
-#include "core/wave/exact_solver.h"
 
 namespace drillwave {
 
@@ -14,20 +15,21 @@ namespace drillwave {
 class CaseSolver {
   public:
     /// `columns` must outlive the solver.
-    explicit CaseSolver(std::span<const OutputColumn> columns);
+    CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method);
 
     /// Must be called before solve() whenever the hammer blow may have changed.
     void setPulse(const Scenario& scenario) { m_pulse = pulseForceOf(scenario); }
 
     /// Appends ",value" for each column, "," alone where there is no number. False, and all cells empty, when
-    /// the case could not be solved.
-    bool solve(const Scenario& scenario, std::string& row);
+    /// the case could not be solved, or not before a stop.
+    bool solve(const Scenario& scenario, std::string& row, const std::stop_token& stop);
 
   private:
     std::span<const OutputColumn> m_columns;
     Detail m_detail;
     bool m_inSi;
-    ExactSolver m_solver;
+    MethodChoice m_method;
+    MethodSolver m_solver;
     PulseForce m_pulse;
 };
 

@@ -52,7 +52,7 @@ class RowMaker {
         : m_sweep(sweep),
           m_order(assignmentOrder(sweep.axes)),
           m_scenario(sweep.base),
-          m_solver(sweep.columns) {
+          m_solver(sweep.columns, sweep.method) {
         for (std::size_t a = 0; a < sweep.axes.size(); ++a)
             if (movesPulse(sweep.axes[a])) m_lastPulseAxis = a;
     }
@@ -64,14 +64,15 @@ class RowMaker {
         std::size_t changed = 0;
         for (std::uint64_t n = chunk.points.begin; n < chunk.points.end; ++n) {
             if (stop.stop_requested()) return;
-            if (!appendRow(point, changed, chunk.text)) ++chunk.failed;
+            if (!appendRow(point, changed, chunk.text, stop)) ++chunk.failed;
             changed = point.advance();
         }
     }
 
   private:
     /// `changed` is the first axis whose value is not that of the row before.
-    bool appendRow(const GridPoint& point, std::size_t changed, std::string& text) {
+    bool appendRow(const GridPoint& point, std::size_t changed, std::string& text,
+                   const std::stop_token& stop) {
         assign(point);
         if (!m_hasPulse || (m_lastPulseAxis && changed <= *m_lastPulseAxis)) m_solver.setPulse(m_scenario);
         m_hasPulse = true;
@@ -86,7 +87,7 @@ class RowMaker {
         }
         text += m_prefix;
         m_sweep.axes[last].appendText(text, point[last]);
-        const bool solved = m_solver.solve(m_scenario, text);
+        const bool solved = m_solver.solve(m_scenario, text, stop);
         text += "\n";
         return solved;
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/scenario.h"
+#include "core/study/method.h"
 #include "core/study/output_column.h"
 #include "core/study/rows.h"
 #include "core/study/shard.h"
@@ -20,6 +21,7 @@ struct Sweep {
     std::vector<SweepAxis> axes;  ///< at least one
     std::vector<OutputColumn> columns;
     Shard shard;
+    MethodChoice method = {};
 };
 
 /// Most axes of one sweep.

@@ -108,7 +108,7 @@ class RowAssigner {
 class RowMaker {
   public:
     RowMaker(const Table& table, const TableHeader& header)
-        : m_assigner(table, header), m_outputs(table.columns.size()), m_solver(table.columns) {
+        : m_assigner(table, header), m_outputs(table.columns.size()), m_solver(table.columns, table.method) {
         m_solver.setPulse(table.base);
         for (const TableColumn& column : header.columns)
             if (column.key().starts_with("pulse.") || column.key().starts_with("rod.")) m_movesPulse = true;
@@ -119,29 +119,29 @@ class RowMaker {
         chunk.failed = 0;
         for (std::size_t i = 0; i < chunk.used; ++i) {
             if (stop.stop_requested()) return;
-            if (!appendRow(chunk.rows[i], chunk.text)) ++chunk.failed;
+            if (!appendRow(chunk.rows[i], chunk.text, stop)) ++chunk.failed;
         }
     }
 
   private:
-    bool appendRow(const Row& row, std::string& text) {
+    bool appendRow(const Row& row, std::string& text, const std::stop_token& stop) {
         const std::vector<std::string>& cells = row.record.cells;
         for (std::size_t c = 0; c < cells.size(); ++c) {
             if (c > 0) text += ',';
             text += csvCell(cells[c]);
         }
-        const bool solved = solve(row, text);
+        const bool solved = solve(row, text, stop);
         text += '\n';
         return solved;
     }
 
-    bool solve(const Row& row, std::string& text) {
+    bool solve(const Row& row, std::string& text, const std::stop_token& stop) {
         if (!m_assigner.assign(row).empty()) {
             text.append(m_outputs, ',');
             return false;
         }
         if (m_movesPulse) m_solver.setPulse(m_assigner.scenario());
-        return m_solver.solve(m_assigner.scenario(), text);
+        return m_solver.solve(m_assigner.scenario(), text, stop);
     }
 
     RowAssigner m_assigner;

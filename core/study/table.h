@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/model/scenario.h"
+#include "core/study/method.h"
 #include "core/study/output_column.h"
 #include "core/study/rows.h"
 #include "core/study/shard.h"
@@ -21,6 +22,7 @@ struct Table {
     std::string source;  ///< name of the file, for messages
     std::vector<OutputColumn> columns;
     Shard shard;
+    MethodChoice method = {};
 };
 
 /// What a table is like, found before anything is computed.

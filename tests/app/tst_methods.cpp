@@ -26,6 +26,10 @@ double cor(const QJsonObject& report) {
     return report["dimensionless"].toObject()["cor"].toDouble();
 }
 
+double secondCell(const Finished& csv, int line) {
+    return csv.out.split('\n').value(line).split(',').value(1).toDouble();
+}
+
 const QStringList shortLadder{"--segments", "200,100"};
 
 }  // namespace
@@ -65,6 +69,25 @@ class TestMethods : public QObject {
         // a step takes two lines of the CSV, its beginning and its end; steps without waves are one piece
         const qsizetype lines = read(folder.filePath("histories.csv")).count('\n');
         QVERIFY2(lines > 400 && lines < 900, qPrintable(QString::number(lines)));
+    }
+
+    void rowsAreSolvedByTheMethodAskedFor() {
+        const QTemporaryDir folder;
+        write(folder.filePath("cases.csv"), "gamma\n1\n0.1\n");
+        const QStringList sweep{"sweep", example("paper_fig4a"), "--vary", "gamma=1,0.1"};
+        const QStringList table{"table", example("paper_fig4a"), folder.filePath("cases.csv")};
+        for (const QStringList& words : {sweep, table}) {
+            const Finished lattice = run(words + QStringList{"--method", "lattice", "--segments", "1000"});
+            QCOMPARE(lattice.exitCode, 0);
+            // 1.1e-7 and 1.3e-5 from the exact ones (theory §6)
+            QVERIFY(std::abs(secondCell(lattice, 1) - 1.4010824845 + 1.07e-7) < 1e-8);
+            QVERIFY(std::abs(secondCell(lattice, 2) - 0.4067107439 - 1.25e-5) < 1e-6);
+            const Finished closedForm = run(words + QStringList{"--method", "closed_form"});
+            QCOMPARE(closedForm.exitCode, 6);
+            QVERIFY(std::abs(secondCell(closedForm, 1) - 1.4011369896) < 1e-9);
+            QVERIFY(closedForm.out.endsWith("\n0.1,\n"));
+            QVERIFY(closedForm.error.contains("1 of 2 rows could not be solved"));
+        }
     }
 
     void accuracyHasARowForEachMethodAndResolution() {
