@@ -4,6 +4,7 @@
 #include <QJsonObject>
 
 #include "app/blow_report.h"
+#include "app/json_value.h"
 #include "core/file/blow_csv.h"
 #include "core/model/version.h"
 #include "core/study/impact_summary.h"
@@ -14,14 +15,6 @@ namespace drillwave {
 
 namespace {
 
-QString text(std::string_view view) {
-    return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-}
-
-QJsonObject groupsJson(const Groups& groups) {
-    return {{"beta", groups.beta}, {"gamma", groups.gamma}, {"tau", groups.tau}, {"delta", groups.delta}};
-}
-
 /// Every output times its scale; null where there is no result.
 QJsonObject outputsJson(const BlowReport& report, const Scales& scales) {
     const bool solved = report.impact.outcome == Outcome::rebounded;
@@ -29,7 +22,7 @@ QJsonObject outputsJson(const BlowReport& report, const Scales& scales) {
         solved ? summarize(report.impact, groupsOf(report.scenario)) : ImpactSummary{};
     QJsonObject object;
     for (const Output& output : outputs())
-        object[text(output.name)] =
+        object[jsonText(output.name)] =
             solved ? QJsonValue(output.value(summary) * output.scale(scales)) : QJsonValue(QJsonValue::Null);
     return object;
 }
@@ -45,7 +38,7 @@ QJsonObject siJson(const BlowReport& report) {
 QJsonArray eventsJson(const Impact& impact) {
     QJsonArray array;
     for (const ImpactEvent& event : impact.events)
-        array.append(QJsonObject{{"kind", text(name(event.kind))}, {"time", event.time}});
+        array.append(QJsonObject{{"kind", jsonText(name(event.kind))}, {"time", event.time}});
     return array;
 }
 
@@ -53,9 +46,9 @@ QJsonArray alertsJson(const std::vector<Alert>& alerts) {
     QJsonArray array;
     for (const Alert& alert : alerts)
         array.append(QJsonObject{{"level", alert.level == AlertLevel::warning ? "warning" : "information"},
-                                 {"code", text(alert.code)},
-                                 {"parameter", text(alert.parameter)},
-                                 {"text", text(alert.text)}});
+                                 {"code", jsonText(alert.code)},
+                                 {"parameter", jsonText(alert.parameter)},
+                                 {"text", jsonText(alert.text)}});
     return array;
 }
 
@@ -74,8 +67,8 @@ QByteArray reportJson(const BlowReport& report) {
     const bool solved = impact.outcome == Outcome::rebounded;
     QJsonObject object{
         {"version", versionText},
-        {"title", text(report.scenario.title)},
-        {"method", text(name(report.choice.method))},
+        {"title", jsonText(report.scenario.title)},
+        {"method", jsonText(name(report.choice.method))},
         {"outcome", solved ? "rebounded" : "not_solved"},
         {"run_time", report.runTime},
         {"groups", groupsJson(groupsOf(report.scenario))},
@@ -86,7 +79,7 @@ QByteArray reportJson(const BlowReport& report) {
         {"alerts", alertsJson(report.alerts())},
     };
     if (report.choice.method == Method::lattice) object["segments"] = report.choice.lattice.segments;
-    if (!solved) object["reason"] = text(impact.reason);
+    if (!solved) object["reason"] = jsonText(impact.reason);
     if (report.scenario.form == ScenarioForm::dimensional) object["si"] = siJson(report);
     return QJsonDocument(object).toJson(QJsonDocument::Indented);
 }

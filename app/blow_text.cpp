@@ -106,10 +106,7 @@ std::string methodText(const MethodChoice& choice) {
 std::string reportText(const BlowReport& report) {
     const Groups groups = groupsOf(report.scenario);
     const Impact& impact = report.impact;
-    std::string text = report.scenario.title.empty() ? std::string() : report.scenario.title + "\n";
-    text += "  beta " + rounded(groups.beta) + "  gamma " + rounded(groups.gamma) + "  tau " +
-            rounded(groups.tau) + "  delta " + rounded(groups.delta) + "  pulse " +
-            std::string(name(report.scenario.pulse.shape)) + "\n\n";
+    std::string text = headingOf(report.scenario) + "\n";
     text += resultText(report, summarize(impact, groups));
     text += "\n  method " + methodText(report.choice) + ", " + std::to_string(impact.contacts) +
             (impact.contacts == 1 ? " contact, " : " contacts, ") + std::to_string(impact.pieces) +

@@ -7,9 +7,9 @@
 namespace drillwave {
 
 std::span<const Command* const> commands() {
-    static const std::array all{&runCommand(),      &sweepCommand(),     &tableCommand(),
-                                &accuracyCommand(), &stabilityCommand(), &validateCommand(),
-                                &examplesCommand()};
+    static const std::array all{&runCommand(),       &sweepCommand(),    &tableCommand(),
+                                &gapCommand(),       &thrustCommand(),   &accuracyCommand(),
+                                &stabilityCommand(), &validateCommand(), &examplesCommand()};
     return all;
 }
 

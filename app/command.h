@@ -28,6 +28,8 @@ struct Command {
 const Command& runCommand();
 const Command& sweepCommand();
 const Command& tableCommand();
+const Command& gapCommand();
+const Command& thrustCommand();
 const Command& stabilityCommand();
 const Command& accuracyCommand();
 const Command& validateCommand();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/model/scales.h"
+
 namespace drillwave {
 
 std::string rounded(double value, int digits) {
@@ -24,6 +26,13 @@ std::string inHandyUnit(double si, Quantity quantity, int digits) {
         if (unit && (!chosen || std::abs(unit->fromSi(si)) >= 1)) chosen = unit;
     }
     return rounded(chosen->fromSi(si), digits) + " " + std::string(chosen->name);
+}
+
+std::string headingOf(const Scenario& scenario) {
+    const Groups groups = groupsOf(scenario);
+    return (scenario.title.empty() ? std::string() : scenario.title + "\n") + "  beta " +
+           rounded(groups.beta) + "  gamma " + rounded(groups.gamma) + "  tau " + rounded(groups.tau) +
+           "  delta " + rounded(groups.delta) + "  pulse " + std::string(name(scenario.pulse.shape)) + "\n";
 }
 
 std::string TextGrid::text() const {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/model/scenario.h"
 #include "core/model/units.h"
 
 namespace drillwave {
@@ -13,6 +14,9 @@ std::string rounded(double value, int digits = 6);
 
 /// An SI value in the unit of its customary family that needs the fewest zeros: "71.7 kN", "3.2 mm".
 std::string inHandyUnit(double si, Quantity quantity, int digits = 6);
+
+/// Title and groups of a scenario, as reports begin.
+std::string headingOf(const Scenario& scenario);
 
 /// Lines of cells, the first aligned to the left and the others to the right. Lines of one or two cells are
 /// remarks: they do not widen the columns.

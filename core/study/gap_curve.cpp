@@ -336,8 +336,25 @@ GapCurve gapCurve(const PulseForce& pulse, const Groups& groups, Detail detail, 
 double GapCurve::value(GapOutput output, double gap) const {
     if (gap >= end) gap = periodStart + (gap - std::floor(gap));
     const auto next = std::ranges::upper_bound(pieces, gap, {}, &GapPiece::start);
-    const GapPiece& piece = next == pieces.begin() ? *next : *std::prev(next);
+    auto found = next == pieces.begin() ? next : std::prev(next);
+    while (!found->solved && found != pieces.begin()) --found;  // the end of the piece before
+    const GapPiece& piece = *found;
     return piece.outputs[static_cast<std::size_t>(output)](gap);
+}
+
+std::vector<double> sampleGaps(const GapCurve& curve) {
+    constexpr double farthest = 1.0 / 500, nearest = 1e-9;
+    std::vector<double> gaps;
+    for (const GapPiece& piece : curve.pieces) {
+        if (!piece.solved) continue;
+        if (gaps.empty()) gaps.push_back(piece.start);
+        const int parts = std::max(1, static_cast<int>(std::ceil((piece.end - piece.start) / farthest)));
+        for (int i = 0; i <= parts; ++i) {
+            const double gap = i == parts ? piece.end : piece.start + (piece.end - piece.start) * i / parts;
+            if (gap - gaps.back() > nearest) gaps.push_back(gap);
+        }
+    }
+    return gaps;
 }
 
 }  // namespace drillwave

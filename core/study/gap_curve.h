@@ -74,4 +74,7 @@ GapCurve gapCurve(const PulseForce& pulse, const Groups& groups, double start, D
 GapCurve gapCurve(const PulseForce& pulse, const Groups& groups, Detail detail, std::stop_token stop = {},
                   const GapProgress& progress = {});
 
+/// Gaps at which to draw the curve: the ends of its pieces, but for slivers, and no more than 1/500 apart.
+std::vector<double> sampleGaps(const GapCurve& curve);
+
 }  // namespace drillwave

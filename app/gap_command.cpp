@@ -1,0 +1,136 @@
+// drillwave gap FILE
+#include <chrono>
+
+#include "app/command.h"
+#include "app/gap_report.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "app/progress_bar.h"
+#include "app/scenario_argument.h"
+#include "core/file/blow_csv.h"
+#include "core/model/decimal_text.h"
+#include "core/model/scales.h"
+
+namespace drillwave {
+
+namespace {
+
+/// The value of a gap option in d0. Dimensional scenarios take a length, the others a multiple of d0.
+double gapOf(const Arguments& arguments, const char* option, const Scenario& scenario, double least,
+             double most) {
+    const std::string text = *arguments.value(option);
+    const bool dimensional = scenario.form == ScenarioForm::dimensional;
+    const Quantity quantity = dimensional ? Quantity::length : Quantity::ratio;
+    const TypedQuantity typed = parseQuantity(text, quantity, BareNumber::refused, findUnit(quantity, "mm"));
+    const auto refuse = [&](const std::string& reason) {
+        throw CommandError(ExitCode::invalidScenario,
+                           std::string("--") + option + " = " + shortened(text) + " (" + reason + ")");
+    };
+    if (!typed.valid()) refuse(typed.problem);
+    const double scale = dimensional ? scalesOf(scenario).penetration : 1;
+    const auto shown = [&](double gap) {
+        return dimensional ? formatNumber(gap * scale * 1000) + " mm" : formatNumber(gap);
+    };
+    const double gap = typed.si / scale;
+    if (!(gap >= least && gap <= most))
+        refuse("must be from " + shown(least) + " to " + shown(most) +
+               (dimensional ? ", d0 being " + shown(1) : std::string()));
+    return gap;
+}
+
+std::optional<NormalGap> normalOf(const Arguments& arguments, const Scenario& scenario) {
+    constexpr double mostMean = 1e6;
+    if (!arguments.has("gap-deviation")) {
+        if (arguments.has("gap-mean"))
+            throw CommandError(ExitCode::usage,
+                               "--gap-mean needs --gap-deviation, how far gaps scatter about it");
+        return std::nullopt;
+    }
+    NormalGap normal;
+    normal.deviation =
+        gapOf(arguments, "gap-deviation", scenario, NormalGap::leastDeviation, NormalGap::mostDeviation);
+    normal.mean = arguments.has("gap-mean") ? gapOf(arguments, "gap-mean", scenario, 0, mostMean)
+                                            : groupsOf(scenario).delta;
+    return normal;
+}
+
+GapCurve followGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
+                   const Interruption& interruption) {
+    constexpr double parts = 1000;
+    ProgressBar bar(static_cast<std::uint64_t>(parts), "permille");
+    const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
+    const PulseForce pulse = pulseForceOf(scenario);
+    const Groups groups = groupsOf(scenario);
+    const double period = gapPeriodStart(pulse, groups);
+    const double start = normal ? std::min(lowestGap(*normal), period) : period;
+    GapCurve curve = gapCurve(pulse, groups, start, Detail::summary, interruption.token(), progress);
+    interruption.check();
+    return curve;
+}
+
+GapReport study(const Scenario& scenario, const std::optional<NormalGap>& normal,
+                const Interruption& interruption) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    GapReport report{.scenario = scenario,
+                     .curve = followGap(scenario, normal, interruption),
+                     .normal = normal,
+                     .statistics = {},
+                     .runTime = 0};
+    if (report.curve.isComplete()) report.statistics = gapStatistics(report.curve, normal);
+    report.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
+    return report;
+}
+
+ExitCode runGap(const Arguments& arguments) {
+    const std::string& path = arguments.operands().front();
+    const std::optional<std::string> csvPath = arguments.value("o");
+    const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    if (arguments.has("force") && !csvPath)
+        throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+    const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    const std::optional<NormalGap> normal = normalOf(arguments, document.scenario);
+    if (csvPath) checkOverwrite(*csvPath, overwrite);
+
+    const Interruption interruption;
+    const GapReport report = study(document.scenario, normal, interruption);
+    if (!report.curve.isComplete())
+        throw CommandError(ExitCode::unsolvedOrFailed,
+                           path + ": could not be solved at all gaps: " + report.curve.reason);
+    if (csvPath)
+        writeFile(*csvPath, scenarioHeader(completeScenarioText(document)) + gapCsv(report.curve), overwrite);
+    if (csvPath == "-") return ExitCode::done;
+    writeFile("-", arguments.has("json") ? gapJson(report).toStdString() : gapText(report),
+              Overwrite::allowed);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+const Command& gapCommand() {
+    static const Command command{
+        .name = "gap",
+        .operands = "FILE",
+        .summary = "restitution, forces and efficiency over all gaps between bit and rock",
+        .details =
+            "Results have a period in the gap, d0 = 2 I0/Z, which nobody controls at the rig: extremes and\n"
+            "where they lie, mean, 5, 50 and 95 % quantiles, and the share of gaps with e > 1, for all gaps "
+            "of\n"
+            "a period alike and, with --gap-deviation, for a gap scattered normally (cut off at no gap).",
+        .options = {setOption,
+                    {"gap-mean", "GAP",
+                     "mean of the scattered gap, as 0.5mm or, in d0, 0.2; that of FILE if not given"},
+                    {"gap-deviation", "GAP", "standard deviation of the scattered gap"},
+                    {"json", "", "print one JSON object in place of the table"},
+                    {"o", "FILE.csv",
+                     "also write the results along the gap; - prints them instead of the table"},
+                    {"force", "", "overwrite an existing file"}},
+        .leastOperands = 1,
+        .mostOperands = 1,
+        .draws = [](const Arguments&) { return false; },
+        .run = runGap,
+    };
+    return command;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,34 @@
+// The statistics over the gap as the gap command tells them.
+#pragma once
+
+#include <QByteArray>
+#include <optional>
+#include <string>
+
+#include "core/model/scenario.h"
+#include "core/study/gap_statistics.h"
+
+namespace drillwave {
+
+/// All that is reported.
+struct GapReport {
+    Scenario scenario;
+    GapCurve curve;
+    std::optional<NormalGap> normal;
+    GapStatistics statistics;
+    double runTime = 0;  ///< [s]
+
+    /// What the reader should know about the period, empty when it begins at no gap.
+    std::string periodRemark() const;
+};
+
+/// A table for people, forces and gaps in the units of a dimensional scenario.
+std::string gapText(const GapReport& report);
+
+/// One JSON object, dimensionless, with the scales that lead to SI.
+QByteArray gapJson(const GapReport& report);
+
+/// The curve: gap and all outputs, kinks included.
+std::string gapCsv(const GapCurve& curve);
+
+}  // namespace drillwave

@@ -1,0 +1,161 @@
+// The report for people.
+#include <algorithm>
+
+#include "app/gap_report.h"
+#include "app/report_text.h"
+#include "core/model/scales.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr int digits = 6;
+constexpr double negligible = 1e-10;  // what the efficiency is known to: elastic rock keeps nothing
+
+/// The columns of the table: e, impulse, peak force, efficiency, each with how it is shown.
+class GapTable {
+  public:
+    explicit GapTable(const Scenario& scenario)
+        : m_dimensional(scenario.form == ScenarioForm::dimensional), m_scales(scalesOf(scenario)) {}
+
+    std::string gap(double value) const {
+        return m_dimensional ? inHandyUnit(value * m_scales.penetration, Quantity::length, digits)
+                             : rounded(value, digits);
+    }
+
+    void addHeading(const std::string& title) {
+        m_grid.add({title, "e", m_dimensional ? "impulse" : "impulse/I0",
+                    m_dimensional ? "peak force" : "peak force/F0", "efficiency"});
+    }
+
+    /// One line of `value(output)`.
+    template <class Value>
+    void add(const std::string& label, const Value& value) {
+        const double impulse = 1 + value(GapOutput::cor), force = value(GapOutput::peakForce);
+        const double efficiency = value(GapOutput::efficiency);
+        m_grid.add({label, rounded(value(GapOutput::cor), digits),
+                    m_dimensional ? inHandyUnit(impulse * m_scales.impulse, Quantity::impulse, digits)
+                                  : rounded(impulse, digits),
+                    m_dimensional ? inHandyUnit(force * m_scales.force, Quantity::force, digits)
+                                  : rounded(force, digits),
+                    rounded(efficiency > negligible ? efficiency : 0, digits)});
+    }
+
+    /// Where the extremes lie.
+    template <class Extreme>
+    void addGaps(const Extreme& extreme) {
+        const auto place = [&](GapOutput output) {
+            const GapExtreme& found = extreme(output);
+            if (found.kind == GapExtreme::Kind::everywhere) return std::string("anywhere");
+            return gap(found.gap.value) + (found.kind == GapExtreme::Kind::kink ? " kink" : "");
+        };
+        const std::string cor = place(GapOutput::cor);
+        m_grid.add({"  at a gap of", cor, cor, place(GapOutput::peakForce), place(GapOutput::efficiency)});
+    }
+
+    void addBlankLine() { m_grid.add({""}); }
+    std::string text() const { return m_grid.text(); }
+
+  private:
+    bool m_dimensional;
+    Scales m_scales;
+    TextGrid m_grid;
+};
+
+std::string quantileLabel(std::size_t i) {
+    return gapQuantiles[i] == 0.5 ? "median" : rounded(gapQuantiles[i] * 100, 3) + " % quantile";
+}
+
+template <class SpreadOf>
+void addSpread(GapTable& table, const SpreadOf& spread) {
+    table.add("mean", [&](GapOutput output) { return spread(output).mean.value; });
+    for (std::size_t i = 0; i < gapQuantiles.size(); ++i)
+        table.add(quantileLabel(i), [&](GapOutput output) { return spread(output).quantiles[i].value; });
+}
+
+std::string tableText(const GapReport& report, GapTable& table) {
+    const GapStatistics& statistics = report.statistics;
+    table.addHeading("all gaps alike");
+    table.add("smallest", [&](GapOutput output) { return statistics.of(output).least.value.value; });
+    table.addGaps([&](GapOutput output) -> const GapExtreme& { return statistics.of(output).least; });
+    table.add("largest", [&](GapOutput output) { return statistics.of(output).largest.value.value; });
+    table.addGaps([&](GapOutput output) -> const GapExtreme& { return statistics.of(output).largest; });
+    addSpread(table, [&](GapOutput output) -> const GapSpread& { return statistics.of(output).uniform; });
+    if (report.normal) {
+        table.addBlankLine();
+        table.addHeading("gap " + table.gap(report.normal->mean) + " +- " +
+                         table.gap(report.normal->deviation));
+        addSpread(table, [&](GapOutput output) -> const GapSpread& { return *statistics.of(output).normal; });
+    }
+    return table.text();
+}
+
+std::string percent(double share) {
+    return rounded(share * 100, 5) + " %";
+}
+
+std::string superRebounds(const GapReport& report, const GapTable& table) {
+    const GapStatistics& statistics = report.statistics;
+    std::string text = "  e > 1 at " + percent(statistics.shareAboveOne.value) + " of all gaps";
+    if (report.normal)
+        text += ", " + percent(statistics.normalShareAboveOne->value) + " of the scattered ones";
+    for (const GapCrossing& crossing : statistics.crossings)
+        text += (&crossing == &statistics.crossings.front() ? ": " : ", ") +
+                std::string(crossing.rising ? "rises above 1 at " : "falls below 1 at ") +
+                table.gap(crossing.gap.value);
+    return text + "\n";
+}
+
+std::string kinks(const GapReport& report, const GapTable& table) {
+    std::string text;
+    for (const GapKink& kink : report.statistics.kinks)
+        text += (text.empty() ? "  Kinks of e at a gap of " : ", ") + table.gap(kink.gap) + " (slope " +
+                rounded(kink.slopeBefore, 3) + " to " + rounded(kink.slopeAfter, 3) + " per d0)";
+    return text.empty() ? text : text + "\n";
+}
+
+double largestError(const GapStatistics& statistics) {
+    double largest = 0;
+    const auto take = [&](const Estimate& estimate) { largest = std::max(largest, estimate.error); };
+    for (const GapOutputStatistics& output : statistics.outputs) {
+        take(output.least.value);
+        take(output.largest.value);
+        for (const GapSpread& spread : {output.uniform, output.normal.value_or(output.uniform)}) {
+            take(spread.mean);
+            for (const Estimate& quantile : spread.quantiles) take(quantile);
+        }
+    }
+    return largest;
+}
+
+}  // namespace
+
+std::string GapReport::periodRemark() const {
+    if (!curve.dependsOnGap)
+        return "The reference case does not depend on the gap: it only shifts the time of contact.";
+    if (curve.periodStart == 0) return {};
+    return "The hammer still pushes when its first reflection is back: results have a period in the gap only "
+           "from a gap of " +
+           rounded(curve.periodStart) + " d0 on, and the statistics are over the period that begins there.";
+}
+
+std::string gapText(const GapReport& report) {
+    GapTable table(report.scenario);
+    std::string text = headingOf(report.scenario);
+    if (report.curve.dependsOnGap)
+        text += "  The gap has a period of d0" +
+                (report.scenario.form == ScenarioForm::dimensional ? " = " + table.gap(1) : std::string()) +
+                ".\n";
+    if (const std::string remark = report.periodRemark(); !remark.empty()) text += "  " + remark + "\n";
+    text += "\n" + tableText(report, table) + "\n" + superRebounds(report, table) + kinks(report, table);
+    if (report.normal)
+        text +=
+            "  The scattered gap is a normal distribution cut off at no gap: mean and deviation are those "
+            "before the cut.\n";
+    text += "  Errors below " + rounded(largestError(report.statistics), 2) + ", from " +
+            std::to_string(report.curve.solves) + (report.curve.solves == 1 ? " blow in " : " blows in ") +
+            inHandyUnit(report.runTime, Quantity::time, 3) + ".\n";
+    return text;
+}
+
+}  // namespace drillwave

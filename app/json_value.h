@@ -1,0 +1,27 @@
+// Values of JSON reports.
+#pragma once
+
+#include <QJsonObject>
+#include <QJsonValue>
+#include <QString>
+#include <cmath>
+#include <string_view>
+
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+inline QString jsonText(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// null where there is no number.
+inline QJsonValue jsonNumber(double value) {
+    return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null);
+}
+
+inline QJsonObject groupsJson(const Groups& groups) {
+    return {{"beta", groups.beta}, {"gamma", groups.gamma}, {"tau", groups.tau}, {"delta", groups.delta}};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,95 @@
+// drillwave thrust FILE
+#include "app/command.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "app/progress_bar.h"
+#include "app/scenario_argument.h"
+#include "app/thrust_report.h"
+#include "core/file/blow_csv.h"
+#include "core/study/thrust.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr std::uint64_t mostFrequencies = 10'000;
+
+std::optional<SweepAxis> frequenciesOf(const Arguments& arguments) {
+    const std::optional<std::string> text = arguments.value("frequency");
+    if (!text) return std::nullopt;
+    ParsedAxis parsed = parseAxis("drill.blow_frequency=" + *text);
+    if (!parsed.problem.empty())
+        throw CommandError(
+            parsed.kind == ParsedAxis::Kind::badValue ? ExitCode::invalidScenario : ExitCode::usage,
+            "--frequency: " + parsed.problem);
+    if (parsed.axis.count > mostFrequencies)
+        throw CommandError(ExitCode::usage, "--frequency: at most " + std::to_string(mostFrequencies) +
+                                                " frequencies; the thrust is proportional to them anyway");
+    return std::move(parsed.axis);
+}
+
+ThrustStudy study(const Scenario& scenario, const Interruption& interruption) {
+    constexpr double parts = 1000;
+    ProgressBar bar(static_cast<std::uint64_t>(parts), "permille");
+    const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
+    ThrustStudy found = studyThrust(scenario, interruption.token(), progress);
+    interruption.check();
+    return found;
+}
+
+ExitCode runThrust(const Arguments& arguments) {
+    const std::string& path = arguments.operands().front();
+    const std::optional<std::string> csvPath = arguments.value("o");
+    const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    ThrustReport report{.scenario = {}, .study = {}, .frequencies = frequenciesOf(arguments)};
+    if (csvPath && !report.frequencies)
+        throw CommandError(ExitCode::usage,
+                           "-o writes the table of --frequency; add --frequency START:STOP:COUNT");
+    if (arguments.has("force") && !csvPath)
+        throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+    const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    report.scenario = document.scenario;
+    if (const std::string problem = thrustProblem(report.scenario); !problem.empty())
+        throw CommandError(ExitCode::invalidScenario, path + ": " + problem);
+    if (csvPath) checkOverwrite(*csvPath, overwrite);
+
+    const Interruption interruption;
+    report.study = study(report.scenario, interruption);
+    if (!report.study.reason.empty())
+        throw CommandError(ExitCode::unsolvedOrFailed,
+                           path + ": could not be solved: " + report.study.reason);
+    if (csvPath)
+        writeFile(*csvPath, scenarioHeader(completeScenarioText(document)) + thrustCsv(report), overwrite);
+    if (csvPath == "-") return ExitCode::done;
+    writeFile("-", arguments.has("json") ? thrustJson(report).toStdString() : thrustText(report),
+              Overwrite::allowed);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+const Command& thrustCommand() {
+    static const Command command{
+        .name = "thrust",
+        .operands = "FILE",
+        .summary = "thrust needed to keep the bit on the rock, and the margin of the installed one",
+        .details =
+            "The mean thrust is blow frequency times I0 (1 + e). Beside this blow: 95 % of all gaps between\n"
+            "bit and rock, rigid rock (e = 1), and the worst gap on elastic rock (gamma = 1), which needs "
+            "more\n"
+            "than rigid rock. A feed over 1.5 times the largest of these is called over-feeding, by rule of\n"
+            "thumb. Needs a scenario in physical units with drill.blow_frequency; margins need drill.thrust.",
+        .options = {setOption,
+                    {"frequency", "VALUES", "also a table against frequency: 40Hz:80Hz:5, or 40Hz,60Hz"},
+                    {"json", "", "print one JSON object in place of the tables"},
+                    {"o", "FILE.csv", "also write the table of --frequency; - prints it instead"},
+                    {"force", "", "overwrite an existing file"}},
+        .leastOperands = 1,
+        .mostOperands = 1,
+        .draws = [](const Arguments&) { return false; },
+        .run = runThrust,
+    };
+    return command;
+}
+
+}  // namespace drillwave

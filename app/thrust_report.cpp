@@ -1,0 +1,172 @@
+#include "app/thrust_report.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "app/json_value.h"
+#include "app/report_text.h"
+#include "core/model/scales.h"
+#include "core/model/version.h"
+#include "core/study/row_text.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr ThrustCase allCases[] = {ThrustCase::scenario, ThrustCase::gapQuantile, ThrustCase::rigidRock,
+                                   ThrustCase::elasticWorst};
+
+const char* label(ThrustCase which) {
+    switch (which) {
+        case ThrustCase::scenario:
+            return "this blow";
+        case ThrustCase::gapQuantile:
+            return "95 % of all gaps";
+        case ThrustCase::rigidRock:
+            return "rigid rock";
+        case ThrustCase::elasticWorst:
+            return "elastic rock, worst gap";
+    }
+    return "";
+}
+
+std::string force(double newton) {
+    return inHandyUnit(newton, Quantity::force, 4);
+}
+
+std::string signedPercent(double share) {
+    return (share < 0 ? "" : "+") + rounded(share * 100, 3) + " %";
+}
+
+std::string hertz(double frequency) {
+    return rounded(frequency, 4) + " Hz";
+}
+
+std::string needsTable(const ThrustReport& report) {
+    const bool judged = report.scenario.drill.thrust.has_value();
+    TextGrid grid;
+    std::vector<std::string> titles{"thrust needed for", "e", "thrust"};
+    if (judged) titles.insert(titles.end(), {"margin", "enough up to"});
+    grid.add(titles);
+    for (const ThrustCase which : allCases) {
+        const ThrustNeed& need = report.study.need(which);
+        std::vector<std::string> cells{label(which), rounded(need.cor.value), force(need.thrust)};
+        if (judged) cells.insert(cells.end(), {signedPercent(*need.margin), hertz(*need.frequencyLimit)});
+        grid.add(cells);
+    }
+    return grid.text();
+}
+
+std::string frequencyTable(const ThrustReport& report) {
+    TextGrid grid;
+    std::vector<std::string> titles{"blow frequency"};
+    for (const ThrustCase which : allCases) titles.emplace_back(label(which));
+    grid.add(titles);
+    for (std::uint64_t i = 0; i < report.frequencies->count; ++i) {
+        const double frequency = report.frequencies->value(i);
+        std::vector<std::string> cells{hertz(frequency)};
+        for (const ThrustCase which : allCases) cells.push_back(force(report.thrustAt(frequency, which)));
+        grid.add(cells);
+    }
+    return grid.text();
+}
+
+/// Broken into lines of at most 100 characters, two blanks before each.
+std::string paragraph(std::string_view words) {
+    constexpr std::size_t width = 98;
+    std::string text;
+    while (!words.empty()) {
+        std::size_t end = words.size();
+        if (end > width) end = words.rfind(' ', width);
+        text += "  " + std::string(words.substr(0, end)) + "\n";
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+    return text;
+}
+
+std::string verdict(const ThrustReport& report) {
+    std::string text;
+    if (const std::optional<double> held = report.study.shareHeld)
+        text += "The installed " + force(*report.scenario.drill.thrust) + " is enough at " +
+                rounded(*held * 100, 4) + " % of all gaps in this rock. ";
+    text += feedAdvice(report.study.feed);
+    return paragraph(text);
+}
+
+QJsonObject needJson(const ThrustNeed& need) {
+    const auto optional = [](const std::optional<double>& value) {
+        return value ? QJsonValue(*value) : QJsonValue(QJsonValue::Null);
+    };
+    return {{"cor", need.cor.value},
+            {"cor_error", need.cor.error},
+            {"thrust", need.thrust},
+            {"margin", optional(need.margin)},
+            {"frequency_limit", optional(need.frequencyLimit)}};
+}
+
+QJsonArray frequenciesJson(const ThrustReport& report) {
+    QJsonArray array;
+    for (std::uint64_t i = 0; i < report.frequencies->count; ++i) {
+        const double frequency = report.frequencies->value(i);
+        QJsonObject row{{"blow_frequency", frequency}};
+        for (const ThrustCase which : allCases)
+            row[jsonText(name(which))] = report.thrustAt(frequency, which);
+        array.append(row);
+    }
+    return array;
+}
+
+}  // namespace
+
+double ThrustReport::thrustAt(double frequency, ThrustCase which) const {
+    return study.need(which).thrust * (frequency / *scenario.drill.blowFrequency);
+}
+
+std::string thrustText(const ThrustReport& report) {
+    const Drill& drill = report.scenario.drill;
+    std::string text = headingOf(report.scenario) + "  " + hertz(*drill.blowFrequency) + " of " +
+                       inHandyUnit(pulseImpulse(report.scenario), Quantity::impulse, 4);
+    if (drill.thrust) text += ", installed thrust " + force(*drill.thrust);
+    text += "\n\n" + needsTable(report);
+    if (report.frequencies) text += "\n" + frequencyTable(report);
+    return text + "\n" + verdict(report);
+}
+
+QByteArray thrustJson(const ThrustReport& report) {
+    const Drill& drill = report.scenario.drill;
+    QJsonObject needs;
+    for (const ThrustCase which : allCases) needs[jsonText(name(which))] = needJson(report.study.need(which));
+    QJsonObject object{
+        {"version", versionText},
+        {"title", jsonText(report.scenario.title)},
+        {"groups", groupsJson(groupsOf(report.scenario))},
+        {"blow_frequency", *drill.blowFrequency},
+        {"impulse", pulseImpulse(report.scenario)},
+        {"installed_thrust", drill.thrust ? QJsonValue(*drill.thrust) : QJsonValue(QJsonValue::Null)},
+        {"needs", needs},
+        {"share_of_gaps_held",
+         report.study.shareHeld ? QJsonValue(*report.study.shareHeld) : QJsonValue(QJsonValue::Null)},
+        {"feed", jsonText(name(report.study.feed))},
+        {"advice", jsonText(feedAdvice(report.study.feed))},
+    };
+    if (report.frequencies) object["frequencies"] = frequenciesJson(report);
+    return QJsonDocument(object).toJson(QJsonDocument::Indented);
+}
+
+std::string thrustCsv(const ThrustReport& report) {
+    std::string csv = report.frequencies->header();
+    for (const ThrustCase which : allCases) csv += "," + std::string(name(which)) + " [N]";
+    csv += "\n";
+    for (std::uint64_t i = 0; i < report.frequencies->count; ++i) {
+        report.frequencies->appendText(csv, i);
+        for (const ThrustCase which : allCases) {
+            csv += ',';
+            appendNumber(csv, report.thrustAt(report.frequencies->value(i), which));
+        }
+        csv += '\n';
+    }
+    return csv;
+}
+
+}  // namespace drillwave

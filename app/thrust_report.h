@@ -1,0 +1,34 @@
+// The thrust as the thrust command tells it.
+#pragma once
+
+#include <QByteArray>
+#include <optional>
+#include <string>
+
+#include "core/model/scenario.h"
+#include "core/study/sweep_axis.h"
+#include "core/study/thrust_study.h"
+
+namespace drillwave {
+
+/// All that is reported.
+struct ThrustReport {
+    Scenario scenario;
+    ThrustStudy study;
+    std::optional<SweepAxis> frequencies;  ///< of drill.blow_frequency, for the table
+
+    /// The thrust that a case needs at another blow frequency, the blow being the same [N].
+    double thrustAt(double frequency, ThrustCase which) const;
+};
+
+/// Tables for people, and what the installed thrust means at the rig.
+std::string thrustText(const ThrustReport& report);
+
+/// One JSON object, SI.
+QByteArray thrustJson(const ThrustReport& report);
+
+/// Thrust needed against frequency: one row for each, in the unit in which it was typed and N. Requires
+/// `frequencies`.
+std::string thrustCsv(const ThrustReport& report);
+
+}  // namespace drillwave
