@@ -166,4 +166,12 @@ double PulseForce::impulseUntil(double t) const {
     return std::min(1.0, segment.impulseBefore + impulseOf(segment, t - segment.start));
 }
 
+PulseForce pulseForceOf(PulseShape shape, double impedanceRatio) {
+    Scenario scenario;
+    scenario.form = ScenarioForm::dimensionless;
+    scenario.pulse.shape = shape;
+    scenario.pulse.piston.impedanceRatio = impedanceRatio;
+    return pulseForceOf(scenario);
+}
+
 }  // namespace drillwave

@@ -45,4 +45,7 @@ double pistonStepCount(double impedanceRatio);
 /// ratio q = Z_hammer/Z_rod > 1, a single step for q ≤ 1 (the hammer rebounds after it). Steps last t0 each.
 PulseForce pulseForceOf(const Scenario& scenario);
 
+/// The force of a shape with the default shape parameters, as in a dimensionless scenario; not for `table`.
+PulseForce pulseForceOf(PulseShape shape, double impedanceRatio = 1);
+
 }  // namespace drillwave

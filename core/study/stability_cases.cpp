@@ -1,6 +1,6 @@
 #include "core/study/stability_cases.h"
 
-#include <algorithm>
+#include <functional>
 
 #include "core/model/units.h"
 
@@ -16,16 +16,16 @@ bool isLong(PulseShape shape) {
     return shape == PulseShape::exponential || shape == PulseShape::piston;
 }
 
+/// Takes one named case with a default piston.
+using Add = std::function<void(const char* name, PulseShape shape, Groups groups)>;
+
 /// Outside what the header says is left out.
 bool isAffordable(PulseShape shape, const Groups& g) {
     if (g.beta < 1e-6 && g.gamma < 1) return false;
     return g.tau >= 0.1 || !isLong(shape);
 }
 
-void addPublished(std::vector<StabilityCase>& cases) {
-    const auto add = [&](const char* name, PulseShape shape, Groups groups) {
-        cases.push_back({name, shape, 2, groups});
-    };
+void addPublished(const Add& add) {
     add("paper Fig. 4 (a)", PulseShape::rectangular, {0.5, 1, 10, 0});
     add("paper Fig. 4 (b)", PulseShape::rectangular, {0.5, 0.1, 10, 0});
     add("paper Fig. 6, largest e", PulseShape::rectangular, {0.3, 1, 10, 0});
@@ -33,10 +33,7 @@ void addPublished(std::vector<StabilityCase>& cases) {
     add("paper, reference case", PulseShape::rigidBody, {0.12892, 1, 10, 0});
 }
 
-void addTraps(std::vector<StabilityCase>& cases) {
-    const auto add = [&](const char* name, PulseShape shape, Groups groups) {
-        cases.push_back({name, shape, 2, groups});
-    };
+void addTraps(const Add& add) {
     add("forceless contact over a long rod", PulseShape::rectangular, {50, 0.1, 1000, 0});
     add("forceless contact, elastic", PulseShape::halfSine, {50, 1, 1000, 0});
     add("tangential start of unloading", PulseShape::halfSine, {0.5, 0.1, 10, 0});
@@ -119,18 +116,16 @@ void addProducts(std::vector<StabilityCase>& cases) {
 }  // namespace
 
 PulseForce pulseOf(const StabilityCase& stabilityCase) {
-    Scenario scenario;
-    scenario.form = ScenarioForm::dimensionless;
-    scenario.groups = stabilityCase.groups;
-    scenario.pulse.shape = stabilityCase.shape;
-    scenario.pulse.piston.impedanceRatio = stabilityCase.impedanceRatio;
-    return pulseForceOf(scenario);
+    return pulseForceOf(stabilityCase.shape, stabilityCase.impedanceRatio);
 }
 
 std::vector<StabilityCase> stabilityCases() {
     std::vector<StabilityCase> cases;
-    addPublished(cases);
-    addTraps(cases);
+    const Add add = [&cases](const char* name, PulseShape shape, Groups groups) {
+        cases.push_back({name, shape, 2, groups});
+    };
+    addPublished(add);
+    addTraps(add);
     addScans(cases);
     addProducts(cases);
     return cases;

@@ -38,12 +38,7 @@ struct Measured {
 };
 
 Measured measure(const Scene& scene) {
-    Scenario scenario;
-    scenario.form = ScenarioForm::dimensionless;
-    scenario.groups = scene.groups;
-    scenario.pulse.shape = scene.shape;
-    scenario.pulse.piston.impedanceRatio = 2;
-    const PulseForce pulse = pulseForceOf(scenario);
+    const PulseForce pulse = pulseForceOf(scene.shape, 2);
     ExactSolver solver;
     Measured measured;
     const auto work = [&] { measured.pieces = solver.solve(pulse, scene.groups, Detail::cor).pieces; };

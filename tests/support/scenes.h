@@ -23,12 +23,7 @@ struct Scene {
 };
 
 inline PulseForce pulseOf(const Scene& scene) {
-    Scenario scenario;
-    scenario.form = ScenarioForm::dimensionless;
-    scenario.groups = scene.groups;
-    scenario.pulse.shape = scene.shape;
-    scenario.pulse.piston.impedanceRatio = scene.impedanceRatio;
-    return pulseForceOf(scenario);
+    return pulseForceOf(scene.shape, scene.impedanceRatio);
 }
 
 inline Impact solve(const Scene& scene, Detail detail = Detail::cor) {
