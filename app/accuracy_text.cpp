@@ -37,7 +37,8 @@ std::string shown(double value, NumberStyle style) {
         case NumberStyle::count:
             return digits(value, std::chars_format::fixed, 0);
         case NumberStyle::factor:
-            return value >= 1e4 ? digits(value, std::chars_format::scientific, 1)
+            if (value >= 1e4) return digits(value, std::chars_format::scientific, 1);
+            return value >= 100 ? digits(value, std::chars_format::fixed, 0)
                                 : digits(value, std::chars_format::general, 3);
         case NumberStyle::order:
             return digits(value, std::chars_format::fixed, 2);
