@@ -68,10 +68,11 @@ std::string resultText(const BlowReport& report, const ImpactSummary& summary) {
     const Scales scales = scalesOf(report.scenario);
     const double work = summary.workRatio * scales.energy;
     ResultRows rows(report.scenario);
+    // 5 % more: two digits of the bound must not be less than it
     rows.addText("restitution e", rounded(summary.cor, 12) +
                                       (report.choice.method == Method::lattice ? "  (error estimated as "
                                                                                : "  (error below ") +
-                                      rounded(summary.corError, 2) + ")");
+                                      rounded(1.05 * summary.corError, 2) + ")");
     rows.add("impulse 1 + e", summary.impulse, "I0", scales.impulse, Quantity::impulse);
     rows.add("peak force", summary.peakForce, "F0", scales.force, Quantity::force);
     rows.add("largest penetration", summary.maxPenetration, "d0", scales.penetration, Quantity::length);

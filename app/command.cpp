@@ -7,9 +7,9 @@
 namespace drillwave {
 
 std::span<const Command* const> commands() {
-    static const std::array all{&runCommand(),       &sweepCommand(),    &tableCommand(),
-                                &gapCommand(),       &thrustCommand(),   &accuracyCommand(),
-                                &stabilityCommand(), &validateCommand(), &examplesCommand()};
+    static const std::array all{
+        &runCommand(),     &sweepCommand(),    &tableCommand(),     &gapCommand(),      &thrustCommand(),
+        &figuresCommand(), &accuracyCommand(), &stabilityCommand(), &validateCommand(), &examplesCommand()};
     return all;
 }
 
@@ -20,9 +20,11 @@ Arguments parseArguments(const Command& command, std::span<const std::string> wo
         throw CommandError(ExitCode::usage, "needs " + std::string(command.operands) + "; see drillwave " +
                                                 std::string(command.name) + " --help");
     if (given > command.mostOperands)
-        throw CommandError(ExitCode::usage, "`" + shortened(arguments.operands()[command.mostOperands]) +
-                                                "` is too much; takes " + std::string(command.operands) +
-                                                ", see drillwave " + std::string(command.name) + " --help");
+        throw CommandError(ExitCode::usage,
+                           "`" + shortened(arguments.operands()[command.mostOperands]) +
+                               "` is too much; takes " +
+                               std::string(command.operands.empty() ? "none" : command.operands) +
+                               ", see drillwave " + std::string(command.name) + " --help");
     return arguments;
 }
 

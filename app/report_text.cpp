@@ -30,9 +30,12 @@ std::string inHandyUnit(double si, Quantity quantity, int digits) {
 
 std::string headingOf(const Scenario& scenario) {
     const Groups groups = groupsOf(scenario);
-    return (scenario.title.empty() ? std::string() : scenario.title + "\n") + "  beta " +
-           rounded(groups.beta) + "  gamma " + rounded(groups.gamma) + "  tau " + rounded(groups.tau) +
-           "  delta " + rounded(groups.delta) + "  pulse " + std::string(name(scenario.pulse.shape)) + "\n";
+    std::string title = scenario.title;  // a title may hold anything, a terminal not
+    std::ranges::replace_if(
+        title, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+    return (title.empty() ? std::string() : title + "\n") + "  beta " + rounded(groups.beta) + "  gamma " +
+           rounded(groups.gamma) + "  tau " + rounded(groups.tau) + "  delta " + rounded(groups.delta) +
+           "  pulse " + std::string(name(scenario.pulse.shape)) + "\n";
 }
 
 std::string TextGrid::text() const {

@@ -97,7 +97,7 @@ void writeFiles(const RunFiles& files, const ScenarioDocument& document, const B
     // A folder with a summary is complete: it goes first and comes last.
     QFile::remove(QString::fromStdString(files.path("summary.json")));
     const Scales scales = scalesOf(report.scenario);
-    const std::string header = scenarioHeader(completeScenarioText(document));
+    const std::string header = scenarioHeader(completeScenarioText(document), describe(report.choice));
     const PulseForce pulse = pulseForceOf(report.scenario);
     writeFile(files.path("histories.csv"), header + historiesCsv(report.impact, pulse, files.units, scales),
               files.overwrite);

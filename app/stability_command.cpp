@@ -216,7 +216,7 @@ const Command& stabilityCommand() {
             "its steps resolve the contact, against the lattice solver. Exit code 6 if any check fails.\n"
             "Not covered, as it needs more than 30 million wave pieces: beta below 1e-6 with gamma below 1, "
             "and\n"
-            "tau below 0.1 with exponential and piston blows.\n",
+            "tau below 0.1 with exponential and piston blows.",
         .options = {{"json", "", "print one JSON object with all cases"},
                     {"o", "DIR", "write stability.csv into this folder"},
                     {"force", "", "overwrite an existing file"}},

@@ -25,9 +25,12 @@ std::string_view takeLine(std::string_view& text) {
 
 }  // namespace
 
-std::string scenarioHeader(std::string_view scenarioYaml) {
+std::string scenarioHeader(std::string_view scenarioYaml, std::string_view method) {
     std::string header = "# # Written by Drillwave " + std::string(versionText) +
                          "; without the leading \"# \" these lines are the scenario.\n";
+    if (!method.empty()) header += "# # Solved by " + std::string(method) + ".\n";
+    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+    if (scenarioYaml.starts_with(byteOrderMark)) scenarioYaml.remove_prefix(byteOrderMark.size());
     while (!scenarioYaml.empty()) {
         const std::string_view line = takeLine(scenarioYaml);
         header += line.empty() ? "#" : "# ";

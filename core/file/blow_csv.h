@@ -12,8 +12,8 @@
 namespace drillwave {
 
 /// The program version and a scenario file as lines that begin with "#": without their leading "# " they are
-/// a scenario file again, the version line being a comment of it.
-std::string scenarioHeader(std::string_view scenarioYaml);
+/// a scenario file again, the version line and the one that names the method being comments of it.
+std::string scenarioHeader(std::string_view scenarioYaml, std::string_view method = {});
 
 /// Turns the lines of scenarioHeader() at the top of a CSV file back into the scenario file; empty without
 /// such lines.

@@ -27,6 +27,13 @@ std::span<const std::string_view> methodNames() {
     return names;
 }
 
+std::string describe(const MethodChoice& choice) {
+    std::string text = "method " + std::string(name(choice.method));
+    if (choice.method == Method::lattice)
+        text += ", " + std::to_string(choice.lattice.segments) + " segments";
+    return text;
+}
+
 std::string methodRefusal(Method method, const PulseForce& pulse, const Groups& groups) {
     return method == Method::closedForm ? closedFormRefusal(pulse, groups) : std::string();
 }

@@ -35,6 +35,9 @@ struct MethodChoice {
     bool operator==(const MethodChoice&) const = default;
 };
 
+/// "method exact", "method lattice, 1000 segments": how to ask for it again.
+std::string describe(const MethodChoice& choice);
+
 /// Why a method says nothing about a blow that others can solve; empty when it does.
 std::string methodRefusal(Method method, const PulseForce& pulse, const Groups& groups);
 

@@ -105,8 +105,8 @@ class ContactMarch {
     Real m_periodsAhead = 0;  ///< periods of free flight still to come before `m_gap` counts
     Real m_gap = 0;           ///< distance still to close, displacement unit I0/Z
     Real m_force = 0;
-    Real m_peak = 0;  ///< largest force so far: the memory of the rock
-    Real m_contactStart = 0;
+    Real m_peak = 0;                    ///< largest force so far: the memory of the rock
+    typename Basis::Sum m_contactTime;  ///< summed over contacts
     typename Basis::Sum m_impulse;
     Real m_error = 0;
 };
@@ -154,9 +154,11 @@ void ContactMarch<Basis>::begin(const PulseForce& pulse, const Groups& groups, D
     // that are kept apart, exactly.
     const double gap = pulse.isRigidBody() ? 0 : groups.delta;  // the reference case begins in contact
     const double hammerPeriods = std::ceil(pulse.end / (2 * groups.tau)) + 2;
-    m_periodsAhead = Real(std::max(0.0, std::floor(gap) - hammerPeriods));
-    m_gap = 2 * (Real(gap) - m_periodsAhead);
-    m_force = m_peak = m_contactStart = 0;
+    const double whole = std::floor(gap);
+    m_periodsAhead = Real(std::max(0.0, whole - hammerPeriods));
+    m_gap = 2 * (Real(std::min(whole, hammerPeriods)) + Real(gap - whole));
+    m_force = m_peak = 0;
+    m_contactTime = 0;
     m_impulse = 0;
     m_error = 0;
     m_waves.clear();

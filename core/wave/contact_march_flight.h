@@ -36,6 +36,7 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
         if (!m_touching) m_gap -= 2 * impulse;
         ++m_impact->pieces;
         m_s += arriving.length;
+        if (m_touching) m_contactTime += arriving.length;
         if constexpr (Basis::keepsHistory)
             if (m_detail == Detail::histories) m_basis.record(arriving, nullptr, arriving.length, *m_impact);
         m_waves.rotate();
@@ -114,10 +115,8 @@ template <class Basis>
 void ContactMarch<Basis>::summarise() {
     Impact& impact = *m_impact;
     impact.peakForce = double(m_peak);
-    if (m_touching) {
-        impact.contactDuration += double(m_s - m_contactStart);
-        impact.separationTime = double(m_arrival + m_s);
-    }
+    impact.contactDuration = double(m_contactTime);
+    if (m_touching) impact.separationTime = double(m_arrival + m_s);
     Real momentum = 0, energy = 0;
     for (std::size_t i = 0; i < m_waves.size(); ++i) {
         const Piece& piece = m_waves[i];

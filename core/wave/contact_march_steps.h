@@ -61,7 +61,6 @@ void ContactMarch<Basis>::closeGap() {
     m_phase = m_elasticRock || m_peak == 0 ? Phase::primary : Phase::elastic;
     if (!m_touching) {
         ++m_impact->contacts;
-        m_contactStart = m_s;
         note(ContactEvent::contact);
         if (!m_everTouched) m_impact->firstContactTime = double(m_arrival + m_s);
     }
@@ -72,7 +71,6 @@ void ContactMarch<Basis>::closeGap() {
 template <class Basis>
 void ContactMarch<Basis>::separate() {
     m_touching = false;
-    m_impact->contactDuration += double(m_s - m_contactStart);
     m_impact->separationTime = double(m_arrival + m_s);
     note(ContactEvent::separation);
 }
@@ -83,6 +81,7 @@ void ContactMarch<Basis>::leave(const Piece& reflected, const Piece& incident, c
                                 Real length) {
     ++m_impact->pieces;
     m_s += length;
+    if (force || m_touching) m_contactTime += length;
     if (length <= 0) return;
     if constexpr (Basis::keepsHistory)
         if (m_detail == Detail::histories) m_basis.record(incident, force, length, *m_impact);

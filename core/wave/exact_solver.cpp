@@ -1,5 +1,6 @@
 #include "core/wave/exact_solver.h"
 
+#include <cmath>
 #include <utility>
 
 #include "core/wave/contact_march.h"
@@ -31,6 +32,10 @@ Impact ExactSolver::solve(const PulseForce& pulse, const Groups& groups, Detail 
         impact.cor = closed.cor;
         impact.corError = closed.corError;
         impact.impulse = closed.impulse;
+    }
+    if (impact.outcome == Outcome::rebounded && !std::isfinite(impact.cor + impact.corError)) {
+        impact.outcome = Outcome::notSolved;
+        impact.reason = "its numbers are beyond the range of double precision";
     }
     return impact;
 }

@@ -73,6 +73,7 @@ Local localOf(const DecayTerms& f, double y, double decay) {
 }  // namespace
 
 bool ExponentialBasis::suits(const PulseForce& pulse, const Groups& groups) {
+    if (groups.beta / groups.gamma > 1e14) return false;
     if (groups.gamma > 0.7 && groups.gamma < 1) return false;
     if (groups.beta * groups.tau < 1.5 || groups.beta < 0.02) return false;
     if (pulse.segments.size() > 12) return false;

@@ -60,6 +60,8 @@ class TestBlowCsv : public QObject {
     void eventsAreListedInTheirOrder();
     void theHeaderGivesTheScenarioBack_data();
     void theHeaderGivesTheScenarioBack();
+    void theHeaderNamesTheMethod();
+    void aByteOrderMarkStaysOutOfTheHeader();
 };
 
 void TestBlowCsv::historiesBeginAtRestAndEndWithTheRebound() {
@@ -139,6 +141,22 @@ void TestBlowCsv::theHeaderGivesTheScenarioBack() {
     const QByteArray windows = QByteArray::fromStdString(csv).replace("\n", "\r\n");
     QCOMPARE(parseScenario(scenarioFromHeader(windows.toStdString()), "again").scenario, scenario);
     QVERIFY(scenarioFromHeader("time,value\n# 1\n").empty());
+}
+
+void TestBlowCsv::theHeaderNamesTheMethod() {
+    const Example& example = defaultExample();
+    const std::string header = scenarioHeader(example.text, "method lattice, 500 segments");
+    QVERIFY(header.find("# # Solved by method lattice, 500 segments.\n") != std::string::npos);
+    QCOMPARE(parseScenario(scenarioFromHeader(header), "again").scenario,
+             parseScenario(example.text, example.name).scenario);
+}
+
+void TestBlowCsv::aByteOrderMarkStaysOutOfTheHeader() {
+    // In the middle of the lines it would be part of a key.
+    const Example& example = defaultExample();
+    const std::string header = scenarioHeader("\xEF\xBB\xBF" + example.text, "method exact");
+    QCOMPARE(parseScenario(scenarioFromHeader(header), "again").scenario,
+             parseScenario(example.text, example.name).scenario);
 }
 
 QTEST_GUILESS_MAIN(TestBlowCsv)

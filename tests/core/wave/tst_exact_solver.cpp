@@ -301,6 +301,21 @@ class ExactSolverTest : public QObject {
         QVERIFY(close(impact.cor, cor(PulseShape::rectangular, 0.5, 0.1, 10, 0.5), 1e-13));
     }
 
+    void aGapBeyondTheDigitsOfAFractionStillTakesItsTime() {
+        // δ = 1e17 has no fraction: the rod flies 1e17 periods and meets the rock as with δ = 1
+        const Impact near = solve({PulseShape::rectangular, {0.5, 0.1, 10, 1}}, Detail::summary);
+        const Impact far = solve({PulseShape::rectangular, {0.5, 0.1, 10, 1e17}}, Detail::summary);
+        QVERIFY(close(far.cor, near.cor, 1e-13));
+        QVERIFY(close(far.firstContactTime, 2e18, 1e3));
+        QVERIFY(close(far.contactDuration, near.contactDuration, 1e-9));
+    }
+
+    void numbersBeyondTheRangeOfDoublesAreReported() {
+        const Impact impact = solve({PulseShape::rectangular, {1e308, 0.1, 10, 0}});
+        QCOMPARE(impact.outcome, Outcome::notSolved);
+        QVERIFY(!impact.reason.empty());
+    }
+
     void workBeyondTheLimitIsReportedAsNotSolved() {
         const Scene scene{PulseShape::rectangular, {1e-6, 0.1, 0.6, 0}};
         ExactSolver solver(1000);
