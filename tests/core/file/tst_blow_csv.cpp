@@ -154,7 +154,7 @@ void TestBlowCsv::theHeaderNamesTheMethod() {
 void TestBlowCsv::aByteOrderMarkStaysOutOfTheHeader() {
     // In the middle of the lines it would be part of a key.
     const Example& example = defaultExample();
-    const std::string header = scenarioHeader("\xEF\xBB\xBF" + example.text, "method exact");
+    const std::string header = scenarioHeader("\xEF\xBB\xBF" + std::string(example.text), "method exact");
     QCOMPARE(parseScenario(scenarioFromHeader(header), "again").scenario,
              parseScenario(example.text, example.name).scenario);
 }
