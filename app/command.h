@@ -30,6 +30,7 @@ const Command& sweepCommand();
 const Command& tableCommand();
 const Command& gapCommand();
 const Command& thrustCommand();
+const Command& figuresCommand();
 const Command& stabilityCommand();
 const Command& accuracyCommand();
 const Command& validateCommand();

@@ -12,11 +12,13 @@ struct FigureCurve {
     std::string label;  ///< for legends
     std::vector<double> x;
     std::vector<double> y;
-    enum class Role {
-        result,     ///< of the exact solution
-        reference,  ///< what it is compared with: the reference case, the closed form
-        hidden,     ///< in the table alone
-    } role = Role::result;
+    enum class Line {
+        solid,
+        dotted,
+        dashed,
+        none,  ///< in the table alone
+    } line = Line::solid;
+    int colour = 0;  ///< alike for what belongs together
 };
 
 /// One diagram.

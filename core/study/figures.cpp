@@ -13,14 +13,25 @@ namespace drillwave {
 
 namespace {
 
-using Role = FigureCurve::Role;
+using Line = FigureCurve::Line;
 
-/// Until four transit times, as far as the waves N0p … N3n go.
+/// How a curve is drawn.
+struct Look {
+    Line line = Line::solid;
+    int colour = 0;
+};
+
+/// Of Fig. 4: four transit times.
 const double lastTime = 4 * paperElastic.tau;
 
 FigureCurve curve(std::string key, std::string label, const std::vector<double>& x,
-                  const std::function<double(double)>& y, Role role = Role::result) {
-    FigureCurve result{.key = std::move(key), .label = std::move(label), .x = x, .y = {}, .role = role};
+                  const std::function<double(double)>& y, Look look = {}) {
+    FigureCurve result{.key = std::move(key),
+                       .label = std::move(label),
+                       .x = x,
+                       .y = {},
+                       .line = look.line,
+                       .colour = look.colour};
     for (const double at : x) result.y.push_back(y(at));
     return result;
 }
@@ -52,8 +63,19 @@ FigurePanel wavePanel(const char* name, const char* title, const Groups& groups)
     const Impact impact = solvePaperCase(groups, Detail::histories);
     for (SectionWave& wave : sectionWaves(impact, 0.5, names.size())) {
         const char* key = names[static_cast<std::size_t>(wave.number)];
-        panel.curves.push_back(
-            {.key = key, .label = key, .x = std::move(wave.curve.time), .y = std::move(wave.curve.value)});
+        FigureCurve drawn{.key = key, .label = key, .x = {}, .y = {}, .colour = wave.number};
+        auto& [time, value] = wave.curve;
+        // From nothing to its front, and not on to the front of the wave that follows.
+        const double end = time.back() - 1e-9;
+        while (time.size() > 1 && time[time.size() - 2] > end) {
+            time.pop_back();
+            value.pop_back();
+        }
+        drawn.x = {time.front()};
+        drawn.y = {0};
+        drawn.x.insert(drawn.x.end(), time.begin(), time.end());
+        drawn.y.insert(drawn.y.end(), value.begin(), value.end());
+        panel.curves.push_back(std::move(drawn));
     }
     return panel;
 }
@@ -68,8 +90,8 @@ FigurePanel blowPanel(const char* name, const char* title, const Groups& groups)
                       .yKey = "value",
                       .yLabel = "force/F0, impulse/I0, momentum/I0",
                       .curves = {{.key = "impact_force", .label = "impact force F", .x = {}, .y = {}},
-                                 {.key = "impulse", .label = "impulse of F", .x = {}, .y = {}},
-                                 {.key = "momentum", .label = "momentum p", .x = {}, .y = {}}}};
+                                 {.key = "impulse", .label = "impulse of F", .x = {}, .y = {}, .colour = 1},
+                                 {.key = "momentum", .label = "momentum p", .x = {}, .y = {}, .colour = 2}}};
     const PulseForce pulse = paperPulse();
     const auto add = [&](double time, double force, double impulse) {
         const double values[] = {force, impulse, pulse.impulseUntil(time) - impulse};
@@ -97,7 +119,7 @@ FigurePanel peakPanel(const char* name, const char* title, const Impact& impact,
         .yKey = "impact_force",
         .yLabel = "impact force F/F0",
         .curves = {curve("exact", "exact", times, [&](double t) { return impactForce(impact, arrival + t); }),
-                   curve("closed_form", "closed form", times, closedForm, Role::reference)}};
+                   curve("closed_form", "closed form", times, closedForm, {Line::dashed, 1})}};
 }
 
 FigurePanel corPanel(const char* name, const char* xKey, const char* xLabel) {
@@ -113,15 +135,16 @@ FigurePanel corPanel(const char* name, const char* xKey, const char* xLabel) {
 /// The reference case, `beta` being that at each abscissa.
 void addReferences(FigurePanel& panel, const std::vector<double>& x,
                    const std::function<double(double)>& beta) {
-    const auto add = [&](const char* key, const char* label, double gamma, ReferenceStiffness stiffness) {
+    const auto add = [&](const char* key, const char* label, double gamma, ReferenceStiffness stiffness,
+                         Look look) {
         panel.curves.push_back(curve(
-            key, label, x, [&](double at) { return referenceCor(beta(at), gamma, stiffness); },
-            Role::reference));
+            key, label, x, [&](double at) { return referenceCor(beta(at), gamma, stiffness); }, look));
     };
-    add("elastic_reference", "reference, gamma = 1, k0 = Z/2T", 1, ReferenceStiffness::roundTrip);
-    add("bilinear_reference", "reference, gamma = 0.1, k0 = Z/2T", 0.1, ReferenceStiffness::roundTrip);
-    add("elastic_reference_z_t0", "reference, gamma = 1, k0 = Z/t0", 1, ReferenceStiffness::pulse);
-    add("bilinear_reference_z_t0", "reference, gamma = 0.1, k0 = Z/t0", 0.1, ReferenceStiffness::pulse);
+    const auto paper = ReferenceStiffness::roundTrip, other = ReferenceStiffness::pulse;
+    add("elastic_reference", "reference, gamma = 1, k0 = Z/2T", 1, paper, {Line::dotted, 0});
+    add("bilinear_reference", "reference, gamma = 0.1, k0 = Z/2T", 0.1, paper, {Line::dotted, 1});
+    add("elastic_reference_z_t0", "reference, gamma = 1, k0 = Z/t0", 1, other, {Line::dashed, 0});
+    add("bilinear_reference_z_t0", "reference, gamma = 0.1, k0 = Z/t0", 0.1, other, {Line::dashed, 1});
 }
 
 double corAtBeta(double beta, double gamma) {
@@ -129,9 +152,10 @@ double corAtBeta(double beta, double gamma) {
 }
 
 FigureCurve alongGap(const char* key, const char* label, const Groups& groups,
-                     const std::vector<double>& gaps) {
+                     const std::vector<double>& gaps, int colour) {
     const GapCurve cor = gapCurve(paperPulse(), groups, Detail::cor);
-    return curve(key, label, gaps, [&](double gap) { return cor.value(GapOutput::cor, gap); });
+    return curve(key, label, gaps, [&](double gap) { return cor.value(GapOutput::cor, gap); },
+                 {Line::solid, colour});
 }
 
 }  // namespace
@@ -167,8 +191,9 @@ Figure figure6() {
     FigurePanel panel = corPanel("fig6", "beta", "spring stiffness beta");
     panel.logarithmicX = true;
     const std::vector<double> x = betas();
-    panel.curves = {curve("elastic", "gamma = 1", x, [](double beta) { return corAtBeta(beta, 1); }),
-                    curve("bilinear", "gamma = 0.1", x, [](double beta) { return corAtBeta(beta, 0.1); })};
+    panel.curves = {curve("elastic", "blow, gamma = 1", x, [](double beta) { return corAtBeta(beta, 1); }),
+                    curve("bilinear", "blow, gamma = 0.1", x,
+                          [](double beta) { return corAtBeta(beta, 0.1); }, {Line::solid, 1})};
     addReferences(panel, x, [](double beta) { return beta; });
     return {.number = 6, .caption = "COR over the spring stiffness. tau = 10, delta = 0.", .panels = {panel}};
 }
@@ -179,8 +204,8 @@ Figure figure7() {
     const std::vector<double> x = betas();
     const auto overlap = [](double beta) { return neglectedOverlap(beta, paperElastic.tau); };
     panel.curves = {curve("exact", "exact", x, [](double beta) { return corAtBeta(beta, 1); }),
-                    curve("closed_form", "closed form", x, closedFormRestitution, Role::reference),
-                    curve("neglected_overlap", "neglected overlap", x, overlap, Role::hidden)};
+                    curve("closed_form", "closed form", x, closedFormRestitution, {Line::dashed, 1}),
+                    curve("neglected_overlap", "neglected overlap", x, overlap, {Line::none})};
     return {
         .number = 7,
         .caption = "COR over the spring stiffness beside the closed form. gamma = 1, tau = 10, delta = 0.",
@@ -190,8 +215,8 @@ Figure figure7() {
 Figure figure8() {
     FigurePanel panel = corPanel("fig8", "frac_delta", "gap frac(delta)");
     const std::vector<double> gaps = evenly(0, 1, 501);
-    panel.curves = {alongGap("elastic", "gamma = 1", paperElastic, gaps),
-                    alongGap("bilinear", "gamma = 0.1", paperBilinear, gaps)};
+    panel.curves = {alongGap("elastic", "blow, gamma = 1", paperElastic, gaps, 0),
+                    alongGap("bilinear", "blow, gamma = 0.1", paperBilinear, gaps, 1)};
     addReferences(panel, gaps, [](double) { return paperElastic.beta; });
     return {
         .number = 8, .caption = "COR over one period of the gap. beta = 0.5, tau = 10.", .panels = {panel}};

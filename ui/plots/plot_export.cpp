@@ -1,91 +1,15 @@
 #include "ui/plots/plot_export.h"
 
-#include <QBuffer>
 #include <QDir>
 #include <QFileInfo>
-#include <QImage>
-#include <QImageWriter>
-#include <QPdfWriter>
 #include <QSaveFile>
-#include <QSvgGenerator>
-#include <cmath>
 
 #include "ui/plots/blow_plots.h"
+#include "ui/plots/plot_rendering.h"
 #include "ui/plots/rock_plot.h"
 
 namespace drillwave {
 namespace {
-
-constexpr double layoutDpi = 96;  // the plots are laid out in these pixels in every format
-constexpr double pngDpi = 200;
-constexpr double millimetresPerInch = 25.4;
-
-struct Millimetres {
-    double width;
-    double height;
-    QSize pixels() const {
-        return {static_cast<int>(std::lround(width / millimetresPerInch * layoutDpi)),
-                static_cast<int>(std::lround(height / millimetresPerInch * layoutDpi))};
-    }
-};
-
-void paint(QCustomPlot& plot, QCPPainter& painter, QSize size) {
-    painter.setMode(QCPPainter::pmVectorized);
-    painter.setMode(QCPPainter::pmNoCaching);
-    plot.toPainter(&painter, size.width(), size.height());
-}
-
-QByteArray png(QCustomPlot& plot, Millimetres size) {
-    const double scale = pngDpi / layoutDpi;
-    const QSize pixels = size.pixels();
-    QImage image = plot.toPixmap(pixels.width(), pixels.height(), scale).toImage();
-    image.setDevicePixelRatio(1);
-    image.setDotsPerMeterX(static_cast<int>(std::lround(pngDpi * 1000 / millimetresPerInch)));
-    image.setDotsPerMeterY(image.dotsPerMeterX());
-    QBuffer buffer;
-    QImageWriter(&buffer, "png").write(image);
-    return buffer.data();
-}
-
-QByteArray svg(QCustomPlot& plot, Millimetres size, const QString& title) {
-    QBuffer buffer;
-    QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
-    generator.setTitle(title);
-    generator.setDescription(QStringLiteral("Drillwave"));
-    generator.setResolution(static_cast<int>(layoutDpi));
-    generator.setSize(size.pixels());
-    generator.setViewBox(QRect(QPoint(0, 0), size.pixels()));
-    QCPPainter painter;
-    painter.begin(&generator);
-    paint(plot, painter, size.pixels());
-    painter.end();
-    // Readers that do not have the font shall take another one without serifs.
-    const QByteArray family = PlotStyle::forPaper().font.family().toUtf8();
-    QByteArray bytes = buffer.data();
-    return bytes.replace("font-family=\"" + family + "\"", "font-family=\"" + family + ", sans-serif\"");
-}
-
-QByteArray pdf(QCustomPlot& plot, Millimetres size, const QString& title) {
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    QPdfWriter writer(&buffer);
-    writer.setTitle(title);
-    writer.setCreator(QStringLiteral("Drillwave"));
-    writer.setResolution(static_cast<int>(layoutDpi));
-    writer.setPageSize(QPageSize(QSizeF(size.width, size.height), QPageSize::Millimeter));
-    writer.setPageMargins(QMarginsF(0, 0, 0, 0));
-    QCPPainter painter;
-    painter.begin(&writer);
-    paint(plot, painter, size.pixels());
-    painter.end();
-    return buffer.data();
-}
-
-QByteArray rendered(QCustomPlot& plot, Millimetres size, const QString& format, const QString& title) {
-    if (format == QLatin1String("png")) return png(plot, size);
-    return format == QLatin1String("svg") ? svg(plot, size, title) : pdf(plot, size, title);
-}
 
 // Empty when written, otherwise the reason.
 QString write(const QString& path, const QByteArray& bytes) {
@@ -163,7 +87,7 @@ QStringList writeBlowPlots(const Scenario& scenario, const Impact& impact, UnitS
          {Figure{"blow.", &blowPlot, {180, 240}}, Figure{"rock.", &rockPlot, {120, 90}}})
         for (const QString& format : formats) {
             const QString path = folder.filePath(QLatin1String(figure.name) + format);
-            *problem = write(path, rendered(*figure.plot, figure.size, format, title));
+            *problem = write(path, renderPlot(*figure.plot, figure.size, format, title));
             if (!problem->isEmpty()) return written;
             written.append(path);
         }

@@ -1,0 +1,90 @@
+// drillwave figures -o DIR
+#include <algorithm>
+#include <cstdio>
+
+#include "app/command.h"
+#include "app/figures_page.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "core/study/figures.h"
+#include "ui/plots/figure_plot.h"
+
+namespace drillwave {
+
+namespace {
+
+/// A file to be written, complete in memory.
+struct PageFile {
+    std::string name;
+    std::string bytes;
+};
+
+std::string drawn(const Figure& figure, const char* format) {
+    const QByteArray bytes = drawFigure(figure, QString::fromLatin1(format));
+    if (bytes.isEmpty())
+        throw CommandError(ExitCode::internalError,
+                           "Fig. " + std::to_string(figure.number) + " could not be drawn");
+    return bytes.toStdString();
+}
+
+/// In the order of writing: the page last, so that a folder with a page is complete.
+std::vector<PageFile> filesOf(const std::vector<Figure>& figures, const std::vector<Discrepancy>& numbers,
+                              const Interruption& interruption) {
+    std::vector<PageFile> files;
+    for (const Figure& figure : figures) {
+        for (const FigurePanel& panel : figure.panels)
+            files.push_back({panel.name + ".csv", panelCsv(panel)});
+        for (const char* format : {"png", "svg"})
+            files.push_back({"fig" + std::to_string(figure.number) + "." + format, drawn(figure, format)});
+        interruption.check();
+    }
+    files.push_back({"discrepancies.csv", discrepanciesCsv(numbers)});
+    files.push_back({"index.html", figuresPage(figures, numbers)});
+    return files;
+}
+
+ExitCode runFigures(const Arguments& arguments) {
+    const std::optional<std::string> directory = arguments.value("o");
+    if (!directory) throw CommandError(ExitCode::usage, "needs -o DIR, the folder for the figures");
+    const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    const Interruption interruption;
+    const std::vector<Discrepancy> numbers = discrepancies(interruption.token());
+    interruption.check();
+    if (*directory == "-") {
+        writeFile("-", discrepanciesCsv(numbers), Overwrite::allowed);
+        return ExitCode::done;
+    }
+    const std::vector<Figure> figures = paperFigures(interruption.token());
+    interruption.check();
+    const std::vector<PageFile> files = filesOf(figures, numbers, interruption);
+    makeFolder(*directory);
+    for (const PageFile& file : files) checkOverwrite(*directory + "/" + file.name, overwrite);
+    for (const PageFile& file : files) writeFile(*directory + "/" + file.name, file.bytes, overwrite);
+    const auto agreeing = std::ranges::count_if(numbers, &Discrepancy::agrees);
+    std::printf("%zu files in %s; %zu of %zu printed numbers agree, see index.html or discrepancies.csv\n",
+                files.size(), directory->c_str(), static_cast<std::size_t>(agreeing), numbers.size());
+    return ExitCode::done;
+}
+
+}  // namespace
+
+const Command& figuresCommand() {
+    static const Command command{
+        .name = "figures",
+        .operands = "",
+        .summary = "the figures of the paper, and each number it prints beside the exact one",
+        .details =
+            "DIR gets the data of Figs 3 to 8 as CSV, the figures as PNG and SVG, discrepancies.csv, and\n"
+            "index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them,\n"
+            "and with k0 = Z/t0, as it defines it.",
+        .options = {{"o", "DIR", "where to write; - prints discrepancies.csv alone"},
+                    {"force", "", "overwrite existing files"}},
+        .leastOperands = 0,
+        .mostOperands = 0,
+        .draws = [](const Arguments& arguments) { return arguments.value("o").value_or("-") != "-"; },
+        .run = runFigures,
+    };
+    return command;
+}
+
+}  // namespace drillwave
