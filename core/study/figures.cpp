@@ -100,11 +100,14 @@ FigurePanel blowPanel(const char* name, const char* title, const Groups& groups)
             panel.curves[i].y.push_back(values[i]);
         }
     };
-    const SampledHistory history = sampleHistory(solvePaperCase(groups, Detail::histories));
+    const Impact impact = solvePaperCase(groups, Detail::histories);
+    const SampledHistory history = sampleHistory(impact);
     add(0, 0, 0);
     add(pulse.end, 0, 0);
-    for (std::size_t i = 0; i < history.time.size() && history.time[i] <= lastTime; ++i)
+    for (std::size_t i = 0; i < history.time.size() && history.time[i] < lastTime; ++i)
         add(history.time[i], history.force[i], history.impulse[i]);
+    const double last = lastTime - impact.frontArrival;
+    add(lastTime, impactForce(impact, last), impactImpulse(impact, last));
     return panel;
 }
 
