@@ -33,8 +33,9 @@ class Checker {
           m_pulse(pulse),
           m_beta(groups.beta),
           m_unloading(groups.beta / groups.gamma),
-          m_weight(1 / (1 + groups.beta / groups.gamma)) {
-        m_penetration = pulse.isRigidBody() ? 0 : -2 * groups.delta;
+          m_weight(1 / (1 + groups.beta / groups.gamma)),
+          m_gap(pulse.isRigidBody() ? 0 : 2 * groups.delta) {
+        m_penetration = -m_gap;
     }
 
     void check(const Piece& incident, const Piece& force) {
@@ -43,8 +44,8 @@ class Checker {
         checkLaw(incident, force, 0);
         for (const double fraction : inside) {
             const double x = fraction * incident.length;
-            checkLaw(incident, force, x);
             checkRate(incident, force, x);
+            checkLaw(incident, force, x);
             if (isResolved(incident)) checkWave(incident, s, x);
             ++m_found.points;
         }
@@ -98,10 +99,11 @@ class Checker {
         const double loading = std::abs(change - m_beta * drive);
         const double unloading = std::abs(change - m_unloading * drive);
         const double below = m_deepest - penetrationAt(incident, force, x);
-        const double undecided = 1e-12 * (1 + m_deepest);  // about the deepest point either line will do
-        const double residual = below > undecided ? unloading
-                                : below > 0       ? std::min(loading, unloading)
-                                                  : loading;
+        const double undecided =
+            1e-12 * (1 + m_deepest + m_gap);  // about the deepest point either line will do
+        const double residual = below > undecided    ? unloading
+                                : below < -undecided ? loading
+                                                     : std::min(loading, unloading);
         m_found.rate = std::max(m_found.rate, m_weight * residual);
     }
 
@@ -118,7 +120,7 @@ class Checker {
 
     const Impact& m_impact;
     const PulseForce& m_pulse;
-    double m_beta, m_unloading, m_weight;
+    double m_beta, m_unloading, m_weight, m_gap;
     EquationResiduals m_found;
     CompensatedSum<double> m_penetration;  ///< U at the beginning of the piece; negative: a gap
     double m_deepest = 0;                  ///< Um
