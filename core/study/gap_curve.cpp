@@ -26,6 +26,7 @@ constexpr double negligibleImpulse = 1e-13;
 constexpr std::uint64_t mostSolvesOfCell = 2'000;  // and what earlier cells left over
 constexpr std::uint64_t mostKinksOfCell = 100;
 constexpr std::uint64_t mostFailuresOfCell = 20;
+constexpr long mostFailedPieces = 50'000'000;  // of all failed blows: two of those that are beyond the solver
 
 constexpr std::size_t coarseNodes = 9;
 constexpr std::size_t fineNodes = Chebyshev::mostNodes;  // every second one is a coarse node
@@ -77,6 +78,7 @@ class Builder {
     double allowed(std::size_t output) const { return tolerance * m_scale[output] + 8 * m_curve.solverError; }
     bool isSettled(std::span<const Sample> nodes, double factor) const;
     bool ordersCount() const { return m_kinksLeft > 0; }
+    bool isHopeless() const { return m_failures >= mostFailuresOfCell || m_failedPieces >= mostFailedPieces; }
     bool mayWork() const { return m_curve.solves < m_solveLimit; }
 
     const PulseForce& m_pulse;
@@ -90,16 +92,20 @@ class Builder {
     std::uint64_t m_solveLimit = 0;
     std::uint64_t m_kinksLeft = 0;
     std::uint64_t m_failures = 0;
+    long m_failedPieces = 0;
 };
 
+/// Not solved any more once a stop is requested.
 Sample Builder::solve(double gap) {
+    Sample sample;
+    sample.gap = gap;
+    if (m_stop.stop_requested()) return sample;
     m_groups.delta = gap;
     const Impact impact = m_solver.solve(m_pulse, m_groups, m_detail);
     ++m_curve.solves;
-    Sample sample;
-    sample.gap = gap;
     if (impact.outcome != Outcome::rebounded) {
         ++m_failures;
+        m_failedPieces += impact.pieces;
         m_curve.reason = impact.reason;
         return sample;
     }
@@ -186,7 +192,7 @@ Builder::Finding Builder::probe(Nodes& nodes) {
 
 void Builder::refine(const Sample& a, const Sample& b) {
     if (m_stop.stop_requested() || !(b.gap > a.gap)) return;
-    if (m_failures >= mostFailuresOfCell) return acceptUnsolved(a.gap, b.gap);
+    if (isHopeless()) return acceptUnsolved(a.gap, b.gap);
     if (b.gap - a.gap <= leastWidth) return acceptAsIs(std::array{a, b});
     if (ordersCount() && a.solved && b.solved && a.order != b.order) return bracketKink(a, b);
 
@@ -297,6 +303,10 @@ GapCurve Builder::build(double start) {
         m_solveLimit += mostSolvesOfCell;
         m_kinksLeft += mostKinksOfCell;
         m_failures = 0;
+        if (isHopeless()) {
+            acceptUnsolved(a.gap, m_curve.end);
+            break;
+        }
         const Sample b = solve(cut);
         refine(a, b);
         if (b.gap == std::floor(b.gap)) m_curve.borders.push_back(b.gap);
@@ -354,6 +364,7 @@ std::vector<double> sampleGaps(const GapCurve& curve) {
             if (gap - gaps.back() > nearest) gaps.push_back(gap);
         }
     }
+    if (!gaps.empty() && curve.end - gaps.back() <= nearest) gaps.back() = curve.end;
     return gaps;
 }
 

@@ -31,7 +31,8 @@ class TestCommandLine : public QObject {
 
 void TestCommandLine::helpAndVersionAreEverywhere_data() {
     QTest::addColumn<QString>("command");
-    for (const char* command : {"", "run", "sweep", "table", "accuracy", "validate", "examples"})
+    for (const char* command :
+         {"", "run", "sweep", "table", "gap", "thrust", "figures", "accuracy", "validate", "examples"})
         QTest::newRow(*command ? command : "program") << command;
 }
 
@@ -127,6 +128,31 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("missing cases") << QStringList{"table", paper, "nothing.csv"} << 3 << "nothing.csv";
     QTest::newRow("cases from a device")
         << QStringList{"table", paper, "/dev/null"} << 3 << "not a regular file";
+    QTest::newRow("gap without a file") << QStringList{"gap"} << 2 << "needs FILE";
+    QTest::newRow("mean of a gap that does not scatter")
+        << QStringList{"gap", paper, "--gap-mean", "0.3"} << 2 << "needs --gap-deviation";
+    QTest::newRow("scatter without unit")
+        << QStringList{"gap", drill, "--gap-deviation", "0.3"} << 5 << "has no unit";
+    QTest::newRow("scatter in the wrong unit")
+        << QStringList{"gap", paper, "--gap-deviation", "0.3 mm"} << 5 << "--gap-deviation = 0.3 mm";
+    QTest::newRow("scatter of nothing")
+        << QStringList{"gap", paper, "--gap-deviation", "0"} << 5 << "must be from 1e-06 to 100";
+    QTest::newRow("negative mean gap")
+        << QStringList{"gap", drill, "--gap-deviation", "1mm", "--gap-mean=-1mm"} << 5 << "must be from 0 mm";
+    QTest::newRow("gap that the hammer never leaves")
+        << QStringList{"gap", paper, "--set", "tau=1e-7"} << 6 << "could not be solved at all gaps";
+    QTest::newRow("thrust of groups")
+        << QStringList{"thrust", paper} << 5 << "needs a scenario in physical units";
+    QTest::newRow("frequency without unit")
+        << QStringList{"thrust", drill, "--frequency", "40:50:3"} << 5 << "has no unit";
+    QTest::newRow("frequency of nothing")
+        << QStringList{"thrust", drill, "--frequency", "40Hz:50Hz"} << 2 << "--frequency: ";
+    QTest::newRow("thrust file without a table")
+        << QStringList{"thrust", drill, "-o", "x.csv"} << 2 << "add --frequency";
+    QTest::newRow("figures without a folder") << QStringList{"figures"} << 2 << "needs -o DIR";
+    QTest::newRow("figures of a file") << QStringList{"figures", paper, "-o", "x"} << 2 << "too much";
+    QTest::newRow("figures into no folder")
+        << QStringList{"figures", "-o", "/dev/null/x"} << 4 << "cannot be made";
     QTest::newRow("unknown example") << QStringList{"examples", "t38_medium"} << 2 << "t38_medium";
 }
 

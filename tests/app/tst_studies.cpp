@@ -1,0 +1,243 @@
+// drillwave gap, thrust and figures: numbers, names, files and what they refuse.
+#include <QtTest>
+
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <csignal>
+
+#include "tests/app/program.h"
+
+using namespace drillwave::test;
+
+namespace {
+
+QByteArray output(const QStringList& words) {
+    const Finished finished = run(words);
+    if (finished.exitCode != 0) qFatal("%s", finished.error.constData());
+    return finished.out;
+}
+
+const QJsonObject json(const QStringList& words) {
+    return QJsonDocument::fromJson(output(words + QStringList{"--json"})).object();
+}
+
+/// Rows of a CSV behind its "#" lines.
+QList<QList<QByteArray>> rowsOf(const QByteArray& csv) {
+    QList<QList<QByteArray>> rows;
+    for (const QByteArray& line : csv.trimmed().split('\n'))
+        if (!line.startsWith('#')) rows << line.split(',');
+    return rows;
+}
+
+}  // namespace
+
+class TestStudies : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void gapGivesTheStatisticsOfThePapersFigure8();
+    void gapTakesAScatteredGapInTheUnitsOfTheScenario();
+    void gapSaysWhereThePeriodBegins();
+    void gapSaysThatTheReferenceCaseHasNone();
+    void gapWritesItsCurve();
+    void impulsesAreOnePlusRestitutions();
+    void thrustGivesNeedsMarginsAndAdvice();
+    void thrustWithoutAnInstalledOneHasNoMargins();
+    void thrustIsProportionalToFrequency();
+    void figuresFillAFolder();
+    void figuresNeverOverwriteUnasked();
+    void anInterruptedStudyLeavesNothing();
+    void germanUsersGetTheSameNumbers();
+};
+
+// Theory, section 7; half a unit of the last digit given there.
+void TestStudies::gapGivesTheStatisticsOfThePapersFigure8() {
+    const QJsonObject gap = json({"gap", example("paper_fig8_minimum")});
+    const QJsonObject uniform = gap["uniform"].toObject();
+    const QJsonObject cor = uniform["cor"].toObject();
+    const auto near = [](const QJsonValue& value, double expected, double tolerance) {
+        return value.isDouble() && std::abs(value.toDouble() - expected) < tolerance;
+    };
+    QVERIFY(near(cor["min"]["value"], 0.8419988, 5.1e-8));
+    QVERIFY(near(cor["min"]["gap"], 0.52711, 5.1e-6));
+    QCOMPARE(cor["min"]["kind"].toString(), QString("smooth"));
+    QVERIFY(near(cor["max"]["value"], 1.4010825, 5.1e-8));
+    QCOMPARE(cor["max"]["gap"].toDouble(), 0.0);
+    QCOMPARE(cor["max"]["kind"].toString(), QString("kink"));
+    QVERIFY(near(uniform["share_above_one"]["value"], 0.548346, 5.1e-7));
+    QVERIFY(near(gap["crossings"][0]["gap"], 0.326877, 5.1e-7));
+    QVERIFY(near(gap["crossings"][1]["gap"], 0.778532, 5.1e-7));
+    for (const char* quantile : {"5", "50", "95"})
+        QVERIFY(cor["quantiles"][QLatin1String(quantile)]["error"].toDouble() < 1e-9);
+    QVERIFY(gap["normal"].isNull());
+    const QByteArray text = output({"gap", example("paper_fig8_minimum")});
+    QVERIFY(text.contains("0.841999") && text.contains("54.835 %") && text.contains("0 kink"));
+}
+
+void TestStudies::gapTakesAScatteredGapInTheUnitsOfTheScenario() {
+    const QString drill = example("t38_medium_rock");
+    const QJsonObject inLength = json({"gap", drill, "--gap-mean", "1.5 mm", "--gap-deviation", "0.0002m"});
+    const double period = inLength["si_scales"]["gap"].toDouble();
+    QVERIFY(std::abs(inLength["normal"]["mean"].toDouble() - 1.5e-3 / period) < 1e-14);
+    QVERIFY(std::abs(inLength["normal"]["deviation"].toDouble() - 0.2e-3 / period) < 1e-14);
+    // The mean of the scenario is taken without --gap-mean.
+    const QJsonObject about = json({"gap", drill, "--set", "bit_rock.gap=1.5mm", "--gap-deviation", "0.2mm"});
+    QVERIFY(std::abs(about["normal"]["cor"]["mean"]["value"].toDouble() -
+                     inLength["normal"]["cor"]["mean"]["value"].toDouble()) < 1e-12);
+    const QJsonObject inPeriods =
+        json({"gap", example("paper_fig4a"), "--gap-mean", "0.3", "--gap-deviation", "0.1"});
+    QCOMPARE(inPeriods["normal"]["mean"].toDouble(), 0.3);
+    QVERIFY(output({"gap", drill, "--gap-deviation", "0.2mm"}).contains("cut off at no gap"));
+}
+
+void TestStudies::gapSaysWhereThePeriodBegins() {
+    const QJsonObject gap = json({"gap", example("paper_fig4a"), "--set", "tau=0.3"});
+    QCOMPARE(gap["period"]["start"].toDouble(), 1.0);
+    QVERIFY(gap["remark"].toString().contains("still pushes"));
+    QCOMPARE(json({"gap", example("paper_fig4a")})["remark"].toString(), QString());
+}
+
+void TestStudies::gapSaysThatTheReferenceCaseHasNone() {
+    const QJsonObject gap = json({"gap", example("reference_case")});
+    QCOMPARE(gap["depends_on_gap"].toBool(true), false);
+    QVERIFY(gap["remark"].toString().contains("does not depend on the gap"));
+    const QJsonObject cor = gap["uniform"]["cor"].toObject();
+    QCOMPARE(cor["min"]["value"].toDouble(), cor["max"]["value"].toDouble());
+    QCOMPARE(cor["min"]["kind"].toString(), QString("everywhere"));
+}
+
+void TestStudies::gapWritesItsCurve() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("gap.csv");
+    output({"gap", example("paper_fig4a"), "-o", path});
+    const auto rows = rowsOf(read(path));
+    QCOMPARE(rows[0].join(','), QByteArray("delta,cor,impulse,peak_force,efficiency"));
+    QVERIFY(rows.size() > 500);
+    QCOMPARE(rows[1][0], QByteArray("0"));
+    QCOMPARE(rows.last()[0], QByteArray("1"));
+    QCOMPARE(run({"gap", example("paper_fig4a"), "-o", path}).exitCode, 4);
+    QCOMPARE(run({"gap", example("paper_fig4a"), "-o", path, "--force"}).exitCode, 0);
+    // The file is a scenario again.
+    QVERIFY(std::abs(json({"run", path})["dimensionless"]["cor"].toDouble() - rows[1][1].toDouble()) < 1e-12);
+    QCOMPARE(output({"gap", example("paper_fig4a"), "-o", "-"}), read(path));
+}
+
+void TestStudies::impulsesAreOnePlusRestitutions() {
+    const QJsonObject gap = json({"gap", example("paper_fig4b"), "--gap-deviation", "0.2"});
+    for (const char* distribution : {"uniform", "normal"}) {
+        const QJsonObject all = gap[QLatin1String(distribution)].toObject();
+        const double e = all["cor"]["mean"]["value"].toDouble(),
+                     i = all["impulse"]["mean"]["value"].toDouble();
+        QCOMPARE(i, 1 + e);
+    }
+}
+
+void TestStudies::thrustGivesNeedsMarginsAndAdvice() {
+    const QString drill = example("t38_medium_rock");
+    const QJsonObject thrust = json({"thrust", drill});
+    const QJsonObject needs = thrust["needs"].toObject();
+    const double e = json({"run", drill})["dimensionless"]["cor"].toDouble();
+    QVERIFY(std::abs(needs["scenario"]["cor"].toDouble() - e) < 1e-12);
+    QCOMPARE(needs["rigid_rock"]["thrust"].toDouble(), 60 * 51 * 2.0);
+    QCOMPARE(needs["rigid_rock"]["margin"].toDouble(), 8000 / 6120.0 - 1);
+    const double worst =
+        json({"gap", drill, "--set", "gamma=1"})["uniform"]["cor"]["max"]["value"].toDouble();
+    QVERIFY(std::abs(needs["elastic_worst_gap"]["cor"].toDouble() - worst) < 1e-9);
+    QCOMPARE(thrust["feed"].toString(), QString("enough"));
+    const QJsonObject less = json({"thrust", drill, "--set", "drill.thrust=4kN"});
+    QCOMPARE(less["feed"].toString(), QString("too_low"));
+    QVERIFY(less["advice"].toString().contains("bounces"));
+    QVERIFY(output({"thrust", drill, "--set", "drill.thrust=4kN"}).contains("runs loose"));
+    QVERIFY(output({"thrust", drill, "--set", "drill.thrust=20kN"}).contains("Over-feeding"));
+}
+
+void TestStudies::thrustWithoutAnInstalledOneHasNoMargins() {
+    QTemporaryDir folder;
+    QByteArray scenario = read(example("t38_medium_rock"));
+    scenario.replace("thrust:", "# thrust:");
+    write(folder.filePath("drill.yaml"), scenario);
+    const QJsonObject thrust = json({"thrust", folder.filePath("drill.yaml")});
+    QVERIFY(thrust["installed_thrust"].isNull());
+    QVERIFY(thrust["needs"]["scenario"]["margin"].isNull());
+    QCOMPARE(thrust["feed"].toString(), QString("unknown"));
+    QVERIFY(!output({"thrust", folder.filePath("drill.yaml")}).contains("margin "));
+}
+
+void TestStudies::thrustIsProportionalToFrequency() {
+    const QString drill = example("t38_medium_rock");
+    const auto rows = rowsOf(output({"thrust", drill, "--frequency", "30Hz:120Hz:4", "-o", "-"}));
+    QCOMPARE(rows[0][0], QByteArray("drill.blow_frequency [Hz]"));
+    QCOMPARE(rows[0].size(), 5);
+    QCOMPARE(rows.size(), 5);
+    for (int column = 1; column < 5; ++column) {
+        QCOMPARE(rows[4][column].toDouble(), 4 * rows[1][column].toDouble());
+        const double here =
+            json({"thrust", drill})["needs"][QString::fromUtf8(rows[0][column].chopped(4))]["thrust"]
+                .toDouble();
+        QVERIFY(std::abs(rows[2][column].toDouble() / here - 1) < 1e-14);  // 60 Hz
+    }
+    QCOMPARE(json({"thrust", drill, "--frequency", "40Hz,50Hz"})["frequencies"].toArray().size(), 2);
+}
+
+void TestStudies::figuresFillAFolder() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("new/figures");
+    QVERIFY(output({"figures", "-o", path}).contains("printed numbers agree"));
+    QStringList expected{"discrepancies.csv", "index.html"};
+    for (const char* panel : {"fig3a", "fig3b", "fig4a", "fig4b", "fig5a", "fig5b", "fig6", "fig7", "fig8"})
+        expected << QLatin1String(panel) + QLatin1String(".csv");
+    for (int figure = 3; figure <= 8; ++figure)
+        expected << QStringLiteral("fig%1.png").arg(figure) << QStringLiteral("fig%1.svg").arg(figure);
+    expected.sort();
+    QCOMPARE(QDir(path).entryList(QDir::Files, QDir::Name), expected);
+    // The page shows every figure and names every table.
+    const QByteArray page = read(path + "/index.html");
+    for (const QString& name : expected)
+        if (name.startsWith("fig") && !name.endsWith(".png"))
+            QVERIFY2(page.contains(name.toUtf8()), qPrintable(name));
+    QCOMPARE(output({"figures", "-o", "-"}), read(path + "/discrepancies.csv"));
+    // Every printed number is in the page.
+    const auto rows = rowsOf(read(path + "/discrepancies.csv"));
+    QCOMPARE(page.count("<tr class="), rows.size() - 1);
+}
+
+void TestStudies::figuresNeverOverwriteUnasked() {
+    QTemporaryDir folder;
+    write(folder.filePath("fig7.csv"), "mine");
+    const Finished refused = run({"figures", "-o", folder.path()});
+    QCOMPARE(refused.exitCode, 4);
+    QVERIFY(refused.error.contains("fig7.csv: exists already"));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"fig7.csv"});
+    output({"figures", "-o", folder.path(), "--force"});
+    QVERIFY(read(folder.filePath("fig7.csv")).startsWith("beta,exact,closed_form"));
+}
+
+void TestStudies::anInterruptedStudyLeavesNothing() {
+    QTemporaryDir folder;
+    QProcess process;
+    // So soft that each of some thousand blows takes half a second.
+    process.start(QStringLiteral(DRILLWAVE_PROGRAM),
+                  {"gap", example("paper_fig4b"), "--set", "beta=1e-8", "-o", folder.filePath("gap.csv")});
+    QVERIFY(process.waitForStarted());
+    QTest::qWait(1000);  // until the handler is in place
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(30000));
+    QCOMPARE(process.exitCode(), 130);
+    QVERIFY(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).isEmpty());
+}
+
+void TestStudies::germanUsersGetTheSameNumbers() {
+    QProcessEnvironment german = QProcessEnvironment::systemEnvironment();
+    german.insert("LC_ALL", "de_DE.UTF-8");
+    for (const QStringList& words :
+         {QStringList{"thrust", example("t38_medium_rock"), "--frequency", "37.5Hz,60Hz"},
+          QStringList{"figures", "-o", "-"}, QStringList{"gap", example("paper_fig4a"), "-o", "-"}})
+        QCOMPARE(run(words, german).out, output(words));
+}
+
+QTEST_GUILESS_MAIN(TestStudies)
+#include "tst_studies.moc"
