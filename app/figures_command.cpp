@@ -71,7 +71,7 @@ ExitCode runFigures(const Arguments& arguments) {
 const Command& figuresCommand() {
     static const Command command{
         .name = "figures",
-        .operands = "",
+        .operands = "-o DIR",
         .summary = "the figures of the paper, and each number it prints beside the exact one",
         .details =
             "DIR gets the data of Figs 3 to 8 as CSV, the figures as PNG and SVG, discrepancies.csv, and\n"

@@ -3,6 +3,7 @@
 #include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/progress_bar.h"
+#include "app/report_text.h"
 #include "app/scenario_argument.h"
 #include "app/thrust_report.h"
 #include "core/file/blow_csv.h"
@@ -69,16 +70,18 @@ ExitCode runThrust(const Arguments& arguments) {
 }  // namespace
 
 const Command& thrustCommand() {
+    static const std::string details =
+        "The mean thrust is blow frequency times I0 (1 + e). Beside this blow: 95 % of all gaps between\n"
+        "bit and rock, rigid rock (e = 1), and the worst gap on elastic rock (gamma = 1), which needs more\n"
+        "than rigid rock. A feed over " +
+        rounded(overfeed) +
+        " times the largest of these is called over-feeding, by rule of\n"
+        "thumb. Needs a scenario in physical units with drill.blow_frequency; margins need drill.thrust.";
     static const Command command{
         .name = "thrust",
         .operands = "FILE",
         .summary = "thrust needed to keep the bit on the rock, and the margin of the installed one",
-        .details =
-            "The mean thrust is blow frequency times I0 (1 + e). Beside this blow: 95 % of all gaps between\n"
-            "bit and rock, rigid rock (e = 1), and the worst gap on elastic rock (gamma = 1), which needs "
-            "more\n"
-            "than rigid rock. A feed over 1.5 times the largest of these is called over-feeding, by rule of\n"
-            "thumb. Needs a scenario in physical units with drill.blow_frequency; margins need drill.thrust.",
+        .details = details,
         .options = {setOption,
                     {"frequency", "VALUES", "also a table against frequency: 40Hz:80Hz:5, or 40Hz,60Hz"},
                     {"json", "", "print one JSON object in place of the tables"},
