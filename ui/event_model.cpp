@@ -29,6 +29,10 @@ void EventModel::show(const SolvedBlowPtr& blow) {
     endResetModel();
 }
 
+double EventModel::timeAt(int row) const {
+    return m_blow->impact.events[static_cast<std::size_t>(row)].time;
+}
+
 int EventModel::rowCount(const QModelIndex& parent) const {
     if (parent.isValid() || !m_blow || !m_blow->problem.isEmpty()) return 0;
     return static_cast<int>(m_blow->impact.events.size());

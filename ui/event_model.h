@@ -15,6 +15,8 @@ class EventModel : public QAbstractTableModel {
     using QAbstractTableModel::QAbstractTableModel;
 
     void show(const SolvedBlowPtr& blow);
+    /// Global time t/t0 of the event in a row.
+    double timeAt(int row) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;

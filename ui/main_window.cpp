@@ -55,7 +55,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->setTabBarAutoHide(true);
     setCentralWidget(m_pages);
     addDocks();
-    addPage(m_blowPage = new BlowPage);
+    addPage(m_blowPage = new BlowPage(m_observation));
     addMenus();
     addStatusBar();
     wire();
@@ -87,7 +87,9 @@ void MainWindow::addDocks() {
 
 void MainWindow::addPage(Page* page) {
     m_pages->addTab(page, page->title());
-    connect(page, &Page::needsChanged, this, &MainWindow::solve);
+    connect(page, &Page::needsChanged, this, [this, page] {
+        if (page == m_pages->currentWidget()) solve();
+    });
 }
 
 void MainWindow::addMenus() {
@@ -147,6 +149,9 @@ void MainWindow::wire() {
     connect(&m_document, &Document::scenarioChanged, this, &MainWindow::solve);
     connect(&m_document, &Document::stateChanged, this, &MainWindow::presentState);
     connect(m_pages, &QTabWidget::currentChanged, this, &MainWindow::solve);
+    connect(m_scenarioPanel, &ScenarioPanel::dragStarted, this, [this] { setGhost(m_shown); });
+    connect(m_scenarioPanel, &ScenarioPanel::dragEnded, this, [this] { setGhost(nullptr); });
+    connect(m_resultPanel, &ResultPanel::timeChosen, &m_observation, &Observation::setTime);
     connect(m_job.get(), &SolveJob::solved, this, &MainWindow::present);
 }
 
@@ -156,6 +161,10 @@ bool MainWindow::openFile(const QString& path) {
 
 Page& MainWindow::currentPage() const {
     return *static_cast<Page*>(m_pages->currentWidget());
+}
+
+void MainWindow::setGhost(const SolvedBlowPtr& before) {
+    currentPage().setGhost(before);
 }
 
 SolveRequest MainWindow::request() const {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "ui/document.h"
+#include "ui/observation.h"
 #include "ui/questions.h"
 #include "ui/solve_job.h"
 
@@ -40,6 +41,7 @@ class MainWindow : public QMainWindow {
     ScenarioPanel& scenarioPanel() { return *m_scenarioPanel; }
     ResultPanel& resultPanel() { return *m_resultPanel; }
     BlowPage& blowPage() { return *m_blowPage; }
+    Observation& observation() { return m_observation; }
     /// What is on show.
     const SolvedBlowPtr& shown() const { return m_shown; }
     /// Dimensionless or SI; a dimensionless scenario has no SI.
@@ -53,6 +55,7 @@ class MainWindow : public QMainWindow {
     MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<SolveJob> job, QWidget* parent);
     void addDocks();
     void addPage(Page* page);
+    void setGhost(const SolvedBlowPtr& before);
     void addMenus();
     void addViewMenu();
     void addStatusBar();
@@ -68,6 +71,7 @@ class MainWindow : public QMainWindow {
     void presentUnits();
 
     Document m_document;
+    Observation m_observation;
     std::unique_ptr<Questions> m_questions;
     std::unique_ptr<SolveJob> m_job;
     SolvedBlowPtr m_shown;

@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 #include <QHeaderView>
+#include <QItemSelectionModel>
 #include <QScrollBar>
 #include <QSet>
 #include <QTableView>
@@ -162,6 +163,10 @@ void ResultPanel::addEvents() {
     const int header = m_events->horizontalHeader()->sizeHint().height();
     m_events->setMinimumHeight(header + visibleEvents * m_events->verticalHeader()->defaultSectionSize());
     layout->addWidget(m_events);
+    connect(m_events->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& index) {
+                if (index.isValid()) emit timeChosen(m_eventModel->timeAt(index.row()));
+            });
 }
 
 void ResultPanel::show(const SolvedBlowPtr& blow) {

@@ -27,6 +27,10 @@ class ResultPanel : public QScrollArea {
     /// Wide enough that nothing is cut off at the side.
     QSize minimumSizeHint() const override;
 
+  signals:
+    /// The user chose an event: its global time t/t0.
+    void timeChosen(std::optional<double> time);
+
   private:
     /// How one number of a blow is written; empty where it is not given.
     using Text = QString (*)(const SolvedBlow&);

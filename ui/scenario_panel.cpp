@@ -104,6 +104,8 @@ void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTit
             [this, &parameter](double si) { m_document.assign(parameter, si, m_gesture); });
     connect(row, &ParameterRow::cleared, this,
             [this, &parameter] { m_document.clear(parameter, m_gesture); });
+    connect(row->slider(), &QSlider::sliderPressed, this, &ScenarioPanel::dragStarted);
+    connect(row->slider(), &QSlider::sliderReleased, this, &ScenarioPanel::dragEnded);
     connect(row, &ParameterRow::editsEnded, this, [this] { ++m_gesture; });
 }
 

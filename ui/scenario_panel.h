@@ -23,6 +23,11 @@ class ScenarioPanel : public QScrollArea {
     /// Wide enough that nothing is cut off at the side.
     QSize minimumSizeHint() const override;
 
+  signals:
+    /// A slider is held, and let go again; not for clicks, keys and wheel.
+    void dragStarted();
+    void dragEnded();
+
   private:
     void addTitle();
     void addSection(const QString& section, const QString& title);

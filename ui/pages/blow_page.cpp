@@ -4,12 +4,14 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 namespace drillwave {
 
-BlowPage::BlowPage(QWidget* parent)
+BlowPage::BlowPage(Observation& observation, QWidget* parent)
     : Page(parent),
+      m_observation(observation),
       m_hint(new QLabel(this)),
       m_section(new QDoubleSpinBox(this)),
       m_plot(new PlotWidget(this)),
@@ -18,7 +20,7 @@ BlowPage::BlowPage(QWidget* parent)
     m_section->setRange(0, 1);
     m_section->setDecimals(2);
     m_section->setSingleStep(0.05);
-    m_section->setValue(0.5);
+    m_section->setValue(observation.section());
     m_section->setAccessibleName(tr("Section x/L of the waves"));
     m_section->setToolTip(tr("Where in the rod the waves are observed: 0 is the struck end, 1 the bit"));
     auto* label = new QLabel(tr("Section x/L"), this);
@@ -44,13 +46,21 @@ BlowPage::BlowPage(QWidget* parent)
 
     m_plot->setAccessibleName(tr("Waves, impact force, impulse and momentum over time"));
     m_plot->followPalette([this](const PlotStyle& style) { m_plots->setStyle(style); });
-    connect(m_section, &QDoubleSpinBox::valueChanged, this, &Page::needsChanged);
+    connect(m_section, &QDoubleSpinBox::valueChanged, &observation, &Observation::setSection);
+    connect(&observation, &Observation::sectionChanged, this, &BlowPage::showSection);
     connect(m_plot, &PlotWidget::fitRequested, this, &BlowPage::fit);
     connect(fitButton, &QPushButton::clicked, this, &BlowPage::fit);
 }
 
 void BlowPage::addNeeds(SolveRequest& request) const {
-    request.section = m_section->value();
+    request.section = m_observation.section();
+}
+
+// Shown with two decimals, kept with all.
+void BlowPage::showSection(double section) {
+    const QSignalBlocker quiet(m_section);
+    m_section->setValue(section);
+    emit needsChanged();
 }
 
 void BlowPage::setResult(const SolvedBlowPtr& blow) {

@@ -1,6 +1,7 @@
 // The blow over time: waves at a section, impact force, impulse and momentum (paper, Figs. 3–5).
 #pragma once
 
+#include "ui/observation.h"
 #include "ui/pages/page.h"
 #include "ui/plots/blow_plots.h"
 #include "ui/plots/plot_widget.h"
@@ -14,20 +15,24 @@ class BlowPage : public Page {
     Q_OBJECT
 
   public:
-    explicit BlowPage(QWidget* parent = nullptr);
+    /// The observation must outlive the page.
+    explicit BlowPage(Observation& observation, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Blow"); }
     void addNeeds(SolveRequest& request) const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void fit() override;
 
-    PlotWidget* plot() const { return m_plot; }
+    PlotWidget* plot() const override { return m_plot; }
     BlowPlots* plots() const { return m_plots; }
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
 
   private:
+    void showSection(double section);
+
+    Observation& m_observation;
     QLabel* m_hint;
     QDoubleSpinBox* m_section;
     PlotWidget* m_plot;

@@ -7,6 +7,8 @@
 
 namespace drillwave {
 
+class PlotWidget;
+
 /// A page asks for what it shows while it can be seen, and computes nothing otherwise.
 class Page : public QWidget {
     Q_OBJECT
@@ -22,6 +24,10 @@ class Page : public QWidget {
     virtual void setResult(const SolvedBlowPtr& blow) = 0;
     /// Brings everything into view.
     virtual void fit() = 0;
+    /// The plot that is zoomed, copied and exported.
+    virtual PlotWidget* plot() const = 0;
+    /// A blow to stay faintly behind the results while a value is dragged; nullptr when the drag has ended.
+    virtual void setGhost(const SolvedBlowPtr& /*before*/) {}
 
   signals:
     /// The page needs something else now than in the last request.
