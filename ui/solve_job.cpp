@@ -1,13 +1,11 @@
 #include "ui/solve_job.h"
 
-#include <QPromise>
-#include <QtConcurrent>
 #include <utility>
 
 namespace drillwave {
 namespace {
 
-// An exception that leaves a task loses its message on the way, so none does.
+// An exception that leaves a thread ends the program, so none does.
 SolvedBlowPtr answered(const SolveJob::Solve& solve, const SolveRequest& request) {
     try {
         if (SolvedBlowPtr blow = solve(request)) return blow;
@@ -29,16 +27,17 @@ SolveJob::Solve exactly() {
 
 SolveJob::SolveJob(QObject* parent) : SolveJob(exactly(), parent) {}
 
-SolveJob::SolveJob(Solve solve, QObject* parent) : QObject(parent), m_solve(std::move(solve)) {
-    // A thread of its own: long work elsewhere must not keep a blow waiting.
-    m_pool.setMaxThreadCount(1);
-    m_pool.setExpiryTimeout(-1);
-    connect(&m_watcher, &QFutureWatcherBase::finished, this, &SolveJob::finish);
-}
+// The standard library's locks and not Qt's: the thread sanitizer sees what they protect.
+SolveJob::SolveJob(Solve solve, QObject* parent)
+    : QObject(parent), m_solve(std::move(solve)), m_thread([this] { work(); }) {}
 
 SolveJob::~SolveJob() {
-    cancel();
-    m_watcher.waitForFinished();
+    {
+        const std::lock_guard hold(m_lock);
+        m_ending = true;
+    }
+    m_changed.notify_all();
+    m_thread.join();
 }
 
 void SolveJob::submit(const SolveRequest& request) {
@@ -50,29 +49,55 @@ void SolveJob::submit(const SolveRequest& request) {
 
 SolvedBlowPtr SolveJob::solveNow(const SolveRequest& request) {
     cancel();
-    m_watcher.waitForFinished();
+    {
+        std::unique_lock hold(m_lock);
+        m_changed.wait(hold, [this] { return !m_request; });
+    }
     return answered(m_solve, request);
 }
 
 void SolveJob::cancel() {
     m_waiting.reset();
-    m_watcher.cancel();
+    m_dropped = m_busy;
 }
 
 void SolveJob::start(const SolveRequest& request) {
     m_busy = true;
-    m_watcher.setFuture(
-        QtConcurrent::run(&m_pool, [solve = m_solve, request](QPromise<SolvedBlowPtr>& promise) {
-            if (!promise.isCanceled()) promise.addResult(answered(solve, request));
-        }));
+    m_dropped = false;
+    {
+        const std::lock_guard hold(m_lock);
+        m_request = request;
+    }
+    m_changed.notify_all();
 }
 
 void SolveJob::finish() {
+    SolvedBlowPtr blow;
+    {
+        const std::lock_guard hold(m_lock);
+        blow = std::move(m_answer);
+    }
     m_busy = false;
-    const bool dropped = m_watcher.isCanceled();
-    const SolvedBlowPtr blow = dropped ? nullptr : m_watcher.result();
+    const bool wanted = !m_dropped;
     if (m_waiting) start(*std::exchange(m_waiting, std::nullopt));
-    if (blow) emit solved(blow);
+    if (wanted) emit solved(blow);
+}
+
+// On the worker thread. A request that has come stays where it is while it is solved: nobody replaces it
+// before finish().
+void SolveJob::work() {
+    std::unique_lock hold(m_lock);
+    while (true) {
+        m_changed.wait(hold, [this] { return m_request || m_ending; });
+        if (m_ending) return;
+        hold.unlock();
+        SolvedBlowPtr blow = answered(m_solve, *m_request);
+        hold.lock();
+        m_answer = std::move(blow);
+        m_request.reset();
+        m_changed.notify_all();
+        QMetaObject::invokeMethod(this, &SolveJob::finish, Qt::QueuedConnection);
+    }
 }
 
 }  // namespace drillwave

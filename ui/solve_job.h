@@ -1,23 +1,25 @@
 // Solving away from the window's thread: one at a time, and the last request always gets its answer.
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
-#include <QThreadPool>
+#include <condition_variable>
 #include <functional>
+#include <mutex>
 #include <optional>
+#include <thread>
 
 #include "ui/solved_blow.h"
 
 namespace drillwave {
 
-/// Turns requests into answers on a worker thread. While one is in flight only the newest of the requests
-/// that arrive is kept. Answers arrive in the order of their requests.
+/// Turns requests into answers on a thread of its own: long work elsewhere must not keep a blow waiting.
+/// While one is in flight only the newest of the requests that arrive is kept. Answers arrive in the order of
+/// their requests.
 class SolveJob : public QObject {
     Q_OBJECT
 
   public:
-    /// Called on a worker thread, never twice at the same time; what it throws becomes the answer's problem.
+    /// Never called twice at the same time; what it throws becomes the answer's problem.
     using Solve = std::function<SolvedBlowPtr(const SolveRequest&)>;
 
     /// Solves exactly.
@@ -39,12 +41,23 @@ class SolveJob : public QObject {
   private:
     void start(const SolveRequest& request);
     void finish();
+    void work();
 
     Solve m_solve;
-    QThreadPool m_pool;
-    QFutureWatcher<SolvedBlowPtr> m_watcher;
+
+    // Seen by the window's thread only.
     std::optional<SolveRequest> m_waiting;
-    bool m_busy = false;
+    bool m_busy = false;     // from start() to finish(), which comes through the event loop
+    bool m_dropped = false;  // nobody wants the answer in flight any more
+
+    // What the two threads hand each other, under the lock.
+    std::mutex m_lock;
+    std::condition_variable m_changed;
+    std::optional<SolveRequest> m_request;  // from start() until it is answered
+    SolvedBlowPtr m_answer;
+    bool m_ending = false;
+
+    std::thread m_thread;
 };
 
 }  // namespace drillwave
