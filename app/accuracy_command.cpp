@@ -9,6 +9,7 @@
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
 #include "core/file/blow_csv.h"
+#include "core/file/result_scenario.h"
 #include "core/model/decimal_text.h"
 
 namespace drillwave {

@@ -5,8 +5,8 @@
 
 #include "app/accuracy_columns.h"
 #include "app/accuracy_report.h"
-#include "app/json_value.h"
 #include "core/model/version.h"
+#include "ui/export/json_value.h"
 
 namespace drillwave {
 

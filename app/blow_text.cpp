@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "app/blow_report.h"
+#include "app/blow_text.h"
 #include "app/report_text.h"
 #include "core/study/impact_summary.h"
 #include "core/study/thrust.h"

@@ -4,10 +4,10 @@
 #include <QJsonObject>
 
 #include "app/gap_report.h"
-#include "app/json_value.h"
 #include "core/model/scales.h"
 #include "core/model/version.h"
 #include "core/study/row_text.h"
+#include "ui/export/json_value.h"
 
 namespace drillwave {
 

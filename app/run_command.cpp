@@ -5,14 +5,14 @@
 #include <chrono>
 #include <cstdio>
 
-#include "app/blow_report.h"
+#include "app/blow_text.h"
 #include "app/command.h"
 #include "app/interruption.h"
 #include "app/method_options.h"
 #include "app/output_file.h"
 #include "app/scenario_argument.h"
-#include "core/file/blow_csv.h"
 #include "core/model/decimal_text.h"
+#include "ui/export/run_files.h"
 #include "ui/plots/plot_export.h"
 
 namespace drillwave {
@@ -26,7 +26,7 @@ struct RunFiles {
     OutputUnits units = OutputUnits::dimensionless;
     Overwrite overwrite = Overwrite::refused;
 
-    std::string path(const std::string& name) const { return directory + "/" + name; }
+    QString folder() const { return QFile::decodeName(QByteArray::fromStdString(directory)); }
 };
 
 QStringList plotFormatsOf(const std::string& list) {
@@ -58,10 +58,8 @@ RunFiles filesOf(const Arguments& arguments) {
 void prepare(const RunFiles& files) {
     if (files.directory.empty()) return;
     makeFolder(files.directory);
-    std::vector<std::string> names{"summary.json", "histories.csv", "events.csv"};
-    for (const QString& format : files.plots)
-        for (const char* plot : {"blow.", "rock."}) names.push_back(plot + format.toStdString());
-    for (const std::string& name : names) checkOverwrite(files.path(name), files.overwrite);
+    for (const QString& name : runFilesThere(files.folder(), files.plots))
+        checkOverwrite(files.directory + "/" + name.toStdString(), files.overwrite);
 }
 
 /// Solves, and times the solve alone: where it is quick, a second time, because the first one pays for fresh
@@ -93,23 +91,9 @@ BlowReport solveInterruptibly(const Scenario& scenario, Detail detail, const Met
     return report;
 }
 
-void writeFiles(const RunFiles& files, const ScenarioDocument& document, const BlowReport& report) {
-    // A folder with a summary is complete: it goes first and comes last.
-    QFile::remove(QString::fromStdString(files.path("summary.json")));
-    const Scales scales = scalesOf(report.scenario);
-    const std::string header = scenarioHeader(completeScenarioText(document), describe(report.choice));
-    const PulseForce pulse = pulseForceOf(report.scenario);
-    writeFile(files.path("histories.csv"), header + historiesCsv(report.impact, pulse, files.units, scales),
-              files.overwrite);
-    writeFile(files.path("events.csv"), header + eventsCsv(report.impact, files.units, scales),
-              files.overwrite);
-    if (!files.plots.isEmpty()) {
-        QString problem;
-        writeBlowPlots(report.scenario, report.impact, QString::fromStdString(files.directory), files.plots,
-                       files.overwrite == Overwrite::allowed, &problem);
-        if (!problem.isEmpty()) throw CommandError(ExitCode::unwritableOutput, problem.toStdString());
-    }
-    writeFile(files.path("summary.json"), reportJson(report).toStdString(), files.overwrite);
+void writeFiles(const RunFiles& files, const SolvedRun& run) {
+    const QString problem = writeRunFolder(files.folder(), run, files.plots);
+    if (!problem.isEmpty()) throw CommandError(ExitCode::unwritableOutput, problem.toStdString());
 }
 
 void print(const BlowReport& report, const RunFiles& files, bool json) {
@@ -137,7 +121,7 @@ ExitCode runBlow(const Arguments& arguments) {
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved: " + report.impact.reason);
     }
-    if (!files.directory.empty()) writeFiles(files, document, report);
+    if (!files.directory.empty()) writeFiles(files, {document, report, files.units});
     print(report, files, json);
     return ExitCode::done;
 }

@@ -1,11 +1,9 @@
 #include "app/scenario_argument.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 
 #include "app/command_error.h"
-#include "core/file/blow_csv.h"
+#include "core/file/result_scenario.h"
 #include "core/model/decimal_text.h"
 #include "core/model/parameter.h"
 #include "core/model/validation.h"
@@ -13,31 +11,6 @@
 namespace drillwave {
 
 namespace {
-
-/// The scenario is at the top: enough for the largest scenario file with "# " before each of its lines.
-constexpr std::streamsize topBytes = std::streamsize{1} << 22;
-
-ScenarioDocument loadFromCsv(const std::string& path) {
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    std::ifstream file;
-    if (std::filesystem::is_regular_file(status)) file.open(path, std::ios::binary);
-    if (!file.is_open())
-        throw CommandError(ExitCode::unreadableInput,
-                           path + ": cannot be opened: " +
-                               (error            ? error.message()
-                                : exists(status) ? "not a regular file or not readable"
-                                                 : "No such file or directory"));
-    std::string top(topBytes, '\0');
-    file.read(top.data(), topBytes);
-    top.resize(static_cast<std::size_t>(file.gcount()));
-    const std::string yaml = scenarioFromHeader(top);
-    if (yaml.empty())
-        throw CommandError(
-            ExitCode::unreadableInput,
-            path + ": holds no scenario; only CSV files written by `drillwave run -o` begin with one");
-    return parseScenario(yaml, path);
-}
 
 struct Setting {
     std::string key;
@@ -65,14 +38,9 @@ bool isKey(const std::string& key) {
 
 }  // namespace
 
-std::string completeScenarioText(ScenarioDocument document) {
-    document.scenario.pulse.tableFile.clear();
-    return writeScenario(document);
-}
-
 ScenarioDocument loadScenarioFile(const std::string& path) {
     try {
-        return path.ends_with(".csv") ? loadFromCsv(path) : loadScenario(path);
+        return loadScenarioOrResult(path);
     } catch (const ScenarioError& error) {
         const bool unreadable = error.kind() == ScenarioError::Kind::unreadable;
         throw CommandError(unreadable ? ExitCode::unreadableInput : ExitCode::invalidScenario, error.lines());

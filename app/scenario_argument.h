@@ -17,10 +17,8 @@ inline constexpr OptionSpec setOption{
 /// is valid. Throws CommandError.
 ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments);
 
-/// The scenario as it is solved, complete in itself: points that came from a file are written out.
-std::string completeScenarioText(ScenarioDocument document);
-
-/// Just loads. Throws CommandError with every problem of the file.
+/// Just loads a scenario file or the scenario of a result. Throws CommandError with every problem of the
+/// file.
 ScenarioDocument loadScenarioFile(const std::string& path);
 
 }  // namespace drillwave

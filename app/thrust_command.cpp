@@ -7,6 +7,7 @@
 #include "app/scenario_argument.h"
 #include "app/thrust_report.h"
 #include "core/file/blow_csv.h"
+#include "core/file/result_scenario.h"
 #include "core/study/thrust.h"
 
 namespace drillwave {

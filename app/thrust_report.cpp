@@ -4,11 +4,11 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "app/json_value.h"
 #include "app/report_text.h"
 #include "core/model/scales.h"
 #include "core/model/version.h"
 #include "core/study/row_text.h"
+#include "ui/export/json_value.h"
 
 namespace drillwave {
 

@@ -17,6 +17,9 @@ struct FileBytes {
 /// unread.
 FileBytes readFile(const std::string& path, std::size_t maximumBytes);
 
+/// The same without the limit, but no more than the first `bytes` of it.
+FileBytes readStart(const std::string& path, std::size_t bytes);
+
 /// The first byte at which the text is not UTF-8 text (NUL, control characters, malformed sequences, lone
 /// CR).
 struct TextProblem {

@@ -2,8 +2,8 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QSaveFile>
 
+#include "ui/export/whole_file.h"
 #include "ui/plots/blow_plots.h"
 #include "ui/plots/plot_rendering.h"
 #include "ui/plots/rock_plot.h"
@@ -14,10 +14,7 @@ namespace {
 // Empty when written, otherwise the reason.
 QString write(const QString& path, const QByteArray& bytes) {
     if (bytes.isEmpty()) return QStringLiteral("%1: not written, the plot could not be drawn").arg(path);
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) return {};
-    return QStringLiteral("%1: cannot be written: %2; choose another folder or free some space")
-        .arg(path, file.errorString());
+    return writeWholeFile(path, bytes);
 }
 
 // Reasons known before anything is drawn.

@@ -1,15 +1,16 @@
-// The machine-readable report.
+#include "ui/export/blow_report.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "app/blow_report.h"
-#include "app/json_value.h"
 #include "core/file/blow_csv.h"
 #include "core/model/version.h"
 #include "core/study/impact_summary.h"
 #include "core/study/result_alerts.h"
 #include "core/study/thrust.h"
+#include "ui/export/json_value.h"
+#include "ui/export/blow_report.h"
 
 namespace drillwave {
 

@@ -1,8 +1,7 @@
-// One solved blow as the run command tells it: to people and to programs.
+// One solved blow with all that is reported about it, and the report for programs.
 #pragma once
 
 #include <QByteArray>
-#include <string>
 #include <vector>
 
 #include "core/model/scenario.h"
@@ -24,8 +23,5 @@ struct BlowReport {
 /// The JSON object of contract §4. Numbers read back exactly; they are null where the case could not be
 /// solved.
 QByteArray reportJson(const BlowReport& report);
-
-/// A summary for people, rounded to six digits. Requires a solved impact.
-std::string reportText(const BlowReport& report);
 
 }  // namespace drillwave

@@ -1,0 +1,41 @@
+// The files of one blow: what `drillwave run -o` and the window's export write, in one place.
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+#include "core/file/scenario_file.h"
+#include "core/study/output_column.h"
+#include "ui/export/blow_report.h"
+
+namespace drillwave {
+
+/// A blow as solved, with the file its scenario came from. The report's scenario is the document's.
+struct SolvedRun {
+    ScenarioDocument document;
+    BlowReport report;  ///< solved with Detail::histories
+    OutputUnits units = OutputUnits::dimensionless;
+};
+
+/// histories.csv: the header with the whole scenario, then the curves.
+QByteArray historiesFile(const SolvedRun& run);
+
+/// events.csv, likewise.
+QByteArray eventsFile(const SolvedRun& run);
+
+/// The names of the files of a run with plots in these formats.
+QStringList runFileNames(const QStringList& plotFormats);
+
+/// Those of runFileNames() that are in the folder already.
+QStringList runFilesThere(const QString& folder, const QStringList& plotFormats);
+
+/// Writes the files of a run into a folder, over files of these names, making the folder where it is missing;
+/// plots need a QApplication. Plots that an earlier run left there in formats not asked for would show
+/// another blow and are removed. summary.json goes first and comes last: a folder with a summary is complete.
+/// The same run gives the same bytes wherever it is written from, but for `run_time` in summary.json and the
+/// creation date in PDF. Returns why not, in one line; what is there then is no complete run. Throws
+/// ScenarioError where the scenario with the points of its table is too large for a file.
+QString writeRunFolder(const QString& folder, const SolvedRun& run, const QStringList& plotFormats);
+
+}  // namespace drillwave
