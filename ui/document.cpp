@@ -7,6 +7,8 @@
 #include <QSaveFile>
 #include <cassert>
 
+#include "core/file/pulse_table.h"
+#include "core/file/result_scenario.h"
 #include "core/model/optional_parameter.h"
 #include "ui/parameter_row.h"
 #include "ui/typed_text.h"
@@ -85,8 +87,15 @@ QString Document::displayName() const {
     return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName();
 }
 
+QString Document::suggestedPath() const {
+    if (!m_path.isEmpty()) return m_path;
+    if (m_origin.isEmpty()) return QStringLiteral("scenario.yaml");
+    const QFileInfo origin(m_origin);
+    return origin.dir().filePath(origin.completeBaseName() + QStringLiteral(".yaml"));
+}
+
 QByteArray Document::text() const {
-    return QByteArray::fromStdString(writeScenario({m_scenario, m_source.text, m_source.source}));
+    return QByteArray::fromStdString(writeScenario(contents()));
 }
 
 QString Document::whyNot(const Parameter& parameter, double si) const {
@@ -150,20 +159,22 @@ void Document::setScenario(const Scenario& scenario) {
     emit stateChanged();
 }
 
-void Document::take(ScenarioDocument source, const QString& path) {
+void Document::take(ScenarioDocument source, const QString& path, const QString& origin) {
     m_source = std::move(source);
     m_path = path;
+    m_origin = origin;
     m_undoStack.clear();
+    emit replaced();
     setScenario(m_source.scenario);
 }
 
 void Document::start() {
-    take({}, {});
+    take({}, {}, {});
 }
 
 QString Document::startFrom(std::string_view text, const QString& name) {
     try {
-        take(parseScenario(text, name.toStdString()), {});
+        take(parseScenario(text, name.toStdString()), {}, {});
     } catch (const ScenarioError& error) {
         return lines(error);
     }
@@ -173,19 +184,65 @@ QString Document::startFrom(std::string_view text, const QString& name) {
 QString Document::open(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     try {
-        take(loadScenario(nativePath(absolute)), absolute);
+        const std::string native = nativePath(absolute);
+        take(loadScenarioOrResult(native), isCsvName(native) ? QString() : absolute, absolute);
     } catch (const ScenarioError& error) {
         return lines(error);
     }
     return {};
 }
 
+QString Document::reload() {
+    try {
+        ScenarioDocument source = loadScenario(nativePath(m_path));
+        push(source.scenario, tr("reload the file"));
+        m_source = std::move(source);
+    } catch (const ScenarioError& error) {
+        return lines(error);
+    }
+    m_undoStack.setClean();
+    emit stateChanged();
+    return {};
+}
+
+QString Document::restore(const std::string& text, const QString& origin) {
+    const std::string source = origin.isEmpty() ? std::string() : nativePath(origin);
+    try {
+        take(parseScenario(text, source), {}, origin);
+    } catch (const ScenarioError& error) {
+        return lines(error);
+    }
+    markUnsaved();
+    return {};
+}
+
+void Document::markUnsaved() {
+    m_undoStack.resetClean();
+    emit stateChanged();
+}
+
+QString Document::useTable(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    PulseTable table = readPulseTable(nativePath(absolute), nativePath(absolute), m_scenario.form);
+    std::vector<Problem> problems = std::move(table.problems);
+    Scenario changed = m_scenario;
+    changed.pulse.shape = PulseShape::table;
+    changed.pulse.tablePoints = std::move(table.points);
+    changed.pulse.tableFile = nativePath(
+        m_origin.isEmpty() ? absolute : QFileInfo(m_origin).absoluteDir().relativeFilePath(absolute));
+    if (problems.empty()) problems = validate(changed);
+    if (!problems.empty())
+        return lines(ScenarioError(ScenarioError::Kind::invalid, nativePath(absolute), std::move(problems)));
+    push(std::move(changed), tr("take the hammer blow from %1").arg(QFileInfo(path).fileName()));
+    return {};
+}
+
 // The points of a table are in a file named relative to the scenario: saved elsewhere, the name must follow.
 bool Document::keepTableInReach(const QString& path) {
     const QString table = QFile::decodeName(m_scenario.pulse.tableFile.c_str());
-    const QDir from = QFileInfo(m_path).absoluteDir();
+    const QDir from = QFileInfo(m_origin).absoluteDir();
     const QDir to = QFileInfo(path).absoluteDir();
-    if (table.isEmpty() || m_path.isEmpty() || QDir::isAbsolutePath(table) || from == to) return false;
+    if (table.isEmpty() || m_origin.isEmpty() || QDir::isAbsolutePath(table) || from == to) return false;
     Scenario changed = m_scenario;
     changed.pulse.tableFile = nativePath(to.relativeFilePath(from.absoluteFilePath(table)));
     push(std::move(changed), tr("follow the table of the pulse"));
@@ -195,16 +252,23 @@ bool Document::keepTableInReach(const QString& path) {
 QString Document::save(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     const bool tableMoved = keepTableInReach(absolute);
-    const QByteArray bytes = text();
-    QSaveFile file(absolute);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
+    const auto failed = [&](const QString& reason) {
         if (tableMoved) m_undoStack.undo();
         return tr("%1: cannot be saved: %2. Nothing is lost: save it under another name or in another "
                   "folder.")
-            .arg(QDir::toNativeSeparators(absolute), file.errorString());
+            .arg(QDir::toNativeSeparators(absolute), reason);
+    };
+    QByteArray bytes;
+    try {
+        bytes = text();
+    } catch (const ScenarioError& error) {
+        return failed(lines(error));
     }
+    QSaveFile file(absolute);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        return failed(file.errorString());
     m_source = {m_scenario, bytes.toStdString(), nativePath(absolute)};
-    m_path = absolute;
+    m_path = m_origin = absolute;
     m_undoStack.setClean();
     emit stateChanged();
     return {};
