@@ -41,6 +41,15 @@ double reflectedWave(const Impact& impact, double s) {
     return impactForce(impact, s) - incidentWave(impact, s);
 }
 
+/// ∫g over `duration` of the periods that repeat the one before the recorded time `end`.
+double repeatedImpulse(const Impact& impact, double end, double duration) {
+    const double begin = impact.incident.integral(end - impact.roundTrip);
+    const double periods = std::floor(duration / impact.roundTrip);
+    const double rest = duration - periods * impact.roundTrip;
+    return periods * (impact.incident.integral(end) - begin) +
+           impact.incident.integral(end - impact.roundTrip + rest) - begin;
+}
+
 double unrecordedBefore(const Impact& impact, double recorded) {
     double leftOut = 0;
     for (const PeriodSkip& skip : impact.skips) {
@@ -67,16 +76,21 @@ int chords(const PiecewisePolynomial& f, const Piece& piece) {
     return std::clamp(static_cast<int>(std::ceil(std::sqrt(curvature / (8e-4 * size)))), 1, 100);
 }
 
-/// Appends value(piece, x) over recorded time [from, to], shifted by `shift`, as chords of `wave`.
+/// What is shorter, in round trips, is the rounding of a time and no part of a curve.
+constexpr double negligibleTime = 1e-12;
+
+/// Appends value(piece, x) over recorded time [from, to), shifted by `shift`, as chords of `wave`: without
+/// the jumps at `from` and `to`, on which side of them ever rounding has put the pieces that begin there.
 template <class Value>
 void sampleRecorded(const Impact& impact, double from, double to, double shift, Value value,
                     SampledCurve& curve) {
     const auto pieces = impact.incident.pieces();
     const auto forces = impact.force.pieces();
-    auto first = std::upper_bound(pieces.begin(), pieces.end(), from,
-                                  [](double s, const Piece& piece) { return s < piece.start; });
-    if (first != pieces.begin()) --first;
-    for (auto piece = first; piece != pieces.end() && piece->start < to; ++piece) {
+    const double rounding = negligibleTime * impact.roundTrip;
+    const auto first = std::partition_point(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+        return piece.start + piece.length <= from + rounding;
+    });
+    for (auto piece = first; piece != pieces.end() && piece->start < to - rounding; ++piece) {
         const auto index = static_cast<std::size_t>(piece - pieces.begin());
         const double begin = std::max(0.0, from - piece->start);
         const double end = std::min(piece->length, to - piece->start);
@@ -104,6 +118,21 @@ double impactForce(const Impact& impact, double s) {
 double impactImpulse(const Impact& impact, double s) {
     if (s <= 0) return 0;
     return impact.force.integral(recordedTime(impact, s));
+}
+
+double incidentImpulse(const Impact& impact, double s) {
+    if (s <= 0) return s * waveBeforeArrival(impact);
+    double repeated = 0, leftOut = 0;
+    for (const PeriodSkip& skip : impact.skips) {
+        if (s < skip.start) break;
+        const double recorded = skip.start - leftOut;
+        repeated += repeatedImpulse(impact, recorded, std::min(s - skip.start, skip.duration));
+        if (s < skip.start + skip.duration) return impact.incident.integral(recorded) + repeated;
+        leftOut += skip.duration;
+    }
+    const double recorded = s - leftOut, end = impact.incident.end();
+    if (recorded > end && impact.roundTrip > 0) repeated += repeatedImpulse(impact, end, recorded - end);
+    return impact.incident.integral(recorded) + repeated;
 }
 
 double timeOfRecorded(const Impact& impact, double recorded) {
@@ -136,7 +165,7 @@ std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count
         while (from < to) {  // past the recording the last period repeats itself
             const double recorded = recordedTime(impact, from);
             const double stretch = std::min(to - from, uninterrupted(impact, from));
-            if (!(stretch > 1e-12 * impact.roundTrip)) break;
+            if (!(stretch > negligibleTime * impact.roundTrip)) break;
             sampleRecorded(impact, recorded, recorded + stretch, from - recorded + shift, value, wave.curve);
             from += stretch;
         }

@@ -21,6 +21,10 @@ double impactForce(const Impact& impact, double s);
 /// Impulse of the impact force up to s, ∫F.
 double impactImpulse(const Impact& impact, double s);
 
+/// Impulse that the incident wave has brought to the front end up to s, ∫g, for any s; less than 0 before
+/// s = 0 in the reference case.
+double incidentImpulse(const Impact& impact, double s);
+
 /// The time s at which a point of the recording was reached: later by the periods left out before it.
 double timeOfRecorded(const Impact& impact, double recorded);
 
