@@ -3,39 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/wave/recorded_time.h"
+
 namespace drillwave {
 namespace {
-
-/// The uniform wave of the reference case before first contact; 0 where a hammer blow arrives later.
-double waveBeforeArrival(const Impact& impact) {
-    return impact.frontArrival == 0 && impact.roundTrip > 0 ? 1 / impact.roundTrip : 0.0;
-}
-
-/// Where in the recording the state of time s is found.
-double recordedTime(const Impact& impact, double s) {
-    double leftOut = 0;
-    for (const PeriodSkip& skip : impact.skips) {
-        if (s < skip.start) break;
-        if (s < skip.start + skip.duration)
-            return skip.start - leftOut - impact.roundTrip + std::fmod(s - skip.start, impact.roundTrip);
-        leftOut += skip.duration;
-    }
-    s -= leftOut;
-    const double end = impact.incident.end();
-    if (s >= end && impact.roundTrip > 0)
-        return end - impact.roundTrip + std::fmod(s - end, impact.roundTrip);
-    return s;
-}
-
-/// For how long after s the recording can be followed without a jump to another part of it.
-double uninterrupted(const Impact& impact, double s) {
-    for (const PeriodSkip& skip : impact.skips) {
-        if (s < skip.start) return skip.start - s;
-        const double end = skip.start + skip.duration;
-        if (s < end) return std::min(end - s, impact.roundTrip - std::fmod(s - skip.start, impact.roundTrip));
-    }
-    return impact.incident.end() - recordedTime(impact, s);
-}
 
 double reflectedWave(const Impact& impact, double s) {
     return impactForce(impact, s) - incidentWave(impact, s);
@@ -48,15 +19,6 @@ double repeatedImpulse(const Impact& impact, double end, double duration) {
     const double rest = duration - periods * impact.roundTrip;
     return periods * (impact.incident.integral(end) - begin) +
            impact.incident.integral(end - impact.roundTrip + rest) - begin;
-}
-
-double unrecordedBefore(const Impact& impact, double recorded) {
-    double leftOut = 0;
-    for (const PeriodSkip& skip : impact.skips) {
-        if (recorded + leftOut < skip.start) break;
-        leftOut += skip.duration;
-    }
-    return leftOut;
 }
 
 using Piece = PiecewisePolynomial::Piece;
