@@ -21,6 +21,8 @@ class Document : public QObject {
     QUndoStack& undoStack() { return m_undoStack; }
     /// The file it was read from or saved to last, which saving writes; empty where there is none.
     const QString& path() const { return m_path; }
+    /// The file that it came from, even if saving does not write that; empty where there is none.
+    const QString& origin() const { return m_origin; }
     /// Where to propose to save it: path(), else a scenario file beside the file that it came from.
     QString suggestedPath() const;
     /// Title of the scenario, else the name of its file, else "Untitled".
@@ -82,7 +84,7 @@ class Document : public QObject {
     Scenario m_scenario;
     ScenarioDocument m_source;  // as last read or written: what saving changes as little as possible
     QString m_path;
-    QString m_origin;  // the file that the names of other files are relative to, even if it is not written
+    QString m_origin;  // what the names of other files are relative to
     QUndoStack m_undoStack;
 };
 

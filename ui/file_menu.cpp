@@ -3,36 +3,54 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include "core/file/examples.h"
+#include "core/file/result_scenario.h"
 #include "ui/settings.h"
 
 namespace drillwave {
 namespace {
 
 constexpr int recentLimit = 10;
-const QString recentKey = QStringLiteral("recentFiles");
 
 QString fromUtf8(const std::string& text) {
     return QString::fromStdString(text);
 }
 
-}  // namespace
-
-FileMenu::FileMenu(Document& document, Questions& questions, QWidget* window)
-    : QMenu(tr("&File"), window), m_document(document), m_questions(questions), m_window(window) {
-    setToolTipsVisible(true);
-    addFileActions();
+bool isScenarioName(const QString& path) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    return suffix == QLatin1String("yaml") || suffix == QLatin1String("yml");
 }
 
-void FileMenu::addFileActions() {
+bool isCsv(const QString& path) {
+    return isCsvName(path.toStdString());
+}
+
+// Results begin with the lines of their scenario; a table of times and forces begins with its header.
+bool isResult(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) && file.read(1) == "#";
+}
+
+}  // namespace
+
+FileMenu::FileMenu(Document& document, Questions& questions, FileWatch& watch, QMenu* exports,
+                   QWidget* window)
+    : QMenu(tr("&File"), window),
+      m_document(document),
+      m_questions(questions),
+      m_watch(watch),
+      m_window(window) {
+    setToolTipsVisible(true);
+    addFileActions(exports);
+}
+
+void FileMenu::addFileActions(QMenu* exports) {
     addAction(tr("&New"), QKeySequence::New, this, [this] {
         if (mayDiscard()) m_document.start();
     });
     addAction(tr("&Open…"), QKeySequence::Open, this, [this] {
-        if (!mayDiscard()) return;
-        const QString path = m_questions.fileToOpen(m_window, QFileInfo(m_document.path()).absolutePath());
-        if (!path.isEmpty() && succeeded(tr("The scenario cannot be opened."), m_document.open(path)))
-            remember(m_document.path());
+        const QString folder = QFileInfo(m_document.suggestedPath()).absolutePath();
+        const QString path = m_questions.fileToOpen(m_window, folder);
+        if (!path.isEmpty() && mayDiscard()) openFile(path);
     });
     addExamples();
     addRecentFiles();
@@ -40,6 +58,7 @@ void FileMenu::addFileActions() {
     addAction(tr("&Save"), QKeySequence::Save, this, &FileMenu::save);
     // Without a desktop theme some standard shortcuts are empty.
     addAction(tr("Save &As…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this, &FileMenu::saveAs);
+    addMenu(exports);
     addSeparator();
     QAction* quit = addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), m_window, &QWidget::close);
     quit->setMenuRole(QAction::QuitRole);
@@ -49,13 +68,16 @@ void FileMenu::addExamples() {
     QMenu* menu = addMenu(tr("&Examples"));
     menu->setToolTipsVisible(true);
     for (const Example& example : builtInExamples()) {
-        QAction* action = menu->addAction(fromUtf8(example.title), this, [this, &example] {
-            if (mayDiscard())
-                succeeded(tr("The example cannot be opened."),
-                          m_document.startFrom(example.text, fromUtf8(example.name)));
-        });
+        QAction* action =
+            menu->addAction(fromUtf8(example.title), this, [this, &example] { openExample(example); });
         action->setToolTip(QStringLiteral("<p>%1</p>").arg(fromUtf8(example.explanation).toHtmlEscaped()));
     }
+}
+
+void FileMenu::openExample(const Example& example) {
+    if (!mayDiscard()) return;
+    const QString problem = m_document.startFrom(example.text, fromUtf8(example.name));
+    if (succeeded(tr("The example cannot be opened."), problem)) emit exampleOpened(example);
 }
 
 void FileMenu::addRecentFiles() {
@@ -65,26 +87,70 @@ void FileMenu::addRecentFiles() {
 
 void FileMenu::showRecentFiles() {
     m_recent->clear();
-    for (const QString& path : Settings().value(recentKey).toStringList())
-        m_recent->addAction(QDir::toNativeSeparators(path), this, [this, path] {
-            if (mayDiscard()) openFile(path);
-        });
-    m_recent->menuAction()->setVisible(!m_recent->isEmpty());
+    const QStringList paths = Settings().value(recentFilesKey).toStringList();
+    for (const QString& path : paths) {
+        // An ampersand in the name is no mnemonic.
+        const QString name = QDir::toNativeSeparators(path).replace(QLatin1Char('&'), QLatin1String("&&"));
+        m_recent->addAction(name, this, [this, path] { openRecent(path); });
+    }
+    m_recent->addSeparator();
+    QAction* clear = m_recent->addAction(tr("&Clear list"), this, [this] {
+        Settings().remove(recentFilesKey);
+        showRecentFiles();
+    });
+    clear->setToolTip(tr("Forget these names; the files stay"));
+    m_recent->menuAction()->setVisible(!paths.isEmpty());
+}
+
+void FileMenu::openRecent(const QString& path) {
+    if (QFileInfo::exists(path)) {
+        if (mayDiscard()) openFile(path);
+        return;
+    }
+    if (m_questions.confirm(
+            m_window, tr("This file is no longer there."),
+            tr("%1\nIt may be on a drive that is not connected. Shall it be taken off the list?")
+                .arg(QDir::toNativeSeparators(path)),
+            tr("Take it off")))
+        forget(path);
 }
 
 void FileMenu::remember(const QString& path) {
     Settings settings;
-    QStringList paths = settings.value(recentKey).toStringList();
+    QStringList paths = settings.value(recentFilesKey).toStringList();
     paths.removeAll(path);
     paths.prepend(path);
-    settings.setValue(recentKey, paths.mid(0, recentLimit));
+    settings.setValue(recentFilesKey, paths.mid(0, recentLimit));
+    showRecentFiles();
+}
+
+void FileMenu::forget(const QString& path) {
+    Settings settings;
+    QStringList paths = settings.value(recentFilesKey).toStringList();
+    paths.removeAll(path);
+    settings.setValue(recentFilesKey, paths);
     showRecentFiles();
 }
 
 bool FileMenu::openFile(const QString& path) {
     if (!succeeded(tr("The scenario cannot be opened."), m_document.open(path))) return false;
-    remember(m_document.path());
+    remember(QFileInfo(path).absoluteFilePath());
     return true;
+}
+
+void FileMenu::take(const QStringList& paths) {
+    const QString refusal = tr("This cannot be taken.");
+    if (paths.size() > 1) {
+        succeeded(refusal, tr("%1 files were dropped; drop one at a time.").arg(paths.size()));
+    } else if (isScenarioName(paths.first()) || (isCsv(paths.first()) && isResult(paths.first()))) {
+        if (mayDiscard()) openFile(paths.first());
+    } else if (isCsv(paths.first())) {
+        succeeded(tr("The hammer blow cannot be taken from this file."), m_document.useTable(paths.first()));
+    } else {
+        succeeded(refusal, tr("%1\nDrop a scenario (.yaml), a histories.csv or events.csv of a run, or the "
+                              "CSV file of a hammer blow.")
+                               .arg(QDir::toNativeSeparators(paths.first())));
+    }
 }
 
 bool FileMenu::mayDiscard() {
@@ -101,18 +167,32 @@ bool FileMenu::mayDiscard() {
 }
 
 bool FileMenu::save() {
-    return m_document.path().isEmpty() ? saveAs() : saveTo(m_document.path());
+    const QString path = m_document.path();
+    if (path.isEmpty()) return saveAs();
+    if (m_watch.savingNeedsConsent() &&
+        !m_questions.confirm(
+            m_window, tr("The file has been changed by another program."),
+            tr("%1\nSaving writes over what that program has written.").arg(QDir::toNativeSeparators(path)),
+            tr("Overwrite")))
+        return false;
+    return saveTo(path);
 }
 
 bool FileMenu::saveAs() {
-    const QString suggestion =
-        m_document.path().isEmpty() ? QStringLiteral("scenario.yaml") : m_document.path();
-    const QString path = m_questions.fileToSave(m_window, suggestion);
-    return !path.isEmpty() && saveTo(path);
+    QString path = m_questions.fileToSave(m_window, m_document.suggestedPath());
+    if (path.isEmpty()) return false;
+    if (isScenarioName(path)) return saveTo(path);
+    // The dialog has asked about the name as it was given.
+    path += QStringLiteral(".yaml");
+    if (QFileInfo::exists(path) && !m_questions.confirm(m_window, tr("A file of this name exists already."),
+                                                        QDir::toNativeSeparators(path), tr("Overwrite")))
+        return false;
+    return saveTo(path);
 }
 
 bool FileMenu::saveTo(const QString& path) {
     if (!succeeded(tr("The scenario has not been saved."), m_document.save(path))) return false;
+    m_watch.check();
     remember(m_document.path());
     return true;
 }

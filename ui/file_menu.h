@@ -3,7 +3,9 @@
 
 #include <QMenu>
 
+#include "core/file/examples.h"
 #include "ui/document.h"
+#include "ui/file_watch.h"
 #include "ui/questions.h"
 
 namespace drillwave {
@@ -12,21 +14,31 @@ class FileMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// Document and questions must outlive the menu.
-    FileMenu(Document& document, Questions& questions, QWidget* window);
+    /// Document, questions and watch must outlive the menu. `exports` becomes a part of it.
+    FileMenu(Document& document, Questions& questions, FileWatch& watch, QMenu* exports, QWidget* window);
 
-    /// Opens a scenario file in place of the present scenario; tells why if it cannot. True when opened.
+    /// Opens a scenario file, or the scenario of a result, in place of the present one, unsaved or not; tells
+    /// why if it cannot. True when opened.
     bool openFile(const QString& path);
+    /// Takes what was dropped onto the window: a scenario, the CSV file of a result, or that of a hammer
+    /// blow.
+    void take(const QStringList& paths);
     /// Whether the present scenario may be replaced or closed: saved, unchanged or given up.
     bool mayDiscard();
     bool save();
     bool saveAs();
 
+  signals:
+    void exampleOpened(const drillwave::Example& example);
+
   private:
-    void addFileActions();
+    void addFileActions(QMenu* exports);
     void addExamples();
     void addRecentFiles();
+    void openExample(const Example& example);
+    void openRecent(const QString& path);
     void remember(const QString& path);
+    void forget(const QString& path);
     void showRecentFiles();
     bool saveTo(const QString& path);
     /// Whether there is no problem; tells of one.
@@ -34,6 +46,7 @@ class FileMenu : public QMenu {
 
     Document& m_document;
     Questions& m_questions;
+    FileWatch& m_watch;
     QWidget* m_window;
     QMenu* m_recent = nullptr;
 };

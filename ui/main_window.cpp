@@ -8,15 +8,25 @@
 #include <QMenuBar>
 #include <QRadioButton>
 #include <QScreen>
+#include <QSessionManager>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QTimer>
+#include <QVBoxLayout>
 
 #include "core/file/examples.h"
 #include "core/model/version.h"
+#include "ui/example_note.h"
+#include "ui/export/export_menu.h"
+#include "ui/file_drop.h"
 #include "ui/file_menu.h"
+#include "ui/file_notice.h"
 #include "ui/number_text.h"
+#include "ui/on_screen.h"
 #include "ui/pages/blow_page.h"
+#include "ui/plots/plot_widget.h"
+#include "ui/recovery.h"
+#include "ui/recovery_offer.h"
 #include "ui/result_panel.h"
 #include "ui/scenario_panel.h"
 #include "ui/settings.h"
@@ -28,6 +38,11 @@ namespace {
 constexpr int layoutVersion = 1;
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
+const QString pageKey = QStringLiteral("window/page");
+const QString unitsKey = QStringLiteral("window/units");
+const QString siName = QStringLiteral("si");
+const QString dimensionlessName = QStringLiteral("dimensionless");
+constexpr int messageMilliseconds = 8000;
 
 QString statusText(const SolvedBlow& blow) {
     if (!blow.problem.isEmpty()) return MainWindow::tr("exact · not solved");
@@ -53,21 +68,34 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages = new QTabWidget(this);
     m_pages->setDocumentMode(true);
     m_pages->setTabBarAutoHide(true);
-    setCentralWidget(m_pages);
+    addNotices();
     addDocks();
     addPage(m_blowPage = new BlowPage(m_observation));
     addMenus();
     addStatusBar();
     wire();
     presentState();
-    resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
-    restoreGeometry(Settings().value(geometryKey).toByteArray());
+    restoreChoices();
+    m_exampleNote->explainFirst(example);
     present(m_job->solveNow(request()));
 }
 
 // Fields that lose the focus hand their edits over: while the document is still there.
 MainWindow::~MainWindow() {
     hide();
+}
+
+void MainWindow::addNotices() {
+    m_fileNotice = new FileNotice(m_document, m_watch, *m_questions);
+    m_exampleNote = new ExampleNote;
+    auto* center = new QWidget(this);
+    auto* layout = new QVBoxLayout(center);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_fileNotice);
+    layout->addWidget(m_exampleNote);
+    layout->addWidget(m_pages, 1);
+    setCentralWidget(center);
 }
 
 void MainWindow::addDocks() {
@@ -93,7 +121,10 @@ void MainWindow::addPage(Page* page) {
 }
 
 void MainWindow::addMenus() {
-    m_fileMenu = new FileMenu(m_document, *m_questions, this);
+    m_exportMenu = new ExportMenu(m_document, *m_questions,
+                                  {[this] { return blowNow(); }, [this] { return currentPage().plot(); }},
+                                  this);
+    m_fileMenu = new FileMenu(m_document, *m_questions, m_watch, m_exportMenu, this);
     menuBar()->addMenu(m_fileMenu);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     QAction* undo = m_document.undoStack().createUndoAction(edit, tr("&Undo"));
@@ -129,6 +160,8 @@ void MainWindow::addViewMenu() {
     view->addSeparator();
     for (QDockWidget* dock : std::as_const(m_docks)) view->addAction(dock->toggleViewAction());
     view->addAction(tr("&Reset layout"), this, &MainWindow::resetLayout);
+    view->addSeparator();
+    view->addAction(m_exampleNote->action());
 }
 
 void MainWindow::addStatusBar() {
@@ -149,6 +182,12 @@ void MainWindow::wire() {
     connect(&m_document, &Document::scenarioChanged, this, &MainWindow::solve);
     connect(&m_document, &Document::stateChanged, this, &MainWindow::presentState);
     connect(m_pages, &QTabWidget::currentChanged, this, &MainWindow::solve);
+    connect(&m_document, &Document::replaced, m_exampleNote, &ExampleNote::forget);
+    connect(m_fileMenu, &FileMenu::exampleOpened, m_exampleNote, &ExampleNote::explain);
+    connect(new FileDrop(this), &FileDrop::dropped, m_fileMenu, &FileMenu::take);
+    connect(m_exportMenu, &ExportMenu::exported, this,
+            [this](const QString& message) { statusBar()->showMessage(message, messageMilliseconds); });
+    connect(qApp, &QGuiApplication::commitDataRequest, this, &MainWindow::endSession, Qt::DirectConnection);
     connect(m_scenarioPanel, &ScenarioPanel::dragStarted, this, [this] { setGhost(m_shown); });
     connect(m_scenarioPanel, &ScenarioPanel::dragEnded, this, [this] { setGhost(nullptr); });
     connect(m_resultPanel, &ResultPanel::timeChosen, &m_observation, &Observation::setTime);
@@ -157,6 +196,25 @@ void MainWindow::wire() {
 
 bool MainWindow::openFile(const QString& path) {
     return m_fileMenu->openFile(path);
+}
+
+void MainWindow::startRecovery(const QString& folder) {
+    m_recovery = new Recovery(m_document, folder, this);
+    connect(m_recovery, &Recovery::failed, this, [this](const QString& problem) {
+        m_questions->tell(this, Questions::Tone::failure,
+                          tr("Unsaved changes cannot be kept for the case of a crash."), problem);
+    });
+    offerLostChanges(folder, m_document, *m_recovery, *m_questions, this);
+}
+
+// The desktop ends the session: the window may not get another chance to ask.
+void MainWindow::endSession(QSessionManager& session) {
+    if (!session.allowsInteraction()) return;
+    if (m_fileMenu->mayDiscard())
+        saveChoices();
+    else
+        session.cancel();
+    session.release();
 }
 
 Page& MainWindow::currentPage() const {
@@ -178,6 +236,11 @@ SolveRequest MainWindow::request() const {
 
 void MainWindow::solve() {
     m_job->submit(request());
+}
+
+SolvedBlowPtr MainWindow::blowNow() {
+    if (m_shown->request.scenario != m_document.scenario()) present(m_job->solveNow(request()));
+    return m_shown;
 }
 
 void MainWindow::present(const SolvedBlowPtr& blow) {
@@ -226,8 +289,28 @@ void MainWindow::resetLayout() {
                 Qt::Horizontal);
 }
 
+void MainWindow::restoreChoices() {
+    const Settings settings;
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
+    if (restoreGeometry(settings.value(geometryKey).toByteArray())) keepOnScreen(*this);
+    if (settings.value(unitsKey).toString() == dimensionlessName) m_units = UnitSystem::dimensionless;
+    const QString page = settings.value(pageKey).toString();
+    for (int i = 0; i < m_pages->count(); ++i)
+        if (QLatin1String(m_pages->widget(i)->metaObject()->className()) == page) m_pages->setCurrentIndex(i);
+}
+
+void MainWindow::saveChoices() const {
+    Settings settings;
+    settings.setValue(geometryKey, saveGeometry());
+    settings.setValue(layoutKey, saveState(layoutVersion));
+    settings.setValue(unitsKey, m_units == UnitSystem::si ? siName : dimensionlessName);
+    settings.setValue(pageKey, QLatin1String(currentPage().metaObject()->className()));
+}
+
 void MainWindow::restoreLayout() {
     if (!restoreState(Settings().value(layoutKey).toByteArray(), layoutVersion)) resetLayout();
+    for (QDockWidget* dock : std::as_const(m_docks))
+        if (dock->isFloating()) keepOnScreen(*dock);
 }
 
 // Restored before the window is shown, docks come out in wrong sizes.
@@ -239,9 +322,8 @@ void MainWindow::showEvent(QShowEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (!m_fileMenu->mayDiscard()) return event->ignore();
-    Settings settings;
-    settings.setValue(geometryKey, saveGeometry());
-    settings.setValue(layoutKey, saveState(layoutVersion));
+    saveChoices();
+    if (m_recovery) m_recovery->end();
     event->accept();
 }
 

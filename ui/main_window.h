@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "ui/document.h"
+#include "ui/file_watch.h"
 #include "ui/observation.h"
 #include "ui/questions.h"
 #include "ui/solve_job.h"
@@ -12,13 +13,18 @@
 class QDockWidget;
 class QLabel;
 class QRadioButton;
+class QSessionManager;
 class QTabWidget;
 
 namespace drillwave {
 
 class BlowPage;
+class ExampleNote;
+class ExportMenu;
+class FileNotice;
 class FileMenu;
 class Page;
+class Recovery;
 class ResultPanel;
 class ScenarioPanel;
 
@@ -34,10 +40,16 @@ class MainWindow : public QMainWindow {
 
     /// Opens a scenario file, or tells why it cannot. True when opened.
     bool openFile(const QString& path);
+    /// Keeps unsaved changes in a folder from now on, and offers those of instances that died.
+    void startRecovery(const QString& folder);
 
     Document& document() { return m_document; }
     SolveJob& job() { return *m_job; }
     FileMenu& fileMenu() { return *m_fileMenu; }
+    ExportMenu& exportMenu() { return *m_exportMenu; }
+    ExampleNote& exampleNote() { return *m_exampleNote; }
+    FileNotice& fileNotice() { return *m_fileNotice; }
+    FileWatch& fileWatch() { return m_watch; }
     ScenarioPanel& scenarioPanel() { return *m_scenarioPanel; }
     ResultPanel& resultPanel() { return *m_resultPanel; }
     BlowPage& blowPage() { return *m_blowPage; }
@@ -53,6 +65,7 @@ class MainWindow : public QMainWindow {
 
   private:
     MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<SolveJob> job, QWidget* parent);
+    void addNotices();
     void addDocks();
     void addPage(Page* page);
     void setGhost(const SolvedBlowPtr& before);
@@ -60,17 +73,22 @@ class MainWindow : public QMainWindow {
     void addViewMenu();
     void addStatusBar();
     void wire();
+    void restoreChoices();
     void restoreLayout();
     void resetLayout();
+    void saveChoices() const;
+    void endSession(QSessionManager& session);
 
     Page& currentPage() const;
     SolveRequest request() const;
+    SolvedBlowPtr blowNow();
     void solve();
     void present(const SolvedBlowPtr& blow);
     void presentState();
     void presentUnits();
 
     Document m_document;
+    FileWatch m_watch{m_document};
     Observation m_observation;
     std::unique_ptr<Questions> m_questions;
     std::unique_ptr<SolveJob> m_job;
@@ -78,6 +96,10 @@ class MainWindow : public QMainWindow {
     UnitSystem m_units = UnitSystem::si;
 
     FileMenu* m_fileMenu = nullptr;
+    ExportMenu* m_exportMenu = nullptr;
+    ExampleNote* m_exampleNote = nullptr;
+    FileNotice* m_fileNotice = nullptr;
+    Recovery* m_recovery = nullptr;
     ScenarioPanel* m_scenarioPanel = nullptr;
     ResultPanel* m_resultPanel = nullptr;
     QTabWidget* m_pages = nullptr;

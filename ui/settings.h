@@ -13,4 +13,14 @@ class Settings : public QSettings {
                     QStringLiteral("drillwave")) {}
 };
 
+inline const QString recentFilesKey = QStringLiteral("recentFiles");
+
+/// Forgets layout, page, units and every other choice, so that the next window is as new. The names of
+/// recent files stay.
+inline void resetSettings() {
+    Settings settings;
+    for (const QString& key : settings.allKeys())
+        if (key != recentFilesKey) settings.remove(key);
+}
+
 }  // namespace drillwave

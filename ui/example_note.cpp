@@ -1,0 +1,48 @@
+#include "ui/example_note.h"
+
+#include "ui/settings.h"
+
+namespace drillwave {
+namespace {
+
+const QString firstDismissedKey = QStringLiteral("window/firstNoteDismissed");
+
+}  // namespace
+
+ExampleNote::ExampleNote(QWidget* parent) : Notice(Tone::information, parent), m_action(new QAction(this)) {
+    setObjectName(QStringLiteral("exampleNote"));
+    m_action->setText(tr("&About this example"));
+    m_action->setToolTip(tr("What to look at in the example that is open"));
+    m_action->setCheckable(true);
+    m_action->setEnabled(false);
+    connect(m_action, &QAction::toggled, this, &QWidget::setVisible);
+    connect(this, &Notice::dismissed, this, [this] {
+        m_action->setChecked(false);
+        if (m_isFirst) Settings().setValue(firstDismissedKey, true);
+    });
+}
+
+void ExampleNote::set(const Example& example) {
+    say(QString::fromStdString(example.explanation));
+    m_action->setEnabled(true);
+    m_action->setChecked(true);
+}
+
+void ExampleNote::explain(const Example& example) {
+    m_isFirst = false;
+    set(example);
+}
+
+void ExampleNote::explainFirst(const Example& example) {
+    set(example);
+    m_isFirst = true;
+    if (Settings().value(firstDismissedKey).toBool()) m_action->setChecked(false);
+}
+
+void ExampleNote::forget() {
+    m_isFirst = false;
+    m_action->setChecked(false);
+    m_action->setEnabled(false);
+}
+
+}  // namespace drillwave

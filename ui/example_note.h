@@ -1,0 +1,33 @@
+// What to look at in the example that is open.
+#pragma once
+
+#include <QAction>
+
+#include "core/file/examples.h"
+#include "ui/notice.h"
+
+namespace drillwave {
+
+class ExampleNote : public Notice {
+    Q_OBJECT
+
+  public:
+    explicit ExampleNote(QWidget* parent = nullptr);
+
+    /// Shows the explanation of an example.
+    void explain(const Example& example);
+    /// The example the program begins with: its explanation is not shown once the user has dismissed it.
+    void explainFirst(const Example& example);
+    /// Another scenario is open.
+    void forget();
+    /// Shows and hides the note; disabled where there is nothing to explain.
+    QAction* action() const { return m_action; }
+
+  private:
+    void set(const Example& example);
+
+    QAction* m_action;
+    bool m_isFirst = false;
+};
+
+}  // namespace drillwave

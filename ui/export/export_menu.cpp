@@ -1,0 +1,127 @@
+#include "ui/export/export_menu.h"
+
+#include <QClipboard>
+#include <QDir>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QImage>
+#include <QMimeData>
+
+#include "ui/export/whole_file.h"
+#include "ui/plots/plot_export.h"
+#include "ui/plots/plot_widget.h"
+#include "ui/settings.h"
+
+namespace drillwave {
+namespace {
+
+const QString folderKey = QStringLiteral("export/folder");
+
+// While a picture is drawn the window waits.
+class WaitCursor {
+  public:
+    WaitCursor() { QGuiApplication::setOverrideCursor(Qt::WaitCursor); }
+    ~WaitCursor() { QGuiApplication::restoreOverrideCursor(); }
+    WaitCursor(const WaitCursor&) = delete;
+    WaitCursor& operator=(const WaitCursor&) = delete;
+};
+
+QString csvFilter() {
+    return ExportMenu::tr("CSV (*.csv);;All files (*)");
+}
+
+}  // namespace
+
+ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources, QWidget* window)
+    : QMenu(tr("&Export"), window),
+      m_document(document),
+      m_questions(questions),
+      m_sources(std::move(sources)),
+      m_window(window) {
+    setToolTipsVisible(true);
+    const auto add = [this](const QString& text, const QKeySequence& keys, const QString& toolTip,
+                            void (ExportMenu::*save)()) {
+        addAction(text, keys, this, save)->setToolTip(toolTip);
+    };
+    add(tr("&Histories…"), {}, tr("Impact force, impulse, momentum and incident wave over time, as CSV"),
+        &ExportMenu::saveHistories);
+    add(tr("&Events…"), {}, tr("Contacts, reversals and separations with their times, as CSV"),
+        &ExportMenu::saveEvents);
+    add(tr("Everything into a &folder…"), QKeySequence(Qt::CTRL | Qt::Key_E),
+        tr("Summary, histories, events and plots, as `drillwave run -o` writes them"),
+        &ExportMenu::saveEverything);
+}
+
+void ExportMenu::saveHistories() {
+    saveFile(tr("Export the histories"), QStringLiteral("_histories.csv"), historiesFile);
+}
+
+void ExportMenu::saveEvents() {
+    saveFile(tr("Export the events"), QStringLiteral("_events.csv"), eventsFile);
+}
+
+void ExportMenu::saveFile(const QString& title, const QString& ending, MakeFile make) {
+    const std::optional<SolvedRun> run = solvedRun();
+    if (!run) return;
+    const QString path = m_questions.fileToExport(m_window, title, suggestion(ending), csvFilter());
+    if (path.isEmpty()) return;
+    try {
+        finish(path, writeWholeFile(path, make(*run)));
+    } catch (const ScenarioError& error) {
+        fail(QString::fromUtf8(error.what()));
+    }
+}
+
+void ExportMenu::saveEverything() {
+    std::optional<SolvedRun> run = solvedRun();
+    if (!run) return;
+    run->units = OutputUnits::dimensionless;
+    const QString folder = m_questions.folderToExport(m_window, QFileInfo(suggestion({})).path());
+    if (folder.isEmpty()) return;
+    const QStringList there = runFilesThere(folder, plotFormats());
+    if (!there.isEmpty() && !m_questions.confirm(m_window, tr("Overwrite the files in this folder?"),
+                                                 QDir::toNativeSeparators(folder) + QStringLiteral("\n\n") +
+                                                     there.join(QStringLiteral(", ")),
+                                                 tr("Overwrite")))
+        return;
+    const WaitCursor wait;
+    try {
+        finish(folder, writeRunFolder(folder, *run, plotFormats()));
+    } catch (const ScenarioError& error) {
+        fail(QString::fromUtf8(error.what()));
+    }
+}
+
+std::optional<SolvedRun> ExportMenu::solvedRun() {
+    const SolvedBlowPtr blow = m_sources.blow();
+    if (!blow->problem.isEmpty()) {
+        fail(tr("The blow could not be solved: %1").arg(blow->problem));
+        return std::nullopt;
+    }
+    return SolvedRun{
+        .document = m_document.contents(),
+        .report = {.scenario = m_document.scenario(),
+                   .impact = blow->impact,
+                   .runTime = blow->runTime,
+                   .choice = {}},
+        .units = blow->request.units == UnitSystem::si ? OutputUnits::si : OutputUnits::dimensionless};
+}
+
+QString ExportMenu::suggestion(const QString& ending) const {
+    const QFileInfo scenario(m_document.suggestedPath());
+    const QString folder = Settings().value(folderKey, scenario.absolutePath()).toString();
+    return QDir(folder).filePath(scenario.completeBaseName() + ending);
+}
+
+void ExportMenu::finish(const QString& path, const QString& problem) {
+    if (!problem.isEmpty()) return fail(problem);
+    const QFileInfo info(path);
+    Settings().setValue(folderKey, info.isDir() ? info.absoluteFilePath() : info.absolutePath());
+    emit exported(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+}
+
+void ExportMenu::fail(const QString& problem) {
+    m_questions.tell(m_window, Questions::Tone::failure, tr("The export has failed."), problem);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,53 @@
+// File ▸ Export: results and pictures of the blow that is shown, as files.
+#pragma once
+
+#include <QMenu>
+#include <functional>
+
+#include "ui/document.h"
+#include "ui/export/run_files.h"
+#include "ui/questions.h"
+#include "ui/solved_blow.h"
+
+namespace drillwave {
+
+class PlotWidget;
+
+class ExportMenu : public QMenu {
+    Q_OBJECT
+
+  public:
+    /// Where the menu finds what it exports.
+    struct Sources {
+        std::function<SolvedBlowPtr()> blow;  ///< of the document's scenario as it is now, solved or not
+        std::function<PlotWidget*()> plot;    ///< of the page that is shown
+    };
+
+    /// Document and questions must outlive the menu.
+    ExportMenu(Document& document, Questions& questions, Sources sources, QWidget* window);
+
+    /// The curves and the events of the blow, in the units that are shown.
+    void saveHistories();
+    void saveEvents();
+    /// The files that `drillwave run FILE -o FOLDER --plots png,svg,pdf` writes; see writeRunFolder().
+    void saveEverything();
+  signals:
+    /// Something has been written: where, in one line.
+    void exported(const QString& message);
+
+  private:
+    using MakeFile = QByteArray (*)(const SolvedRun&);
+    void saveFile(const QString& title, const QString& ending, MakeFile make);
+    /// The blow as it is written; nothing, with the reason told, where it could not be solved.
+    std::optional<SolvedRun> solvedRun();
+    QString suggestion(const QString& ending) const;
+    void finish(const QString& path, const QString& problem);
+    void fail(const QString& problem);
+
+    Document& m_document;
+    Questions& m_questions;
+    Sources m_sources;
+    QWidget* m_window;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,12 @@
+// Windows where they can be seen.
+#pragma once
+
+class QWidget;
+
+namespace drillwave {
+
+/// Moves a window that was placed on a screen which is not there any more, so that its title can be grasped,
+/// and makes it no larger than the screen it is on.
+void keepOnScreen(QWidget& window);
+
+}  // namespace drillwave

@@ -1,0 +1,16 @@
+// Offers the unsaved changes of an earlier run that ended unexpectedly.
+#pragma once
+
+#include "ui/document.h"
+#include "ui/questions.h"
+#include "ui/recovery.h"
+
+namespace drillwave {
+
+/// Asks about the lost changes in the folder, the last ones first, until some are restored into the document;
+/// what is not answered stays for the next start. Restored changes are without a path, so that saving asks
+/// where to. Files that cannot be used are told of and set aside.
+void offerLostChanges(const QString& folder, Document& document, Recovery& recovery, Questions& questions,
+                      QWidget* window);
+
+}  // namespace drillwave
