@@ -47,6 +47,10 @@ class ContactMarch {
     /// 1e-13.
     static constexpr Real fastestRate = Real(1e15);
 
+    /// After this many events in a row without progress in time the branch is taken to hang on rounding;
+    /// after the second number nothing more is asked.
+    static constexpr int repeatedEvents = 3, mostEventsOnTheSpot = 6;
+
     static constexpr std::size_t mostWaiting = 400'000;
     static constexpr long mostRecordedPieces = 4'000'000;  ///< some 600 MB of histories
 
@@ -55,6 +59,7 @@ class ContactMarch {
     void nextArrival();
     void advanceApart();
     Stretch firstEvent(Response& response);
+    bool mayStay(const Response& response);
     void advanceContact();
     void changeBranch(Ending ending, Real length);
     Progress flyFree();

@@ -136,12 +136,22 @@ typename ContactMarch<Basis>::Stretch ContactMarch<Basis>::firstEvent(Response& 
         return stretch;
     }
     if (++m_eventsOnTheSpot > 1) m_basis.stall();
-    if (m_eventsOnTheSpot > 3 && stretch.ending != Ending::separation) {
-        // two branches that differ by rounding only: either will do
+    if (m_eventsOnTheSpot > repeatedEvents && stretch.ending != Ending::separation && mayStay(response)) {
         stretch = {response.length, Ending::none};
         if (m_phase == Phase::primary) m_peak = std::max(m_peak, response.force.value(response.length));
+        m_eventsOnTheSpot = repeatedEvents;  // a plateau of many pieces is one spot
     }
     return stretch;
+}
+
+/// Events repeat on the spot where the force stays at its peak: which branch it is on hangs on rounding, and
+/// either will do for as long as they differ by rounding only. A force that then leaves the peak decides.
+template <class Basis>
+bool ContactMarch<Basis>::mayStay(const Response& response) {
+    if (m_eventsOnTheSpot > mostEventsOnTheSpot) return true;
+    const Real end = response.force.value(response.length);
+    const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * m_peak;
+    return m_phase == Phase::primary ? end >= m_force - rounding : end <= m_peak + rounding;
 }
 
 /// Contact over the piece now arriving, up to the first event or its end.

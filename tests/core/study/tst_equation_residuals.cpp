@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "core/study/equation_residuals.h"
+#include "core/wave/extended_solver.h"
 #include "tests/support/scenes.h"
 
 using namespace drillwave;
@@ -42,6 +43,29 @@ class TestEquationResiduals : public QObject {
         QVERIFY2(found.rate < 1e-13, qPrintable(QString::number(found.rate)));
         QVERIFY2(found.law < 1e-13, qPrintable(QString::number(found.law)));
         QVERIFY(found.leastForce > -1e-14);
+    }
+
+    // Stiff rock, a rod shorter than the blow: the force stays at its peak over several pieces, where events
+    // repeat on the spot by rounding. Once the branch had been let go there, it was never looked at again,
+    // and the force then rose above its peak along the unloading line.
+    void aForceThatStaysAtItsPeakLeavesItOnThePrimaryLine_data() {
+        QTest::addColumn<Scene>("scene");
+        QTest::newRow("τ = 0.104") << Scene{
+            PulseShape::triangular, {252.36640118686242, 0.011886933388099897, 0.10405065429544774, 0}};
+        QTest::newRow("τ = 0.068") << Scene{
+            PulseShape::triangular, {299.3291238984724, 0.0053093446719397449, 0.067629999998518819, 0}};
+        QTest::newRow("τ = 0.082") << Scene{
+            PulseShape::triangular, {281.64143481306667, 0.00075373932489213892, 0.082082862767587694, 0}};
+    }
+
+    void aForceThatStaysAtItsPeakLeavesItOnThePrimaryLine() {
+        QFETCH(Scene, scene);
+        const EquationResiduals found = residuals(scene, scene);
+        QVERIFY2(found.law < 1e-13, qPrintable(QString::number(found.law)));
+        QVERIFY2(found.rate < 1e-13, qPrintable(QString::number(found.rate)));
+        const Impact exact = solve(scene);
+        const Impact extended = solveInExtendedPrecision(pulseOf(scene), scene.groups);
+        QVERIFY(std::abs(exact.cor - extended.cor) <= exact.corError);
     }
 
     void anotherRockIsFoundOut() {
