@@ -48,7 +48,8 @@ class Study {
 
     Accuracy run(const std::vector<int>& ladder) {
         m_result.groups = m_groups;
-        m_result.exact = m_solver.solve(m_pulse, m_groups, Detail::histories);
+        m_result.exact = m_solver.solve(m_pulse, m_groups, Detail::histories, {}, m_stop);
+        m_result.isStopped = m_stop.stop_requested();
         if (m_result.exact.outcome != Outcome::rebounded) return std::move(m_result);
         solveExtended();
         m_result.residuals = equationResiduals(m_result.exact, m_pulse, m_groups);

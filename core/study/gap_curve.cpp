@@ -101,7 +101,7 @@ Sample Builder::solve(double gap) {
     sample.gap = gap;
     if (m_stop.stop_requested()) return sample;
     m_groups.delta = gap;
-    const Impact impact = m_solver.solve(m_pulse, m_groups, m_detail);
+    const Impact impact = m_solver.solve(m_pulse, m_groups, m_detail, m_stop);
     ++m_curve.solves;
     if (impact.outcome != Outcome::rebounded) {
         ++m_failures;

@@ -42,7 +42,7 @@ Impact MethodSolver::solve(const PulseForce& pulse, const Groups& groups, Detail
                            const MethodChoice& choice, const std::stop_token& stop) {
     switch (choice.method) {
         case Method::exact:
-            return m_exact.solve(pulse, groups, detail);
+            return m_exact.solve(pulse, groups, detail, stop);
         case Method::lattice:
             if (!m_lattice) m_lattice.emplace();
             return m_lattice->solve(pulse, groups, detail, choice.lattice, stop);

@@ -55,9 +55,10 @@ double reachOf(const Impact& impact) {
     return reach;
 }
 
-void checkHistories(StabilityRow& row, const PulseForce& pulse, ExactSolver& solver) {
+void checkHistories(StabilityRow& row, const PulseForce& pulse, ExactSolver& solver,
+                    const std::stop_token& stop) {
     if (row.pieces > mostRecorded) return;
-    const Impact impact = solver.solve(pulse, row.stabilityCase.groups, Detail::histories);
+    const Impact impact = solver.solve(pulse, row.stabilityCase.groups, Detail::histories, stop);
     row.leastForce = leastForceOf(impact);
     require(row, *row.leastForce >= -1e-12, "the rock pulls: F/Fmax", *row.leastForce);
     row.reach = reachOf(impact);
@@ -65,7 +66,8 @@ void checkHistories(StabilityRow& row, const PulseForce& pulse, ExactSolver& sol
             "not at its end: the front end returns by", *row.reach);
 }
 
-void checkContinuity(StabilityRow& row, const PulseForce& pulse, ExactSolver& solver) {
+void checkContinuity(StabilityRow& row, const PulseForce& pulse, ExactSolver& solver,
+                     const std::stop_token& stop) {
     const Groups& at = row.stabilityCase.groups;
     const double near = 1e-10;
     const Groups neighbours[] = {{at.beta * (1 + near), at.gamma, at.tau, at.delta},
@@ -73,7 +75,7 @@ void checkContinuity(StabilityRow& row, const PulseForce& pulse, ExactSolver& so
                                  {at.beta, at.gamma, at.tau * (1 + near), at.delta},
                                  {at.beta, at.gamma, at.tau, at.delta + near}};
     for (const Groups& groups : neighbours) {
-        const Impact impact = solver.solve(pulse, groups, Detail::cor);
+        const Impact impact = solver.solve(pulse, groups, Detail::cor, stop);
         const double change =
             impact.outcome == Outcome::rebounded ? std::abs(impact.cor - row.cor) : INFINITY;
         row.change = std::max(row.change, change);
@@ -112,7 +114,7 @@ StabilityRow check(const StabilityCase& stabilityCase, ExactSolver& solver, Latt
     row.stabilityCase = stabilityCase;
     const PulseForce pulse = pulseOf(stabilityCase);
     const auto start = std::chrono::steady_clock::now();
-    const Impact impact = solver.solve(pulse, stabilityCase.groups, Detail::summary);
+    const Impact impact = solver.solve(pulse, stabilityCase.groups, Detail::summary, stop);
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     row.outcome = impact.outcome;
     row.reason = impact.reason;
@@ -121,8 +123,8 @@ StabilityRow check(const StabilityCase& stabilityCase, ExactSolver& solver, Latt
     row.cor = impact.cor;
     row.corError = impact.corError;
     checkBalances(row, impact);
-    checkHistories(row, pulse, solver);
-    checkContinuity(row, pulse, solver);
+    checkHistories(row, pulse, solver, stop);
+    checkContinuity(row, pulse, solver, stop);
     checkLimits(row, pulse);
     checkLattice(row, pulse, lattice, stop);
     return row;

@@ -74,8 +74,9 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const Ga
     const PulseForce pulse = pulseForceOf(scenario);
     const Groups groups = groupsOf(scenario);
     ThrustStudy study;
-    const Impact impact = ExactSolver().solve(pulse, groups);
+    const Impact impact = ExactSolver().solve(pulse, groups, Detail::cor, stop);
     if (impact.outcome != Outcome::rebounded) {
+        study.stopped = stop.stop_requested();
         study.reason = impact.reason;
         return study;
     }

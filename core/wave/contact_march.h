@@ -2,8 +2,10 @@
 // waves.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stop_token>
 
 #include "core/model/pulse_force.h"
 #include "core/model/scenario.h"
@@ -23,9 +25,9 @@ class ContactMarch {
     using Piece = typename Basis::Piece;
 
     /// Solves into `impact`. False when the basis cannot represent this blow to full accuracy.
-    /// More than `mostPieces` smooth pieces are refused as Outcome::notSolved.
+    /// More than `mostPieces` smooth pieces, and a stop, end as Outcome::notSolved.
     bool solve(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact,
-               long mostPieces = defaultMostPieces);
+               long mostPieces = defaultMostPieces, const std::stop_token& stop = {});
 
     static constexpr long defaultMostPieces = 30'000'000;
 
@@ -51,6 +53,9 @@ class ContactMarch {
     /// after the second number nothing more is asked.
     static constexpr int repeatedEvents = 3, mostEventsOnTheSpot = 6;
 
+    /// How often to look for a stop: every millisecond or so.
+    static constexpr long piecesBetweenLooks = 8192;
+
     static constexpr std::size_t mostWaiting = 400'000;
     static constexpr long mostRecordedPieces = 4'000'000;  ///< some 600 MB of histories
 
@@ -73,6 +78,17 @@ class ContactMarch {
     void note(ContactEvent kind) {
         if (m_detail != Detail::cor) m_impact->events.push_back({kind, double(m_arrival + m_s)});
     }
+    /// Whether the work must end, and why; cheap enough for every piece.
+    bool isOver() {
+        if (m_waves.size() > mostWaiting) return failAtLimit();
+        return m_impact->pieces > m_nextLook && lookForEnd();
+    }
+    bool lookForEnd() {
+        if (m_impact->pieces > m_mostPieces) return failAtLimit();
+        if (m_stop->stop_requested()) return fail("stopped");
+        m_nextLook = std::min(m_mostPieces, m_impact->pieces + piecesBetweenLooks);
+        return false;
+    }
     bool fail(const char* reason) {
         m_impact->outcome = Outcome::notSolved;
         m_impact->reason = reason;
@@ -93,7 +109,9 @@ class ContactMarch {
     Piece m_incident;          ///< g now arriving
     const PulseForce* m_pulse = nullptr;
     Impact* m_impact = nullptr;
+    const std::stop_token* m_stop = nullptr;
     long m_mostPieces = defaultMostPieces;
+    long m_nextLook = 0;  ///< how many pieces may pass before lookForEnd()
     Detail m_detail = Detail::cor;
 
     Real m_beta = 0, m_unloadingRate = 0, m_roundTrip = 0;
@@ -118,8 +136,10 @@ class ContactMarch {
 
 template <class Basis>
 bool ContactMarch<Basis>::solve(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact,
-                                long mostPieces) {
+                                long mostPieces, const std::stop_token& stop) {
+    m_stop = &stop;
     m_mostPieces = detail == Detail::histories ? std::min(mostPieces, mostRecordedPieces) : mostPieces;
+    m_nextLook = std::min(m_mostPieces, piecesBetweenLooks);
     begin(pulse, groups, detail, impact);
     for (;;) {
         const bool hammerEnded = m_hammerPiece >= m_pulse->segments.size();
@@ -134,7 +154,7 @@ bool ContactMarch<Basis>::solve(const PulseForce& pulse, const Groups& groups, D
             advanceContact();
         if (m_basis.failed()) return false;
         if (!(m_force >= 0 || m_force < 0)) return fail("the wave force overflowed");
-        if (m_impact->pieces > m_mostPieces || m_waves.size() > mostWaiting) return failAtLimit();
+        if (isOver()) return true;
     }
 }
 

@@ -85,11 +85,7 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::skipPeriods(Real mom
         m_error += std::numeric_limits<Real>::epsilon() * (m_everTouched ? from : m_gap);
         passPeriods(periods);
     }
-    if (m_impact->pieces > m_mostPieces) {
-        failAtLimit();
-        return Progress::finished;
-    }
-    return Progress::goesOn;
+    return isOver() ? Progress::finished : Progress::goesOn;
 }
 
 template <class Basis>

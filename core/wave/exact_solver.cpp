@@ -20,14 +20,16 @@ ExactSolver::~ExactSolver() = default;
 ExactSolver::ExactSolver(ExactSolver&&) noexcept = default;
 ExactSolver& ExactSolver::operator=(ExactSolver&&) noexcept = default;
 
-Impact ExactSolver::solve(const PulseForce& pulse, const Groups& groups, Detail detail) {
+Impact ExactSolver::solve(const PulseForce& pulse, const Groups& groups, Detail detail,
+                          const std::stop_token& stop) {
     Impact impact;
-    const bool inClosedForm = ExponentialBasis::suits(pulse, groups) &&
-                              m_workspace->closed.solve(pulse, groups, Detail::cor, impact, m_mostPieces);
+    const bool inClosedForm =
+        ExponentialBasis::suits(pulse, groups) &&
+        m_workspace->closed.solve(pulse, groups, Detail::cor, impact, m_mostPieces, stop);
     if (inClosedForm && detail == Detail::cor) return impact;
     const Impact closed = inClosedForm ? std::exchange(impact, Impact{}) : Impact{};
     impact = Impact{};
-    m_workspace->series.solve(pulse, groups, detail, impact, m_mostPieces);
+    m_workspace->series.solve(pulse, groups, detail, impact, m_mostPieces, stop);
     if (inClosedForm && impact.outcome == closed.outcome) {  // the same digits whatever detail is asked for
         impact.cor = closed.cor;
         impact.corError = closed.corError;

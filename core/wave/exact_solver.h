@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 
 #include "core/model/pulse_force.h"
 #include "core/model/scenario.h"
@@ -29,8 +30,10 @@ class ExactSolver {
     ExactSolver(ExactSolver&&) noexcept;
     ExactSolver& operator=(ExactSolver&&) noexcept;
 
-    /// Solves `pulse` on the rod and rock of `groups` (β > 0, 0 < γ ≤ 1, τ > 0, δ ≥ 0, all finite).
-    Impact solve(const PulseForce& pulse, const Groups& groups, Detail detail = Detail::cor);
+    /// Solves `pulse` on the rod and rock of `groups` (β > 0, 0 < γ ≤ 1, τ > 0, δ ≥ 0, all finite). A stop
+    /// ends it within milliseconds as notSolved.
+    Impact solve(const PulseForce& pulse, const Groups& groups, Detail detail = Detail::cor,
+                 const std::stop_token& stop = {});
 
   private:
     struct Workspace;

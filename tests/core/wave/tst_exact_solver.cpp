@@ -316,6 +316,23 @@ class ExactSolverTest : public QObject {
         QVERIFY(!impact.reason.empty());
     }
 
+    void aStopEndsASolutionThatTakesSeconds() {
+        const Scene endless{PulseShape::rectangular, {1e-300, 0.1, 10, 0}};
+        ExactSolver solver;
+        const Impact whole = solver.solve(pulseOf(endless), endless.groups);
+        QVERIFY(whole.pieces > 1'000'000);
+        std::stop_source source;
+        source.request_stop();
+        for (const Detail detail : {Detail::cor, Detail::histories}) {
+            const Impact stopped = solver.solve(pulseOf(endless), endless.groups, detail, source.get_token());
+            QCOMPARE(stopped.outcome, Outcome::notSolved);
+            QCOMPARE(stopped.reason, std::string("stopped"));
+            QVERIFY(stopped.pieces < 20'000);  // a millisecond
+        }
+        QCOMPARE(cor(PulseShape::rectangular, 0.5, 1, 10, 0),
+                 solver.solve(pulseOf({}), {0.5, 1, 10, 0}).cor);  // and leaves the solver as good as new
+    }
+
     void workBeyondTheLimitIsReportedAsNotSolved() {
         const Scene scene{PulseShape::rectangular, {1e-6, 0.1, 0.6, 0}};
         ExactSolver solver(1000);
