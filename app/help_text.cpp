@@ -18,13 +18,14 @@ std::string synopsis(const OptionSpec& option) {
 
 std::string programHelp() {
     std::string help =
-        "Usage: drillwave [FILE]             open the window (with a scenario file)\n"
+        "Usage: drillwave [FILE]             open the window (with a scenario file or a result)\n"
         "       drillwave COMMAND ARGUMENTS  work without a window\n"
         "\nCommands:\n";
     for (const Command* command : commands()) help += line(std::string(command->name), command->summary, 8);
     help +=
         "\n  drillwave COMMAND --help  says more; --version prints the version.\n"
         "  Without a display the window needs `-platform offscreen`.\n"
+        "  drillwave --reset-ui  opens the window with its first layout, page, units and choices.\n"
         "\nExit codes: 0 done, 1 internal error, 2 usage, 3 input cannot be read, 4 output cannot be\n"
         "written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted.\n";
     return help;

@@ -67,11 +67,10 @@ void OutputFile::write(std::string_view text) {
 }
 
 void OutputFile::commit() {
-    if (auto* saved = qobject_cast<QSaveFile*>(m_file.get())) {
-        if (!saved->commit()) fail();
-    } else if (!m_file->flush()) {
-        fail();
-    }
+    // QSaveFile's commit() alone misses that the last bytes found no room, and puts a short file in place.
+    if (!m_file->flush()) fail();
+    auto* saved = qobject_cast<QSaveFile*>(m_file.get());
+    if (saved && !saved->commit()) fail();
 }
 
 void OutputFile::fail() const {

@@ -1,11 +1,13 @@
 #include "app/scenario_argument.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/command_error.h"
 #include "core/file/result_scenario.h"
 #include "core/model/decimal_text.h"
 #include "core/model/parameter.h"
+#include "core/model/rival_keys.h"
 #include "core/model/validation.h"
 
 namespace drillwave {
@@ -18,6 +20,16 @@ struct Setting {
     std::string word;
 };
 
+/// One setting would silently undo the other.
+void checkRivals(const std::vector<Setting>& all) {
+    for (auto later = all.begin(); later != all.end(); ++later)
+        for (auto earlier = all.begin(); earlier != later; ++earlier)
+            if (areRivals(earlier->key, later->key))
+                throw CommandError(ExitCode::usage, "--set " + shortened(earlier->word) + " and --set " +
+                                                        shortened(later->word) +
+                                                        " set the same thing; give one of them");
+}
+
 std::vector<Setting> settings(const Arguments& arguments) {
     std::vector<Setting> all;
     for (const std::string& word : arguments.values(setOption.name)) {
@@ -26,6 +38,7 @@ std::vector<Setting> settings(const Arguments& arguments) {
             throw CommandError(ExitCode::usage, "--set " + shortened(word) + ": needs KEY=VALUE");
         all.push_back({std::string(trimmed(word.substr(0, equals))), word.substr(equals + 1), word});
     }
+    checkRivals(all);
     // The shape is not in the table of parameters: its null pointer comes first. Groups are last in the
     // table.
     std::ranges::stable_sort(all, {}, [](const Setting& s) { return findParameter(s.key); });
@@ -44,6 +57,20 @@ ScenarioDocument loadScenarioFile(const std::string& path) {
     } catch (const ScenarioError& error) {
         const bool unreadable = error.kind() == ScenarioError::Kind::unreadable;
         throw CommandError(unreadable ? ExitCode::unreadableInput : ExitCode::invalidScenario, error.lines());
+    }
+}
+
+void checkOutputIsNoInput(const std::string& output, const std::string& scenarioPath,
+                          const ScenarioDocument& document, const std::vector<std::string>& others) {
+    std::vector<std::string> inputs{scenarioPath};
+    inputs.insert(inputs.end(), others.begin(), others.end());
+    if (const std::string& table = document.scenario.pulse.tableFile; !table.empty())
+        inputs.push_back((std::filesystem::path(scenarioPath).parent_path() / table).string());
+    for (const std::string& input : inputs) {
+        std::error_code error;
+        if (std::filesystem::equivalent(output, input, error) && !error)
+            throw CommandError(ExitCode::usage, "-o " + output + " is read as input (" + input +
+                                                    "); choose another name for the output");
     }
 }
 

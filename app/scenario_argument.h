@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/arguments.h"
 #include "core/file/scenario_file.h"
@@ -16,6 +17,11 @@ inline constexpr OptionSpec setOption{
 /// every --set: pulse.shape first, then physical parameters, then groups, whatever their order. The scenario
 /// is valid. Throws CommandError.
 ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments);
+
+/// Throws CommandError (usage) if `output`, where the rows go, is one of the files that are read: the
+/// scenario file, its table of a pulse, or one of the `others`.
+void checkOutputIsNoInput(const std::string& output, const std::string& scenarioPath,
+                          const ScenarioDocument& document, const std::vector<std::string>& others = {});
 
 /// Just loads a scenario file or the scenario of a result. Throws CommandError with every problem of the
 /// file.

@@ -31,6 +31,7 @@ ExitCode runSweepCommand(const Arguments& arguments) {
     const std::string& path = arguments.operands().front();
     const std::vector<SweepAxis> axes = axesOf(arguments);
     const ScenarioDocument base = loadScenarioArgument(path, arguments);
+    checkOutputIsNoInput(options.path, path, base);
     const Sweep sweep{.base = base.scenario,
                       .axes = axes,
                       .columns = options.columns,

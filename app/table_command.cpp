@@ -42,7 +42,9 @@ std::uint64_t check(const Table& table, std::ifstream& cases, int jobs, const In
 ExitCode runTableCommand(const Arguments& arguments) {
     const RowOptions options = rowOptions(arguments);
     const std::string& path = arguments.operands()[1];
-    const Table table{.base = loadScenarioArgument(arguments.operands()[0], arguments).scenario,
+    const ScenarioDocument base = loadScenarioArgument(arguments.operands()[0], arguments);
+    checkOutputIsNoInput(options.path, arguments.operands()[0], base, {path});
+    const Table table{.base = base.scenario,
                       .source = path,
                       .columns = options.columns,
                       .shard = options.shard,

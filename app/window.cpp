@@ -12,6 +12,8 @@
 #include "core/model/nearest_name.h"
 #include "core/model/version.h"
 #include "ui/main_window.h"
+#include "ui/recovery.h"
+#include "ui/settings.h"
 
 namespace drillwave {
 
@@ -57,17 +59,26 @@ void onStartupMessage(QtMsgType type, const QMessageLogContext&, const QString& 
     throw CommandError(ExitCode::unreadableInput, word + ": No such file or command; see drillwave --help");
 }
 
-/// The one file of the command line, empty without.
-QString fileArgument(const QStringList& words) {
-    QString file;
+/// What the command line asks of the window.
+struct WindowArguments {
+    QString file;  ///< to open, empty without
+    bool resetsUi = false;
+};
+
+WindowArguments windowArguments(const QStringList& words) {
+    WindowArguments arguments;
     for (const QString& word : words.mid(1)) {
+        if (word == QLatin1String("--reset-ui")) {
+            arguments.resetsUi = true;
+            continue;
+        }
         if (!QFileInfo::exists(word)) refuseWord(word.toStdString());
-        if (!file.isEmpty())
+        if (!arguments.file.isEmpty())
             throw CommandError(ExitCode::usage, "`" + shortened(word.toStdString()) +
                                                     "` is too much; the window opens one file");
-        file = word;
+        arguments.file = word;
     }
-    return file;
+    return arguments;
 }
 
 }  // namespace
@@ -77,7 +88,7 @@ int openWindow(int argc, char** argv) {
         // Mistyped commands are worth more than the missing display.
         QStringList words;
         for (int i = 0; i < argc; ++i) words.append(QString::fromLocal8Bit(argv[i]));
-        fileArgument(words);
+        windowArguments(words);
         throw CommandError(ExitCode::usage, noDisplay);
     }
     const QtMessageHandler usual = qInstallMessageHandler(onStartupMessage);
@@ -87,10 +98,12 @@ int openWindow(int argc, char** argv) {
     QCoreApplication::setOrganizationName("Drillwave");
     QCoreApplication::setApplicationVersion(versionText);
 
-    const QString file = fileArgument(QCoreApplication::arguments());
+    const WindowArguments arguments = windowArguments(QCoreApplication::arguments());
+    if (arguments.resetsUi) resetSettings();
     MainWindow window;
     window.show();
-    if (!file.isEmpty()) window.openFile(file);
+    if (!arguments.file.isEmpty()) window.openFile(arguments.file);
+    window.startRecovery(recoveryFolder());
     return QApplication::exec();
 }
 

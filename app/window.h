@@ -4,8 +4,9 @@
 namespace drillwave {
 
 /// Opens the window, with the scenario file of the command line if it names one, and returns when it is
-/// closed. Throws CommandError (usage) for words that are no file and no option, and where there is no
-/// display.
+/// closed. `--reset-ui` forgets layout, page, units and all other choices before. Offers the unsaved changes
+/// of an instance that died. Throws CommandError (usage) for words that are no file and no option, and where
+/// there is no display.
 int openWindow(int argc, char** argv);
 
 }  // namespace drillwave

@@ -4,12 +4,12 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLocale>
-#include <QSaveFile>
 #include <cassert>
 
 #include "core/file/pulse_table.h"
 #include "core/file/result_scenario.h"
 #include "core/model/optional_parameter.h"
+#include "ui/export/whole_file.h"
 #include "ui/parameter_row.h"
 #include "ui/typed_text.h"
 
@@ -264,9 +264,7 @@ QString Document::save(const QString& path) {
     } catch (const ScenarioError& error) {
         return failed(lines(error));
     }
-    QSaveFile file(absolute);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return failed(file.errorString());
+    if (const QString reason = replaceFile(absolute, bytes); !reason.isEmpty()) return failed(reason);
     m_source = {m_scenario, bytes.toStdString(), nativePath(absolute)};
     m_path = m_origin = absolute;
     m_undoStack.setClean();

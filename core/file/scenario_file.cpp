@@ -78,13 +78,15 @@ std::string writeScenario(const ScenarioDocument& document) {
     if (!document.text.empty()) {
         if (says(document.text, scenario, document.source)) return document.text;
         const std::optional<std::string> patched = patchedText(document.text, scenario);
-        if (patched && says(*patched, scenario, document.source)) return *patched;
+        if (patched && patched->size() <= maximumFileBytes && says(*patched, scenario, document.source))
+            return *patched;
     }
     std::string text = std::string(leadingComments(document.text)) + scenarioText(scenario);
     if (text.size() > maximumFileBytes)
-        throw ScenarioError(
-            ScenarioError::Kind::invalid, document.source,
-            {{"pulse.points", "pulse.points (too many to stand in the file: keep them in a CSV file)"}});
+        throw ScenarioError(ScenarioError::Kind::invalid, document.source,
+                            {{"pulse.points",
+                              "the scenario is larger than 1 MiB, which no file may be; keep the points of a "
+                              "table in a CSV file"}});
     return text;
 }
 

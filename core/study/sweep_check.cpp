@@ -1,8 +1,7 @@
 // What makes a sweep unusable, found before anything is computed.
 #include <algorithm>
-#include <array>
-#include <utility>
 
+#include "core/model/rival_keys.h"
 #include "core/model/validation.h"
 #include "core/study/sweep.h"
 
@@ -10,23 +9,7 @@ namespace drillwave {
 
 namespace {
 
-/// Keys that set the same thing: an axis of one would undo an axis of the other.
-constexpr auto rivals = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"bit_rock.stiffness", "beta"},
-    {"bit_rock.gamma", "gamma"},
-    {"bit_rock.gap", "delta"},
-    {"rod.length", "tau"},
-    {"rod.area", "rod.diameter"},
-    {"rod.area", "rod.bore"},
-    {"pulse.impulse", "pulse.force"},
-});
-
-bool areRivals(std::string_view a, std::string_view b) {
-    return a == b || std::ranges::any_of(rivals, [&](const auto& pair) {
-               return pair == std::pair(a, b) || pair == std::pair(b, a);
-           });
-}
-
+/// An axis of one would undo an axis of the other.
 void checkRivals(const std::vector<SweepAxis>& axes, std::vector<std::string>& problems) {
     for (std::size_t a = 0; a < axes.size(); ++a)
         for (std::size_t b = a + 1; b < axes.size(); ++b)

@@ -91,6 +91,18 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
         << QStringList{"run", paper, "--set", "gamma=1.3"} << 5 << "gamma = 1.3 (must be in (0, 1])";
     QTest::newRow("setting without unit")
         << QStringList{"run", drill, "--set", "rod.length=3"} << 5 << "has no unit";
+    const auto twoSettings = [&](const char* name, const char* first, const char* second) {
+        QTest::newRow(name) << QStringList{"run", drill, "--set", first, "--set", second} << 2
+                            << QStringLiteral("--set %1 and --set %2 set the same thing")
+                                   .arg(QLatin1String(first), QLatin1String(second));
+    };
+    twoSettings("setting twice", "beta=0.5", "beta=0.6");
+    twoSettings("settings of one length", "tau=3", "rod.length=3m");
+    twoSettings("settings of one stiffness", "bit_rock.stiffness=100MN/m", "beta=0.5");
+    twoSettings("settings of one gap", "delta=1", "bit_rock.gap=1mm");
+    twoSettings("settings of one elasticity", "gamma=0.5", "bit_rock.gamma=0.5");
+    twoSettings("settings of one impulse", "pulse.impulse=51N s", "pulse.force=255kN");
+    twoSettings("settings of two shapes", "pulse.shape=triangular", "pulse.shape=half_sine");
     QTest::newRow("settings that do not go together")
         << QStringList{"run", drill, "--set", "rod.bore=50mm"} << 5 << "must be less than the diameter";
     QTest::newRow("plots without a folder")

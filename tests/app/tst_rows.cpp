@@ -39,6 +39,8 @@ class TestRows : public QObject {
     void theBytesDoNotDependOnThreadsOrParts();
     void aFileGetsTheBytesOfStandardOutput();
     void existingFilesAreKeptWithoutForce();
+    void aFullDiskLeavesTheFileBefore();
+    void noInputIsOverwritten();
     void badCellsAreNamedBeforeAnythingIsWritten();
     void unknownColumnsAreWarnedOf();
     void unsolvedRowsAreWrittenEmptyAndExitCodeIsSix();
@@ -133,6 +135,49 @@ void TestRows::existingFilesAreKeptWithoutForce() {
     QCOMPARE(read(path), QByteArray("precious"));
     QCOMPARE(run(words + QStringList{"--force"}).exitCode, 0);
     QVERIFY(read(path).startsWith("beta,cor\n"));
+}
+
+// The last bytes of a small file are written when it is closed: that they found no room must not be missed.
+// The limit on the size of files stands for the end of the disk.
+void TestRows::aFullDiskLeavesTheFileBefore() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("rows.csv");
+    write(out, "the file before");
+    QProcess shell;
+    const QString command =
+        QStringLiteral("trap '' XFSZ; ulimit -f 1; exec %1 sweep %2 --vary beta=1:2:200 --force -o %3")
+            .arg(QStringLiteral(DRILLWAVE_PROGRAM), example("paper_fig4b"), out);
+    shell.start("sh", {"-c", command});
+    QVERIFY(shell.waitForFinished());
+    QCOMPARE(shell.exitCode(), 4);
+    QVERIFY(shell.readAllStandardError().contains("rows.csv: cannot be written"));
+    QCOMPARE(read(out), QByteArray("the file before"));
+}
+
+void TestRows::noInputIsOverwritten() {
+    const QTemporaryDir folder;
+    const QString cases = folder.filePath("cases.csv");
+    const QString blow = folder.filePath("blow.csv");
+    const QString scenario = folder.filePath("case.yaml");
+    const QString link = folder.filePath("link.csv");
+    write(cases, "beta\n0.5\n");
+    write(blow, "time,force\n0,0\n1,1\n2,0\n");
+    write(scenario,
+          "drillwave: 1\ndimensionless: {beta: 0.5, gamma: 0.1, tau: 10, delta: 0}\n"
+          "pulse: {shape: table, file: blow.csv}\n");
+    QVERIFY(QFile::link(cases, link));
+    const QStringList table{"table", scenario, cases};
+    const QStringList sweep{"sweep", scenario, "--vary", "beta=1,2"};
+    const QList<QPair<QStringList, QString>> overwritten{{table, cases}, {table, link}, {table, scenario},
+                                                         {table, blow},  {sweep, blow}, {sweep, scenario}};
+    for (const auto& [words, output] : overwritten) {
+        const QByteArray before = read(output);
+        const Finished refused = run(words + QStringList{"-o", output, "--force"});
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY2(refused.error.contains("is read as input"), refused.error);
+        QCOMPARE(read(output), before);
+    }
+    QCOMPARE(run(table + QStringList{"-o", folder.filePath("rows.csv")}).exitCode, 0);
 }
 
 void TestRows::badCellsAreNamedBeforeAnythingIsWritten() {

@@ -51,6 +51,7 @@ class TestRun : public QObject {
     void settingsApplyWhateverTheirOrder();
     void theSummaryIsForPeople();
     void filesAreWrittenAndNotOverwritten();
+    void plotsOfAnEarlierRunDoNotStay();
     void aRunIsRepeatedFromItsHistories();
     void aTableOfPointsIsCompleteInTheHistories();
     void plotsAreWrittenWithoutADisplay();
@@ -185,6 +186,24 @@ void TestRun::filesAreWrittenAndNotOverwritten() {
     QVERIFY(!QFileInfo::exists(out + "/events.csv"));
     QCOMPARE(run(words + QStringList{"--force", "--si"}).exitCode, 0);
     QVERIFY(read(out + "/histories.csv").contains("\ntime [s],impact_force [N],"));
+}
+
+// With other formats the old plots would stay beside the new numbers.
+void TestRun::plotsOfAnEarlierRunDoNotStay() {
+    const QTemporaryDir folder;
+    const QStringList words{"run", example("paper_fig4b"), "-o", folder.path(), "--force"};
+    QCOMPARE(run(words + QStringList{"--plots", "svg"}).exitCode, 0);
+    write(folder.filePath("notes.txt"), "mine");
+    QCOMPARE(run(words + QStringList{"--plots", "png"}).exitCode, 0);
+    QCOMPARE(
+        QDir(folder.path()).entryList(QDir::Files),
+        QStringList({"blow.png", "events.csv", "histories.csv", "notes.txt", "rock.png", "summary.json"}));
+
+    // A folder that holds no run holds no plots of one.
+    const QTemporaryDir other;
+    write(other.filePath("blow.svg"), "mine");
+    QCOMPARE(run({"run", example("paper_fig4b"), "-o", other.path(), "--force"}).exitCode, 0);
+    QCOMPARE(read(other.filePath("blow.svg")), QByteArray("mine"));
 }
 
 void TestRun::aRunIsRepeatedFromItsHistories() {

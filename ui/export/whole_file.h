@@ -11,4 +11,7 @@ namespace drillwave {
 /// was.
 QString writeWholeFile(const QString& path, const QByteArray& bytes);
 
+/// The same; returns the mere reason.
+QString replaceFile(const QString& path, const QByteArray& bytes);
+
 }  // namespace drillwave
