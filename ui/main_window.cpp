@@ -24,6 +24,8 @@
 #include "ui/number_text.h"
 #include "ui/on_screen.h"
 #include "ui/pages/blow_page.h"
+#include "ui/pages/rock_page.h"
+#include "ui/pages/wave_picture_page.h"
 #include "ui/plots/plot_widget.h"
 #include "ui/recovery.h"
 #include "ui/recovery_offer.h"
@@ -71,6 +73,8 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     addNotices();
     addDocks();
     addPage(m_blowPage = new BlowPage(m_observation));
+    addPage(new WavePicturePage(m_observation));
+    addPage(new RockPage(m_observation));
     addMenus();
     addStatusBar();
     wire();

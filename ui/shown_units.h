@@ -30,6 +30,8 @@ struct ShownUnits {
     ShownUnit force;
     ShownUnit impulse;      ///< of impulses and momenta
     ShownUnit penetration;  ///< displacements in d0, twice the displacement unit of Impact
+    ShownUnit stiffness;    ///< in k0, as β is
+    ShownUnit energy;       ///< in W0; that of Impact is 2τ W0
     bool operator==(const ShownUnits&) const = default;
 };
 

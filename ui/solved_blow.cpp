@@ -14,9 +14,9 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 }
 
 void solve(SolvedBlow& blow, ExactSolver& solver) {
-    const PulseForce pulse = pulseForceOf(blow.request.scenario);
+    blow.pulse = pulseForceOf(blow.request.scenario);
     const auto start = std::chrono::steady_clock::now();
-    blow.impact = solver.solve(pulse, blow.groups, Detail::histories);
+    blow.impact = solver.solve(blow.pulse, blow.groups, Detail::histories, blow.request.stop);
     blow.runTime = secondsSince(start);
     if (blow.impact.outcome != Outcome::rebounded) {
         blow.problem = QString::fromStdString(blow.impact.reason);
@@ -27,7 +27,14 @@ void solve(SolvedBlow& blow, ExactSolver& solver) {
     blow.thrust = thrustNeeded(blow.request.scenario, blow.impact.cor);
     const std::vector<Alert> remarks = resultAlerts(blow.request.scenario, blow.summary);
     blow.alerts.insert(blow.alerts.end(), remarks.begin(), remarks.end());
-    if (blow.request.section) blow.curves = blowCurves(blow.impact, pulse, blow.units, *blow.request.section);
+    if (blow.request.section) {
+        blow.curves = blowCurves(blow.impact, blow.pulse, blow.units, *blow.request.section);
+        blow.curves->closedForm = closedFormCurve(blow.pulse, blow.groups, blow.units, blow.curves->timeEnd);
+    }
+    if (blow.request.rock) blow.rock = rockCurve(blow.impact, blow.groups, blow.units);
+    if (blow.request.picture)
+        blow.picture = wavePicture(blow.impact, blow.pulse, blow.request.scenario, blow.units,
+                                   *blow.request.picture);
 }
 
 }  // namespace

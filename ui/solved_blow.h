@@ -4,13 +4,17 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
+#include "core/model/pulse_force.h"
 #include "core/model/scales.h"
 #include "core/model/validation.h"
 #include "core/study/impact_summary.h"
 #include "core/wave/exact_solver.h"
 #include "ui/plots/blow_curves.h"
+#include "ui/plots/rock_curve.h"
+#include "ui/plots/wave_picture.h"
 #include "ui/shown_units.h"
 
 namespace drillwave {
@@ -20,6 +24,9 @@ struct SolveRequest {
     Scenario scenario;
     UnitSystem units = UnitSystem::dimensionless;
     std::optional<double> section;  ///< x/L of the waves to be plotted, when the curves are wanted
+    bool rock = false;              ///< whether the path in the force–penetration plane is wanted
+    std::optional<WavePictureNeed> picture;
+    std::stop_token stop = {};      ///< ends the work early, with a problem for an answer
 };
 
 /// The answer, never changed once made. `problem` is empty when the blow was solved; otherwise it says in a
@@ -30,12 +37,15 @@ struct SolvedBlow {
     Groups groups;
     Scales scales;
     ShownUnits units;
+    PulseForce pulse;
     Impact impact;
     ImpactSummary summary;
     std::optional<double> thrust;  ///< needed [N], when a blow frequency is given
     std::vector<Alert> alerts;
     double runTime = 0;  ///< of the solve alone [s]
     std::optional<BlowCurves> curves;
+    std::optional<RockCurve> rock;
+    std::optional<WavePicture> picture;
 };
 using SolvedBlowPtr = std::shared_ptr<const SolvedBlow>;
 

@@ -7,6 +7,9 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ui/blow_instant.h"
+#include "ui/number_text.h"
+
 namespace drillwave {
 
 BlowPage::BlowPage(Observation& observation, QWidget* parent)
@@ -14,15 +17,48 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
       m_observation(observation),
       m_hint(new QLabel(this)),
       m_section(new QDoubleSpinBox(this)),
+      m_place(new QLabel(this)),
+      m_instant(new QLabel(this)),
       m_plot(new PlotWidget(this)),
       m_plots(new BlowPlots(m_plot)) {
+    setUpSection();
+    m_instant->setObjectName(QStringLiteral("instant"));
+    m_instant->setContentsMargins(8, 0, 8, 0);
+    m_instant->setWordWrap(true);
+    m_instant->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_instant->setToolTip(
+        tr("Values at the time cursor: normal force at the section, impact force, impulse, momentum"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addLayout(makeBar());
+    layout->addWidget(m_instant);
+    layout->addWidget(m_plot, 1);
+
+    m_plot->setAccessibleName(tr("Waves, impact force, impulse and momentum over time"));
+    m_plot->followPalette([this](const PlotStyle& style) { m_plots->setStyle(style); });
+    connect(m_section, &QDoubleSpinBox::valueChanged, &observation, &Observation::setSection);
+    connect(&observation, &Observation::sectionChanged, this, &BlowPage::showSection);
+    connect(&observation, &Observation::timeChanged, this, &BlowPage::showInstant);
+    connect(m_plot, &PlotWidget::fitRequested, this, &BlowPage::fit);
+    showPlace();
+    showInstant();
+}
+
+void BlowPage::setUpSection() {
     m_section->setObjectName(QStringLiteral("section"));
     m_section->setRange(0, 1);
-    m_section->setDecimals(2);
-    m_section->setSingleStep(0.05);
-    m_section->setValue(observation.section());
+    m_section->setDecimals(3);
+    m_section->setSingleStep(0.01);
+    m_section->setValue(m_observation.section());
     m_section->setAccessibleName(tr("Section x/L of the waves"));
-    m_section->setToolTip(tr("Where in the rod the waves are observed: 0 is the struck end, 1 the bit"));
+    m_section->setToolTip(
+        tr("Where in the rod the waves are observed: 0 is the struck end, 1 the bit.\n"
+           "Up and Down move it by 0.01, Page Up and Page Down by 0.1."));
+    m_place->setObjectName(QStringLiteral("place"));
+}
+
+QHBoxLayout* BlowPage::makeBar() {
     auto* label = new QLabel(tr("Section x/L"), this);
     label->setBuddy(m_section);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
@@ -31,50 +67,74 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* fitButton = new QPushButton(tr("Fit"), this);
     fitButton->setToolTip(tr("Bring all curves into view (double-click in the plots)"));
-
+    connect(fitButton, &QPushButton::clicked, this, &BlowPage::fit);
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 6, 8, 0);
     bar->addWidget(label);
     bar->addWidget(m_section);
+    bar->addWidget(m_place);
     bar->addWidget(m_hint, 1);
     bar->addWidget(fitButton);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    layout->addLayout(bar);
-    layout->addWidget(m_plot, 1);
-
-    m_plot->setAccessibleName(tr("Waves, impact force, impulse and momentum over time"));
-    m_plot->followPalette([this](const PlotStyle& style) { m_plots->setStyle(style); });
-    connect(m_section, &QDoubleSpinBox::valueChanged, &observation, &Observation::setSection);
-    connect(&observation, &Observation::sectionChanged, this, &BlowPage::showSection);
-    connect(m_plot, &PlotWidget::fitRequested, this, &BlowPage::fit);
-    connect(fitButton, &QPushButton::clicked, this, &BlowPage::fit);
+    return bar;
 }
 
 void BlowPage::addNeeds(SolveRequest& request) const {
     request.section = m_observation.section();
 }
 
-// Shown with two decimals, kept with all.
+// Shown with three decimals, kept with all.
 void BlowPage::showSection(double section) {
     const QSignalBlocker quiet(m_section);
     m_section->setValue(section);
+    showPlace();
+    showInstant();
     emit needsChanged();
 }
 
+void BlowPage::showPlace() {
+    const bool hasLength = m_blow && m_blow->request.scenario.form == ScenarioForm::dimensional;
+    m_place->setVisible(hasLength);
+    if (!hasLength) return;
+    const double x = m_observation.section() * m_blow->request.scenario.rod.length;
+    m_place->setText(tr("%1 m from the struck end").arg(numberText(x, 4, QLocale())));
+}
+
+void BlowPage::showInstant() {
+    const std::optional<double> time = m_observation.time();
+    const bool known = time && m_blow && m_blow->problem.isEmpty();
+    m_instant->setVisible(known);
+    if (!known) return;
+    const BlowInstant instant = blowInstant(*m_blow, m_observation.section(), *time);
+    const ShownUnits& units = m_blow->units;
+    const QLocale locale;
+    m_instant->setText(tr("t = %1 · N = %2 · F = %3 · I = %4 · p = %5")
+                           .arg(quantityText(*time, units.time, locale),
+                                quantityText(instant.normalForce, units.force, locale),
+                                quantityText(instant.impactForce, units.force, locale),
+                                quantityText(instant.impulse, units.impulse, locale),
+                                quantityText(instant.momentum, units.impulse, locale)));
+}
+
 void BlowPage::setResult(const SolvedBlowPtr& blow) {
+    m_blow = blow;
     if (blow->curves)
         m_plots->show(*blow->curves);
     else if (!blow->problem.isEmpty())
         m_plots->showNothing(tr("Nothing to show: %1").arg(blow->problem));
+    showPlace();
+    showInstant();
     m_plot->setAccessibleDescription(m_plots->textSummary());
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void BlowPage::setGhost(const SolvedBlowPtr& before) {
+    m_plots->setGhost(before && before->curves ? &*before->curves : nullptr);
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void BlowPage::resizeEvent(QResizeEvent* event) {
     Page::resizeEvent(event);
-    m_hint->setText(width() > 560 ? tr("wheel zooms · drag moves · double-click fits") : QString());
+    m_hint->setText(width() > 720 ? tr("wheel zooms · drag moves · double-click fits") : QString());
 }
 
 void BlowPage::fit() {

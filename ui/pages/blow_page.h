@@ -7,6 +7,7 @@
 #include "ui/plots/plot_widget.h"
 
 class QDoubleSpinBox;
+class QHBoxLayout;
 class QLabel;
 
 namespace drillwave {
@@ -21,6 +22,7 @@ class BlowPage : public Page {
     QString title() const override { return tr("Blow"); }
     void addNeeds(SolveRequest& request) const override;
     void setResult(const SolvedBlowPtr& blow) override;
+    void setGhost(const SolvedBlowPtr& before) override;
     void fit() override;
 
     PlotWidget* plot() const override { return m_plot; }
@@ -30,13 +32,20 @@ class BlowPage : public Page {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
+    QHBoxLayout* makeBar();
+    void setUpSection();
     void showSection(double section);
+    void showPlace();
+    void showInstant();
 
     Observation& m_observation;
     QLabel* m_hint;
     QDoubleSpinBox* m_section;
+    QLabel* m_place;
+    QLabel* m_instant;
     PlotWidget* m_plot;
     BlowPlots* m_plots;
+    SolvedBlowPtr m_blow;
 };
 
 }  // namespace drillwave

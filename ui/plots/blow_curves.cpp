@@ -1,6 +1,5 @@
 #include "ui/plots/blow_curves.h"
 
-#include <QVector>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -10,58 +9,10 @@
 namespace drillwave {
 namespace {
 
-// One "inf" in the data would make every rescaling of the axes fail without a word.
-void append(QVector<QCPGraphData>& points, double time, double value) {
-    if (std::isfinite(time) && std::isfinite(value)) points.append(QCPGraphData(time, value));
-}
-
-GraphData graphData(const QVector<QCPGraphData>& points) {
-    auto data = GraphData::create();
-    data->set(points, true);
-    return data;
-}
-
-QVector<QCPGraphData> scaled(const std::vector<double>& time, const std::vector<double>& value,
-                             const ShownUnit& timeUnit, const ShownUnit& valueUnit) {
-    QVector<QCPGraphData> points;
-    points.reserve(static_cast<qsizetype>(time.size()) + 3);
-    for (std::size_t i = 0; i < time.size(); ++i)
-        append(points, time[i] * timeUnit.factor, value[i] * valueUnit.factor);
-    return points;
-}
-
-// A wave rises from nothing at its arrival, and ends before the jump of the wave that follows it.
+// A wave rises from nothing at its arrival.
 GraphData waveData(const SampledCurve& wave, const ShownUnits& units) {
-    QVector<QCPGraphData> points = scaled(wave.time, wave.value, units.time, units.force);
-    if (points.isEmpty()) return graphData(points);
-    const double end = points.last().key;
-    const double rounding = 1e-9 * (end - points.first().key);
-    const auto ending = [&](const QCPGraphData& point) { return point.key >= end - rounding; };
-    points.erase(std::min(std::find_if(points.begin(), points.end(), ending) + 1, points.end()),
-                 points.end());
-    points.prepend(QCPGraphData(points.first().key, 0));
-    return graphData(points);
-}
-
-void cutAt(QVector<QCPGraphData>& points, double end) {
-    const auto behind =
-        std::find_if(points.begin(), points.end(), [end](const auto& point) { return point.key > end; });
-    if (behind == points.begin() || behind == points.end()) return;
-    const QCPGraphData& before = *(behind - 1);
-    const double share = (end - before.key) / (behind->key - before.key);
-    *behind = QCPGraphData(end, before.value + share * (behind->value - before.value));
-    points.erase(behind + 1, points.end());
-}
-
-// A history at the bit: nothing before the first front arrives, constant after its end.
-GraphData historyData(QVector<QCPGraphData> points, double timeEnd, Tail tail) {
-    if (points.isEmpty()) return graphData(points);
-    if (points.first().key > 0) {
-        points.prepend(QCPGraphData(points.first().key, 0));
-        points.prepend(QCPGraphData(0, 0));
-    }
-    if (points.last().key < timeEnd) points.append(QCPGraphData(timeEnd, points.last().value));
-    if (tail == Tail::cut) cutAt(points, timeEnd);
+    QVector<QCPGraphData> points = shownPoints(wave.time, wave.value, units.time, units.force);
+    if (!points.isEmpty()) points.prepend(QCPGraphData(points.first().key, 0));
     return graphData(points);
 }
 
@@ -96,7 +47,7 @@ QVector<QCPGraphData> momentumPoints(const Impact& impact, const PulseForce& pul
     for (double t : times) {
         const double given = pulse.isRigidBody() ? 1 : pulse.impulseUntil(t);
         const double taken = impactImpulse(impact, t - impact.frontArrival);
-        append(points, t * units.time.factor, (given - taken) * units.impulse.factor);
+        appendFinite(points, t * units.time.factor, (given - taken) * units.impulse.factor);
     }
     return points;
 }
@@ -130,9 +81,9 @@ BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const Shown
     curves.timeEnd = interestingEnd(impact, pulse, waves) * units.time.factor;
     const SampledHistory history = sampleHistory(impact);
     curves.force =
-        historyData(scaled(history.time, history.force, units.time, units.force), curves.timeEnd, tail);
-    curves.impulse =
-        historyData(scaled(history.time, history.impulse, units.time, units.impulse), curves.timeEnd, tail);
+        historyData(shownPoints(history.time, history.force, units.time, units.force), curves.timeEnd, tail);
+    curves.impulse = historyData(shownPoints(history.time, history.impulse, units.time, units.impulse),
+                                 curves.timeEnd, tail);
     curves.momentum = historyData(momentumPoints(impact, pulse, history.time, units), curves.timeEnd, tail);
     return curves;
 }

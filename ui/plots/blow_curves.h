@@ -1,35 +1,30 @@
 // The curves of one blow as ready plot data, built away from the window's thread.
 #pragma once
 
-#include <qcustomplot.h>
-
-#include <QSharedPointer>
 #include <array>
+#include <optional>
 
 #include "core/model/pulse_force.h"
 #include "core/wave/impact.h"
+#include "ui/plots/closed_form_curve.h"
+#include "ui/plots/graph_data.h"
 #include "ui/shown_units.h"
 
 namespace drillwave {
-
-/// Shared, never changed once built: handing it to a graph costs nothing however long it is.
-using GraphData = QSharedPointer<QCPGraphDataContainer>;
 
 /// What the four plots of a blow show (paper, Figs. 3–5), times global, in the units of `units`.
 struct BlowCurves {
     static constexpr int waveCount = 4;
 
     ShownUnits units;
-    double section = 0.5;                    ///< x/L of the waves
-    std::array<GraphData, waveCount> waves;  ///< N0p, N1n, N2p, N3n, each over its own interval
-    GraphData force;                         ///< impact force
-    GraphData impulse;                       ///< of the impact force so far
-    GraphData momentum;                      ///< of the rod, positive towards the rock
-    double timeEnd = 0;                      ///< until then something happens; the curves may go on
+    double section = 0.5;                       ///< x/L of the waves
+    std::array<GraphData, waveCount> waves;     ///< N0p, N1n, N2p, N3n, each over its own interval
+    GraphData force;                            ///< impact force
+    GraphData impulse;                          ///< of the impact force so far
+    GraphData momentum;                         ///< of the rod, positive towards the rock
+    std::optional<ClosedFormCurve> closedForm;  ///< where it is wanted and holds
+    double timeEnd = 0;                         ///< until then something happens; the curves may go on
 };
-
-/// Whether curves go on behind `timeEnd`, to be panned to, or end there, for formats that do not clip.
-enum class Tail { kept, cut };
 
 /// Requires an impact solved with Detail::histories.
 BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const ShownUnits& units, double section,

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/number_text.h"
+#include "ui/plots/ghost_style.h"
+
 namespace drillwave {
 namespace {
 
@@ -11,6 +14,23 @@ enum PlotIndex : std::size_t { waves, force, impulse, momentumOfRod };
 
 const QStringList waveNames{QStringLiteral("N₀ₚ"), QStringLiteral("N₁ₙ"), QStringLiteral("N₂ₚ"),
                             QStringLiteral("N₃ₙ")};
+
+// By name: their factors follow the scenario.
+bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
+    return a.time.unit == b.time.unit && a.force.unit == b.force.unit && a.impulse.unit == b.impulse.unit;
+}
+
+// A bound with one digit, not smaller than it is.
+QString boundText(double bound, const QLocale& locale) {
+    const double decade = std::pow(10, std::floor(std::log10(bound)));
+    return magnitudeText(std::ceil(bound / decade) * decade, locale);
+}
+
+// Two decimals, three where they say more.
+QString sectionText(double section, const QLocale& locale) {
+    const bool twoDo = std::abs(100 * section - std::round(100 * section)) < 0.05;
+    return locale.toString(section, 'f', twoDo ? 2 : 3);
+}
 
 // The range of all graphs of a plot with zero in it and room to spare, so that flat curves are readable too.
 QCPRange valueRange(const QVector<QCPGraph*>& graphs) {
@@ -48,7 +68,7 @@ BlowPlots::BlowPlots(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
     plot->plotLayout()->setRowSpacing(0);
     auto* margins = new QCPMarginGroup(plot);
     addPlot(waves, waveNames, margins);
-    addPlot(force, {tr("impact force F")}, margins);
+    addPlot(force, {tr("impact force F"), tr("closed form")}, margins);
     addPlot(impulse, {tr("impulse of the impact force I")}, margins);
     addPlot(momentumOfRod, {tr("momentum of the rod p")}, margins);
     linkTimeAxes();
@@ -123,13 +143,55 @@ void BlowPlots::show(const BlowCurves& curves) {
     setData(*m_plots[force].graphs.first(), curves.force);
     setData(*m_plots[impulse].graphs.first(), curves.impulse);
     setData(*m_plots[momentumOfRod].graphs.first(), curves.momentum);
+    showClosedForm(curves.closedForm);
     m_message->setVisible(false);
-    const bool unitsChanged = !(m_units == curves.units);
+    const bool unitsChanged = !sameUnits(m_units, curves.units);
+    if (unitsChanged) setGhost(nullptr);
     m_units = curves.units;
     m_timeEnd = curves.timeEnd > 0 ? curves.timeEnd : 1;
     setLabels(curves);
     summarize(curves);
     if (m_fitted || unitsChanged) fit();
+}
+
+// Where it does not hold there is nothing to be hidden or shown either.
+void BlowPlots::showClosedForm(const std::optional<ClosedFormCurve>& closedForm) {
+    setData(*closedFormGraph(), closedForm ? closedForm->force : GraphData::create());
+    if (closedForm) {
+        closedFormGraph()->setName(
+            tr("closed form, error of e < %1").arg(boundText(closedForm->error, m_plot->locale())));
+        closedFormGraph()->addToLegend(m_plots[force].legend);
+    } else {
+        closedFormGraph()->removeFromLegend(m_plots[force].legend);
+    }
+    m_style.applyTo(*m_plots[force].legend);
+}
+
+void BlowPlots::setGhost(const BlowCurves* before) {
+    for (Plot& plot : m_plots) {
+        for (QCPGraph* ghost : std::as_const(plot.ghosts)) m_plot->removeGraph(ghost);
+        plot.ghosts.clear();
+    }
+    m_ghostEnd = 0;
+    if (before && sameUnits(before->units, m_units)) {
+        for (int i = 0; i < BlowCurves::waveCount; ++i)
+            addGhost(waves, i, before->waves[static_cast<std::size_t>(i)]);
+        addGhost(force, 0, before->force);
+        addGhost(impulse, 0, before->impulse);
+        addGhost(momentumOfRod, 0, before->momentum);
+        m_ghostEnd = before->timeEnd;
+    }
+    if (m_fitted) fit();
+}
+
+void BlowPlots::addGhost(std::size_t index, int kind, const GraphData& data) {
+    Plot& plot = m_plots[index];
+    QCPGraph* ghost = m_plot->addGraph(plot.rect->axis(QCPAxis::atBottom), plot.rect->axis(QCPAxis::atLeft));
+    ghost->setLayer(ghostLayer(*m_plot));
+    ghost->setSelectable(QCP::stNone);
+    ghost->setPen(ghostPen(m_style, kind));
+    setData(*ghost, data);
+    plot.ghosts.append(ghost);
 }
 
 void BlowPlots::showNothing(const QString& message) {
@@ -142,8 +204,7 @@ void BlowPlots::showNothing(const QString& message) {
 
 void BlowPlots::setLabels(const BlowCurves& curves) {
     const ShownUnits& units = curves.units;
-    m_plots[waves].title->setText(
-        tr("waves at x/L = %1").arg(m_plot->locale().toString(curves.section, 'f', 2)));
+    m_plots[waves].title->setText(tr("waves at x/L = %1").arg(sectionText(curves.section, m_plot->locale())));
     m_plots[waves].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(QStringLiteral("N")));
     m_plots[force].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(QStringLiteral("F")));
     m_plots[impulse].rect->axis(QCPAxis::atLeft)->setLabel(units.impulse.axisLabel(QStringLiteral("I")));
@@ -161,7 +222,7 @@ void BlowPlots::summarize(const BlowCurves& curves) {
     m_summary =
         tr("Four plots over time from 0 to %1. Waves at x/L = %2: largest N0p %3, N1n %4, N2p %5, N3n %6. "
            "Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.")
-            .arg(shown(curves.timeEnd, curves.units.time), locale.toString(curves.section, 'f', 2),
+            .arg(shown(curves.timeEnd, curves.units.time), sectionText(curves.section, locale),
                  shown(largestMagnitude(curves.waves[0]), curves.units.force),
                  shown(largestMagnitude(curves.waves[1]), curves.units.force),
                  shown(largestMagnitude(curves.waves[2]), curves.units.force),
@@ -172,12 +233,14 @@ void BlowPlots::summarize(const BlowCurves& curves) {
 }
 
 void BlowPlots::setStyle(const PlotStyle& style) {
+    m_style = style;
     m_plot->setBackground(style.background);
     for (const Plot& plot : m_plots) {
         style.applyTo(*plot.rect);
         style.applyTo(*plot.legend);
         style.applyTo(*plot.title);
         for (int i = 0; i < plot.graphs.size(); ++i) plot.graphs[i]->setPen(style.linePen(i));
+        for (int i = 0; i < plot.ghosts.size(); ++i) plot.ghosts[i]->setPen(ghostPen(style, i));
     }
     m_message->setFont(style.font);
     m_message->setColor(style.text);
@@ -186,8 +249,9 @@ void BlowPlots::setStyle(const PlotStyle& style) {
 void BlowPlots::fit() {
     const QScopedValueRollback<bool> fitting(m_fitting, true);
     m_fitted = true;
-    m_plots[waves].rect->axis(QCPAxis::atBottom)->setRange(0, m_timeEnd);
-    for (const Plot& plot : m_plots) plot.rect->axis(QCPAxis::atLeft)->setRange(valueRange(plot.graphs));
+    m_plots[waves].rect->axis(QCPAxis::atBottom)->setRange(0, std::max(m_timeEnd, m_ghostEnd));
+    for (const Plot& plot : m_plots)
+        plot.rect->axis(QCPAxis::atLeft)->setRange(valueRange(plot.graphs + plot.ghosts));
 }
 
 }  // namespace drillwave

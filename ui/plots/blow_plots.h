@@ -21,6 +21,8 @@ class BlowPlots : public QObject {
 
     /// Shows the curves; the view stays where it is unless it was fitted or the units changed.
     void show(const BlowCurves& curves);
+    /// The curves of another blow faintly behind, in no legend; nullptr takes them away.
+    void setGhost(const BlowCurves* before);
     /// No curves, and `message` in their place (why there are none).
     void showNothing(const QString& message);
     void setStyle(const PlotStyle& style);
@@ -29,6 +31,13 @@ class BlowPlots : public QObject {
     /// What the plots show, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
     QCPAxisRect* axisRect(int index) const { return m_plots.at(static_cast<std::size_t>(index)).rect; }
+    /// The waves N0p, N1n, N2p, N3n.
+    QCPGraph* waveGraph(int number) const { return m_plots[0].graphs[number]; }
+    QCPGraph* forceGraph() const { return m_plots[1].graphs.first(); }
+    /// In its legend only while the closed form holds.
+    QCPGraph* closedFormGraph() const { return m_plots[1].graphs.last(); }
+    QCPGraph* impulseGraph() const { return m_plots[2].graphs.first(); }
+    QCPGraph* momentumGraph() const { return m_plots[3].graphs.first(); }
 
   private:
     struct Plot {
@@ -36,17 +45,22 @@ class BlowPlots : public QObject {
         QCPTextElement* title = nullptr;
         QCPLegend* legend = nullptr;
         QVector<QCPGraph*> graphs;
+        QVector<QCPGraph*> ghosts;
     };
     void addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins);
     void linkTimeAxes();
+    void showClosedForm(const std::optional<ClosedFormCurve>& closedForm);
+    void addGhost(std::size_t index, int kind, const GraphData& data);
     void setLabels(const BlowCurves& curves);
     void summarize(const BlowCurves& curves);
 
     QCustomPlot* m_plot;
     std::array<Plot, plotCount> m_plots;
     QCPItemText* m_message;
+    PlotStyle m_style;
     ShownUnits m_units;
     double m_timeEnd = 1;
+    double m_ghostEnd = 0;
     bool m_fitted = true;  // until the user zooms or pans
     bool m_fitting = false;
     QString m_summary;

@@ -3,37 +3,66 @@
 
 #include <qcustomplot.h>
 
-#include <QSharedPointer>
+#include <QObject>
+#include <QPointF>
+#include <QSizeF>
+#include <QString>
+#include <optional>
 
-#include "core/model/scenario.h"
-#include "core/wave/impact.h"
 #include "ui/plots/plot_style.h"
-#include "ui/shown_units.h"
+#include "ui/plots/rock_curve.h"
 
 namespace drillwave {
 
-/// The path of a blow in the force–penetration plane, in the units of `units`.
-struct RockCurve {
-    ShownUnits units;
-    QSharedPointer<QCPCurveDataContainer> path;
-};
-
-/// Requires an impact solved with Detail::histories. The penetration follows from the force by the bilinear
-/// law alone: U/d0 = (Fm − γ(Fm − F))/(2β), Fm the largest force so far.
-RockCurve rockCurve(const Impact& impact, const Groups& groups, const ShownUnits& units);
-
+/// Draws the path of a blow with its area, slopes and extremes named, on screen and in files alike. Lives as
+/// a child of the plot.
 class RockPlot : public QObject {
     Q_OBJECT
 
   public:
     explicit RockPlot(QCustomPlot* plot);
-    /// Shows the curve with both axes fitted to it.
+
+    /// Shows the curve; the view stays where it is unless it was fitted or the units changed.
     void show(const RockCurve& curve);
+    /// No curve, and `message` in its place (why there is none).
+    void showNothing(const QString& message);
+    /// The path of another blow faintly behind; nullptr takes it away.
+    void setGhost(const RockCurve* before);
+    /// Marks a point of the path, in shown units, on the overlay layer; replots nothing.
+    void setPoint(const std::optional<QPointF>& point);
     void setStyle(const PlotStyle& style);
+    /// The whole path in view.
+    void fit();
+    /// What the plot shows, in words, for assistive tools.
+    QString textSummary() const { return m_summary; }
 
   private:
+    QCPItemText* addLabel();
+    void addDropLines();
+    void nameNumbers(const RockCurve& curve);
+    void placeLabels();
+    void setMarksVisible(bool visible);
+
     QCustomPlot* m_plot;
-    QCPCurve* m_curve;
+    QCPCurve* m_area;
+    QCPCurve* m_path;
+    QCPCurve* m_ghost = nullptr;
+    QCPItemText* m_peakName;
+    QCPItemText* m_residualName;
+    QCPItemText* m_loadingName;
+    QCPItemText* m_unloadingName;
+    QCPItemTracer* m_peak;
+    QCPItemTracer* m_residual;
+    QCPItemTracer* m_point;
+    QCPItemLine* m_toForceAxis;
+    QCPItemLine* m_toPenetrationAxis;
+    QCPItemText* m_message;
+    RockCurve m_curve;
+    PlotStyle m_style;
+    QSizeF m_ghostSize;    // largest penetration and force of the ghost
+    bool m_fitted = true;  // until the user zooms or pans
+    bool m_fitting = false;
+    QString m_summary;
 };
 
 }  // namespace drillwave

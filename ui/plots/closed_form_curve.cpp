@@ -1,0 +1,18 @@
+#include "ui/plots/closed_form_curve.h"
+
+#include "core/wave/closed_form.h"
+#include "core/wave/wave_field.h"
+
+namespace drillwave {
+
+std::optional<ClosedFormCurve> closedFormCurve(const PulseForce& pulse, const Groups& groups,
+                                               const ShownUnits& units, double timeEnd) {
+    const Impact impact = solveClosedForm(pulse, groups, Detail::histories);
+    if (impact.outcome != Outcome::rebounded) return {};
+    const SampledHistory history = sampleHistory(impact);
+    return ClosedFormCurve{
+        historyData(shownPoints(history.time, history.force, units.time, units.force), timeEnd, Tail::kept),
+        impact.corError};
+}
+
+}  // namespace drillwave

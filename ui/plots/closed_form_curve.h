@@ -1,0 +1,23 @@
+// The paper's closed form of the impact force, to be drawn over the exact one where it holds.
+#pragma once
+
+#include <optional>
+
+#include "core/model/pulse_force.h"
+#include "core/model/scenario.h"
+#include "ui/plots/graph_data.h"
+
+namespace drillwave {
+
+/// Impact force by the closed form (paper, eqs (11) and (13)), in shown units.
+struct ClosedFormCurve {
+    GraphData force;
+    double error = 0;  ///< bound on the error of its coefficient of restitution
+};
+
+/// Nothing where the closed form does not hold (core/wave/closed_form.h). `timeEnd` in shown units is where
+/// the curves beside it end.
+std::optional<ClosedFormCurve> closedFormCurve(const PulseForce& pulse, const Groups& groups,
+                                               const ShownUnits& units, double timeEnd);
+
+}  // namespace drillwave

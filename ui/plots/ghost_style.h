@@ -1,0 +1,19 @@
+// How the curves of an earlier blow stay faintly behind those of the present one.
+#pragma once
+
+#include <QPen>
+
+#include "ui/plots/plot_style.h"
+
+class QCPLayer;
+class QCustomPlot;
+
+namespace drillwave {
+
+/// Thin, translucent and dotted, in the colour of the index-th curve.
+QPen ghostPen(const PlotStyle& style, int index);
+
+/// The layer below the curves, made when there is none.
+QCPLayer* ghostLayer(QCustomPlot& plot);
+
+}  // namespace drillwave
