@@ -1,0 +1,49 @@
+#include "core/file/preset_file.h"
+
+#include "core/file/preset_reader.h"
+#include "core/file/preset_text.h"
+#include "core/file/text_input.h"
+
+namespace drillwave {
+namespace {
+
+constexpr std::size_t maximumFileBytes = std::size_t{1} << 20;
+
+using Kind = ScenarioError::Kind;
+
+[[noreturn]] void refuse(Kind kind, std::string_view text, const std::string& source, std::size_t offset,
+                         const std::string& reason) {
+    const TextPosition at = positionOf(text, offset);
+    throw ScenarioError(kind, source, {{"", reason, at.line, at.column}});
+}
+
+}  // namespace
+
+std::vector<Preset> parsePresets(std::string_view text, const std::string& source) {
+    if (const TextProblem problem = checkText(text); !problem.reason.empty())
+        refuse(Kind::unreadable, text, source, problem.offset,
+               "is not a text file: it holds " + problem.reason);
+    const YamlTree tree = parseYaml(text);
+    if (!tree.problem.text.empty())
+        refuse(tree.problem.isYaml ? Kind::invalid : Kind::unreadable, text, source, tree.problem.offset,
+               tree.problem.text);
+    PresetReader reader(text);
+    std::vector<Preset> presets = reader.read(tree.root);
+    std::vector<Problem> problems = reader.takeProblems();
+    if (!problems.empty()) throw ScenarioError(Kind::invalid, source, std::move(problems));
+    return presets;
+}
+
+std::vector<Preset> loadPresets(const std::string& path) {
+    const FileBytes file = readFile(path, maximumFileBytes);
+    if (!file.problem.empty())
+        throw ScenarioError(Kind::unreadable, path, {{"", "the file of presets " + file.problem}});
+    return parsePresets(file.bytes, path);
+}
+
+std::span<const Preset> builtInPresets() {
+    static const std::vector<Preset> presets = parsePresets(presetText, "presets.yaml");
+    return presets;
+}
+
+}  // namespace drillwave

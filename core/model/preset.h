@@ -1,0 +1,44 @@
+// A named set of values for a part of a scenario: a rod, a hammer, a rock.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/model/parameter.h"
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// The part of a scenario that a preset is for.
+enum class PresetKind { rod, hammer, rock };
+
+/// One value and where it is from.
+struct PresetValue {
+    const Parameter* parameter = nullptr;
+    double si = 0;
+    std::string source;  ///< never empty; begins with "assumed" where there is none
+};
+
+/// What it names it sets; everything else of the scenario stays.
+struct Preset {
+    PresetKind kind = PresetKind::rod;
+    std::string name;
+    std::optional<PulseShape> shape;  ///< of a hammer, else nothing
+    std::string shapeSource;
+    std::vector<PresetValue> values;  ///< in the order of parameters()
+};
+
+/// The scenario with the preset's values; the hammer of a `piston` has the rod's material unless the preset
+/// names one. It may be invalid, so validate() it. Requires a dimensional scenario.
+Scenario withPreset(Scenario scenario, const Preset& preset);
+
+/// Whether taking the preset would change nothing; never in a dimensionless scenario.
+bool matches(const Preset& preset, const Scenario& scenario);
+
+/// "diameter: 38 mm — nominal", one line for the shape and for each value.
+std::string description(const Preset& preset);
+
+}  // namespace drillwave

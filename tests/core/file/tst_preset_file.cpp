@@ -1,0 +1,226 @@
+// Presets: what is built in is sound and sourced, and what users add is read as strictly as a scenario.
+#include <QtTest>
+
+#include <algorithm>
+
+#include "core/file/preset_file.h"
+#include "core/file/yaml_tree.h"
+
+using namespace drillwave;
+
+namespace {
+
+const std::string good = R"(drillwave_presets: 1
+rods:
+  - name: mine
+    diameter: [40 mm, measured]
+    bore: [15 mm, measured]
+hammers:
+  - name: my drill
+    shape: [piston, data sheet]
+    length: [500 mm, data sheet]
+    diameter: [40 mm, data sheet]
+    velocity: [9 m/s, assumed]
+    blow_frequency: [50 Hz, data sheet]
+rocks:
+  - name: my quarry
+    stiffness: [120 MN/m, fitted]
+    gamma: [0.2, fitted]
+)";
+
+std::string with(const std::string& from, const std::string& to) {
+    std::string text = good;
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) throw std::logic_error("the good file does not hold " + from);
+    return text.replace(at, from.size(), to);
+}
+
+const Preset& preset(std::string_view name) {
+    return *std::ranges::find(builtInPresets(), name, &Preset::name);
+}
+
+}  // namespace
+
+class TestPresetFile : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void everyBuiltInValueHasAUnitAndASource();
+    void everyBuiltInPresetGivesAValidScenario_data();
+    void everyBuiltInPresetGivesAValidScenario();
+    void aPresetSetsWhatItNamesAndNothingElse();
+    void aPresetMatchesUntilOneOfItsValuesChanges();
+    void aHammerWithoutAMaterialHasTheRods();
+    void presetsNeverMatchGroupsAlone();
+    void aFileOfTheUserIsRead();
+    void problemsAreReportedAtTheirPlace_data();
+    void problemsAreReportedAtTheirPlace();
+    void allProblemsAreReportedAtOnce();
+    void aMissingFileIsReported();
+};
+
+void TestPresetFile::everyBuiltInValueHasAUnitAndASource() {
+    QFile file(QStringLiteral(DRILLWAVE_SOURCE_DIR "/resources/presets/presets.yaml"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const std::string text = file.readAll().toStdString();
+    QCOMPARE(parsePresets(text, "presets.yaml").size(), builtInPresets().size());
+    // Looked at without the reader that enforces it.
+    const YamlTree tree = parseYaml(text);
+    int values = 0;
+    for (std::size_t list = 3; list < tree.root.children.size(); list += 2)
+        for (const YamlNode& item : tree.root.children[list].children)
+            for (std::size_t i = 0; i + 1 < item.children.size(); i += 2) {
+                const std::string& key = item.children[i].text;
+                if (key == "name") continue;
+                const YamlNode& pair = item.children[i + 1];
+                QCOMPARE(pair.children.size(), std::size_t(2));
+                QVERIFY2(pair.children[1].text.size() > 4, key.c_str());
+                if (key != "shape" && key != "gamma")
+                    QVERIFY2(pair.children[0].text.find(' ') != std::string::npos, key.c_str());
+                ++values;
+            }
+    QVERIFY(values > 50);
+    for (const Preset& each : builtInPresets()) {
+        QVERIFY(!each.shape || !each.shapeSource.empty());
+        for (const PresetValue& value : each.values) QVERIFY(!value.source.empty());
+    }
+}
+
+void TestPresetFile::everyBuiltInPresetGivesAValidScenario_data() {
+    QTest::addColumn<int>("index");
+    int index = 0;
+    for (const Preset& each : builtInPresets()) QTest::newRow(each.name.c_str()) << index++;
+}
+
+void TestPresetFile::everyBuiltInPresetGivesAValidScenario() {
+    QFETCH(int, index);
+    const Preset& each = builtInPresets()[static_cast<std::size_t>(index)];
+    const Scenario scenario = withPreset({}, each);
+    QVERIFY(validate(scenario).empty());
+    for (const Alert& alert : alertsFor(scenario))
+        QVERIFY2(alert.code != "outside_plausible_range", alert.text.c_str());
+    QVERIFY(matches(each, scenario));
+    QVERIFY(!description(each).empty());
+    // No two presets of a kind are the same under two names.
+    QCOMPARE(std::ranges::count_if(
+                 builtInPresets(),
+                 [&](const Preset& other) { return other.kind == each.kind && matches(other, scenario); }),
+             1);
+}
+
+void TestPresetFile::aPresetSetsWhatItNamesAndNothingElse() {
+    Scenario scenario;
+    scenario.title = "kept";
+    scenario.rod.length = 6.1;
+    scenario.rod.area = 1e-3;
+    const Scenario after = withPreset(scenario, preset("T45, round 46 mm"));
+    Scenario expected = scenario;
+    expected.rod.area.reset();
+    expected.rod.diameter = 0.046;
+    expected.rod.bore = 0.017;
+    QVERIFY(after == expected);
+}
+
+void TestPresetFile::aPresetMatchesUntilOneOfItsValuesChanges() {
+    Scenario scenario = withPreset({}, preset("R32, hex 32 mm"));
+    QVERIFY(matches(preset("R32, hex 32 mm"), scenario));
+    scenario.rod.length = 1.83;
+    QVERIFY(matches(preset("R32, hex 32 mm"), scenario));
+    scenario.rod.area = 8e-4;
+    QVERIFY(!matches(preset("R32, hex 32 mm"), scenario));
+}
+
+void TestPresetFile::aHammerWithoutAMaterialHasTheRods() {
+    Scenario scenario;
+    scenario.pulse.piston.density = 2700;
+    QVERIFY(!withPreset(scenario, preset("heavy drifter, piston")).pulse.piston.density);
+}
+
+void TestPresetFile::presetsNeverMatchGroupsAlone() {
+    Scenario scenario = withPreset({}, preset("medium rock"));
+    scenario.form = ScenarioForm::dimensionless;
+    QVERIFY(!matches(preset("medium rock"), scenario));
+}
+
+void TestPresetFile::aFileOfTheUserIsRead() {
+    const std::vector<Preset> presets = parsePresets(good, "mine.yaml");
+    QCOMPARE(presets.size(), std::size_t(3));
+    QCOMPARE(presets[1].name, std::string("my drill"));
+    QVERIFY(presets[1].shape == PulseShape::piston);
+    QCOMPARE(presets[1].values.size(), std::size_t(4));
+    QCOMPARE(presets[1].values.back().parameter->key, std::string_view("drill.blow_frequency"));
+    QCOMPARE(presets[1].values.back().si, 50.0);
+    QCOMPARE(presets[2].values.front().source, std::string("fitted"));
+    QVERIFY(description(presets[2]).starts_with("stiffness: 120 MN/m — fitted"));
+    QVERIFY(parsePresets("drillwave_presets: 1\n", "").empty());
+}
+
+void TestPresetFile::problemsAreReportedAtTheirPlace_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("line");
+    const auto row = [](const char* name, const std::string& text, const char* line) {
+        QTest::newRow(name) << QByteArray::fromStdString(text) << QString(line);
+    };
+    row("no unit", with("[40 mm, measured]", "[40, measured]"),
+        "mine.yaml:4:16: rod.diameter = 40 (has no unit");
+    row("no source", with("[15 mm, measured]", "15 mm"), "mine.yaml:5:11: rod.bore (must be [value, source]");
+    row("empty source", with("[15 mm, measured]", "[15 mm, \"\"]"), "mine.yaml:5:11: rod.bore (must be");
+    row("unknown key", with("velocity:", "velocty:"),
+        "mine.yaml:11:5: pulse.velocty (is not a known key, did you mean `velocity`?)");
+    row("out of range", with("[0.2, fitted]", "[1.2, fitted]"),
+        "mine.yaml:16:13: bit_rock.gamma = 1.2 (must be in (0, 1])");
+    row("missing value", with("    gamma: [0.2, fitted]\n", ""), "bit_rock.gamma (is missing");
+    row("missing name", with("- name: mine\n    diameter", "- diameter"),
+        "mine.yaml:3:5: rods.name (is missing)");
+    row("unknown shape", with("[piston, data sheet]", "[square, data sheet]"),
+        "mine.yaml:8:13: pulse.shape = square (must be a shape");
+    row("value of another shape", with("blow_frequency: [50 Hz, data sheet]", "rise: [0.2, assumed]"),
+        "mine.yaml:12:5: pulse.rise (only a trapezoid has it");
+    row("bore wider than the rod", with("[15 mm, measured]", "[50 mm, measured]"),
+        "mine.yaml:5:12: rod.bore = 50 mm (must be less than the diameter of 40 mm)");
+    row("no list", with("rods:\n  - name: mine\n    diameter", "rods:\n    diameter"),
+        "rods (must be a list");
+    row("other list", with("rocks:", "stones:"), "mine.yaml:13:1: stones (is not a known key");
+    row("a scenario", "drillwave: 1\n", "mine.yaml:1:1: drillwave_presets (is missing");
+    row("newer format", with("presets: 1", "presets: 2"), "this program reads the format 1");
+    row("no yaml", "rods: [", "mine.yaml:1:");
+    row("empty", "", "must begin with `drillwave_presets: 1`");
+}
+
+void TestPresetFile::problemsAreReportedAtTheirPlace() {
+    QFETCH(QByteArray, text);
+    QFETCH(QString, line);
+    try {
+        parsePresets(text.toStdString(), "mine.yaml");
+        QFAIL("was read");
+    } catch (const ScenarioError& error) {
+        const std::string said = error.lines().front();
+        QVERIFY2(said.find(line.toStdString()) != std::string::npos, said.c_str());
+    }
+}
+
+void TestPresetFile::allProblemsAreReportedAtOnce() {
+    std::string text = with("[40 mm, measured]", "[40, measured]");
+    text.replace(text.find("[9 m/s, assumed]"), 16, "[9 m, assumed]  ");
+    text.replace(text.find("[0.2, fitted]"), 13, "[2, fitted]");
+    try {
+        parsePresets(text, "mine.yaml");
+        QFAIL("was read");
+    } catch (const ScenarioError& error) {
+        QCOMPARE(error.problems().size(), std::size_t(3));
+    }
+}
+
+void TestPresetFile::aMissingFileIsReported() {
+    try {
+        loadPresets("/nowhere/presets.yaml");
+        QFAIL("was read");
+    } catch (const ScenarioError& error) {
+        QVERIFY(error.kind() == ScenarioError::Kind::unreadable);
+        QVERIFY(
+            error.lines().front().starts_with("/nowhere/presets.yaml: the file of presets cannot be opened"));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestPresetFile)
+#include "tst_preset_file.moc"
