@@ -44,6 +44,26 @@ void addLongPulse(const Scenario& scenario, std::vector<Alert>& alerts) {
              " % of the blow is still to come; a real hammer would feel it, here its force is prescribed."});
 }
 
+/// A shape chosen without the data of a hammer gets a hammer all the same: that must not go unsaid.
+void addDefaultHammer(const Scenario& scenario, std::vector<Alert>& alerts) {
+    if (scenario.pulse.shape != PulseShape::piston || scenario.pulse.piston != Piston()) return;
+    if (scenario.form == ScenarioForm::dimensionless) {
+        alerts.push_back({AlertLevel::information, "default_hammer", "pulse.impedance_ratio",
+                          "The hammer's impedance is that of the rod, the value assumed where none is given: "
+                          "its blow is one step."});
+        return;
+    }
+    std::string values;
+    for (const std::string_view key : {"pulse.length", "pulse.diameter", "pulse.velocity"}) {
+        const Parameter& parameter = *findParameter(key);
+        values += (values.empty() ? "" : ", ") + std::string(parameter.localKey()) + " " +
+                  inUnit(parameter, *parameter.value(scenario));
+    }
+    alerts.push_back({AlertLevel::information, "default_hammer", "pulse.length",
+                      "The hammer is the one assumed where none is given (" + values +
+                          ", the material of the rod): give the data of the rock drill's piston."});
+}
+
 void addPistonAssumption(const Scenario& scenario, std::vector<Alert>& alerts) {
     if (scenario.pulse.shape != PulseShape::piston) return;
     const double ratio = pistonImpedanceRatio(scenario);
@@ -71,6 +91,7 @@ std::vector<Alert> alertsFor(const Scenario& scenario) {
     std::vector<Alert> alerts;
     addImplausibleValues(scenario, alerts);
     addLongPulse(scenario, alerts);
+    addDefaultHammer(scenario, alerts);
     addPistonAssumption(scenario, alerts);
     addGapWithoutEffect(scenario, alerts);
     return alerts;

@@ -69,17 +69,23 @@ void assignForce(S& s, double value) {
     s.pulse.impulseFromForce = true;
 }
 
-/// Sets a physical value so that its group reads `wanted`, to the last bit where some double does that.
+/// Sets a physical value so that its group reads `wanted`, or what is nearest to it where no double does that.
 void assignGroup(S& s, double& physical, double scale, double Groups::*group, double wanted) {
     const double estimate = wanted * scale;
+    double best = estimate;
+    double smallestMiss = infinity;
     for (const double direction : {infinity, -infinity}) {
         physical = estimate;
         for (int step = 0; step < 3; ++step) {
-            if (groupsOf(s).*group == wanted) return;
+            const double miss = std::abs(groupsOf(s).*group - wanted);
+            if (miss < smallestMiss) {
+                smallestMiss = miss;
+                best = physical;
+            }
             physical = std::nextafter(physical, direction);
         }
     }
-    physical = estimate;
+    physical = best;
 }
 void assignBeta(S& s, double value) {
     if (!dimensional(s))

@@ -57,6 +57,7 @@ class TestValidation : public QObject {
     void aBlowLongerThanTheRoundTripIsRemarkedOn();
     void aGapHasNoEffectOnTheReferenceCase();
     void anUnmatchedPistonIsRemarkedOn();
+    void aHammerThatNobodyGaveIsRemarkedOn();
 };
 
 void TestValidation::theDefaultScenarioIsValidInBothForms() {
@@ -224,6 +225,16 @@ void TestValidation::anUnmatchedPistonIsRemarkedOn() {
     QVERIFY(hasAlert(scenario, "piston_impedance_ratio"));
     scenario.pulse.piston.impedanceRatio = 2;
     QVERIFY(hasAlert(scenario, "piston_impedance_ratio"));
+}
+
+void TestValidation::aHammerThatNobodyGaveIsRemarkedOn() {
+    QVERIFY(hasAlert(dimensionless(PulseShape::piston), "default_hammer"));
+    Scenario scenario;
+    QVERIFY(!hasAlert(scenario, "default_hammer"));
+    QCOMPARE(assignText(scenario, "pulse.shape", "piston"), std::string());
+    QVERIFY(hasAlert(scenario, "default_hammer"));
+    scenario.pulse.piston.velocity = 9;
+    QVERIFY(!hasAlert(scenario, "default_hammer"));
 }
 
 QTEST_APPLESS_MAIN(TestValidation)
