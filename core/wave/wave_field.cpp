@@ -23,6 +23,10 @@ double repeatedImpulse(const Impact& impact, double end, double duration) {
 
 using Piece = PiecewisePolynomial::Piece;
 
+/// A million reflections make a million pieces, each far below a pixel: all of them together get about so
+/// many chords, or one each.
+constexpr std::size_t chordsOfAll = 1'000'000;
+
 /// Into how many chords a piece is cut: curvature bound Σk(k−1)|c_k| over 8 chords² within 1e-4 of its size.
 int chords(const PiecewisePolynomial& f, const Piece& piece) {
     const double u = piece.length / piece.scale;
@@ -35,7 +39,9 @@ int chords(const PiecewisePolynomial& f, const Piece& piece) {
         ++k;
     }
     if (size == 0) return 1;
-    return std::clamp(static_cast<int>(std::ceil(std::sqrt(curvature / (8e-4 * size)))), 1, 100);
+    const std::size_t most = std::clamp<std::size_t>(chordsOfAll / f.pieces().size(), 1, 100);
+    return std::clamp(static_cast<int>(std::ceil(std::sqrt(curvature / (8e-4 * size)))), 1,
+                      static_cast<int>(most));
 }
 
 /// What is shorter, in round trips, is the rounding of a time and no part of a curve.

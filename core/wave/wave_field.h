@@ -58,7 +58,8 @@ struct SampledHistory {
 };
 
 /// Every breakpoint is included, jumps from both sides; the chords follow the curves to about 1e-4 of their
-/// pieces' size. Periods that were not recorded (impact.skips) are left out.
+/// pieces' size, more coarsely in recordings of more than 10 000 pieces (at most a million chords, or one for
+/// each piece). Periods that were not recorded (impact.skips) are left out.
 SampledHistory sampleHistory(const Impact& impact);
 
 }  // namespace drillwave
