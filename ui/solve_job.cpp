@@ -29,9 +29,16 @@ SolveJob::SolveJob(QObject* parent) : SolveJob(exactly(), parent) {}
 
 // The standard library's locks and not Qt's: the thread sanitizer sees what they protect.
 SolveJob::SolveJob(Solve solve, QObject* parent)
-    : QObject(parent), m_solve(std::move(solve)), m_thread([this] { work(); }) {}
+    : QObject(parent), m_solve(std::move(solve)), m_thread([this] { work(); }) {
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(patience);
+    connect(&m_patience, &QTimer::timeout, this, [this] {
+        if (m_waiting) m_stop.request_stop();
+    });
+}
 
 SolveJob::~SolveJob() {
+    m_stop.request_stop();
     {
         const std::lock_guard hold(m_lock);
         m_ending = true;
@@ -41,10 +48,9 @@ SolveJob::~SolveJob() {
 }
 
 void SolveJob::submit(const SolveRequest& request) {
-    if (m_busy)
-        m_waiting = request;
-    else
-        start(request);
+    if (!m_busy) return start(request);
+    m_waiting = request;
+    if (!m_patience.isActive()) m_stop.request_stop();
 }
 
 SolvedBlowPtr SolveJob::solveNow(const SolveRequest& request) {
@@ -59,14 +65,18 @@ SolvedBlowPtr SolveJob::solveNow(const SolveRequest& request) {
 void SolveJob::cancel() {
     m_waiting.reset();
     m_dropped = m_busy;
+    m_stop.request_stop();
 }
 
 void SolveJob::start(const SolveRequest& request) {
     m_busy = true;
     m_dropped = false;
+    m_stop = std::stop_source();
+    m_patience.start();
     {
         const std::lock_guard hold(m_lock);
         m_request = request;
+        m_request->stop = m_stop.get_token();
     }
     m_changed.notify_all();
 }
@@ -78,7 +88,8 @@ void SolveJob::finish() {
         blow = std::move(m_answer);
     }
     m_busy = false;
-    const bool wanted = !m_dropped;
+    const bool cutShort = m_stop.stop_requested() && !blow->problem.isEmpty();
+    const bool wanted = !m_dropped && !cutShort;
     if (m_waiting) start(*std::exchange(m_waiting, std::nullopt));
     if (wanted) emit solved(blow);
 }

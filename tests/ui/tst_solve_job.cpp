@@ -74,6 +74,9 @@ class TestSolveJob : public QObject {
     void aRequestAfterACancelGetsItsAnswer();
     void anAnswerOnTheSpotSupersedesWhatIsInFlight();
     void aJobCanEndWhileItsSolverRuns();
+    void aNewValueIsNotStuckBehindALongSolution();
+    void aLongSolutionThatNobodyReplacesGetsItsAnswer();
+    void aJobEndsInTheMiddleOfALongSolution();
     void answersAreThoseOfTheExactSolver();
     void aRequestForCurvesGetsCurves();
     void anInvalidScenarioIsAProblem();
@@ -198,6 +201,62 @@ void TestSolveJob::aJobCanEndWhileItsSolverRuns() {
     }
     QCOMPARE(solver.running.load(), 0);
     QCOMPARE(solver.calls.load(), 1);
+}
+
+// A solver that goes on until it is stopped, or until `duration` has passed.
+struct StoppableSolver {
+    std::chrono::milliseconds duration;
+    std::atomic<int> stopped = 0;
+
+    SolvedBlowPtr operator()(const SolveRequest& request) {
+        const auto end = std::chrono::steady_clock::now() + duration;
+        while (request.scenario.groups.beta > 1 && std::chrono::steady_clock::now() < end) {
+            if (request.stop.stop_requested()) {
+                ++stopped;
+                return failedBlow(request, QStringLiteral("stopped"));
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return failedBlow(request, {});
+    }
+};
+
+void TestSolveJob::aNewValueIsNotStuckBehindALongSolution() {
+    StoppableSolver solver{std::chrono::minutes(10)};
+    SolveJob job(std::ref(solver));
+    QList<double> answers;
+    connect(&job, &SolveJob::solved, this, [&](const SolvedBlowPtr& blow) { answers.append(betaOf(blow)); });
+    job.submit(requestFor(2));  // would take ten minutes
+    job.submit(requestFor(3));  // so would this
+    job.submit(requestFor(1));
+    QTRY_COMPARE(answers, QList<double>{1});
+    QCOMPARE(solver.stopped.load(), 1);
+    // Also when it has been in flight for long before the next value comes.
+    job.submit(requestFor(2));
+    QTest::qWait(400);
+    QVERIFY(job.isBusy());
+    job.submit(requestFor(1));
+    QTRY_COMPARE(answers, (QList<double>{1, 1}));
+    QCOMPARE(solver.stopped.load(), 2);
+}
+
+void TestSolveJob::aLongSolutionThatNobodyReplacesGetsItsAnswer() {
+    StoppableSolver solver{std::chrono::milliseconds(400)};
+    SolveJob job(std::ref(solver));
+    QSignalSpy solved(&job, &SolveJob::solved);
+    job.submit(requestFor(2));
+    QTRY_COMPARE(solved.count(), 1);
+    QCOMPARE(solver.stopped.load(), 0);
+}
+
+void TestSolveJob::aJobEndsInTheMiddleOfALongSolution() {
+    StoppableSolver solver{std::chrono::minutes(10)};
+    {
+        SolveJob job(std::ref(solver));
+        job.submit(requestFor(2));
+        QTest::qWait(20);
+    }
+    QCOMPARE(solver.stopped.load(), 1);
 }
 
 void TestSolveJob::answersAreThoseOfTheExactSolver() {
