@@ -1,0 +1,30 @@
+// The largest forces in the rod, wherever and whenever they occur.
+#pragma once
+
+#include "core/model/pulse_force.h"
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// A largest normal force in the rod, and one place and time at which it occurs (others may have the same).
+struct RodForce {
+    double size = 0;     ///< |N|/F0, ≥ 0
+    double section = 0;  ///< ξ = x/L: rear end 0, front end 1
+    double time = 0;     ///< global time t/t0
+    bool operator==(const RodForce&) const = default;
+};
+
+struct RodForces {
+    RodForce compression;  ///< of −N
+    RodForce tension;      ///< of N; of size 0 when the rod is never pulled
+};
+
+/// The largest of −N and of N = Np + Nn over the whole rod and the whole blow, also of the waves that run on
+/// after it. Of an impact solved with Detail::histories.
+///
+/// N(ξ, t) = −g(a) − r(b) with r = F − g, a = t − ξτ and b = t − (2 − ξ)τ: every pair of times 0 ≤ a − b ≤ 2τ
+/// meets at some section, so it is a sliding maximum of r that is added to g. Exact at breakpoints and jumps;
+/// a maximum inside a smooth piece may be missed by 2e-4 of the peak force.
+RodForces largestRodForces(const Impact& impact, const PulseForce& pulse);
+
+}  // namespace drillwave
