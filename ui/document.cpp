@@ -221,19 +221,45 @@ void Document::markUnsaved() {
     emit stateChanged();
 }
 
+QString Document::applyPreset(const Preset& preset) {
+    Scenario changed = withPreset(m_scenario, preset);
+    std::vector<Problem> problems = validate(changed);
+    if (!problems.empty())
+        return lines(ScenarioError(ScenarioError::Kind::invalid, preset.name, std::move(problems)));
+    push(std::move(changed), tr("take the preset %1").arg(QString::fromStdString(preset.name)));
+    return {};
+}
+
 QString Document::useTable(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    PulseTable table = readPulseTable(nativePath(absolute), nativePath(absolute), m_scenario.form);
+    const QString name =
+        m_origin.isEmpty() ? absolute : QFileInfo(m_origin).absoluteDir().relativeFilePath(absolute);
+    return takeTable(absolute, nativePath(name),
+                     tr("take the hammer blow from %1").arg(QFileInfo(path).fileName()));
+}
+
+QString Document::reloadTable() {
+    return takeTable(tablePath(), m_scenario.pulse.tableFile, tr("reload the table of the hammer blow"));
+}
+
+QString Document::tablePath() const {
+    const QString name = QFile::decodeName(m_scenario.pulse.tableFile.c_str());
+    if (name.isEmpty()) return {};
+    return QFileInfo(m_origin.isEmpty() ? QDir() : QFileInfo(m_origin).absoluteDir(), name)
+        .absoluteFilePath();
+}
+
+QString Document::takeTable(const QString& path, const std::string& name, const QString& step) {
+    PulseTable table = readPulseTable(nativePath(path), nativePath(path), m_scenario.form);
     std::vector<Problem> problems = std::move(table.problems);
     Scenario changed = m_scenario;
     changed.pulse.shape = PulseShape::table;
     changed.pulse.tablePoints = std::move(table.points);
-    changed.pulse.tableFile = nativePath(
-        m_origin.isEmpty() ? absolute : QFileInfo(m_origin).absoluteDir().relativeFilePath(absolute));
+    changed.pulse.tableFile = name;
     if (problems.empty()) problems = validate(changed);
     if (!problems.empty())
-        return lines(ScenarioError(ScenarioError::Kind::invalid, nativePath(absolute), std::move(problems)));
-    push(std::move(changed), tr("take the hammer blow from %1").arg(QFileInfo(path).fileName()));
+        return lines(ScenarioError(ScenarioError::Kind::invalid, nativePath(path), std::move(problems)));
+    push(std::move(changed), step);
     return {};
 }
 

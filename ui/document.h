@@ -7,6 +7,7 @@
 
 #include "core/file/scenario_file.h"
 #include "core/model/parameter.h"
+#include "core/model/preset.h"
 
 namespace drillwave {
 
@@ -45,9 +46,15 @@ class Document : public QObject {
     bool canHaveShape(PulseShape shape) const;
     void setShape(PulseShape shape);
     void setTitle(const QString& title);
+    /// Takes the values of a preset as one undo step. Returns why not; then nothing has changed.
+    QString applyPreset(const Preset& preset);
     /// Takes the hammer blow from a CSV file of times and forces, as one undo step. Returns why not, line by
     /// line; then nothing has changed.
     QString useTable(const QString& path);
+    /// Reads the CSV file of the hammer blow anew, likewise. Requires tablePath().
+    QString reloadTable();
+    /// The CSV file that the points of the hammer blow are from; empty when they are the scenario's own.
+    QString tablePath() const;
 
     /// A new scenario with the default values.
     void start();
@@ -79,6 +86,7 @@ class Document : public QObject {
     void push(Scenario after, const QString& name, const QString& key = {}, int gesture = 0);
     void setScenario(const Scenario& scenario);
     void take(ScenarioDocument source, const QString& path, const QString& origin);
+    QString takeTable(const QString& path, const std::string& name, const QString& step);
     bool keepTableInReach(const QString& path);
 
     Scenario m_scenario;

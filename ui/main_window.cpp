@@ -111,7 +111,7 @@ void MainWindow::addDocks() {
         addDockWidget(area, dock);
         m_docks.append(dock);
     };
-    m_scenarioPanel = new ScenarioPanel(m_document);
+    m_scenarioPanel = new ScenarioPanel(m_document, *m_questions);
     m_resultPanel = new ResultPanel;
     addDock(tr("Scenario"), QStringLiteral("scenario"), m_scenarioPanel, Qt::LeftDockWidgetArea);
     addDock(tr("Result"), QStringLiteral("result"), m_resultPanel, Qt::RightDockWidgetArea);

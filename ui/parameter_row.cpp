@@ -43,13 +43,12 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTit
     connect(m_field, &QuantityField::valueEdited, this, &ParameterRow::edited);
     connect(m_field, &QuantityField::cleared, this, &ParameterRow::cleared);
     connect(m_field, &QuantityField::editsEnded, this, &ParameterRow::editsEnded);
-    connect(m_field, &QuantityField::problemShown, m_message, [this](const QString& problem) {
-        m_message->setText(QStringLiteral("⚠ ") + m_label->text() + QStringLiteral(": ") + problem);
-        m_message->setVisible(!problem.isEmpty() && m_field->isVisibleTo(m_field->parentWidget()));
+    connect(m_field, &QuantityField::problemShown, this, &ParameterRow::showProblem);
+    connect(m_slider, &QuantitySlider::valueDragged, this, &ParameterRow::drag);
+    connect(m_slider, &QuantitySlider::dragEnded, this, [this] {
+        showProblem(m_field->problem());
+        emit editsEnded();
     });
-    connect(m_slider, &QuantitySlider::valueDragged, this,
-            [this](double si) { emit edited(m_field->rounded(si)); });
-    connect(m_slider, &QuantitySlider::dragEnded, this, &ParameterRow::editsEnded);
 }
 
 void ParameterRow::nameWidgets(const QString& sectionTitle) {
@@ -75,6 +74,20 @@ void ParameterRow::nameWidgets(const QString& sectionTitle) {
     }
 }
 
+// Where the slider cannot go, the value stays and the reason is said.
+void ParameterRow::drag(double si) {
+    const double rounded = m_field->rounded(si);
+    const QString objection = m_field->objectionTo(rounded);
+    showProblem(objection);
+    if (objection.isEmpty()) emit edited(rounded);
+}
+
+void ParameterRow::showProblem(const QString& problem) {
+    m_problem = problem;
+    m_message->setText(QStringLiteral("⚠ %1: %2").arg(m_label->text(), problem));
+    m_message->setVisible(!problem.isEmpty() && m_field->isVisibleTo(m_field->parentWidget()));
+}
+
 void ParameterRow::show(const Scenario& scenario) {
     const bool applies = m_parameter.applies(scenario);
     setVisible(applies);
@@ -82,6 +95,10 @@ void ParameterRow::show(const Scenario& scenario) {
     const std::optional<double> si = m_parameter.value(scenario);
     m_field->setValue(si);
     m_slider->show(si.value_or(m_parameter.plausible.low));
+    const QString meaning = fromView(m_parameter.meaning);
+    m_slider->setToolTip(m_slider->beyond() == 0
+                             ? meaning
+                             : tr("%1. The value lies beyond the range of the slider.").arg(meaning));
 }
 
 void ParameterRow::setVisible(bool visible) {
@@ -89,7 +106,7 @@ void ParameterRow::setVisible(bool visible) {
     m_field->setVisible(visible);
     m_slider->setVisible(visible);
     if (m_field->unitButton()) m_field->unitButton()->setVisible(visible);
-    m_message->setVisible(visible && !m_message->text().isEmpty() && !m_field->problem().isEmpty());
+    m_message->setVisible(visible && !m_problem.isEmpty());
 }
 
 }  // namespace drillwave

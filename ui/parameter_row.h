@@ -40,12 +40,15 @@ class ParameterRow : public QObject {
   private:
     void setVisible(bool visible);
     void nameWidgets(const QString& sectionTitle);
+    void drag(double si);
+    void showProblem(const QString& problem);
 
     const Parameter& m_parameter;
     QLabel* m_label;
     QuantityField* m_field;
     QuantitySlider* m_slider;
     QLabel* m_message;
+    QString m_problem;  // what the message says, empty when there is none
 };
 
 /// "t₀" for "t0".

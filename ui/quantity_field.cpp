@@ -123,7 +123,7 @@ void QuantityField::readText(const QString& text) {
     const TypedQuantity typed =
         parseQuantity(plain.text.toStdString(), m_quantity, BareNumber::inDefaultUnit, m_unit);
     if (!typed.valid()) return refuse(QString::fromStdString(typed.problem));
-    const QString objection = m_check ? m_check(typed.si) : QString();
+    const QString objection = objectionTo(typed.si);
     if (!objection.isEmpty()) return refuse(objection);
     accept();
     m_typedUnit = typed.unit;
@@ -215,7 +215,7 @@ void QuantityField::stepBy(int steps) {
     const double step = shown == 0 ? std::abs(m_unit->fromSi(m_stepAtZero)) : stepSize(shown, steps);
     double si = rounded(m_unit->toSi(shown + steps * step));
     if (*m_value > 0 && si < 0) si = 0;
-    if (si == *m_value || (m_check && !m_check(si).isEmpty())) return;
+    if (si == *m_value || !objectionTo(si).isEmpty()) return;
     accept();
     take(si);
     m_valueBefore = m_value;

@@ -33,6 +33,8 @@ class QuantityField : public QAbstractSpinBox {
     /// wrong and the value did not change.
     void setValue(std::optional<double> si);
     void setCheck(Check check) { m_check = std::move(check); }
+    /// Why the check would not let that value (SI) in; empty when it would.
+    QString objectionTo(double si) const { return m_check ? m_check(si) : QString(); }
     /// Lets the field be emptied (`cleared()`), and shows `placeholder` then.
     void setOptional(const QString& placeholder);
     /// Size of a step where the value is zero (SI), which says nothing about its own size.

@@ -54,6 +54,12 @@ QString DialogQuestions::fileToOpen(QWidget* parent, const QString& folder) {
     return QFileDialog::getOpenFileName(parent, tr("Open a scenario"), folder, openFilter());
 }
 
+QString DialogQuestions::fileToImport(QWidget* parent, const QString& title, const QString& folder,
+                                      const QString& filter) {
+    if (!someoneIsThere()) return {};
+    return QFileDialog::getOpenFileName(parent, title, folder, filter);
+}
+
 QString DialogQuestions::fileToSave(QWidget* parent, const QString& suggestion) {
     if (!someoneIsThere()) return {};
     QFileDialog dialog(parent, tr("Save the scenario"), suggestion, scenarioFilter());

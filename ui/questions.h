@@ -21,6 +21,9 @@ class Questions {
     virtual Unsaved unsavedChanges(QWidget* parent, const QString& name) = 0;
     /// The file to open; empty when the user gave up.
     virtual QString fileToOpen(QWidget* parent, const QString& folder) = 0;
+    /// A file to take something from, other than a scenario; empty when the user gave up.
+    virtual QString fileToImport(QWidget* parent, const QString& title, const QString& folder,
+                                 const QString& filter) = 0;
     /// Where to save, overwriting confirmed; empty when the user gave up.
     virtual QString fileToSave(QWidget* parent, const QString& suggestion) = 0;
     /// Where to write something else than a scenario, overwriting confirmed; empty when the user gave up.
@@ -46,6 +49,8 @@ class DialogQuestions : public Questions {
   public:
     Unsaved unsavedChanges(QWidget* parent, const QString& name) override;
     QString fileToOpen(QWidget* parent, const QString& folder) override;
+    QString fileToImport(QWidget* parent, const QString& title, const QString& folder,
+                         const QString& filter) override;
     QString fileToSave(QWidget* parent, const QString& suggestion) override;
     QString fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
                          const QString& filter) override;

@@ -3,9 +3,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QScrollBar>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 #include <algorithm>
 
 #include "core/model/optional_parameter.h"
@@ -13,29 +11,17 @@
 namespace drillwave {
 namespace {
 
-// Combo boxes too must let the panel scroll while they have no focus.
-class ShapeBox : public QComboBox {
-  public:
-    using QComboBox::QComboBox;
-
-  protected:
-    void wheelEvent(QWheelEvent* event) override {
-        if (hasFocus())
-            QComboBox::wheelEvent(event);
-        else
-            event->ignore();
-    }
-};
-
-QString shapeText(PulseShape shape) {
-    const std::string_view text = name(shape);
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).replace(u'_', u' ');
+std::optional<PresetKind> presetsOf(const QString& section) {
+    if (section == QLatin1String("rod")) return PresetKind::rod;
+    if (section == QLatin1String("pulse")) return PresetKind::hammer;
+    if (section == QLatin1String("bit_rock")) return PresetKind::rock;
+    return std::nullopt;
 }
 
 }  // namespace
 
-ScenarioPanel::ScenarioPanel(Document& document, QWidget* parent)
-    : QScrollArea(parent), m_document(document) {
+ScenarioPanel::ScenarioPanel(Document& document, Questions& questions, QWidget* parent)
+    : QScrollArea(parent), m_document(document), m_questions(questions) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -66,31 +52,32 @@ void ScenarioPanel::addTitle() {
 
 void ScenarioPanel::addSection(const QString& section, const QString& title) {
     auto* box = new SectionBox(title, widget());
+    box->setObjectName(section);
+    box->rememberAs(QStringLiteral("panel/") + section);
     auto* grid = new QGridLayout(box->content());
     grid->setContentsMargins(8, 0, 0, 0);
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(3);
     grid->setColumnStretch(1, 1);
     m_sections.append({box, grid, {}});
-    if (section == QLatin1String("pulse")) addShape(grid, box->content());
+    if (const std::optional<PresetKind> kind = presetsOf(section))
+        addPresets(*kind, title, grid, box->content());
+    if (section == QLatin1String("pulse"))
+        m_pulse = new PulseSection(m_document, m_questions, grid, box->content());
     for (const Parameter& parameter : parameters())
         if (parameter.section() == section.toStdString()) addRow(parameter, title, grid, box->content());
     widget()->layout()->addWidget(box);
 }
 
-void ScenarioPanel::addShape(QGridLayout* grid, QWidget* parent) {
-    auto* label = new QLabel(tr("shape"), parent);
-    m_shape = new ShapeBox(parent);
-    m_shape->setObjectName(QStringLiteral("pulse.shape"));
-    m_shape->setFocusPolicy(Qt::StrongFocus);
-    m_shape->setAccessibleName(tr("Hammer blow: shape"));
-    m_shape->setToolTip(tr("Shape of the force of the hammer on the rod over time"));
-    label->setBuddy(m_shape);
-    grid->addWidget(label, 0, 0);
-    grid->addWidget(m_shape, 0, 1, 1, 3);
-    connect(m_shape, &QComboBox::activated, this, [this](int index) {
-        m_document.setShape(static_cast<PulseShape>(m_shape->itemData(index).toInt()));
-    });
+void ScenarioPanel::addPresets(PresetKind kind, const QString& title, QGridLayout* grid, QWidget* parent) {
+    auto* label = new QLabel(tr("preset"), parent);
+    auto* box = new PresetBox(kind, title, m_document, m_presets, m_questions, parent);
+    label->setBuddy(box);
+    const int row = grid->rowCount();
+    grid->addWidget(label, row, 0);
+    grid->addWidget(box, row, 1, 1, 3);
+    connect(box, &PresetBox::libraryChanged, this, &ScenarioPanel::showPresets);
+    m_presetBoxes.append(box);
 }
 
 void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid,
@@ -106,7 +93,11 @@ void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTit
             [this, &parameter] { m_document.clear(parameter, m_gesture); });
     connect(row->slider(), &QSlider::sliderPressed, this, &ScenarioPanel::dragStarted);
     connect(row->slider(), &QSlider::sliderReleased, this, &ScenarioPanel::dragEnded);
-    connect(row, &ParameterRow::editsEnded, this, [this] { ++m_gesture; });
+    // A slider that was held stands where the hand was, which may not be what the document took.
+    connect(row, &ParameterRow::editsEnded, this, [this, row] {
+        ++m_gesture;
+        row->show(m_document.scenario());
+    });
 }
 
 // One set of columns through all sections.
@@ -128,24 +119,18 @@ void ScenarioPanel::showScenario() {
     const Scenario& scenario = m_document.scenario();
     const QString title = QString::fromStdString(scenario.title);
     if (m_title->text() != title) m_title->setText(title);
-    showShape();
+    showPresets();
+    m_pulse->show(scenario);
     for (const Section& section : std::as_const(m_sections)) {
         for (ParameterRow* row : section.rows) row->show(scenario);
         const bool used = std::ranges::any_of(
             section.rows, [&](const ParameterRow* row) { return row->parameter().applies(scenario); });
-        section.box->setVisible(used || section.box->isAncestorOf(m_shape));
+        section.box->setVisible(used || section.box->objectName() == QLatin1String("pulse"));
     }
 }
 
-// Only shapes that the scenario can have: a table needs its points first.
-void ScenarioPanel::showShape() {
-    const QSignalBlocker quiet(m_shape);
-    m_shape->clear();
-    for (const std::string_view text : pulseShapeNames()) {
-        const PulseShape shape = *findPulseShape(text);
-        if (m_document.canHaveShape(shape)) m_shape->addItem(shapeText(shape), static_cast<int>(shape));
-    }
-    m_shape->setCurrentIndex(m_shape->findData(static_cast<int>(m_document.scenario().pulse.shape)));
+void ScenarioPanel::showPresets() {
+    for (PresetBox* box : std::as_const(m_presetBoxes)) box->show(m_document.scenario());
 }
 
 QSize ScenarioPanel::sizeHint() const {

@@ -1,12 +1,15 @@
 // The form of a scenario: every parameter of the table that applies, in sections that can be folded.
 #pragma once
 
-#include <QComboBox>
 #include <QLineEdit>
 #include <QScrollArea>
 
 #include "ui/document.h"
 #include "ui/parameter_row.h"
+#include "ui/preset_box.h"
+#include "ui/preset_library.h"
+#include "ui/pulse_section.h"
+#include "ui/questions.h"
 #include "ui/section_box.h"
 
 namespace drillwave {
@@ -16,8 +19,8 @@ class ScenarioPanel : public QScrollArea {
     Q_OBJECT
 
   public:
-    /// The document must outlive the panel.
-    explicit ScenarioPanel(Document& document, QWidget* parent = nullptr);
+    /// Document and questions must outlive the panel.
+    ScenarioPanel(Document& document, Questions& questions, QWidget* parent = nullptr);
 
     QSize sizeHint() const override;
     /// Wide enough that nothing is cut off at the side.
@@ -31,11 +34,11 @@ class ScenarioPanel : public QScrollArea {
   private:
     void addTitle();
     void addSection(const QString& section, const QString& title);
-    void addShape(QGridLayout* grid, QWidget* parent);
+    void addPresets(PresetKind kind, const QString& title, QGridLayout* grid, QWidget* parent);
     void addRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid, QWidget* parent);
     void alignColumns();
     void showScenario();
-    void showShape();
+    void showPresets();
 
     struct Section {
         SectionBox* box;
@@ -44,8 +47,11 @@ class ScenarioPanel : public QScrollArea {
     };
 
     Document& m_document;
+    Questions& m_questions;
+    PresetLibrary m_presets;
+    QList<PresetBox*> m_presetBoxes;
     QLineEdit* m_title = nullptr;
-    QComboBox* m_shape = nullptr;
+    PulseSection* m_pulse = nullptr;
     QList<Section> m_sections;
     int m_gesture = 1;
 };

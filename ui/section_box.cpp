@@ -2,6 +2,8 @@
 
 #include <QVBoxLayout>
 
+#include "ui/settings.h"
+
 namespace drillwave {
 
 SectionBox::SectionBox(const QString& title, QWidget* parent)
@@ -20,13 +22,21 @@ SectionBox::SectionBox(const QString& title, QWidget* parent)
     layout->setSpacing(2);
     layout->addWidget(m_header);
     layout->addWidget(m_content);
-    connect(m_header, &QToolButton::clicked, this, [this] { setOpen(!isOpen()); });
+    connect(m_header, &QToolButton::clicked, this, [this] {
+        setOpen(!isOpen());
+        if (!m_key.isEmpty()) Settings().setValue(m_key, isOpen());
+    });
 }
 
 void SectionBox::setOpen(bool open) {
     m_header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
     m_header->setAccessibleDescription(open ? tr("open") : tr("folded"));
     m_content->setVisible(open);
+}
+
+void SectionBox::rememberAs(const QString& key) {
+    m_key = key;
+    setOpen(Settings().value(key, true).toBool());
 }
 
 }  // namespace drillwave

@@ -16,10 +16,13 @@ class SectionBox : public QWidget {
     QWidget* content() const { return m_content; }
     bool isOpen() const { return m_content->isVisibleTo(this); }
     void setOpen(bool open);
+    /// Keeps whether it is open under that key of the settings, and is now as it was left.
+    void rememberAs(const QString& key);
 
   private:
     QToolButton* m_header;
     QWidget* m_content;
+    QString m_key;
 };
 
 }  // namespace drillwave

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QList>
+#include <algorithm>
 
 namespace drillwave {
 namespace {
@@ -23,13 +24,21 @@ struct Mantissa {
     QString joined(qsizetype end) const { return runs.first(end).join(QString()); }
 };
 
-bool isBlank(QChar c) {
-    return c.isSpace();
+// Blanks of any width, and the apostrophes of Switzerland, group digits everywhere. Tabs and line breaks do
+// not: they stand between two numbers.
+bool isNeutralGroup(QChar c) {
+    return c.category() == QChar::Separator_Space || c == u'\'' || c == u'’';
 }
 
-// Blanks, and the apostrophes of Switzerland, group digits everywhere.
-bool isNeutralGroup(QChar c) {
-    return isBlank(c) || c == u'\'' || c == u'’';
+// Direction marks, soft hyphens and blanks of no width come with text copied from elsewhere.
+QString withoutInvisible(QString text) {
+    return text.removeIf([](QChar c) { return c.category() == QChar::Other_Format; });
+}
+
+bool holdsSeveralLines(const QString& text) {
+    return std::ranges::any_of(text, [](QChar c) {
+        return c == u'\n' || c == u'\r' || c == QChar::LineSeparator || c == QChar::ParagraphSeparator;
+    });
 }
 
 Mantissa readMantissa(QStringView text) {
@@ -96,7 +105,9 @@ QString exponentOf(QStringView text) {
 }  // namespace
 
 PlainText plainText(const QString& typed, const QLocale& locale) {
-    QString text = typed.trimmed();
+    QString text = withoutInvisible(typed).trimmed();
+    if (holdsSeveralLines(text))
+        return {{}, QCoreApplication::translate("drillwave", "is more than one line: one value is needed")};
     text.replace(u'−', u'-');
     const bool hasSign = text.startsWith(u'-') || text.startsWith(u'+');
     const QString sign = hasSign ? text.left(1) : QString();

@@ -89,6 +89,7 @@ void Monkey::prepareAnswers() {
                                                      Questions::Unsaved::save, Questions::Unsaved::cancel};
     m_answers.unsaved = any(unsaved);
     m_answers.open = oneIn(4) ? QString() : any(m_files.toOpen());
+    m_answers.import = oneIn(4) ? QString() : any(m_files.toOpen());
     m_answers.save = oneIn(4) ? QString() : any(m_files.toSave());
     m_answers.told.clear();
 }

@@ -10,6 +10,7 @@ namespace drillwave {
 struct ScriptedAnswers {
     Questions::Unsaved unsaved = Questions::Unsaved::cancel;
     QString open;
+    QString import;
     QString save;
     QString exportTo;
     QString folder;
@@ -17,6 +18,7 @@ struct ScriptedAnswers {
     bool confirm = false;
     Questions::Recovery recovery = Questions::Recovery::later;
     int unsavedAsked = 0;
+    int importAsked = 0;
     QStringList confirmed;  ///< what was to be confirmed
     QStringList found;      ///< what could have been recovered
     QStringList told;
@@ -31,6 +33,11 @@ class ScriptedQuestions : public Questions {
         return m_answers.unsaved;
     }
     QString fileToOpen(QWidget* /*parent*/, const QString& /*folder*/) override { return m_answers.open; }
+    QString fileToImport(QWidget* /*parent*/, const QString& /*title*/, const QString& /*folder*/,
+                         const QString& /*filter*/) override {
+        ++m_answers.importAsked;
+        return m_answers.import;
+    }
     QString fileToSave(QWidget* /*parent*/, const QString& /*suggestion*/) override { return m_answers.save; }
     QString fileToExport(QWidget* /*parent*/, const QString& /*title*/, const QString& /*suggestion*/,
                          const QString& /*filter*/) override {
