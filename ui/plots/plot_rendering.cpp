@@ -9,13 +9,13 @@
 #include <QSvgGenerator>
 #include <cmath>
 
+#include "ui/plots/curve_clip.h"
 #include "ui/plots/plot_style.h"
 
 namespace drillwave {
 namespace {
 
 constexpr double layoutDpi = 96;  // the plots are laid out in these pixels in every format
-constexpr double pngDpi = 200;
 constexpr double millimetresPerInch = 25.4;
 
 QSize pixelsOf(Millimetres size) {
@@ -29,12 +29,12 @@ void paint(QCustomPlot& plot, QCPPainter& painter, QSize size) {
     plot.toPainter(&painter, size.width(), size.height());
 }
 
-QByteArray png(QCustomPlot& plot, Millimetres size) {
-    const double scale = pngDpi / layoutDpi;
+QByteArray png(QCustomPlot& plot, Millimetres size, double dpi) {
+    const double scale = dpi / layoutDpi;
     const QSize pixels = pixelsOf(size);
     QImage image = plot.toPixmap(pixels.width(), pixels.height(), scale).toImage();
     image.setDevicePixelRatio(1);
-    image.setDotsPerMeterX(static_cast<int>(std::lround(pngDpi * 1000 / millimetresPerInch)));
+    image.setDotsPerMeterX(static_cast<int>(std::lround(dpi * 1000 / millimetresPerInch)));
     image.setDotsPerMeterY(image.dotsPerMeterX());
     QBuffer buffer;
     QImageWriter(&buffer, "png").write(image);
@@ -42,6 +42,7 @@ QByteArray png(QCustomPlot& plot, Millimetres size) {
 }
 
 QByteArray svg(QCustomPlot& plot, Millimetres size, const QString& title) {
+    const CurveClip clip(plot);
     QBuffer buffer;
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
@@ -78,8 +79,9 @@ QByteArray pdf(QCustomPlot& plot, Millimetres size, const QString& title) {
 
 }  // namespace
 
-QByteArray renderPlot(QCustomPlot& plot, Millimetres size, const QString& format, const QString& title) {
-    if (format == QLatin1String("png")) return png(plot, size);
+QByteArray renderPlot(QCustomPlot& plot, Millimetres size, const QString& format, const QString& title,
+                      double dpi) {
+    if (format == QLatin1String("png")) return png(plot, size, dpi);
     return format == QLatin1String("svg") ? svg(plot, size, title) : pdf(plot, size, title);
 }
 

@@ -14,8 +14,13 @@ struct Millimetres {
     double height;
 };
 
-/// The plot in a format of plotFormats(), PNG at 200 dpi. PNG and SVG are the same bytes for the same plot on
-/// one machine. `title` goes into the file's properties. Empty when it could not be drawn.
-QByteArray renderPlot(QCustomPlot& plot, Millimetres size, const QString& format, const QString& title);
+/// Of PNG, where nothing else is asked for.
+inline constexpr double standardDpi = 200;
+
+/// The plot in a format of plotFormats(); `dpi` is that of PNG. PNG and SVG are the same bytes for the same
+/// plot on one machine; curves that leave their axes are cut there in every format. `title` goes into the
+/// file's properties. Empty when it could not be drawn.
+QByteArray renderPlot(QCustomPlot& plot, Millimetres size, const QString& format, const QString& title,
+                      double dpi = standardDpi);
 
 }  // namespace drillwave
