@@ -114,7 +114,9 @@ ExitCode runBlow(const Arguments& arguments) {
                            "--si: " + path + " is given by its dimensionless groups and has no SI units");
     prepare(files);
 
-    const Detail detail = files.directory.empty() ? Detail::summary : Detail::histories;
+    // The largest stress in the rod needs the waves.
+    const bool needsWaves = !files.directory.empty() || document.scenario.rod.yieldStrength;
+    const Detail detail = needsWaves ? Detail::histories : Detail::summary;
     const BlowReport report = solveInterruptibly(document.scenario, detail, choice);
     if (report.impact.outcome != Outcome::rebounded) {
         if (json) print(report, {}, json);

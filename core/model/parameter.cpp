@@ -128,6 +128,9 @@ constexpr std::array table{
     Parameter{"rod.density", "density", "ρ", "Density of the rod",
               Quantity::density, "kg/m^3", positive, {2500, 9000}, linear, dimensional,
               [](const S& s) { return Value(s.rod.density); }, [](S& s, double v) { s.rod.density = v; }},
+    Parameter{"rod.yield_strength", "yield strength", "", "Stress up to which the rod is elastic; a blow that exceeds it raises a warning",
+              Quantity::stress, "MPa", positive, {200e6, 2000e6}, linear, dimensional,
+              [](const S& s) { return s.rod.yieldStrength; }, [](S& s, double v) { s.rod.yieldStrength = v; }},
 
     Parameter{"pulse.duration", "duration", "t0", "Duration of the hammer force; time constant of an exponential one",
               Quantity::time, "us", positive, {20e-6, 2e-3}, logarithmic, givenPulse,

@@ -85,7 +85,8 @@ ImpactSummary summarize(const Impact& impact, const Groups& groups) {
             .workRatio = impact.hammerWork * 2 * groups.tau,
             .energy = ledgerOf(impact, groups),
             .momentumResidual = 1 - impact.impulse - impact.finalMomentum,
-            .corError = impact.corError};
+            .corError = impact.corError,
+            .contacts = impact.contacts};
 }
 
 std::span<const Output> outputs() {

@@ -2,8 +2,12 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
+#include "core/model/pulse_force.h"
+#include "core/model/scales.h"
 #include "core/study/thrust.h"
+#include "core/wave/closed_form.h"
 
 namespace drillwave {
 
@@ -20,25 +24,79 @@ std::string rounded(double value) {
     return {text.data(), end.ptr};
 }
 
-}  // namespace
-
-std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& summary) {
-    std::vector<Alert> alerts;
+void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
     const std::optional<double> needed = thrustNeeded(scenario, summary.cor);
     const std::optional<double> installed = scenario.drill.thrust;
-    if (needed && installed && *installed < *needed)
-        alerts.push_back({AlertLevel::warning, "thrust_below_needed", "drill.thrust",
-                          "The installed thrust of " + rounded(*installed / 1000) + " kN is below the " +
-                              rounded(*needed / 1000) +
-                              " kN that these blows need: the bit will leave the rock between blows."});
+    if (!needed || !installed || *installed >= *needed) return;
+    alerts.push_back({AlertLevel::warning, "thrust_below_needed", "drill.thrust",
+                      "The installed thrust of " + rounded(*installed / 1000) + " kN is below the " +
+                          rounded(*needed / 1000) +
+                          " kN that these blows need: the bit will leave the rock between blows."});
+}
+
+void addRebound(const ImpactSummary& summary, std::vector<Alert>& alerts) {
     if (summary.cor > 1 + summary.corError)
         alerts.push_back({AlertLevel::information, "super_rebound", "",
                           "The rod leaves with more momentum than it came with (e = " + rounded(summary.cor) +
                               "): rigid rock, e = 1, would underestimate the thrust."});
-    if (summary.corError > promisedError)
-        alerts.push_back({AlertLevel::warning, "reduced_accuracy", "",
-                          "The numerical error of e may be as large as " + rounded(summary.corError) + "."});
+    if (summary.contacts > 1)
+        alerts.push_back({AlertLevel::information, "several_contacts", "",
+                          "The bit hits the rock " + std::to_string(summary.contacts) +
+                              " times in this blow: the waves in the rod bring it back."});
+}
+
+/// Why the closed form is not for a rectangular blow on elastic rock; empty where it is.
+std::string closedFormObstacle(const PulseForce& pulse, const Groups& groups) {
+    if (groups.tau < 0.5)
+        return "the blow is longer than a round trip in the rod (tau = " + rounded(groups.tau) + " < 0.5)";
+    if (!closedFormRefusal(pulse, groups).empty())
+        return "the bit meets the rock in the middle of a wave (delta = " + rounded(groups.delta) +
+               " is not a whole number)";
+    return overlapIsSmall(groups.beta, groups.tau)
+               ? ""
+               : "the bit is still on the rock when the next reflection arrives";
+}
+
+void addClosedForm(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
+    const Groups groups = groupsOf(scenario);
+    if (scenario.pulse.shape != PulseShape::rectangular || groups.gamma != 1) return;
+    const std::string obstacle = closedFormObstacle(pulseForceOf(scenario), groups);
+    if (obstacle.empty()) return;
+    const double closed = closedFormRestitution(groups.beta);
+    alerts.push_back({AlertLevel::information, "closed_form_invalid", groups.tau < 0.5 ? "tau" : "delta",
+                      "The closed form for elastic rock does not hold, because " + obstacle + ": its e = " +
+                          rounded(closed) + " is off by " + rounded(std::abs(closed - summary.cor)) + "."});
+}
+
+void addAccuracy(const ImpactSummary& summary, std::vector<Alert>& alerts) {
+    if (summary.corError <= promisedError) return;
+    alerts.push_back({AlertLevel::warning, "reduced_accuracy", "",
+                      "The numerical error of e may be as large as " + rounded(summary.corError) + "."});
+}
+
+}  // namespace
+
+std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& summary) {
+    std::vector<Alert> alerts;
+    addThrust(scenario, summary, alerts);
+    addRebound(summary, alerts);
+    addClosedForm(scenario, summary, alerts);
+    addAccuracy(summary, alerts);
     return alerts;
+}
+
+std::vector<Alert> stressAlerts(const Scenario& scenario, const RodForces& forces) {
+    const std::optional<double> limit = scenario.rod.yieldStrength;
+    if (scenario.form != ScenarioForm::dimensional || !limit) return {};
+    const bool pushed = forces.compression.size >= forces.tension.size;
+    const RodForce& largest = pushed ? forces.compression : forces.tension;
+    const double stress = largest.size * scalesOf(scenario).force / propertiesOf(scenario.rod).area;
+    if (stress <= *limit) return {};
+    return {{AlertLevel::warning, "stress_above_yield", "rod.yield_strength",
+             "The rod would yield: its largest stress is " + rounded(stress / 1e6) + " MPa in " +
+                 (pushed ? "compression" : "tension") + ", " +
+                 rounded(largest.section * scenario.rod.length) +
+                 " m from the hammer, against a yield strength of " + rounded(*limit / 1e6) + " MPa."}};
 }
 
 }  // namespace drillwave

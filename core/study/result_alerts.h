@@ -5,12 +5,18 @@
 
 #include "core/model/validation.h"
 #include "core/study/impact_summary.h"
+#include "core/wave/rod_forces.h"
 
 namespace drillwave {
 
 /// Alerts of a solved blow, to be listed behind alertsFor(scenario):
 /// `thrust_below_needed` when the installed thrust is less than blow_frequency·I0·(1 + e), `super_rebound`
-/// when e > 1 by more than its error, `reduced_accuracy` when the error bound of e exceeds 1e-9.
+/// when e > 1 by more than its error, `several_contacts` when the bit comes back to the rock,
+/// `closed_form_invalid` for a rectangular blow on elastic rock that the paper's closed form is not for, with
+/// the error that it would make, `reduced_accuracy` when the error bound of e exceeds 1e-9.
 std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& summary);
+
+/// `stress_above_yield` when the rod has a yield strength and the largest stress in it exceeds it.
+std::vector<Alert> stressAlerts(const Scenario& scenario, const RodForces& forces);
 
 }  // namespace drillwave

@@ -97,6 +97,7 @@ class TestScenarioFile : public QObject {
     void aTitleIsExchangedAndQuotedWhereNeeded();
     void aNewValueIsPutWhereItBelongs();
     void aValueThatWentIsTakenOut();
+    void aYieldStrengthIsOptionalAndKept();
     void aNewSectionIsAppended();
     void aSectionThatWentIsTakenOut();
     void anotherShapeExchangesItsKeys();
@@ -392,6 +393,19 @@ void TestScenarioFile::aValueThatWentIsTakenOut() {
     std::string expected = replaced(t38, "  blow_frequency: 60 Hz\n", "");
     expected = replaced(expected, "title: T38 rod, medium rock       # optional\n", "");
     compareText(writeScenario(document), expected);
+}
+
+void TestScenarioFile::aYieldStrengthIsOptionalAndKept() {
+    ScenarioDocument document = parsed(t38);
+    QVERIFY(!document.scenario.rod.yieldStrength);
+    compareText(writeScenario(document), t38);
+    document.scenario.rod.yieldStrength = 850e6;
+    const std::string text =
+        replaced(t38, "  density: 7850 kg/m^3\n", "  density: 7850 kg/m^3\n  yield_strength: 850 MPa\n");
+    compareText(writeScenario(document), text);
+    const ScenarioDocument again = parsed(text);
+    QCOMPARE(again.scenario.rod.yieldStrength.value_or(0), 850e6);
+    compareText(writeScenario(again), text);
 }
 
 void TestScenarioFile::aNewSectionIsAppended() {

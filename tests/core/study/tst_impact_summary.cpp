@@ -1,10 +1,12 @@
 // The numbers of a solved blow: balances, limits, and the same physics in every unit.
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/study/impact_summary.h"
 #include "core/study/result_alerts.h"
+#include "core/wave/closed_form.h"
 #include "core/wave/exact_solver.h"
 
 using namespace drillwave;
@@ -29,6 +31,12 @@ ImpactSummary summaryOf(const Scenario& scenario) {
     return summarize(ExactSolver().solve(pulseForceOf(scenario), groups, Detail::summary), groups);
 }
 
+/// The text of the alert of that code; empty when there is none.
+std::string textOf(const std::vector<Alert>& alerts, std::string_view code) {
+    const auto found = std::ranges::find(alerts, code, &Alert::code);
+    return found == alerts.end() ? std::string() : found->text;
+}
+
 /// A double to be equal but for the rounding of a few operations.
 bool close(double a, double b, double tolerance) {
     return std::abs(a - b) <= tolerance * std::max(1.0, std::abs(b));
@@ -51,6 +59,10 @@ class TestImpactSummary : public QObject {
     void everyOutputIsFoundByItsName();
     void corNeedsNoMoreThanCorDetail();
     void alertsFollowFromTheResult();
+    void severalContactsAreCounted();
+    void theClosedFormIsQuestionedWhereOneWouldExpectIt_data();
+    void theClosedFormIsQuestionedWhereOneWouldExpectIt();
+    void aRodIsWarnedOfStressAboveItsYieldStrength();
 };
 
 void TestImpactSummary::energyAndMomentumBalance_data() {
@@ -189,6 +201,65 @@ void TestImpactSummary::alertsFollowFromTheResult() {
     // Rigid rock gives e = 1 up to rounding: no super rebound.
     QCOMPARE(codes(drill, 1 + 1e-15, 1e-14), QString());
     QCOMPARE(codes(drill, 0.5, 1e-8), QString("reduced_accuracy"));
+}
+
+void TestImpactSummary::severalContactsAreCounted() {
+    const Scenario scenario = scenarioOf({PulseShape::halfSine, {0.05, 0.05, 3.3, 0.9}});
+    const ImpactSummary summary = summaryOf(scenario);
+    QVERIFY(summary.contacts > 1);
+    const std::string text = textOf(resultAlerts(scenario, summary), "several_contacts");
+    QVERIFY2(text.find(" " + std::to_string(summary.contacts) + " times") != std::string::npos, text.c_str());
+    const Scenario once = scenarioOf({PulseShape::rectangular, {0.5, 1, 10, 0}});
+    QCOMPARE(textOf(resultAlerts(once, summaryOf(once)), "several_contacts"), std::string());
+}
+
+void TestImpactSummary::theClosedFormIsQuestionedWhereOneWouldExpectIt_data() {
+    QTest::addColumn<Case>("wanted");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("holds") << Case{PulseShape::rectangular, {0.5, 1, 10, 0}} << "";
+    QTest::newRow("holds after a whole gap") << Case{PulseShape::rectangular, {0.5, 1, 10, 2}} << "";
+    QTest::newRow("gap") << Case{PulseShape::rectangular, {0.5, 1, 10, 0.3}} << "delta = 0.3 is not a whole";
+    QTest::newRow("long blow") << Case{PulseShape::rectangular, {0.5, 1, 0.4, 0}} << "tau = 0.4 < 0.5";
+    QTest::newRow("overlap") << Case{PulseShape::rectangular, {0.02, 1, 2, 0}} << "still on the rock";
+    QTest::newRow("not for this pulse") << Case{PulseShape::halfSine, {0.5, 1, 10, 0.3}} << "";
+    QTest::newRow("not for this rock") << Case{PulseShape::rectangular, {0.5, 0.1, 10, 0.3}} << "";
+}
+
+void TestImpactSummary::theClosedFormIsQuestionedWhereOneWouldExpectIt() {
+    QFETCH(Case, wanted);
+    QFETCH(QString, reason);
+    const Scenario scenario = scenarioOf(wanted);
+    const ImpactSummary summary = summaryOf(scenario);
+    const QString text =
+        QString::fromStdString(textOf(resultAlerts(scenario, summary), "closed_form_invalid"));
+    QCOMPARE(text.isEmpty(), reason.isEmpty());
+    QVERIFY2(text.contains(reason), qPrintable(text));
+    if (reason.isEmpty()) return;
+    const double error = std::abs(closedFormRestitution(wanted.groups.beta) - summary.cor);
+    QVERIFY(error > 1e-6);
+    const double said = text.chopped(1).section(' ', -1).toDouble();
+    QVERIFY2(std::abs(said - error) < 1e-3 * error, qPrintable(text));
+}
+
+void TestImpactSummary::aRodIsWarnedOfStressAboveItsYieldStrength() {
+    Scenario scenario;
+    scenario.pulse.shape = PulseShape::halfSine;
+    const RodForces forces{{1.6, 0.5, 3}, {1.2, 0.2, 5}};
+    // F0 = 51 N s/200 µs over π·(38 mm)²/4: 224.8 MPa
+    const double stress = 1.6 * 51 / 200e-6 / (std::acos(-1.0) * 0.038 * 0.038 / 4);
+    QVERIFY(stressAlerts(scenario, forces).empty());  // no limit is given
+    scenario.rod.yieldStrength = stress * (1 + 1e-9);
+    QVERIFY(stressAlerts(scenario, forces).empty());
+    scenario.rod.yieldStrength = 300e6;
+    const std::vector<Alert> alerts = stressAlerts(scenario, forces);
+    QCOMPARE(alerts.size(), std::size_t{1});
+    QCOMPARE(alerts[0].code, std::string("stress_above_yield"));
+    QCOMPARE(alerts[0].parameter, std::string("rod.yield_strength"));
+    QCOMPARE(
+        alerts[0].text,
+        std::string("The rod would yield: its largest stress is 359.8 MPa in compression, 1.83 m from the "
+                    "hammer, against a yield strength of 300 MPa."));
+    QVERIFY(stressAlerts(scenario, {{1, 0, 0}, {2, 0.5, 0}})[0].text.find("in tension") != std::string::npos);
 }
 
 QTEST_GUILESS_MAIN(TestImpactSummary)
