@@ -4,7 +4,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLocale>
-#include <cassert>
 
 #include "core/file/pulse_table.h"
 #include "core/file/result_scenario.h"
@@ -57,6 +56,8 @@ class Document::Edit : public QUndoCommand {
           m_key(std::move(key)),
           m_gesture(gesture) {}
 
+    const Scenario& before() const { return m_before; }
+    bool isOf(const QString& key, int gesture) const { return m_key == key && m_gesture == gesture; }
     void undo() override { m_document.setScenario(m_before); }
     void redo() override { m_document.setScenario(m_after); }
     int id() const override { return m_key.isEmpty() ? -1 : 1; }
@@ -117,9 +118,14 @@ void Document::assign(const Parameter& parameter, double si, int gesture) {
 
 void Document::clear(const Parameter& parameter, int gesture) {
     Scenario changed = m_scenario;
-    std::optional<double>* value = optionalValue(changed, parameter.key);
-    assert(value);
-    value->reset();
+    if (std::optional<double>* value = optionalValue(changed, parameter.key)) {
+        value->reset();
+    } else {
+        // Only the diameter of a rod that was given by its area can have had no value before.
+        const auto* last = static_cast<const Edit*>(m_undoStack.command(m_undoStack.index() - 1));
+        if (!last || !last->isOf(keyOf(parameter), gesture)) return;
+        changed = last->before();
+    }
     push(std::move(changed), tr("clear %1").arg(editName(parameter)), keyOf(parameter), gesture);
 }
 

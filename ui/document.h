@@ -40,7 +40,7 @@ class Document : public QObject {
     QString whyNot(const Parameter& parameter, double si) const;
     /// Sets a parameter (SI) as one undo step; edits of one parameter with the same `gesture` are one step.
     void assign(const Parameter& parameter, double si, int gesture);
-    /// Takes an optional parameter back to "not given".
+    /// Takes an optional parameter back to "not given", any other to what it was before the gesture.
     void clear(const Parameter& parameter, int gesture);
     /// Whether the scenario would be valid with that shape (a table needs points).
     bool canHaveShape(PulseShape shape) const;

@@ -16,13 +16,30 @@ namespace {
 constexpr int digits = 3;
 constexpr int gap = 4;  // between the frame, the labels and the curve [px]
 
-QString withUnit(double value, const ShownUnit& unit) {
-    const QString number = numberText(value * unit.factor, digits, QLocale());
-    if (unit.dimensionless && value == 1) return unit.unit;
-    return number + QChar(QChar::Nbsp) + unit.unit;
+// In a unit that suits this value, which may be far from the mean force that other units go by.
+QString peakText(double peak, Scales scales, UnitSystem system) {
+    const QLocale locale;
+    if (system == UnitSystem::dimensionless) {
+        const ShownUnit unit = shownUnits(system, scales).force;
+        return peak == 1 ? unit.unit : numberText(peak, digits, locale) + QChar(QChar::Nbsp) + unit.unit;
+    }
+    scales.force *= peak;
+    const ShownUnit unit = shownUnits(system, scales).force;
+    return numberText(unit.factor, digits, locale) + QChar(QChar::Nbsp) + unit.unit;
 }
 
 }  // namespace
+
+QString blowTimeText(double seconds) {
+    struct Prefixed {
+        double factor;
+        QString unit;
+    };
+    const Prefixed unit = seconds < 1e-3 ? Prefixed{1e6, QStringLiteral("µs")}
+                          : seconds < 1  ? Prefixed{1e3, QStringLiteral("ms")}
+                                         : Prefixed{1, QStringLiteral("s")};
+    return numberText(seconds * unit.factor, digits, QLocale()) + QChar(QChar::Nbsp) + unit.unit;
+}
 
 PulsePreview::PulsePreview(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("pulsePreview"));
@@ -32,14 +49,16 @@ PulsePreview::PulsePreview(QWidget* parent) : QWidget(parent) {
 
 void PulsePreview::show(const Scenario& scenario) {
     const PulseForce force = pulseForceOf(scenario);
-    const ShownUnits units = shownUnits(naturalUnits(scenario), scalesOf(scenario));
+    const UnitSystem system = naturalUnits(scenario);
+    const Scales scales = scalesOf(scenario);
     const PulseCurve curve(force);
     m_curve = curve.points;
     m_end = curve.end;
-    const QString duration = withUnit(1, units.time);
-    const QString peak = withUnit(force.peak, units.force);
+    const bool si = system == UnitSystem::si;
+    const QString duration = si ? blowTimeText(scales.time) : QStringLiteral("t₀");
+    const QString peak = peakText(force.peak, scales, system);
     m_peakText = tr("peak %1").arg(peak);
-    m_timeText = units.time.dimensionless ? duration : tr("t₀ = %1").arg(duration);
+    m_timeText = si ? tr("t₀ = %1").arg(duration) : duration;
     m_words = m_curve.isEmpty() ? tr("No hammer force: the rod arrives with a uniform velocity")
                                 : tr("%1, %2, %3").arg(shapeText(scenario.pulse.shape), duration, peak);
     setAccessibleDescription(m_words);
@@ -48,7 +67,7 @@ void PulsePreview::show(const Scenario& scenario) {
 }
 
 QSize PulsePreview::sizeHint() const {
-    return {200, 4 * fontMetrics().height() + 4 * gap};
+    return {200, 5 * fontMetrics().height() + 4 * gap};
 }
 
 QSize PulsePreview::minimumSizeHint() const {

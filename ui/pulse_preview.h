@@ -36,4 +36,7 @@ class PulsePreview : public QWidget {
 /// "half sine", as people write it.
 QString shapeText(PulseShape shape);
 
+/// The duration of a blow with three digits: "200 µs", "1.5 ms".
+QString blowTimeText(double seconds);
+
 }  // namespace drillwave

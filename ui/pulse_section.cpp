@@ -14,7 +14,6 @@ namespace drillwave {
 namespace {
 
 constexpr int columns = 4;
-constexpr int digits = 4;
 
 QString tableText(const Scenario& scenario) {
     const QLocale locale;
@@ -27,7 +26,7 @@ QString tableText(const Scenario& scenario) {
         return PulseSection::tr("%1 points, scaled to t₀ and I₀, %2").arg(locale.toString(count), from);
     const ShownUnits units = shownUnits(UnitSystem::si, scalesOf(scenario));
     return PulseSection::tr("%1 points, %2, %3, %4")
-        .arg(locale.toString(count), quantityText(1, units.time, locale),
+        .arg(locale.toString(count), blowTimeText(pulseDuration(scenario)),
              quantityText(1, units.impulse, locale), from);
 }
 

@@ -67,6 +67,28 @@ void TestTypedText::numbersAreReadAsTheUserMeansThem_data() {
                                               << "1234.5";
     QTest::newRow("sv: minus sign and no-break blank")
         << "sv_SE" << QStringLiteral("−1\u00a0234,5") << "-1234.5";
+    QTest::newRow("C: point groups and comma") << "C"
+                                               << "1.234,5"
+                                               << "1234.5";
+    QTest::newRow("de: comma groups and point") << "de_DE"
+                                                << "1,234.5"
+                                                << "1234.5";
+    QTest::newRow("sv: comma") << "sv_SE"
+                               << "3,2"
+                               << "3.2";
+    QTest::newRow("sv: point") << "sv_SE"
+                               << "3.2"
+                               << "3.2";
+    QTest::newRow("sv: point groups and comma") << "sv_SE"
+                                                << "1.234,5"
+                                                << "1234.5";
+    QTest::newRow("sv: thin blank and exponent")
+        << "sv_SE" << QStringLiteral("−1\u202f234e−3 m") << "-1234e-3 m";
+    QTest::newRow("pasted with its line break") << "C"
+                                                << "38 mm\r\n"
+                                                << "38 mm";
+    QTest::newRow("pasted with marks nobody sees")
+        << "C" << QStringLiteral("\ufeff38\u00a0mm\u200b") << "38 mm";
     QTest::newRow("not a number") << "C"
                                   << "abc"
                                   << "abc";
@@ -95,6 +117,10 @@ void TestTypedText::ambiguousNumbersAreRefused_data() {
                                                             << "1.2.3,4";
     QTest::newRow("blank inside a number") << "C"
                                            << "3 8 mm";
+    QTest::newRow("two cells of a column") << "C"
+                                           << "1\n234";
+    QTest::newRow("sv: one or a thousand") << "sv_SE"
+                                           << "7.850";
     QTest::newRow("two decimal commas") << "de_DE"
                                         << "1,2,3";
 }
