@@ -67,7 +67,9 @@ QByteArray recoveryBytes(const ScenarioDocument& contents, const QString& name, 
 }
 
 LostChanges::LostChanges(const QString& file, std::unique_ptr<QLockFile> lock)
-    : m_file(file), m_lock(std::move(lock)), m_scenario(readRecovery(file, m_problem)) {}
+    : m_file(file), m_lock(std::move(lock)) {
+    m_scenario = readRecovery(file, m_problem);
+}
 
 void LostChanges::discard() {
     QFile::remove(m_file);

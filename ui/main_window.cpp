@@ -119,6 +119,8 @@ void MainWindow::addDocks() {
 
 void MainWindow::addPage(Page* page) {
     m_pages->addTab(page, page->title());
+    connect(page->plot(), &PlotWidget::savePictureRequested, this, [this] { m_exportMenu->savePicture(); });
+    connect(page->plot(), &PlotWidget::saveDataRequested, this, [this] { m_exportMenu->saveData(); });
     connect(page, &Page::needsChanged, this, [this, page] {
         if (page == m_pages->currentWidget()) solve();
     });

@@ -13,8 +13,8 @@ Notice::Notice(Tone tone, QWidget* parent)
     : QFrame(parent), m_layout(new QHBoxLayout(this)), m_text(new QLabel(this)) {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
-    setBackgroundRole(QPalette::ToolTipBase);
-    setForegroundRole(QPalette::ToolTipText);
+    setBackgroundRole(QPalette::Base);
+    setForegroundRole(QPalette::Text);
 
     const bool warns = tone == Tone::warning;
     auto* icon = new QLabel(this);
@@ -23,7 +23,8 @@ Notice::Notice(Tone tone, QWidget* parent)
         style()
             ->standardIcon(warns ? QStyle::SP_MessageBoxWarning : QStyle::SP_MessageBoxInformation)
             .pixmap(size));
-    m_text->setForegroundRole(QPalette::ToolTipText);
+    m_text->setForegroundRole(QPalette::Text);
+    m_text->setObjectName(QStringLiteral("text"));
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -32,6 +33,7 @@ Notice::Notice(Tone tone, QWidget* parent)
     dismiss->setObjectName(QStringLiteral("dismiss"));
     dismiss->setText(QStringLiteral("✕"));
     dismiss->setAutoRaise(true);
+    dismiss->setForegroundRole(QPalette::Text);
     dismiss->setAccessibleName(tr("Dismiss this note"));
     dismiss->setToolTip(tr("Dismiss this note"));
     connect(dismiss, &QToolButton::clicked, this, [this] {

@@ -1,11 +1,8 @@
 #include "ui/export/export_menu.h"
 
-#include <QClipboard>
 #include <QDir>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QImage>
-#include <QMimeData>
 
 #include "ui/export/whole_file.h"
 #include "ui/plots/plot_export.h"
@@ -47,6 +44,13 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
         &ExportMenu::saveHistories);
     add(tr("&Events…"), {}, tr("Contacts, reversals and separations with their times, as CSV"),
         &ExportMenu::saveEvents);
+    add(tr("&Data of this plot…"), {}, tr("The curves that the plot shows, as CSV"), &ExportMenu::saveData);
+    addSeparator();
+    add(tr("&Picture of this plot…"), QKeySequence(Qt::CTRL | Qt::Key_P),
+        tr("As it is zoomed, as PNG, SVG or PDF"), &ExportMenu::savePicture);
+    add(tr("&Copy picture"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
+        tr("As it is zoomed, to paste into a report"), &ExportMenu::copyPicture);
+    addSeparator();
     add(tr("Everything into a &folder…"), QKeySequence(Qt::CTRL | Qt::Key_E),
         tr("Summary, histories, events and plots, as `drillwave run -o` writes them"),
         &ExportMenu::saveEverything);
@@ -64,9 +68,12 @@ void ExportMenu::saveFile(const QString& title, const QString& ending, MakeFile 
     const std::optional<SolvedRun> run = solvedRun();
     if (!run) return;
     const QString path = m_questions.fileToExport(m_window, title, suggestion(ending), csvFilter());
-    if (path.isEmpty()) return;
+    if (!path.isEmpty()) write(path, [&] { return make(*run); });
+}
+
+void ExportMenu::write(const QString& path, const std::function<QByteArray()>& make) {
     try {
-        finish(path, writeWholeFile(path, make(*run)));
+        finish(path, writeWholeFile(path, make()));
     } catch (const ScenarioError& error) {
         fail(QString::fromUtf8(error.what()));
     }
@@ -90,6 +97,38 @@ void ExportMenu::saveEverything() {
     } catch (const ScenarioError& error) {
         fail(QString::fromUtf8(error.what()));
     }
+}
+
+void ExportMenu::savePicture() {
+    PlotWidget* plot = m_sources.plot();
+    const PictureChoice before = rememberedPictureChoice(double(plot->width()) / plot->height());
+    const std::optional<PictureChoice> choice = m_questions.picture(m_window, before);
+    if (!choice) return;
+    remember(*choice);
+    const QString ending = QStringLiteral(".") + choice->format;
+    const QString filter = choice->format.toUpper() + QStringLiteral(" (*") + ending + QLatin1Char(')');
+    const QString path =
+        m_questions.fileToExport(m_window, tr("Save the picture"), suggestion(ending), filter);
+    if (path.isEmpty()) return;
+    const WaitCursor wait;
+    const QString title = QString::fromStdString(m_document.scenario().title);
+    const QByteArray bytes = plot->drawing(choice->format, choice->size, choice->dpi, title);
+    if (bytes.isEmpty()) return fail(tr("%1: not written, the plot could not be drawn").arg(path));
+    finish(path, writeWholeFile(path, bytes));
+}
+
+void ExportMenu::copyPicture() {
+    m_sources.plot()->copyPicture();
+    emit exported(tr("The picture is in the clipboard."));
+}
+
+void ExportMenu::saveData() {
+    const std::optional<SolvedRun> run = solvedRun();
+    if (!run) return;
+    const QString path = m_questions.fileToExport(m_window, tr("Save the data of the plot"),
+                                                  suggestion(QStringLiteral("_plot.csv")), csvFilter());
+    if (path.isEmpty()) return;
+    write(path, [&] { return runHeader(*run) + m_sources.plot()->csv(); });
 }
 
 std::optional<SolvedRun> ExportMenu::solvedRun() {

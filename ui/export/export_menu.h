@@ -31,6 +31,12 @@ class ExportMenu : public QMenu {
     void saveEvents();
     /// The files that `drillwave run FILE -o FOLDER --plots png,svg,pdf` writes; see writeRunFolder().
     void saveEverything();
+    /// The plot of the page as it is zoomed, on white.
+    void savePicture();
+    void copyPicture();
+    /// The data of the curves that the plot shows, behind the scenario.
+    void saveData();
+
   signals:
     /// Something has been written: where, in one line.
     void exported(const QString& message);
@@ -38,6 +44,7 @@ class ExportMenu : public QMenu {
   private:
     using MakeFile = QByteArray (*)(const SolvedRun&);
     void saveFile(const QString& title, const QString& ending, MakeFile make);
+    void write(const QString& path, const std::function<QByteArray()>& make);
     /// The blow as it is written; nothing, with the reason told, where it could not be solved.
     std::optional<SolvedRun> solvedRun();
     QString suggestion(const QString& ending) const;

@@ -22,10 +22,6 @@ QString tr(const char* text) {
     return QCoreApplication::translate("drillwave::RunFiles", text);
 }
 
-std::string header(const SolvedRun& run) {
-    return scenarioHeader(completeScenarioText(run.document), describe(run.report.choice));
-}
-
 // Files of these names that are no run's may be there too: those are left alone.
 bool holdsRun(const QDir& folder) {
     QFile file(folder.filePath(historiesName));
@@ -44,15 +40,20 @@ QString removeOldPlots(const QDir& folder, const QStringList& wantedFormats) {
 
 }  // namespace
 
+QByteArray runHeader(const SolvedRun& run) {
+    return QByteArray::fromStdString(
+        scenarioHeader(completeScenarioText(run.document), describe(run.report.choice)));
+}
+
 QByteArray historiesFile(const SolvedRun& run) {
-    const BlowReport& report = run.report;
-    return QByteArray::fromStdString(header(run) + historiesCsv(report.impact, pulseForceOf(report.scenario),
-                                                                run.units, scalesOf(report.scenario)));
+    const Scenario& scenario = run.report.scenario;
+    return runHeader(run) + QByteArray::fromStdString(historiesCsv(run.report.impact, pulseForceOf(scenario),
+                                                                   run.units, scalesOf(scenario)));
 }
 
 QByteArray eventsFile(const SolvedRun& run) {
-    return QByteArray::fromStdString(header(run) +
-                                     eventsCsv(run.report.impact, run.units, scalesOf(run.report.scenario)));
+    return runHeader(run) +
+           QByteArray::fromStdString(eventsCsv(run.report.impact, run.units, scalesOf(run.report.scenario)));
 }
 
 QStringList runFileNames(const QStringList& plotFormats) {

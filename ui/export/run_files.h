@@ -18,6 +18,10 @@ struct SolvedRun {
     OutputUnits units = OutputUnits::dimensionless;
 };
 
+/// The lines at the top of every CSV file: the whole scenario and how it was solved. Throws ScenarioError
+/// where the scenario with the points of its table is too large for a file, as do the next two.
+QByteArray runHeader(const SolvedRun& run);
+
 /// histories.csv: the header with the whole scenario, then the curves.
 QByteArray historiesFile(const SolvedRun& run);
 

@@ -1,0 +1,291 @@
+// What the window exports is what the command line writes, and every failure is told.
+#include <QClipboard>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QGuiApplication>
+#include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/file/examples.h"
+#include "core/file/result_scenario.h"
+#include "tests/app/program.h"
+#include "tests/ui/scripted_questions.h"
+#include "ui/export/export_menu.h"
+#include "ui/export/picture_dialog.h"
+#include "ui/main_window.h"
+#include "ui/pages/blow_page.h"
+#include "ui/plots/plot_export.h"
+#include "ui/plots/plot_widget.h"
+
+using namespace drillwave;
+
+namespace {
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+// But for what cannot be the same twice.
+QByteArray comparable(const QString& path) {
+    QByteArray bytes = bytesOf(path);
+    if (path.endsWith(QStringLiteral(".pdf"))) return bytes.left(5);
+    if (!path.endsWith(QStringLiteral("summary.json"))) return bytes;
+    QJsonObject object = QJsonDocument::fromJson(bytes).object();
+    object.remove(QStringLiteral("run_time"));
+    return QJsonDocument(object).toJson();
+}
+
+}  // namespace
+
+class TestExportMenu : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void everythingIsWhatTheCommandLineWrites_data();
+    void everythingIsWhatTheCommandLineWrites();
+    void filesInTheFolderAreOverwrittenOnlyOnRequest();
+    void historiesHoldTheUnsavedScenarioInTheShownUnits();
+    void aBlowThatIsNotSolvedIsNotExported();
+    void failuresAreTold_data();
+    void failuresAreTold();
+    void thePictureHasItsSizeAndIsWhiteInTheDark();
+    void thePictureGoesToTheClipboard();
+    void theDataOfThePlotBeginWithTheScenario();
+    void thePlotsOwnMenuExportsToo();
+    void theDialogRefusesPicturesThatAreTooLarge();
+    void choicesOfPicturesAreRemembered();
+
+  private:
+    MainWindow& window() { return *m_window; }
+    void makeWindow(SolveJob::Solve solve);
+    QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
+    void edit(double metres) { window().document().assign(*findParameter("rod.length"), metres, 1); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    ScriptedAnswers m_answers;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void TestExportMenu::initTestCase() {
+    QLocale::setDefault(QLocale::c());
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+}
+
+void TestExportMenu::init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, path("settings"));
+    m_answers = {};
+    auto solver = std::make_shared<ExactSolver>();
+    makeWindow([solver](const SolveRequest& request) { return solveBlow(request, *solver); });
+}
+
+void TestExportMenu::cleanup() {
+    m_window.reset();
+}
+
+void TestExportMenu::makeWindow(SolveJob::Solve solve) {
+    m_window = std::make_unique<MainWindow>(std::make_unique<ScriptedQuestions>(m_answers), std::move(solve));
+    m_window->show();
+}
+
+void TestExportMenu::everythingIsWhatTheCommandLineWrites_data() {
+    QTest::addColumn<QString>("example");
+    QTest::addColumn<bool>("edited");
+    QTest::newRow("in SI units") << QStringLiteral("t38_medium_rock") << false;
+    QTest::newRow("by groups") << QStringLiteral("paper_fig4b") << false;
+    QTest::newRow("with unsaved edits") << QStringLiteral("t38_medium_rock") << true;
+}
+
+void TestExportMenu::everythingIsWhatTheCommandLineWrites() {
+    QFETCH(QString, example);
+    QFETCH(bool, edited);
+    QVERIFY(window().openFile(test::example(example)));
+    QStringList words{QStringLiteral("run"), test::example(example)};
+    if (edited) {
+        edit(4.5);
+        words << QStringLiteral("--set") << QStringLiteral("rod.length=4.5 m");
+    }
+    m_answers.folder = path("window");
+    window().exportMenu().saveEverything();
+    QCOMPARE(m_answers.told, QStringList());
+    words << QStringLiteral("-o") << path("command") << QStringLiteral("--plots")
+          << QStringLiteral("png,svg,pdf");
+    const test::Finished finished = test::run(words);
+    QVERIFY2(finished.exitCode == 0, finished.error);
+    const QStringList names = QDir(path("command")).entryList(QDir::Files);
+    QCOMPARE(names.size(), 9);
+    QCOMPARE(QDir(path("window")).entryList(QDir::Files), names);
+    for (const QString& name : names) {
+        const QByteArray here = comparable(path("window/") + name);
+        QVERIFY2(!here.isEmpty() && here == comparable(path("command/") + name), qPrintable(name));
+    }
+}
+
+void TestExportMenu::filesInTheFolderAreOverwrittenOnlyOnRequest() {
+    m_answers.folder = path("out");
+    window().exportMenu().saveEverything();
+    QCOMPARE(m_answers.confirmed, QStringList());
+    const QByteArray before = bytesOf(path("out/histories.csv"));
+    edit(5);
+    window().exportMenu().saveEverything();
+    QCOMPARE(m_answers.confirmed.size(), 1);
+    QVERIFY(m_answers.confirmed.first().contains(QStringLiteral("histories.csv")));
+    QCOMPARE(bytesOf(path("out/histories.csv")), before);
+    m_answers.confirm = true;
+    window().exportMenu().saveEverything();
+    QVERIFY(bytesOf(path("out/histories.csv")).contains("length: 5 m"));
+}
+
+void TestExportMenu::historiesHoldTheUnsavedScenarioInTheShownUnits() {
+    edit(5);
+    m_answers.exportTo = path("h.csv");
+    QSignalSpy exported(&window().exportMenu(), &ExportMenu::exported);
+    window().exportMenu().saveHistories();
+    QCOMPARE(exported.size(), 1);
+    QVERIFY(bytesOf(path("h.csv")).contains("\ntime [s],impact_force [N],"));
+    // The blow on the screen was that of the rod before the edit.
+    const ScenarioDocument again = loadResultScenario(path("h.csv").toStdString());
+    QVERIFY(again.scenario == window().document().scenario());
+    window().setUnits(UnitSystem::dimensionless);
+    QTRY_COMPARE(window().shown()->request.units, UnitSystem::dimensionless);
+    m_answers.exportTo = path("e.csv");
+    window().exportMenu().saveEvents();
+    QVERIFY(bytesOf(path("e.csv")).contains("\nkind,time\ncontact,"));
+    QCOMPARE(m_answers.told, QStringList());
+}
+
+void TestExportMenu::aBlowThatIsNotSolvedIsNotExported() {
+    makeWindow([](const SolveRequest& request) {
+        return failedBlow(request, QStringLiteral("The rod has melted."));
+    });
+    m_answers.exportTo = path("h.csv");
+    m_answers.folder = path("out");
+    window().exportMenu().saveHistories();
+    window().exportMenu().saveEvents();
+    window().exportMenu().saveEverything();
+    window().exportMenu().saveData();
+    QCOMPARE(m_answers.told.size(), 4);
+    for (const QString& told : m_answers.told) QVERIFY(told.contains(QStringLiteral("melted")));
+    QVERIFY(QDir(m_folder->path()).entryList({QStringLiteral("h.csv"), QStringLiteral("out")}).isEmpty());
+}
+
+void TestExportMenu::failuresAreTold_data() {
+    QTest::addColumn<QString>("place");
+    QTest::newRow("a file where a folder should be") << QStringLiteral("file");
+    QTest::newRow("a folder that does not exist") << QStringLiteral("missing/deep");
+    QTest::newRow("a folder where the file should be") << QStringLiteral("folder");
+}
+
+void TestExportMenu::failuresAreTold() {
+    QFETCH(QString, place);
+    QFile file(path("file"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("folder/h.csv")));
+    m_answers.exportTo = m_folder->filePath(place + QStringLiteral("/h.csv"));
+    m_answers.picture = PictureChoice{};
+    window().exportMenu().saveHistories();
+    window().exportMenu().saveEvents();
+    window().exportMenu().savePicture();
+    window().exportMenu().saveData();
+    QCOMPARE(m_answers.told.size(), 4);
+    for (const QString& told : m_answers.told)
+        QVERIFY2(told.contains(QStringLiteral("h.csv")), qPrintable(told));
+    m_answers.folder = path("file");
+    window().exportMenu().saveEverything();
+    QCOMPARE(m_answers.told.size(), 5);
+}
+
+void TestExportMenu::thePictureHasItsSizeAndIsWhiteInTheDark() {
+    QPalette dark;
+    dark.setColor(QPalette::Base, QColor(30, 30, 30));
+    dark.setColor(QPalette::Text, Qt::white);
+    window().blowPage().plot()->setPalette(dark);
+    m_answers.exportTo = path("p.png");
+    m_answers.picture = PictureChoice{QStringLiteral("png"), {120, 80}, 254};
+    window().exportMenu().savePicture();
+    QCOMPARE(m_answers.told, QStringList());
+    const QImage image(path("p.png"));
+    QVERIFY(std::abs(image.width() - 1200) <=
+            3);  // 10 pixels a millimetre; layout is in whole pixels of 96 dpi
+    QVERIFY(std::abs(image.height() - 800) <= 3);
+    QVERIFY(std::abs(image.dotsPerMeterX() - 10000) <= 1);
+    QCOMPARE(image.pixelColor(0, 0), QColor(Qt::white));
+    for (const char* format : {"svg", "pdf"}) {
+        m_answers.exportTo = m_folder->filePath(QStringLiteral("p.") + QLatin1String(format));
+        m_answers.picture->format = QLatin1String(format);
+        window().exportMenu().savePicture();
+        QVERIFY(bytesOf(m_answers.exportTo).size() > 2000);
+    }
+}
+
+void TestExportMenu::thePictureGoesToTheClipboard() {
+    QGuiApplication::clipboard()->clear();
+    window().exportMenu().copyPicture();
+    QVERIFY(QGuiApplication::clipboard()->mimeData()->hasImage());
+    QCOMPARE(QGuiApplication::clipboard()->image().pixelColor(0, 0), QColor(Qt::white));
+}
+
+void TestExportMenu::theDataOfThePlotBeginWithTheScenario() {
+    m_answers.exportTo = path("d.csv");
+    window().exportMenu().saveData();
+    QCOMPARE(m_answers.told, QStringList());
+    QVERIFY(loadResultScenario(path("d.csv").toStdString()).scenario == window().document().scenario());
+    QVERIFY(bytesOf(path("d.csv")).count('\n') > 100);
+}
+
+void TestExportMenu::thePlotsOwnMenuExportsToo() {
+    m_answers.exportTo = path("d.csv");
+    emit window().blowPage().plot()->saveDataRequested();
+    QVERIFY(QFile::exists(path("d.csv")));
+    m_answers.exportTo = path("p.svg");
+    m_answers.picture = PictureChoice{QStringLiteral("svg"), {120, 80}, 200};
+    emit window().blowPage().plot()->savePictureRequested();
+    QVERIFY(QFile::exists(path("p.svg")));
+}
+
+void TestExportMenu::theDialogRefusesPicturesThatAreTooLarge() {
+    PictureDialog dialog(PictureChoice{}, nullptr);
+    auto* width = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("width"));
+    auto* dpi = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("dpi"));
+    const auto mayAccept = [&dialog] {
+        for (const QPushButton* button : dialog.findChildren<QPushButton*>())
+            if (button->isDefault()) return button->isEnabled();
+        return false;
+    };
+    QVERIFY(mayAccept());
+    width->setValue(1200);
+    dpi->setValue(1200);
+    QVERIFY(!mayAccept());
+    dialog.findChild<QComboBox*>(QStringLiteral("format"))->setCurrentIndex(1);
+    QVERIFY(mayAccept());  // lines have no pixels
+    QVERIFY(!dpi->isEnabled());
+    width->setValue(5);
+    QVERIFY(!mayAccept());
+}
+
+void TestExportMenu::choicesOfPicturesAreRemembered() {
+    QCOMPARE(rememberedPictureChoice(1.5).size.height, 120.0);
+    m_answers.exportTo = path("p.svg");
+    m_answers.picture = PictureChoice{QStringLiteral("svg"), {100, 70}, 150};
+    window().exportMenu().savePicture();
+    const PictureChoice again = rememberedPictureChoice(1.5);
+    QCOMPARE(again.format, QStringLiteral("svg"));
+    QCOMPARE(again.size.width, 100.0);
+    QCOMPARE(again.dpi, 150.0);
+}
+
+QTEST_MAIN(TestExportMenu)
+#include "tst_export_menu.moc"
