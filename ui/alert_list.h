@@ -1,7 +1,9 @@
 // What the user should know about a scenario or its solution, in words.
 #pragma once
 
+#include <QLabel>
 #include <QStringList>
+#include <QTimer>
 #include <QWidget>
 #include <vector>
 
@@ -9,6 +11,8 @@
 
 namespace drillwave {
 
+/// Shows alerts one below the other. While they come and go the list keeps the room it once needed, so that
+/// what is below stands still until values rest.
 class AlertList : public QWidget {
     Q_OBJECT
 
@@ -20,10 +24,18 @@ class AlertList : public QWidget {
     /// The texts shown.
     QStringList texts() const { return m_texts; }
 
+  signals:
+    /// The user follows an alert to its parameter: the key, as in parameters().
+    void parameterChosen(const QString& key);
+
   private:
-    void add(const QString& mark, const QString& kind, const QString& text);
+    void write(qsizetype row, const QString& mark, const QString& kind, const QString& text,
+               const std::string& key);
+    QLabel* labelAt(qsizetype row);
 
     QStringList m_texts;
+    QList<QLabel*> m_labels;
+    QTimer m_rest;
 };
 
 }  // namespace drillwave

@@ -1,6 +1,8 @@
 #include "ui/event_model.h"
 
 #include <QLocale>
+#include <algorithm>
+#include <cmath>
 
 #include "ui/number_text.h"
 
@@ -31,6 +33,15 @@ void EventModel::show(const SolvedBlowPtr& blow) {
 
 double EventModel::timeAt(int row) const {
     return m_blow->impact.events[static_cast<std::size_t>(row)].time;
+}
+
+std::optional<int> EventModel::rowAt(double time) const {
+    if (rowCount() == 0) return std::nullopt;
+    const std::vector<ImpactEvent>& events = m_blow->impact.events;
+    const double rounding = 1e-12 * (1 + std::abs(time));
+    const auto found = std::ranges::lower_bound(events, time - rounding, {}, &ImpactEvent::time);
+    if (found == events.end() || found->time > time + rounding) return std::nullopt;
+    return static_cast<int>(found - events.begin());
 }
 
 int EventModel::rowCount(const QModelIndex& parent) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <optional>
 
 #include "ui/solved_blow.h"
 
@@ -17,6 +18,8 @@ class EventModel : public QAbstractTableModel {
     void show(const SolvedBlowPtr& blow);
     /// Global time t/t0 of the event in a row.
     double timeAt(int row) const;
+    /// The first event at a global time t/t0, if there is one.
+    std::optional<int> rowAt(double time) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;

@@ -197,6 +197,8 @@ void MainWindow::wire() {
     connect(m_scenarioPanel, &ScenarioPanel::dragStarted, this, [this] { setGhost(m_shown); });
     connect(m_scenarioPanel, &ScenarioPanel::dragEnded, this, [this] { setGhost(nullptr); });
     connect(m_resultPanel, &ResultPanel::timeChosen, &m_observation, &Observation::setTime);
+    connect(&m_observation, &Observation::timeChanged, m_resultPanel, &ResultPanel::setTime);
+    connect(m_resultPanel, &ResultPanel::parameterChosen, m_scenarioPanel, &ScenarioPanel::goTo);
     connect(m_job.get(), &SolveJob::solved, this, &MainWindow::present);
 }
 

@@ -25,8 +25,12 @@ QString numberText(double value, int digits, const QLocale& locale) {
 
 QString magnitudeText(double value, const QLocale& locale) {
     if (value == 0) return QStringLiteral("0");
-    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
-    const double mantissa = value / std::pow(10, exponent);
+    int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
+    double mantissa = std::round(value / std::pow(10, exponent));
+    if (std::abs(mantissa) >= 10) {  // 9.6 is 1·10¹
+        mantissa /= 10;
+        ++exponent;
+    }
     return numberText(mantissa, 1, locale) + QStringLiteral("·10") + superscript(exponent);
 }
 

@@ -1,8 +1,12 @@
 #include "ui/result_panel.h"
 
+#include <QAction>
+#include <QClipboard>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QItemSelectionModel>
+#include <QScopedValueRollback>
 #include <QScrollBar>
 #include <QSet>
 #include <QTableView>
@@ -10,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/study/thrust_study.h"
 #include "ui/number_text.h"
 
 namespace drillwave {
@@ -29,6 +34,12 @@ QString shown(double value, const ShownUnit& unit) {
     return quantityText(value, unit, QLocale());
 }
 
+// Its text can be selected; the menu is that of the panel.
+void makeSelectable(QLabel& label) {
+    label.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    label.setContextMenuPolicy(Qt::NoContextMenu);
+}
+
 QString workText(const SolvedBlow& blow) {
     if (blow.request.units == UnitSystem::dimensionless)
         return numberText(blow.summary.workRatio, 4, QLocale()) + QStringLiteral(" W₀");
@@ -36,9 +47,64 @@ QString workText(const SolvedBlow& blow) {
                         QLocale());
 }
 
-QString marginText(const SolvedBlow& blow) {
+QString stressText(const SolvedBlow& blow, double force) {
+    if (blow.request.units == UnitSystem::dimensionless) return shown(force, blow.units.force);
+    const double area = propertiesOf(blow.request.scenario.rod).area;
+    return quantityText(force * blow.scales.force / area, ShownUnit{1e-6, QStringLiteral("MPa"), false},
+                        QLocale());
+}
+
+// Where in the rod, and when.
+QString placeText(const SolvedBlow& blow, const RodForce& force) {
+    if (!(force.size > 0)) return {};
+    const QString time = shown(force.time, blow.units.time);
+    if (blow.request.units == UnitSystem::dimensionless)
+        return ResultPanel::tr("At x/L = %1, t = %2.").arg(numberText(force.section, 3, QLocale()), time);
+    const ShownUnit metres{1, QStringLiteral("m"), false};
+    return ResultPanel::tr("%1 from the struck end, at t = %2.")
+        .arg(quantityText(force.section * blow.request.scenario.rod.length, metres, QLocale()), time);
+}
+
+std::optional<double> marginOf(const SolvedBlow& blow) {
     const std::optional<double>& installed = blow.request.scenario.drill.thrust;
-    return blow.thrust && installed ? newtons(*installed - *blow.thrust) : QString();
+    if (!blow.thrust || !installed) return std::nullopt;
+    return *installed - *blow.thrust;
+}
+
+QString marginText(const SolvedBlow& blow) {
+    const std::optional<double> margin = marginOf(blow);
+    if (!margin) return {};
+    const QString share = numberText(std::round(100 * *margin / *blow.thrust), 4, QLocale());
+    return newtons(*margin) + QStringLiteral(" (%1%2 %)").arg(*margin > 0 ? "+" : "", share);
+}
+
+// As in the study of the thrust, but from this blow and rigid rock alone.
+Feed feedOf(const SolvedBlow& blow) {
+    const std::optional<double> margin = marginOf(blow);
+    if (!margin) return Feed::unknown;
+    if (*margin < 0) return Feed::tooLow;
+    const double most = std::max(*blow.thrust, *thrustNeeded(blow.request.scenario, 1));
+    return *blow.request.scenario.drill.thrust > overfeed * most ? Feed::tooHigh : Feed::enough;
+}
+
+QString feedText(const SolvedBlow& blow) {
+    switch (feedOf(blow)) {
+        case Feed::unknown:
+            return {};
+        case Feed::tooLow:
+            return ResultPanel::tr("too low: bit bounces");
+        case Feed::tooHigh:
+            return ResultPanel::tr("over-feeding");
+        default:
+            return ResultPanel::tr("enough");
+    }
+}
+
+QString feedMeaning(const SolvedBlow& blow) {
+    const Feed feed = feedOf(blow);
+    if (feed == Feed::enough) return ResultPanel::tr("Enough feed for this blow.");
+    const std::string_view advice = feedAdvice(feed);
+    return QString::fromUtf8(advice.data(), static_cast<qsizetype>(advice.size()));
 }
 
 }  // namespace
@@ -51,8 +117,24 @@ ResultPanel::ResultPanel(QWidget* parent) : QScrollArea(parent), m_eventModel(ne
     auto* layout = new QVBoxLayout(widget());
     layout->setContentsMargins(6, 6, 6, 6);
     layout->setSpacing(8);
-    widget()->setMinimumWidth(215);
     addHeadline();
+    addImpact();
+    addEnergy();
+    addStress();
+    addThrust();
+    addAlerts();
+    addEvents();
+    alignColumns();
+    layout->addStretch();
+    auto* copyAll = new QAction(tr("&Copy results"), this);
+    copyAll->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C));
+    copyAll->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    connect(copyAll, &QAction::triggered, this, &ResultPanel::copy);
+    addAction(copyAll);
+    setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+void ResultPanel::addImpact() {
     addNumbers(
         tr("Impact"),
         {{tr("impulse 1 + e"), tr("Impulse of the impact force on the rock"),
@@ -69,32 +151,63 @@ ResultPanel::ResultPanel(QWidget* parent) : QScrollArea(parent), m_eventModel(ne
           [](const SolvedBlow& b) { return shown(b.summary.separationTime, b.units.time); }},
          {tr("time in contact"), tr("Summed over all contacts"),
           [](const SolvedBlow& b) { return shown(b.summary.contactDuration, b.units.time); }}});
-    addNumbers(tr("Energy"),
-               {{tr("hammer work W"), tr("Work of the hammer on the rod"), workText},
-                {tr("into the rock"), tr("Share of the hammer work that stays in the rock: the efficiency"),
-                 [](const SolvedBlow& b) { return percent(b.summary.energy.rockWork); }},
-                {tr("into the rebound"), tr("Share of the hammer work that moves the rod back as a whole"),
-                 [](const SolvedBlow& b) { return percent(b.summary.energy.reboundEnergy); }},
-                {tr("left in waves"), tr("Share of the hammer work that runs to and fro in the rod"),
-                 [](const SolvedBlow& b) { return percent(b.summary.energy.residualWaveEnergy); }},
-                {tr("balance error"), tr("What the three shares miss of the hammer work"),
-                 [](const SolvedBlow& b) { return magnitudeText(b.summary.energy.residual, QLocale()); }}});
-    addNumbers(tr("Thrust"),
-               {{tr("needed"), tr("Mean thrust that returns the rod to the rock between blows: f·I₀·(1 + e)"),
-                 [](const SolvedBlow& b) { return b.thrust ? newtons(*b.thrust) : QString(); }},
-                {tr("installed"), tr("Feed force of the drill rig"),
-                 [](const SolvedBlow& b) {
-                     const std::optional<double>& installed = b.request.scenario.drill.thrust;
-                     return installed ? newtons(*installed) : QString();
-                 }},
-                {tr("margin"), tr("Installed less needed thrust; negative: the bit bounces off the rock"),
-                 marginText}});
+}
+
+void ResultPanel::addEnergy() {
+    addNumbers(
+        tr("Energy"),
+        {{tr("hammer work W"), tr("Work of the hammer on the rod"), workText},
+         {tr("into the rock"), tr("Share of the hammer work that stays in the rock: the efficiency"),
+          [](const SolvedBlow& b) { return percent(b.summary.energy.rockWork); }, EnergyPart::rock},
+         {tr("into the rebound"), tr("Share of the hammer work that moves the rod back as a whole"),
+          [](const SolvedBlow& b) { return percent(b.summary.energy.reboundEnergy); }, EnergyPart::rebound},
+         {tr("left in waves"), tr("Share of the hammer work that runs to and fro in the rod"),
+          [](const SolvedBlow& b) { return percent(b.summary.energy.residualWaveEnergy); },
+          EnergyPart::waves},
+         {tr("balance error"), tr("What the three shares miss of the hammer work"),
+          [](const SolvedBlow& b) { return magnitudeText(b.summary.energy.residual, QLocale()); }}});
+    m_energy = new EnergyBar(widget());
+    QGridLayout* grid = m_grids.last();
+    grid->addWidget(m_energy, grid->rowCount(), 0, 1, 3);
+}
+
+void ResultPanel::addStress() {
+    addNumbers(
+        tr("Stress in the rod"),
+        {{tr("compression"),
+          tr("Largest compressive stress of the uniform rod, anywhere and at any time, also of the waves "
+             "that run on after the blow; couplings and threads raise it locally"),
+          [](const SolvedBlow& b) { return stressText(b, b.rodForces.compression.size); },
+          {},
+          [](const SolvedBlow& b) { return placeText(b, b.rodForces.compression); }},
+         {tr("tension"),
+          tr("Largest tensile stress of the uniform rod, anywhere and at any time, also of the waves that "
+             "run on after the blow; couplings and threads raise it locally"),
+          [](const SolvedBlow& b) { return stressText(b, b.rodForces.tension.size); },
+          {},
+          [](const SolvedBlow& b) { return placeText(b, b.rodForces.tension); }}});
+}
+
+void ResultPanel::addThrust() {
+    addNumbers(
+        tr("Thrust"),
+        {{tr("needed"), tr("Mean thrust that returns the rod to the rock between blows: f·I₀·(1 + e)"),
+          [](const SolvedBlow& b) { return b.thrust ? newtons(*b.thrust) : QString(); }},
+         {tr("installed"), tr("Feed force of the drill rig"),
+          [](const SolvedBlow& b) {
+              const std::optional<double>& installed = b.request.scenario.drill.thrust;
+              return installed ? newtons(*installed) : QString();
+          }},
+         {tr("margin"), tr("Installed less needed thrust, and as a share of what is needed"), marginText},
+         {tr("feed"), tr("What the installed thrust means at the rig"), feedText, {}, feedMeaning}});
+}
+
+void ResultPanel::addAlerts() {
     m_alerts = new AlertList;
-    auto* alertLayout = new QVBoxLayout(addSection(tr("Alerts"))->content());
-    alertLayout->setContentsMargins(8, 0, 0, 0);
-    alertLayout->addWidget(m_alerts);
-    addEvents();
-    layout->addStretch();
+    auto* layout = new QVBoxLayout(addSection(tr("Alerts"))->content());
+    layout->setContentsMargins(8, 0, 0, 0);
+    layout->addWidget(m_alerts);
+    connect(m_alerts, &AlertList::parameterChosen, this, &ResultPanel::parameterChosen);
 }
 
 SectionBox* ResultPanel::addSection(const QString& title) {
@@ -113,8 +226,7 @@ void ResultPanel::addHeadline() {
     m_cor->setFont(large);
     m_cor->setObjectName(QStringLiteral("cor"));
     m_cor->setToolTip(tr("Momentum after the blow over momentum before it, reversed: e = −pf/p0"));
-    for (QLabel* label : {m_cor, m_error})
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    for (QLabel* label : {m_cor, m_error}) makeSelectable(*label);
     auto* line = new QHBoxLayout;
     line->addWidget(m_cor);
     line->addWidget(m_error, 1, Qt::AlignBottom);
@@ -131,18 +243,20 @@ void ResultPanel::addNumbers(const QString& title, const QList<Entry>& entries) 
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(3);
     grid->setColumnStretch(1, 1);
+    m_grids.append(grid);
     for (const Entry& entry : entries) {
         auto* name = new QLabel(entry.name, content);
         auto* value = new QLabel(content);
         name->setToolTip(entry.meaning);
         value->setToolTip(entry.meaning);
         value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+        makeSelectable(*value);
         name->setBuddy(value);
         const int row = grid->rowCount();
-        grid->addWidget(name, row, 0);
-        grid->addWidget(value, row, 1);
-        m_rows.append({section, name, value, entry.text});
+        if (entry.part) grid->addWidget(new EnergySwatch(*entry.part, content), row, 0);
+        grid->addWidget(name, row, 1);
+        grid->addWidget(value, row, 2);
+        m_rows.append({section, name, value, entry.meaning, entry.text, entry.note});
     }
 }
 
@@ -159,14 +273,62 @@ void ResultPanel::addEvents() {
     m_events->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     m_events->horizontalHeader()->setStretchLastSection(true);
     m_events->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    m_events->horizontalHeader()->setResizeContentsPrecision(visibleEvents);  // not of thousands of rows
+    m_events->setContextMenuPolicy(Qt::NoContextMenu);
+    m_events->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_events->setToolTip(tr("Choose an event to move the time cursor there"));
     m_events->setTabKeyNavigation(false);
     const int header = m_events->horizontalHeader()->sizeHint().height();
     m_events->setMinimumHeight(header + visibleEvents * m_events->verticalHeader()->defaultSectionSize());
     layout->addWidget(m_events);
-    connect(m_events->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            [this](const QModelIndex& index) {
-                if (index.isValid()) emit timeChosen(m_eventModel->timeAt(index.row()));
-            });
+    const auto choose = [this](const QModelIndex& index) {
+        if (index.isValid() && !m_following) emit timeChosen(m_eventModel->timeAt(index.row()));
+    };
+    connect(m_events->selectionModel(), &QItemSelectionModel::currentRowChanged, this, choose);
+    // The row that is current already can be chosen again when the cursor has gone elsewhere.
+    connect(m_events, &QTableView::clicked, this, choose);
+    connect(m_events, &QTableView::activated, this, choose);
+}
+
+// One set of columns through all sections, wide enough for every number: a panel whose width follows the
+// values would jump while they are dragged.
+void ResultPanel::alignColumns() {
+    const QString widest = QStringLiteral("−8888.8 kN (+8888 %)");
+    const int value = fontMetrics().horizontalAdvance(widest);
+    for (QGridLayout* grid : std::as_const(m_grids)) grid->setColumnMinimumWidth(2, value);
+}
+
+void ResultPanel::setTime(std::optional<double> time) {
+    m_time = time;
+    markEvent();
+}
+
+void ResultPanel::markEvent() {
+    const QScopedValueRollback following(m_following, true);
+    const QModelIndex current = m_events->currentIndex();
+    const bool isThere = m_time && current.isValid() && m_eventModel->timeAt(current.row()) == *m_time;
+    const std::optional<int> row = isThere  ? current.row()
+                                   : m_time ? m_eventModel->rowAt(*m_time)
+                                            : std::nullopt;
+    if (!row) {
+        m_events->clearSelection();
+        return;
+    }
+    m_events->selectRow(*row);
+}
+
+QString ResultPanel::text() const {
+    QString text = tr("coefficient of restitution e") + QLatin1Char('\t') +
+                   QStringLiteral("%1 %2").arg(m_cor->text(), m_error->text()).trimmed() + QLatin1Char('\n');
+    for (const Row& row : m_rows)
+        if (!row.section->isHidden())
+            text += row.section->title() + QStringLiteral(": ") + row.name->text() + QLatin1Char('\t') +
+                    row.value->text() + QLatin1Char('\n');
+    return text;
+}
+
+void ResultPanel::copy() const {
+    QGuiApplication::clipboard()->setText(text());
 }
 
 void ResultPanel::show(const SolvedBlowPtr& blow) {
@@ -182,13 +344,20 @@ void ResultPanel::show(const SolvedBlowPtr& blow) {
         const QString text = solved ? row.text(*blow) : QString();
         row.value->setText(text.isEmpty() ? nothing : text);
         if (!text.isEmpty()) filled.insert(row.section);
+        const QString note = solved && row.note ? row.note(*blow) : QString();
+        row.value->setToolTip(note.isEmpty() ? row.meaning : row.meaning + QStringLiteral(".\n") + note);
         row.value->setAccessibleName(QStringLiteral("%1: %2").arg(row.name->text(), row.value->text()));
     }
     // Without frequency and feed force there is nothing to say about the thrust.
     for (const Row& row : std::as_const(m_rows))
         row.section->setVisible(!solved || filled.contains(row.section));
     m_alerts->show(blow->problem, blow->alerts);
+    if (solved)
+        m_energy->show(blow->summary.energy);
+    else
+        m_energy->clear();
     m_eventModel->show(blow);
+    markEvent();
 }
 
 QSize ResultPanel::sizeHint() const {

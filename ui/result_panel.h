@@ -4,12 +4,15 @@
 #include <QLabel>
 #include <QList>
 #include <QScrollArea>
+#include <optional>
 
 #include "ui/alert_list.h"
+#include "ui/energy_bar.h"
 #include "ui/event_model.h"
 #include "ui/section_box.h"
 #include "ui/solved_blow.h"
 
+class QGridLayout;
 class QTableView;
 
 namespace drillwave {
@@ -21,6 +24,10 @@ class ResultPanel : public QScrollArea {
     explicit ResultPanel(QWidget* parent = nullptr);
 
     void show(const SolvedBlowPtr& blow);
+    /// Marks the event at the time cursor t/t0, if there is one.
+    void setTime(std::optional<double> time);
+    /// All numbers as lines of "name<tab>value".
+    QString text() const;
 
     AlertList* alerts() const { return m_alerts; }
     QSize sizeHint() const override;
@@ -30,30 +37,49 @@ class ResultPanel : public QScrollArea {
   signals:
     /// The user chose an event: its global time t/t0.
     void timeChosen(std::optional<double> time);
+    /// The user follows an alert to its parameter: the key, as in parameters().
+    void parameterChosen(const QString& key);
 
   private:
     /// How one number of a blow is written; empty where it is not given.
     using Text = QString (*)(const SolvedBlow&);
+    using Meaning = Text;
     struct Row {
         SectionBox* section;
         QLabel* name;
         QLabel* value;
+        QString meaning;
         Text text;
+        Meaning note;
     };
     struct Entry {
         QString name;
         QString meaning;
         Text text;
+        std::optional<EnergyPart> part = {};
+        Meaning note = nullptr;  ///< more to say about the value of this blow, in its tooltip
     };
 
     SectionBox* addSection(const QString& title);
     void addNumbers(const QString& title, const QList<Entry>& entries);
     void addHeadline();
+    void addImpact();
+    void addEnergy();
+    void addStress();
+    void addThrust();
+    void addAlerts();
     void addEvents();
+    void alignColumns();
+    void copy() const;
+    void markEvent();
 
     QLabel* m_cor = nullptr;
     QLabel* m_error = nullptr;
     QList<Row> m_rows;
+    QList<QGridLayout*> m_grids;
+    EnergyBar* m_energy = nullptr;
+    std::optional<double> m_time;
+    bool m_following = false;  // the table follows the time cursor, not the user
     EventModel* m_eventModel;
     QTableView* m_events = nullptr;
     AlertList* m_alerts = nullptr;

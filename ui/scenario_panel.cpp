@@ -1,5 +1,6 @@
 #include "ui/scenario_panel.h"
 
+#include <QDockWidget>
 #include <QGridLayout>
 #include <QLabel>
 #include <QScrollBar>
@@ -131,6 +132,19 @@ void ScenarioPanel::showScenario() {
 
 void ScenarioPanel::showPresets() {
     for (PresetBox* box : std::as_const(m_presetBoxes)) box->show(m_document.scenario());
+}
+
+void ScenarioPanel::goTo(const QString& key) {
+    auto* field = widget()->findChild<QWidget*>(key);
+    if (!field) return;
+    for (const Section& section : std::as_const(m_sections))
+        if (section.box->isAncestorOf(field)) section.box->setOpen(true);
+    if (auto* dock = qobject_cast<QDockWidget*>(parentWidget())) {
+        dock->show();
+        dock->raise();
+    }
+    ensureWidgetVisible(field);
+    field->setFocus(Qt::OtherFocusReason);
 }
 
 QSize ScenarioPanel::sizeHint() const {

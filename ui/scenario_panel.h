@@ -22,6 +22,9 @@ class ScenarioPanel : public QScrollArea {
     /// Document and questions must outlive the panel.
     ScenarioPanel(Document& document, Questions& questions, QWidget* parent = nullptr);
 
+    /// Shows the field of a parameter, by its key, and gives it the focus.
+    void goTo(const QString& key);
+
     QSize sizeHint() const override;
     /// Wide enough that nothing is cut off at the side.
     QSize minimumSizeHint() const override;

@@ -14,6 +14,7 @@ class SectionBox : public QWidget {
 
     /// Where the content goes; give it a layout.
     QWidget* content() const { return m_content; }
+    QString title() const { return m_header->text(); }
     bool isOpen() const { return m_content->isVisibleTo(this); }
     void setOpen(bool open);
     /// Keeps whether it is open under that key of the settings, and is now as it was left.

@@ -12,6 +12,7 @@
 #include "core/model/validation.h"
 #include "core/study/impact_summary.h"
 #include "core/wave/exact_solver.h"
+#include "core/wave/rod_forces.h"
 #include "ui/plots/blow_curves.h"
 #include "ui/plots/rock_curve.h"
 #include "ui/plots/wave_picture.h"
@@ -40,6 +41,7 @@ struct SolvedBlow {
     PulseForce pulse;
     Impact impact;
     ImpactSummary summary;
+    RodForces rodForces;
     std::optional<double> thrust;  ///< needed [N], when a blow frequency is given
     std::vector<Alert> alerts;
     double runTime = 0;  ///< of the solve alone [s]
