@@ -42,12 +42,12 @@ double valueOf(const QCPGraphDataContainer& points, const CurveMeaning& meaning,
 }
 
 // How much of the way from a to b there is a curve to take the mean of.
-double coveredLength(const QCPGraphDataContainer& points, const CurveMeaning& meaning, double a, double b) {
-    if (meaning.integral) return b - a;
+double coveredLength(const QCPGraphDataContainer& points, const CursorReading& ends) {
+    if (std::isfinite(ends.yA) && std::isfinite(ends.yB)) return ends.b - ends.a;
     if (points.isEmpty()) return 0;
     const double first = points.constBegin()->key;
     const double last = (points.constEnd() - 1)->key;
-    return std::clamp(b, first, last) - std::clamp(a, first, last);
+    return std::clamp(ends.b, first, last) - std::clamp(ends.a, first, last);
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ CursorReading readCurve(const QCPGraphDataContainer& points, const CurveMeaning&
                         double b) {
     CursorReading reading{a, b, valueOf(points, meaning, a), valueOf(points, meaning, b), none, none, none};
     const double area = meaning.integral ? meaning.integral(a, b) : chordIntegral(points, a, b);
-    const double covered = coveredLength(points, meaning, a, b);
+    const double covered = coveredLength(points, reading);
     reading.integral = area * meaning.integralFactor;
     reading.mean = covered != 0 ? area / covered : reading.yA;
     if (a != b) reading.slope = (reading.yB - reading.yA) / (b - a) * meaning.slopeFactor;

@@ -32,6 +32,11 @@ PlotWidget::PlotWidget(QWidget* parent)
     });
 }
 
+// The curves die with the base class, after the meanings they would take along.
+PlotWidget::~PlotWidget() {
+    for (const QCPAbstractPlottable* curve : m_meanings.keys()) disconnect(curve, nullptr, this, nullptr);
+}
+
 void PlotWidget::followPalette(Restyle restyle) {
     m_restyle = std::move(restyle);
     applyStyle(PlotStyle::forScreen(palette(), font()));

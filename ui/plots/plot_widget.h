@@ -39,6 +39,7 @@ class PlotWidget : public QCustomPlot {
     using Restyle = std::function<void(const PlotStyle&)>;
 
     explicit PlotWidget(QWidget* parent = nullptr);
+    ~PlotWidget() override;
 
     /// Applies the style of the present palette now, and again whenever palette or font change.
     void followPalette(Restyle restyle);
@@ -74,15 +75,13 @@ class PlotWidget : public QCustomPlot {
                        const QString& title = {});
     /// The size of the plot on screen at 96 dots per inch.
     Millimetres sizeOnPaper() const;
-    /// Lines for the top of csv(), each beginning with "#" (see scenarioHeader()).
-    void setCsvHeader(const QByteArray& header) { m_csvHeader = header; }
-    /// The visible curves as CSV behind the header; see plotCsv().
-    QByteArray csv() const { return m_csvHeader + plotCsv(*this, m_meanings); }
+    /// The visible curves as CSV; see plotCsv().
+    QByteArray csv() const { return plotCsv(*this, m_meanings); }
 
     /// The context menu for a point of the plot, built anew; it deletes itself when it is closed.
     QMenu* makeMenu(QPoint at);
 
-    QSize minimumSizeHint() const override { return {400, 300}; }
+    QSize minimumSizeHint() const override { return {300, 240}; }
 
   public slots:
     /// Keeps the view for zoomBack() and asks the page to fit.
@@ -164,7 +163,6 @@ class PlotWidget : public QCustomPlot {
     ViewHistory m_history;
     CursorBar* m_bar;
     QPointer<QCPGraph> m_readGraph;
-    QByteArray m_csvHeader;
 
     Gesture m_gesture = Gesture::none;
     QPointF m_pressed;
