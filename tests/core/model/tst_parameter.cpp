@@ -43,6 +43,7 @@ class TestParameter : public QObject {
     void aValueThatWasSetReadsBackExactly();
     void settingAGroupMovesItsPhysicalParameterOnly_data();
     void settingAGroupMovesItsPhysicalParameterOnly();
+    void aGroupIsHitOrMissedByLessThanADoubleCanTell();
     void groupsOfADimensionlessScenarioAreSetDirectly();
     void aGivenMeanForceIsKeptWhenTheDurationChanges();
     void aGivenImpulseIsKeptWhenTheDurationChanges();
@@ -140,6 +141,20 @@ void TestParameter::settingAGroupMovesItsPhysicalParameterOnly() {
                            (parameter.key == "gamma" && group == "gamma");
         QCOMPARE(*parameter.value(scenario) != *parameter.value(Scenario()), moved);
     }
+}
+
+// The physical value is rounded too: where no double gives the group that was asked for, the nearest one does.
+void TestParameter::aGroupIsHitOrMissedByLessThanADoubleCanTell() {
+    for (const std::string_view key : {"beta", "tau", "delta"})
+        for (double wanted = 1e-3; wanted < 1e10; wanted *= 1.7) {
+            Scenario scenario;
+            findParameter(key)->assign(scenario, wanted);
+            const double given = *findParameter(key)->value(scenario);
+            QVERIFY2(std::abs(given - wanted) <= std::nextafter(wanted, HUGE_VAL) - wanted, key.data());
+            // Asked for again, it stays: no drift from edit to edit.
+            findParameter(key)->assign(scenario, given);
+            QVERIFY(*findParameter(key)->value(scenario) == given);
+        }
 }
 
 void TestParameter::groupsOfADimensionlessScenarioAreSetDirectly() {
