@@ -48,6 +48,7 @@ class TestRun : public QObject {
     void jsonHasEveryNameOfTheContract();
     void jsonInSiIsTheDimensionlessResultTimesTheScales();
     void anUnsolvedCaseHasNullsAndExitCodeSix();
+    void aYieldStrengthAddsAWarningAndChangesNothingElse();
     void settingsApplyWhateverTheirOrder();
     void theSummaryIsForPeople();
     void filesAreWrittenAndNotOverwritten();
@@ -141,6 +142,20 @@ void TestRun::anUnsolvedCaseHasNullsAndExitCodeSix() {
     QCOMPARE(object["outcome"].toString(), QString("not_solved"));
     QVERIFY(!object["reason"].toString().isEmpty());
     for (const QString& name : outputNames) QVERIFY(object["dimensionless"].toObject()[name].isNull());
+}
+
+void TestRun::aYieldStrengthAddsAWarningAndChangesNothingElse() {
+    const QString file = example("r32_hard_rock");
+    const auto strong = json({file, "--set", "rod.yield_strength=2000 MPa"});
+    const auto weak = json({file, "--set", "rod.yield_strength=200 MPa"});
+    const auto none = json({file});
+    QCOMPARE(strong["dimensionless"], none["dimensionless"]);
+    QCOMPARE(weak["si"], none["si"]);
+    QCOMPARE(strong["alerts"], none["alerts"]);
+    const QJsonArray alerts = weak["alerts"].toArray();
+    QCOMPARE(alerts.size(), none["alerts"].toArray().size() + 1);
+    QCOMPARE(alerts.last()["code"].toString(), QString("stress_above_yield"));
+    QCOMPARE(alerts.last()["parameter"].toString(), QString("rod.yield_strength"));
 }
 
 void TestRun::settingsApplyWhateverTheirOrder() {
