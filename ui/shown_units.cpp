@@ -34,16 +34,14 @@ QString ShownUnit::axisLabel(const QString& words) const {
 
 ShownUnits shownUnits(UnitSystem units, const Scales& scales) {
     if (units == UnitSystem::dimensionless)
-        return {{1, QStringLiteral("t₀"), true},
-                {1, QStringLiteral("F₀"), true},
-                {1, QStringLiteral("I₀"), true},
-                {1, QStringLiteral("d₀"), true},
-                {1, QStringLiteral("k₀"), true},
-                {1, QStringLiteral("W₀"), true}};
+        return {{1, QStringLiteral("t₀"), true}, {1, QStringLiteral("F₀"), true},
+                {1, QStringLiteral("I₀"), true}, {1, QStringLiteral("d₀"), true},
+                {1, QStringLiteral("k₀"), true}, {1, QStringLiteral("W₀"), true}};
     // A blow lasts tens of t0: the step to the next unit is taken a decade early.
     ShownUnit time = siUnit(scales.time * 10, {{"s", 1}, {"ms", 1e-3}, {"µs", 1e-6}, {"ns", 1e-9}});
     time.factor /= 10;
-    return {time, siUnit(scales.force, {{"GN", 1e9}, {"MN", 1e6}, {"kN", 1e3}, {"N", 1}}),
+    return {time,
+            siUnit(scales.force, {{"GN", 1e9}, {"MN", 1e6}, {"kN", 1e3}, {"N", 1}}),
             siUnit(scales.impulse, {{"MN s", 1e6}, {"kN s", 1e3}, {"N s", 1}}),
             siUnit(scales.penetration, {{"m", 1}, {"mm", 1e-3}, {"µm", 1e-6}}),
             siUnit(scales.stiffness, {{"GN/m", 1e9}, {"MN/m", 1e6}, {"kN/m", 1e3}, {"N/m", 1}}),

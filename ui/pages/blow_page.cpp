@@ -9,6 +9,7 @@
 
 #include "ui/blow_instant.h"
 #include "ui/number_text.h"
+#include "ui/plots/blow_meanings.h"
 
 namespace drillwave {
 
@@ -40,7 +41,10 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     connect(m_section, &QDoubleSpinBox::valueChanged, &observation, &Observation::setSection);
     connect(&observation, &Observation::sectionChanged, this, &BlowPage::showSection);
     connect(&observation, &Observation::timeChanged, this, &BlowPage::showInstant);
-    connect(m_plot, &PlotWidget::fitRequested, this, &BlowPage::fit);
+    connect(m_plot, &PlotWidget::fitRequested, m_plots, &BlowPlots::fit);
+    connect(m_plot, &PlotWidget::timeCursorDragged, this, [this](double x) {
+        if (m_blow) m_observation.setTime(x / m_blow->units.time.factor);
+    });
     showPlace();
     showInstant();
 }
@@ -61,12 +65,12 @@ void BlowPage::setUpSection() {
 QHBoxLayout* BlowPage::makeBar() {
     auto* label = new QLabel(tr("Section x/L"), this);
     label->setBuddy(m_section);
-    m_hint->setForegroundRole(QPalette::PlaceholderText);
     // Asks for no width: it is there when there is room.
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* fitButton = new QPushButton(tr("Fit"), this);
     fitButton->setToolTip(tr("Bring all curves into view (double-click in the plots)"));
+    fitButton->setMinimumWidth(50);
     connect(fitButton, &QPushButton::clicked, this, &BlowPage::fit);
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 6, 8, 0);
@@ -103,6 +107,7 @@ void BlowPage::showInstant() {
     const std::optional<double> time = m_observation.time();
     const bool known = time && m_blow && m_blow->problem.isEmpty();
     m_instant->setVisible(known);
+    m_plot->setTimeCursor(known ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
     if (!known) return;
     const BlowInstant instant = blowInstant(*m_blow, m_observation.section(), *time);
     const ShownUnits& units = m_blow->units;
@@ -117,14 +122,26 @@ void BlowPage::showInstant() {
 
 void BlowPage::setResult(const SolvedBlowPtr& blow) {
     m_blow = blow;
-    if (blow->curves)
+    if (blow->curves) {
         m_plots->show(*blow->curves);
-    else if (!blow->problem.isEmpty())
+        setMeanings();
+    } else if (!blow->problem.isEmpty()) {
         m_plots->showNothing(tr("Nothing to show: %1").arg(blow->problem));
+    }
     showPlace();
     showInstant();
     m_plot->setAccessibleDescription(m_plots->textSummary());
     m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void BlowPage::setMeanings() {
+    BlowMeanings meanings = blowMeanings(m_blow);
+    for (int i = 0; i < BlowCurves::waveCount; ++i)
+        m_plot->setMeaning(m_plots->waveGraph(i), std::move(meanings.waves[static_cast<std::size_t>(i)]));
+    m_plot->setMeaning(m_plots->forceGraph(), std::move(meanings.force));
+    m_plot->setMeaning(m_plots->closedFormGraph(), std::move(meanings.closedForm));
+    m_plot->setMeaning(m_plots->impulseGraph(), std::move(meanings.impulse));
+    m_plot->setMeaning(m_plots->momentumGraph(), std::move(meanings.momentum));
 }
 
 void BlowPage::setGhost(const SolvedBlowPtr& before) {
@@ -138,7 +155,7 @@ void BlowPage::resizeEvent(QResizeEvent* event) {
 }
 
 void BlowPage::fit() {
-    m_plots->fit();
+    m_plot->fit();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 

@@ -37,6 +37,7 @@ class BlowPage : public Page {
     void showSection(double section);
     void showPlace();
     void showInstant();
+    void setMeanings();
 
     Observation& m_observation;
     QLabel* m_hint;

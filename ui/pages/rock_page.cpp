@@ -38,7 +38,7 @@ RockPage::RockPage(Observation& observation, QWidget* parent)
         showTime();
         m_plot->layer(QStringLiteral("overlay"))->replot();
     });
-    connect(m_plot, &PlotWidget::fitRequested, this, &RockPage::fit);
+    connect(m_plot, &PlotWidget::fitRequested, m_rock, &RockPlot::fit);
     connect(fitButton, &QPushButton::clicked, this, &RockPage::fit);
     showTime();
 }
@@ -48,12 +48,17 @@ void RockPage::addNeeds(SolveRequest& request) const {
 }
 
 void RockPage::setResult(const SolvedBlowPtr& blow) {
-    if (blow->rock)
+    if (blow->rock) {
         m_rock->show(*blow->rock);
-    else if (!blow->problem.isEmpty())
+        CurveMeaning meaning;
+        meaning.xUnit = blow->units.penetration.unit;
+        meaning.yUnit = blow->units.force.unit;
+        m_plot->setMeaning(m_rock->path(), meaning);
+    } else if (!blow->problem.isEmpty()) {
         m_rock->showNothing(tr("Nothing to show: %1").arg(blow->problem));
-    else
+    } else {
         return;  // solved for another page; what was asked for is on its way
+    }
     m_blow = blow;
     showTime();
     m_plot->setAccessibleDescription(m_rock->textSummary());
@@ -86,7 +91,7 @@ void RockPage::setGhost(const SolvedBlowPtr& before) {
 }
 
 void RockPage::fit() {
-    m_rock->fit();
+    m_plot->fit();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 

@@ -108,8 +108,11 @@ void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGr
     added.rect->setupFullAxesBox(true);
     added.rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
     added.rect->setMinimumMargins(QMargins(4, 2, 10, 2));
-    for (QCPAxis* axis : added.rect->axes()) axis->setLayer(QStringLiteral("axes"));
-    for (QCPAxis* axis : added.rect->axes()) axis->grid()->setLayer(QStringLiteral("grid"));
+    // Drawn in the order of these lines: axes() comes in another order in every run of the program.
+    for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight, QCPAxis::atTop, QCPAxis::atBottom}) {
+        added.rect->axis(side)->setLayer(QStringLiteral("axes"));
+        added.rect->axis(side)->grid()->setLayer(QStringLiteral("grid"));
+    }
     // The lowest plot alone carries the numbers of the common time axis.
     added.rect->axis(QCPAxis::atBottom)->setTickLabels(index + 1 == plotCount);
     m_plot->plotLayout()->addElement(row + 1, 0, added.rect);
@@ -138,33 +141,30 @@ void BlowPlots::linkTimeAxes() {
 }
 
 void BlowPlots::show(const BlowCurves& curves) {
+    const bool unitsChanged = !sameUnits(m_curves.units, curves.units);
+    m_curves = curves;
+    if (unitsChanged) setGhost(nullptr);
     for (std::size_t i = 0; i < curves.waves.size(); ++i)
         setData(*m_plots[waves].graphs[static_cast<qsizetype>(i)], curves.waves[i]);
-    setData(*m_plots[force].graphs.first(), curves.force);
-    setData(*m_plots[impulse].graphs.first(), curves.impulse);
-    setData(*m_plots[momentumOfRod].graphs.first(), curves.momentum);
-    showClosedForm(curves.closedForm);
+    setData(*forceGraph(), curves.force);
+    setData(*impulseGraph(), curves.impulse);
+    setData(*momentumGraph(), curves.momentum);
+    showClosedForm();
     m_message->setVisible(false);
-    const bool unitsChanged = !sameUnits(m_units, curves.units);
-    if (unitsChanged) setGhost(nullptr);
-    m_units = curves.units;
     m_timeEnd = curves.timeEnd > 0 ? curves.timeEnd : 1;
-    setLabels(curves);
-    summarize(curves);
+    setLabels();
+    summarize();
     if (m_fitted || unitsChanged) fit();
 }
 
 // Where it does not hold there is nothing to be hidden or shown either.
-void BlowPlots::showClosedForm(const std::optional<ClosedFormCurve>& closedForm) {
+void BlowPlots::showClosedForm() {
+    const std::optional<ClosedFormCurve>& closedForm = m_curves.closedForm;
     setData(*closedFormGraph(), closedForm ? closedForm->force : GraphData::create());
-    if (closedForm) {
-        closedFormGraph()->setName(
-            tr("closed form, error of e < %1").arg(boundText(closedForm->error, m_plot->locale())));
-        closedFormGraph()->addToLegend(m_plots[force].legend);
-    } else {
+    if (!closedForm)
         closedFormGraph()->removeFromLegend(m_plots[force].legend);
-    }
-    m_style.applyTo(*m_plots[force].legend);
+    else if (closedFormGraph()->addToLegend(m_plots[force].legend))
+        m_style.applyTo(*m_plots[force].legend);
 }
 
 void BlowPlots::setGhost(const BlowCurves* before) {
@@ -173,7 +173,7 @@ void BlowPlots::setGhost(const BlowCurves* before) {
         plot.ghosts.clear();
     }
     m_ghostEnd = 0;
-    if (before && sameUnits(before->units, m_units)) {
+    if (before && sameUnits(before->units, m_curves.units)) {
         for (int i = 0; i < BlowCurves::waveCount; ++i)
             addGhost(waves, i, before->waves[static_cast<std::size_t>(i)]);
         addGhost(force, 0, before->force);
@@ -202,9 +202,13 @@ void BlowPlots::showNothing(const QString& message) {
     m_summary = message;
 }
 
-void BlowPlots::setLabels(const BlowCurves& curves) {
-    const ShownUnits& units = curves.units;
-    m_plots[waves].title->setText(tr("waves at x/L = %1").arg(sectionText(curves.section, m_plot->locale())));
+void BlowPlots::setLabels() {
+    const ShownUnits& units = m_curves.units;
+    const QLocale locale = m_plot->locale();
+    if (m_curves.closedForm)
+        closedFormGraph()->setName(
+            tr("closed form, error of e < %1").arg(boundText(m_curves.closedForm->error, locale)));
+    m_plots[waves].title->setText(tr("waves at x/L = %1").arg(sectionText(m_curves.section, locale)));
     m_plots[waves].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(QStringLiteral("N")));
     m_plots[force].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(QStringLiteral("F")));
     m_plots[impulse].rect->axis(QCPAxis::atLeft)->setLabel(units.impulse.axisLabel(QStringLiteral("I")));
@@ -214,7 +218,8 @@ void BlowPlots::setLabels(const BlowCurves& curves) {
     m_plots[momentumOfRod].rect->axis(QCPAxis::atBottom)->setLabel(units.time.axisLabel(tr("time t")));
 }
 
-void BlowPlots::summarize(const BlowCurves& curves) {
+void BlowPlots::summarize() {
+    const BlowCurves& curves = m_curves;
     const QLocale locale = m_plot->locale();
     const auto shown = [&locale](double value, const ShownUnit& unit) {
         return locale.toString(value, 'g', 4) + QLatin1Char(' ') + unit.unit;
@@ -242,6 +247,7 @@ void BlowPlots::setStyle(const PlotStyle& style) {
         for (int i = 0; i < plot.graphs.size(); ++i) plot.graphs[i]->setPen(style.linePen(i));
         for (int i = 0; i < plot.ghosts.size(); ++i) plot.ghosts[i]->setPen(ghostPen(style, i));
     }
+    if (m_curves.force) setLabels();  // files have another locale
     m_message->setFont(style.font);
     m_message->setColor(style.text);
 }

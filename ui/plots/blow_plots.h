@@ -49,16 +49,16 @@ class BlowPlots : public QObject {
     };
     void addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins);
     void linkTimeAxes();
-    void showClosedForm(const std::optional<ClosedFormCurve>& closedForm);
+    void showClosedForm();
     void addGhost(std::size_t index, int kind, const GraphData& data);
-    void setLabels(const BlowCurves& curves);
-    void summarize(const BlowCurves& curves);
+    void setLabels();
+    void summarize();
 
     QCustomPlot* m_plot;
     std::array<Plot, plotCount> m_plots;
     QCPItemText* m_message;
     PlotStyle m_style;
-    ShownUnits m_units;
+    BlowCurves m_curves;
     double m_timeEnd = 1;
     double m_ghostEnd = 0;
     bool m_fitted = true;  // until the user zooms or pans

@@ -38,16 +38,9 @@ bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
 RockPlot::RockPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
     plot->axisRect()->setupFullAxesBox(true);
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
-    m_area = new QCPCurve(plot->xAxis, plot->yAxis);
-    m_area->setPen(Qt::NoPen);
     m_path = new QCPCurve(plot->xAxis, plot->yAxis);
-    m_path->setName(tr("impact force over penetration"));
-    // Above the plot, where it can hide no part of the curve.
-    plot->plotLayout()->insertRow(0);
-    plot->plotLayout()->addElement(0, 0, plot->legend);
-    plot->plotLayout()->setRowStretchFactor(0, 1e-3);
-    plot->legend->setVisible(true);
-
+    m_path->setName(tr("impact force F"));
+    addHeader();
     addDropLines();
     m_peakName = addLabel();
     m_peakName->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
@@ -76,6 +69,22 @@ RockPlot::RockPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
     setMarksVisible(false);
 }
 
+// Above the plot, where it can hide no part of the curve.
+void RockPlot::addHeader() {
+    m_plot->plotLayout()->insertRow(0);
+    auto* header = new QCPLayoutGrid;
+    m_plot->plotLayout()->addElement(0, 0, header);
+    m_plot->plotLayout()->setRowStretchFactor(0, 1e-3);
+    m_caption = new QCPTextElement(m_plot);
+    m_caption->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    m_caption->setMargins(QMargins(7, 0, 0, 4));
+    header->setRowSpacing(0);
+    header->addElement(0, 0, m_plot->legend);
+    header->addElement(1, 0, m_caption);
+    m_plot->legend->setVisible(true);
+    m_plot->legend->setMargins(QMargins(7, 6, 0, 0));
+}
+
 QCPItemText* RockPlot::addLabel() {
     auto* label = new QCPItemText(m_plot);
     label->setSelectable(false);
@@ -97,7 +106,6 @@ void RockPlot::show(const RockCurve& curve) {
     const bool unitsChanged = !sameUnits(m_curve.units, curve.units);
     if (unitsChanged) setGhost(nullptr);
     m_curve = curve;
-    m_area->setData(curve.path);
     m_path->setData(curve.path);
     m_plot->xAxis->setLabel(curve.units.penetration.axisLabel(tr("penetration U")));
     m_plot->yAxis->setLabel(curve.units.force.axisLabel(tr("impact force F")));
@@ -108,11 +116,11 @@ void RockPlot::show(const RockCurve& curve) {
 }
 
 void RockPlot::showNothing(const QString& message) {
-    m_area->setData(QSharedPointer<QCPCurveDataContainer>::create());
     m_path->setData(QSharedPointer<QCPCurveDataContainer>::create());
     setMarksVisible(false);
     m_point->setVisible(false);
-    m_area->setName(tr("energy left in the rock"));
+    m_caption->setText({});
+    m_curve = {};
     m_message->setText(message);
     m_message->setVisible(true);
     m_summary = message;
@@ -127,7 +135,7 @@ void RockPlot::nameNumbers(const RockCurve& curve) {
     const QString loading = shown(curve.loading, units.stiffness, locale);
     const QString unloading = shown(curve.unloading, units.stiffness, locale);
     const QString energy = energyText(curve, locale);
-    m_area->setName(energy);
+    m_caption->setText(tr("enclosed area: %1").arg(energy));
     m_peakName->setText(tr("Fm = %1\nUm = %2").arg(force, largest));
     m_residualName->setText(tr("Ur = %1").arg(residual));
     m_loadingName->setText(tr("k = %1").arg(loading));
@@ -205,7 +213,8 @@ void RockPlot::setStyle(const PlotStyle& style) {
     style.applyTo(*m_plot->axisRect());
     style.applyTo(*m_plot->legend);
     m_path->setPen(style.linePen(0));
-    m_area->setBrush(style.areaBrush(0));
+    m_path->setBrush(style.areaBrush(0));
+    style.applyTo(*m_caption);
     if (m_ghost) m_ghost->setPen(ghostPen(style, 0));
     for (QCPItemText* label : {m_peakName, m_residualName, m_loadingName, m_unloadingName, m_message}) {
         label->setFont(style.font);
@@ -224,6 +233,7 @@ void RockPlot::setStyle(const PlotStyle& style) {
     m_point->setSize(10);
     m_point->setPen(QPen(style.text, 1.5));
     m_point->setBrush(style.lines[1]);
+    if (m_curve.path) nameNumbers(m_curve);  // files have another locale
 }
 
 void RockPlot::fit() {

@@ -33,10 +33,12 @@ class RockPlot : public QObject {
     void setStyle(const PlotStyle& style);
     /// The whole path in view.
     void fit();
+    QCPCurve* path() const { return m_path; }
     /// What the plot shows, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
 
   private:
+    void addHeader();
     QCPItemText* addLabel();
     void addDropLines();
     void nameNumbers(const RockCurve& curve);
@@ -44,8 +46,8 @@ class RockPlot : public QObject {
     void setMarksVisible(bool visible);
 
     QCustomPlot* m_plot;
-    QCPCurve* m_area;
     QCPCurve* m_path;
+    QCPTextElement* m_caption;  // what the area is
     QCPCurve* m_ghost = nullptr;
     QCPItemText* m_peakName;
     QCPItemText* m_residualName;

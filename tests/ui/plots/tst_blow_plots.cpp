@@ -10,16 +10,24 @@ using namespace drillwave;
 
 namespace {
 
-BlowCurves curvesFor(double beta) {
+BlowCurves curvesFor(double beta, double gamma = 1) {
     Scenario scenario;
     scenario.form = ScenarioForm::dimensionless;
     scenario.groups.beta = beta;
+    scenario.groups.gamma = gamma;
     const PulseForce pulse = pulseForceOf(scenario);
     const Impact impact = ExactSolver().solve(pulse, scenario.groups, Detail::histories);
     const ShownUnits units = shownUnits(UnitSystem::dimensionless, {});
     BlowCurves curves = blowCurves(impact, pulse, units, 0.5);
     curves.closedForm = closedFormCurve(pulse, scenario.groups, units, curves.timeEnd);
     return curves;
+}
+
+double largestValue(const QCPGraphDataContainer& data) {
+    double largest = 0;
+    for (auto point = data.constBegin(); point != data.constEnd(); ++point)
+        largest = std::max(largest, point->value);
+    return largest;
 }
 
 void turnWheel(QWidget& widget, QPoint at) {
@@ -46,8 +54,15 @@ class TestBlowPlots : public QObject {
     void linesHaveTheContrastThatReadersNeed();
     void aDarkPaletteIsFollowed();
     void withoutCurvesTheReasonIsShown();
+    void theClosedFormStatesItsError();
+    void theClosedFormIsThereOnlyWhereItHolds();
+    void aHiddenClosedFormStaysHidden();
+    void aGhostStaysBehindInNoLegend();
+    void aGhostInOtherUnitsGoes();
+    void aSectionIsNamedAsExactlyAsItWasChosen();
 
   private:
+    QList<QCPLegend*> legends() const;
     QCPAxis* timeAxis(int plot) { return m_plots->axisRect(plot)->axis(QCPAxis::atBottom); }
     QCPAxis* valueAxis(int plot) { return m_plots->axisRect(plot)->axis(QCPAxis::atLeft); }
 
@@ -55,7 +70,15 @@ class TestBlowPlots : public QObject {
     BlowPlots* m_plots = nullptr;
 };
 
+QList<QCPLegend*> TestBlowPlots::legends() const {
+    QList<QCPLegend*> found;
+    for (QCPLayerable* each : m_widget->layer(QStringLiteral("legend"))->children())
+        if (auto* legend = qobject_cast<QCPLegend*>(each)) found.append(legend);
+    return found;
+}
+
 void TestBlowPlots::init() {
+    QLocale::setDefault(QLocale::c());
     m_widget = std::make_unique<PlotWidget>();
     m_plots = new BlowPlots(m_widget.get());
     m_widget->followPalette([this](const PlotStyle& style) { m_plots->setStyle(style); });
@@ -177,7 +200,7 @@ void TestBlowPlots::aDarkPaletteIsFollowed() {
     palette.setColor(QPalette::Text, QColor(225, 225, 225));
     m_widget->setPalette(palette);
     QCoreApplication::processEvents();
-    QCOMPARE(m_widget->grab().toImage().pixelColor(1, 1), QColor(30, 30, 32));
+    QCOMPARE(m_widget->grab().toImage().pixelColor(5, 5), QColor(30, 30, 32));
     QVERIFY(m_widget->graph(0)->pen().color().lightness() > 128);
 }
 
@@ -187,6 +210,103 @@ void TestBlowPlots::withoutCurvesTheReasonIsShown() {
     for (int i = 0; i < m_widget->graphCount(); ++i) QVERIFY(m_widget->graph(i)->data()->isEmpty());
     m_plots->show(curvesFor(0.5));
     QVERIFY(m_plots->textSummary().contains(QStringLiteral("Impact force")));
+}
+
+void TestBlowPlots::theClosedFormStatesItsError() {
+    // (2/β)(1 − e^(−β)) e^(−β(2τ + ts − 1)), ts = 1/(1 − e^(−β)) − 1/(2β), at β = 1/2 and τ = 10
+    const double q = 1 - std::exp(-0.5);
+    const double error = 4 * q * std::exp(-0.5 * (20 + 1 / q - 1 - 1));
+    QVERIFY(error > 5e-5 && error < 6e-5);
+    QVERIFY2(m_plots->closedFormGraph()->name().contains(QStringLiteral("error of e < 6·10⁻⁵")),
+             qPrintable(m_plots->closedFormGraph()->name()));
+    QVERIFY(!m_plots->closedFormGraph()->data()->isEmpty());
+    QVERIFY(m_plots->closedFormGraph()->pen().dashPattern() != m_plots->forceGraph()->pen().dashPattern());
+    // What it leaves out is the tail of the first pulse, less than e^(−β(2τ − 1)).
+    for (auto point = m_plots->closedFormGraph()->data()->constBegin();
+         point != m_plots->closedFormGraph()->data()->constEnd(); ++point) {
+        const auto exact = m_plots->forceGraph()->data()->findBegin(point->key, false);
+        if (exact == m_plots->forceGraph()->data()->constEnd() || exact->key != point->key) continue;
+        QVERIFY(std::abs(exact->value - point->value) < 2e-4);
+    }
+}
+
+void TestBlowPlots::theClosedFormIsThereOnlyWhereItHolds() {
+    const auto inLegends = [this] {
+        int found = 0;
+        for (QCPLegend* each : legends()) found += each->hasItemWithPlottable(m_plots->closedFormGraph());
+        return found;
+    };
+    QCOMPARE(inLegends(), 1);
+    m_plots->show(curvesFor(0.5, 0.5));
+    QCOMPARE(inLegends(), 0);
+    QVERIFY(m_plots->closedFormGraph()->data()->isEmpty());
+    m_plots->show(curvesFor(0.6));
+    QCOMPARE(inLegends(), 1);
+    m_plots->show(curvesFor(1e-3));  // the reflections overlap
+    QCOMPARE(inLegends(), 0);
+}
+
+void TestBlowPlots::aHiddenClosedFormStaysHidden() {
+    m_plots->closedFormGraph()->setVisible(false);
+    m_plots->show(curvesFor(0.6));
+    m_plots->show(curvesFor(0.6, 0.5));
+    m_plots->show(curvesFor(0.6));
+    QVERIFY(!m_plots->closedFormGraph()->visible());
+}
+
+void TestBlowPlots::aGhostStaysBehindInNoLegend() {
+    int entries = 0;
+    for (QCPLegend* legend : legends()) entries += legend->itemCount();
+    const BlowCurves before = curvesFor(0.5, 0.5);
+    m_plots->show(before);
+    m_plots->setGhost(&before);
+    m_plots->show(curvesFor(50, 0.5));
+    int drawn = 0;
+    for (int i = 0; i < m_widget->graphCount(); ++i) {
+        const QCPGraph* graph = m_widget->graph(i);
+        if (graph->layer()->index() >= m_plots->forceGraph()->layer()->index()) continue;
+        ++drawn;
+        QVERIFY(graph->pen().color().alpha() < 255);
+        QVERIFY(graph->pen().widthF() < m_plots->forceGraph()->pen().widthF());
+        QVERIFY(graph->pen().dashPattern() != m_plots->forceGraph()->pen().dashPattern());
+    }
+    QCOMPARE(drawn, 7);
+    for (QCPLegend* legend : legends()) entries -= legend->itemCount();
+    QCOMPARE(entries, 1);  // the closed form of the elastic rock shown before
+    // The data are shared with the blow they come from, and both stay in view.
+    QCOMPARE(m_widget->graph(8)->data().get(), before.waves[0].get());
+    m_plots->show(curvesFor(0.01, 0.5));
+    QVERIFY(valueAxis(1)->range().upper > largestValue(*before.force));
+    m_plots->setGhost(nullptr);
+    QCOMPARE(m_widget->graphCount(), 8);
+    QVERIFY(valueAxis(1)->range().upper < largestValue(*before.force));
+}
+
+void TestBlowPlots::aGhostInOtherUnitsGoes() {
+    const BlowCurves before = curvesFor(0.5);
+    m_plots->setGhost(&before);
+    QCOMPARE(m_widget->graphCount(), 15);
+    BlowCurves shown = curvesFor(0.5);
+    shown.units.force = {3, QStringLiteral("kN"), false};
+    m_plots->show(shown);
+    QCOMPARE(m_widget->graphCount(), 8);
+    // Another factor of the same unit is another blow in the same units.
+    m_plots->setGhost(&shown);
+    timeAxis(0)->setRange(10, 20);
+    shown.units.force.factor = 4;
+    m_plots->show(shown);
+    QCOMPARE(m_widget->graphCount(), 15);
+    QCOMPARE(timeAxis(0)->range(), QCPRange(10, 20));
+}
+
+void TestBlowPlots::aSectionIsNamedAsExactlyAsItWasChosen() {
+    BlowCurves curves = curvesFor(0.5);
+    curves.section = 0.125;
+    m_plots->show(curves);
+    QVERIFY(m_plots->textSummary().contains(QStringLiteral("x/L = 0.125")));
+    curves.section = 0.25;
+    m_plots->show(curves);
+    QVERIFY(m_plots->textSummary().contains(QStringLiteral("x/L = 0.25:")));
 }
 
 QTEST_MAIN(TestBlowPlots)

@@ -1,0 +1,25 @@
+// The exact functions and the units behind the curves of a blow.
+#pragma once
+
+#include <array>
+
+#include "ui/plots/curve_meaning.h"
+#include "ui/solved_blow.h"
+
+namespace drillwave {
+
+/// What the graphs of BlowPlots mean. The functions share the blow, so they may outlive everything else.
+/// Forces have exact values and integrals, the latter as impulses ("N s", "I₀"); impulse and momentum have
+/// exact values.
+struct BlowMeanings {
+    std::array<CurveMeaning, BlowCurves::waveCount> waves;
+    CurveMeaning force;
+    CurveMeaning closedForm;
+    CurveMeaning impulse;
+    CurveMeaning momentum;
+};
+
+/// Requires a solved blow with its curves.
+BlowMeanings blowMeanings(const SolvedBlowPtr& blow);
+
+}  // namespace drillwave
