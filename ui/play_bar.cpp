@@ -64,7 +64,6 @@ void PlayBar::addControls() {
     m_loop->setText(tr("Loop"));
     m_loop->setAccessibleName(tr("Play again and again"));
     m_loop->setToolTip(m_loop->accessibleName());
-    m_slowness->setForegroundRole(QPalette::PlaceholderText);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 0, 8, 6);
     layout->addWidget(m_play);
@@ -158,7 +157,7 @@ void PlayBar::presentSpeed() {
     const double unitsPerSecond = (m_span.end - m_span.begin) / secondsForSpan();
     if (m_secondsPerUnit > 0)
         m_slowness->setText(
-            tr("real time ÷ %1").arg(numberText(1 / (unitsPerSecond * m_secondsPerUnit), 3, locale())));
+            tr("real time ÷ %1").arg(locale().toString(1 / (unitsPerSecond * m_secondsPerUnit), 'f', 0)));
     else
         m_slowness->setText(tr("%1 t₀ per second").arg(numberText(unitsPerSecond, 3, locale())));
 }

@@ -56,6 +56,7 @@ QHBoxLayout* WavePicturePage::makeBar() {
     m_field->setObjectName(QStringLiteral("field"));
     m_field->addItem(tr("Force N"));
     m_field->addItem(tr("Particle velocity v"));
+    m_field->setMinimumWidth(90);
     m_field->setAccessibleName(tr("What the colours show"));
     m_field->setToolTip(
         tr("Normal force (tension positive) or particle velocity (towards the rock positive)"));
@@ -81,6 +82,7 @@ QHBoxLayout* WavePicturePage::makeBar() {
     m_readout->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* fitButton = new QPushButton(tr("Fit"), this);
     fitButton->setToolTip(tr("Bring the whole blow into view (double-click in the picture)"));
+    fitButton->setMinimumWidth(50);
     connect(fitButton, &QPushButton::clicked, this, &WavePicturePage::fit);
 
     auto* bar = new QHBoxLayout;
