@@ -90,7 +90,14 @@ void Monkey::prepareAnswers() {
     m_answers.unsaved = any(unsaved);
     m_answers.open = oneIn(4) ? QString() : any(m_files.toOpen());
     m_answers.import = oneIn(4) ? QString() : any(m_files.toOpen());
+    m_answers.import = oneIn(4) ? QString() : any(m_files.toOpen());
     m_answers.save = oneIn(4) ? QString() : any(m_files.toSave());
+    m_answers.exportTo = oneIn(4) ? QString() : any(m_files.toExport());
+    m_answers.folder = oneIn(4) ? QString() : any(m_files.toExport());
+    m_answers.confirm = oneIn(2);
+    m_answers.picture = oneIn(4) ? std::nullopt : std::optional<PictureChoice>(PictureChoice{});
+    m_answers.confirmed.clear();
+    m_answers.found.clear();
     m_answers.told.clear();
 }
 
@@ -188,7 +195,9 @@ void Monkey::turnWheel(QWidget& window) {
     for (int i = 0; i < turns && watched; ++i) {
         QWheelEvent event(at, target->mapToGlobal(QPointF(at)), {}, {0, direction}, Qt::NoButton, modifiers,
                           Qt::NoScrollPhase, false);
-        QApplication::sendEvent(target, &event);
+        // As from the hand: only such events go on to the parent when the widget does not want them.
+        QSpontaneKeyEvent::setSpontaneous(&event);
+        qApp->notify(target, &event);
     }
 }
 

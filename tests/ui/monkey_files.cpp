@@ -18,12 +18,15 @@ QByteArray textOf(const char* example) {
 }  // namespace
 
 MonkeyFiles::MonkeyFiles() {
-    for (const char* name : {"rod.yaml", "groups.yaml", "broken.yaml", "invalid.yaml", "noise.yaml",
-                             "empty.yaml", "pulse.csv", "ragged.csv", "missing.yaml", "folder", "notes.txt"})
+    for (const char* name :
+         {"rod.yaml", "groups.yaml", "broken.yaml", "invalid.yaml", "noise.yaml", "empty.yaml", "pulse.csv",
+          "ragged.csv", "missing.yaml", "folder", "notes.txt", "histories.csv"})
         m_toOpen.append(path(QLatin1String(name)));
     for (const char* name :
          {"rod.yaml", "new.yaml", "other.yml", "without_suffix", "missing/new.yaml", "folder"})
         m_toSave.append(path(QLatin1String(name)));
+    for (const char* name : {"out", "histories.csv", "picture.png", "missing/picture.svg", "folder"})
+        m_toExport.append(path(QLatin1String(name)));
     writeAll();
 }
 

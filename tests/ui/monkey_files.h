@@ -15,6 +15,8 @@ class MonkeyFiles {
     const QStringList& toOpen() const { return m_toOpen; }
     /// Where to save: also over others, into a missing folder, over a folder.
     const QStringList& toSave() const { return m_toSave; }
+    /// Where to export, as files or folders.
+    const QStringList& toExport() const { return m_toExport; }
     /// Writes one of them anew, spoils it or removes it, as another program would; `choice` from 0.
     void change(int choice);
 
@@ -26,6 +28,7 @@ class MonkeyFiles {
     QTemporaryDir m_folder;
     QStringList m_toOpen;
     QStringList m_toSave;
+    QStringList m_toExport;
 };
 
 }  // namespace drillwave

@@ -1,0 +1,107 @@
+// Milliseconds from a keystroke in a field to the new pixels of the whole window, page by page: bench_window
+// [REPEATS], 50 by default. Not run by ctest but for a trial: times depend on the machine.
+#include <QApplication>
+#include <QLineEdit>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "ui/main_window.h"
+#include "ui/pages/page.h"
+#include "ui/plots/plot_widget.h"
+#include "ui/quantity_field.h"
+#include "ui/scenario_panel.h"
+#include "ui/settings.h"
+
+using namespace drillwave;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Notices when a plot has been painted with the answer to the present scenario.
+class PaintWatch : public QObject {
+  public:
+    explicit PaintWatch(MainWindow& window) : m_window(window) {}
+    bool isPainted() const { return m_painted; }
+    void expect() { m_painted = false; }
+
+  protected:
+    bool eventFilter(QObject* /*plot*/, QEvent* event) override {
+        if (event->type() == QEvent::Paint &&
+            m_window.shown()->request.scenario == m_window.document().scenario())
+            m_painted = true;
+        return false;
+    }
+
+  private:
+    MainWindow& m_window;
+    bool m_painted = false;
+};
+
+double millisecondsToPixels(QuantityField& field, Qt::Key key, PaintWatch& watch) {
+    const Scenario before = static_cast<MainWindow*>(field.window())->document().scenario();
+    watch.expect();
+    const Clock::time_point start = Clock::now();
+    QTest::sendKeyEvent(QTest::Click, &field, key, key == Qt::Key_1 ? QStringLiteral("1") : QString(),
+                        Qt::NoModifier);
+    // The event that paints also brings the pixels to the window's surface before it returns.
+    while (!watch.isPainted()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    const std::chrono::duration<double, std::milli> time = Clock::now() - start;
+    if (static_cast<MainWindow*>(field.window())->document().scenario() == before)
+        qFatal("the keystroke has changed nothing");
+    return time.count();
+}
+
+void settle(MainWindow& window) {
+    do QTest::qWait(50);
+    while (window.job().isBusy());
+}
+
+void measurePage(MainWindow& window, const QString& name, int repeats) {
+    auto* page = static_cast<Page*>(window.findChild<QTabWidget*>()->currentWidget());
+    PaintWatch watch(window);
+    page->plot()->installEventFilter(&watch);
+    auto* field = window.scenarioPanel().findChild<QuantityField*>(QStringLiteral("gamma"));
+    field->setFocus();
+    field->findChild<QLineEdit*>()->setCursorPosition(9);
+    std::vector<double> times;
+    for (int i = 0; i < repeats; ++i) {
+        // 0.1, 0.11 and back again.
+        times.push_back(millisecondsToPixels(*field, i % 2 == 0 ? Qt::Key_1 : Qt::Key_Backspace, watch));
+        settle(window);
+    }
+    std::ranges::sort(times);
+    std::printf("%-16s %8.1f %8.1f %8.1f\n", qPrintable(name), times[times.size() / 2], times.front(),
+                times.back());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(argc, argv);
+    const QStringList words = QCoreApplication::arguments();
+    const int repeats = words.size() > 1 ? words.at(1).toInt() : 50;
+    if (words.size() > 2 || repeats < 1) {
+        std::fprintf(stderr, "usage: bench_window [REPEATS]\n");
+        return 2;
+    }
+    QLocale::setDefault(QLocale::c());
+    const QTemporaryDir settings;
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+    MainWindow window;
+    window.resize(1440, 900);
+    window.show();
+    std::printf("%-16s %8s %8s %8s  ms from keystroke to pixels\n", "page", "median", "minimum", "maximum");
+    auto* pages = window.findChild<QTabWidget*>();
+    for (int page = 0; page < pages->count(); ++page) {
+        pages->setCurrentIndex(page);
+        settle(window);
+        measurePage(window, pages->tabText(page), repeats);
+    }
+}

@@ -1,0 +1,80 @@
+// Pictures of the whole window, to be looked at: screenshots FOLDER. Every page, light and dark, in three
+// sizes, at one and two pixels a point: blow_dark_1440x900_2x.png and so on.
+#include <QApplication>
+#include <QDir>
+#include <QProcess>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cstdio>
+
+#include "tests/ui/themes.h"
+#include "ui/main_window.h"
+#include "ui/settings.h"
+
+using namespace drillwave;
+
+namespace {
+
+const QSize sizes[] = {{1000, 650}, {1440, 900}, {1920, 1080}};
+
+// Also what is shown late, such as a finer raster for the size on screen.
+void settle(MainWindow& window) {
+    do QTest::qWait(200);
+    while (window.job().isBusy());
+}
+
+bool drawPages(MainWindow& window, const QDir& folder, const char* theme, int scale) {
+    auto* pages = window.findChild<QTabWidget*>();
+    for (int page = 0; page < pages->count(); ++page) {
+        pages->setCurrentIndex(page);
+        for (const QSize size : sizes) {
+            window.resize(size);
+            settle(window);
+            const QString name =
+                QStringLiteral("%1_%2_%3x%4_%5x.png")
+                    .arg(pages->tabText(page).toLower().replace(u' ', u'_'), QLatin1String(theme))
+                    .arg(size.width())
+                    .arg(size.height())
+                    .arg(scale);
+            if (!window.grab().save(folder.filePath(name))) {
+                std::fprintf(stderr, "%s cannot be written\n", qPrintable(folder.filePath(name)));
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool drawThemes(const QDir& folder, int scale) {
+    for (const bool dark : {false, true}) {
+        QApplication::setPalette(dark ? darkPalette() : lightPalette());
+        MainWindow window;
+        window.show();
+        if (!drawPages(window, folder, dark ? "dark" : "light", scale)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+// The factor is read when the application begins, so the pictures of two pixels a point are a child's.
+int main(int argc, char** argv) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const bool isChild = qEnvironmentVariableIsSet("QT_SCALE_FACTOR");
+    const QApplication application(argc, argv);
+    const QStringList words = QCoreApplication::arguments();
+    if (words.size() != 2) {
+        std::fprintf(stderr, "usage: screenshots FOLDER\n");
+        return 2;
+    }
+    QLocale::setDefault(QLocale::c());
+    const QTemporaryDir settings;
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+    QDir().mkpath(words.at(1));
+    if (!drawThemes(QDir(words.at(1)), isChild ? 2 : 1)) return 1;
+    if (isChild) return 0;
+    qputenv("QT_SCALE_FACTOR", "2");
+    return QProcess::execute(QCoreApplication::applicationFilePath(), {words.at(1)});
+}
