@@ -96,9 +96,10 @@ void addPanel(QCustomPlot& plot, const FigurePanel& panel, const PlotStyle& styl
     auto* rect = new QCPAxisRect(&plot);
     rect->setupFullAxesBox(true);
     rect->setMinimumMargins(QMargins(4, 6, 16, 2));
-    for (QCPAxis* axis : rect->axes()) {
-        axis->setLayer(QStringLiteral("axes"));
-        axis->grid()->setLayer(QStringLiteral("grid"));
+    // Drawn in the order of these lines: axes() comes in another order in every run of the program.
+    for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight, QCPAxis::atTop, QCPAxis::atBottom}) {
+        rect->axis(side)->setLayer(QStringLiteral("axes"));
+        rect->axis(side)->grid()->setLayer(QStringLiteral("grid"));
     }
     addRow(plot, rect, Height::rest);
     auto* legend = new QCPLegend;
