@@ -25,6 +25,7 @@ class TestCommandLine : public QObject {
     void everyProblemOfAFileIsALine();
     void validateIsSilentAboutGoodFiles();
     void examplesAreListedAndWritten();
+    void resettingTheWindowForgetsItsChoices();
     void aMissingDisplayIsToldInOneLine_data();
     void aMissingDisplayIsToldInOneLine();
 };
@@ -220,6 +221,24 @@ void TestCommandLine::examplesAreListedAndWritten() {
     QCOMPARE(run({"examples", "-o", inside}).exitCode, 4);
     QCOMPARE(run({"examples", "-o", inside, "--force"}).exitCode, 0);
     QCOMPARE(run({"examples", "paper_fig4a", "-o", "-"}).out, read(example("paper_fig4a")));
+}
+
+void TestCommandLine::resettingTheWindowForgetsItsChoices() {
+    QVERIFY(run({"--help"}).out.contains("--reset-ui"));
+    const QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkpath("drillwave"));
+    const QString settings = folder.filePath("drillwave/drillwave.conf");
+    write(settings, "[General]\nrecentFiles=/a.yaml\n\n[window]\nunits=dimensionless\n");
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("XDG_CONFIG_HOME", folder.path());
+    environment.insert("XDG_DATA_HOME", folder.path());
+    QProcess window;
+    window.setProcessEnvironment(environment);
+    window.start(QStringLiteral(DRILLWAVE_PROGRAM), {"-platform", "offscreen", "--reset-ui"});
+    QTRY_VERIFY_WITH_TIMEOUT(!read(settings).contains("units"), 30000);
+    QVERIFY(read(settings).contains("recentFiles=/a.yaml"));
+    window.kill();
+    QVERIFY(window.waitForFinished());
 }
 
 void TestCommandLine::aMissingDisplayIsToldInOneLine_data() {
