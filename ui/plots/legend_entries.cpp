@@ -68,4 +68,15 @@ void markHiddenCurves(QCustomPlot& plot) {
     }
 }
 
+WithoutHiddenEntries::WithoutHiddenEntries(QCustomPlot& plot) {
+    for (const QCPLegend* legend : legendsOf(plot))
+        for (QCPPlottableLegendItem* entry : entriesOf(*legend))
+            if (entry->visible() && !entry->plottable()->visible()) m_entries.append(entry);
+    for (QCPPlottableLegendItem* entry : m_entries) entry->setVisible(false);
+}
+
+WithoutHiddenEntries::~WithoutHiddenEntries() {
+    for (QCPPlottableLegendItem* entry : m_entries) entry->setVisible(true);
+}
+
 }  // namespace drillwave

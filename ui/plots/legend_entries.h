@@ -20,4 +20,16 @@ QCPAbstractPlottable* legendEntryAt(const QCustomPlot& plot, QPointF point);
 /// Fades and strikes out the entries of hidden curves. Changes nothing where nothing has changed.
 void markHiddenCurves(QCustomPlot& plot);
 
+/// While it lives, the entries of hidden curves are not drawn: on paper nobody can show them again.
+class WithoutHiddenEntries {
+  public:
+    explicit WithoutHiddenEntries(QCustomPlot& plot);
+    ~WithoutHiddenEntries();
+    WithoutHiddenEntries(const WithoutHiddenEntries&) = delete;
+    WithoutHiddenEntries& operator=(const WithoutHiddenEntries&) = delete;
+
+  private:
+    QList<QCPPlottableLegendItem*> m_entries;
+};
+
 }  // namespace drillwave

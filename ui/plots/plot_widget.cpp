@@ -89,7 +89,9 @@ void PlotWidget::placeBar() {
     const bool shown = cursorPosition(PlotCursor::a) || cursorPosition(PlotCursor::b);
     const int wanted =
         m_bar->hasHeightForWidth() ? m_bar->heightForWidth(width()) : m_bar->sizeHint().height();
-    const int barHeight = shown ? std::min(wanted, height() / 3) : 0;
+    // It grows for longer words but does not shrink for shorter ones: a drag shall not shake the curves.
+    const int present = m_bar->isVisibleTo(this) && m_bar->width() == width() ? m_bar->height() : 0;
+    const int barHeight = shown ? std::min(std::max(wanted, present), height() / 3) : 0;
     m_bar->setVisible(shown);
     m_bar->setGeometry(0, height() - barHeight, width(), barHeight);
     const QRect plotArea(0, 0, width(), height() - barHeight);
@@ -218,8 +220,10 @@ QByteArray PlotWidget::drawing(const QString& format, Millimetres size, double d
     setLocale(QLocale::c());
     m_hover.show(std::nullopt, {});
     applyStyle(PlotStyle::forPaper());
-    markHiddenCurves(*this);
-    const QByteArray bytes = renderPlot(*this, size, format, title, dpi);
+    const QByteArray bytes = [&] {
+        const WithoutHiddenEntries legends(*this);
+        return renderPlot(*this, size, format, title, dpi);
+    }();
     if (hadLocale)
         setLocale(shown);
     else

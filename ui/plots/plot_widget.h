@@ -136,6 +136,7 @@ class PlotWidget : public QCustomPlot {
     void beginPan(QPointF point);
     void pan(QPointF to);
     void zoomToBox(const QRect& box);
+    QCPAxisRect* cursorRect() const;
     void dragCursor(PlotCursor cursor, double pixel);
     void click(QPoint point);
     void hover(QPointF point);

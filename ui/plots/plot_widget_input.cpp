@@ -153,12 +153,18 @@ void PlotWidget::zoomToBox(const QRect& drawn) {
     replot(rpQueuedReplot);
 }
 
-void PlotWidget::dragCursor(PlotCursor cursor, double pixel) {
+// The axis rect in which pixels are times: the one clicked last, or the first with graphs.
+QCPAxisRect* PlotWidget::cursorRect() const {
     const QList<QCPAxisRect*> rects = m_cursors.rects();
-    if (rects.isEmpty()) return;
-    const QRect rect = rects.first()->rect();
-    const double kept = std::clamp<double>(pixel, rect.left(), rect.right());
-    takeCursor(cursor, rects.first()->axis(QCPAxis::atBottom)->pixelToCoord(kept));
+    if (rects.contains(m_lastRect)) return m_lastRect;
+    return rects.value(0);
+}
+
+void PlotWidget::dragCursor(PlotCursor cursor, double pixel) {
+    const QCPAxisRect* on = cursorRect();
+    if (!on) return;
+    const double kept = std::clamp<double>(pixel, on->rect().left(), on->rect().right());
+    takeCursor(cursor, on->axis(QCPAxis::atBottom)->pixelToCoord(kept));
 }
 
 // The user wants the cursor at x.
@@ -169,18 +175,18 @@ void PlotWidget::takeCursor(PlotCursor cursor, double x) {
 }
 
 void PlotWidget::placeCursorByUser(PlotCursor cursor, std::optional<QPoint> at) {
-    const QList<QCPAxisRect*> rects = m_cursors.rects();
-    if (rects.isEmpty() || (cursor == PlotCursor::time && !offersTime())) return;
-    const QRect rect = rects.first()->rect();
-    const bool beside = !at || at->x() < rect.left() || at->x() > rect.right();
-    dragCursor(cursor, beside ? rect.center().x() : at->x());
+    if (cursor == PlotCursor::time && !offersTime()) return;
+    if (QCPAxisRect* below = at ? axisRectAt(*at) : nullptr) m_lastRect = below;
+    const QCPAxisRect* on = cursorRect();
+    if (!on) return;
+    const bool beside = !at || at->x() < on->rect().left() || at->x() > on->rect().right();
+    dragCursor(cursor, beside ? on->rect().center().x() : at->x());
 }
 
 void PlotWidget::moveLastCursor(double pixels) {
     const std::optional<double> x = cursorPosition(m_lastCursor);
-    const QList<QCPAxisRect*> rects = m_cursors.rects();
-    if (x && !rects.isEmpty())
-        dragCursor(m_lastCursor, rects.first()->axis(QCPAxis::atBottom)->coordToPixel(*x) + pixels);
+    const QCPAxisRect* on = cursorRect();
+    if (x && on) dragCursor(m_lastCursor, on->axis(QCPAxis::atBottom)->coordToPixel(*x) + pixels);
 }
 
 void PlotWidget::hover(QPointF point) {
