@@ -117,7 +117,7 @@ void WavePicturePage::wire() {
     });
     connect(m_picture, &WavePicturePlot::needChanged, this, &Page::needsChanged);
     connect(m_picture, &WavePicturePlot::viewChanged, this, &WavePicturePage::showSpan);
-    connect(m_plot, &PlotWidget::fitRequested, this, &WavePicturePage::fit);
+    connect(m_plot, &PlotWidget::fitRequested, m_picture, &WavePicturePlot::fit);
     connect(m_plot, &QCustomPlot::afterReplot, this, &WavePicturePage::alignStrip);
 
     connect(m_section, &QDoubleSpinBox::valueChanged, &m_observation, &Observation::setSection);
@@ -150,8 +150,7 @@ void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
 }
 
 void WavePicturePage::fit() {
-    m_picture->fit();
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    m_plot->fit();
 }
 
 // Shown with three decimals, kept with all.

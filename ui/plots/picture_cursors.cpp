@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/number_text.h"
-
 namespace drillwave {
 namespace {
 
@@ -57,13 +55,17 @@ void PictureCursors::setStyle(const PlotStyle& style) {
 void PictureCursors::setSection(double xi) {
     m_section = xi;
     place();
-    m_plot->layer(QStringLiteral("overlay"))->replot();
+    redraw();
 }
 
 void PictureCursors::setTime(double t) {
     m_time = t;
     place();
-    m_plot->layer(QStringLiteral("overlay"))->replot();
+    redraw();
+}
+
+void PictureCursors::redraw() {
+    if (m_plot->isVisible()) m_plot->layer(QStringLiteral("overlay"))->replot();
 }
 
 double PictureCursors::sectionPixel() const {
@@ -96,8 +98,8 @@ void PictureCursors::place() {
     const bool leftward = x > rect.center().x();
     m_sectionLine.label->setPositionAlignment((leftward ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
     m_sectionLine.label->position->setCoords(x + (leftward ? -4 : 4), rect.top() + 4);
-    m_timeLine.label->setText(
-        tr("t = %1").arg(quantityText(m_time, m_picture->shown()->picture->units.time, locale)));
+    m_timeLine.label->setText(tr("t = %1").arg(
+        timeText(m_time, m_picture->timeInView(), m_picture->shown()->picture->units.time, locale)));
     const bool below = y < rect.top() + 24;
     m_timeLine.label->setPositionAlignment(Qt::AlignRight | (below ? Qt::AlignTop : Qt::AlignBottom));
     m_timeLine.label->position->setCoords(rect.right() - 4, y + (below ? 4 : -4));

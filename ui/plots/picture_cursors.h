@@ -43,6 +43,7 @@ class PictureCursors : public QObject {
     };
     DrawnLine addLine();
     void place();
+    void redraw();
     Line lineAt(const QPointF& pixel) const;
     void moveTo(const QPointF& pixel);
     bool press(const QMouseEvent& event);

@@ -85,8 +85,8 @@ QString RodStrip::stateText() const {
         most = std::max(most, value);
     }
     return tr("t = %1 · %2 · stress %3 … %4")
-        .arg(text(m_time, units.time), state, text(double(least), units.stress),
-             text(double(most), units.stress));
+        .arg(timeText(m_time, m_blow->picture->interesting, units.time, locale()), state,
+             text(double(least), units.stress), text(double(most), units.stress));
 }
 
 void RodStrip::paintEvent(QPaintEvent*) {

@@ -9,7 +9,7 @@ namespace drillwave {
 namespace {
 
 constexpr double mostFlightShown = 6;  // round trips before the first contact that are shown from the start
-constexpr double mostRoundTrips = 24;
+constexpr double mostRoundTrips = 12;
 
 // The tail of a fading blow is long, and nothing can be seen in it.
 double visibleEnd(const PulseForce& pulse) {
@@ -22,7 +22,8 @@ double visibleEnd(const PulseForce& pulse) {
     return pulse.end;
 }
 
-// Looked up on a grid of its own, so that the colours stay while one zooms.
+// Looked up on a grid of its own, so that the colours stay while one zooms; waves that meet only long after
+// the blow would make all others pale.
 double largestMagnitude(const Impact& impact, WaveField field, const TimeSpan& time) {
     const WaveRaster overview = waveRaster(impact, field, {0, 1, 65, time.begin, time.end, 600});
     double largest = field == WaveField::force ? impact.peakForce : 0;
@@ -57,6 +58,16 @@ PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units) {
             units.force,
             {scales.force / rod.impedance, QStringLiteral("m/s"), false},
             {scales.force / rod.area * 1e-6, QStringLiteral("MPa"), false}};
+}
+
+QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QLocale& locale) {
+    const double largest = std::max(std::abs(span.begin), std::abs(span.end));
+    const double resolved = std::log10(largest / (span.end - span.begin));
+    const int digits = std::isfinite(resolved) ? std::clamp(static_cast<int>(resolved) + 4, 4, 15) : 4;
+    QLocale plain = locale;
+    plain.setNumberOptions(QLocale::OmitGroupSeparator);
+    return plain.toString(t * unit.factor, 'g', digits).replace(QLatin1Char('-'), QStringLiteral("−")) +
+           QChar(QChar::Nbsp) + unit.unit;
 }
 
 TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse) {

@@ -1,6 +1,8 @@
 // The x–t picture of one blow as ready data, built away from the window's thread.
 #pragma once
 
+#include <QLocale>
+#include <QString>
 #include <optional>
 #include <vector>
 
@@ -53,12 +55,15 @@ struct WavePicture {
     std::vector<ContactInterval> contacts;
 };
 
+/// A time with as many digits as tell the instants of a span apart: "10000005.3 t₀", four at least.
+QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QLocale& locale);
+
 /// A raster has no more cells than this: larger needs are met more coarsely.
 inline constexpr int mostPictureCells = 4'000'000;
 
 /// The time in which a blow is worth looking at: from its beginning to a round trip after the last
 /// separation. A long flight before the first contact is left out but for its end, and so is what comes later
-/// than a few tens of round trips.
+/// than a dozen round trips.
 TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse);
 
 /// Requires an impact solved with Detail::histories.

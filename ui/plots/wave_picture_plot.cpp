@@ -60,25 +60,27 @@ void WavePicturePlot::followAxes() {
 
 void WavePicturePlot::checkNeed() {
     m_checking = false;
-    const WavePictureNeed asked = m_asked;
+    if (!m_blow) return;
     const WavePictureNeed now = need();
-    m_asked = asked;
-    if (now != asked) emit needChanged();
+    if (now == m_blow->request.picture || now == m_announced) return;
+    m_announced = now;
+    emit needChanged();
 }
 
-WavePictureNeed WavePicturePlot::need() {
+WavePictureNeed WavePicturePlot::need() const {
     const QSize size = m_plot->axisRect()->size();
     const double ratio = m_plot->bufferDevicePixelRatio();
     const auto pixels = [ratio](int length) {
         return std::max(1, static_cast<int>(std::lround(length * ratio)));
     };
-    m_asked = {m_field, m_xiBegin, m_xiEnd, {}, pixels(size.width()), pixels(size.height())};
-    if (!m_fitted) m_asked.time = m_time;
-    return m_asked;
+    WavePictureNeed need{m_field, m_xiBegin, m_xiEnd, {}, pixels(size.width()), pixels(size.height())};
+    if (!m_fitted) need.time = m_time;
+    return need;
 }
 
 void WavePicturePlot::show(const SolvedBlowPtr& blow) {
     m_blow = blow;
+    if (blow->request.picture == m_announced) m_announced.reset();
     for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_picture, m_fronts, m_contacts})
         item->setBlow(blow);
     m_message->setVisible(false);
@@ -174,7 +176,7 @@ QString WavePicturePlot::readout(const QPointF& pixel) const {
     const WaveField field = picture.raster.field;
     const QLocale locale = m_plot->locale();
     return tr("x = %1 · t = %2 · %3 = %4")
-        .arg(quantityText(xi, units.position, locale), quantityText(t, units.time, locale),
+        .arg(quantityText(xi, units.position, locale), timeText(t, m_time, units.time, locale),
              field == WaveField::force ? QStringLiteral("N") : QStringLiteral("v"),
              quantityText(waveValue(m_blow->impact, field, xi, t), units.of(field), locale));
 }
@@ -186,15 +188,15 @@ void WavePicturePlot::summarize() {
     QStringList contacts;
     for (const ContactInterval& contact : picture.contacts) {
         if (contacts.size() == 4) break;
-        contacts.append(
-            tr("from %1 to %2")
-                .arg(quantityText(contact.begin, time, locale), quantityText(contact.end, time, locale)));
+        contacts.append(tr("from %1 to %2")
+                            .arg(timeText(contact.begin, m_time, time, locale),
+                                 timeText(contact.end, m_time, time, locale)));
     }
     const auto count = static_cast<int>(picture.contacts.size());
     m_summary =
         tr("Picture of %1 over position and time from %2 to %3, up to %4. %5: %6%7.")
-            .arg(fieldWords(picture.raster.field), quantityText(m_time.begin, time, locale),
-                 quantityText(m_time.end, time, locale),
+            .arg(fieldWords(picture.raster.field), timeText(m_time.begin, m_time, time, locale),
+                 timeText(m_time.end, m_time, time, locale),
                  quantityText(picture.limit, picture.units.of(picture.raster.field), locale),
                  count == 1 ? tr("1 contact of bit and rock") : tr("%1 contacts of bit and rock").arg(count),
                  contacts.join(QStringLiteral(", ")), count > contacts.size() ? tr(" and so on") : QString());

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <optional>
 
 #include "ui/plots/wave_picture_items.h"
 
@@ -17,7 +18,7 @@ class WavePicturePlot : public QObject {
     explicit WavePicturePlot(QCustomPlot* plot);
 
     /// What has to be computed to show the present view at the present size.
-    WavePictureNeed need();
+    WavePictureNeed need() const;
     /// Shows a blow with a picture; the view stays where it is unless it was fitted.
     void show(const SolvedBlowPtr& blow);
     /// No picture, and `message` in its place (why there is none).
@@ -41,7 +42,7 @@ class WavePicturePlot : public QObject {
     QString readout(const QPointF& pixel) const;
 
   signals:
-    /// need() is another one than when it was last asked for.
+    /// What is on show is not what need() says any more.
     void needChanged();
     void viewChanged();
 
@@ -64,8 +65,8 @@ class WavePicturePlot : public QObject {
     WaveField m_field = WaveField::force;
     double m_xiBegin = 0, m_xiEnd = 1;
     TimeSpan m_time;
-    WavePictureNeed m_asked;
-    bool m_fitted = true;  // until the user zooms or pans
+    std::optional<WavePictureNeed> m_announced;  // by needChanged(), not answered yet
+    bool m_fitted = true;                        // until the user zooms or pans
     bool m_settingRanges = false;
     bool m_checking = false;
     QString m_summary;
