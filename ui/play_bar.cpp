@@ -1,11 +1,12 @@
 #include "ui/play_bar.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QStyle>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,25 @@ constexpr int framePeriod = 17;       // [ms], not more than 60 a second
 constexpr double longestFrame = 0.1;  // [s]: after a pause of the whole window the cursor does not leap
 const QString speedKey = QStringLiteral("wavePicture/seconds");
 const QString loopKey = QStringLiteral("wavePicture/loop");
+
+// Drawn in the colour of the text: the icons of a style may be lost on a dark window.
+QIcon symbol(bool pause, const QColor& colour) {
+    constexpr int size = 64;
+    QPixmap pixmap(size, size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    if (pause) {
+        painter.drawRect(QRectF(0.2 * size, 0.15 * size, 0.2 * size, 0.7 * size));
+        painter.drawRect(QRectF(0.6 * size, 0.15 * size, 0.2 * size, 0.7 * size));
+    } else {
+        painter.drawPolygon(
+            QPolygonF({{0.2 * size, 0.1 * size}, {0.2 * size, 0.9 * size}, {0.9 * size, 0.5 * size}}));
+    }
+    return QIcon(pixmap);
+}
 
 }  // namespace
 
@@ -146,9 +166,14 @@ void PlayBar::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
 }
 
+void PlayBar::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) presentPlaying();
+}
+
 void PlayBar::presentPlaying() {
     const bool playing = isPlaying();
-    m_play->setIcon(style()->standardIcon(playing ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
+    m_play->setIcon(symbol(playing, palette().color(QPalette::ButtonText)));
     m_play->setAccessibleName(playing ? tr("Pause") : tr("Play"));
     m_play->setToolTip(playing ? tr("Pause (space bar)") : tr("Play the blow (space bar)"));
 }

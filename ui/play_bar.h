@@ -45,6 +45,7 @@ class PlayBar : public QWidget {
 
   protected:
     void hideEvent(QHideEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
   private:
     void addControls();
