@@ -16,6 +16,8 @@ using namespace drillwave;
 
 namespace {
 
+constexpr int widestSmallWindow = 1100;
+
 // By its menu, so that its explanation is on show as well.
 void openExample(MainWindow& window, const QString& name) {
     const QString title = QString::fromStdString(findExample(name.toStdString())->title);
@@ -77,12 +79,9 @@ void TestLayout::everythingCanBeReadAndReached() {
     QVERIFY(QTest::qWaitForWindowExposed(&window));
     auto* pages = window.findChild<QTabWidget*>();
     QStringList problems;
-    if (window.size() != size)
-        for (QWidget* part : window.findChildren<QWidget*>())
-            if (part->minimumSizeHint().width() > size.width() / 3)
-                problems.append(QStringLiteral("%1 “%2” wants a width of %3")
-                                    .arg(QLatin1String(part->metaObject()->className()), part->objectName())
-                                    .arg(part->minimumSizeHint().width()));
+    // The numbers of the result panel are never cut: a small window grows by what they need.
+    if (window.width() > std::max(size.width(), widestSmallWindow) || window.height() > size.height())
+        problems.append(QStringLiteral("wants %1 × %2").arg(window.width()).arg(window.height()));
     for (int page = 0; page < pages->count(); ++page) {
         pages->setCurrentIndex(page);
         QTRY_VERIFY(!window.job().isBusy());
