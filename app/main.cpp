@@ -1,6 +1,7 @@
 // Picks between the subcommands, which never need a display, and the window.
 #include <QApplication>
 #include <QCoreApplication>
+#include <clocale>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -40,12 +41,18 @@ const Command* findCommand(const std::string& name) {
     return nullptr;
 }
 
+// The application object takes over the user's locale, and with it a decimal comma in what printf writes.
+void writeNumbersPlainly() {
+    std::setlocale(LC_NUMERIC, "C");
+}
+
 int runCommand(const Command& command, std::span<const std::string> words, int argc, char** argv) {
     if (asksFor(words, "--help")) return print(commandHelp(command));
     if (asksFor(words, "--version")) return printVersion();
     const Arguments arguments = parseArguments(command, words);
     if (!command.draws(arguments)) {
         const QCoreApplication application(argc, argv);
+        writeNumbersPlainly();
         return static_cast<int>(command.run(arguments));
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -54,6 +61,7 @@ int runCommand(const Command& command, std::span<const std::string> words, int a
         if (type == QtFatalMsg) std::fprintf(stderr, "%s\n", message.toUtf8().constData());
     });
     const QApplication application(argc, argv);
+    writeNumbersPlainly();
     return static_cast<int>(command.run(arguments));
 }
 

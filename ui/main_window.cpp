@@ -15,12 +15,12 @@
 #include <QVBoxLayout>
 
 #include "core/file/examples.h"
-#include "core/model/version.h"
 #include "ui/example_note.h"
 #include "ui/export/export_menu.h"
 #include "ui/file_drop.h"
 #include "ui/file_menu.h"
 #include "ui/file_notice.h"
+#include "ui/help_menu.h"
 #include "ui/number_text.h"
 #include "ui/on_screen.h"
 #include "ui/pages/blow_page.h"
@@ -139,13 +139,7 @@ void MainWindow::addMenus() {
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     edit->addActions({undo, redo});
     addViewMenu();
-    QMenu* help = menuBar()->addMenu(tr("&Help"));
-    help->addAction(tr("&About Drillwave"), this, [this] {
-        m_questions->tell(
-            this, Questions::Tone::information, tr("Drillwave %1").arg(QLatin1String(versionText)),
-            tr("Percussive rock drilling: waves in the rod, the impact on the rock, the rebound.\n"
-               "Free software under the GNU General Public License, version 3 or later."));
-    });
+    menuBar()->addMenu(new HelpMenu(*m_questions, this));
 }
 
 void MainWindow::addViewMenu() {

@@ -18,8 +18,16 @@ QString numberText(double value, int digits, const QLocale& locale) {
     QLocale plain = locale;
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
     const double magnitude = std::abs(value);
-    const bool plainSize = value == 0 || (magnitude >= 1e-4 && magnitude < 1e6);
-    QString text = plain.toString(value, plainSize ? 'g' : 'e', plainSize ? digits : digits - 1);
+    QString text;
+    if (value != 0 && (magnitude < 1e-4 || magnitude >= 1e6) && std::isfinite(value)) {
+        const QStringList parts = QString::number(value, 'e', digits - 1).split(QLatin1Char('e'));
+        text = plain.toString(parts[0].toDouble(), 'f', digits - 1) + QStringLiteral("·10") +
+               superscript(parts[1].toInt());
+    } else if (magnitude >= std::pow(10, digits) - 0.5) {
+        text = plain.toString(value, 'f', 0);  // 'g' would write 12345 as 1.235e+04
+    } else {
+        text = plain.toString(value, 'g', digits);
+    }
     return text.replace(QLatin1Char('-'), QStringLiteral("−"));
 }
 

@@ -8,7 +8,8 @@
 
 namespace drillwave {
 
-/// Four to six significant digits: "0.4067", "1 234" never, "−0.4067" with a real minus sign.
+/// So many significant digits, without trailing zeros: "0.4067", "−0.4067" with a real minus sign; all digits
+/// before the point up to a million, "12345", without group separators; "1.235·10⁷" and "1.235·10⁻⁵" beyond.
 QString numberText(double value, int digits, const QLocale& locale);
 
 /// Order of magnitude with one digit, "3·10⁻¹⁵"; "0" for zero.

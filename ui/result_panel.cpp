@@ -127,7 +127,7 @@ ResultPanel::ResultPanel(QWidget* parent) : QScrollArea(parent), m_eventModel(ne
     alignColumns();
     layout->addStretch();
     auto* copyAll = new QAction(tr("&Copy results"), this);
-    copyAll->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C));
+    copyAll->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
     copyAll->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     connect(copyAll, &QAction::triggered, this, &ResultPanel::copy);
     addAction(copyAll);

@@ -16,6 +16,7 @@ namespace {
 constexpr int rodHeight = 20, margin = 4;
 constexpr int bitWidth = 10, rockWidth = 26, hammerWidth = 30;
 constexpr int mostGapShown = 14;  // [px]
+constexpr int enoughForOneLine = 640;
 
 }  // namespace
 
@@ -29,7 +30,14 @@ RodStrip::RodStrip(QWidget* parent) : QWidget(parent) {
 }
 
 QSize RodStrip::sizeHint() const {
-    return {600, rodHeight + fontMetrics().height() + 5 * margin};
+    const int lines = width() < enoughForOneLine ? 2 : 1;
+    return {600, rodHeight + lines * fontMetrics().height() + 5 * margin};
+}
+
+void RodStrip::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    compute();
+    updateGeometry();
 }
 
 void RodStrip::setBlow(const SolvedBlowPtr& blow) {
@@ -78,7 +86,8 @@ QString RodStrip::stateText() const {
     const double force = impactForce(m_blow->impact, m_time - m_blow->impact.frontArrival);
     const QString state = bit.touching ? tr("contact, penetration %1, impact force %2")
                                              .arg(text(bit.penetration, depth), text(force, units.force))
-                                       : tr("apart, gap %1").arg(text(bit.gap, depth));
+                          : bit.gap > 0 ? tr("apart, gap %1").arg(text(bit.gap, depth))
+                                        : tr("bit at the rock, no force");
     float least = 0, most = 0;
     for (const float value : m_force) {
         least = std::min(least, value);
@@ -99,8 +108,8 @@ void RodStrip::paintEvent(QPaintEvent*) {
     paintRock(painter, rod);
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(
-        QRect(margin, rod.bottom() + margin, width() - 2 * margin, fontMetrics().height() + margin),
-        Qt::AlignHCenter | Qt::AlignTop, stateText());
+        QRect(margin, rod.bottom() + margin, width() - 2 * margin, height() - rod.bottom() - margin),
+        Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, stateText());
 }
 
 void RodStrip::paintRod(QPainter& painter, const QRect& rod) const {

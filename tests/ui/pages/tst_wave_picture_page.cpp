@@ -353,7 +353,7 @@ void WavePicturePageTest::thePointersPlaceIsRead() {
 
 void WavePicturePageTest::theStripTellsTheStateOfTheBit() {
     m_observation->setTime(5);
-    QVERIFY(m_page->rodStrip()->stateText().contains(QStringLiteral("apart, gap 0")));
+    QVERIFY(m_page->rodStrip()->stateText().contains(QStringLiteral("bit at the rock, no force")));
     m_observation->setTime(10.5);
     QVERIFY(m_page->rodStrip()->stateText().contains(QStringLiteral("contact, penetration")));
     QCOMPARE(m_page->rodStrip()->accessibleDescription(), m_page->rodStrip()->stateText());
