@@ -47,6 +47,7 @@ WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
         m_picture->setStyle(style);
         m_cursors->setStyle(style);
     });
+    m_plot->setDataText([this](char separator) { return m_picture->csv(separator); });
     restoreChoices();
     wire();
     m_cursors->setSection(observation.section());

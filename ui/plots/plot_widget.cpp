@@ -246,9 +246,13 @@ void PlotWidget::copyPicture() {
     QGuiApplication::clipboard()->setMimeData(content);
 }
 
+QByteArray PlotWidget::dataText(char separator) const {
+    return m_dataText ? m_dataText(separator) : plotCsv(*this, m_meanings, separator);
+}
+
 void PlotWidget::copyData() {
     auto* content = new QMimeData;
-    content->setText(QString::fromUtf8(plotCsv(*this, m_meanings, '\t')));
+    content->setText(QString::fromUtf8(dataText('\t')));
     content->setData(QStringLiteral("text/csv"), csv());
     QGuiApplication::clipboard()->setMimeData(content);
 }

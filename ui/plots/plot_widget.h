@@ -37,6 +37,7 @@ class PlotWidget : public QCustomPlot {
 
   public:
     using Restyle = std::function<void(const PlotStyle&)>;
+    using DataText = std::function<QByteArray(char separator)>;
 
     explicit PlotWidget(QWidget* parent = nullptr);
     ~PlotWidget() override;
@@ -75,8 +76,10 @@ class PlotWidget : public QCustomPlot {
                        const QString& title = {});
     /// The size of the plot on screen at 96 dots per inch.
     Millimetres sizeOnPaper() const;
-    /// The visible curves as CSV; see plotCsv().
-    QByteArray csv() const { return plotCsv(*this, m_meanings); }
+    /// The data of the plot as CSV; see plotCsv().
+    QByteArray csv() const { return dataText(','); }
+    /// For a plot whose data are not curves: its text with a separator between cells, as plotCsv() gives it.
+    void setDataText(DataText text) { m_dataText = std::move(text); }
 
     /// The context menu for a point of the plot, built anew; it deletes itself when it is closed.
     QMenu* makeMenu(QPoint at);
@@ -124,6 +127,7 @@ class PlotWidget : public QCustomPlot {
         QCPRange start;
     };
 
+    QByteArray dataText(char separator) const;
     void restyle();
     void applyStyle(const PlotStyle& style);
     void followScreen();
@@ -159,6 +163,7 @@ class PlotWidget : public QCustomPlot {
 
     Restyle m_restyle;
     CurveMeanings m_meanings;
+    DataText m_dataText;
     PlotCursors m_cursors;
     HoverMark m_hover;
     ViewHistory m_history;

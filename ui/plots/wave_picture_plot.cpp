@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/number_text.h"
+#include "ui/plots/wave_picture_csv.h"
 
 namespace drillwave {
 namespace {
@@ -139,6 +140,12 @@ void WavePicturePlot::setLabels() {
     m_plot->yAxis->setLabel(picture.units.time.axisLabel(tr("time t")));
     m_bar->setDataRange({-picture.limit * unit.factor, picture.limit * unit.factor});
     m_bar->setLabel(unit.axisLabel(fieldWords(picture.raster.field)));
+}
+
+QByteArray WavePicturePlot::csv(char separator) const {
+    if (!m_blow) return {};
+    return wavePictureCsv(*m_blow, m_blow->picture->raster.field, {m_xiBegin, m_xiEnd, m_time},
+                          {m_plot->xAxis->label(), m_plot->yAxis->label(), m_bar->label()}, separator);
 }
 
 void WavePicturePlot::setStyle(const PlotStyle& style) {

@@ -36,6 +36,8 @@ class WavePicturePlot : public QObject {
 
     /// The times in view, t/t0.
     TimeSpan timeInView() const { return m_time; }
+    /// The field over the part in view; see wavePictureCsv(). Empty while nothing is on show.
+    QByteArray csv(char separator) const;
     /// What the picture shows, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
     /// The place below a point of the plot and the field there, in words; empty outside of the picture.

@@ -53,6 +53,7 @@ class WavePicturePageTest : public QObject {
     void playingEndsWithTheViewOrLoops();
     void theSpaceBarPlays();
     void thePointersPlaceIsRead();
+    void theDataAreTheFieldInView();
     void theStripTellsTheStateOfTheBit();
     void extremeScenesGiveAPictureOrTheReason_data();
     void extremeScenesGiveAPictureOrTheReason();
@@ -349,6 +350,23 @@ void WavePicturePageTest::thePointersPlaceIsRead() {
     QTest::mouseMove(plot, QPoint(int(plot->xAxis->coordToPixel(0.3)), int(plot->yAxis->coordToPixel(3.5))));
     const QString text = m_page->findChild<QLabel*>(QStringLiteral("readout"))->text();
     QVERIFY2(text.contains(QStringLiteral("N = −1")), qPrintable(text));
+}
+
+void WavePicturePageTest::theDataAreTheFieldInView() {
+    PlotWidget* plot = m_page->plot();
+    plot->xAxis->setRange(0.25, 0.5);
+    plot->yAxis->setRange(3, 4);
+    const QList<QByteArray> lines = plot->csv().trimmed().split('\n');
+    QCOMPARE(lines.size(), 1 + 101 * 201);
+    QCOMPARE(lines.first().split(',').size(), 3);
+    const QList<QByteArray> first = lines.at(1).split(',');
+    QCOMPARE(first.at(0).toDouble(), 0.25);
+    QCOMPARE(first.at(1).toDouble(), 3.0);
+    QCOMPARE(lines.last().split(',').at(0).toDouble(), 0.5);
+    QCOMPARE(lines.last().split(',').at(1).toDouble(), 4.0);
+    // The blow of Fig. 4 as it passes: it compresses with F0 from t = x τ/L to t0 later.
+    QCOMPARE(first.at(2).toDouble(), -1.0);
+    QCOMPARE(lines.last().split(',').at(2).toDouble(), 0.0);
 }
 
 void WavePicturePageTest::theStripTellsTheStateOfTheBit() {
