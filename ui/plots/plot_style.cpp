@@ -67,7 +67,9 @@ QPen PlotStyle::linePen(int index) const {
     static const QList<qreal> dashes[lineKinds] = {{}, {6, 3}, {8, 3, 1.5, 3}, {1.5, 2.5}};
     const int kind = index % lineKinds;
     QPen pen(lines[kind], lineWidth);
-    pen.setCapStyle(Qt::FlatCap);
+    // On screen a solid line is drawn piece by piece. Between points crowded into one pixel the pieces are
+    // too short to leave a mark by themselves: their caps must.
+    pen.setCapStyle(dashes[kind].isEmpty() ? Qt::SquareCap : Qt::FlatCap);
     pen.setJoinStyle(Qt::BevelJoin);
     if (!dashes[kind].isEmpty()) pen.setDashPattern(dashes[kind]);
     return pen;

@@ -10,6 +10,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/plots/plot_widget.h"
@@ -154,6 +155,7 @@ class TestPlotWidget : public QObject {
     void theTimeCursorIsDraggedAndTold();
     void theNearestPointIsReadUnderThePointer();
     void hoveringOverAMillionPointsIsQuick();
+    void crowdedPointsLeaveNoHoleInTheirCurve();
     void drawingsAreWhiteAndTheSameEveryTime();
     void drawingsShowThePresentView();
     void curvesThatLeaveTheAxesAreCutInSvg();
@@ -449,6 +451,24 @@ void TestPlotWidget::hoveringOverAMillionPointsIsQuick() {
         nearestCurvePoint(m->plot, m->at(5, 50), 12);
     }
     QVERIFY(nearestCurvePoint(m->plot, m->at(5, 50), 500));
+}
+
+void TestPlotWidget::crowdedPointsLeaveNoHoleInTheirCurve() {
+    // Fewer points than pixels are drawn as they are: here 600 of them within four pixels.
+    m->parabola->setData({0}, {50});
+    const double pixel = m->x(m->upper)->range().size() / m->upper->width();
+    for (int i = 0; i <= 600; ++i) m->parabola->addData(5 + 4 * pixel * i / 600, 50);
+    m->parabola->addData(10, 50);
+    m->plot.replot();
+    const QImage image = m->plot.grab().toImage();
+    const int middle = static_cast<int>(m->x(m->upper)->coordToPixel(5));
+    const int height = static_cast<int>(m->y(m->upper)->coordToPixel(50));
+    for (int column = middle - 2; column <= middle + 6; ++column) {
+        int darkest = 255;
+        for (int row = height - 2; row <= height + 2; ++row)
+            darkest = std::min(darkest, qRed(image.pixel(column, row)));
+        QVERIFY2(darkest < 128, qPrintable(QString::number(column - middle)));
+    }
 }
 
 void TestPlotWidget::drawingsAreWhiteAndTheSameEveryTime() {
