@@ -123,6 +123,7 @@ void BlowPage::showInstant() {
 void BlowPage::setResult(const SolvedBlowPtr& blow) {
     m_blow = blow;
     if (blow->curves) {
+        carryCursors();
         m_plots->show(*blow->curves);
         setMeanings();
     } else if (!blow->problem.isEmpty()) {
@@ -132,6 +133,17 @@ void BlowPage::setResult(const SolvedBlowPtr& blow) {
     showInstant();
     m_plot->setAccessibleDescription(m_plots->textSummary());
     m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+// In other units the cursors A and B stay where they are in the blow.
+void BlowPage::carryCursors() {
+    const ShownUnit& unit = m_blow->units.time;
+    if (unit.unit != m_cursorUnit.unit) {
+        for (const PlotCursor cursor : {PlotCursor::a, PlotCursor::b})
+            if (const std::optional<double> x = m_plot->cursorPosition(cursor))
+                m_plot->placeCursor(cursor, *x / m_cursorUnit.factor * unit.factor);
+    }
+    m_cursorUnit = unit;
 }
 
 void BlowPage::setMeanings() {

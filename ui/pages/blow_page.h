@@ -38,6 +38,7 @@ class BlowPage : public Page {
     void showPlace();
     void showInstant();
     void setMeanings();
+    void carryCursors();
 
     Observation& m_observation;
     QLabel* m_hint;
@@ -47,6 +48,7 @@ class BlowPage : public Page {
     PlotWidget* m_plot;
     BlowPlots* m_plots;
     SolvedBlowPtr m_blow;
+    ShownUnit m_cursorUnit;  // of cursors A and B
 };
 
 }  // namespace drillwave

@@ -49,6 +49,7 @@ class TestBlowPage : public QObject {
     void anInstantAddsUp();
     void anUnsolvedBlowSaysWhy();
     void theTimeCursorIsShared();
+    void cursorsStayInTheirPlaceInOtherUnits();
     void cursorsReadExactImpulses_data();
     void cursorsReadExactImpulses();
     void whatIsReadOutlivesTheBlow();
@@ -147,6 +148,22 @@ void TestBlowPage::theTimeCursorIsShared() {
     QVERIFY(std::abs(*m_page->plot()->cursorPosition(PlotCursor::time) - 5) < 1e-12);
     m_observation->setTime({});
     QVERIFY(!m_page->plot()->cursorPosition(PlotCursor::time));
+}
+
+void TestBlowPage::cursorsStayInTheirPlaceInOtherUnits() {
+    const SolvedBlowPtr blow = solved(*m_page, Scenario(), UnitSystem::si);
+    m_page->setResult(blow);
+    PlotWidget& plot = *m_page->plot();
+    plot.placeCursor(PlotCursor::b, 3 * blow->units.time.factor);
+    m_page->setResult(solved(*m_page, Scenario(), UnitSystem::dimensionless));
+    QVERIFY(!plot.cursorPosition(PlotCursor::a));
+    QVERIFY(std::abs(*plot.cursorPosition(PlotCursor::b) - 3) < 1e-12);
+    // A longer blow in the same units moves nothing.
+    m_page->setResult(blow);
+    Scenario longer;
+    longer.pulse.duration *= 1.5;
+    m_page->setResult(solved(*m_page, longer, UnitSystem::si));
+    QVERIFY(std::abs(*plot.cursorPosition(PlotCursor::b) - 3 * blow->units.time.factor) < 1e-12);
 }
 
 void TestBlowPage::cursorsReadExactImpulses_data() {
