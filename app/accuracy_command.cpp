@@ -62,6 +62,7 @@ ExitCode runAccuracy(const Arguments& arguments) {
     if (!directory.empty()) {
         csvPath = directory == "-" ? "-" : directory + "/accuracy.csv";
         if (csvPath != "-") makeFolder(directory);
+        checkOutputIsNoInput(csvPath, path, document);
         checkOverwrite(csvPath, overwrite);
     }
 

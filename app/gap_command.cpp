@@ -91,7 +91,10 @@ ExitCode runGap(const Arguments& arguments) {
         throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     const std::optional<NormalGap> normal = normalOf(arguments, document.scenario);
-    if (csvPath) checkOverwrite(*csvPath, overwrite);
+    if (csvPath) {
+        checkOutputIsNoInput(*csvPath, path, document);
+        checkOverwrite(*csvPath, overwrite);
+    }
 
     const Interruption interruption;
     const GapReport report = study(document.scenario, normal, interruption);

@@ -55,11 +55,14 @@ RunFiles filesOf(const Arguments& arguments) {
 }
 
 /// Finds out before anything is computed whether the files can be written.
-void prepare(const RunFiles& files) {
+void prepare(const RunFiles& files, const std::string& path, const ScenarioDocument& document) {
     if (files.directory.empty()) return;
     makeFolder(files.directory);
-    for (const QString& name : runFilesThere(files.folder(), files.plots))
-        checkOverwrite(files.directory + "/" + name.toStdString(), files.overwrite);
+    for (const QString& name : runFilesThere(files.folder(), files.plots)) {
+        const std::string output = files.directory + "/" + name.toStdString();
+        checkOutputIsNoInput(output, path, document);
+        checkOverwrite(output, files.overwrite);
+    }
 }
 
 /// Solves, and times the solve alone: where it is quick, a second time, because the first one pays for fresh
@@ -112,7 +115,7 @@ ExitCode runBlow(const Arguments& arguments) {
     if (files.units == OutputUnits::si && document.scenario.form != ScenarioForm::dimensional)
         throw CommandError(ExitCode::usage,
                            "--si: " + path + " is given by its dimensionless groups and has no SI units");
-    prepare(files);
+    prepare(files, path, document);
 
     // The largest stress in the rod needs the waves.
     const bool needsWaves = !files.directory.empty() || document.scenario.rod.yieldStrength;

@@ -18,7 +18,7 @@ inline constexpr OptionSpec setOption{
 /// is valid. Throws CommandError.
 ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments);
 
-/// Throws CommandError (usage) if `output`, where the rows go, is one of the files that are read: the
+/// Throws CommandError (usage) if `output`, which the command writes, is one of the files that are read: the
 /// scenario file, its table of a pulse, or one of the `others`.
 void checkOutputIsNoInput(const std::string& output, const std::string& scenarioPath,
                           const ScenarioDocument& document, const std::vector<std::string>& others = {});

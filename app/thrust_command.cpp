@@ -53,7 +53,10 @@ ExitCode runThrust(const Arguments& arguments) {
     report.scenario = document.scenario;
     if (const std::string problem = thrustProblem(report.scenario); !problem.empty())
         throw CommandError(ExitCode::invalidScenario, path + ": " + problem);
-    if (csvPath) checkOverwrite(*csvPath, overwrite);
+    if (csvPath) {
+        checkOutputIsNoInput(*csvPath, path, document);
+        checkOverwrite(*csvPath, overwrite);
+    }
 
     const Interruption interruption;
     report.study = study(report.scenario, interruption);

@@ -168,8 +168,13 @@ void TestRows::noInputIsOverwritten() {
     QVERIFY(QFile::link(cases, link));
     const QStringList table{"table", scenario, cases};
     const QStringList sweep{"sweep", scenario, "--vary", "beta=1,2"};
-    const QList<QPair<QStringList, QString>> overwritten{{table, cases}, {table, link}, {table, scenario},
-                                                         {table, blow},  {sweep, blow}, {sweep, scenario}};
+    const QList<QPair<QStringList, QString>> overwritten{{table, cases},
+                                                         {table, link},
+                                                         {table, scenario},
+                                                         {table, blow},
+                                                         {sweep, blow},
+                                                         {sweep, scenario},
+                                                         {{"gap", scenario}, scenario}};
     for (const auto& [words, output] : overwritten) {
         const QByteArray before = read(output);
         const Finished refused = run(words + QStringList{"-o", output, "--force"});

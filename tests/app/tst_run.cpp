@@ -249,6 +249,12 @@ void TestRun::aRunIsRepeatedFromItsHistories() {
         for (QJsonObject* object : {&first, &again}) object->remove("run_time");
         QCOMPARE(again, first);
     }
+    // Into another folder: what a run is repeated from stays as it is.
+    const QByteArray before = read(out + "/histories.csv");
+    const Finished refused = run({"run", out + "/histories.csv", "--set", "beta=2", "-o", out, "--force"});
+    QCOMPARE(refused.exitCode, 2);
+    QVERIFY2(refused.error.contains("is read as input"), refused.error);
+    QCOMPARE(read(out + "/histories.csv"), before);
 }
 
 void TestRun::aTableOfPointsIsCompleteInTheHistories() {
