@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
@@ -45,27 +46,35 @@ void addRebound(const ImpactSummary& summary, std::vector<Alert>& alerts) {
                               " times in this blow: the waves in the rod bring it back."});
 }
 
-/// Why the closed form is not for a rectangular blow on elastic rock; empty where it is.
-std::string closedFormObstacle(const PulseForce& pulse, const Groups& groups) {
+/// Why the closed form is not for a rectangular blow on elastic rock, and the group that is to blame.
+struct Obstacle {
+    std::string reason;
+    std::string parameter;
+};
+
+std::optional<Obstacle> closedFormObstacle(const PulseForce& pulse, const Groups& groups) {
     if (groups.tau < 0.5)
-        return "the blow is longer than a round trip in the rod (tau = " + rounded(groups.tau) + " < 0.5)";
+        return Obstacle{
+            "the blow is longer than a round trip in the rod (tau = " + rounded(groups.tau) + " < 0.5)",
+            "tau"};
     if (!closedFormRefusal(pulse, groups).empty())
-        return "the bit meets the rock in the middle of a wave (delta = " + rounded(groups.delta) +
-               " is not a whole number)";
-    return overlapIsSmall(groups.beta, groups.tau)
-               ? ""
-               : "the bit is still on the rock when the next reflection arrives";
+        return Obstacle{"the bit meets the rock in the middle of a wave (delta = " + rounded(groups.delta) +
+                            " is not a whole number)",
+                        "delta"};
+    if (overlapIsSmall(groups.beta, groups.tau)) return std::nullopt;
+    return Obstacle{"the bit is still on the rock when the next reflection arrives", "beta"};
 }
 
 void addClosedForm(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
     const Groups groups = groupsOf(scenario);
     if (scenario.pulse.shape != PulseShape::rectangular || groups.gamma != 1) return;
-    const std::string obstacle = closedFormObstacle(pulseForceOf(scenario), groups);
-    if (obstacle.empty()) return;
+    const std::optional<Obstacle> obstacle = closedFormObstacle(pulseForceOf(scenario), groups);
+    if (!obstacle) return;
     const double closed = closedFormRestitution(groups.beta);
-    alerts.push_back({AlertLevel::information, "closed_form_invalid", groups.tau < 0.5 ? "tau" : "delta",
-                      "The closed form for elastic rock does not hold, because " + obstacle + ": its e = " +
-                          rounded(closed) + " is off by " + rounded(std::abs(closed - summary.cor)) + "."});
+    alerts.push_back({AlertLevel::information, "closed_form_invalid", obstacle->parameter,
+                      "The closed form for elastic rock does not hold, because " + obstacle->reason +
+                          ": its e = " + rounded(closed) + " is off by " +
+                          rounded(std::abs(closed - summary.cor)) + "."});
 }
 
 void addAccuracy(const ImpactSummary& summary, std::vector<Alert>& alerts) {

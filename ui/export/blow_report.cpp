@@ -9,7 +9,6 @@
 #include "core/study/impact_summary.h"
 #include "core/study/result_alerts.h"
 #include "core/study/thrust.h"
-#include "ui/export/blow_report.h"
 #include "ui/export/json_value.h"
 
 namespace drillwave {

@@ -43,17 +43,17 @@ QMenu* PlotWidget::makeMenu(QPoint at) {
 }
 
 void PlotWidget::addCopyAndSave(QMenu& menu) {
-    const bool hasCurves = !visibleCurves(*this).isEmpty();
+    const bool hasData = m_dataText || !visibleCurves(*this).isEmpty();
     menu.addAction(tr("Copy &picture"), this, &PlotWidget::copyPicture)
         ->setToolTip(tr("This view, black on white, for a report"));
     QAction* copy = menu.addAction(tr("Copy &data"), this, &PlotWidget::copyData);
-    copy->setToolTip(tr("The points of the curves shown, as a table for a spreadsheet"));
-    copy->setEnabled(hasCurves);
+    copy->setToolTip(tr("The numbers of what is shown, as a table for a spreadsheet"));
+    copy->setEnabled(hasData);
     menu.addAction(tr("&Save picture…"), this, &PlotWidget::savePictureRequested)
         ->setToolTip(tr("This view as PNG, SVG or PDF"));
     QAction* save = menu.addAction(tr("Save da&ta…"), this, &PlotWidget::saveDataRequested);
-    save->setToolTip(tr("The points of the curves shown, as CSV"));
-    save->setEnabled(hasCurves);
+    save->setToolTip(tr("The numbers of what is shown, as CSV"));
+    save->setEnabled(hasData);
 }
 
 void PlotWidget::addView(QMenu& menu, QPoint at) {

@@ -216,25 +216,36 @@ void TestImpactSummary::severalContactsAreCounted() {
 void TestImpactSummary::theClosedFormIsQuestionedWhereOneWouldExpectIt_data() {
     QTest::addColumn<Case>("wanted");
     QTest::addColumn<QString>("reason");
-    QTest::newRow("holds") << Case{PulseShape::rectangular, {0.5, 1, 10, 0}} << "";
-    QTest::newRow("holds after a whole gap") << Case{PulseShape::rectangular, {0.5, 1, 10, 2}} << "";
-    QTest::newRow("gap") << Case{PulseShape::rectangular, {0.5, 1, 10, 0.3}} << "delta = 0.3 is not a whole";
-    QTest::newRow("long blow") << Case{PulseShape::rectangular, {0.5, 1, 0.4, 0}} << "tau = 0.4 < 0.5";
-    QTest::newRow("overlap") << Case{PulseShape::rectangular, {0.02, 1, 2, 0}} << "still on the rock";
-    QTest::newRow("not for this pulse") << Case{PulseShape::halfSine, {0.5, 1, 10, 0.3}} << "";
-    QTest::newRow("not for this rock") << Case{PulseShape::rectangular, {0.5, 0.1, 10, 0.3}} << "";
+    QTest::addColumn<QString>("parameter");
+    QTest::newRow("holds") << Case{PulseShape::rectangular, {0.5, 1, 10, 0}} << ""
+                           << "";
+    QTest::newRow("holds after a whole gap") << Case{PulseShape::rectangular, {0.5, 1, 10, 2}} << ""
+                                             << "";
+    QTest::newRow("gap") << Case{PulseShape::rectangular, {0.5, 1, 10, 0.3}} << "delta = 0.3 is not a whole"
+                         << "delta";
+    QTest::newRow("long blow") << Case{PulseShape::rectangular, {0.5, 1, 0.4, 0}} << "tau = 0.4 < 0.5"
+                               << "tau";
+    QTest::newRow("overlap") << Case{PulseShape::rectangular, {0.02, 1, 2, 0}} << "still on the rock"
+                             << "beta";
+    QTest::newRow("not for this pulse") << Case{PulseShape::halfSine, {0.5, 1, 10, 0.3}} << ""
+                                        << "";
+    QTest::newRow("not for this rock") << Case{PulseShape::rectangular, {0.5, 0.1, 10, 0.3}} << ""
+                                       << "";
 }
 
 void TestImpactSummary::theClosedFormIsQuestionedWhereOneWouldExpectIt() {
     QFETCH(Case, wanted);
     QFETCH(QString, reason);
+    QFETCH(QString, parameter);
     const Scenario scenario = scenarioOf(wanted);
     const ImpactSummary summary = summaryOf(scenario);
-    const QString text =
-        QString::fromStdString(textOf(resultAlerts(scenario, summary), "closed_form_invalid"));
+    const std::vector<Alert> alerts = resultAlerts(scenario, summary);
+    const QString text = QString::fromStdString(textOf(alerts, "closed_form_invalid"));
     QCOMPARE(text.isEmpty(), reason.isEmpty());
     QVERIFY2(text.contains(reason), qPrintable(text));
     if (reason.isEmpty()) return;
+    const auto alert = std::ranges::find(alerts, "closed_form_invalid", &Alert::code);
+    QCOMPARE(QString::fromStdString(alert->parameter), parameter);
     const double error = std::abs(closedFormRestitution(wanted.groups.beta) - summary.cor);
     QVERIFY(error > 1e-6);
     const double said = text.chopped(1).section(' ', -1).toDouble();

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QMenu>
 #include <QSlider>
 #include <QTabWidget>
 #include <QTemporaryDir>
@@ -54,6 +55,7 @@ class WavePicturePageTest : public QObject {
     void theSpaceBarPlays();
     void thePointersPlaceIsRead();
     void theDataAreTheFieldInView();
+    void theMenuOffersTheDataOfThePicture();
     void theStripTellsTheStateOfTheBit();
     void extremeScenesGiveAPictureOrTheReason_data();
     void extremeScenesGiveAPictureOrTheReason();
@@ -367,6 +369,18 @@ void WavePicturePageTest::theDataAreTheFieldInView() {
     // The blow of Fig. 4 as it passes: it compresses with F0 from t = x τ/L to t0 later.
     QCOMPARE(first.at(2).toDouble(), -1.0);
     QCOMPARE(lines.last().split(',').at(2).toDouble(), 0.0);
+}
+
+// A picture has no curves, and its numbers are data all the same.
+void WavePicturePageTest::theMenuOffersTheDataOfThePicture() {
+    const std::unique_ptr<QMenu> menu(m_page->plot()->makeMenu({100, 100}));
+    int offered = 0;
+    for (const QAction* action : menu->actions())
+        if (QString(action->text()).remove(QLatin1Char('&')).contains(QStringLiteral(" data"))) {
+            QVERIFY2(action->isEnabled(), qPrintable(action->text()));
+            ++offered;
+        }
+    QCOMPARE(offered, 2);
 }
 
 void WavePicturePageTest::theStripTellsTheStateOfTheBit() {
