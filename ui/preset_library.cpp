@@ -12,10 +12,8 @@
 namespace drillwave {
 namespace {
 
-const QString addedKey = QStringLiteral("presets/files");
-
 QStringList addedFiles() {
-    return Settings().value(addedKey).toStringList();
+    return Settings().value(presetFilesKey).toStringList();
 }
 
 PresetSource read(const QString& path) {
@@ -59,7 +57,7 @@ QString PresetLibrary::add(const QString& path) {
     QStringList files = addedFiles();
     files.removeAll(absolute);
     files.append(absolute);
-    Settings().setValue(addedKey, files);
+    Settings().setValue(presetFilesKey, files);
     reload();
     return {};
 }
@@ -71,7 +69,7 @@ bool PresetLibrary::wasAdded(const QString& path) const {
 void PresetLibrary::remove(const QString& path) {
     QStringList files = addedFiles();
     files.removeAll(path);
-    Settings().setValue(addedKey, files);
+    Settings().setValue(presetFilesKey, files);
     reload();
 }
 

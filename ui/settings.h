@@ -14,13 +14,14 @@ class Settings : public QSettings {
 };
 
 inline const QString recentFilesKey = QStringLiteral("recentFiles");
+inline const QString presetFilesKey = QStringLiteral("presets/files");
 
 /// Forgets layout, page, units and every other choice, so that the next window is as new. The names of
-/// recent files stay.
+/// recent files and of added files of presets stay.
 inline void resetSettings() {
     Settings settings;
     for (const QString& key : settings.allKeys())
-        if (key != recentFilesKey) settings.remove(key);
+        if (key != recentFilesKey && key != presetFilesKey) settings.remove(key);
 }
 
 }  // namespace drillwave

@@ -318,7 +318,10 @@ void TestFiles::aResetForgetsChoicesButNotFiles() {
     QVERIFY(window().openFile(put("a.yaml", exampleBytes())));
     window().setUnits(UnitSystem::dimensionless);
     QVERIFY(window().close());
+    const QStringList presets{QStringLiteral("mine.yaml")};
+    Settings().setValue(presetFilesKey, presets);
     resetSettings();
+    QCOMPARE(Settings().value(presetFilesKey).toStringList(), presets);
     makeWindow();
     QCOMPARE(window().shown()->request.units, UnitSystem::si);
     QCOMPARE(recentFiles().size(), 1);
