@@ -22,8 +22,10 @@ namespace {
 
 constexpr int visibleEvents = 7;
 
+// Shares of the energy are known to 1e-12: what is smaller is rounding.
 QString percent(double fraction) {
-    return numberText(100 * fraction, 4, QLocale()) + QChar(QChar::Nbsp) + QLatin1Char('%');
+    return numberText(std::abs(fraction) < 1e-12 ? 0 : 100 * fraction, 4, QLocale()) + QChar(QChar::Nbsp) +
+           QLatin1Char('%');
 }
 
 QString newtons(double force) {

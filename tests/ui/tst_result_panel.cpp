@@ -85,6 +85,9 @@ class TestResultPanel : public QObject {
                  QString("Energy: rebound 70 %, waves 30 %"));
         bar.resize(200, 24);
         QVERIFY(!bar.grab().isNull());
+        ResultPanel panel;
+        panel.show(withShares(-1e-15, 0.7, 0.3));
+        QCOMPARE(valueOf(panel, "Energy: into the rock"), QString("0 %"));
     }
 
     void magnitudesHaveOneDigit() {
