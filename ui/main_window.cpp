@@ -84,9 +84,11 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     present(m_job->solveNow(request()));
 }
 
-// Fields that lose the focus hand their edits over: while the document is still there.
+// The panel hands the last edits over as it goes: while the document is still there. A dock of its own does not
+// go out of sight with the window.
 MainWindow::~MainWindow() {
     hide();
+    delete m_scenarioPanel;
 }
 
 void MainWindow::addNotices() {

@@ -42,6 +42,12 @@ ScenarioPanel::ScenarioPanel(Document& document, Questions& questions, QWidget* 
     showScenario();
 }
 
+// Sliders that are held and fields with the focus hand their edits over as they go out of sight: while the
+// panel and the document are still there.
+ScenarioPanel::~ScenarioPanel() {
+    hide();
+}
+
 void ScenarioPanel::addTitle() {
     m_title = new QLineEdit(widget());
     m_title->setObjectName(QStringLiteral("title"));

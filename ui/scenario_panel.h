@@ -21,6 +21,7 @@ class ScenarioPanel : public QScrollArea {
   public:
     /// Document and questions must outlive the panel.
     ScenarioPanel(Document& document, Questions& questions, QWidget* parent = nullptr);
+    ~ScenarioPanel() override;
 
     /// Shows the field of a parameter, by its key, and gives it the focus.
     void goTo(const QString& key);

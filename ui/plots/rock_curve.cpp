@@ -30,13 +30,52 @@ QSharedPointer<QCPCurveDataContainer> pathOf(const Impact& impact, const Groups&
     return path;
 }
 
+// A blow of a million reflections runs up and down its lines a million times: to fill between them would take
+// minutes. Where unloading lines lie closer than can be seen, the one that goes deepest stands for them.
+QSharedPointer<QCPCurveDataContainer> outlineOf(const QSharedPointer<QCPCurveDataContainer>& path,
+                                                double peakForce) {
+    constexpr int pointsDrawnAtOnce = 20000;
+    constexpr double linesTold = 4000;
+    if (path->size() <= pointsDrawnAtOnce) return path;
+    QVector<QCPCurveData> points;
+    const auto append = [&points](const QCPCurveData& point) {
+        points.append(QCPCurveData(static_cast<double>(points.size()), point.key, point.value));
+    };
+    QCPCurveData peak = *path->constBegin();
+    QCPCurveData lowest = peak;
+    double lineBegin = peak.value;
+    append(peak);
+    for (auto point = path->constBegin(); point != path->constEnd(); ++point) {
+        if (point->value > lineBegin + peakForce / linesTold) {
+            append(peak);
+            append(lowest);
+            append(peak);
+            peak = lowest = *point;
+            lineBegin = peak.value;
+        } else if (point->value > peak.value) {
+            peak = *point;
+        } else if (point->value <= lowest.value) {
+            lowest = *point;
+        }
+    }
+    append(peak);
+    append(lowest);
+    append(*(path->constEnd() - 1));
+    auto outline = QSharedPointer<QCPCurveDataContainer>::create();
+    outline->set(points, true);
+    return outline;
+}
+
 }  // namespace
 
 RockCurve rockCurve(const Impact& impact, const Groups& groups, const ShownUnits& units) {
     const ImpactSummary summary = summarize(impact, groups);
+    const double peakForce = summary.peakForce * units.force.factor;
+    const auto path = pathOf(impact, groups, units);
     return {.units = units,
-            .path = pathOf(impact, groups, units),
-            .peakForce = summary.peakForce * units.force.factor,
+            .path = path,
+            .outline = outlineOf(path, peakForce),
+            .peakForce = peakForce,
             .maxPenetration = summary.maxPenetration * units.penetration.factor,
             .residualPenetration = summary.residualPenetration * units.penetration.factor,
             .loading = groups.beta * units.stiffness.factor,

@@ -16,13 +16,15 @@ namespace drillwave {
 struct RockCurve {
     ShownUnits units;
     QSharedPointer<QCPCurveDataContainer> path;  ///< penetration, force; the parameter t is the global time
-    double peakForce = 0;                        ///< Fm
-    double maxPenetration = 0;                   ///< Um
-    double residualPenetration = 0;              ///< Ur
-    double loading = 0;                          ///< k
-    double unloading = 0;                        ///< k/γ
-    double energy = 0;                           ///< left in the rock: the enclosed area
-    double energyShare = 0;                      ///< of the hammer work
+    /// The path as it is drawn and filled: the same, but of a bounded number of points.
+    QSharedPointer<QCPCurveDataContainer> outline;
+    double peakForce = 0;            ///< Fm
+    double maxPenetration = 0;       ///< Um
+    double residualPenetration = 0;  ///< Ur
+    double loading = 0;              ///< k
+    double unloading = 0;            ///< k/γ
+    double energy = 0;               ///< left in the rock: the enclosed area
+    double energyShare = 0;          ///< of the hammer work
 };
 
 /// Requires an impact solved with Detail::histories. The penetration follows from the force by the bilinear

@@ -106,7 +106,7 @@ void RockPlot::show(const RockCurve& curve) {
     const bool unitsChanged = !sameUnits(m_curve.units, curve.units);
     if (unitsChanged) setGhost(nullptr);
     m_curve = curve;
-    m_path->setData(curve.path);
+    m_path->setData(curve.outline);
     m_plot->xAxis->setLabel(curve.units.penetration.axisLabel(tr("penetration U")));
     m_plot->yAxis->setLabel(curve.units.force.axisLabel(tr("impact force F")));
     m_message->setVisible(false);
@@ -196,7 +196,7 @@ void RockPlot::setGhost(const RockCurve* before) {
         m_ghost->setSelectable(QCP::stNone);
         m_ghost->setLayer(ghostLayer(*m_plot));
         m_ghost->setPen(ghostPen(m_style, 0));
-        m_ghost->setData(before->path);
+        m_ghost->setData(before->outline);
         m_ghostSize = {before->maxPenetration, before->peakForce};
     }
     if (m_fitted) fit();

@@ -1,6 +1,9 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
+#include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "core/wave/exact_solver.h"
 #include "ui/plots/plot_widget.h"
@@ -41,6 +44,7 @@ class TestRockPlot : public QObject {
     void theEnergyIsTheEnclosedArea();
     void theEnergyIsThatOfTheUnitsShown();
     void theMarksAreTheNumbersOfTheBlow();
+    void manyReflectionsAreDrawnWithBoundedWork();
     void aPointOfThePathBelongsToItsTime();
     void anElasticRockKeepsNothing();
     void numbersAreNamedInThePlot();
@@ -109,6 +113,22 @@ void TestRockPlot::theMarksAreTheNumbersOfTheBlow() {
     QVERIFY(std::abs(force / curve.peakForce - 1) < 1e-9);
     QVERIFY(std::abs(penetration / curve.maxPenetration - 1) < 1e-9);
     QVERIFY(std::abs((curve.path->constEnd() - 1)->key / curve.residualPenetration - 1) < 1e-9);
+}
+
+// Filling between hundreds of thousands of lines on top of each other held the window up for minutes.
+void TestRockPlot::manyReflectionsAreDrawnWithBoundedWork() {
+    Scenario scenario = parseScenario(findExample("t51_soft_rock")->text, "").scenario;
+    QCOMPARE(assignText(scenario, "rod.area", "10 mm^2"), std::string());
+    const Impact impact = ExactSolver().solve(pulseForceOf(scenario), groupsOf(scenario), Detail::histories);
+    const RockCurve curve =
+        rockCurve(impact, groupsOf(scenario), shownUnits(UnitSystem::si, scalesOf(scenario)));
+    QVERIFY2(curve.path->size() > 20000, qPrintable(QString::number(curve.path->size())));
+    QVERIFY2(curve.outline->size() <= 20000, qPrintable(QString::number(curve.outline->size())));
+    double force = 0;
+    for (auto point = curve.outline->constBegin(); point != curve.outline->constEnd(); ++point)
+        force = std::max(force, point->value);
+    QVERIFY(std::abs(force / curve.peakForce - 1) < 1e-9);
+    QCOMPARE((curve.outline->constEnd() - 1)->key, (curve.path->constEnd() - 1)->key);
 }
 
 void TestRockPlot::aPointOfThePathBelongsToItsTime() {
