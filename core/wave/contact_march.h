@@ -9,10 +9,19 @@
 
 #include "core/model/pulse_force.h"
 #include "core/model/scenario.h"
+#include "core/wave/contact_rates.h"
 #include "core/wave/impact.h"
+#include "core/wave/input_move.h"
 #include "core/wave/wave_queue.h"
 
 namespace drillwave {
+
+/// What a march may cost, and when it must end.
+struct MarchLimits {
+    long pieces = 30'000'000;               ///< smooth pieces
+    const std::stop_token* stop = nullptr;  ///< none: to the end
+    InputMove move = {};
+};
 
 /// Solves  g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ),  F' = a(2g − F),  a = β, β/γ or 0, piece by piece.
 ///
@@ -25,11 +34,9 @@ class ContactMarch {
     using Piece = typename Basis::Piece;
 
     /// Solves into `impact`. False when the basis cannot represent this blow to full accuracy.
-    /// More than `mostPieces` smooth pieces, and a stop, end as Outcome::notSolved.
+    /// More pieces than permitted, and a stop, end as Outcome::notSolved.
     bool solve(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact,
-               long mostPieces = defaultMostPieces, const std::stop_token& stop = {});
-
-    static constexpr long defaultMostPieces = 30'000'000;
+               const MarchLimits& limits = {});
 
   private:
     enum class Phase {
@@ -53,6 +60,9 @@ class ContactMarch {
     /// after the second number nothing more is asked.
     static constexpr int repeatedEvents = 3, mostEventsOnTheSpot = 6;
 
+    /// A gap that opens no further than the rounding of the distance travelled is none.
+    static constexpr Real closedGap = 8 * std::numeric_limits<Real>::epsilon();
+
     /// How often to look for a stop: every millisecond or so.
     static constexpr long piecesBetweenLooks = 8192;
 
@@ -70,9 +80,11 @@ class ContactMarch {
     Progress flyFree();
     Progress skipPeriods(Real momentum);
     void passPeriods(Real periods);
-    void closeGap();
+    void closeGap(const Piece& arriving, Real length);
     void separate();
-    void leave(const Piece& reflected, const Piece& incident, const Piece* force, Real length);
+    void rejoin();
+    [[gnu::always_inline]] inline void leave(const Piece& reflected, const Piece& incident,
+                                             const Piece* force, Real length);
     void finish();
     void summarise();
     void note(ContactEvent kind) {
@@ -85,7 +97,7 @@ class ContactMarch {
     }
     bool lookForEnd() {
         if (m_impact->pieces > m_mostPieces) return failAtLimit();
-        if (m_stop->stop_requested()) return fail("stopped");
+        if (m_limits.stop && m_limits.stop->stop_requested()) return fail("stopped");
         m_nextLook = std::min(m_mostPieces, m_impact->pieces + piecesBetweenLooks);
         return false;
     }
@@ -93,6 +105,12 @@ class ContactMarch {
         m_impact->outcome = Outcome::notSolved;
         m_impact->reason = reason;
         return true;
+    }
+
+    /// What the basis cannot decide, or not represent.
+    bool undecided() {
+        fail("the order of two events hangs on rounding");
+        return false;
     }
 
     bool failAtLimit() {
@@ -109,12 +127,13 @@ class ContactMarch {
     Piece m_incident;          ///< g now arriving
     const PulseForce* m_pulse = nullptr;
     Impact* m_impact = nullptr;
-    const std::stop_token* m_stop = nullptr;
-    long m_mostPieces = defaultMostPieces;
+    MarchLimits m_limits;
+    long m_mostPieces = 0;
     long m_nextLook = 0;  ///< how many pieces may pass before lookForEnd()
     Detail m_detail = Detail::cor;
 
-    Real m_beta = 0, m_unloadingRate = 0, m_roundTrip = 0;
+    ContactRates<Real> m_rates;
+    Real m_roundTrip = 0;
     Real m_arrival = 0;                ///< global time of s = 0
     typename Basis::Sum m_s;           ///< time at the front end
     typename Basis::Sum m_hammerTime;  ///< how far the hammer force has been used
@@ -125,10 +144,15 @@ class ContactMarch {
     bool m_justUnloaded = false;
     int m_eventsOnTheSpot = 0;  ///< events in a row without progress in time
     Phase m_phase = Phase::apart;
-    Real m_periodsAhead = 0;  ///< periods of free flight still to come before `m_gap` counts
-    Real m_gap = 0;           ///< distance still to close, displacement unit I0/Z
+    Real m_periodsAhead = 0;       ///< periods of free flight still to come before `m_gap` counts
+    Real m_gap = 0;                ///< distance still to close, displacement unit I0/Z
+    Real m_opened = 0;             ///< largest gap since the last separation
+    double m_separatedBefore = 0;  ///< time of the separation before the last one
     Real m_force = 0;
-    Real m_peak = 0;                    ///< largest force so far: the memory of the rock
+    Real m_peak = 0;          ///< largest force so far: the memory of the rock
+    Real m_closingSpeed = 0;  ///< of the bit at the last contact, force unit; 0 for the first contact
+    Real m_contactForce = 0;  ///< largest force since then, at the ends of pieces
+    Real m_growth = 1;        ///< Impact::growth
     typename Basis::Sum m_contactTime;  ///< summed over contacts
     typename Basis::Sum m_impulse;
     Real m_error = 0;
@@ -136,23 +160,23 @@ class ContactMarch {
 
 template <class Basis>
 bool ContactMarch<Basis>::solve(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact,
-                                long mostPieces, const std::stop_token& stop) {
-    m_stop = &stop;
-    m_mostPieces = detail == Detail::histories ? std::min(mostPieces, mostRecordedPieces) : mostPieces;
+                                const MarchLimits& limits) {
+    m_limits = limits;
+    m_mostPieces = detail == Detail::histories ? std::min(limits.pieces, mostRecordedPieces) : limits.pieces;
     m_nextLook = std::min(m_mostPieces, piecesBetweenLooks);
     begin(pulse, groups, detail, impact);
     for (;;) {
         const bool hammerEnded = m_hammerPiece >= m_pulse->segments.size();
         if (m_phase == Phase::apart && hammerEnded && m_incident.length <= 0) {
-            if (flyFree() == Progress::finished) return !m_basis.failed();
-            continue;
+            if (flyFree() == Progress::goesOn) continue;
+            return !m_basis.failed() || undecided();
         }
         if (m_incident.length <= 0) nextArrival();
         if (m_phase == Phase::apart)
             advanceApart();
         else
             advanceContact();
-        if (m_basis.failed()) return false;
+        if (m_basis.failed()) return undecided();
         if (!(m_force >= 0 || m_force < 0)) return fail("the wave force overflowed");
         if (isOver()) return true;
     }
@@ -164,11 +188,15 @@ void ContactMarch<Basis>::begin(const PulseForce& pulse, const Groups& groups, D
     m_pulse = &pulse;
     m_impact = &impact;
     m_detail = detail;
-    m_beta = std::min(Real(groups.beta), fastestRate);
-    m_unloadingRate = std::min(Real(groups.beta) / Real(groups.gamma), fastestRate);
+    const auto moved = [](double value, int units) {
+        return Real(value) * (1 + Real(units) * std::numeric_limits<Real>::epsilon());
+    };
+    const Real beta = moved(groups.beta, m_limits.move.beta);
+    m_rates = {std::min(beta, fastestRate), std::min(beta / Real(groups.gamma), fastestRate)};
     m_elasticRock = groups.gamma == 1;
-    m_roundTrip = 2 * Real(groups.tau);
-    m_arrival = pulse.isRigidBody() ? Real(0) : Real(groups.tau);
+    const Real transit = moved(groups.tau, m_limits.move.tau);
+    m_roundTrip = 2 * transit;
+    m_arrival = pulse.isRigidBody() ? Real(0) : transit;
     m_s = 0;
     m_hammerTime = 0;
     m_hammerPiece = 0;
@@ -186,9 +214,10 @@ void ContactMarch<Basis>::begin(const PulseForce& pulse, const Groups& groups, D
     m_contactTime = 0;
     m_impulse = 0;
     m_error = 0;
+    m_growth = 1;
     m_waves.clear();
     m_incident = Piece::zero(0);
-    m_basis.begin(pulse, groups);
+    m_basis.begin(pulse, groups, m_rates);
     if (pulse.isRigidBody())
         m_waves.pushBack(m_basis.constant(m_roundTrip, 1 / m_roundTrip));
     else

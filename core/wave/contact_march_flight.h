@@ -23,22 +23,22 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
             if (m_touching && contact.u > 0) separate();
             m_incident = arriving;
             m_waves.popFront();
-            if (contact.u > 0) {
-                leave(m_incident, m_incident, nullptr, contact.u);
-                m_incident.dropFront(contact.u);
-            }
-            closeGap();
+            if (contact.u > 0) leave(m_incident, m_incident, nullptr, contact.u);
+            closeGap(m_incident, contact.u);
+            if (contact.u > 0) m_incident.dropFront(contact.u);
             return Progress::goesOn;
         }
         const Real impulse = arriving.integral(arriving.length);
         if (m_touching && !arriving.isZero()) separate();
         momentum += impulse;
-        if (!m_touching) m_gap -= 2 * impulse;
+        if (!m_touching) {
+            m_gap -= 2 * impulse;
+            m_opened = std::max(m_opened, m_gap);
+        }
         ++m_impact->pieces;
         m_s += arriving.length;
         if (m_touching) m_contactTime += arriving.length;
-        if constexpr (Basis::keepsHistory)
-            if (m_detail == Detail::histories) m_basis.record(arriving, nullptr, arriving.length, *m_impact);
+        if (m_detail == Detail::histories) m_basis.record(arriving, nullptr, arriving.length, *m_impact);
         m_waves.rotate();
     }
     return skipPeriods(momentum);
@@ -54,17 +54,11 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::skipPeriods(Real mom
         return Progress::goesOn;
     }
     const Real uncertain = 4 * (m_error + m_basis.momentumNoise());
-    if (momentum <= 0 || (m_touching && momentum <= uncertain)) {
-        finish();
-        if (momentum > -uncertain && !m_touching)
-            fail(
-                "the momentum after a separation is zero within rounding: whether the rod returns is "
-                "undecided");
-        return Progress::finished;
-    }
     if (momentum <= uncertain) {
         finish();
-        fail("the momentum after a separation is zero within rounding: whether the rod returns is undecided");
+        // Whether a rod without momentum returns is undecided; what the rock could still give it is as
+        // little.
+        if (momentum > -uncertain && !m_touching) m_impact->corError += double(2 * uncertain);
         return Progress::finished;
     }
     // How far the front end reaches beyond its advance of whole periods, piece by piece: the earliest
@@ -102,8 +96,8 @@ void ContactMarch<Basis>::finish() {
     impact.impulse = double(m_impulse);
     impact.cor = double(m_impulse - 1);
     impact.corError = double(m_error + m_basis.momentumNoise());
-    if constexpr (Basis::keepsHistory)
-        if (m_detail != Detail::cor) summarise();
+    impact.growth = double(m_growth);
+    if (m_detail != Detail::cor) summarise();
 }
 
 /// Peak, end and the sums over the last period that balance momentum and energy independently.
@@ -117,7 +111,7 @@ void ContactMarch<Basis>::summarise() {
     for (std::size_t i = 0; i < m_waves.size(); ++i) {
         const Piece& piece = m_waves[i];
         momentum += piece.integral(piece.length);
-        energy += Basis::productIntegral(piece, piece, piece.length);
+        energy += m_basis.productIntegral(piece, piece, piece.length);
     }
     impact.finalMomentum = double(momentum);
     impact.finalEnergy = double(energy);

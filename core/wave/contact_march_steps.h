@@ -42,10 +42,9 @@ void ContactMarch<Basis>::nextArrival() {
         m_waves.popFront();
     }
     const Piece& hammer = m_basis.addHammer(segment, into, length, m_incident);
-    if constexpr (Basis::keepsHistory)
-        if (m_detail != Detail::cor)  // Fa va = Fa (2g − Fa)
-            m_impact->hammerWork += double(2 * Basis::productIntegral(hammer, m_incident, length) -
-                                           Basis::productIntegral(hammer, hammer, length));
+    if (m_detail != Detail::cor)  // Fa va = Fa (2g − Fa)
+        m_impact->hammerWork += double(2 * m_basis.productIntegral(hammer, m_incident, length) -
+                                       m_basis.productIntegral(hammer, hammer, length));
     m_hammerTime += length;
     if (left - length <= coincident) {
         ++m_hammerPiece;
@@ -54,15 +53,24 @@ void ContactMarch<Basis>::nextArrival() {
     }
 }
 
+/// The gap is closed where `length` of `arriving` has passed.
 template <class Basis>
-void ContactMarch<Basis>::closeGap() {
+void ContactMarch<Basis>::closeGap(const Piece& arriving, Real length) {
+    m_opened = std::max(m_opened, m_gap + 2 * arriving.magnitude() * length);
+    const bool wasClosed = m_everTouched && m_opened <= closedGap;
     m_gap = 0;
     m_force = 0;
     m_phase = m_elasticRock || m_peak == 0 ? Phase::primary : Phase::elastic;
-    if (!m_touching) {
+    if (!m_touching && wasClosed) {
+        rejoin();
+    } else if (!m_touching) {
         ++m_impact->contacts;
         note(ContactEvent::contact);
-        if (!m_everTouched) m_impact->firstContactTime = double(m_arrival + m_s);
+        if (m_everTouched)
+            m_closingSpeed = 2 * arriving.value(length);
+        else
+            m_impact->firstContactTime = double(m_arrival + m_s);
+        m_contactForce = 0;
     }
     m_touching = false;
     m_everTouched = true;
@@ -71,8 +79,20 @@ void ContactMarch<Basis>::closeGap() {
 template <class Basis>
 void ContactMarch<Basis>::separate() {
     m_touching = false;
+    m_opened = 0;
+    // A gap that errs by δ closes δ/(closing speed) early or late, and shifts the force by as much: the
+    // impulse that this displaces is at most 2 Fmax times that.
+    if (m_impact->contacts > 1) m_growth *= 1 + 2 * m_contactForce / std::max(m_closingSpeed, Real(0));
+    m_separatedBefore = m_impact->separationTime;
     m_impact->separationTime = double(m_arrival + m_s);
     note(ContactEvent::separation);
+}
+
+/// The last separation opened no gap: it was none.
+template <class Basis>
+void ContactMarch<Basis>::rejoin() {
+    m_impact->separationTime = m_separatedBefore;
+    if (m_detail != Detail::cor) m_impact->events.pop_back();
 }
 
 /// A stretch of the front end has passed: its reflected wave goes back into the rod.
@@ -83,9 +103,9 @@ void ContactMarch<Basis>::leave(const Piece& reflected, const Piece& incident, c
     m_s += length;
     if (force || m_touching) m_contactTime += length;
     if (length <= 0) return;
-    if constexpr (Basis::keepsHistory)
-        if (m_detail == Detail::histories) m_basis.record(incident, force, length, *m_impact);
-    if constexpr (Basis::keepsHistory)
+    if (m_detail == Detail::histories) [[unlikely]]
+        m_basis.record(incident, force, length, *m_impact);
+    if constexpr (Basis::joinsPieces)
         if (m_waves.size() > Basis::manyPieces) {
             Piece last = reflected;
             last.shorten(length);
@@ -103,7 +123,10 @@ void ContactMarch<Basis>::advanceApart() {
     const auto contact = m_basis.gapClosure(m_incident, m_gap);
     if (!contact.found) {
         if (m_touching && !m_incident.isZero()) separate();
-        if (!m_touching) m_gap -= 2 * m_incident.integral(m_incident.length);
+        if (!m_touching) {
+            m_gap -= 2 * m_incident.integral(m_incident.length);
+            m_opened = std::max(m_opened, m_gap);
+        }
         leave(m_incident, m_incident, nullptr, m_incident.length);
         m_incident.length = 0;
         return;
@@ -111,9 +134,9 @@ void ContactMarch<Basis>::advanceApart() {
     if (contact.u > 0) {
         if (m_touching) separate();
         leave(m_incident, m_incident, nullptr, contact.u);
-        m_incident.dropFront(contact.u);
     }
-    closeGap();
+    closeGap(m_incident, contact.u);
+    if (contact.u > 0) m_incident.dropFront(contact.u);
 }
 
 /// Where the solved stretch ends: at its first event, or at its end.
@@ -164,7 +187,7 @@ void ContactMarch<Basis>::advanceContact() {
         m_gap = 0;
         return;
     }
-    const Real rate = m_phase == Phase::primary ? m_beta : m_unloadingRate;
+    const Real rate = m_phase == Phase::primary ? m_rates.primary : m_rates.elastic;
     Response& response = m_basis.respond(m_incident, rate, m_force);
     if (m_basis.failed()) return;
     const auto [length, ending] = firstEvent(response);
@@ -173,12 +196,13 @@ void ContactMarch<Basis>::advanceContact() {
     m_basis.endAt(response, length);
     m_impulse += response.force.integral(length);
     m_error += m_basis.roundingError(response, length);
-    if constexpr (Basis::keepsHistory)
-        if (m_detail != Detail::cor) {
-            m_impact->rockWork += double(Basis::productIntegral(response.force, response.drive, length));
-            if (m_elasticRock) m_peak = std::max(m_peak, m_basis.largest(response, length));
-        }
-    m_force = response.force.value(length);
+    if (m_detail != Detail::cor) {
+        m_impact->rockWork +=
+            double(m_basis.productIntegral(response.force, m_basis.drive(response), length));
+        if (m_elasticRock) m_peak = std::max(m_peak, m_basis.largest(response, length));
+    }
+    m_force = std::max(response.force.value(length), Real(0));  // below it: rounding
+    m_contactForce = std::max(m_contactForce, m_force);
     leave(response.reflected, response.incident, &response.force, length);
     if (length < m_incident.length)
         m_basis.dropFront(m_incident, response);

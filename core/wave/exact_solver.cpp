@@ -1,18 +1,57 @@
 #include "core/wave/exact_solver.h"
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/wave/contact_march.h"
 #include "core/wave/exponential_basis.h"
 #include "core/wave/series_basis.h"
+#include "core/wave/soft_reference.h"
 
 namespace drillwave {
 
 struct ExactSolver::Workspace {
     ContactMarch<ExponentialBasis> closed;
     ContactMarch<SeriesBasis<double>> series;
+
+    void march(const PulseForce& pulse, const Groups& groups, Detail detail, const MarchLimits& limits,
+               Impact& impact);
+    [[gnu::cold]] void widen(const PulseForce& pulse, const Groups& groups, MarchLimits limits,
+                             Impact& impact);
 };
+
+namespace {
+
+/// A blow that needs more exponential pieces than this is one for power series.
+constexpr long mostClosedPieces = 2000;
+
+bool isSolved(const Impact& impact) {
+    return impact.outcome == Outcome::rebounded;
+}
+
+}  // namespace
+
+/// One march into a new `impact`: in closed form where that suits and comes to its end, else in series.
+void ExactSolver::Workspace::march(const PulseForce& pulse, const Groups& groups, Detail detail,
+                                   const MarchLimits& limits, Impact& impact) {
+    if (ExponentialBasis::suits(pulse, groups)) {
+        MarchLimits few = limits;
+        few.pieces = std::min(limits.pieces, mostClosedPieces);
+        if (closed.solve(pulse, groups, detail, impact, few) && isSolved(impact)) return;
+        impact = Impact{};
+    }
+    series.solve(pulse, groups, detail, impact, limits);
+}
+
+void ExactSolver::Workspace::widen(const PulseForce& pulse, const Groups& groups, MarchLimits limits,
+                                   Impact& impact) {
+    widenByMovedInput(impact, [&](const InputMove& move) {
+        limits.move = move;
+        Impact moved;
+        march(pulse, groups, Detail::cor, limits, moved);
+        return moved;
+    });
+}
 
 ExactSolver::ExactSolver(long mostPieces)
     : m_workspace(std::make_unique<Workspace>()), m_mostPieces(mostPieces) {}
@@ -22,20 +61,15 @@ ExactSolver& ExactSolver::operator=(ExactSolver&&) noexcept = default;
 
 Impact ExactSolver::solve(const PulseForce& pulse, const Groups& groups, Detail detail,
                           const std::stop_token& stop) {
-    Impact impact;
-    const bool inClosedForm =
-        ExponentialBasis::suits(pulse, groups) &&
-        m_workspace->closed.solve(pulse, groups, Detail::cor, impact, m_mostPieces, stop);
-    if (inClosedForm && detail == Detail::cor) return impact;
-    const Impact closed = inClosedForm ? std::exchange(impact, Impact{}) : Impact{};
-    impact = Impact{};
-    m_workspace->series.solve(pulse, groups, detail, impact, m_mostPieces, stop);
-    if (inClosedForm && impact.outcome == closed.outcome) {  // the same digits whatever detail is asked for
-        impact.cor = closed.cor;
-        impact.corError = closed.corError;
-        impact.impulse = closed.impulse;
+    Impact impact;  // the only one returned: a move of it would be seen in sweeps
+    if (pulse.isRigidBody() && isSoftReference(groups)) {
+        impact = softReference(groups, detail);
+        return impact;
     }
-    if (impact.outcome == Outcome::rebounded && !std::isfinite(impact.cor + impact.corError)) {
+    m_workspace->march(pulse, groups, detail, {.pieces = m_mostPieces, .stop = &stop}, impact);
+    if (!isSolved(impact)) return impact;
+    if (impact.growth > coveredGrowth) m_workspace->widen(pulse, groups, {m_mostPieces, &stop}, impact);
+    if (!std::isfinite(impact.cor + impact.corError)) {
         impact.outcome = Outcome::notSolved;
         impact.reason = "its numbers are beyond the range of double precision";
     }

@@ -1,5 +1,7 @@
 #include "core/wave/exponential_basis.h"
 
+#include "core/wave/exponential_stretches.h"
+
 namespace drillwave {
 namespace {
 
@@ -39,6 +41,11 @@ void combine(double p, const ExponentialSum& g, double q, const ExponentialSum& 
     out.primaryDecay = g.primaryDecay;
     out.elasticDecay = g.elasticDecay;
     out.rates = g.rates;
+}
+
+/// The zero at x unless it lies beyond the end.
+Zero<double> zeroUpTo(double end, double x) {
+    return x <= end ? Zero<double>::at(x) : Zero<double>{};
 }
 
 /// Value, slope/rate, curvature/rate² at y, and a lower bound of the latter over [y, ∞), of Σ c_m φ_m.
@@ -82,10 +89,9 @@ bool ExponentialBasis::suits(const PulseForce& pulse, const Groups& groups) {
     return true;
 }
 
-void ExponentialBasis::begin(const PulseForce& pulse, const Groups& groups) {
+void ExponentialBasis::begin(const PulseForce& pulse, const Groups& groups, ContactRates<double> rates) {
     m_failed = false;
-    m_rates.primary = groups.beta;
-    m_rates.elastic = groups.beta / groups.gamma;
+    m_rates = rates;
     m_scale = std::max(pulse.peak, groups.tau < 0.5 || pulse.isRigidBody() ? 1 / (2 * groups.tau) : 0.0);
     m_negligible = std::ldexp(m_scale, -62);
 }
@@ -96,12 +102,15 @@ ExponentialSum ExponentialBasis::constant(double length, double value) const {
     return f;
 }
 
-ExponentialSum& ExponentialBasis::addHammer(const PulseSegment& segment, double into, double length,
-                                            Piece& g) {
+const ExponentialSum& ExponentialBasis::addHammer(const PulseSegment& segment, double into, double length,
+                                                  Piece& g) {
+    m_hammer.length = length;
+    m_hammer.c0 = segment.value + segment.slope * into;
+    m_hammer.c1 = segment.slope;
     g.shorten(length);
-    g.c0 += segment.value + segment.slope * into;
-    g.c1 += segment.slope;
-    return g;
+    g.c0 += m_hammer.c0;
+    g.c1 += m_hammer.c1;
+    return m_hammer;
 }
 
 ExponentialBasis::Response& ExponentialBasis::respond(const Piece& g, double rate, double force) {
@@ -139,9 +148,13 @@ ExponentialBasis::Response& ExponentialBasis::respond(const Piece& g, double rat
         m_failed = true;
         return r;
     }
-    combine(2, r.incident, -1, r.force, r.drive);
     combine(1, r.incident, -1, r.force, r.reflected);
     return r;
+}
+
+const ExponentialSum& ExponentialBasis::drive(const Response& r) {
+    combine(2, r.incident, -1, r.force, m_drive);
+    return m_drive;
 }
 
 /// The decays up to the end serve every function of this stretch.
@@ -196,10 +209,10 @@ Zero<double> ExponentialBasis::firstZero(const Piece& f, double c2, double end, 
         if (step == 0 && (zeroAtStart || std::abs(s.value) <= noise)) {
             if (std::abs(s.slope) <= 16 * epsilon * (std::abs(f.c1) + s.size * s.fastest))
                 break;  // tangential
-            if (s.slope < 0) return {true, start};
+            if (s.slope < 0) return Zero<double>::at(start);
             s.value = 0;
         } else if (s.value <= noise) {
-            return {true, x};
+            return Zero<double>::at(x);
         }
         double h;
         if (s.leastCurvature >= 0) {
@@ -209,8 +222,8 @@ Zero<double> ExponentialBasis::firstZero(const Piece& f, double c2, double end, 
             const double root = std::sqrt(s.slope * s.slope - 2 * s.leastCurvature * s.value);
             h = s.slope > 0 ? (s.slope + root) / -s.leastCurvature : 2 * s.value / (root - s.slope);
         }
-        const bool near = s.slope < 0 && h * s.fastest < 0.1 && h * std::abs(s.curvature) < -0.2 * s.slope;
-        if (near) return closeIn(f, c2, x, s, end);
+        const bool near = s.slope < 0 && h * s.fastest < 0.25 && h * std::abs(s.curvature) < -0.4 * s.slope;
+        if (near) return closeIn(f, c2, x, s, end, x + 2 * h);
         x += std::max(h, 4 * epsilon * x);
         if (!(x <= end)) return {};
     }
@@ -218,13 +231,18 @@ Zero<double> ExponentialBasis::firstZero(const Piece& f, double c2, double end, 
     return {};
 }
 
-Zero<double> ExponentialBasis::closeIn(const Piece& f, double c2, double x, Sample s, double end) {
+/// Halley's method from x, where f is still positive, to the zero expected before `latest`. A step back
+/// before x, or far beyond, finds no zero or a later one: the function turns within rounding.
+Zero<double> ExponentialBasis::closeIn(const Piece& f, double c2, double x, Sample s, double end,
+                                       double latest) {
+    const double first = x;
     for (int step = 0; step < mostSteps; ++step) {
         const double h = -2 * s.value * s.slope / (2 * s.slope * s.slope - s.value * s.curvature);
         x += h;
+        if (!(x >= first && x <= latest)) break;
         const double quickest = std::max(s.fastest, std::abs(s.curvature / s.slope));
         if (std::abs(h) * quickest < 1e-5)
-            return {x <= end, x};  // the error is of third order: below rounding
+            return zeroUpTo(end, x);  // the error is of third order: below rounding
         s = sample(f, c2, x);
     }
     m_failed = true;
@@ -232,14 +250,15 @@ Zero<double> ExponentialBasis::closeIn(const Piece& f, double c2, double x, Samp
 }
 
 Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
-    if (g.c0 <= 0 && g.c1 <= 0 && g.primary.allAtMostZero() && g.elastic.allAtMostZero()) return {gap < 0, 0};
+    if (g.c0 <= 0 && g.c1 <= 0 && g.primary.allAtMostZero() && g.elastic.allAtMostZero())
+        return gap < 0 ? Zero<double>::at(0) : Zero<double>{};
     const double most = std::max({0.0, g.c0, g.c0 + g.c1 * g.length}) * g.length +
                         g.primary.positivePart() / m_rates.primary +
                         g.elastic.positivePart() / m_rates.elastic;
     if (gap > 2 * most) return {};
     if (g.primary.count == 0 && g.elastic.count == 0 && g.c1 == 0) {
         const double x = gap / (2 * g.c0);
-        return {x <= g.length, x};
+        return zeroUpTo(g.length, x);
     }
     // gap − 2∫g: ∫φ_m(λx) = (1 − φ_0 − … − φ_m)/λ
     Piece f = Piece::zero(g.length);
@@ -267,19 +286,18 @@ Zero<double> ExponentialBasis::forceVanishes(Response& r) {
 }
 
 Zero<double> ExponentialBasis::driveVanishes(Response& r) {
-    return firstZero(r.drive, 0, r.length);
+    return firstZero(drive(r), 0, r.length);
 }
 
 Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tangential) {
-    Piece& f = r.drive;  // no longer needed once the start is clear of the tangent
+    Piece& f = m_searched;
     double start = 0;
     if (tangential) {  // no return before the force has turned: F' = a·drive changes sign
-        Piece falling;
-        combine(-1, r.drive, 0, r.drive, falling);
-        const auto turn = firstZero(falling, 0, r.length, 0, true);
+        combine(-2, r.incident, 1, r.force, f);  // −drive
+        const auto turn = firstZero(f, 0, r.length, 0, true);
         if (!turn.found || m_failed) return {};
         start = turn.u;
-        if (start == 0) return {true, 0};
+        if (start == 0) return Zero<double>::at(0);
     }
     // F ≤ max(F(0), 2 max g) as F' = a(2g − F)
     const Piece& g = r.incident;
@@ -311,6 +329,40 @@ void ExponentialBasis::tidy(Piece& piece) const {
     piece.primary.trim(m_negligible);
     piece.elastic.trim(m_negligible);
     if (std::abs(piece.c0) + std::abs(piece.c1) * piece.length <= m_negligible) piece.c0 = piece.c1 = 0;
+}
+
+double ExponentialBasis::largest(const Response& r, double length) {
+    double most = std::max(r.force.startValue(), r.force.value(length));
+    const std::array<const Piece*, 2> functions{&r.force, &drive(r)};
+    ExponentialStretches(functions, length, m_negligible).forEach([&](double, const auto& series) {
+        const auto& [force, slope] = series;
+        most = std::max(most, force.startValue());
+        if (!forEachMaximum(slope, slope.length, [&](double x) { most = std::max(most, force.value(x)); }))
+            m_failed = true;
+    });
+    return most;
+}
+
+double ExponentialBasis::productIntegral(const Piece& f, const Piece& g, double length) const {
+    double sum = 0;
+    ExponentialStretches(std::array{&f, &g}, length, m_negligible).forEach([&](double, const auto& series) {
+        sum += PowerSeries<double>::productIntegral(series[0], series[1], series[0].length);
+    });
+    return sum;
+}
+
+void ExponentialBasis::record(const Piece& incident, const Piece* force, double length,
+                              Impact& impact) const {
+    const auto used = [](const PowerSeries<double>& f) {
+        return std::span<const double>(f.c.data(), static_cast<std::size_t>(f.count));
+    };
+    const Piece none;
+    const std::array functions{&incident, force ? force : &none};
+    ExponentialStretches(functions, length, m_negligible).forEach([&](double, const auto& series) {
+        const auto& [g, F] = series;
+        impact.incident.append(g.length, g.scale, used(g));
+        impact.force.append(g.length, g.scale, used(F));
+    });
 }
 
 }  // namespace drillwave

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/wave/power_series.h"
+#include "core/wave/contact_rates.h"
 
 namespace drillwave {
 
@@ -78,19 +78,13 @@ struct DecayTerms {
     }
 };
 
-/// The two rates of a blow: β in primary loading, β/γ on the elastic line.
-struct DecayRates {
-    double primary = 0;
-    double elastic = 0;
-};
-
 /// f(x) = c0 + c1 x + Σ primary + Σ elastic on 0 ≤ x ≤ length.
 struct ExponentialSum {
     double length = 0;
     double c0 = 0, c1 = 0;
     DecayTerms primary, elastic;
     mutable double primaryDecay = -1, elasticDecay = -1;  ///< e^{−rate·length}; negative: not computed yet
-    const DecayRates* rates = nullptr;
+    const ContactRates<double>* rates = nullptr;
 
     static ExponentialSum zero(double length) {
         ExponentialSum f;

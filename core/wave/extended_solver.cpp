@@ -7,10 +7,16 @@
 
 namespace drillwave {
 
-Impact solveInExtendedPrecision(const PulseForce& pulse, const Groups& groups, Detail detail) {
+Impact solveInExtendedPrecision(const PulseForce& pulse, const Groups& groups, Detail detail,
+                                const std::stop_token& stop) {
     const auto march = std::make_unique<ContactMarch<SeriesBasis<long double>>>();
-    Impact impact;
-    march->solve(pulse, groups, detail, impact);
+    const auto solve = [&](Detail wanted, const InputMove& move) {
+        Impact impact;
+        march->solve(pulse, groups, wanted, impact, {.stop = &stop, .move = move});
+        return impact;
+    };
+    Impact impact = solve(detail, {});
+    widenByMovedInput(impact, [&](const InputMove& move) { return solve(Detail::cor, move); });
     return impact;
 }
 

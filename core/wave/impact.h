@@ -53,6 +53,7 @@ struct Impact {
     double cor = 0;       ///< e = −pf/p0 = −1 + ∫F
     double corError = 0;  ///< bound on |cor − exact|
     double impulse = 0;   ///< ∫F ds = 1 + e
+    double growth = 1;    ///< by how much later contacts may multiply the rounding of earlier ones, at worst
 
     // Detail::summary and above
     double peakForce = 0;         ///< largest F/F0

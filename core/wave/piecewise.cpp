@@ -8,7 +8,8 @@ void PiecewisePolynomial::clear(double origin) {
     m_pieces.clear();
     m_coefficients.clear();
     m_integrals.clear();
-    m_origin = m_end = origin;
+    m_origin = origin;
+    m_end = origin;
 }
 
 void PiecewisePolynomial::append(double length, double scale, std::span<const double> coefficients) {

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/wave/compensated_sum.h"
+
 namespace drillwave {
 
 /// f(s) on [start, end): contiguous pieces, each Σ c_k u^k with u = (s − start of the piece)/scale of the
@@ -46,7 +48,7 @@ class PiecewisePolynomial {
     std::vector<double> m_coefficients;
     std::vector<double> m_integrals;  // up to the start of each piece
     double m_origin = 0;
-    double m_end = 0;
+    CompensatedSum<double> m_end;  ///< of many lengths: a look-up is as sharp as a time can be
 };
 
 }  // namespace drillwave

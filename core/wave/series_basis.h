@@ -4,6 +4,8 @@
 #include "core/model/pulse_force.h"
 #include "core/model/scenario.h"
 #include "core/wave/compensated_sum.h"
+#include "core/wave/contact_rates.h"
+#include "core/wave/first_zero.h"
 #include "core/wave/impact.h"
 #include "core/wave/power_series.h"
 #include "core/wave/series_joiner.h"
@@ -21,7 +23,7 @@ class SeriesBasis {
     using Real = RealType;
     using Piece = PowerSeries<Real>;
     using Sum = CompensatedSum<Real>;
-    static constexpr bool keepsHistory = true;
+    static constexpr bool joinsPieces = true;
 
     /// One solved stretch of contact: F, the drive 2g − F = U' = F'/a and the reflected g − F, on one scale.
     struct Response {
@@ -31,16 +33,17 @@ class SeriesBasis {
         Real size = 0;        ///< Σ|coefficients|: what rounding is relative to
     };
 
-    void begin(const PulseForce& pulse, const Groups& groups) {
+    void begin(const PulseForce& pulse, const Groups& groups, ContactRates<Real> rates) {
+        m_undecided = false;
         m_scale = std::max(Real(pulse.peak), 1 / (2 * Real(groups.tau)));
         if (!pulse.isRigidBody() && groups.tau >= 0.5) m_scale = Real(pulse.peak);
-        m_joiner.begin(groups);
+        m_joiner.begin(groups, rates.elastic);
         m_negligible = std::ldexp(m_scale, std::numeric_limits<Real>::digits == 53 ? -62 : -80);
     }
     /// How many pieces a round trip may have before joining them is worth the effort.
     static constexpr std::size_t manyPieces = 32;
 
-    bool failed() const { return false; }
+    bool failed() const { return m_undecided; }
     void stall() const {}
     Real negligibleForce() const { return m_negligible; }
     /// Rounding of a sum of impulses of order one.
@@ -128,25 +131,32 @@ class SeriesBasis {
         }
     }
 
+    const Piece& drive(const Response& r) const { return r.drive; }
     /// The stretch ends at `length`, by an event or at its end.
     void endAt(Response& r, Real length) const { r.length = length; }
     /// The rest of g behind that stretch.
     void dropFront(Piece& g, const Response& r) const { g.dropFront(r.length); }
 
     /// When ∫2g closes the gap.
-    Zero<Real> gapClosure(const Piece& g, Real gap) const {
-        if (g.isZero()) return {gap < 0, 0};
+    Zero<Real> gapClosure(const Piece& g, Real gap) {
+        if (g.isZero()) return gap < 0 ? Zero<Real>::at(0) : Zero<Real>{};
         if (gap > 2 * g.length * g.magnitude()) return {};
         Real c[Piece::capacity + 1];
         c[0] = gap;
         for (int k = 0; k < g.count; ++k) c[k + 1] = -2 * g.scale * g.c[k] * inverse(k + 1);
         return scaled(firstZero(c, g.count + 1, g.length / g.scale), g.scale, g.length);
     }
-    Zero<Real> forceVanishes(const Response& r) const { return zeroOf(r.force, r); }
-    Zero<Real> driveVanishes(const Response& r) const { return zeroOf(r.drive, r); }
+    /// F is a positive mean of 2g and of what it was: a compressive wave cannot pull the rod off.
+    Zero<Real> forceVanishes(const Response& r) {
+        if (r.incident.isZero()) return {};
+        const Real start = r.incident.startValue();
+        if (start + start >= r.incident.magnitude()) return {};
+        return zeroOf(r.force, r);
+    }
+    Zero<Real> driveVanishes(const Response& r) { return zeroOf(r.drive, r); }
     /// When F rises to `peak`; `tangential` at the start of unloading, where F = peak and F' = 0 by
     /// construction.
-    Zero<Real> forceReaches(const Response& r, Real peak, bool tangential) const {
+    Zero<Real> forceReaches(const Response& r, Real peak, bool tangential) {
         Real c[Piece::capacity];
         c[0] = tangential ? Real(0) : peak - r.force.startValue();
         Real rise = 0;
@@ -164,15 +174,16 @@ class SeriesBasis {
     }
 
     /// Largest F over [0, length].
-    Real largest(const Response& r, Real length) const {
+    Real largest(const Response& r, Real length) {
         Real most = std::max(r.force.startValue(), r.force.value(length));
-        forEachMaximum(r.drive, length, [&](Real x) { most = std::max(most, r.force.value(x)); });
+        m_undecided |=
+            !forEachMaximum(r.drive, length, [&](Real x) { most = std::max(most, r.force.value(x)); });
         return most;
     }
     /// Largest ∫0..x g over the piece, at least 0.
-    Real largestIntegral(const Piece& g) const {
+    Real largestIntegral(const Piece& g) {
         Real most = std::max(Real(0), g.integral(g.length));
-        forEachMaximum(g, g.length, [&](Real x) { most = std::max(most, g.integral(x)); });
+        m_undecided |= !forEachMaximum(g, g.length, [&](Real x) { most = std::max(most, g.integral(x)); });
         return most;
     }
 
@@ -210,29 +221,13 @@ class SeriesBasis {
         return table[k];
     }
 
-    static Zero<Real> scaled(Zero<Real> zero, Real scale, Real length) {
+    Zero<Real> scaled(Zero<Real> zero, Real scale, Real length) {
+        m_undecided |= zero.undecided;
         zero.u = std::min(zero.u * scale, length);
         return zero;
     }
-    static Zero<Real> zeroOf(const Piece& f, const Response& r) {
+    Zero<Real> zeroOf(const Piece& f, const Response& r) {
         return scaled(firstZero(f.c.data(), f.count, r.length / f.scale), f.scale, r.length);
-    }
-
-    /// Calls found(x) where f falls through zero in (0, length).
-    template <class Found>
-    static void forEachMaximum(const Piece& f, Real length, Found found) {
-        if (f.isZero()) return;
-        Real signedCoefficients[Piece::capacity];
-        Real start = 0;
-        bool positive = f.c[0] >= 0;
-        for (int crossing = 0; crossing < Piece::capacity; ++crossing) {
-            for (int k = 0; k < f.count; ++k) signedCoefficients[k] = positive ? f.c[k] : -f.c[k];
-            const auto zero = firstZero(signedCoefficients, f.count, length / f.scale, start);
-            if (!zero.found) return;
-            if (positive) found(zero.u * f.scale);
-            positive = !positive;
-            start = std::max(zero.u, std::numeric_limits<Real>::min());
-        }
     }
 
     /// F = 2g − F'/a as the exact polynomial; false while the layer in front of it still matters.
@@ -306,9 +301,10 @@ class SeriesBasis {
         return (converged && size <= 256 * m_scale) || g.length * m_scale < m_negligible;
     }
 
-    Real m_scale = 1;       ///< largest wave force of this blow
-    Real m_negligible = 0;  ///< what is dropped
-    Real m_layer = 0;       ///< distance of F from the slow solution
+    bool m_undecided = false;  ///< a search for an event ended without an answer
+    Real m_scale = 1;          ///< largest wave force of this blow
+    Real m_negligible = 0;     ///< what is dropped
+    Real m_layer = 0;          ///< distance of F from the slow solution
     SeriesJoiner<Real> m_joiner;
     Piece m_hammer;
     Response m_response;

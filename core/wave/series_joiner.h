@@ -20,8 +20,9 @@ class SeriesJoiner {
   public:
     using Piece = PowerSeries<Real>;
 
-    void begin(const Groups& groups) {
-        m_fastest = Real(groups.beta) / Real(groups.gamma);
+    /// `fastest` is the larger rate of the contact, β/γ.
+    void begin(const Groups& groups, Real fastest) {
+        m_fastest = fastest;
         m_softForce = Real(std::sqrt(groups.beta / groups.tau));
         m_relativePeak = Real(std::sqrt(groups.beta * groups.tau));
         // of the order of the round trips in contact: the more there are, the more each may err

@@ -27,6 +27,7 @@ const Scene scenes[] = {
     {"stiff", PulseShape::rectangular, {1e6, 0.01, 10, 0}},
     {"near_elastic", PulseShape::rectangular, {0.5, 0.99999999, 10, 0}},
     {"half_sine", PulseShape::halfSine, {0.5, 0.1, 10, 0}},
+    {"triangular", PulseShape::triangular, {0.5, 0.1, 10, 0}},
     {"piston", PulseShape::piston, {0.5, 0.1, 10, 0}},
     {"softest", PulseShape::rectangular, {1e-7, 0.1, 0.5, 0}},
     {"stiffest", PulseShape::rectangular, {1e9, 1e-6, 10, 0.3}},

@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "core/wave/power_series.h"
+#include "core/wave/first_zero.h"
 
 using namespace drillwave;
 
