@@ -38,6 +38,7 @@ constexpr Measure measures[] = {
     {"change_over_1e-10", [](const StabilityRow& r) { return std::optional(r.change); }},
     {"limit_distance", [](const StabilityRow& r) { return r.limitDistance; }},
     {"lattice_distance", [](const StabilityRow& r) { return r.latticeDistance; }},
+    {"bound_distance", [](const StabilityRow& r) { return r.boundDistance; }},
 };
 
 std::string describe(const StabilityRow& row) {
@@ -157,6 +158,8 @@ void printWorst(const StabilityReport& report) {
     worst(
         "distance from lattice", [](const StabilityRow& r) { return r.latticeDistance; }, "%8.2g");
     worst(
+        "distance from long double", [](const StabilityRow& r) { return r.boundDistance; }, "%8.2g");
+    worst(
         "error bound", [](const StabilityRow& r) { return Value(r.corError); }, "%8.1e");
     worst(
         "wave pieces", [](const StabilityRow& r) { return Value(static_cast<double>(r.pieces)); }, "%8.0f");
@@ -213,7 +216,9 @@ const Command& stabilityCommand() {
             "of momentum and of energy, for pulling rock, for contacts missed after the end, for continuity\n"
             "(e over changes of 1e-10 in each parameter), against its limits on soft and rigid rock and, "
             "where\n"
-            "its steps resolve the contact, against the lattice solver. Exit code 6 if any check fails.\n"
+            "its steps resolve the contact, against the lattice solver; its stated error against a solution "
+            "in\n"
+            "long double. Exit code 6 if any check fails.\n"
             "Not covered, as it needs more than 30 million wave pieces: beta below 1e-6 with gamma below 1, "
             "and\n"
             "tau below 0.1 with exponential and piston blows.",

@@ -3,18 +3,20 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "core/model/units.h"
 #include "core/study/ordered_rows.h"
 #include "core/wave/exact_solver.h"
+#include "core/wave/extended_solver.h"
 #include "core/wave/lattice_solver.h"
 
 namespace drillwave {
 namespace {
 
-constexpr double balanceTolerance = 1e-11;
-constexpr double mostChange = 1e-5;  // over 1e-10 in a parameter: e is continuous, and no branch is guessed
+constexpr StabilityMarks marks = stabilityMarks;
 constexpr long mostRecorded = 200'000;  // pieces of which histories are kept
+constexpr long mostExtended = 5000;     // pieces of blows that are solved again in long double
 constexpr int latticeSegments = 2000;
 
 void require(StabilityRow& row, bool holds, const char* what, double value) {
@@ -24,12 +26,11 @@ void require(StabilityRow& row, bool holds, const char* what, double value) {
 /// The momentum that the rock took and the one that the waves carry were summed apart; so were the energies.
 void checkBalances(StabilityRow& row, const Impact& impact) {
     row.momentumResidual = 1 - impact.impulse - impact.finalMomentum;
-    require(row, std::abs(row.momentumResidual) <= balanceTolerance, "momentum residual",
-            row.momentumResidual);
+    require(row, std::abs(row.momentumResidual) <= marks.balance, "momentum residual", row.momentumResidual);
     // a hammer that pushes a rod against rigid rock does next to no work: the sums round at F0² t0/Z
     const double energy = std::max(impact.hammerWork, 1e-3);
     row.energyResidual = (impact.hammerWork - impact.rockWork - impact.finalEnergy) / energy;
-    require(row, std::abs(row.energyResidual) <= balanceTolerance, "energy residual", row.energyResidual);
+    require(row, std::abs(row.energyResidual) <= marks.balance, "energy residual", row.energyResidual);
 }
 
 double leastForceOf(const Impact& impact) {
@@ -60,9 +61,9 @@ void checkHistories(StabilityRow& row, const PulseForce& pulse, ExactSolver& sol
     if (row.pieces > mostRecorded) return;
     const Impact impact = solver.solve(pulse, row.stabilityCase.groups, Detail::histories, stop);
     row.leastForce = leastForceOf(impact);
-    require(row, *row.leastForce >= -1e-12, "the rock pulls: F/Fmax", *row.leastForce);
+    require(row, *row.leastForce >= -marks.pull, "the rock pulls: F/Fmax", *row.leastForce);
     row.reach = reachOf(impact);
-    require(row, *row.reach <= 1e-9 && impact.finalMomentum <= 1e-11,
+    require(row, *row.reach <= marks.reach && impact.finalMomentum <= marks.balance,
             "not at its end: the front end returns by", *row.reach);
 }
 
@@ -70,6 +71,8 @@ void checkContinuity(StabilityRow& row, const PulseForce& pulse, ExactSolver& so
                      const std::stop_token& stop) {
     const Groups& at = row.stabilityCase.groups;
     const double near = 1e-10;
+    // The stated error covers input moved by 16 roundings: what hangs on the last digits hangs more on this.
+    const double movedBy = 16 * std::numeric_limits<double>::epsilon();
     const Groups neighbours[] = {{at.beta * (1 + near), at.gamma, at.tau, at.delta},
                                  {at.beta, at.gamma * (1 - near), at.tau, at.delta},
                                  {at.beta, at.gamma, at.tau * (1 + near), at.delta},
@@ -80,7 +83,8 @@ void checkContinuity(StabilityRow& row, const PulseForce& pulse, ExactSolver& so
             impact.outcome == Outcome::rebounded ? std::abs(impact.cor - row.cor) : INFINITY;
         row.change = std::max(row.change, change);
     }
-    require(row, row.change <= mostChange, "not continuous: e changes by", row.change);
+    require(row, row.change <= marks.change + row.corError * near / movedBy, "not continuous: e changes by",
+            row.change);
 }
 
 /// Rigid rock: e → 1 once the blow ends before it returns. Soft rock, reference case: e → √γ.
@@ -92,7 +96,7 @@ void checkLimits(StabilityRow& row, const PulseForce& pulse) {
         row.limitDistance =
             std::abs(row.cor - std::sqrt(g.gamma)) / (10 * std::sqrt(g.beta * g.tau / g.gamma));
     if (row.limitDistance)
-        require(row, *row.limitDistance <= 1, "far from its limit by a factor", *row.limitDistance);
+        require(row, *row.limitDistance <= marks.limit, "far from its limit by a factor", *row.limitDistance);
 }
 
 /// The lattice shares no code with the exact solver; it is asked where its steps resolve the contact.
@@ -105,7 +109,18 @@ void checkLattice(StabilityRow& row, const PulseForce& pulse, LatticeSolver& lat
     const Impact impact = lattice.solve(pulse, g, Detail::cor, {.segments = latticeSegments}, stop);
     if (impact.outcome != Outcome::rebounded || !(impact.corError > 0)) return;
     row.latticeDistance = std::abs(impact.cor - row.cor) / (impact.corError + row.corError);
-    require(row, *row.latticeDistance <= 3, "the lattice differs by estimates:", *row.latticeDistance);
+    require(row, *row.latticeDistance <= marks.lattice,
+            "the lattice differs by estimates:", *row.latticeDistance);
+}
+
+/// The stated error, against more digits, which have an error of their own.
+void checkBound(StabilityRow& row, const PulseForce& pulse, const std::stop_token& stop) {
+    if (row.pieces > mostExtended) return;
+    const Impact extended = solveInExtendedPrecision(pulse, row.stabilityCase.groups, Detail::cor, stop);
+    if (extended.outcome != Outcome::rebounded) return;
+    row.boundDistance = std::abs(extended.cor - row.cor) / (row.corError + extended.corError);
+    require(row, *row.boundDistance <= marks.bound, "the stated error is exceeded by a factor",
+            *row.boundDistance);
 }
 
 StabilityRow check(const StabilityCase& stabilityCase, ExactSolver& solver, LatticeSolver& lattice,
@@ -127,6 +142,7 @@ StabilityRow check(const StabilityCase& stabilityCase, ExactSolver& solver, Latt
     checkContinuity(row, pulse, solver, stop);
     checkLimits(row, pulse);
     checkLattice(row, pulse, lattice, stop);
+    checkBound(row, pulse, stop);
     return row;
 }
 

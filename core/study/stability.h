@@ -13,6 +13,19 @@
 
 namespace drillwave {
 
+/// What a case must keep to. Each mark is within ten times the worst value that the cases show, so that a
+/// solver ten times worse fails; what the worst value is due to stands beside it.
+struct StabilityMarks {
+    double balance = 1e-11;
+    double pull = 1e-12;
+    double reach = 1e-9;
+    double change = 1e-5;
+    double limit = 1;
+    double lattice = 3;
+    double bound = 3;
+};
+inline constexpr StabilityMarks stabilityMarks{};
+
 /// One case solved and checked. An empty optional: the check does not apply, or the histories were too long
 /// to keep.
 struct StabilityRow {
@@ -30,6 +43,7 @@ struct StabilityRow {
     double change = 0;            ///< of e over neighbours 1e-10 away in each parameter
     std::optional<double> limitDistance;    ///< |e − limit| over what theory allows, ≤ 1 is right
     std::optional<double> latticeDistance;  ///< |e − e of the lattice| over the lattice's own error estimate
+    std::optional<double> boundDistance;    ///< |e − e in long double| over the stated errors of both
     std::vector<std::string> failures;      ///< the checks that failed, in words
 
     bool passed() const { return outcome == Outcome::rebounded && failures.empty(); }

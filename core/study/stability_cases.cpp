@@ -1,6 +1,7 @@
 #include "core/study/stability_cases.h"
 
 #include <functional>
+#include <utility>
 
 #include "core/model/units.h"
 
@@ -9,7 +10,7 @@ namespace {
 
 constexpr PulseShape shapes[] = {PulseShape::rectangular, PulseShape::triangular,  PulseShape::halfSine,
                                  PulseShape::trapezoid,   PulseShape::exponential, PulseShape::piston,
-                                 PulseShape::rigidBody};
+                                 PulseShape::table,       PulseShape::rigidBody};
 
 /// Blows that last for many t0.
 bool isLong(PulseShape shape) {
@@ -113,9 +114,63 @@ void addProducts(std::vector<StabilityCase>& cases) {
                     }
 }
 
+/// The hammer still pushes during several reflections, and contacts follow each other closely.
+void addShortRods(const Add& add) {
+    for (const PulseShape shape : shapes)
+        for (const double tau : {0.05, 0.07, 0.13, 0.25, 0.4})
+            for (const double beta : {1.0, 25.9, 400.0})
+                for (const double gamma : {1.0, 0.1})
+                    for (const double delta : {0.0, 0.3}) {
+                        if (shape == PulseShape::rigidBody && delta > 0) continue;
+                        if (isLong(shape) && tau < 0.1) continue;
+                        add("short rod", shape, {beta, gamma, tau, delta});
+                    }
+    // an event that a search once placed before its start
+    add("short rod", PulseShape::rectangular, {25.904579446675282, 0.1, 0.069132529248490504, 0});
+    add("short rod", PulseShape::rectangular, {38.852926094687284, 1, 0.085693142742192113, 0});
+}
+
+/// Tens of contacts, each of which multiplies the rounding of those before: e hangs on the last digits.
+void addChatter(std::vector<StabilityCase>& cases) {
+    for (const double impedanceRatio : {3.0, 6.0, 10.0})
+        for (const double beta : {1.3, 20.0, 300.0})
+            for (const double gamma : {1.0, 0.3, 0.07})
+                for (const double tau : {0.3, 0.7, 1.2})
+                    cases.push_back(
+                        {"chatter, piston", PulseShape::piston, impedanceRatio, {beta, gamma, tau, 0}});
+    for (const double beta : {1.3, 20.0, 300.0})
+        for (const double gamma : {1.0, 0.3, 0.07})
+            for (const double tau : {0.15, 0.3, 0.7})
+                cases.push_back({"chatter, exponential", PulseShape::exponential, 2, {beta, gamma, tau, 0}});
+    cases.push_back({"chatter, e of no digits", PulseShape::piston, 15, {4.3, 0.07, 0.1, 0}});
+    cases.push_back({"chatter, momentum of rounding",
+                     PulseShape::piston,
+                     4.865,
+                     {3.1419362199829686, 1, 0.16017828902955503, 0}});
+}
+
+/// A measured blow in little: steep front, ripples, a tail.
+PulseForce tableForce() {
+    Scenario scenario;
+    scenario.pulse.shape = PulseShape::table;
+    for (const auto& [time, force] : {std::pair{0.0, 0.0},
+                                      {0.02, 0.4},
+                                      {0.05, 0.9},
+                                      {0.1, 1.0},
+                                      {0.2, 0.82},
+                                      {0.3, 0.93},
+                                      {0.45, 0.71},
+                                      {0.6, 0.8},
+                                      {0.75, 0.3},
+                                      {1.0, 0.0}})
+        scenario.pulse.tablePoints.push_back({time, force});
+    return pulseForceOf(scenario);
+}
+
 }  // namespace
 
 PulseForce pulseOf(const StabilityCase& stabilityCase) {
+    if (stabilityCase.shape == PulseShape::table) return tableForce();
     return pulseForceOf(stabilityCase.shape, stabilityCase.impedanceRatio);
 }
 
@@ -126,6 +181,8 @@ std::vector<StabilityCase> stabilityCases() {
     };
     addPublished(add);
     addTraps(add);
+    addShortRods(add);
+    addChatter(cases);
     addScans(cases);
     addProducts(cases);
     return cases;
