@@ -42,6 +42,7 @@ QByteArray accuracyJson(const Scenario& scenario, const Accuracy& accuracy) {
         {"cor", accuracy.exact.cor},
         {"peak_force", accuracy.exact.peakForce},
         {"extended", QJsonObject{{"cor", jsonNumber(accuracy.extended.cor)},
+                                 {"cor_error", jsonNumber(accuracy.extended.corError)},
                                  {"bits", accuracy.extendedDigits},
                                  {"seconds", accuracy.extendedTime}}},
         {"residuals", QJsonObject{{"wave", residuals.wave},

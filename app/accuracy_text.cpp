@@ -87,7 +87,8 @@ std::string checks(const Accuracy& accuracy) {
     text += accuracy.extended.outcome == Outcome::rebounded
                 ? "  Its errors are differences to a solution in long double (" +
                       std::to_string(accuracy.extendedDigits) + " bits, " + seconds(accuracy.extendedTime) +
-                      "): they show\n"
+                      "),\n  whose own error is below " + error(accuracy.extended.corError) +
+                      " and counted in: they show\n"
                       "  rounding and truncation, but not a mistaken event: both march with the same code "
                       "for events.\n"
                 : "  In long double it was not solved: " + accuracy.extended.reason + ".\n";

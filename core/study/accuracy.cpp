@@ -68,7 +68,7 @@ class Study {
   private:
     void solveExtended() {
         const double start = threadSeconds();
-        m_result.extended = solveInExtendedPrecision(m_pulse, m_groups, Detail::histories);
+        m_result.extended = solveInExtendedPrecision(m_pulse, m_groups, Detail::histories, m_stop);
         m_result.extendedTime = threadSeconds() - start;
         m_result.extendedDigits = std::numeric_limits<long double>::digits;
     }
@@ -95,7 +95,8 @@ class Study {
         const bool comparable =
             impact.outcome == Outcome::rebounded && reference.outcome == Outcome::rebounded;
         row.cor = comparable ? impact.cor : unknown;
-        row.corError = std::abs(row.cor - reference.cor);
+        // the reference of the others is exact but for what its own row says
+        row.corError = std::abs(row.cor - reference.cor) + (isExact ? reference.corError : 0);
         row.peakForceError = comparable ? std::abs(impact.peakForce - reference.peakForce) : unknown;
         row.corEstimate = comparable ? estimate(row, impact) : unknown;
         row.forceError = row.forceErrorInMiddles = unknown;

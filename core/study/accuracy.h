@@ -20,7 +20,7 @@ struct AccuracyRow {
     std::string reason;  ///< when not solved
 
     double cor = 0;
-    double corError = 0;        ///< |e − e of the reference|
+    double corError = 0;        ///< |e − e of the reference|, plus the error of that for the exact method
     double corEstimate = 0;     ///< what the method itself says about that (Impact::corError)
     double peakForceError = 0;  ///< F0
     double forceError = 0;      ///< L∞ of the force history, F0 (ForceDifference::largest)

@@ -86,6 +86,7 @@ ImpactSummary summarize(const Impact& impact, const Groups& groups) {
             .energy = ledgerOf(impact, groups),
             .momentumResidual = 1 - impact.impulse - impact.finalMomentum,
             .corError = impact.corError,
+            .growth = impact.growth,
             .contacts = impact.contacts};
 }
 

@@ -33,7 +33,8 @@ struct ImpactSummary {
     EnergyLedger energy;
     double momentumResidual = 0;  ///< of I0
     double corError = 0;
-    int contacts = 0;  ///< separate contacts
+    double growth = 1;  ///< Impact::growth
+    int contacts = 0;   ///< separate contacts
 };
 
 /// Of an impact solved with Detail::summary or more. From one solved with Detail::cor only `cor`, `impulse`

@@ -9,6 +9,7 @@
 #include "core/model/scales.h"
 #include "core/study/thrust.h"
 #include "core/wave/closed_form.h"
+#include "core/wave/input_move.h"
 
 namespace drillwave {
 
@@ -79,6 +80,15 @@ void addClosedForm(const Scenario& scenario, const ImpactSummary& summary, std::
 
 void addAccuracy(const ImpactSummary& summary, std::vector<Alert>& alerts) {
     if (summary.corError <= promisedError) return;
+    if (summary.growth > coveredGrowth) {
+        alerts.push_back(
+            {AlertLevel::warning, "input_decides", "",
+             "The bit chatters on the rock (" + std::to_string(summary.contacts) +
+                 " contacts), so that e depends on the last digits of the input: " + "it is known to " +
+                 rounded(summary.corError) + " only, and no calculation knows it better. " +
+                 "A longer rod, a shorter blow or a softer rock chatters less."});
+        return;
+    }
     alerts.push_back({AlertLevel::warning, "reduced_accuracy", "",
                       "The numerical error of e may be as large as " + rounded(summary.corError) + "."});
 }

@@ -13,7 +13,8 @@ namespace drillwave {
 /// `thrust_below_needed` when the installed thrust is less than blow_frequency·I0·(1 + e), `super_rebound`
 /// when e > 1 by more than its error, `several_contacts` when the bit comes back to the rock,
 /// `closed_form_invalid` for a rectangular blow on elastic rock that the paper's closed form is not for, with
-/// the error that it would make, `reduced_accuracy` when the error bound of e exceeds 1e-9.
+/// the error that it would make, `reduced_accuracy` when the error bound of e exceeds 1e-9, `input_decides`
+/// in its place when that is so because the bit chatters.
 std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& summary);
 
 /// `stress_above_yield` when the rod has a yield strength and the largest stress in it exceeds it.

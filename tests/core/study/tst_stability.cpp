@@ -2,6 +2,7 @@
 #include <set>
 
 #include "core/study/stability.h"
+#include "core/wave/exact_solver.h"
 
 using namespace drillwave;
 
@@ -40,23 +41,38 @@ class StabilityTest : public QObject {
         QCOMPARE(leastTau, 0.01);
         QCOMPARE(mostTau, 1e4);
         QVERIFY(mostDelta >= 1e6);
-        QCOMPARE(shapes.size(), std::size_t(7));
+        QCOMPARE(shapes.size(), std::size_t(8));
+    }
+
+    void theCasesHoldShortRodsAndChatteringBits() {
+        std::set<PulseShape> onShortRods;
+        int chattering = 0;
+        ExactSolver solver;
+        for (const StabilityCase& c : stabilityCases()) {
+            if (c.groups.tau <= 0.4) onShortRods.insert(c.shape);
+            if (c.name.starts_with("chatter") && chattering < 20)
+                chattering += solver.solve(pulseOf(c), c.groups).contacts > 10;
+        }
+        QCOMPARE(onShortRods.size(), std::size_t(8));
+        QVERIFY(chattering >= 10);
     }
 
     void everySeventhCasePasses() {
         const StabilityReport report = checkStability(everyNth(7), 2, {}, ignoreProgress);
         QVERIFY(report.rows.size() > 300);
-        int histories = 0, limits = 0, lattices = 0;
+        int histories = 0, limits = 0, lattices = 0, bounds = 0;
         for (const StabilityRow& row : report.rows) {
             const std::string failure = row.failures.empty() ? row.reason : row.failures.front();
             QVERIFY2(row.passed(), (row.stabilityCase.name + ": " + failure).c_str());
             histories += row.leastForce.has_value();
             limits += row.limitDistance.has_value();
             lattices += row.latticeDistance.has_value();
+            bounds += row.boundDistance.has_value();
         }
         QVERIFY(histories > 200);  // the checks are really made
         QVERIFY(limits > 50);
         QVERIFY(lattices > 10);
+        QVERIFY(bounds > 300);
     }
 
     void rowsComeInTheOrderOfTheCasesOnAnyNumberOfThreads() {
