@@ -2,6 +2,7 @@
 
 #include "core/wave/contact_march.h"
 #include "core/wave/series_basis.h"
+#include "core/wave/soft_reference.h"
 #include "tests/support/scenes.h"
 
 using namespace drillwave;
@@ -279,6 +280,55 @@ class ExactSolverTest : public QObject {
         QCOMPARE(impact.contacts, 1);
         QVERIFY(impact.events.size() <= 8);
         QVERIFY(impact.pieces < 200);
+    }
+
+    void theRockIsNotLeftWhileTheIncidentWavePushes() {
+        // F = e^−43 after 20 t0: a contact without force, neither left nor found again
+        const Scene scene{PulseShape::rectangular, {0.5, 0.1, 10, 0.521}};
+        QCOMPARE(solve(scene, Detail::cor).contacts, 2);
+        const Impact impact = solve(scene, Detail::summary);
+        QCOMPARE(impact.contacts, 2);
+        QCOMPARE(impact.events.size(), std::size_t(7));
+        QVERIFY(close(impact.events[4].time, 31.217, 1e-3));  // the first separation
+        const Impact halfSine = solve({PulseShape::halfSine, {0.5, 0.1, 10, 0}}, Detail::summary);
+        QCOMPARE(halfSine.contacts, 1);
+    }
+
+    void aRodLeftWithoutMomentumIsAnswered() {
+        const Scene scene{PulseShape::piston, {3.1419362199829686, 1, 0.16017828902955503, 0}, 4.865};
+        const Impact impact = solve(scene);
+        QCOMPARE(impact.outcome, Outcome::rebounded);
+        QVERIFY(std::abs(impact.cor) <= impact.corError);
+        QVERIFY(impact.corError < 1e-12);
+    }
+
+    void theSoftestReferenceCaseIsAMassOnASpring() {
+        for (const double gamma : {1.0, 0.3, 1e-3}) {
+            const Impact impact = solve({PulseShape::rigidBody, {1e-20, gamma, 10, 0}}, Detail::summary);
+            QCOMPARE(impact.outcome, Outcome::rebounded);
+            QVERIFY(close(impact.cor, std::sqrt(gamma), 1e-15));
+            QVERIFY(impact.corError < 1e-14);
+            QVERIFY(close(impact.peakForce / std::sqrt(1e-21), 1, 1e-12));
+            QVERIFY(close(impact.hammerWork - impact.rockWork - impact.finalEnergy, 0, 1e-15));
+            QCOMPARE(impact.contacts, 1);
+        }
+        QCOMPARE(solve({PulseShape::rigidBody, {1e-20, 1, 10, 0}}, Detail::histories).outcome,
+                 Outcome::notSolved);
+    }
+
+    void theExpansionForSoftRockMeetsTheMarch() {
+        for (const double gamma : {1.0, 0.5, 0.01})
+            for (const double softness : {1e-4, 1e-6}) {
+                const Groups groups{softness * gamma / 0.5, gamma, 0.5, 0};
+                const Impact march = solve({PulseShape::rigidBody, groups}, Detail::summary);
+                const Impact expansion = softReference(groups, Detail::summary);
+                QVERIFY(close(expansion.cor, march.cor, expansion.corError + march.corError));
+                const double second = softness * std::sqrt(softness);  // the order left out, relative
+                QVERIFY(close(expansion.peakForce / march.peakForce, 1, second + 1e-11));
+                QVERIFY(close(expansion.contactDuration / march.contactDuration, 1, second + 1e-11));
+                QVERIFY(close(expansion.rockWork, march.rockWork, second + 1e-11));
+                QCOMPARE(expansion.events.size(), march.events.size());
+            }
     }
 
     void workGrowsLikeTheRoundTripsOfASoftContact() {

@@ -68,6 +68,25 @@ class PowerSeriesTest : public QObject {
         QVERIFY(std::abs(returns.u - 0.5) < 1e-15);
     }
 
+    void aSearchThatTouchesZeroWithoutFallingThroughFindsNone() {
+        // (u − 0.5)² and its like with a residue of rounding: no part can be proven free in one step
+        QVERIFY(!zeroOf({0.25 + 1e-15, -1, 1}).found);
+        QVERIFY(!zeroOf({0.0625, -0.5, 1.5, -2, 1 + 1e-15}).undecided);  // (u − 0.5)⁴
+        const auto dips = zeroOf({0.25 - 1e-10, -1, 1});
+        QVERIFY(dips.found);
+        QVERIFY(std::abs(dips.u - (0.5 - 1e-5)) < 1e-9);
+    }
+
+    void partsFindTheFirstFallThroughZero() {
+        std::array<double, 4> c{0.135, -0.87, 1.7, -1};  // (0.3 − u)(0.5 − u)(0.9 − u)
+        const auto zero = firstZeroInParts(c.data(), 4, 1.0, 0.0, 1e-16);
+        QVERIFY(zero.found && std::abs(zero.u - 0.3) < 1e-14);
+        const auto second = firstZeroInParts(c.data(), 4, 0.4, 0.35, 1e-16);  // it starts below: at once
+        QVERIFY(second.found);
+        c[0] += 1;
+        QVERIFY(!firstZeroInParts(c.data(), 4, 1.0, 0.0, 1e-16).found);
+    }
+
     void aSteepDecayOverALongPieceHasNoZero() {
         // e^{−6u} by its series: one curvature bound for the whole piece allows only tiny steps, and running
         // out of them must not count as a zero
