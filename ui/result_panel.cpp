@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/study/thrust_study.h"
 #include "ui/number_text.h"
 
 namespace drillwave {
@@ -67,46 +66,28 @@ QString placeText(const SolvedBlow& blow, const RodForce& force) {
         .arg(quantityText(force.section * blow.request.scenario.rod.length, metres, QLocale()), time);
 }
 
-std::optional<double> marginOf(const SolvedBlow& blow) {
-    const std::optional<double>& installed = blow.request.scenario.drill.thrust;
-    if (!blow.thrust || !installed) return std::nullopt;
-    return *installed - *blow.thrust;
+// The bracket of what this blow needs: full penetration, to the bit back in time without a damper.
+QString neededText(const SolvedBlow& blow) {
+    if (!blow.feed) return {};
+    return ResultPanel::tr("%1 … %2").arg(numberText(blow.feed->fullRate / 1000, 4, QLocale()),
+                                          newtons(blow.feed->returned));
 }
 
 QString marginText(const SolvedBlow& blow) {
-    const std::optional<double> margin = marginOf(blow);
-    if (!margin) return {};
-    const QString share = numberText(std::round(100 * *margin / *blow.thrust), 4, QLocale());
-    return newtons(*margin) + QStringLiteral(" (%1%2 %)").arg(*margin > 0 ? "+" : "", share);
-}
-
-// As in the study of the thrust, but from this blow and rigid rock alone.
-Feed feedOf(const SolvedBlow& blow) {
-    const std::optional<double> margin = marginOf(blow);
-    if (!margin) return Feed::unknown;
-    if (*margin < 0) return Feed::tooLow;
-    const double most = std::max(*blow.thrust, *thrustNeeded(blow.request.scenario, 1));
-    return *blow.request.scenario.drill.thrust > overfeed * most ? Feed::tooHigh : Feed::enough;
+    if (!blow.feed || !blow.feed->installed) return {};
+    const double margin = *blow.feed->installed - blow.feed->fullRate;
+    const QString share = numberText(std::round(100 * margin / blow.feed->fullRate), 4, QLocale());
+    return newtons(margin) + QStringLiteral(" (%1%2 %)").arg(margin > 0 ? "+" : "", share);
 }
 
 QString feedText(const SolvedBlow& blow) {
-    switch (feedOf(blow)) {
-        case Feed::unknown:
-            return {};
-        case Feed::tooLow:
-            return ResultPanel::tr("too low: bit bounces");
-        case Feed::tooHigh:
-            return ResultPanel::tr("over-feeding");
-        default:
-            return ResultPanel::tr("enough");
-    }
+    if (!blow.feed) return {};
+    const std::string_view word = feedWord(blow.feed->feed);
+    return QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
 }
 
 QString feedMeaning(const SolvedBlow& blow) {
-    const Feed feed = feedOf(blow);
-    if (feed == Feed::enough) return ResultPanel::tr("Enough feed for this blow.");
-    const std::string_view advice = feedAdvice(feed);
-    return QString::fromUtf8(advice.data(), static_cast<qsizetype>(advice.size()));
+    return blow.feed ? QString::fromStdString(feedSentence(*blow.feed)) : QString();
 }
 
 }  // namespace
@@ -193,15 +174,21 @@ void ResultPanel::addStress() {
 void ResultPanel::addThrust() {
     addNumbers(
         tr("Thrust"),
-        {{tr("needed"), tr("Mean thrust that returns the rod to the rock between blows: f·I₀·(1 + e)"),
-          [](const SolvedBlow& b) { return b.thrust ? newtons(*b.thrust) : QString(); }},
+        {{tr("needed"),
+          tr("Thrust for full penetration, f·I₀·(1 + e), up to that which brings the bit back before the "
+             "next "
+             "blow even if nothing damps, f·I₀·(1 + 2e), with the e of this blow"),
+          neededText},
          {tr("installed"), tr("Feed force of the drill rig"),
           [](const SolvedBlow& b) {
               const std::optional<double>& installed = b.request.scenario.drill.thrust;
               return installed ? newtons(*installed) : QString();
           }},
-         {tr("margin"), tr("Installed less needed thrust, and as a share of what is needed"), marginText},
-         {tr("feed"), tr("What the installed thrust means at the rig"), feedText, {}, feedMeaning}});
+         {tr("margin"),
+          tr("Installed thrust less f·I₀·(1 + e) of this blow, and as a share of it; `drillwave thrust` adds "
+             "the margins of other gaps and rocks"),
+          marginText},
+         {tr("feed"), tr("What the installed thrust does between the blows"), feedText, {}, feedMeaning}});
 }
 
 void ResultPanel::addAlerts() {

@@ -1,13 +1,12 @@
 #include "core/study/result_alerts.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "core/model/handy_text.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
-#include "core/study/thrust.h"
+#include "core/study/feed_verdict.h"
 #include "core/wave/closed_form.h"
 
 namespace drillwave {
@@ -18,27 +17,20 @@ namespace {
 /// domain.
 constexpr double promisedError = 1e-9;
 
-std::string rounded(double value) {
-    std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
-    return {text.data(), end.ptr};
+std::string fourDigits(double value) {
+    return rounded(value, 4);
 }
 
 void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    const std::optional<double> needed = thrustNeeded(scenario, summary.cor);
-    const std::optional<double> installed = scenario.drill.thrust;
-    if (!needed || !installed || *installed >= *needed) return;
-    alerts.push_back({AlertLevel::warning, "thrust_below_needed", "drill.thrust",
-                      "The installed thrust of " + rounded(*installed / 1000) + " kN is below the " +
-                          rounded(*needed / 1000) +
-                          " kN that these blows need: the bit will leave the rock between blows."});
+    const std::optional<FeedVerdict> verdict = judgeFeed(scenario, summary.cor);
+    if (!verdict || (verdict->feed != Feed::pushedBack && verdict->feed != Feed::penetrationLost)) return;
+    alerts.push_back({AlertLevel::warning, "thrust_below_needed", "drill.thrust", feedSentence(*verdict)});
 }
 
 void addRebound(const ImpactSummary& summary, std::vector<Alert>& alerts) {
     if (summary.cor > 1 + summary.corError)
         alerts.push_back({AlertLevel::information, "super_rebound", "",
-                          "The rod leaves with more momentum than it came with (e = " + rounded(summary.cor) +
+                          "The rod leaves with more momentum than it came with (e = " + fourDigits(summary.cor) +
                               "): rigid rock, e = 1, would underestimate the thrust."});
     if (summary.contacts > 1)
         alerts.push_back({AlertLevel::information, "several_contacts", "",
@@ -55,10 +47,10 @@ struct Obstacle {
 std::optional<Obstacle> closedFormObstacle(const PulseForce& pulse, const Groups& groups) {
     if (groups.tau < 0.5)
         return Obstacle{
-            "the blow is longer than a round trip in the rod (tau = " + rounded(groups.tau) + " < 0.5)",
+            "the blow is longer than a round trip in the rod (tau = " + fourDigits(groups.tau) + " < 0.5)",
             "tau"};
     if (!closedFormRefusal(pulse, groups).empty())
-        return Obstacle{"the bit meets the rock in the middle of a wave (delta = " + rounded(groups.delta) +
+        return Obstacle{"the bit meets the rock in the middle of a wave (delta = " + fourDigits(groups.delta) +
                             " is not a whole number)",
                         "delta"};
     if (overlapIsSmall(groups.beta, groups.tau)) return std::nullopt;
@@ -73,14 +65,14 @@ void addClosedForm(const Scenario& scenario, const ImpactSummary& summary, std::
     const double closed = closedFormRestitution(groups.beta);
     alerts.push_back({AlertLevel::information, "closed_form_invalid", obstacle->parameter,
                       "The closed form for elastic rock does not hold, because " + obstacle->reason +
-                          ": its e = " + rounded(closed) + " is off by " +
-                          rounded(std::abs(closed - summary.cor)) + "."});
+                          ": its e = " + fourDigits(closed) + " is off by " +
+                          fourDigits(std::abs(closed - summary.cor)) + "."});
 }
 
 void addAccuracy(const ImpactSummary& summary, std::vector<Alert>& alerts) {
     if (summary.corError <= promisedError) return;
     alerts.push_back({AlertLevel::warning, "reduced_accuracy", "",
-                      "The numerical error of e may be as large as " + rounded(summary.corError) + "."});
+                      "The numerical error of e may be as large as " + fourDigits(summary.corError) + "."});
 }
 
 }  // namespace
@@ -102,10 +94,10 @@ std::vector<Alert> stressAlerts(const Scenario& scenario, const RodForces& force
     const double stress = largest.size * scalesOf(scenario).force / propertiesOf(scenario.rod).area;
     if (stress <= *limit) return {};
     return {{AlertLevel::warning, "stress_above_yield", "rod.yield_strength",
-             "The rod would yield: its largest stress is " + rounded(stress / 1e6) + " MPa in " +
+             "The rod would yield: its largest stress is " + fourDigits(stress / 1e6) + " MPa in " +
                  (pushed ? "compression" : "tension") + ", " +
-                 rounded(largest.section * scenario.rod.length) +
-                 " m from the hammer, against a yield strength of " + rounded(*limit / 1e6) + " MPa."}};
+                 fourDigits(largest.section * scenario.rod.length) +
+                 " m from the hammer, against a yield strength of " + fourDigits(*limit / 1e6) + " MPa."}};
 }
 
 }  // namespace drillwave

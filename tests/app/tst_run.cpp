@@ -177,7 +177,7 @@ void TestRun::theSummaryIsForPeople() {
         QVERIFY2(finished.out.contains(part), part);
     for (const QByteArray& line : finished.out.split('\n')) QVERIFY2(line.size() < 160, line);
     const Finished warned = run({"run", example("t38_medium_rock"), "--set", "drill.thrust=1kN"});
-    QVERIFY(warned.out.contains("warning: The installed thrust of 1 kN is below"));
+    QVERIFY(warned.out.contains("warning: The installed thrust of 1 kN is below f I0 = 3.06 kN"));
 }
 
 void TestRun::filesAreWrittenAndNotOverwritten() {
