@@ -4,11 +4,11 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QLabel>
 #include <QMenuBar>
 #include <QRadioButton>
 #include <QScreen>
 #include <QSessionManager>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QTimer>
@@ -32,6 +32,8 @@
 #include "ui/result_panel.h"
 #include "ui/scenario_panel.h"
 #include "ui/settings.h"
+#include "ui/solve_status.h"
+#include "ui/stale_veil.h"
 
 namespace drillwave {
 namespace {
@@ -70,6 +72,8 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages = new QTabWidget(this);
     m_pages->setDocumentMode(true);
     m_pages->setTabBarAutoHide(true);
+    m_pageVeil = new StaleVeil(m_pages->findChild<QStackedWidget*>());
+    m_solveStatus = new SolveStatus(this);
     addNotices();
     addDocks();
     addPage(m_blowPage = new BlowPage(m_observation));
@@ -84,8 +88,8 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     present(m_job->solveNow(request()));
 }
 
-// The panel hands the last edits over as it goes: while the document is still there. A dock of its own does not
-// go out of sight with the window.
+// The panel hands the last edits over as it goes: while the document is still there. A dock of its own does
+// not go out of sight with the window.
 MainWindow::~MainWindow() {
     hide();
     delete m_scenarioPanel;
@@ -123,15 +127,19 @@ void MainWindow::addPage(Page* page) {
     m_pages->addTab(page, page->title());
     connect(page->plot(), &PlotWidget::savePictureRequested, this, [this] { m_exportMenu->savePicture(); });
     connect(page->plot(), &PlotWidget::saveDataRequested, this, [this] { m_exportMenu->saveData(); });
+    connect(m_solveStatus, &SolveStatus::currentChanged, page->plot(), &PlotWidget::setCurrent);
     connect(page, &Page::needsChanged, this, [this, page] {
         if (page == m_pages->currentWidget()) solve();
     });
 }
 
 void MainWindow::addMenus() {
-    m_exportMenu = new ExportMenu(m_document, *m_questions,
-                                  {[this] { return blowNow(); }, [this] { return currentPage().plot(); }},
-                                  this);
+    m_exportMenu = new ExportMenu(
+        m_document, *m_questions,
+        {[this] { return m_solveStatus->isCurrent() ? m_shown : nullptr; },
+         [this] { return currentPage().plot(); },
+         [this](const QString& what, auto then) { m_solveStatus->whenCurrent(what, std::move(then)); }},
+        this);
     m_fileMenu = new FileMenu(m_document, *m_questions, m_watch, m_exportMenu, this);
     menuBar()->addMenu(m_fileMenu);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -167,13 +175,11 @@ void MainWindow::addViewMenu() {
 }
 
 void MainWindow::addStatusBar() {
-    m_status = new QLabel(this);
-    m_status->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_dimensionless = new QRadioButton(tr("dimensionless"), this);
     m_si = new QRadioButton(tr("SI"), this);
     m_dimensionless->setAccessibleName(tr("Show results dimensionless"));
     m_si->setAccessibleName(tr("Show results in SI units"));
-    statusBar()->addWidget(m_status);
+    statusBar()->addWidget(m_solveStatus);
     statusBar()->addPermanentWidget(m_dimensionless);
     statusBar()->addPermanentWidget(m_si);
     connect(m_dimensionless, &QRadioButton::clicked, this, [this] { setUnits(UnitSystem::dimensionless); });
@@ -181,9 +187,15 @@ void MainWindow::addStatusBar() {
 }
 
 void MainWindow::wire() {
-    connect(&m_document, &Document::scenarioChanged, this, &MainWindow::solve);
+    connect(&m_document, &Document::scenarioChanged, this, [this] {
+        m_solveStatus->callOff(tr("the input was changed meanwhile."));
+        solve();
+    });
     connect(&m_document, &Document::stateChanged, this, &MainWindow::presentState);
-    connect(m_pages, &QTabWidget::currentChanged, this, &MainWindow::solve);
+    connect(m_pages, &QTabWidget::currentChanged, this, [this] {
+        m_solveStatus->callOff(tr("another page was chosen meanwhile."));
+        solve();
+    });
     connect(&m_document, &Document::replaced, m_exampleNote, &ExampleNote::forget);
     connect(m_fileMenu, &FileMenu::exampleOpened, m_exampleNote, &ExampleNote::explain);
     connect(new FileDrop(this), &FileDrop::dropped, m_fileMenu, &FileMenu::take);
@@ -196,6 +208,11 @@ void MainWindow::wire() {
     connect(&m_observation, &Observation::timeChanged, m_resultPanel, &ResultPanel::setTime);
     connect(m_resultPanel, &ResultPanel::parameterChosen, m_scenarioPanel, &ScenarioPanel::goTo);
     connect(m_job.get(), &SolveJob::solved, this, &MainWindow::present);
+    connect(m_solveStatus, &SolveStatus::stopRequested, m_job.get(), &SolveJob::cancel);
+    connect(m_solveStatus, &SolveStatus::solveRequested, this, &MainWindow::solve);
+    connect(m_solveStatus, &SolveStatus::marked, this, &MainWindow::markResult);
+    connect(m_solveStatus, &SolveStatus::calledOff, this,
+            [this](const QString& message) { statusBar()->showMessage(message, messageMilliseconds); });
 }
 
 bool MainWindow::openFile(const QString& path) {
@@ -229,8 +246,9 @@ void MainWindow::setGhost(const SolvedBlowPtr& before) {
     currentPage().setGhost(before);
 }
 
-SolveRequest MainWindow::request() const {
+SolveRequest MainWindow::request() {
     SolveRequest request;
+    request.number = ++m_asked;
     request.scenario = m_document.scenario();
     const bool hasSi = naturalUnits(request.scenario) == UnitSystem::si;
     request.units = hasSi ? m_units : UnitSystem::dimensionless;
@@ -239,25 +257,32 @@ SolveRequest MainWindow::request() const {
 }
 
 void MainWindow::solve() {
+    m_solveStatus->asked();
     m_job->submit(request());
-}
-
-SolvedBlowPtr MainWindow::blowNow() {
-    if (m_shown->request.scenario != m_document.scenario()) present(m_job->solveNow(request()));
-    return m_shown;
 }
 
 void MainWindow::present(const SolvedBlowPtr& blow) {
     m_shown = blow;
     m_resultPanel->show(blow);
     currentPage().setResult(blow);
-    m_status->setText(statusText(*blow));
     presentUnits();
+    if (blow->request.number == m_asked)
+        m_solveStatus->answered(statusText(*blow));
+    else
+        m_solveStatus->answeredEarlier();
+}
+
+void MainWindow::markResult(bool outOfDate) {
+    if (outOfDate) statusBar()->clearMessage();  // it would cover what the solver does
+    m_pageVeil->raise();
+    m_pageVeil->setVisible(outOfDate);
+    m_resultPanel->setOutOfDate(outOfDate);
 }
 
 void MainWindow::setUnits(UnitSystem units) {
     m_units = units;
     presentUnits();
+    m_solveStatus->callOff(tr("other units were chosen meanwhile."));
     solve();
 }
 

@@ -92,7 +92,8 @@ QString feedMeaning(const SolvedBlow& blow) {
 
 }  // namespace
 
-ResultPanel::ResultPanel(QWidget* parent) : QScrollArea(parent), m_eventModel(new EventModel(this)) {
+ResultPanel::ResultPanel(QWidget* parent)
+    : QScrollArea(parent), m_eventModel(new EventModel(this)), m_veil(new StaleVeil(viewport())) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -306,9 +307,15 @@ void ResultPanel::markEvent() {
     m_events->selectRow(*row);
 }
 
+void ResultPanel::setOutOfDate(bool outOfDate) {
+    m_veil->raise();
+    m_veil->setVisible(outOfDate);
+}
+
 QString ResultPanel::text() const {
-    QString text = tr("coefficient of restitution e") + QLatin1Char('\t') +
-                   QStringLiteral("%1 %2").arg(m_cor->text(), m_error->text()).trimmed() + QLatin1Char('\n');
+    QString text = m_veil->isHidden() ? QString() : StaleVeil::words() + QLatin1Char('\n');
+    text += tr("coefficient of restitution e") + QLatin1Char('\t') +
+            QStringLiteral("%1 %2").arg(m_cor->text(), m_error->text()).trimmed() + QLatin1Char('\n');
     for (const Row& row : m_rows)
         if (!row.section->isHidden())
             text += row.section->title() + QStringLiteral(": ") + row.name->text() + QLatin1Char('\t') +

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -28,6 +29,7 @@ struct SolveRequest {
     std::optional<double> section;  ///< x/L of the waves to be plotted, when the curves are wanted
     bool rock = false;              ///< whether the path in the force–penetration plane is wanted
     std::optional<WavePictureNeed> picture;
+    std::uint64_t number = 0;   ///< counts what was asked: tells the answer to the last question
     std::stop_token stop = {};  ///< ends the work early, with a problem for an answer
 };
 

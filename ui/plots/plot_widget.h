@@ -81,6 +81,9 @@ class PlotWidget : public QCustomPlot {
     /// For a plot whose data are not curves: its text with a separator between cells, as plotCsv() gives it.
     void setDataText(DataText text) { m_dataText = std::move(text); }
 
+    /// Whether what is shown answers the present input; the menu copies and saves nothing else.
+    void setCurrent(bool current) { m_current = current; }
+
     /// The context menu for a point of the plot, built anew; it deletes itself when it is closed.
     QMenu* makeMenu(QPoint at);
 
@@ -169,6 +172,7 @@ class PlotWidget : public QCustomPlot {
     ViewHistory m_history;
     CursorBar* m_bar;
     QPointer<QCPGraph> m_readGraph;
+    bool m_current = true;
 
     Gesture m_gesture = Gesture::none;
     QPointF m_pressed;
