@@ -118,7 +118,7 @@ ExitCode runBlow(const Arguments& arguments) {
     prepare(files, path, document);
 
     // The largest stress in the rod needs the waves.
-    const bool needsWaves = !files.directory.empty() || document.scenario.rod.yieldStrength;
+    const bool needsWaves = !files.directory.empty() || hasStrength(document.scenario.rod);
     const Detail detail = needsWaves ? Detail::histories : Detail::summary;
     const BlowReport report = solveInterruptibly(document.scenario, detail, choice);
     if (report.impact.outcome != Outcome::rebounded) {

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QRadioButton>
 #include <QScreen>
@@ -42,6 +43,7 @@ namespace {
 constexpr int layoutVersion = 1;
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
+const QString stackedKey = QStringLiteral("window/stacked");
 const QString pageKey = QStringLiteral("window/page");
 const QString unitsKey = QStringLiteral("window/units");
 const QString siName = QStringLiteral("si");
@@ -188,10 +190,16 @@ void MainWindow::addStatusBar() {
 
 void MainWindow::wire() {
     connect(&m_document, &Document::scenarioChanged, this, [this] {
+        // The case before a preset stays to compare with until the next change.
+        if (m_ghostStays == GhostStay::untilTheNextChange) setGhost(nullptr);
+        m_ghostStays =
+            m_ghostStays == GhostStay::overThisChange ? GhostStay::untilTheNextChange : GhostStay::no;
         m_solveStatus->callOff(tr("the input was changed meanwhile."));
         solve();
     });
     connect(&m_document, &Document::stateChanged, this, &MainWindow::presentState);
+    connect(&m_document, &Document::stateChanged, m_exampleNote,
+            [this] { m_exampleNote->setChanged(m_document.scenario() != m_document.source().scenario); });
     connect(m_pages, &QTabWidget::currentChanged, this, [this] {
         m_solveStatus->callOff(tr("another page was chosen meanwhile."));
         solve();
@@ -204,6 +212,10 @@ void MainWindow::wire() {
     connect(qApp, &QGuiApplication::commitDataRequest, this, &MainWindow::endSession, Qt::DirectConnection);
     connect(m_scenarioPanel, &ScenarioPanel::dragStarted, this, [this] { setGhost(m_shown); });
     connect(m_scenarioPanel, &ScenarioPanel::dragEnded, this, [this] { setGhost(nullptr); });
+    connect(&m_document, &Document::presetTaken, this, [this] {
+        setGhost(m_shown);
+        m_ghostStays = GhostStay::overThisChange;
+    });
     connect(m_resultPanel, &ResultPanel::timeChosen, &m_observation, &Observation::setTime);
     connect(&m_observation, &Observation::timeChanged, m_resultPanel, &ResultPanel::setTime);
     connect(m_resultPanel, &ResultPanel::parameterChosen, m_scenarioPanel, &ScenarioPanel::goTo);
@@ -299,12 +311,17 @@ void MainWindow::presentUnits() {
 }
 
 void MainWindow::presentState() {
-    setWindowTitle(tr("%1[*] — Drillwave").arg(m_document.displayName()));
+    const QString file = QFileInfo(m_document.path()).fileName();
+    const QString name = m_document.displayName();
+    setWindowTitle(file.isEmpty() || file == name ? tr("%1[*] — Drillwave").arg(name)
+                                                  : tr("%1 – %2[*] — Drillwave").arg(name, file));
     setWindowModified(m_document.isModified());
     setWindowFilePath(m_document.path());
 }
 
 void MainWindow::resetLayout() {
+    m_stacked = false;
+    QTimer::singleShot(0, this, &MainWindow::stackDocks);
     const QList<Qt::DockWidgetArea> areas{Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea};
     for (qsizetype i = 0; i < m_docks.size(); ++i) {
         m_docks[i]->setFloating(false);
@@ -321,7 +338,8 @@ void MainWindow::resetLayout() {
 void MainWindow::restoreChoices() {
     const Settings settings;
     resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
-    if (restoreGeometry(settings.value(geometryKey).toByteArray())) keepOnScreen(*this);
+    m_placed = restoreGeometry(settings.value(geometryKey).toByteArray());
+    if (m_placed) keepOnScreen(*this);
     if (settings.value(unitsKey).toString() == dimensionlessName) m_units = UnitSystem::dimensionless;
     const QString page = settings.value(pageKey).toString();
     for (int i = 0; i < m_pages->count(); ++i)
@@ -332,14 +350,44 @@ void MainWindow::saveChoices() const {
     Settings settings;
     settings.setValue(geometryKey, saveGeometry());
     settings.setValue(layoutKey, saveState(layoutVersion));
+    settings.setValue(stackedKey, m_stacked);
     settings.setValue(unitsKey, m_units == UnitSystem::si ? siName : dimensionlessName);
     settings.setValue(pageKey, QLatin1String(currentPage().metaObject()->className()));
 }
 
 void MainWindow::restoreLayout() {
-    if (!restoreState(Settings().value(layoutKey).toByteArray(), layoutVersion)) resetLayout();
+    if (restoreState(Settings().value(layoutKey).toByteArray(), layoutVersion))
+        m_stacked = Settings().value(stackedKey).toBool();
+    else
+        resetLayout();
     for (QDockWidget* dock : std::as_const(m_docks))
         if (dock->isFloating()) keepOnScreen(*dock);
+    stackDocks();
+    if (!m_placed) fitOnScreen(*this);  // only now its frame is known
+}
+
+// Side by side the panels leave a narrow window no room for the page: they share one side.
+void MainWindow::stackDocks() {
+    const auto besideEachOther = [this] {
+        return !m_docks[0]->isFloating() && !m_docks[1]->isFloating() && m_docks[0]->isVisible() &&
+               m_docks[1]->isVisible() && dockWidgetArea(m_docks[0]) != dockWidgetArea(m_docks[1]);
+    };
+    const int wanted = m_scenarioPanel->minimumSizeHint().width() + m_resultPanel->minimumSizeHint().width() +
+                       centralWidget()->minimumSizeHint().width();
+    const int there = std::min(width(), screen()->availableGeometry().width());
+    if (!m_stacked && there < wanted && besideEachOther()) {
+        tabifyDockWidget(m_docks[0], m_docks[1]);
+        m_docks[0]->raise();
+        m_stacked = true;
+    } else if (m_stacked && there >= wanted) {
+        m_stacked = false;
+        addDockWidget(Qt::RightDockWidgetArea, m_docks[1]);
+    }
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    if (m_restored) QTimer::singleShot(0, this, &MainWindow::stackDocks);
 }
 
 // Restored before the window is shown, docks come out in wrong sizes.

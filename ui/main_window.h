@@ -64,6 +64,7 @@ class MainWindow : public QMainWindow {
   protected:
     void closeEvent(QCloseEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<SolveJob> job, QWidget* parent);
@@ -78,6 +79,7 @@ class MainWindow : public QMainWindow {
     void restoreChoices();
     void restoreLayout();
     void resetLayout();
+    void stackDocks();
     void saveChoices() const;
     void endSession(QSessionManager& session);
 
@@ -114,7 +116,12 @@ class MainWindow : public QMainWindow {
     QAction* m_dimensionlessAction = nullptr;
     QAction* m_siAction = nullptr;
     QList<QDockWidget*> m_docks;
+    // What a preset leaves of the case before it.
+    enum class GhostStay { no, overThisChange, untilTheNextChange };
+    GhostStay m_ghostStays = GhostStay::no;
     bool m_restored = false;
+    bool m_placed = false;   // where it was in the last run
+    bool m_stacked = false;  // the panels share a side for want of room
 };
 
 }  // namespace drillwave

@@ -55,14 +55,14 @@ QString stressText(const SolvedBlow& blow, double force) {
                         QLocale());
 }
 
-// Where in the rod, and when.
+// Where in the rod, and when: below the stress, in a line of its own.
 QString placeText(const SolvedBlow& blow, const RodForce& force) {
     if (!(force.size > 0)) return {};
     const QString time = shown(force.time, blow.units.time);
     if (blow.request.units == UnitSystem::dimensionless)
-        return ResultPanel::tr("At x/L = %1, t = %2.").arg(numberText(force.section, 3, QLocale()), time);
+        return ResultPanel::tr("at x/L = %1, t = %2").arg(numberText(force.section, 3, QLocale()), time);
     const ShownUnit metres{1, QStringLiteral("m"), false};
-    return ResultPanel::tr("%1 from the struck end, at t = %2.")
+    return ResultPanel::tr("%1 from the hammer, t = %2")
         .arg(quantityText(force.section * blow.request.scenario.rod.length, metres, QLocale()), time);
 }
 
@@ -156,20 +156,26 @@ void ResultPanel::addEnergy() {
 }
 
 void ResultPanel::addStress() {
-    addNumbers(
-        tr("Stress in the rod"),
-        {{tr("compression"),
-          tr("Largest compressive stress of the uniform rod, anywhere and at any time, also of the waves "
-             "that run on after the blow; couplings and threads raise it locally"),
-          [](const SolvedBlow& b) { return stressText(b, b.rodForces.compression.size); },
-          {},
-          [](const SolvedBlow& b) { return placeText(b, b.rodForces.compression); }},
-         {tr("tension"),
-          tr("Largest tensile stress of the uniform rod, anywhere and at any time, also of the waves that "
-             "run on after the blow; couplings and threads raise it locally"),
-          [](const SolvedBlow& b) { return stressText(b, b.rodForces.tension.size); },
-          {},
-          [](const SolvedBlow& b) { return placeText(b, b.rodForces.tension); }}});
+    const QString where = tr("Where in the rod it is first that large, and when");
+    const QString during = tr(
+        "Largest %1 stress of the uniform rod while the blow lasts: to the last separation plus one transit "
+        "time; couplings and threads raise it locally");
+    const QString after = tr(
+        "Largest %1 stress of the waves that are left after the blow and run on; nothing damps them in the "
+        "model, a real rod does");
+    addNumbers(tr("Stress in the rod"),
+               {{tr("compression, blow"), during.arg(tr("compressive")),
+                 [](const SolvedBlow& b) { return stressText(b, b.rodForces.compression.size); }},
+                {{}, where, [](const SolvedBlow& b) { return placeText(b, b.rodForces.compression); }},
+                {tr("tension, blow"), during.arg(tr("tensile")),
+                 [](const SolvedBlow& b) { return stressText(b, b.rodForces.tension.size); }},
+                {{}, where, [](const SolvedBlow& b) { return placeText(b, b.rodForces.tension); }},
+                {tr("compression, after"), after.arg(tr("compressive")),
+                 [](const SolvedBlow& b) { return stressText(b, b.rodForces.compressionAfter.size); }},
+                {{}, where, [](const SolvedBlow& b) { return placeText(b, b.rodForces.compressionAfter); }},
+                {tr("tension, after"), after.arg(tr("tensile")),
+                 [](const SolvedBlow& b) { return stressText(b, b.rodForces.tensionAfter.size); }},
+                {{}, where, [](const SolvedBlow& b) { return placeText(b, b.rodForces.tensionAfter); }}});
 }
 
 void ResultPanel::addThrust() {
@@ -242,6 +248,13 @@ void ResultPanel::addNumbers(const QString& title, const QList<Entry>& entries) 
         value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         makeSelectable(*value);
         name->setBuddy(value);
+        if (entry.name.isEmpty()) {
+            name->setText({});
+            name->hide();
+            grid->addWidget(value, grid->rowCount(), 1, 1, 2);
+            m_rows.append({section, name, value, entry.meaning, entry.text, entry.note});
+            continue;
+        }
         const int row = grid->rowCount();
         if (entry.part) grid->addWidget(new EnergySwatch(*entry.part, content), row, 0);
         grid->addWidget(name, row, 1);

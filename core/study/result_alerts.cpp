@@ -29,9 +29,10 @@ void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vect
 
 void addRebound(const ImpactSummary& summary, std::vector<Alert>& alerts) {
     if (summary.cor > 1 + summary.corError)
-        alerts.push_back({AlertLevel::information, "super_rebound", "",
-                          "The rod leaves with more momentum than it came with (e = " + fourDigits(summary.cor) +
-                              "): rigid rock, e = 1, would underestimate the thrust."});
+        alerts.push_back(
+            {AlertLevel::information, "super_rebound", "",
+             "The rod leaves with more momentum than it came with (e = " + fourDigits(summary.cor) +
+                 "): rigid rock, e = 1, would underestimate the thrust."});
     if (summary.contacts > 1)
         alerts.push_back({AlertLevel::information, "several_contacts", "",
                           "The bit hits the rock " + std::to_string(summary.contacts) +
@@ -50,8 +51,8 @@ std::optional<Obstacle> closedFormObstacle(const PulseForce& pulse, const Groups
             "the blow is longer than a round trip in the rod (tau = " + fourDigits(groups.tau) + " < 0.5)",
             "tau"};
     if (!closedFormRefusal(pulse, groups).empty())
-        return Obstacle{"the bit meets the rock in the middle of a wave (delta = " + fourDigits(groups.delta) +
-                            " is not a whole number)",
+        return Obstacle{"the bit meets the rock in the middle of a wave (delta = " +
+                            fourDigits(groups.delta) + " is not a whole number)",
                         "delta"};
     if (overlapIsSmall(groups.beta, groups.tau)) return std::nullopt;
     return Obstacle{"the bit is still on the rock when the next reflection arrives", "beta"};
@@ -86,18 +87,64 @@ std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& s
     return alerts;
 }
 
+namespace {
+
+/// One of the four largest forces in the rod, and when it is there.
+struct Load {
+    const RodForce& force;
+    const char* kind;  ///< "compression"
+    bool isAfter;      ///< of the waves left
+};
+
+/// The stress of a load against a strength: a warning while the blow lasts; of the waves left, which a real
+/// rod damps, a remark.
+std::optional<Alert> overload(const Scenario& scenario, const Load& load, double limit,
+                              const std::string& code, const std::string& parameter,
+                              const std::string& consequence) {
+    const double stress = load.force.size * scalesOf(scenario).force / propertiesOf(scenario.rod).area;
+    if (stress <= limit) return std::nullopt;
+    const std::string text =
+        consequence + ": " + load.kind + " reaches " + inHandyUnit(stress, Quantity::stress, 4) + " " +
+        inHandyUnit(load.force.section * scenario.rod.length, Quantity::length, 4) + " from the hammer at " +
+        inHandyUnit(load.force.time * scalesOf(scenario).time, Quantity::time, 4) +
+        (load.isAfter ? ", after the blow, in the waves left (which nothing damps here)"
+                      : ", during the blow") +
+        ", against a strength of " + inHandyUnit(limit, Quantity::stress, 4) + ".";
+    return Alert{load.isAfter ? AlertLevel::information : AlertLevel::warning, code, parameter, text};
+}
+
+/// The larger of compression and tension.
+Load largest(const RodForce& compression, const RodForce& tension, bool isAfter) {
+    if (compression.size >= tension.size) return {compression, "compression", isAfter};
+    return {tension, "tension", isAfter};
+}
+
+/// During the blow, or else afterwards: one remark for each strength.
+void addOverload(const Scenario& scenario, const Load& during, const Load& after,
+                 const std::optional<double>& limit, const std::string& key, const std::string& consequence,
+                 std::vector<Alert>& alerts) {
+    if (!limit) return;
+    const std::string code = "stress_above_" + key.substr(0, key.find('_'));
+    for (const Load& load : {during, after})
+        if (const auto alert = overload(scenario, load, *limit, code, "rod." + key, consequence))
+            return alerts.push_back(*alert);
+}
+
+}  // namespace
+
+bool hasStrength(const Rod& rod) {
+    return rod.yieldStrength || rod.fatigueStrength;
+}
+
 std::vector<Alert> stressAlerts(const Scenario& scenario, const RodForces& forces) {
-    const std::optional<double> limit = scenario.rod.yieldStrength;
-    if (scenario.form != ScenarioForm::dimensional || !limit) return {};
-    const bool pushed = forces.compression.size >= forces.tension.size;
-    const RodForce& largest = pushed ? forces.compression : forces.tension;
-    const double stress = largest.size * scalesOf(scenario).force / propertiesOf(scenario.rod).area;
-    if (stress <= *limit) return {};
-    return {{AlertLevel::warning, "stress_above_yield", "rod.yield_strength",
-             "The rod would yield: its largest stress is " + fourDigits(stress / 1e6) + " MPa in " +
-                 (pushed ? "compression" : "tension") + ", " +
-                 fourDigits(largest.section * scenario.rod.length) +
-                 " m from the hammer, against a yield strength of " + fourDigits(*limit / 1e6) + " MPa."}};
+    if (scenario.form != ScenarioForm::dimensional) return {};
+    std::vector<Alert> alerts;
+    addOverload(scenario, largest(forces.compression, forces.tension, false),
+                largest(forces.compressionAfter, forces.tensionAfter, true), scenario.rod.yieldStrength,
+                "yield_strength", "The rod would yield", alerts);
+    addOverload(scenario, {forces.tension, "tension", false}, {forces.tensionAfter, "tension", true},
+                scenario.rod.fatigueStrength, "fatigue_strength", "The rod tires with every blow", alerts);
+    return alerts;
 }
 
 }  // namespace drillwave

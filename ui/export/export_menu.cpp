@@ -1,8 +1,9 @@
 #include "ui/export/export_menu.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QGuiApplication>
+#include <QKeyEvent>
 
 #include "ui/export/whole_file.h"
 #include "ui/plots/plot_export.h"
@@ -36,6 +37,7 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
       m_sources(std::move(sources)),
       m_window(window) {
     setToolTipsVisible(true);
+    qApp->installEventFilter(this);
     const auto add = [this](const QString& text, const QKeySequence& keys, const QString& toolTip,
                             void (ExportMenu::*save)()) {
         addAction(text, keys, this, save)->setToolTip(toolTip);
@@ -54,6 +56,15 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
     add(tr("Everything into a &folder…"), QKeySequence(Qt::CTRL | Qt::Key_E),
         tr("Summary, histories, events and plots, as `drillwave run -o` writes them"),
         &ExportMenu::saveEverything);
+}
+
+bool ExportMenu::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::ShortcutOverride || !watched->isWidgetType()) return false;
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool ours = key->key() == Qt::Key_E && key->modifiers() == Qt::ControlModifier;
+    if (!ours || static_cast<QWidget*>(watched)->window() != m_window) return false;
+    event->ignore();
+    return true;
 }
 
 void ExportMenu::saveHistories() {

@@ -45,6 +45,10 @@ class ExportMenu : public QMenu {
     /// Something has been written: where, in one line.
     void exported(const QString& message);
 
+  protected:
+    /// Line edits on X11 would take Ctrl+E as "end of line".
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
     using MakeFile = std::function<QByteArray(const SolvedRun&)>;
     using UseRun = std::function<void(const SolvedRun&)>;
