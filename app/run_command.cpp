@@ -12,6 +12,7 @@
 #include "app/output_file.h"
 #include "app/scenario_argument.h"
 #include "core/model/decimal_text.h"
+#include "core/study/result_alerts.h"
 #include "ui/export/run_files.h"
 #include "ui/plots/plot_export.h"
 

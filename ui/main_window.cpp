@@ -338,8 +338,10 @@ void MainWindow::resetLayout() {
 void MainWindow::restoreChoices() {
     const Settings settings;
     resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
-    m_placed = restoreGeometry(settings.value(geometryKey).toByteArray());
-    if (m_placed) keepOnScreen(*this);
+    if (restoreGeometry(settings.value(geometryKey).toByteArray()))
+        keepOnScreen(*this);
+    else
+        m_firstSize = size();
     if (settings.value(unitsKey).toString() == dimensionlessName) m_units = UnitSystem::dimensionless;
     const QString page = settings.value(pageKey).toString();
     for (int i = 0; i < m_pages->count(); ++i)
@@ -363,7 +365,7 @@ void MainWindow::restoreLayout() {
     for (QDockWidget* dock : std::as_const(m_docks))
         if (dock->isFloating()) keepOnScreen(*dock);
     stackDocks();
-    if (!m_placed) fitOnScreen(*this);  // only now its frame is known
+    if (size() == m_firstSize) fitOnScreen(*this);  // only now its frame is known
 }
 
 // Side by side the panels leave a narrow window no room for the page: they share one side.
@@ -374,12 +376,11 @@ void MainWindow::stackDocks() {
     };
     const int wanted = m_scenarioPanel->minimumSizeHint().width() + m_resultPanel->minimumSizeHint().width() +
                        centralWidget()->minimumSizeHint().width();
-    const int there = std::min(width(), screen()->availableGeometry().width());
-    if (!m_stacked && there < wanted && besideEachOther()) {
+    if (!m_stacked && width() < wanted && besideEachOther()) {
         tabifyDockWidget(m_docks[0], m_docks[1]);
         m_docks[0]->raise();
         m_stacked = true;
-    } else if (m_stacked && there >= wanted) {
+    } else if (m_stacked && width() >= wanted) {
         m_stacked = false;
         addDockWidget(Qt::RightDockWidgetArea, m_docks[1]);
     }

@@ -120,7 +120,7 @@ class MainWindow : public QMainWindow {
     enum class GhostStay { no, overThisChange, untilTheNextChange };
     GhostStay m_ghostStays = GhostStay::no;
     bool m_restored = false;
-    bool m_placed = false;   // where it was in the last run
+    QSize m_firstSize;       // where there is none of the last run
     bool m_stacked = false;  // the panels share a side for want of room
 };
 

@@ -24,6 +24,7 @@
 #include "ui/plots/plot_widget.h"
 #include "ui/result_panel.h"
 #include "ui/scenario_panel.h"
+#include "ui/settings.h"
 
 using namespace drillwave;
 
@@ -107,6 +108,7 @@ void TestMainWindow::initTestCase() {
 
 void TestMainWindow::init() {
     QLocale::setDefault(QLocale::c());
+    Settings().clear();
     m_answers = {};
     makeWindow(exactSolve());
 }

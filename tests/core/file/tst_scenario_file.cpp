@@ -205,7 +205,7 @@ void TestScenarioFile::aMeanForceIsReadAndKept() {
     QCOMPARE(document.scenario.pulse.impulse, 255e3 * 200e-6);
     compareText(writeScenario(document), text);
     QCOMPARE(QString::fromStdString(assignText(document.scenario, "pulse.duration", "100 us")), QString());
-    compareText(writeScenario(document), replaced(text, "200 us", "100 us"));
+    compareText(writeScenario(document), replaced(text, "200 us                # t0", "100 us"));
 }
 
 void TestScenarioFile::aTableFileIsReadBesideTheScenario() {
