@@ -104,7 +104,7 @@ std::optional<Alert> overload(const Scenario& scenario, const Load& load, double
     const double stress = load.force.size * scalesOf(scenario).force / propertiesOf(scenario.rod).area;
     if (stress <= limit) return std::nullopt;
     const std::string text =
-        consequence + ": " + load.kind + " reaches " + inHandyUnit(stress, Quantity::stress, 4) + " " +
+        consequence + ": " + load.kind + " reaches " + inHandyUnit(stress, Quantity::stress, 4) + ", " +
         inHandyUnit(load.force.section * scenario.rod.length, Quantity::length, 4) + " from the hammer at " +
         inHandyUnit(load.force.time * scalesOf(scenario).time, Quantity::time, 4) +
         (load.isAfter ? ", after the blow, in the waves left (which nothing damps here)"

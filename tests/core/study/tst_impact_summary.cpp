@@ -269,7 +269,7 @@ void TestImpactSummary::aRodIsWarnedOfStressAboveItsYieldStrength() {
     QCOMPARE(alerts[0].code, std::string("stress_above_yield"));
     QCOMPARE(alerts[0].parameter, std::string("rod.yield_strength"));
     QCOMPARE(alerts[0].text,
-             std::string("The rod would yield: compression reaches 359.8 MPa 1.83 m from the "
+             std::string("The rod would yield: compression reaches 359.8 MPa, 1.83 m from the "
                          "hammer at 600 us, during the blow, against a strength of 300 MPa."));
     // Only the waves left reach it.
     scenario.rod.yieldStrength = 370e6;
@@ -277,7 +277,7 @@ void TestImpactSummary::aRodIsWarnedOfStressAboveItsYieldStrength() {
     QCOMPARE(alerts.size(), std::size_t{1});
     QCOMPARE(alerts[0].level, AlertLevel::information);
     QCOMPARE(alerts[0].text,
-             std::string("The rod would yield: tension reaches 382.2 MPa 915 mm from the hammer "
+             std::string("The rod would yield: tension reaches 382.2 MPa, 915 mm from the hammer "
                          "at 4 ms, after the blow, in the waves left (which nothing damps "
                          "here), against a strength of 370 MPa."));
 }
