@@ -1,32 +1,10 @@
 #include "app/report_text.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <string_view>
 
 #include "core/model/scales.h"
 
 namespace drillwave {
-
-std::string rounded(double value, int digits) {
-    std::array<char, 48> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
-    return {text.data(), end.ptr};
-}
-
-std::string inHandyUnit(double si, Quantity quantity, int digits) {
-    constexpr std::array<std::string_view, 11> handy{"us",  "ms", "s",  "um", "mm", "m",
-                                                     "N s", "N",  "kN", "J",  "kJ"};
-    const Unit* chosen = nullptr;
-    for (const std::string_view name : handy) {
-        const Unit* unit = findUnit(quantity, name);
-        if (unit && (!chosen || std::abs(unit->fromSi(si)) >= 1)) chosen = unit;
-    }
-    return rounded(chosen->fromSi(si), digits) + " " + std::string(chosen->name);
-}
 
 std::string headingOf(const Scenario& scenario) {
     const Groups groups = groupsOf(scenario);

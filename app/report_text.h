@@ -4,16 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "core/model/handy_text.h"
 #include "core/model/scenario.h"
-#include "core/model/units.h"
 
 namespace drillwave {
-
-/// With so many significant digits.
-std::string rounded(double value, int digits = 6);
-
-/// An SI value in the unit of its customary family that needs the fewest zeros: "71.7 kN", "3.2 mm".
-std::string inHandyUnit(double si, Quantity quantity, int digits = 6);
 
 /// Title and groups of a scenario, as reports begin.
 std::string headingOf(const Scenario& scenario);

@@ -12,6 +12,7 @@
 #include "app/output_file.h"
 #include "app/scenario_argument.h"
 #include "core/model/decimal_text.h"
+#include "core/study/result_alerts.h"
 #include "ui/export/run_files.h"
 #include "ui/plots/plot_export.h"
 
@@ -118,7 +119,7 @@ ExitCode runBlow(const Arguments& arguments) {
     prepare(files, path, document);
 
     // The largest stress in the rod needs the waves.
-    const bool needsWaves = !files.directory.empty() || document.scenario.rod.yieldStrength;
+    const bool needsWaves = !files.directory.empty() || hasStrength(document.scenario.rod);
     const Detail detail = needsWaves ? Detail::histories : Detail::summary;
     const BlowReport report = solveInterruptibly(document.scenario, detail, choice);
     if (report.impact.outcome != Outcome::rebounded) {

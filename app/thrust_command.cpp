@@ -75,16 +75,21 @@ ExitCode runThrust(const Arguments& arguments) {
 
 const Command& thrustCommand() {
     static const std::string details =
-        "The mean thrust is blow frequency times I0 (1 + e). Beside this blow: 95 % of all gaps between\n"
-        "bit and rock, rigid rock (e = 1), and the worst gap on elastic rock (gamma = 1), which needs more\n"
-        "than rigid rock. A feed over " +
-        rounded(overfeed) +
-        " times the largest of these is called over-feeding, by rule of\n"
-        "thumb. Needs a scenario in physical units with drill.blow_frequency; margins need drill.thrust.";
+        "With blow frequency f, impulse I0 of a blow and restitution e, the installed thrust is judged so:\n"
+        "  below f I0            the blows push the machine back\n"
+        "  below f I0 (1+e)      penetration is lost\n"
+        "  below f I0 (1+2e)     full rate, but the bit leaves the rock between blows, unless the machine "
+        "damps\n"
+        "  from there on         the bit is back before the next blow; over-feeding (friction, buckling,\n"
+        "                        stalling) is outside the model\n"
+        "The verdict is by the e of this blow. Beside it, each with its own e: 95 % of all gaps between bit\n"
+        "and rock, rigid rock (e = 1), and the worst gap on elastic rock (gamma = 1). A margin is the\n"
+        "installed thrust over f I0 (1+e), less 1; thrust_margin is that of the largest need. Needs a\n"
+        "scenario in physical units with drill.blow_frequency; verdict and margins need drill.thrust.";
     static const Command command{
         .name = "thrust",
         .operands = "FILE",
-        .summary = "thrust needed to keep the bit on the rock, and the margin of the installed one",
+        .summary = "thrust that blows need, and what the installed one does between them",
         .details = details,
         .options = {setOption,
                     {"frequency", "VALUES", "also a table against frequency: 40Hz:80Hz:5, or 40Hz,60Hz"},

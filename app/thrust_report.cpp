@@ -35,6 +35,10 @@ std::string force(double newton) {
     return inHandyUnit(newton, Quantity::force, 4);
 }
 
+std::string bracket(const ThrustNeed& need) {
+    return force(need.thrust) + " ... " + force(need.thrustUndamped);
+}
+
 std::string signedPercent(double share) {
     return (share < 0 ? "" : "+") + rounded(share * 100, 3) + " %";
 }
@@ -46,13 +50,15 @@ std::string hertz(double frequency) {
 std::string needsTable(const ThrustReport& report) {
     const bool judged = report.scenario.drill.thrust.has_value();
     TextGrid grid;
-    std::vector<std::string> titles{"thrust needed for", "e", "thrust"};
-    if (judged) titles.insert(titles.end(), {"margin", "enough up to"});
+    std::vector<std::string> titles{"thrust needed for", "e", "f I0 (1+e) ... (1+2e)"};
+    if (judged) titles.insert(titles.end(), {"margin", "full rate up to", "feed"});
     grid.add(titles);
     for (const ThrustCase which : allCases) {
         const ThrustNeed& need = report.study.need(which);
-        std::vector<std::string> cells{label(which), rounded(need.cor.value), force(need.thrust)};
-        if (judged) cells.insert(cells.end(), {signedPercent(*need.margin), hertz(*need.frequencyLimit)});
+        std::vector<std::string> cells{label(which), rounded(need.cor.value), bracket(need)};
+        if (judged)
+            cells.insert(cells.end(), {signedPercent(*need.margin), hertz(*need.frequencyLimit),
+                                       std::string(feedWord(need.feed))});
         grid.add(cells);
     }
     return grid.text();
@@ -86,23 +92,26 @@ std::string paragraph(std::string_view words) {
 }
 
 std::string verdict(const ThrustReport& report) {
-    std::string text;
-    if (const std::optional<double> held = report.study.shareHeld)
-        text += "The installed " + force(*report.scenario.drill.thrust) + " is enough at " +
-                rounded(*held * 100, 4) + " % of all gaps in this rock. ";
-    text += feedAdvice(report.study.feed);
-    return paragraph(text);
+    std::string text = paragraph(feedSentence(report.study.verdict));
+    if (const std::optional<double> share = report.study.shareFull)
+        text += paragraph("It is at least f I0 (1+e) at " + rounded(*share * 100, 4) +
+                          " % of all gaps in this rock. Margin over the largest of the four needs: " +
+                          signedPercent(*report.study.margin()) + ".");
+    return text;
+}
+
+QJsonValue orNull(const std::optional<double>& value) {
+    return value ? QJsonValue(*value) : QJsonValue(QJsonValue::Null);
 }
 
 QJsonObject needJson(const ThrustNeed& need) {
-    const auto optional = [](const std::optional<double>& value) {
-        return value ? QJsonValue(*value) : QJsonValue(QJsonValue::Null);
-    };
     return {{"cor", need.cor.value},
             {"cor_error", need.cor.error},
             {"thrust", need.thrust},
-            {"margin", optional(need.margin)},
-            {"frequency_limit", optional(need.frequencyLimit)}};
+            {"thrust_undamped", need.thrustUndamped},
+            {"margin", orNull(need.margin)},
+            {"frequency_limit", orNull(need.frequencyLimit)},
+            {"feed", jsonText(name(need.feed))}};
 }
 
 QJsonArray frequenciesJson(const ThrustReport& report) {
@@ -143,12 +152,14 @@ QByteArray thrustJson(const ThrustReport& report) {
         {"groups", groupsJson(groupsOf(report.scenario))},
         {"blow_frequency", *drill.blowFrequency},
         {"impulse", pulseImpulse(report.scenario)},
-        {"installed_thrust", drill.thrust ? QJsonValue(*drill.thrust) : QJsonValue(QJsonValue::Null)},
+        {"installed_thrust", orNull(drill.thrust)},
+        {"thrust_balance", report.study.verdict.balance},
         {"needs", needs},
-        {"share_of_gaps_held",
-         report.study.shareHeld ? QJsonValue(*report.study.shareHeld) : QJsonValue(QJsonValue::Null)},
-        {"feed", jsonText(name(report.study.feed))},
-        {"advice", jsonText(feedAdvice(report.study.feed))},
+        {"share_of_gaps_held", orNull(report.study.shareFull)},
+        {"thrust_margin", orNull(report.study.margin())},
+        {"feed", jsonText(name(report.study.verdict.feed))},
+        {"advice", jsonText(feedAdvice(report.study.verdict.feed))},
+        {"verdict", jsonText(feedSentence(report.study.verdict))},
     };
     if (report.frequencies) object["frequencies"] = frequenciesJson(report);
     return QJsonDocument(object).toJson(QJsonDocument::Indented);

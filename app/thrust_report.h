@@ -17,7 +17,7 @@ struct ThrustReport {
     ThrustStudy study;
     std::optional<SweepAxis> frequencies;  ///< of drill.blow_frequency, for the table
 
-    /// The thrust that a case needs at another blow frequency, the blow being the same [N].
+    /// The thrust f I0 (1+e) of a case at another blow frequency, the blow being the same [N].
     double thrustAt(double frequency, ThrustCase which) const;
 };
 
@@ -27,8 +27,8 @@ std::string thrustText(const ThrustReport& report);
 /// One JSON object, SI.
 QByteArray thrustJson(const ThrustReport& report);
 
-/// Thrust needed against frequency: one row for each, in the unit in which it was typed and N. Requires
-/// `frequencies`.
+/// The thrust f I0 (1+e) of each case against frequency: one row for each, in the unit in which it was typed
+/// and N. Requires `frequencies`.
 std::string thrustCsv(const ThrustReport& report);
 
 }  // namespace drillwave

@@ -170,6 +170,7 @@ void Document::take(ScenarioDocument source, const QString& path, const QString&
     m_path = path;
     m_origin = origin;
     m_undoStack.clear();
+    m_undoStack.setClean();  // an empty stack ignores clear(), and may have been marked unsaved
     emit replaced();
     setScenario(m_source.scenario);
 }
@@ -232,6 +233,7 @@ QString Document::applyPreset(const Preset& preset) {
     std::vector<Problem> problems = validate(changed);
     if (!problems.empty())
         return lines(ScenarioError(ScenarioError::Kind::invalid, preset.name, std::move(problems)));
+    if (changed != m_scenario) emit presetTaken();
     push(std::move(changed), tr("take the preset %1").arg(QString::fromStdString(preset.name)));
     return {};
 }

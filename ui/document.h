@@ -33,7 +33,8 @@ class Document : public QObject {
     QByteArray text() const;
     /// The scenario as it is, with the text it came from: all that its bytes are made of.
     ScenarioDocument contents() const { return {m_scenario, m_source.text, m_source.source}; }
-    /// The bytes of the file as last read or written.
+    /// The scenario and its bytes as last read or written.
+    const ScenarioDocument& source() const { return m_source; }
     const std::string& savedText() const { return m_source.text; }
 
     /// Why a parameter cannot take a value (SI); empty when it can.
@@ -78,6 +79,8 @@ class Document : public QObject {
     /// Another scenario has taken the place of the one before, with its file and history.
     void replaced();
     void scenarioChanged();
+    /// A preset is about to change the scenario.
+    void presetTaken();
     /// Path, title or modified state may have changed.
     void stateChanged();
 

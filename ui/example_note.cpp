@@ -23,7 +23,8 @@ ExampleNote::ExampleNote(QWidget* parent) : Notice(Tone::information, parent), m
 }
 
 void ExampleNote::set(const Example& example) {
-    say(QString::fromStdString(example.explanation));
+    m_explanation = QString::fromStdString(example.explanation);
+    say(m_explanation);
     m_action->setEnabled(true);
     m_action->setChecked(true);
 }
@@ -39,7 +40,17 @@ void ExampleNote::explainFirst(const Example& example) {
     if (Settings().value(firstDismissedKey).toBool()) m_action->setChecked(false);
 }
 
+void ExampleNote::setChanged(bool changed) {
+    if (m_explanation.isEmpty()) return;
+    setText(
+        changed
+            ? tr("You have changed this example: what is said of its values may no longer hold. Undo brings "
+                 "them back.")
+            : m_explanation);
+}
+
 void ExampleNote::forget() {
+    m_explanation.clear();
     m_isFirst = false;
     m_action->setChecked(false);
     m_action->setEnabled(false);

@@ -18,6 +18,8 @@ class ExampleNote : public Notice {
     void explain(const Example& example);
     /// The example the program begins with: its explanation is not shown once the user has dismissed it.
     void explainFirst(const Example& example);
+    /// The scenario is no longer that of the example, or is so again: the explanation may not fit its values.
+    void setChanged(bool changed);
     /// Another scenario is open.
     void forget();
     /// Shows and hides the note; disabled where there is nothing to explain.
@@ -27,6 +29,7 @@ class ExampleNote : public Notice {
     void set(const Example& example);
 
     QAction* m_action;
+    QString m_explanation;
     bool m_isFirst = false;
 };
 

@@ -4,11 +4,12 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QLabel>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QRadioButton>
 #include <QScreen>
 #include <QSessionManager>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QTimer>
@@ -32,6 +33,8 @@
 #include "ui/result_panel.h"
 #include "ui/scenario_panel.h"
 #include "ui/settings.h"
+#include "ui/solve_status.h"
+#include "ui/stale_veil.h"
 
 namespace drillwave {
 namespace {
@@ -40,6 +43,7 @@ namespace {
 constexpr int layoutVersion = 1;
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
+const QString stackedKey = QStringLiteral("window/stacked");
 const QString pageKey = QStringLiteral("window/page");
 const QString unitsKey = QStringLiteral("window/units");
 const QString siName = QStringLiteral("si");
@@ -70,6 +74,8 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages = new QTabWidget(this);
     m_pages->setDocumentMode(true);
     m_pages->setTabBarAutoHide(true);
+    m_pageVeil = new StaleVeil(m_pages->findChild<QStackedWidget*>());
+    m_solveStatus = new SolveStatus(this);
     addNotices();
     addDocks();
     addPage(m_blowPage = new BlowPage(m_observation));
@@ -84,8 +90,8 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     present(m_job->solveNow(request()));
 }
 
-// The panel hands the last edits over as it goes: while the document is still there. A dock of its own does not
-// go out of sight with the window.
+// The panel hands the last edits over as it goes: while the document is still there. A dock of its own does
+// not go out of sight with the window.
 MainWindow::~MainWindow() {
     hide();
     delete m_scenarioPanel;
@@ -123,15 +129,19 @@ void MainWindow::addPage(Page* page) {
     m_pages->addTab(page, page->title());
     connect(page->plot(), &PlotWidget::savePictureRequested, this, [this] { m_exportMenu->savePicture(); });
     connect(page->plot(), &PlotWidget::saveDataRequested, this, [this] { m_exportMenu->saveData(); });
+    connect(m_solveStatus, &SolveStatus::currentChanged, page->plot(), &PlotWidget::setCurrent);
     connect(page, &Page::needsChanged, this, [this, page] {
         if (page == m_pages->currentWidget()) solve();
     });
 }
 
 void MainWindow::addMenus() {
-    m_exportMenu = new ExportMenu(m_document, *m_questions,
-                                  {[this] { return blowNow(); }, [this] { return currentPage().plot(); }},
-                                  this);
+    m_exportMenu = new ExportMenu(
+        m_document, *m_questions,
+        {[this] { return m_solveStatus->isCurrent() ? m_shown : nullptr; },
+         [this] { return currentPage().plot(); },
+         [this](const QString& what, auto then) { m_solveStatus->whenCurrent(what, std::move(then)); }},
+        this);
     m_fileMenu = new FileMenu(m_document, *m_questions, m_watch, m_exportMenu, this);
     menuBar()->addMenu(m_fileMenu);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -167,13 +177,11 @@ void MainWindow::addViewMenu() {
 }
 
 void MainWindow::addStatusBar() {
-    m_status = new QLabel(this);
-    m_status->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_dimensionless = new QRadioButton(tr("dimensionless"), this);
     m_si = new QRadioButton(tr("SI"), this);
     m_dimensionless->setAccessibleName(tr("Show results dimensionless"));
     m_si->setAccessibleName(tr("Show results in SI units"));
-    statusBar()->addWidget(m_status);
+    statusBar()->addWidget(m_solveStatus);
     statusBar()->addPermanentWidget(m_dimensionless);
     statusBar()->addPermanentWidget(m_si);
     connect(m_dimensionless, &QRadioButton::clicked, this, [this] { setUnits(UnitSystem::dimensionless); });
@@ -181,9 +189,21 @@ void MainWindow::addStatusBar() {
 }
 
 void MainWindow::wire() {
-    connect(&m_document, &Document::scenarioChanged, this, &MainWindow::solve);
+    connect(&m_document, &Document::scenarioChanged, this, [this] {
+        // The case before a preset stays to compare with until the next change.
+        if (m_ghostStays == GhostStay::untilTheNextChange) setGhost(nullptr);
+        m_ghostStays =
+            m_ghostStays == GhostStay::overThisChange ? GhostStay::untilTheNextChange : GhostStay::no;
+        m_solveStatus->callOff(tr("the input was changed meanwhile."));
+        solve();
+    });
     connect(&m_document, &Document::stateChanged, this, &MainWindow::presentState);
-    connect(m_pages, &QTabWidget::currentChanged, this, &MainWindow::solve);
+    connect(&m_document, &Document::stateChanged, m_exampleNote,
+            [this] { m_exampleNote->setChanged(m_document.scenario() != m_document.source().scenario); });
+    connect(m_pages, &QTabWidget::currentChanged, this, [this] {
+        m_solveStatus->callOff(tr("another page was chosen meanwhile."));
+        solve();
+    });
     connect(&m_document, &Document::replaced, m_exampleNote, &ExampleNote::forget);
     connect(m_fileMenu, &FileMenu::exampleOpened, m_exampleNote, &ExampleNote::explain);
     connect(new FileDrop(this), &FileDrop::dropped, m_fileMenu, &FileMenu::take);
@@ -192,10 +212,19 @@ void MainWindow::wire() {
     connect(qApp, &QGuiApplication::commitDataRequest, this, &MainWindow::endSession, Qt::DirectConnection);
     connect(m_scenarioPanel, &ScenarioPanel::dragStarted, this, [this] { setGhost(m_shown); });
     connect(m_scenarioPanel, &ScenarioPanel::dragEnded, this, [this] { setGhost(nullptr); });
+    connect(&m_document, &Document::presetTaken, this, [this] {
+        setGhost(m_shown);
+        m_ghostStays = GhostStay::overThisChange;
+    });
     connect(m_resultPanel, &ResultPanel::timeChosen, &m_observation, &Observation::setTime);
     connect(&m_observation, &Observation::timeChanged, m_resultPanel, &ResultPanel::setTime);
     connect(m_resultPanel, &ResultPanel::parameterChosen, m_scenarioPanel, &ScenarioPanel::goTo);
     connect(m_job.get(), &SolveJob::solved, this, &MainWindow::present);
+    connect(m_solveStatus, &SolveStatus::stopRequested, m_job.get(), &SolveJob::cancel);
+    connect(m_solveStatus, &SolveStatus::solveRequested, this, &MainWindow::solve);
+    connect(m_solveStatus, &SolveStatus::marked, this, &MainWindow::markResult);
+    connect(m_solveStatus, &SolveStatus::calledOff, this,
+            [this](const QString& message) { statusBar()->showMessage(message, messageMilliseconds); });
 }
 
 bool MainWindow::openFile(const QString& path) {
@@ -229,8 +258,9 @@ void MainWindow::setGhost(const SolvedBlowPtr& before) {
     currentPage().setGhost(before);
 }
 
-SolveRequest MainWindow::request() const {
+SolveRequest MainWindow::request() {
     SolveRequest request;
+    request.number = ++m_asked;
     request.scenario = m_document.scenario();
     const bool hasSi = naturalUnits(request.scenario) == UnitSystem::si;
     request.units = hasSi ? m_units : UnitSystem::dimensionless;
@@ -239,25 +269,32 @@ SolveRequest MainWindow::request() const {
 }
 
 void MainWindow::solve() {
+    m_solveStatus->asked();
     m_job->submit(request());
-}
-
-SolvedBlowPtr MainWindow::blowNow() {
-    if (m_shown->request.scenario != m_document.scenario()) present(m_job->solveNow(request()));
-    return m_shown;
 }
 
 void MainWindow::present(const SolvedBlowPtr& blow) {
     m_shown = blow;
     m_resultPanel->show(blow);
     currentPage().setResult(blow);
-    m_status->setText(statusText(*blow));
     presentUnits();
+    if (blow->request.number == m_asked)
+        m_solveStatus->answered(statusText(*blow));
+    else
+        m_solveStatus->answeredEarlier();
+}
+
+void MainWindow::markResult(bool outOfDate) {
+    if (outOfDate) statusBar()->clearMessage();  // it would cover what the solver does
+    m_pageVeil->raise();
+    m_pageVeil->setVisible(outOfDate);
+    m_resultPanel->setOutOfDate(outOfDate);
 }
 
 void MainWindow::setUnits(UnitSystem units) {
     m_units = units;
     presentUnits();
+    m_solveStatus->callOff(tr("other units were chosen meanwhile."));
     solve();
 }
 
@@ -274,12 +311,17 @@ void MainWindow::presentUnits() {
 }
 
 void MainWindow::presentState() {
-    setWindowTitle(tr("%1[*] — Drillwave").arg(m_document.displayName()));
+    const QString file = QFileInfo(m_document.path()).fileName();
+    const QString name = m_document.displayName();
+    setWindowTitle(file.isEmpty() || file == name ? tr("%1[*] — Drillwave").arg(name)
+                                                  : tr("%1 – %2[*] — Drillwave").arg(name, file));
     setWindowModified(m_document.isModified());
     setWindowFilePath(m_document.path());
 }
 
 void MainWindow::resetLayout() {
+    m_stacked = false;
+    QTimer::singleShot(0, this, &MainWindow::stackDocks);
     const QList<Qt::DockWidgetArea> areas{Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea};
     for (qsizetype i = 0; i < m_docks.size(); ++i) {
         m_docks[i]->setFloating(false);
@@ -296,7 +338,10 @@ void MainWindow::resetLayout() {
 void MainWindow::restoreChoices() {
     const Settings settings;
     resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
-    if (restoreGeometry(settings.value(geometryKey).toByteArray())) keepOnScreen(*this);
+    if (restoreGeometry(settings.value(geometryKey).toByteArray()))
+        keepOnScreen(*this);
+    else
+        m_firstSize = size();
     if (settings.value(unitsKey).toString() == dimensionlessName) m_units = UnitSystem::dimensionless;
     const QString page = settings.value(pageKey).toString();
     for (int i = 0; i < m_pages->count(); ++i)
@@ -307,14 +352,43 @@ void MainWindow::saveChoices() const {
     Settings settings;
     settings.setValue(geometryKey, saveGeometry());
     settings.setValue(layoutKey, saveState(layoutVersion));
+    settings.setValue(stackedKey, m_stacked);
     settings.setValue(unitsKey, m_units == UnitSystem::si ? siName : dimensionlessName);
     settings.setValue(pageKey, QLatin1String(currentPage().metaObject()->className()));
 }
 
 void MainWindow::restoreLayout() {
-    if (!restoreState(Settings().value(layoutKey).toByteArray(), layoutVersion)) resetLayout();
+    if (restoreState(Settings().value(layoutKey).toByteArray(), layoutVersion))
+        m_stacked = Settings().value(stackedKey).toBool();
+    else
+        resetLayout();
     for (QDockWidget* dock : std::as_const(m_docks))
         if (dock->isFloating()) keepOnScreen(*dock);
+    stackDocks();
+    if (size() == m_firstSize) fitOnScreen(*this);  // only now its frame is known
+}
+
+// Side by side the panels leave a narrow window no room for the page: they share one side.
+void MainWindow::stackDocks() {
+    const auto besideEachOther = [this] {
+        return !m_docks[0]->isFloating() && !m_docks[1]->isFloating() && m_docks[0]->isVisible() &&
+               m_docks[1]->isVisible() && dockWidgetArea(m_docks[0]) != dockWidgetArea(m_docks[1]);
+    };
+    const int wanted = m_scenarioPanel->minimumSizeHint().width() + m_resultPanel->minimumSizeHint().width() +
+                       centralWidget()->minimumSizeHint().width();
+    if (!m_stacked && width() < wanted && besideEachOther()) {
+        tabifyDockWidget(m_docks[0], m_docks[1]);
+        m_docks[0]->raise();
+        m_stacked = true;
+    } else if (m_stacked && width() >= wanted) {
+        m_stacked = false;
+        addDockWidget(Qt::RightDockWidgetArea, m_docks[1]);
+    }
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    if (m_restored) QTimer::singleShot(0, this, &MainWindow::stackDocks);
 }
 
 // Restored before the window is shown, docks come out in wrong sizes.

@@ -11,7 +11,6 @@
 #include "ui/solve_job.h"
 
 class QDockWidget;
-class QLabel;
 class QRadioButton;
 class QSessionManager;
 class QTabWidget;
@@ -27,6 +26,8 @@ class Page;
 class Recovery;
 class ResultPanel;
 class ScenarioPanel;
+class SolveStatus;
+class StaleVeil;
 
 /// Opens with the default example, solved.
 class MainWindow : public QMainWindow {
@@ -54,6 +55,7 @@ class MainWindow : public QMainWindow {
     ResultPanel& resultPanel() { return *m_resultPanel; }
     BlowPage& blowPage() { return *m_blowPage; }
     Observation& observation() { return m_observation; }
+    SolveStatus& solveStatus() { return *m_solveStatus; }
     /// What is on show.
     const SolvedBlowPtr& shown() const { return m_shown; }
     /// Dimensionless or SI; a dimensionless scenario has no SI.
@@ -62,6 +64,7 @@ class MainWindow : public QMainWindow {
   protected:
     void closeEvent(QCloseEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<SolveJob> job, QWidget* parent);
@@ -76,16 +79,17 @@ class MainWindow : public QMainWindow {
     void restoreChoices();
     void restoreLayout();
     void resetLayout();
+    void stackDocks();
     void saveChoices() const;
     void endSession(QSessionManager& session);
 
     Page& currentPage() const;
-    SolveRequest request() const;
-    SolvedBlowPtr blowNow();
+    SolveRequest request();
     void solve();
     void present(const SolvedBlowPtr& blow);
     void presentState();
     void presentUnits();
+    void markResult(bool outOfDate);
 
     Document m_document;
     FileWatch m_watch{m_document};
@@ -93,6 +97,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<Questions> m_questions;
     std::unique_ptr<SolveJob> m_job;
     SolvedBlowPtr m_shown;
+    std::uint64_t m_asked = 0;  // the number of the last request
     UnitSystem m_units = UnitSystem::si;
 
     FileMenu* m_fileMenu = nullptr;
@@ -104,13 +109,19 @@ class MainWindow : public QMainWindow {
     ResultPanel* m_resultPanel = nullptr;
     QTabWidget* m_pages = nullptr;
     BlowPage* m_blowPage = nullptr;
-    QLabel* m_status = nullptr;
+    SolveStatus* m_solveStatus = nullptr;
+    StaleVeil* m_pageVeil = nullptr;
     QRadioButton* m_dimensionless = nullptr;
     QRadioButton* m_si = nullptr;
     QAction* m_dimensionlessAction = nullptr;
     QAction* m_siAction = nullptr;
     QList<QDockWidget*> m_docks;
+    // What a preset leaves of the case before it.
+    enum class GhostStay { no, overThisChange, untilTheNextChange };
+    GhostStay m_ghostStays = GhostStay::no;
     bool m_restored = false;
+    QSize m_firstSize;       // where there is none of the last run
+    bool m_stacked = false;  // the panels share a side for want of room
 };
 
 }  // namespace drillwave

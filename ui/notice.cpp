@@ -62,6 +62,10 @@ void Notice::say(const QString& text) {
     QAccessible::updateAccessibility(&alert);
 }
 
+void Notice::setText(const QString& text) {
+    m_text->setText(text);
+}
+
 QString Notice::text() const {
     return m_text->text();
 }

@@ -21,6 +21,8 @@ class Notice : public QFrame {
     /// A button in front of the one that dismisses.
     QPushButton* addButton(const QString& text, const QString& toolTip);
     void say(const QString& text);
+    /// Says something else, shown or hidden as it is.
+    void setText(const QString& text);
     QString text() const;
 
   signals:

@@ -25,6 +25,16 @@ QRect roomFor(const QRect& frame) {
 
 }  // namespace
 
+void fitOnScreen(QWidget& window) {
+    const QRect room = window.screen()->availableGeometry();
+    const QSize frame = window.frameGeometry().size() - window.size();
+    window.resize(window.size().boundedTo(room.size() - frame));
+    const QRect outside = window.frameGeometry();
+    const int x = std::max(room.left(), std::min(outside.x(), room.right() + 1 - outside.width()));
+    const int y = std::max(room.top(), std::min(outside.y(), room.bottom() + 1 - outside.height()));
+    if (QPoint(x, y) != outside.topLeft()) window.move(x, y);
+}
+
 void keepOnScreen(QWidget& window) {
     const QRect frame = window.frameGeometry();
     const QRect room = roomFor(frame);

@@ -9,4 +9,7 @@ namespace drillwave {
 /// and makes it no larger than the screen it is on.
 void keepOnScreen(QWidget& window);
 
+/// Makes a window no larger than its screen, frame and all, and moves it so that all of it is there.
+void fitOnScreen(QWidget& window);
+
 }  // namespace drillwave

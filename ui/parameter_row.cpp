@@ -2,6 +2,7 @@
 
 #include <QRegularExpression>
 
+#include "ui/settings.h"
 #include "ui/typed_text.h"
 
 namespace drillwave {
@@ -32,6 +33,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTit
     m_message->setVisible(false);
     m_message->setTextInteractionFlags(Qt::TextSelectableByMouse);
     nameWidgets(sectionTitle);
+    rememberUnit();
 
     const int row = grid->rowCount();
     grid->addWidget(m_label, row, 0);
@@ -49,6 +51,16 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTit
         showProblem(m_field->problem());
         emit editsEnded();
     });
+}
+
+// The unit of choice is that of this parameter in every scenario and every run.
+void ParameterRow::rememberUnit() {
+    const QString settingsKey = QStringLiteral("units/") + fromView(m_parameter.key);
+    const std::string name = Settings().value(settingsKey).toString().toStdString();
+    if (const Unit* unit = name.empty() ? nullptr : findUnit(m_parameter.quantity, name))
+        m_field->setUnit(*unit);
+    connect(m_field, &QuantityField::unitChosen, this,
+            [settingsKey](const Unit& unit) { Settings().setValue(settingsKey, fromView(unit.name)); });
 }
 
 void ParameterRow::nameWidgets(const QString& sectionTitle) {

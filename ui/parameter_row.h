@@ -39,6 +39,7 @@ class ParameterRow : public QObject {
 
   private:
     void setVisible(bool visible);
+    void rememberUnit();
     void nameWidgets(const QString& sectionTitle);
     void drag(double si);
     void showProblem(const QString& problem);

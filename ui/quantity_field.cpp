@@ -78,8 +78,10 @@ void QuantityField::createUnitButton(QWidget* parent) {
         group->addAction(action);
     }
     connect(menu, &QMenu::triggered, this, [this](QAction* action) {
-        if (const Unit* chosen = findUnit(m_quantity, action->data().toString().toStdString()))
+        if (const Unit* chosen = findUnit(m_quantity, action->data().toString().toStdString())) {
             setUnit(*chosen);
+            emit unitChosen(*chosen);
+        }
     });
     m_unitButton->setMenu(menu);
 }
@@ -178,7 +180,10 @@ void QuantityField::showProblem() {
 void QuantityField::endEdits() {
     if (m_problem.isEmpty()) {
         // Whoever types inches wants to see inches.
-        if (m_typedUnit && m_typedUnit != m_unit) setUnit(*m_typedUnit);
+        if (m_typedUnit && m_typedUnit != m_unit) {
+            setUnit(*m_typedUnit);
+            emit unitChosen(*m_unit);
+        }
         m_typedUnit = nullptr;
         showValue();
     }

@@ -63,6 +63,8 @@ class QuantityField : public QAbstractSpinBox {
     void cleared();
     /// The reason that is shown now changed; empty when there is none any more.
     void problemShown(const QString& problem);
+    /// The user has chosen the unit that is shown, from the list or by typing it.
+    void unitChosen(const drillwave::Unit& unit);
     /// A series of edits has come to its end: Enter, or the focus leaves.
     void editsEnded();
 

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/study/thrust_study.h"
 #include "ui/number_text.h"
 
 namespace drillwave {
@@ -56,62 +55,45 @@ QString stressText(const SolvedBlow& blow, double force) {
                         QLocale());
 }
 
-// Where in the rod, and when.
+// Where in the rod, and when: below the stress, in a line of its own.
 QString placeText(const SolvedBlow& blow, const RodForce& force) {
     if (!(force.size > 0)) return {};
     const QString time = shown(force.time, blow.units.time);
     if (blow.request.units == UnitSystem::dimensionless)
-        return ResultPanel::tr("At x/L = %1, t = %2.").arg(numberText(force.section, 3, QLocale()), time);
+        return ResultPanel::tr("at x/L = %1, t = %2").arg(numberText(force.section, 3, QLocale()), time);
     const ShownUnit metres{1, QStringLiteral("m"), false};
-    return ResultPanel::tr("%1 from the struck end, at t = %2.")
+    return ResultPanel::tr("%1 from the hammer, t = %2")
         .arg(quantityText(force.section * blow.request.scenario.rod.length, metres, QLocale()), time);
 }
 
-std::optional<double> marginOf(const SolvedBlow& blow) {
-    const std::optional<double>& installed = blow.request.scenario.drill.thrust;
-    if (!blow.thrust || !installed) return std::nullopt;
-    return *installed - *blow.thrust;
+// The bracket of what this blow needs: full penetration, to the bit back in time without a damper.
+QString neededText(const SolvedBlow& blow) {
+    if (!blow.feed) return {};
+    return ResultPanel::tr("%1 … %2").arg(numberText(blow.feed->fullRate / 1000, 4, QLocale()),
+                                          newtons(blow.feed->returned));
 }
 
 QString marginText(const SolvedBlow& blow) {
-    const std::optional<double> margin = marginOf(blow);
-    if (!margin) return {};
-    const QString share = numberText(std::round(100 * *margin / *blow.thrust), 4, QLocale());
-    return newtons(*margin) + QStringLiteral(" (%1%2 %)").arg(*margin > 0 ? "+" : "", share);
-}
-
-// As in the study of the thrust, but from this blow and rigid rock alone.
-Feed feedOf(const SolvedBlow& blow) {
-    const std::optional<double> margin = marginOf(blow);
-    if (!margin) return Feed::unknown;
-    if (*margin < 0) return Feed::tooLow;
-    const double most = std::max(*blow.thrust, *thrustNeeded(blow.request.scenario, 1));
-    return *blow.request.scenario.drill.thrust > overfeed * most ? Feed::tooHigh : Feed::enough;
+    if (!blow.feed || !blow.feed->installed) return {};
+    const double margin = *blow.feed->installed - blow.feed->fullRate;
+    const QString share = numberText(std::round(100 * margin / blow.feed->fullRate), 4, QLocale());
+    return newtons(margin) + QStringLiteral(" (%1%2 %)").arg(margin > 0 ? "+" : "", share);
 }
 
 QString feedText(const SolvedBlow& blow) {
-    switch (feedOf(blow)) {
-        case Feed::unknown:
-            return {};
-        case Feed::tooLow:
-            return ResultPanel::tr("too low: bit bounces");
-        case Feed::tooHigh:
-            return ResultPanel::tr("over-feeding");
-        default:
-            return ResultPanel::tr("enough");
-    }
+    if (!blow.feed) return {};
+    const std::string_view word = feedWord(blow.feed->feed);
+    return QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
 }
 
 QString feedMeaning(const SolvedBlow& blow) {
-    const Feed feed = feedOf(blow);
-    if (feed == Feed::enough) return ResultPanel::tr("Enough feed for this blow.");
-    const std::string_view advice = feedAdvice(feed);
-    return QString::fromUtf8(advice.data(), static_cast<qsizetype>(advice.size()));
+    return blow.feed ? QString::fromStdString(feedSentence(*blow.feed)) : QString();
 }
 
 }  // namespace
 
-ResultPanel::ResultPanel(QWidget* parent) : QScrollArea(parent), m_eventModel(new EventModel(this)) {
+ResultPanel::ResultPanel(QWidget* parent)
+    : QScrollArea(parent), m_eventModel(new EventModel(this)), m_veil(new StaleVeil(viewport())) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -174,34 +156,46 @@ void ResultPanel::addEnergy() {
 }
 
 void ResultPanel::addStress() {
-    addNumbers(
-        tr("Stress in the rod"),
-        {{tr("compression"),
-          tr("Largest compressive stress of the uniform rod, anywhere and at any time, also of the waves "
-             "that run on after the blow; couplings and threads raise it locally"),
-          [](const SolvedBlow& b) { return stressText(b, b.rodForces.compression.size); },
-          {},
-          [](const SolvedBlow& b) { return placeText(b, b.rodForces.compression); }},
-         {tr("tension"),
-          tr("Largest tensile stress of the uniform rod, anywhere and at any time, also of the waves that "
-             "run on after the blow; couplings and threads raise it locally"),
-          [](const SolvedBlow& b) { return stressText(b, b.rodForces.tension.size); },
-          {},
-          [](const SolvedBlow& b) { return placeText(b, b.rodForces.tension); }}});
+    const QString where = tr("Where in the rod it is first that large, and when");
+    const QString during = tr(
+        "Largest %1 stress of the uniform rod while the blow lasts: to the last separation plus one transit "
+        "time; couplings and threads raise it locally");
+    const QString after = tr(
+        "Largest %1 stress of the waves that are left after the blow and run on; nothing damps them in the "
+        "model, a real rod does");
+    addNumbers(tr("Stress in the rod"),
+               {{tr("compression, blow"), during.arg(tr("compressive")),
+                 [](const SolvedBlow& b) { return stressText(b, b.rodForces.compression.size); }},
+                {{}, where, [](const SolvedBlow& b) { return placeText(b, b.rodForces.compression); }},
+                {tr("tension, blow"), during.arg(tr("tensile")),
+                 [](const SolvedBlow& b) { return stressText(b, b.rodForces.tension.size); }},
+                {{}, where, [](const SolvedBlow& b) { return placeText(b, b.rodForces.tension); }},
+                {tr("compression, after"), after.arg(tr("compressive")),
+                 [](const SolvedBlow& b) { return stressText(b, b.rodForces.compressionAfter.size); }},
+                {{}, where, [](const SolvedBlow& b) { return placeText(b, b.rodForces.compressionAfter); }},
+                {tr("tension, after"), after.arg(tr("tensile")),
+                 [](const SolvedBlow& b) { return stressText(b, b.rodForces.tensionAfter.size); }},
+                {{}, where, [](const SolvedBlow& b) { return placeText(b, b.rodForces.tensionAfter); }}});
 }
 
 void ResultPanel::addThrust() {
     addNumbers(
         tr("Thrust"),
-        {{tr("needed"), tr("Mean thrust that returns the rod to the rock between blows: f·I₀·(1 + e)"),
-          [](const SolvedBlow& b) { return b.thrust ? newtons(*b.thrust) : QString(); }},
+        {{tr("needed"),
+          tr("Thrust for full penetration, f·I₀·(1 + e), up to that which brings the bit back before the "
+             "next "
+             "blow even if nothing damps, f·I₀·(1 + 2e), with the e of this blow"),
+          neededText},
          {tr("installed"), tr("Feed force of the drill rig"),
           [](const SolvedBlow& b) {
               const std::optional<double>& installed = b.request.scenario.drill.thrust;
               return installed ? newtons(*installed) : QString();
           }},
-         {tr("margin"), tr("Installed less needed thrust, and as a share of what is needed"), marginText},
-         {tr("feed"), tr("What the installed thrust means at the rig"), feedText, {}, feedMeaning}});
+         {tr("margin"),
+          tr("Installed thrust less f·I₀·(1 + e) of this blow, and as a share of it; `drillwave thrust` adds "
+             "the margins of other gaps and rocks"),
+          marginText},
+         {tr("feed"), tr("What the installed thrust does between the blows"), feedText, {}, feedMeaning}});
 }
 
 void ResultPanel::addAlerts() {
@@ -254,6 +248,13 @@ void ResultPanel::addNumbers(const QString& title, const QList<Entry>& entries) 
         value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         makeSelectable(*value);
         name->setBuddy(value);
+        if (entry.name.isEmpty()) {
+            name->setText({});
+            name->hide();
+            grid->addWidget(value, grid->rowCount(), 1, 1, 2);
+            m_rows.append({section, name, value, entry.meaning, entry.text, entry.note});
+            continue;
+        }
         const int row = grid->rowCount();
         if (entry.part) grid->addWidget(new EnergySwatch(*entry.part, content), row, 0);
         grid->addWidget(name, row, 1);
@@ -319,9 +320,15 @@ void ResultPanel::markEvent() {
     m_events->selectRow(*row);
 }
 
+void ResultPanel::setOutOfDate(bool outOfDate) {
+    m_veil->raise();
+    m_veil->setVisible(outOfDate);
+}
+
 QString ResultPanel::text() const {
-    QString text = tr("coefficient of restitution e") + QLatin1Char('\t') +
-                   QStringLiteral("%1 %2").arg(m_cor->text(), m_error->text()).trimmed() + QLatin1Char('\n');
+    QString text = m_veil->isHidden() ? QString() : StaleVeil::words() + QLatin1Char('\n');
+    text += tr("coefficient of restitution e") + QLatin1Char('\t') +
+            QStringLiteral("%1 %2").arg(m_cor->text(), m_error->text()).trimmed() + QLatin1Char('\n');
     for (const Row& row : m_rows)
         if (!row.section->isHidden())
             text += row.section->title() + QStringLiteral(": ") + row.name->text() + QLatin1Char('\t') +

@@ -11,6 +11,7 @@
 #include "ui/event_model.h"
 #include "ui/section_box.h"
 #include "ui/solved_blow.h"
+#include "ui/stale_veil.h"
 
 class QGridLayout;
 class QTableView;
@@ -26,6 +27,8 @@ class ResultPanel : public QScrollArea {
     void show(const SolvedBlowPtr& blow);
     /// Marks the event at the time cursor t/t0, if there is one.
     void setTime(std::optional<double> time);
+    /// Marks all that is shown as not of the present input, and what is copied too.
+    void setOutOfDate(bool outOfDate);
     /// All numbers as lines of "name<tab>value".
     QString text() const;
 
@@ -83,6 +86,7 @@ class ResultPanel : public QScrollArea {
     EventModel* m_eventModel;
     QTableView* m_events = nullptr;
     AlertList* m_alerts = nullptr;
+    StaleVeil* m_veil;
 };
 
 }  // namespace drillwave

@@ -4,7 +4,6 @@
 #include <exception>
 
 #include "core/study/result_alerts.h"
-#include "core/study/thrust.h"
 
 namespace drillwave {
 namespace {
@@ -24,7 +23,7 @@ void solve(SolvedBlow& blow, ExactSolver& solver) {
         return;
     }
     blow.summary = summarize(blow.impact, blow.groups);
-    blow.thrust = thrustNeeded(blow.request.scenario, blow.impact.cor);
+    blow.feed = judgeFeed(blow.request.scenario, blow.impact.cor);
     blow.rodForces = largestRodForces(blow.impact, blow.pulse);
     for (const std::vector<Alert>& remarks : {resultAlerts(blow.request.scenario, blow.summary),
                                               stressAlerts(blow.request.scenario, blow.rodForces)})

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -10,6 +11,7 @@
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
 #include "core/model/validation.h"
+#include "core/study/feed_verdict.h"
 #include "core/study/impact_summary.h"
 #include "core/wave/exact_solver.h"
 #include "core/wave/rod_forces.h"
@@ -27,7 +29,8 @@ struct SolveRequest {
     std::optional<double> section;  ///< x/L of the waves to be plotted, when the curves are wanted
     bool rock = false;              ///< whether the path in the force–penetration plane is wanted
     std::optional<WavePictureNeed> picture;
-    std::stop_token stop = {};      ///< ends the work early, with a problem for an answer
+    std::uint64_t number = 0;   ///< counts what was asked: tells the answer to the last question
+    std::stop_token stop = {};  ///< ends the work early, with a problem for an answer
 };
 
 /// The answer, never changed once made. `problem` is empty when the blow was solved; otherwise it says in a
@@ -42,7 +45,7 @@ struct SolvedBlow {
     Impact impact;
     ImpactSummary summary;
     RodForces rodForces;
-    std::optional<double> thrust;  ///< needed [N], when a blow frequency is given
+    std::optional<FeedVerdict> feed;  ///< when a blow frequency is given
     std::vector<Alert> alerts;
     double runTime = 0;  ///< of the solve alone [s]
     std::optional<BlowCurves> curves;

@@ -137,14 +137,11 @@ class Patcher {
         replace(extentOf(m_text, node), valueText(*value, unit));
     }
 
-    /// Exchanges a value, and keeps a comment behind it in its column where there is room.
+    /// Exchanges a value. A comment behind it was about the value that was there.
     void replace(Extent extent, std::string text) {
-        const std::size_t behind = m_text.find_first_not_of(' ', extent.end);
-        if (behind != std::string_view::npos && m_text[behind] == '#') {
-            const std::size_t column = behind - extent.begin;
-            text.resize(std::max(column, text.size() + 1), ' ');
-            extent.end = behind;
-        }
+        const std::size_t behind = m_text.find_first_not_of(" \t", extent.end);
+        if (behind != std::string_view::npos && m_text[behind] == '#')
+            extent.end = std::min(m_text.find_first_of("\r\n", behind), m_text.size());
         m_edits.push_back({extent.begin, extent.end - extent.begin, std::move(text)});
     }
 

@@ -1,6 +1,7 @@
 // Remarks on valid scenarios.
 #include <cmath>
 
+#include "core/model/handy_text.h"
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
@@ -19,15 +20,26 @@ std::string inUnit(const Parameter& parameter, double value) {
     return formatQuantity(value, parameter.quantity, parameter.displayUnit());
 }
 
+/// Of a value that may be anything: rounded, in a unit in which it can be read.
+std::string brief(const Parameter& parameter, double value) {
+    return inHandyUnit(value, parameter.quantity, 4);
+}
+
+/// "stiffness k", as in the form: in words, not as in a file.
+std::string nameOf(const Parameter& parameter) {
+    std::string name(parameter.label);
+    if (!parameter.symbol.empty()) name += " " + std::string(parameter.symbol);
+    return name;
+}
+
 void addImplausibleValues(const Scenario& scenario, std::vector<Alert>& alerts) {
     for (const Parameter& parameter : parameters()) {
         if (!isGiven(parameter, scenario)) continue;
         const std::optional<double> value = parameter.value(scenario);
         if (!value || parameter.plausible.contains(*value)) continue;
-        const std::string text = std::string(parameter.key) + " = " + inUnit(parameter, *value) +
-                                 " is outside the usual range, " +
-                                 inUnit(parameter, parameter.plausible.low) + " to " +
-                                 inUnit(parameter, parameter.plausible.high) + ".";
+        const std::string text = "The " + nameOf(parameter) + " = " + brief(parameter, *value) +
+                                 " is outside the usual range, " + brief(parameter, parameter.plausible.low) +
+                                 " to " + brief(parameter, parameter.plausible.high) + ".";
         alerts.push_back({AlertLevel::warning, "outside_plausible_range", std::string(parameter.key), text});
     }
 }

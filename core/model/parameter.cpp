@@ -69,7 +69,8 @@ void assignForce(S& s, double value) {
     s.pulse.impulseFromForce = true;
 }
 
-/// Sets a physical value so that its group reads `wanted`, or what is nearest to it where no double does that.
+/// Sets a physical value so that its group reads `wanted`, or what is nearest to it where no double does
+/// that.
 void assignGroup(S& s, double& physical, double scale, double Groups::*group, double wanted) {
     const double estimate = wanted * scale;
     double best = estimate;
@@ -131,6 +132,9 @@ constexpr std::array table{
     Parameter{"rod.yield_strength", "yield strength", "", "Stress up to which the rod is elastic; a blow that exceeds it raises a warning",
               Quantity::stress, "MPa", positive, {200e6, 2000e6}, linear, dimensional,
               [](const S& s) { return s.rod.yieldStrength; }, [](S& s, double v) { s.rod.yieldStrength = v; }},
+    Parameter{"rod.fatigue_strength", "fatigue strength", "", "Tensile stress that the rod bears in blow after blow; more raises a warning",
+              Quantity::stress, "MPa", positive, {50e6, 1500e6}, linear, dimensional,
+              [](const S& s) { return s.rod.fatigueStrength; }, [](S& s, double v) { s.rod.fatigueStrength = v; }},
 
     Parameter{"pulse.duration", "duration", "t0", "Duration of the hammer force; time constant of an exponential one",
               Quantity::time, "us", positive, {20e-6, 2e-3}, logarithmic, givenPulse,

@@ -29,13 +29,14 @@ std::span<const std::string_view> pulseShapeNames();
 
 /// Uniform elastic rod. All values in SI.
 struct Rod {
-    double length = 3.66;                 ///< L [m]
-    double diameter = 0.038;              ///< outer diameter [m]; unused when `area` is given
-    double bore = 0;                      ///< flushing hole diameter [m]
-    std::optional<double> area;           ///< A [m²] when given instead of diameter and bore
-    double youngsModulus = 210e9;         ///< E [Pa]
-    double density = 7850;                ///< ρ [kg/m³]
-    std::optional<double> yieldStrength;  ///< [Pa] stress to be warned of; changes no result
+    double length = 3.66;                   ///< L [m]
+    double diameter = 0.038;                ///< outer diameter [m]; unused when `area` is given
+    double bore = 0;                        ///< flushing hole diameter [m]
+    std::optional<double> area;             ///< A [m²] when given instead of diameter and bore
+    double youngsModulus = 210e9;           ///< E [Pa]
+    double density = 7850;                  ///< ρ [kg/m³]
+    std::optional<double> yieldStrength;    ///< [Pa] stress to be warned of; changes no result
+    std::optional<double> fatigueStrength;  ///< [Pa] tension to be warned of, borne by blow after blow
     bool operator==(const Rod&) const = default;
 };
 

@@ -10,14 +10,19 @@
 namespace drillwave {
 
 /// Alerts of a solved blow, to be listed behind alertsFor(scenario):
-/// `thrust_below_needed` when the installed thrust is less than blow_frequency·I0·(1 + e), `super_rebound`
-/// when e > 1 by more than its error, `several_contacts` when the bit comes back to the rock,
+/// `thrust_below_needed` when the installed thrust loses penetration or less (feed_verdict.h),
+/// `super_rebound` when e > 1 by more than its error, `several_contacts` when the bit comes back to the rock,
 /// `closed_form_invalid` for a rectangular blow on elastic rock that the paper's closed form is not for, with
 /// the error that it would make, `reduced_accuracy` when the error bound of e exceeds 1e-9, `input_decides`
 /// in its place when that is so because the bit chatters.
 std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& summary);
 
-/// `stress_above_yield` when the rod has a yield strength and the largest stress in it exceeds it.
+/// `stress_above_yield` when the largest stress in the rod exceeds its yield strength, `stress_above_fatigue`
+/// when the largest tension exceeds its fatigue strength: a warning while the blow lasts, a remark where only
+/// the waves left do. Each says where and when. None without strengths; see hasStrength().
 std::vector<Alert> stressAlerts(const Scenario& scenario, const RodForces& forces);
+
+/// Whether stressAlerts() needs to be asked, for which the largest forces must be known.
+bool hasStrength(const Rod& rod);
 
 }  // namespace drillwave

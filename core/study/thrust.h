@@ -1,4 +1,4 @@
-// The feed force that keeps the bit on the rock.
+// The feed force that blows need for full penetration.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace drillwave {
 
-/// Mean thrust f·I0·(1 + e) [N]: the impulse that the rock gives back with every blow. nullopt where
-/// thrustProblem() says why.
+/// Mean thrust f·I0·(1 + e) [N]: the impulse that the rock gives back with every blow that begins at rest on
+/// the rock. nullopt where thrustProblem() says why.
 std::optional<double> thrustNeeded(const Scenario& scenario, double cor);
 
 /// Why there is no thrust for a scenario and what to do; empty when there is one.

@@ -15,22 +15,18 @@ constexpr std::size_t index(ThrustCase which) {
 }
 
 ThrustNeed needOf(const Scenario& scenario, const Estimate& cor) {
-    ThrustNeed need{
-        .cor = cor, .thrust = *thrustNeeded(scenario, cor.value), .margin = {}, .frequencyLimit = {}};
-    if (const std::optional<double> installed = scenario.drill.thrust) {
-        need.margin = *installed / need.thrust - 1;
-        need.frequencyLimit = *scenario.drill.blowFrequency * *installed / need.thrust;
+    const FeedVerdict verdict = *judgeFeed(scenario, cor.value);
+    ThrustNeed need{.cor = cor,
+                    .thrust = verdict.fullRate,
+                    .thrustUndamped = verdict.returned,
+                    .margin = {},
+                    .frequencyLimit = {},
+                    .feed = verdict.feed};
+    if (verdict.installed) {
+        need.margin = *verdict.installed / need.thrust - 1;
+        need.frequencyLimit = *scenario.drill.blowFrequency * *verdict.installed / need.thrust;
     }
     return need;
-}
-
-Feed judge(const ThrustStudy& study) {
-    const auto isShort = [&](ThrustCase which) { return *study.need(which).margin < 0; };
-    if (!study.need(ThrustCase::scenario).margin) return Feed::unknown;
-    if (isShort(ThrustCase::scenario)) return Feed::tooLow;
-    if (isShort(ThrustCase::gapQuantile)) return Feed::lowAtOtherGaps;
-    if (isShort(ThrustCase::rigidRock) || isShort(ThrustCase::elasticWorst)) return Feed::lowOnElasticRock;
-    return *study.largestNeed().margin > overfeed - 1 ? Feed::tooHigh : Feed::enough;
 }
 
 /// Both curves over the gap, half of the progress each.
@@ -58,12 +54,6 @@ std::string_view name(ThrustCase which) {
     constexpr std::array<std::string_view, thrustCaseCount> names{"scenario", "gap_95_percent", "rigid_rock",
                                                                   "elastic_worst_gap"};
     return names[index(which)];
-}
-
-std::string_view name(Feed feed) {
-    constexpr std::array<std::string_view, 6> names{
-        "unknown", "too_low", "low_at_other_gaps", "low_on_elastic_rock", "enough", "too_high"};
-    return names[static_cast<std::size_t>(feed)];
 }
 
 const ThrustNeed& ThrustStudy::largestNeed() const {
@@ -94,38 +84,12 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const Ga
     set(ThrustCase::gapQuantile, statistics.of(GapOutput::cor).uniform.quantiles.back());
     set(ThrustCase::rigidRock, {1, 0});
     set(ThrustCase::elasticWorst, largestCor(curves.elastic));
-    study.feed = judge(study);
+    study.verdict = *judgeFeed(scenario, impact.cor);
     if (scenario.drill.thrust) {
-        const double held = *scenario.drill.thrust / *thrustNeeded(scenario, 0) - 1;
-        study.shareHeld = 1 - shareAbove(curves.rock, held).value;
+        const double served = *scenario.drill.thrust / study.verdict.balance - 1;  // up to which e
+        study.shareFull = 1 - shareAbove(curves.rock, served).value;
     }
     return study;
-}
-
-std::string_view feedAdvice(Feed feed) {
-    switch (feed) {
-        case Feed::unknown:
-            return "No installed thrust is given: give drill.thrust to see margins.";
-        case Feed::tooLow:
-            return "Too little feed: the bit bounces off the bottom between blows and the string runs loose. "
-                   "Joints rattle, run hot and wear, the next blow meets a bit that is not on the rock, and "
-                   "part of it comes back into the drill. Raise the feed, or lower the percussion.";
-        case Feed::lowAtOtherGaps:
-            return "Enough feed for this blow, but not for all gaps that blows meet: the bit lifts off now "
-                   "and "
-                   "then, and the string is loose for those blows. Raise the feed a little.";
-        case Feed::lowOnElasticRock:
-            return "Enough feed for this rock. Where the bottom pushes the bit back, on hard rock or on "
-                   "cuttings that are not flushed away, the bit starts to bounce and the string runs loose: "
-                   "watch the flushing, and raise the feed when the joints begin to rattle.";
-        case Feed::enough:
-            return "Enough feed to hold the bit on the rock, also where the bottom pushes it back.";
-        case Feed::tooHigh:
-            return "Over-feeding: far more than even the worst bottom needs. The bit is pressed in while it "
-                   "should turn: rotation drags or stalls, buttons wear, rods bend and the hole wanders. "
-                   "Lower the feed.";
-    }
-    return {};
 }
 
 }  // namespace drillwave

@@ -1,4 +1,4 @@
-// What feed force keeps the bit on the rock, and what the installed one means at the rig.
+// What feed force blows need, from the one at hand to the worst, and how the installed one compares.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/model/scenario.h"
+#include "core/study/feed_verdict.h"
 #include "core/study/gap_statistics.h"
 #include "core/study/thrust.h"
 
@@ -25,48 +26,34 @@ inline constexpr std::size_t thrustCaseCount = 4;
 /// "scenario", "gap_95_percent", "rigid_rock", "elastic_worst_gap".
 std::string_view name(ThrustCase which);
 
-/// What one case needs.
+/// What one case needs, by its own e. The need is a bracket: from the thrust f I0 (1+e) of full penetration
+/// to the f I0 (1+2e) that brings the bit back before the next blow even if nothing damps. Margin and
+/// frequency limit are about its lower end.
 struct ThrustNeed {
     Estimate cor;
-    double thrust = 0;             ///< [N]
-    std::optional<double> margin;  ///< installed/needed − 1, with an installed thrust
-    /// Up to which blow frequency the installed thrust is enough [Hz].
+    double thrust = 0;             ///< f I0 (1+e) [N]
+    double thrustUndamped = 0;     ///< f I0 (1+2e) [N]
+    std::optional<double> margin;  ///< installed/thrust − 1, with an installed thrust
+    /// Up to which blow frequency the installed thrust is at least `thrust` [Hz].
     std::optional<double> frequencyLimit;
+    Feed feed = Feed::unknown;  ///< the installed thrust, judged by this e
 };
-
-/// The installed thrust, judged.
-enum class Feed {
-    unknown,           ///< no thrust is given
-    tooLow,            ///< less than this blow needs
-    lowAtOtherGaps,    ///< enough for this blow, not for 95 % of all gaps
-    lowOnElasticRock,  ///< enough for this rock, not for rock or cuttings that push the bit back
-    enough,            ///< for all of them
-    tooHigh,           ///< more than `overfeed` times what the worst of them needs
-};
-
-/// Thrust over the largest need from which on it is called over-feeding: a rule of thumb, no result of the
-/// model.
-inline constexpr double overfeed = 1.5;
-
-/// "too_low" and so on.
-std::string_view name(Feed feed);
 
 struct ThrustStudy {
     std::array<ThrustNeed, thrustCaseCount> needs;  ///< in the order of ThrustCase
-    std::optional<double> shareHeld;  ///< share of all gaps at which the installed thrust is enough
-    Feed feed = Feed::unknown;
-    std::string reason;    ///< why there is no result; empty when there is
-    bool stopped = false;  ///< on the stop token: no result
+    std::optional<double> shareFull;  ///< share of all gaps at which the installed thrust is ≥ f I0 (1+e)
+    FeedVerdict verdict;              ///< by the e of the scenario's own blow
+    std::string reason;               ///< why there is no result; empty when there is
+    bool stopped = false;             ///< on the stop token: no result
 
     const ThrustNeed& need(ThrustCase which) const { return needs[static_cast<std::size_t>(which)]; }
     const ThrustNeed& largestNeed() const;
+    /// Installed thrust over the largest of the four `thrust`, less 1 (contract: `thrust_margin`).
+    std::optional<double> margin() const { return largestNeed().margin; }
 };
 
 /// Requires thrustProblem() to be empty.
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {},
                         const GapProgress& progress = {});
-
-/// What the judgement means at the rig and what to do, in a sentence or two without numbers of the model.
-std::string_view feedAdvice(Feed feed);
 
 }  // namespace drillwave

@@ -14,17 +14,21 @@ struct RodForce {
     bool operator==(const RodForce&) const = default;
 };
 
+/// Sizes are 0 where the rod is never pushed or pulled.
 struct RodForces {
-    RodForce compression;  ///< of −N
-    RodForce tension;      ///< of N; of size 0 when the rod is never pulled
+    RodForce compression;       ///< of −N while the blow lasts: to one transit after the last separation
+    RodForce tension;           ///< of N in that time
+    RodForce compressionAfter;  ///< of −N later, of the waves left, which nothing damps in the model
+    RodForce tensionAfter;      ///< of N later; time and place of the first meeting of the waves
+    bool operator==(const RodForces&) const = default;
 };
 
-/// The largest of −N and of N = Np + Nn over the whole rod and the whole blow, also of the waves that run on
+/// The largest of −N and of N = Np + Nn over the whole rod, during the blow and of the waves that run on
 /// after it. Of an impact solved with Detail::histories.
 ///
 /// N(ξ, t) = −g(a) − r(b) with r = F − g, a = t − ξτ and b = t − (2 − ξ)τ: every pair of times 0 ≤ a − b ≤ 2τ
-/// meets at some section, so it is a sliding maximum of r that is added to g. Exact at breakpoints and jumps;
-/// a maximum inside a smooth piece may be missed by 2e-4 of the peak force.
+/// meets at some section at t = (a + b)/2 + τ, so it is a sliding maximum of r that is added to g. Exact at
+/// breakpoints and jumps; a maximum inside a smooth piece may be missed by 2e-4 of the peak force.
 RodForces largestRodForces(const Impact& impact, const PulseForce& pulse);
 
 }  // namespace drillwave

@@ -1,6 +1,8 @@
 // drillwave run: the JSON object, the files, and running a case again from them.
 #include <QtTest>
 
+#include <algorithm>
+
 #include <QDir>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -155,8 +157,10 @@ void TestRun::aYieldStrengthAddsAWarningAndChangesNothingElse() {
     QCOMPARE(strong["alerts"], none["alerts"]);
     const QJsonArray alerts = weak["alerts"].toArray();
     QCOMPARE(alerts.size(), none["alerts"].toArray().size() + 1);
-    QCOMPARE(alerts.last()["code"].toString(), QString("stress_above_yield"));
-    QCOMPARE(alerts.last()["parameter"].toString(), QString("rod.yield_strength"));
+    const auto yields = std::ranges::find_if(
+        alerts, [](const QJsonValue& alert) { return alert["code"] == QString("stress_above_yield"); });
+    QVERIFY(yields != alerts.end());
+    QCOMPARE(yields->toObject()["parameter"].toString(), QString("rod.yield_strength"));
 }
 
 void TestRun::settingsApplyWhateverTheirOrder() {
@@ -177,7 +181,7 @@ void TestRun::theSummaryIsForPeople() {
         QVERIFY2(finished.out.contains(part), part);
     for (const QByteArray& line : finished.out.split('\n')) QVERIFY2(line.size() < 160, line);
     const Finished warned = run({"run", example("t38_medium_rock"), "--set", "drill.thrust=1kN"});
-    QVERIFY(warned.out.contains("warning: The installed thrust of 1 kN is below"));
+    QVERIFY(warned.out.contains("warning: The installed thrust of 1 kN is below f I0 = 3.06 kN"));
 }
 
 void TestRun::filesAreWrittenAndNotOverwritten() {

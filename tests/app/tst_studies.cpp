@@ -147,12 +147,21 @@ void TestStudies::thrustGivesNeedsMarginsAndAdvice() {
     const double worst =
         json({"gap", drill, "--set", "gamma=1"})["uniform"]["cor"]["max"]["value"].toDouble();
     QVERIFY(std::abs(needs["elastic_worst_gap"]["cor"].toDouble() - worst) < 1e-9);
-    QCOMPARE(thrust["feed"].toString(), QString("enough"));
+    for (const QJsonValue& need : needs) {
+        const double cor = need["cor"].toDouble();
+        QVERIFY(std::abs(need["thrust_undamped"].toDouble() / (60 * 51 * (1 + 2 * cor)) - 1) < 1e-14);
+    }
+    QCOMPARE(thrust["thrust_margin"].toDouble(), needs["elastic_worst_gap"]["margin"].toDouble());
+    QCOMPARE(thrust["feed"].toString(), QString("back_in_time"));
+    QCOMPARE(needs["rigid_rock"]["feed"].toString(), QString("full_rate"));
     const QJsonObject less = json({"thrust", drill, "--set", "drill.thrust=4kN"});
-    QCOMPARE(less["feed"].toString(), QString("too_low"));
+    QCOMPARE(less["feed"].toString(), QString("penetration_lost"));
     QVERIFY(less["advice"].toString().contains("bounces"));
     QVERIFY(output({"thrust", drill, "--set", "drill.thrust=4kN"}).contains("runs loose"));
-    QVERIFY(output({"thrust", drill, "--set", "drill.thrust=20kN"}).contains("Over-feeding"));
+    QVERIFY(output({"thrust", drill, "--set", "drill.thrust=20kN"}).contains("outside the model"));
+    // The words of the window, the alert and this command are the same.
+    const QString told = less["verdict"].toString();
+    QCOMPARE(json({"run", drill, "--set", "drill.thrust=4kN"})["alerts"][0]["text"].toString(), told);
 }
 
 void TestStudies::thrustWithoutAnInstalledOneHasNoMargins() {

@@ -1,22 +1,30 @@
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QRadioButton>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QWheelEvent>
 
 #include "core/file/examples.h"
+#include "core/file/preset_file.h"
 #include "core/model/scales.h"
 #include "tests/ui/scripted_questions.h"
+#include "ui/example_note.h"
+#include "ui/export/export_menu.h"
 #include "ui/file_menu.h"
 #include "ui/main_window.h"
 #include "ui/pages/blow_page.h"
+#include "ui/plots/plot_widget.h"
 #include "ui/result_panel.h"
 #include "ui/scenario_panel.h"
+#include "ui/settings.h"
 
 using namespace drillwave;
 
@@ -67,6 +75,14 @@ class TestMainWindow : public QObject {
     void theSectionOfTheWavesCanBeMoved();
     void theShapeOfThePulseChangesItsRows();
     void everyExampleOpensSolved();
+    void theTitleBarNamesTheFile();
+    void controlEReachesTheWindowFromALineEdit();
+    void aChosenUnitIsKept();
+    void aPresetLeavesAGhostUntilTheNextChange();
+    void theNoteOfAnExampleDoesNotOutliveItsValues();
+    void aNarrowWindowStacksItsPanels();
+    void keysAimAtThePlotBelowThePointer();
+    void theReasonOfAnUnsolvedCaseStaysInThePlot();
     void aWindowCanGoWhileAFieldIsEdited_data();
     void aWindowCanGoWhileAFieldIsEdited();
 
@@ -92,6 +108,7 @@ void TestMainWindow::initTestCase() {
 
 void TestMainWindow::init() {
     QLocale::setDefault(QLocale::c());
+    Settings().clear();
     m_answers = {};
     makeWindow(exactSolve());
 }
@@ -352,6 +369,126 @@ void TestMainWindow::everyExampleOpensSolved() {
         QTRY_COMPARE(window().shown()->request.scenario, window().document().scenario());
         QCOMPARE(window().shown()->problem, QString());
     }
+}
+
+void TestMainWindow::theTitleBarNamesTheFile() {
+    QVERIFY(!window().windowTitle().contains(QStringLiteral(".yaml")));
+    const QString path = m_folder.filePath(QStringLiteral("named.yaml"));
+    QCOMPARE(window().document().save(path), QString());
+    QCOMPARE(window().windowTitle(), QStringLiteral("T38 rod, medium rock – named.yaml[*] — Drillwave"));
+    window().document().setTitle({});
+    QCOMPARE(window().windowTitle(), QStringLiteral("named.yaml[*] — Drillwave"));
+}
+
+// As line edits do on X11, where Ctrl+E goes to the end of the line.
+class GreedyLineEdit : public QLineEdit {
+  public:
+    using QLineEdit::QLineEdit;
+
+  protected:
+    bool event(QEvent* event) override {
+        if (event->type() == QEvent::ShortcutOverride) event->accept();
+        return event->type() == QEvent::ShortcutOverride || QLineEdit::event(event);
+    }
+};
+
+void TestMainWindow::controlEReachesTheWindowFromALineEdit() {
+    GreedyLineEdit edit(window().centralWidget());
+    edit.show();
+    edit.setFocus();
+    QVERIFY(edit.hasFocus());
+    m_answers.folder = m_folder.filePath(QStringLiteral("everything"));
+    QTest::keyClick(&edit, Qt::Key_E, Qt::ControlModifier);
+    QTRY_VERIFY(QFile::exists(m_answers.folder + QStringLiteral("/summary.json")));
+}
+
+void TestMainWindow::aChosenUnitIsKept() {
+    type(field("rod.length"), QStringLiteral("12 ft"));
+    QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
+    makeWindow(exactSolve());
+    QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
+    type(field("rod.length"), QStringLiteral("3 m"));
+    makeWindow(exactSolve());
+    QCOMPARE(field("rod.length").unit().name, std::string_view("m"));
+}
+
+void TestMainWindow::aPresetLeavesAGhostUntilTheNextChange() {
+    const int graphs = window().blowPage().plot()->graphCount();
+    const auto hard = std::ranges::find(builtInPresets(), std::string("hard rock"), &Preset::name);
+    QCOMPARE(window().document().applyPreset(*hard), QString());
+    settle();
+    QVERIFY(window().blowPage().plot()->graphCount() > graphs);
+    window().document().assign(*findParameter("rod.length"), 4, 1);
+    settle();
+    QCOMPARE(window().blowPage().plot()->graphCount(), graphs);
+}
+
+void TestMainWindow::theNoteOfAnExampleDoesNotOutliveItsValues() {
+    const QString explanation = window().exampleNote().text();
+    QCOMPARE(explanation, QString::fromStdString(defaultExample().explanation));
+    window().document().assign(*findParameter("rod.length"), 4, 1);
+    QVERIFY(window().exampleNote().text().startsWith(QStringLiteral("You have changed this example")));
+    window().document().undoStack().undo();
+    QCOMPARE(window().exampleNote().text(), explanation);
+}
+
+void TestMainWindow::aNarrowWindowStacksItsPanels() {
+    const QList<QDockWidget*> docks = window().findChildren<QDockWidget*>();
+    QCOMPARE(docks.size(), 2);
+    window().resize(1500, 800);
+    QTRY_VERIFY(window().tabifiedDockWidgets(docks[0]).isEmpty());
+    window().setMinimumSize(1, 1);  // as a window manager may that knows no smallest size
+    window().resize(800, 500);
+    QTRY_COMPARE(window().tabifiedDockWidgets(docks[0]).size(), 1);
+    QVERIFY(window().minimumSizeHint().width() <= 800);
+    window().resize(1500, 800);
+    QTRY_VERIFY(window().tabifiedDockWidgets(docks[0]).isEmpty());
+}
+
+void TestMainWindow::keysAimAtThePlotBelowThePointer() {
+    PlotWidget& plot = *window().blowPage().plot();
+    const QPointF middle = plot.axisRect(0)->center();
+    QEnterEvent enter(middle, middle, plot.mapToGlobal(middle));
+    QCoreApplication::sendEvent(&plot, &enter);
+    auto* button = window().blowPage().findChild<QPushButton*>();
+    button->setFocus();
+    QTest::keyClick(button, Qt::Key_A);
+    QVERIFY(plot.cursorPosition(PlotCursor::a));
+    // Text is typed where the focus is.
+    auto* title = window().scenarioPanel().findChild<QLineEdit*>(QStringLiteral("title"));
+    title->setFocus();
+    title->clear();
+    QTest::keyClicks(title, QStringLiteral("b"));
+    QCOMPARE(title->text(), QStringLiteral("b"));
+    QVERIFY(!plot.cursorPosition(PlotCursor::b));
+    // The wheel takes the focus, so that Backspace brings the view back.
+    QWheelEvent wheel(middle, plot.mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    const QCPRange before = plot.xAxis->range();
+    QCoreApplication::sendEvent(&plot, &wheel);
+    QVERIFY(plot.hasFocus());
+    QTest::keyClick(window().focusWidget(), Qt::Key_Backspace);
+    QCOMPARE(plot.xAxis->range().upper, before.upper);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&plot, &leave);
+}
+
+void TestMainWindow::theReasonOfAnUnsolvedCaseStaysInThePlot() {
+    makeWindow([](const SolveRequest& request) {
+        return failedBlow(request,
+                          QString("The histories need more than 4 million wave pieces. ").repeated(5));
+    });
+    PlotWidget& plot = *window().blowPage().plot();
+    plot.replot();
+    const QCPItemText* message = nullptr;
+    for (int i = 0; i < plot.itemCount(); ++i)
+        if (auto* text = qobject_cast<QCPItemText*>(plot.item(i)); text && text->text().contains("million"))
+            message = text;
+    QVERIFY(message && message->visible());
+    QVERIFY(message->brush().style() != Qt::NoBrush);
+    QVERIFY(message->left->pixelPosition().x() >= 0);
+    QVERIFY(message->right->pixelPosition().x() <= plot.width());
+    QVERIFY(message->top->pixelPosition().y() >= 0);
 }
 
 void TestMainWindow::aWindowCanGoWhileAFieldIsEdited_data() {

@@ -59,7 +59,7 @@ std::vector<Alert> BlowReport::alerts() const {
     if (impact.outcome != Outcome::rebounded) return all;
     for (Alert& alert : resultAlerts(scenario, summarize(impact, groupsOf(scenario))))
         all.push_back(std::move(alert));
-    if (scenario.rod.yieldStrength && !impact.incident.empty())
+    if (hasStrength(scenario.rod) && !impact.incident.empty())
         for (Alert& alert : stressAlerts(scenario, largestRodForces(impact, pulseForceOf(scenario))))
             all.push_back(std::move(alert));
     return all;

@@ -1,8 +1,9 @@
 #include "ui/export/export_menu.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QGuiApplication>
+#include <QKeyEvent>
 
 #include "ui/export/whole_file.h"
 #include "ui/plots/plot_export.h"
@@ -36,6 +37,7 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
       m_sources(std::move(sources)),
       m_window(window) {
     setToolTipsVisible(true);
+    qApp->installEventFilter(this);
     const auto add = [this](const QString& text, const QKeySequence& keys, const QString& toolTip,
                             void (ExportMenu::*save)()) {
         addAction(text, keys, this, save)->setToolTip(toolTip);
@@ -56,6 +58,15 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
         &ExportMenu::saveEverything);
 }
 
+bool ExportMenu::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::ShortcutOverride || !watched->isWidgetType()) return false;
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool ours = key->key() == Qt::Key_E && key->modifiers() == Qt::ControlModifier;
+    if (!ours || static_cast<QWidget*>(watched)->window() != m_window) return false;
+    event->ignore();
+    return true;
+}
+
 void ExportMenu::saveHistories() {
     saveFile(tr("Export the histories"), QStringLiteral("_histories.csv"), historiesFile);
 }
@@ -64,11 +75,24 @@ void ExportMenu::saveEvents() {
     saveFile(tr("Export the events"), QStringLiteral("_events.csv"), eventsFile);
 }
 
-void ExportMenu::saveFile(const QString& title, const QString& ending, MakeFile make) {
-    const std::optional<SolvedRun> run = solvedRun();
-    if (!run) return;
+// Where to is asked first: a question that pops up when the solver is done would be in the way.
+void ExportMenu::saveFile(const QString& title, const QString& ending, const MakeFile& make) {
+    if (isUnsolved()) return;
     const QString path = m_questions.fileToExport(m_window, title, suggestion(ending), csvFilter());
-    if (!path.isEmpty()) write(path, [&] { return make(*run); });
+    if (path.isEmpty()) return;
+    withRun(QFileInfo(path).fileName(),
+            [this, path, make](const SolvedRun& run) { write(path, [&] { return make(run); }); });
+}
+
+bool ExportMenu::isUnsolved() {
+    const SolvedBlowPtr blow = m_sources.blow();
+    return blow && !solvedRun();
+}
+
+void ExportMenu::withRun(const QString& what, const UseRun& use) {
+    m_sources.whenSolved(what, [this, use] {
+        if (const std::optional<SolvedRun> run = solvedRun()) use(*run);
+    });
 }
 
 void ExportMenu::write(const QString& path, const std::function<QByteArray()>& make) {
@@ -80,9 +104,7 @@ void ExportMenu::write(const QString& path, const std::function<QByteArray()>& m
 }
 
 void ExportMenu::saveEverything() {
-    std::optional<SolvedRun> run = solvedRun();
-    if (!run) return;
-    run->units = OutputUnits::dimensionless;
+    if (isUnsolved()) return;
     const QString folder = m_questions.folderToExport(m_window, QFileInfo(suggestion({})).path());
     if (folder.isEmpty()) return;
     const QStringList there = runFilesThere(folder, plotFormats());
@@ -91,9 +113,14 @@ void ExportMenu::saveEverything() {
                                                      there.join(QStringLiteral(", ")),
                                                  tr("Overwrite")))
         return;
+    withRun(QFileInfo(folder).fileName(), [this, folder](const SolvedRun& run) { writeFolder(folder, run); });
+}
+
+void ExportMenu::writeFolder(const QString& folder, SolvedRun run) {
+    run.units = OutputUnits::dimensionless;
     const WaitCursor wait;
     try {
-        finish(folder, writeRunFolder(folder, *run, plotFormats()));
+        finish(folder, writeRunFolder(folder, run, plotFormats()));
     } catch (const ScenarioError& error) {
         fail(QString::fromUtf8(error.what()));
     }
@@ -110,25 +137,27 @@ void ExportMenu::savePicture() {
     const QString path =
         m_questions.fileToExport(m_window, tr("Save the picture"), suggestion(ending), filter);
     if (path.isEmpty()) return;
+    m_sources.whenSolved(QFileInfo(path).fileName(), [this, path, choice] { writePicture(path, *choice); });
+}
+
+void ExportMenu::writePicture(const QString& path, const PictureChoice& choice) {
     const WaitCursor wait;
     const QString title = QString::fromStdString(m_document.scenario().title);
-    const QByteArray bytes = plot->drawing(choice->format, choice->size, choice->dpi, title);
+    const QByteArray bytes = m_sources.plot()->drawing(choice.format, choice.size, choice.dpi, title);
     if (bytes.isEmpty()) return fail(tr("%1: not written, the plot could not be drawn").arg(path));
     finish(path, writeWholeFile(path, bytes));
 }
 
 void ExportMenu::copyPicture() {
-    m_sources.plot()->copyPicture();
-    emit exported(tr("The picture is in the clipboard."));
+    m_sources.whenSolved(tr("The picture"), [this] {
+        m_sources.plot()->copyPicture();
+        emit exported(tr("The picture is in the clipboard."));
+    });
 }
 
 void ExportMenu::saveData() {
-    const std::optional<SolvedRun> run = solvedRun();
-    if (!run) return;
-    const QString path = m_questions.fileToExport(m_window, tr("Save the data of the plot"),
-                                                  suggestion(QStringLiteral("_plot.csv")), csvFilter());
-    if (path.isEmpty()) return;
-    write(path, [&] { return runHeader(*run) + m_sources.plot()->csv(); });
+    saveFile(tr("Save the data of the plot"), QStringLiteral("_plot.csv"),
+             [this](const SolvedRun& run) { return runHeader(run) + m_sources.plot()->csv(); });
 }
 
 std::optional<SolvedRun> ExportMenu::solvedRun() {

@@ -19,8 +19,12 @@ class ExportMenu : public QMenu {
   public:
     /// Where the menu finds what it exports.
     struct Sources {
-        std::function<SolvedBlowPtr()> blow;  ///< of the document's scenario as it is now, solved or not
-        std::function<PlotWidget*()> plot;    ///< of the page that is shown
+        /// Of the document's scenario as it is now, solved or not; nullptr while that is on its way.
+        std::function<SolvedBlowPtr()> blow;
+        std::function<PlotWidget*()> plot;  ///< of the page that is shown
+        /// Calls `then` when blow() is there and shown: at once, or later, or never when that is called off.
+        /// `what` names what waits.
+        std::function<void(const QString& what, std::function<void()> then)> whenSolved;
     };
 
     /// Document and questions must outlive the menu.
@@ -41,9 +45,20 @@ class ExportMenu : public QMenu {
     /// Something has been written: where, in one line.
     void exported(const QString& message);
 
+  protected:
+    /// Line edits on X11 would take Ctrl+E as "end of line".
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
-    using MakeFile = QByteArray (*)(const SolvedRun&);
-    void saveFile(const QString& title, const QString& ending, MakeFile make);
+    using MakeFile = std::function<QByteArray(const SolvedRun&)>;
+    using UseRun = std::function<void(const SolvedRun&)>;
+    void saveFile(const QString& title, const QString& ending, const MakeFile& make);
+    void writeFolder(const QString& folder, SolvedRun run);
+    void writePicture(const QString& path, const PictureChoice& choice);
+    /// Whether it is known, and told, that there is nothing to be written.
+    bool isUnsolved();
+    /// Hands the blow over when there is one; `what` waits for it.
+    void withRun(const QString& what, const UseRun& use);
     void write(const QString& path, const std::function<QByteArray()>& make);
     /// The blow as it is written; nothing, with the reason told, where it could not be solved.
     std::optional<SolvedRun> solvedRun();

@@ -72,11 +72,7 @@ BlowPlots::BlowPlots(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
     addPlot(impulse, {tr("impulse of the impact force I")}, margins);
     addPlot(momentumOfRod, {tr("momentum of the rod p")}, margins);
     linkTimeAxes();
-    m_message = new QCPItemText(plot);
-    m_message->position->setType(QCPItemPosition::ptViewportRatio);
-    m_message->position->setCoords(0.5, 0.4);
-    m_message->setClipToAxisRect(false);
-    m_message->setVisible(false);
+    m_message = new PlotMessage(plot);
     setStyle(PlotStyle::forPaper());
 }
 
@@ -150,7 +146,7 @@ void BlowPlots::show(const BlowCurves& curves) {
     setData(*impulseGraph(), curves.impulse);
     setData(*momentumGraph(), curves.momentum);
     showClosedForm();
-    m_message->setVisible(false);
+    m_message->hide();
     m_timeEnd = curves.timeEnd > 0 ? curves.timeEnd : 1;
     setLabels();
     summarize();
@@ -197,8 +193,7 @@ void BlowPlots::addGhost(std::size_t index, int kind, const GraphData& data) {
 void BlowPlots::showNothing(const QString& message) {
     for (const Plot& plot : m_plots)
         for (QCPGraph* graph : plot.graphs) graph->setData(GraphData::create());
-    m_message->setText(message);
-    m_message->setVisible(true);
+    m_message->show(message);
     m_summary = message;
 }
 
@@ -248,8 +243,7 @@ void BlowPlots::setStyle(const PlotStyle& style) {
         for (int i = 0; i < plot.ghosts.size(); ++i) plot.ghosts[i]->setPen(ghostPen(style, i));
     }
     if (m_curves.force) setLabels();  // files have another locale
-    m_message->setFont(style.font);
-    m_message->setColor(style.text);
+    m_message->setStyle(style);
 }
 
 void BlowPlots::fit() {

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "ui/plots/blow_curves.h"
+#include "ui/plots/plot_message.h"
 #include "ui/plots/plot_style.h"
 
 namespace drillwave {
@@ -56,7 +57,7 @@ class BlowPlots : public QObject {
 
     QCustomPlot* m_plot;
     std::array<Plot, plotCount> m_plots;
-    QCPItemText* m_message;
+    PlotMessage* m_message;
     PlotStyle m_style;
     BlowCurves m_curves;
     double m_timeEnd = 1;

@@ -44,11 +44,12 @@ QMenu* PlotWidget::makeMenu(QPoint at) {
 
 void PlotWidget::addCopyAndSave(QMenu& menu) {
     const bool hasData = m_dataText || !visibleCurves(*this).isEmpty();
-    menu.addAction(tr("Copy &picture"), this, &PlotWidget::copyPicture)
-        ->setToolTip(tr("This view, black on white, for a report"));
+    QAction* picture = menu.addAction(tr("Copy &picture"), this, &PlotWidget::copyPicture);
+    picture->setToolTip(tr("This view, black on white, for a report"));
+    picture->setEnabled(m_current);
     QAction* copy = menu.addAction(tr("Copy &data"), this, &PlotWidget::copyData);
     copy->setToolTip(tr("The numbers of what is shown, as a table for a spreadsheet"));
-    copy->setEnabled(hasData);
+    copy->setEnabled(hasData && m_current);
     menu.addAction(tr("&Save picture…"), this, &PlotWidget::savePictureRequested)
         ->setToolTip(tr("This view as PNG, SVG or PDF"));
     QAction* save = menu.addAction(tr("Save da&ta…"), this, &PlotWidget::saveDataRequested);

@@ -27,7 +27,8 @@ class CursorBar;
 /// entry hides or shows its curve, a click on a curve has it read at the cursors; cursors can be dragged.
 /// Keys: arrows pan, + and − zoom, Home fits, Backspace or Alt+Left goes back, A, B and T place cursors at
 /// the pointer (in the middle when it is elsewhere), Ctrl+Left and Ctrl+Right move the cursor placed last by
-/// a pixel, with Shift by ten.
+/// a pixel, with Shift by ten. The wheel takes the focus; Backspace, A, B and T go to the plot below the
+/// pointer wherever the focus is, but in fields for text.
 ///
 /// The curves that are read, hidden and copied are those with an entry in a legend. All axis rects that hold
 /// graphs are taken to share one x axis; linking their ranges is up to the page. Every x and y here is in the
@@ -81,6 +82,9 @@ class PlotWidget : public QCustomPlot {
     /// For a plot whose data are not curves: its text with a separator between cells, as plotCsv() gives it.
     void setDataText(DataText text) { m_dataText = std::move(text); }
 
+    /// Whether what is shown answers the present input; the menu copies and saves nothing else.
+    void setCurrent(bool current) { m_current = current; }
+
     /// The context menu for a point of the plot, built anew; it deletes itself when it is closed.
     QMenu* makeMenu(QPoint at);
 
@@ -110,7 +114,9 @@ class PlotWidget : public QCustomPlot {
     void paintEvent(QPaintEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
@@ -169,6 +175,7 @@ class PlotWidget : public QCustomPlot {
     ViewHistory m_history;
     CursorBar* m_bar;
     QPointer<QCPGraph> m_readGraph;
+    bool m_current = true;
 
     Gesture m_gesture = Gesture::none;
     QPointF m_pressed;

@@ -1,5 +1,9 @@
 // What mouse, wheel and keys do in a plot.
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -29,6 +33,12 @@ double along(const QCPAxis& axis, QPointF point) {
     return axis.orientation() == Qt::Horizontal ? point.x() : point.y();
 }
 
+bool takesText(const QWidget& widget) {
+    if (const auto* box = qobject_cast<const QComboBox*>(&widget)) return box->isEditable();
+    return qobject_cast<const QLineEdit*>(&widget) || qobject_cast<const QAbstractSpinBox*>(&widget) ||
+           qobject_cast<const PlotWidget*>(&widget);
+}
+
 }  // namespace
 
 // The axes that a wheel or a drag at this point is about: the one below it, or both of the rect.
@@ -55,6 +65,8 @@ void PlotWidget::wheelEvent(QWheelEvent* event) {
     const double notches = event->angleDelta().y() / wheelNotch;
     const QList<QCPAxis*> axes = axesAt(event->position());
     if (notches == 0 || axes.isEmpty()) return;
+    setFocus(Qt::MouseFocusReason);  // Backspace is to bring the view back
+    if (QCPAxisRect* below = axisRectAt(event->position())) m_lastRect = below;
     m_history.rememberBurst();
     for (QCPAxis* axis : axes)
         zoomAxis(*axis, std::pow(zoomPerNotch, notches), along(*axis, event->position()));
@@ -211,8 +223,26 @@ void PlotWidget::showPointer(Qt::CursorShape shape) {
         setCursor(shape);
 }
 
+void PlotWidget::enterEvent(QEnterEvent* event) {
+    QCustomPlot::enterEvent(event);
+    qApp->installEventFilter(this);
+}
+
+// While the pointer is here.
+bool PlotWidget::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::KeyPress || !watched->isWidgetType() || watched == this) return false;
+    const auto* widget = static_cast<QWidget*>(watched);
+    if (widget->window() != window() || takesText(*widget)) return false;
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    const bool aimed =
+        key.modifiers() == Qt::NoModifier && (key.key() == Qt::Key_Backspace || key.key() == Qt::Key_A ||
+                                              key.key() == Qt::Key_B || key.key() == Qt::Key_T);
+    return aimed && (cursorKey(key) || viewKey(key));
+}
+
 void PlotWidget::leaveEvent(QEvent* event) {
     QCustomPlot::leaveEvent(event);
+    qApp->removeEventFilter(this);
     if (m_hover.show(std::nullopt, {})) replotOverlay();
 }
 

@@ -50,10 +50,7 @@ RockPlot::RockPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
     m_loadingName->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
     m_unloadingName = addLabel();
     m_unloadingName->setPositionAlignment(Qt::AlignHCenter | Qt::AlignTop);
-    m_message = addLabel();
-    m_message->position->setType(QCPItemPosition::ptAxisRectRatio);
-    m_message->position->setCoords(0.5, 0.4);
-    m_message->setVisible(false);
+    m_message = new PlotMessage(plot);
     for (QCPItemTracer** tracer : {&m_peak, &m_residual, &m_point}) {
         *tracer = new QCPItemTracer(plot);
         (*tracer)->setStyle(QCPItemTracer::tsCircle);
@@ -109,7 +106,7 @@ void RockPlot::show(const RockCurve& curve) {
     m_path->setData(curve.outline);
     m_plot->xAxis->setLabel(curve.units.penetration.axisLabel(tr("penetration U")));
     m_plot->yAxis->setLabel(curve.units.force.axisLabel(tr("impact force F")));
-    m_message->setVisible(false);
+    m_message->hide();
     setMarksVisible(curve.peakForce > 0);
     nameNumbers(curve);
     if (m_fitted || unitsChanged) fit();
@@ -121,8 +118,7 @@ void RockPlot::showNothing(const QString& message) {
     m_point->setVisible(false);
     m_caption->setText({});
     m_curve = {};
-    m_message->setText(message);
-    m_message->setVisible(true);
+    m_message->show(message);
     m_summary = message;
 }
 
@@ -208,6 +204,7 @@ void RockPlot::setPoint(const std::optional<QPointF>& point) {
 }
 
 void RockPlot::setStyle(const PlotStyle& style) {
+    m_message->setStyle(style);
     m_style = style;
     m_plot->setBackground(style.background);
     style.applyTo(*m_plot->axisRect());
@@ -216,7 +213,7 @@ void RockPlot::setStyle(const PlotStyle& style) {
     m_path->setBrush(style.areaBrush(0));
     style.applyTo(*m_caption);
     if (m_ghost) m_ghost->setPen(ghostPen(style, 0));
-    for (QCPItemText* label : {m_peakName, m_residualName, m_loadingName, m_unloadingName, m_message}) {
+    for (QCPItemText* label : {m_peakName, m_residualName, m_loadingName, m_unloadingName}) {
         label->setFont(style.font);
         label->setColor(style.text);
     }

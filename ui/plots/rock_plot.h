@@ -9,6 +9,7 @@
 #include <QString>
 #include <optional>
 
+#include "ui/plots/plot_message.h"
 #include "ui/plots/plot_style.h"
 #include "ui/plots/rock_curve.h"
 
@@ -58,7 +59,7 @@ class RockPlot : public QObject {
     QCPItemTracer* m_point;
     QCPItemLine* m_toForceAxis;
     QCPItemLine* m_toPenetrationAxis;
-    QCPItemText* m_message;
+    PlotMessage* m_message;
     RockCurve m_curve;
     PlotStyle m_style;
     QSizeF m_ghostSize;    // largest penetration and force of the ghost

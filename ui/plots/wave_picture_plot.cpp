@@ -43,11 +43,7 @@ void WavePicturePlot::addItems() {
     m_picture->setLayer(QStringLiteral("background"));
     m_fronts = new WaveFrontsItem(m_plot);
     m_contacts = new ContactBarsItem(m_plot);
-    m_message = new QCPItemText(m_plot);
-    m_message->position->setType(QCPItemPosition::ptViewportRatio);
-    m_message->position->setCoords(0.5, 0.4);
-    m_message->setClipToAxisRect(false);
-    m_message->setVisible(false);
+    m_message = new PlotMessage(m_plot);
 }
 
 void WavePicturePlot::followAxes() {
@@ -84,7 +80,7 @@ void WavePicturePlot::show(const SolvedBlowPtr& blow) {
     if (blow->request.picture == m_announced) m_announced.reset();
     for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_picture, m_fronts, m_contacts})
         item->setBlow(blow);
-    m_message->setVisible(false);
+    m_message->hide();
     m_bar->setVisible(true);
     if (m_fitted) m_time = blow->picture->interesting;
     setRanges();
@@ -96,8 +92,7 @@ void WavePicturePlot::showNothing(const QString& message) {
     m_blow.reset();
     for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_picture, m_fronts, m_contacts})
         item->setBlow(nullptr);
-    m_message->setText(message);
-    m_message->setVisible(true);
+    m_message->show(message);
     m_bar->setVisible(false);
     m_summary = message;
 }
@@ -161,8 +156,7 @@ void WavePicturePlot::setStyle(const PlotStyle& style) {
     m_bar->setGradient(ColourScale::forBackground(style.background).gradient());
     for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_picture, m_fronts, m_contacts})
         item->setStyle(style);
-    m_message->setFont(style.font);
-    m_message->setColor(style.text);
+    m_message->setStyle(style);
 }
 
 void WavePicturePlot::fit() {

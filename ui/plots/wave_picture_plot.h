@@ -7,6 +7,8 @@
 
 #include "ui/plots/wave_picture_items.h"
 
+#include "ui/plots/plot_message.h"
+
 namespace drillwave {
 
 /// Position in the rod to the right, time upward, force or particle velocity as colour. Lives as a child of
@@ -62,7 +64,7 @@ class WavePicturePlot : public QObject {
     WaveFieldItem* m_picture;
     WaveFrontsItem* m_fronts;
     ContactBarsItem* m_contacts;
-    QCPItemText* m_message;
+    PlotMessage* m_message;
     SolvedBlowPtr m_blow;
     WaveField m_field = WaveField::force;
     double m_xiBegin = 0, m_xiEnd = 1;

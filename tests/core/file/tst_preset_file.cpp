@@ -49,6 +49,7 @@ class TestPresetFile : public QObject {
     void everyBuiltInPresetGivesAValidScenario_data();
     void everyBuiltInPresetGivesAValidScenario();
     void aPresetSetsWhatItNamesAndNothingElse();
+    void everyRodHasStrengthsThatAreAssumedOrHaveASource();
     void aPresetMatchesUntilOneOfItsValuesChanges();
     void aHammerWithoutAMaterialHasTheRods();
     void presetsNeverMatchGroupsAlone();
@@ -118,7 +119,18 @@ void TestPresetFile::aPresetSetsWhatItNamesAndNothingElse() {
     expected.rod.area.reset();
     expected.rod.diameter = 0.046;
     expected.rod.bore = 0.017;
+    expected.rod.yieldStrength = 900e6;
+    expected.rod.fatigueStrength = 400e6;
     QVERIFY(after == expected);
+}
+
+void TestPresetFile::everyRodHasStrengthsThatAreAssumedOrHaveASource() {
+    for (const Preset& each : builtInPresets()) {
+        if (each.kind != PresetKind::rod) continue;
+        const Scenario scenario = withPreset({}, each);
+        QVERIFY(scenario.rod.yieldStrength && scenario.rod.fatigueStrength);
+        QVERIFY(*scenario.rod.fatigueStrength < *scenario.rod.yieldStrength);
+    }
 }
 
 void TestPresetFile::aPresetMatchesUntilOneOfItsValuesChanges() {

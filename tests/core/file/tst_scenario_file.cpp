@@ -92,6 +92,7 @@ class TestScenarioFile : public QObject {
     void anythingUnchangedIsSavedByteForByte_data();
     void anythingUnchangedIsSavedByteForByte();
     void aChangedValueIsExchangedInItsUnit();
+    void aCommentGoesWithItsValueWhateverTheLineEnds();
     void aChangedGroupIsExchangedInItsPlace();
     void aTitleIsExchangedAndQuotedWhereNeeded_data();
     void aTitleIsExchangedAndQuotedWhereNeeded();
@@ -204,7 +205,7 @@ void TestScenarioFile::aMeanForceIsReadAndKept() {
     QCOMPARE(document.scenario.pulse.impulse, 255e3 * 200e-6);
     compareText(writeScenario(document), text);
     QCOMPARE(QString::fromStdString(assignText(document.scenario, "pulse.duration", "100 us")), QString());
-    compareText(writeScenario(document), replaced(text, "200 us", "100 us"));
+    compareText(writeScenario(document), replaced(text, "200 us                # t0", "100 us"));
 }
 
 void TestScenarioFile::aTableFileIsReadBesideTheScenario() {
@@ -307,17 +308,31 @@ void TestScenarioFile::aChangedValueIsExchangedInItsUnit() {
     document.scenario.rod.length = 4.2;
     document.scenario.rod.diameter = 0.0381;
     document.scenario.drill.thrust = 9500;
+    // A comment behind a value was about the value that was there; all others stay.
     std::string expected = replaced(t38, "3.66 m", "4.2 m");
-    expected = replaced(expected, "38 mm                 #", "38.1 mm               #");
+    expected = replaced(expected, "38 mm                 # or  area: 1134 mm^2", "38.1 mm");
     compareText(writeScenario(document),
-                replaced(expected, "8 kN                    #", "9.5 kN                  #"));
-    // A comment with no room left moves on.
+                replaced(expected, "8 kN                    # installed feed force", "9.5 kN"));
     document.scenario = parsed(t38).scenario;
     document.scenario.pulse.duration = 200e-6 / 3;
     document.scenario.bitRock.stiffness = 1e8 / 3;
-    expected = replaced(t38, "200 us                #", "66.66666666666667 us  #");
+    expected = replaced(t38, "200 us                # t0", "66.66666666666667 us");
     compareText(writeScenario(document),
-                replaced(expected, "105 MN/m             #", "33.333333333333332 MN/m #"));
+                replaced(expected, "105 MN/m             # k, primary loading", "33.333333333333332 MN/m"));
+}
+
+void TestScenarioFile::aCommentGoesWithItsValueWhateverTheLineEnds() {
+    std::string text =
+        "drillwave: 1\r\ndimensionless: {beta: 0.5, gamma: 1, tau: 10, delta: 0}  # groups\r\n"
+        "pulse:\r\n  # how it strikes\r\n  shape: trapezoid  # a trapezoid\r\n"
+        "  rise: 0.1\t# steep\r\n  fall: 0.3 # slow";
+    ScenarioDocument document = parsed(text);
+    document.scenario.pulse.rise = 0.2;
+    document.scenario.pulse.fall = 0.4;
+    document.scenario.groups.beta = 0.7;
+    std::string expected = replaced(text, "0.1\t# steep\r\n", "0.2\r\n");
+    expected = replaced(expected, "0.3 # slow", "0.4");
+    compareText(writeScenario(document), replaced(expected, "beta: 0.5", "beta: 0.7"));
 }
 
 void TestScenarioFile::aChangedGroupIsExchangedInItsPlace() {

@@ -63,6 +63,7 @@ class TestImpactSummary : public QObject {
     void theClosedFormIsQuestionedWhereOneWouldExpectIt_data();
     void theClosedFormIsQuestionedWhereOneWouldExpectIt();
     void aRodIsWarnedOfStressAboveItsYieldStrength();
+    void aRodIsWarnedOfTensionAboveItsFatigueStrength();
 };
 
 void TestImpactSummary::energyAndMomentumBalance_data() {
@@ -255,22 +256,45 @@ void TestImpactSummary::theClosedFormIsQuestionedWhereOneWouldExpectIt() {
 void TestImpactSummary::aRodIsWarnedOfStressAboveItsYieldStrength() {
     Scenario scenario;
     scenario.pulse.shape = PulseShape::halfSine;
-    const RodForces forces{{1.6, 0.5, 3}, {1.2, 0.2, 5}};
+    const RodForces forces{{1.6, 0.5, 3}, {1.2, 0.2, 5}, {1.1, 0.1, 30}, {1.7, 0.25, 20}};
     // F0 = 51 N s/200 µs over π·(38 mm)²/4: 224.8 MPa
-    const double stress = 1.6 * 51 / 200e-6 / (std::acos(-1.0) * 0.038 * 0.038 / 4);
+    const double unit = 51 / 200e-6 / (std::acos(-1.0) * 0.038 * 0.038 / 4);
     QVERIFY(stressAlerts(scenario, forces).empty());  // no limit is given
-    scenario.rod.yieldStrength = stress * (1 + 1e-9);
+    scenario.rod.yieldStrength = 1.7 * unit * (1 + 1e-9);
     QVERIFY(stressAlerts(scenario, forces).empty());
     scenario.rod.yieldStrength = 300e6;
-    const std::vector<Alert> alerts = stressAlerts(scenario, forces);
+    std::vector<Alert> alerts = stressAlerts(scenario, forces);
     QCOMPARE(alerts.size(), std::size_t{1});
+    QCOMPARE(alerts[0].level, AlertLevel::warning);
     QCOMPARE(alerts[0].code, std::string("stress_above_yield"));
     QCOMPARE(alerts[0].parameter, std::string("rod.yield_strength"));
-    QCOMPARE(
-        alerts[0].text,
-        std::string("The rod would yield: its largest stress is 359.8 MPa in compression, 1.83 m from the "
-                    "hammer, against a yield strength of 300 MPa."));
-    QVERIFY(stressAlerts(scenario, {{1, 0, 0}, {2, 0.5, 0}})[0].text.find("in tension") != std::string::npos);
+    QCOMPARE(alerts[0].text,
+             std::string("The rod would yield: compression reaches 359.8 MPa, 1.83 m from the "
+                         "hammer at 600 us, during the blow, against a strength of 300 MPa."));
+    // Only the waves left reach it.
+    scenario.rod.yieldStrength = 370e6;
+    alerts = stressAlerts(scenario, forces);
+    QCOMPARE(alerts.size(), std::size_t{1});
+    QCOMPARE(alerts[0].level, AlertLevel::information);
+    QCOMPARE(alerts[0].text,
+             std::string("The rod would yield: tension reaches 382.2 MPa, 915 mm from the hammer "
+                         "at 4 ms, after the blow, in the waves left (which nothing damps "
+                         "here), against a strength of 370 MPa."));
+}
+
+void TestImpactSummary::aRodIsWarnedOfTensionAboveItsFatigueStrength() {
+    Scenario scenario;
+    scenario.pulse.shape = PulseShape::halfSine;
+    scenario.rod.fatigueStrength = 300e6;  // of compression there may be more
+    QVERIFY(stressAlerts(scenario, {{2, 0, 0}, {1, 0.5, 1}, {2, 0, 9}, {1, 0.5, 9}}).empty());
+    std::vector<Alert> alerts = stressAlerts(scenario, {{0, 0, 0}, {1, 0.5, 1}, {0, 0, 9}, {1.7, 0.25, 20}});
+    QCOMPARE(alerts.size(), std::size_t{1});
+    QCOMPARE(alerts[0].code, std::string("stress_above_fatigue"));
+    QCOMPARE(alerts[0].parameter, std::string("rod.fatigue_strength"));
+    QCOMPARE(alerts[0].level, AlertLevel::information);
+    alerts = stressAlerts(scenario, {{0, 0, 0}, {1.5, 0.5, 1}, {0, 0, 9}, {1.7, 0.25, 20}});
+    QCOMPARE(alerts.size(), std::size_t{1});
+    QCOMPARE(alerts[0].level, AlertLevel::warning);
 }
 
 QTEST_GUILESS_MAIN(TestImpactSummary)

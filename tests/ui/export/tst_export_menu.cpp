@@ -25,6 +25,7 @@
 #include "ui/pages/blow_page.h"
 #include "ui/plots/plot_export.h"
 #include "ui/plots/plot_widget.h"
+#include "ui/solve_status.h"
 
 using namespace drillwave;
 
@@ -73,6 +74,8 @@ class TestExportMenu : public QObject {
     void makeWindow(SolveJob::Solve solve);
     QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
     void edit(double metres) { window().document().assign(*findParameter("rod.length"), metres, 1); }
+    // Exports wait for the result of the present input.
+    void settle() { QTRY_VERIFY(window().solveStatus().isCurrent()); }
 
     std::unique_ptr<QTemporaryDir> m_folder;
     ScriptedAnswers m_answers;
@@ -120,6 +123,7 @@ void TestExportMenu::everythingIsWhatTheCommandLineWrites() {
     }
     m_answers.folder = path("window");
     window().exportMenu().saveEverything();
+    settle();
     QCOMPARE(m_answers.told, QStringList());
     words << QStringLiteral("-o") << path("command") << QStringLiteral("--plots")
           << QStringLiteral("png,svg,pdf");
@@ -146,6 +150,7 @@ void TestExportMenu::filesInTheFolderAreOverwrittenOnlyOnRequest() {
     QCOMPARE(bytesOf(path("out/histories.csv")), before);
     m_answers.confirm = true;
     window().exportMenu().saveEverything();
+    settle();
     QVERIFY(bytesOf(path("out/histories.csv")).contains("length: 5 m"));
 }
 
@@ -154,13 +159,14 @@ void TestExportMenu::historiesHoldTheUnsavedScenarioInTheShownUnits() {
     m_answers.exportTo = path("h.csv");
     QSignalSpy exported(&window().exportMenu(), &ExportMenu::exported);
     window().exportMenu().saveHistories();
-    QCOMPARE(exported.size(), 1);
+    QTRY_COMPARE(exported.size(), 1);
     QVERIFY(bytesOf(path("h.csv")).contains("\ntime [s],impact_force [N],"));
     // The blow on the screen was that of the rod before the edit.
     const ScenarioDocument again = loadResultScenario(path("h.csv").toStdString());
     QVERIFY(again.scenario == window().document().scenario());
     window().setUnits(UnitSystem::dimensionless);
-    QTRY_COMPARE(window().shown()->request.units, UnitSystem::dimensionless);
+    settle();
+    QCOMPARE(window().shown()->request.units, UnitSystem::dimensionless);
     m_answers.exportTo = path("e.csv");
     window().exportMenu().saveEvents();
     QVERIFY(bytesOf(path("e.csv")).contains("\nkind,time\ncontact,"));
