@@ -61,14 +61,19 @@ void WaveFieldItem::draw(QCPPainter* painter) {
     if (!m_blow) return;
     if (painter->modes().testFlag(QCPPainter::pmNoCaching)) return drawForFile(*painter);
     const RasterGrid range = view(), grid = picture().raster.grid;
-    const QRectF target(pixel(grid.xiBegin, grid.timeEnd), pixel(grid.xiEnd, grid.timeBegin));
     const bool current = range.xiBegin == grid.xiBegin && range.xiEnd == grid.xiEnd &&
                          range.timeBegin == grid.timeBegin && range.timeEnd == grid.timeEnd;
-    // The picture of another view stays, scaled, until that of the present one has been computed.
-    if (current)
-        painter->drawImage(QRectF(parentPlot()->axisRect()->rect()), m_image);
-    else
-        painter->drawImage(target, m_image);
+    const QRectF axes(parentPlot()->axisRect()->rect());
+    if (current) return painter->drawImage(axes, m_image);
+    // The picture of another view stays, scaled, until that of the present one has been computed: the part of
+    // it in view, for after a strong zoom the whole would be larger than what a painter can take.
+    const QRectF whole(pixel(grid.xiBegin, grid.timeEnd), pixel(grid.xiEnd, grid.timeBegin));
+    const QRectF shown = whole & axes;
+    if (!(shown.width() > 0 && shown.height() > 0)) return;  // NaN as well
+    const double across = m_image.width() / whole.width(), down = m_image.height() / whole.height();
+    painter->drawImage(shown, m_image,
+                       QRectF((shown.left() - whole.left()) * across, (shown.top() - whole.top()) * down,
+                              shown.width() * across, shown.height() * down));
 }
 
 void WaveFieldItem::drawForFile(QCPPainter& painter) const {

@@ -44,6 +44,7 @@ class WavePicturePageTest : public QObject {
     void asksForNothingWhileHidden();
     void zoomingBringsANewPictureOfWhatIsInView();
     void theOldPictureStaysUntilTheNewOneIsThere();
+    void aStrongZoomScalesOnlyThePartOfTheOldPictureInView();
     void fittedItFollowsTheBlow();
     void forceAndVelocityCanBeChosen();
     void choicesAreRemembered();
@@ -189,6 +190,21 @@ void WavePicturePageTest::zoomingBringsANewPictureOfWhatIsInView() {
     QTRY_VERIFY(settled());
     QCOMPARE(gridShown().timeBegin, 0.0);
     QCOMPARE(gridShown().xiBegin, 0.0);
+}
+
+void WavePicturePageTest::aStrongZoomScalesOnlyThePartOfTheOldPictureInView() {
+    // Scaled to such a view, the whole picture would be millions of screens wide: Qt crashed on that.
+    for (const double size : {1e-5, 1e-9, 1e-13}) {
+        m_page->plot()->xAxis->setRange(0.4, 0.4 + size);
+        m_page->plot()->yAxis->setRange(5, 5 + size);
+        m_page->plot()->replot();  // the old picture still
+        const QImage image = m_page->plot()->toPixmap().toImage();
+        QVERIFY(!image.isNull());
+    }
+    m_page->plot()->xAxis->setRange(30, 31);  // nothing of it in view
+    m_page->plot()->replot();
+    m_page->fit();
+    QTRY_VERIFY(settled());
 }
 
 void WavePicturePageTest::theOldPictureStaysUntilTheNewOneIsThere() {
