@@ -5,7 +5,7 @@
 #include "app/accuracy_report.h"
 #include "app/command.h"
 #include "app/interruption.h"
-#include "app/output_file.h"
+#include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
 #include "core/file/blow_csv.h"
@@ -17,6 +17,7 @@ namespace drillwave {
 namespace {
 
 constexpr std::size_t longestLadder = 30;
+constexpr char csvName[] = "accuracy.csv";
 
 /// "100,200,500" in growing order.
 std::vector<int> ladderOf(const Arguments& arguments) {
@@ -58,12 +59,10 @@ ExitCode runAccuracy(const Arguments& arguments) {
     const std::vector<int> ladder = ladderOf(arguments);
     const std::string directory = arguments.value("o").value_or(std::string());
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
-    std::string csvPath;
-    if (!directory.empty()) {
-        csvPath = directory == "-" ? "-" : directory + "/accuracy.csv";
-        if (csvPath != "-") makeFolder(directory);
-        checkOutputIsNoInput(csvPath, path, document);
-        checkOverwrite(csvPath, overwrite);
+    const bool inFolder = !directory.empty() && directory != "-";
+    if (inFolder) {
+        checkOutputIsNoInput(directory + "/" + csvName, path, document);
+        checkFolder(directory, {csvName}, overwrite);
     }
 
     const Interruption interruption;
@@ -71,9 +70,13 @@ ExitCode runAccuracy(const Arguments& arguments) {
     if (accuracy.exact.outcome != Outcome::rebounded)
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved: " + accuracy.exact.reason);
-    if (!csvPath.empty())
-        writeFile(csvPath, scenarioHeader(completeScenarioText(document)) + accuracyCsv(accuracy), overwrite);
-    if (csvPath == "-") return ExitCode::done;
+    const std::string csv = scenarioHeader(completeScenarioText(document)) + accuracyCsv(accuracy);
+    if (directory == "-") {
+        writeFile("-", csv, Overwrite::allowed);
+        return ExitCode::done;
+    }
+    if (inFolder)
+        writeFolder(directory, {{{csvName, QByteArray::fromStdString(csv)}}, {}}, overwrite, interruption);
     writeFile("-",
               arguments.has("json") ? accuracyJson(document.scenario, accuracy).toStdString()
                                     : accuracyText(document.scenario, accuracy),

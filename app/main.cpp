@@ -1,16 +1,19 @@
 // Picks between the subcommands, which never need a display, and the window.
 #include <QApplication>
 #include <QCoreApplication>
+#include <cerrno>
 #include <clocale>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <span>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/command.h"
 #include "app/help_text.h"
+#include "app/interruption.h"
 #include "app/window.h"
 #include "core/model/version.h"
 
@@ -19,8 +22,10 @@ namespace {
 using namespace drillwave;
 
 int print(const std::string& text) {
-    const bool printed = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
-    return static_cast<int>(printed ? ExitCode::done : ExitCode::unwritableOutput);
+    if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0)
+        return static_cast<int>(ExitCode::done);
+    const std::string reason = std::generic_category().message(errno);
+    throw CommandError(ExitCode::unwritableOutput, "standard output: cannot be written: " + reason);
 }
 
 int printVersion() {
@@ -49,6 +54,7 @@ void writeNumbersPlainly() {
 int runCommand(const Command& command, std::span<const std::string> words, int argc, char** argv) {
     if (asksFor(words, "--help")) return print(commandHelp(command));
     if (asksFor(words, "--version")) return printVersion();
+    exitOnInterruption();
     const Arguments arguments = parseArguments(command, words);
     if (!command.draws(arguments)) {
         const QCoreApplication application(argc, argv);

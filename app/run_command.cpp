@@ -1,5 +1,4 @@
 // drillwave run FILE
-#include <QFile>
 #include <QStringList>
 #include <algorithm>
 #include <chrono>
@@ -9,7 +8,7 @@
 #include "app/command.h"
 #include "app/interruption.h"
 #include "app/method_options.h"
-#include "app/output_file.h"
+#include "app/output_folder.h"
 #include "app/scenario_argument.h"
 #include "core/model/decimal_text.h"
 #include "ui/export/run_files.h"
@@ -25,8 +24,6 @@ struct RunFiles {
     QStringList plots;      ///< formats
     OutputUnits units = OutputUnits::dimensionless;
     Overwrite overwrite = Overwrite::refused;
-
-    QString folder() const { return QFile::decodeName(QByteArray::fromStdString(directory)); }
 };
 
 QStringList plotFormatsOf(const std::string& list) {
@@ -57,12 +54,10 @@ RunFiles filesOf(const Arguments& arguments) {
 /// Finds out before anything is computed whether the files can be written.
 void prepare(const RunFiles& files, const std::string& path, const ScenarioDocument& document) {
     if (files.directory.empty()) return;
-    makeFolder(files.directory);
-    for (const QString& name : runFilesThere(files.folder(), files.plots)) {
-        const std::string output = files.directory + "/" + name.toStdString();
-        checkOutputIsNoInput(output, path, document);
-        checkOverwrite(output, files.overwrite);
-    }
+    const QStringList names = runFileNames(files.plots);
+    for (const QString& name : names)
+        checkOutputIsNoInput(files.directory + "/" + name.toStdString(), path, document);
+    checkFolder(files.directory, names, files.overwrite);
 }
 
 /// Solves, and times the solve alone: where it is quick, a second time, because the first one pays for fresh
@@ -85,18 +80,10 @@ BlowReport solve(const Scenario& scenario, Detail detail, const MethodChoice& ch
     return report;
 }
 
-/// Ctrl-C during the solve ends the command with its own exit code; later it just ends it, as each file is
-/// whole or absent.
-BlowReport solveInterruptibly(const Scenario& scenario, Detail detail, const MethodChoice& choice) {
-    const Interruption interruption;
-    BlowReport report = solve(scenario, detail, choice, interruption.token());
-    interruption.check();
-    return report;
-}
-
-void writeFiles(const RunFiles& files, const SolvedRun& run) {
-    const QString problem = writeRunFolder(files.folder(), run, files.plots);
-    if (!problem.isEmpty()) throw CommandError(ExitCode::unwritableOutput, problem.toStdString());
+void writeFiles(const RunFiles& files, const SolvedRun& run, const Interruption& interruption) {
+    const FolderEnd end = writeRunFolder(fileName(files.directory), run, files.plots,
+                                         existingFiles(files.overwrite), interruption.token());
+    checkWritten(end, files.directory, runFileNames(files.plots), files.overwrite, interruption);
 }
 
 void print(const BlowReport& report, const RunFiles& files, bool json) {
@@ -120,13 +107,15 @@ ExitCode runBlow(const Arguments& arguments) {
     // The largest stress in the rod needs the waves.
     const bool needsWaves = !files.directory.empty() || document.scenario.rod.yieldStrength;
     const Detail detail = needsWaves ? Detail::histories : Detail::summary;
-    const BlowReport report = solveInterruptibly(document.scenario, detail, choice);
+    const Interruption interruption;
+    const BlowReport report = solve(document.scenario, detail, choice, interruption.token());
+    interruption.check();
     if (report.impact.outcome != Outcome::rebounded) {
         if (json) print(report, {}, json);
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved: " + report.impact.reason);
     }
-    if (!files.directory.empty()) writeFiles(files, {document, report, files.units});
+    if (!files.directory.empty()) writeFiles(files, {document, report, files.units}, interruption);
     print(report, files, json);
     return ExitCode::done;
 }

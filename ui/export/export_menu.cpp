@@ -93,7 +93,8 @@ void ExportMenu::saveEverything() {
         return;
     const WaitCursor wait;
     try {
-        finish(folder, writeRunFolder(folder, *run, plotFormats()));
+        const auto existing = there.isEmpty() ? ExistingFiles::kept : ExistingFiles::replaced;
+        finish(folder, writeRunFolder(folder, *run, plotFormats(), existing).problem);
     } catch (const ScenarioError& error) {
         fail(QString::fromUtf8(error.what()));
     }

@@ -1,14 +1,14 @@
 #include "ui/export/run_files.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <algorithm>
+#include <iterator>
 
 #include "core/file/blow_csv.h"
 #include "core/file/result_scenario.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
-#include "ui/export/whole_file.h"
 #include "ui/plots/plot_export.h"
 
 namespace drillwave {
@@ -18,24 +18,15 @@ const QString summaryName = QStringLiteral("summary.json");
 const QString historiesName = QStringLiteral("histories.csv");
 const QString eventsName = QStringLiteral("events.csv");
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::RunFiles", text);
-}
-
 // Files of these names that are no run's may be there too: those are left alone.
 bool holdsRun(const QDir& folder) {
     QFile file(folder.filePath(historiesName));
     return file.open(QIODevice::ReadOnly) && file.readLine(64).startsWith("# # Written by Drillwave ");
 }
 
-QString removeOldPlots(const QDir& folder, const QStringList& wantedFormats) {
-    if (!holdsRun(folder)) return {};
-    const QStringList wanted = runFileNames(wantedFormats);
-    for (const QString& name : runFilesThere(folder.path(), plotFormats()))
-        if (!wanted.contains(name) && !QFile::remove(folder.filePath(name)))
-            return tr("%1: shows an earlier run and cannot be removed; choose another folder")
-                .arg(QDir::toNativeSeparators(folder.filePath(name)));
-    return {};
+// With other formats the plots of an earlier run would stay beside the new numbers.
+QStringList plotsOfEarlierRun(const QDir& folder) {
+    return holdsRun(folder) ? runFilesThere(folder.path(), plotFormats()) : QStringList();
 }
 
 }  // namespace
@@ -73,21 +64,19 @@ QStringList runFilesThere(const QString& folder, const QStringList& plotFormats)
     return there;
 }
 
-QString writeRunFolder(const QString& folder, const SolvedRun& run, const QStringList& plotFormats) {
-    const QDir directory(folder);
-    if (!directory.mkpath(QStringLiteral(".")))
-        return tr("%1: the folder cannot be made; choose another one")
-            .arg(QDir::toNativeSeparators(directory.path()));
-    const QByteArray histories = historiesFile(run);
-    const QByteArray events = eventsFile(run);
-    QFile::remove(directory.filePath(summaryName));
-    QString problem = removeOldPlots(directory, plotFormats);
-    if (problem.isEmpty()) problem = writeWholeFile(directory.filePath(historiesName), histories);
-    if (problem.isEmpty()) problem = writeWholeFile(directory.filePath(eventsName), events);
-    if (problem.isEmpty() && !plotFormats.isEmpty())
-        writeBlowPlots(run.report.scenario, run.report.impact, folder, plotFormats, true, &problem);
-    if (problem.isEmpty()) problem = writeWholeFile(directory.filePath(summaryName), reportJson(run.report));
-    return problem;
+FolderEnd writeRunFolder(const QString& folder, const SolvedRun& run, const QStringList& plotFormats,
+                         ExistingFiles existing, const std::stop_token& stop) {
+    FolderFiles contents;
+    contents.outdated = plotsOfEarlierRun;
+    contents.files = {{historiesName, historiesFile(run)}, {eventsName, eventsFile(run)}};
+    if (!plotFormats.isEmpty()) {
+        BlowPictures pictures = drawBlowPlots(run.report.scenario, run.report.impact, plotFormats, stop);
+        if (stop.stop_requested()) return {FolderEnd::Kind::stopped, {}};
+        if (!pictures.problem.isEmpty()) return {FolderEnd::Kind::failed, pictures.problem};
+        std::ranges::move(pictures.files, std::back_inserter(contents.files));
+    }
+    contents.files.push_back({summaryName, reportJson(run.report)});
+    return writeWholeFolder(folder, contents, existing, stop);
 }
 
 }  // namespace drillwave
