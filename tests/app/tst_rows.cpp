@@ -205,8 +205,9 @@ void TestRows::unknownColumnsAreWarnedOf() {
     write(cases, "beta,gama,cor\n1,0.5,\n");
     const Finished finished = run({"table", example("paper_fig4a"), cases});
     QCOMPARE(finished.exitCode, 0);
-    QCOMPARE(finished.error.count('\n'), 1);
+    QCOMPARE(finished.error.count('\n'), 2);
     QVERIFY(finished.error.contains("did you mean `gamma`?"));
+    QVERIFY(finished.error.contains("`cor` is passed through as it is"));
     QVERIFY(finished.out.startsWith("beta,gama,cor,cor\n1,0.5,,1.3"));
 }
 
