@@ -42,6 +42,22 @@ Shard shardOf(const Arguments& arguments) {
     return shard;
 }
 
+/// "2 rows: it needs more wave pieces than permitted …", and what to do about it.
+std::string reasonsOf(const RowCounts& counts, long workLimit) {
+    std::string text;
+    std::uint64_t told = 0;
+    bool atLimit = false;
+    for (const RowFailure& failure : counts.failures) {
+        text += (text.empty() ? "" : "; ") + std::to_string(failure.rows) +
+                (failure.rows == 1 ? " row: " : " rows: ") + failure.reason;
+        told += failure.rows;
+        atLimit |= failure.reason.find("wave pieces") != std::string::npos;
+    }
+    if (told < counts.failed) text += "; " + std::to_string(counts.failed - told) + " for other reasons";
+    if (atLimit) text += "; --work-limit, now " + std::to_string(workLimit) + ", permits more";
+    return text;
+}
+
 int allThreads() {
     return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 1024U));
 }
@@ -54,6 +70,8 @@ std::vector<OptionSpec> rowOptionSpecs() {
                                     {"si", "", "outputs in SI, with units in the header"}};
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
+             {"work-limit", "N",
+              "wave pieces a row may take, 1000000 (at worst 2 s) if not given; else its cells are empty"},
              {"j", "N", "threads to use, all of them if not given"},
              {"shard", "I/N", "only the I-th of N contiguous parts; header only in part 1"},
              {"o", "FILE.csv", "where to write; - is standard output, as without it"},
@@ -75,15 +93,17 @@ std::string outputHelp() {
 }
 
 RowOptions rowOptions(const Arguments& arguments) {
-    return {.columns = columnsOf(arguments),
-            .jobs = static_cast<int>(arguments.number("j", allThreads(), 1, maximumJobs)),
-            .shard = shardOf(arguments),
-            .path = arguments.value("o").value_or("-"),
-            .overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused,
-            .method = methodChoice(arguments)};
+    return {
+        .columns = columnsOf(arguments),
+        .jobs = static_cast<int>(arguments.number("j", allThreads(), 1, maximumJobs)),
+        .shard = shardOf(arguments),
+        .path = arguments.value("o").value_or("-"),
+        .overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused,
+        .method = methodChoice(arguments),
+        .workLimit = arguments.number("work-limit", defaultWorkLimit, 1, MethodSolver::defaultMostPieces)};
 }
 
-ExitCode writeRows(const RunRows& run, std::uint64_t rows, OutputFile& out,
+ExitCode writeRows(const RunRows& run, std::uint64_t rows, const RowOptions& options, OutputFile& out,
                    const Interruption& interruption) {
     RowCounts counts;
     {
@@ -99,7 +119,8 @@ ExitCode writeRows(const RunRows& run, std::uint64_t rows, OutputFile& out,
     if (counts.failed == 0) return ExitCode::done;
     throw CommandError(ExitCode::unsolvedOrFailed,
                        std::to_string(counts.failed) + " of " + std::to_string(counts.rows) +
-                           " rows could not be solved: their output cells are empty");
+                           " rows could not be solved: their output cells are empty; " +
+                           reasonsOf(counts, options.workLimit));
 }
 
 }  // namespace drillwave

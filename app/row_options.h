@@ -33,6 +33,7 @@ struct RowOptions {
     std::string path;  ///< "-" is standard output
     Overwrite overwrite = Overwrite::refused;
     MethodChoice method;
+    long workLimit = defaultWorkLimit;  ///< wave pieces of a row
 };
 
 /// Throws CommandError (usage).
@@ -43,7 +44,9 @@ using RunRows =
     std::function<RowCounts(std::stop_token, const WriteText& write, const RowProgress& progress)>;
 
 /// Runs into `out` and commits it, with progress on a terminal. `rows` is how many are expected. Failed rows
-/// are counted on stderr and give ExitCode::unsolvedOrFailed; an interruption leaves no file.
-ExitCode writeRows(const RunRows& run, std::uint64_t rows, OutputFile& out, const Interruption& interruption);
+/// are counted on stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an interruption leaves no
+/// file.
+ExitCode writeRows(const RunRows& run, std::uint64_t rows, const RowOptions& options, OutputFile& out,
+                   const Interruption& interruption);
 
 }  // namespace drillwave

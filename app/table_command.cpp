@@ -48,7 +48,8 @@ ExitCode runTableCommand(const Arguments& arguments) {
                       .source = path,
                       .columns = options.columns,
                       .shard = options.shard,
-                      .method = options.method};
+                      .method = options.method,
+                      .workLimit = options.workLimit};
     std::ifstream cases = openCases(path);
     const Interruption interruption;
     OutputFile out(options.path, options.overwrite);
@@ -56,7 +57,7 @@ ExitCode runTableCommand(const Arguments& arguments) {
     const auto run = [&](std::stop_token stop, const WriteText& write, const RowProgress& progress) {
         return runTable(table, cases, rows, options.jobs, stop, write, progress);
     };
-    return writeRows(run, rowsOf(table.shard, rows).size(), out, interruption);
+    return writeRows(run, rowsOf(table.shard, rows).size(), options, out, interruption);
 }
 
 }  // namespace

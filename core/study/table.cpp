@@ -21,7 +21,7 @@ struct Chunk {
     std::vector<TableRow> rows;
     std::size_t used = 0;  // rows of this chunk; the rest are kept for their memory
     std::string text;
-    std::uint64_t failed = 0;
+    std::vector<RowFailure> failures;
     std::vector<std::string> problems;
 };
 
@@ -60,7 +60,7 @@ class RowMaker {
     RowMaker(const Table& table, const TableHeader& header)
         : m_assigner(table.base, table.source, header),
           m_outputs(table.columns.size()),
-          m_solver(table.columns, table.method) {
+          m_solver(table.columns, table.method, table.workLimit) {
         m_solver.setPulse(table.base);
         for (const TableColumn& column : header.columns)
             if (column.key().starts_with("pulse.") || column.key().starts_with("rod.")) m_movesPulse = true;
@@ -68,29 +68,31 @@ class RowMaker {
 
     void operator()(Chunk& chunk, std::stop_token stop) {
         chunk.text.clear();
-        chunk.failed = 0;
+        chunk.failures.clear();
         for (std::size_t i = 0; i < chunk.used; ++i) {
             if (stop.stop_requested()) return;
-            if (!appendRow(chunk.rows[i], chunk.text, stop)) ++chunk.failed;
+            const std::string reason = appendRow(chunk.rows[i], chunk.text, stop);
+            if (!reason.empty()) addFailure(chunk.failures, {reason, 1});
         }
     }
 
   private:
-    bool appendRow(const TableRow& row, std::string& text, const std::stop_token& stop) {
+    /// Returns why the row could not be solved.
+    std::string appendRow(const TableRow& row, std::string& text, const std::stop_token& stop) {
         const std::vector<std::string>& cells = row.record.cells;
         for (std::size_t c = 0; c < cells.size(); ++c) {
             if (c > 0) text += ',';
             text += csvCell(cells[c]);
         }
-        const bool solved = solve(row, text, stop);
+        std::string reason = solve(row, text, stop);
         text += '\n';
-        return solved;
+        return reason;
     }
 
-    bool solve(const TableRow& row, std::string& text, const std::stop_token& stop) {
-        if (!m_assigner.assign(row).empty()) {
+    std::string solve(const TableRow& row, std::string& text, const std::stop_token& stop) {
+        if (const auto problems = m_assigner.assign(row); !problems.empty()) {
             text.append(m_outputs, ',');
-            return false;
+            return "the table has changed since it was checked: " + problems.front();
         }
         if (m_movesPulse) m_solver.setPulse(m_assigner.scenario());
         return m_solver.solve(m_assigner.scenario(), text, stop);
@@ -185,12 +187,11 @@ RowCounts runTable(const Table& table, std::istream& cases, std::uint64_t rows, 
     reader.header(record);
     const TableHeader header = readTableHeader(record.cells, table.columns);
     if (table.shard.hasHeader() && !write(headerText(header, table.columns)))
-        return {.end = RowsEnd::stopped};
+        return {.failures = {}, .end = RowsEnd::stopped};
 
     const auto deliver = [&](Chunk& chunk) {
         if (!write(chunk.text)) return false;
-        counts.rows += chunk.used;
-        counts.failed += chunk.failed;
+        counts.add(chunk.used, chunk.failures);
         progress(counts);
         return true;
     };
