@@ -28,7 +28,8 @@ void addImplausibleValues(const Scenario& scenario, std::vector<Alert>& alerts) 
                                  " is outside the usual range, " +
                                  inUnit(parameter, parameter.plausible.low) + " to " +
                                  inUnit(parameter, parameter.plausible.high) + ".";
-        alerts.push_back({AlertLevel::warning, "outside_plausible_range", std::string(parameter.key), text});
+        alerts.push_back(
+            {AlertLevel::warning, std::string(implausibleValue), std::string(parameter.key), text});
     }
 }
 
