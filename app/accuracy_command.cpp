@@ -46,7 +46,7 @@ std::vector<int> ladderOf(const Arguments& arguments) {
 /// With progress on a terminal.
 Accuracy measure(const Scenario& scenario, const std::vector<int>& ladder, const Interruption& interruption) {
     constexpr double parts = 1000;
-    ProgressBar bar(static_cast<std::uint64_t>(parts), "permille");
+    ProgressBar bar(static_cast<std::uint64_t>(parts));
     const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
     Accuracy accuracy = measureAccuracy(scenario, ladder, interruption.token(), progress);
     interruption.check();
@@ -66,6 +66,7 @@ ExitCode runAccuracy(const Arguments& arguments) {
     }
 
     const Interruption interruption;
+    remarkOnValues(document.scenario, path);
     const Accuracy accuracy = measure(document.scenario, ladder, interruption);
     if (accuracy.exact.outcome != Outcome::rebounded)
         throw CommandError(ExitCode::unsolvedOrFailed,

@@ -1,6 +1,7 @@
 #include "app/arguments.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "app/command_error.h"
@@ -33,14 +34,37 @@ OptionWord split(std::string_view word) {
     return option;
 }
 
+/// What other programs call an option.
+constexpr auto otherNames = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"jobs", "j"},
+    {"threads", "j"},
+    {"parallel", "j"},
+    {"out", "o"},
+    {"output", "o"},
+    {"output-dir", "o"},
+    {"overwrite", "force"},
+    {"format", "json"},
+    {"param", "set"},
+    {"axis", "vary"},
+});
+
+/// The option most like an unknown long one; nothing is like a single letter.
+const OptionSpec* nearestOption(std::string_view name, std::span<const OptionSpec> options) {
+    std::vector<std::string_view> names;
+    for (const OptionSpec& option : options)
+        if (option.name.size() > 1) names.push_back(option.name);
+    const auto other =
+        std::ranges::find(otherNames, name, &std::pair<std::string_view, std::string_view>::first);
+    const std::string_view near = other != otherNames.end() ? other->second : nearestName(name, names);
+    const auto found = std::ranges::find(options, near, &OptionSpec::name);
+    return found == options.end() ? nullptr : &*found;
+}
+
 [[noreturn]] void refuseUnknown(std::string_view word, std::string_view name,
                                 std::span<const OptionSpec> options) {
-    std::vector<std::string_view> names;
-    for (const OptionSpec& option : options) names.push_back(option.name);
-    const std::string_view near = nearestName(name, names);
-    const auto nearest = std::ranges::find(options, near, &OptionSpec::name);
+    const OptionSpec* nearest = word.starts_with("--") ? nearestOption(name, options) : nullptr;
     refuse("unknown option `" + shortened(word) + "`; " +
-           (near.empty() ? "--help lists the options" : "did you mean `" + nearest->text() + "`?"));
+           (nearest ? "did you mean `" + nearest->text() + "`?" : "--help lists the options"));
 }
 
 bool isOption(std::string_view word) {

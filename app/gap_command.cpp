@@ -58,7 +58,7 @@ std::optional<NormalGap> normalOf(const Arguments& arguments, const Scenario& sc
 GapCurve followGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
                    const Interruption& interruption) {
     constexpr double parts = 1000;
-    ProgressBar bar(static_cast<std::uint64_t>(parts), "permille");
+    ProgressBar bar(static_cast<std::uint64_t>(parts));
     const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
     const PulseForce pulse = pulseForceOf(scenario);
     const Groups groups = groupsOf(scenario);
@@ -97,6 +97,7 @@ ExitCode runGap(const Arguments& arguments) {
     }
 
     const Interruption interruption;
+    remarkOnValues(document.scenario, path);
     const GapReport report = study(document.scenario, normal, interruption);
     if (!report.curve.isComplete())
         throw CommandError(ExitCode::unsolvedOrFailed,

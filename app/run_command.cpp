@@ -9,6 +9,7 @@
 #include "app/interruption.h"
 #include "app/method_options.h"
 #include "app/output_folder.h"
+#include "app/progress_bar.h"
 #include "app/scenario_argument.h"
 #include "core/model/decimal_text.h"
 #include "ui/export/run_files.h"
@@ -75,6 +76,7 @@ BlowReport solve(const Scenario& scenario, Detail detail, const MethodChoice& ch
         report.impact = solver.solve(pulse, groups, detail, choice, stop);
         report.runTime = std::chrono::duration<double>(Clock::now() - start).count();
     };
+    const ElapsedTime elapsed;
     timedSolve();
     if (report.runTime < quick) timedSolve();
     return report;
@@ -108,6 +110,7 @@ ExitCode runBlow(const Arguments& arguments) {
     const bool needsWaves = !files.directory.empty() || document.scenario.rod.yieldStrength;
     const Detail detail = needsWaves ? Detail::histories : Detail::summary;
     const Interruption interruption;
+    remarkOnValues(document.scenario, path);
     const BlowReport report = solve(document.scenario, detail, choice, interruption.token());
     interruption.check();
     if (report.impact.outcome != Outcome::rebounded) {

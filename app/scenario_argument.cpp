@@ -1,6 +1,7 @@
 #include "app/scenario_argument.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include "app/command_error.h"
@@ -20,13 +21,16 @@ struct Setting {
     std::string word;
 };
 
+std::string quoted(const Setting& setting) {
+    return "--set " + shortened(setting.word);
+}
+
 /// One setting would silently undo the other.
 void checkRivals(const std::vector<Setting>& all) {
     for (auto later = all.begin(); later != all.end(); ++later)
         for (auto earlier = all.begin(); earlier != later; ++earlier)
             if (areRivals(earlier->key, later->key))
-                throw CommandError(ExitCode::usage, "--set " + shortened(earlier->word) + " and --set " +
-                                                        shortened(later->word) +
+                throw CommandError(ExitCode::usage, quoted(*earlier) + " and " + quoted(*later) +
                                                         " set the same thing; give one of them");
 }
 
@@ -81,15 +85,29 @@ ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& 
     for (const Setting& setting : settings(arguments)) {
         const std::string problem = assignText(document.scenario, setting.key, setting.value);
         if (problem.empty()) continue;
-        problems.push_back("--set " + shortened(setting.word) + ": " + problem);
+        problems.push_back(quoted(setting) + ": " + problem);
         unknownKey |= !isKey(setting.key);
     }
     if (!problems.empty())
-        throw CommandError(unknownKey ? ExitCode::usage : ExitCode::invalidScenario, problems);
+        throw CommandError(unknownKey ? ExitCode::usage : ExitCode::invalidScenario, problems,
+                           CommandError::Begin::withOption);
     for (const Problem& problem : validate(document.scenario))
         problems.push_back(path + " with --set: " + problem.text);
     if (!problems.empty()) throw CommandError(ExitCode::invalidScenario, problems);
     return document;
+}
+
+void checkNotSet(const Arguments& arguments, std::string_view key, const std::string& what) {
+    for (const Setting& setting : settings(arguments))
+        if (areRivals(setting.key, key))
+            throw CommandError(ExitCode::usage,
+                               what + " and " + quoted(setting) + " set the same thing; give one of them");
+}
+
+void remarkOnValues(const Scenario& scenario, const std::string& path) {
+    for (const Alert& alert : alertsFor(scenario))
+        if (alert.code == implausibleValue)
+            std::fprintf(stderr, "%s: warning: %s\n", path.c_str(), alert.text.c_str());
 }
 
 }  // namespace drillwave

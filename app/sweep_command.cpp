@@ -2,6 +2,7 @@
 #include "app/command.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
+#include "core/model/decimal_text.h"
 #include "core/study/sweep.h"
 
 namespace drillwave {
@@ -19,6 +20,7 @@ std::vector<SweepAxis> axesOf(const Arguments& arguments) {
             throw CommandError(badValue ? ExitCode::invalidScenario : ExitCode::usage,
                                "--vary: " + parsed.problem);
         }
+        checkNotSet(arguments, parsed.axis.key(), "--vary " + shortened(word));
         axes.push_back(std::move(parsed.axis));
     }
     if (axes.empty())
@@ -36,7 +38,8 @@ ExitCode runSweepCommand(const Arguments& arguments) {
                       .axes = axes,
                       .columns = options.columns,
                       .shard = options.shard,
-                      .method = options.method};
+                      .method = options.method,
+                      .workLimit = options.workLimit};
     if (std::vector<std::string> problems = problemsOf(sweep); !problems.empty()) {
         for (std::string& problem : problems) problem = path + ": " + problem;
         throw CommandError(ExitCode::invalidScenario, std::move(problems));
@@ -47,7 +50,7 @@ ExitCode runSweepCommand(const Arguments& arguments) {
     const auto run = [&](std::stop_token stop, const WriteText& write, const RowProgress& progress) {
         return runSweep(sweep, options.jobs, stop, write, progress);
     };
-    return writeRows(run, rowsOf(sweep.shard, pointCount(sweep)).size(), out, interruption);
+    return writeRows(run, rowsOf(sweep.shard, pointCount(sweep)).size(), options, out, interruption);
 }
 
 std::vector<OptionSpec> sweepOptions() {

@@ -32,7 +32,7 @@ std::optional<SweepAxis> frequenciesOf(const Arguments& arguments) {
 
 ThrustStudy study(const Scenario& scenario, const Interruption& interruption) {
     constexpr double parts = 1000;
-    ProgressBar bar(static_cast<std::uint64_t>(parts), "permille");
+    ProgressBar bar(static_cast<std::uint64_t>(parts));
     const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
     ThrustStudy found = studyThrust(scenario, interruption.token(), progress);
     interruption.check();
@@ -59,6 +59,7 @@ ExitCode runThrust(const Arguments& arguments) {
     }
 
     const Interruption interruption;
+    remarkOnValues(report.scenario, path);
     report.study = study(report.scenario, interruption);
     if (!report.study.reason.empty())
         throw CommandError(ExitCode::unsolvedOrFailed,
