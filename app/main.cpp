@@ -71,9 +71,32 @@ int runCommand(const Command& command, std::span<const std::string> words, int a
     return static_cast<int>(command.run(arguments));
 }
 
-int report(const std::string& who, const CommandError& error) {
+bool continuesCharacter(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
+}
+
+/// A message with the middle left out of words of the command line, paths mostly, that would fill the screen.
+std::string withShortWords(std::string line, std::span<const std::string> words) {
+    constexpr std::size_t longest = 200;
+    constexpr std::size_t kept = 60;  // bytes at either end
+    for (const std::string& word : words) {
+        if (word.size() <= longest) continue;
+        std::size_t head = kept;
+        std::size_t tail = word.size() - kept;
+        while (head > 0 && continuesCharacter(word[head])) --head;
+        while (tail < word.size() && continuesCharacter(word[tail])) ++tail;
+        const std::string brief = word.substr(0, head) + "…" + word.substr(tail);
+        for (std::size_t at = line.find(word); at != std::string::npos;
+             at = line.find(word, at + brief.size()))
+            line.replace(at, word.size(), brief);
+    }
+    return line;
+}
+
+int report(const std::string& who, const CommandError& error, std::span<const std::string> words) {
     for (const std::string& line : error.lines())
-        std::fprintf(stderr, "%s%s\n", error.isLocated() ? "" : who.c_str(), line.c_str());
+        std::fprintf(stderr, "%s%s\n", error.isLocated() ? "" : who.c_str(),
+                     withShortWords(line, words).c_str());
     return static_cast<int>(error.code());
 }
 
@@ -95,7 +118,7 @@ int main(int argc, char** argv) {
         if (asksFor(words, "--version")) return printVersion();
         return openWindow(argc, argv);
     } catch (const CommandError& error) {
-        return report(who, error);
+        return report(who, error, words);
     } catch (const std::bad_alloc&) {
         return internalError(who, "out of memory");
     } catch (const std::exception& error) {

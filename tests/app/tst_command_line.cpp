@@ -31,6 +31,7 @@ class TestCommandLine : public QObject {
     void aLongSolutionShowsItsTimeOnATerminal();
     void aFullDeviceIsToldOfByHelpToo();
     void aNameThatIsNotUtf8IsRefused();
+    void longPathsAreShortenedInMessages();
     void everyProblemOfAFileIsALine();
     void validateIsSilentAboutGoodFiles();
     void examplesAreListedAndWritten();
@@ -294,6 +295,16 @@ void TestCommandLine::aFullDeviceIsToldOfByHelpToo() {
         QCOMPARE(process.exitCode(), 4);
         QCOMPARE(process.readAllStandardError(),
                  QByteArray("drillwave: standard output: cannot be written: No space left on device\n"));
+    }
+}
+
+void TestCommandLine::longPathsAreShortenedInMessages() {
+    const QString path = QStringLiteral("/nowhere/") + QStringLiteral("ü").repeated(3000) + "/end.yaml";
+    for (const QStringList& words : {QStringList{"run", path}, {"run", example("paper_fig4a"), "-o", path}}) {
+        const Finished finished = run(words);
+        QVERIFY(finished.exitCode == 3 || finished.exitCode == 4);
+        QVERIFY2(finished.error.size() < 400 && finished.error.contains("/end.yaml: "), finished.error);
+        QVERIFY(QString::fromUtf8(finished.error).toUtf8() == finished.error);
     }
 }
 
