@@ -39,8 +39,9 @@ void ProgressBar::show(std::uint64_t done) {
     const double rate = static_cast<double>(done) / elapsed;
     const auto filled = static_cast<std::size_t>(share * width);
     std::string bar = "\r\033[K[" + std::string(filled, '#') + std::string(width - filled, ' ') + "] " +
-                      std::to_string(static_cast<int>(share * 100)) + " %  " +
-                      std::to_string(static_cast<std::uint64_t>(rate)) + " " + std::string(m_unit) + "/s";
+                      std::to_string(static_cast<int>(share * 100)) + " %";
+    if (!m_unit.empty())
+        bar += "  " + std::to_string(static_cast<std::uint64_t>(rate)) + " " + std::string(m_unit) + "/s";
     if (rate > 0) bar += "  " + duration(static_cast<double>(m_total - done) / rate) + " left";
     std::fputs(bar.c_str(), stderr);
 }

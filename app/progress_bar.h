@@ -11,7 +11,7 @@ namespace drillwave {
 /// second.
 class ProgressBar {
   public:
-    /// `unit` names what is counted, "points".
+    /// `unit` names what is counted, "points"; empty where only the share is known.
     ProgressBar(std::uint64_t total, std::string_view unit);
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
