@@ -45,7 +45,7 @@ std::vector<int> ladderOf(const Arguments& arguments) {
 /// With progress on a terminal.
 Accuracy measure(const Scenario& scenario, const std::vector<int>& ladder, const Interruption& interruption) {
     constexpr double parts = 1000;
-    ProgressBar bar(static_cast<std::uint64_t>(parts), "permille");
+    ProgressBar bar(static_cast<std::uint64_t>(parts), "");
     const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
     Accuracy accuracy = measureAccuracy(scenario, ladder, interruption.token(), progress);
     interruption.check();
@@ -71,11 +71,11 @@ ExitCode runAccuracy(const Arguments& arguments) {
     if (accuracy.exact.outcome != Outcome::rebounded)
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved: " + accuracy.exact.reason);
-    if (!csvPath.empty())
-        writeFile(csvPath, scenarioHeader(completeScenarioText(document)) + accuracyCsv(accuracy), overwrite);
+    const std::string scenario = completeScenarioText(document);
+    if (!csvPath.empty()) writeFile(csvPath, scenarioHeader(scenario) + accuracyCsv(accuracy), overwrite);
     if (csvPath == "-") return ExitCode::done;
     writeFile("-",
-              arguments.has("json") ? accuracyJson(document.scenario, accuracy).toStdString()
+              arguments.has("json") ? accuracyJson(document.scenario, scenario, accuracy).toStdString()
                                     : accuracyText(document.scenario, accuracy),
               Overwrite::allowed);
     return ExitCode::done;
@@ -91,11 +91,11 @@ const Command& accuracyCommand() {
         .details =
             "Solves the blow exactly, in closed form where that applies, and with the paper's lattice of\n"
             "100 to 20000 segments, and compares errors and run times. Takes some ten seconds.",
-        .options = {setOption,
-                    {"segments", "A,B,C", "of the lattice, in place of 100 to 20000"},
-                    {"json", "", "print one JSON object in place of the table"},
-                    {"o", "DIR", "also write accuracy.csv into DIR; - prints it instead of the table"},
-                    {"force", "", "overwrite an existing file"}},
+        .options = scenarioOptions(
+            {{"segments", "A,B,C", "of the lattice, in place of 100 to 20000"},
+             {"json", "", "print one JSON object in place of the table"},
+             {"o", "DIR", "also write accuracy.csv into DIR; - prints it instead of the table"},
+             {"force", "", "overwrite an existing file"}}),
         .leastOperands = 1,
         .mostOperands = 1,
         .draws = [](const Arguments&) { return false; },

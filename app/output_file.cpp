@@ -66,9 +66,13 @@ void OutputFile::write(std::string_view text) {
     if (m_file->write(text.data(), size) != size) fail();
 }
 
+void OutputFile::flush() {
+    if (!m_file->flush()) fail();
+}
+
 void OutputFile::commit() {
     // QSaveFile's commit() alone misses that the last bytes found no room, and puts a short file in place.
-    if (!m_file->flush()) fail();
+    flush();
     auto* saved = qobject_cast<QSaveFile*>(m_file.get());
     if (saved && !saved->commit()) fail();
 }

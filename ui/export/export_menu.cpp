@@ -82,7 +82,7 @@ void ExportMenu::write(const QString& path, const std::function<QByteArray()>& m
 void ExportMenu::saveEverything() {
     std::optional<SolvedRun> run = solvedRun();
     if (!run) return;
-    run->units = OutputUnits::dimensionless;
+    run->units = customaryUnits(run->report.scenario);
     const QString folder = m_questions.folderToExport(m_window, QFileInfo(suggestion({})).path());
     if (folder.isEmpty()) return;
     const QStringList there = runFilesThere(folder, plotFormats());

@@ -5,6 +5,7 @@
 #include <QFile>
 
 #include "core/file/blow_csv.h"
+#include "core/file/result_remarks.h"
 #include "core/file/result_scenario.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
@@ -14,6 +15,7 @@
 namespace drillwave {
 namespace {
 
+const QString scenarioName = QStringLiteral("scenario.yaml");
 const QString summaryName = QStringLiteral("summary.json");
 const QString historiesName = QStringLiteral("histories.csv");
 const QString eventsName = QStringLiteral("events.csv");
@@ -40,6 +42,10 @@ QString removeOldPlots(const QDir& folder, const QStringList& wantedFormats) {
 
 }  // namespace
 
+OutputUnits customaryUnits(const Scenario& scenario) {
+    return scenario.form == ScenarioForm::dimensional ? OutputUnits::si : OutputUnits::dimensionless;
+}
+
 QByteArray runHeader(const SolvedRun& run) {
     return QByteArray::fromStdString(
         scenarioHeader(completeScenarioText(run.document), describe(run.report.choice)));
@@ -47,8 +53,10 @@ QByteArray runHeader(const SolvedRun& run) {
 
 QByteArray historiesFile(const SolvedRun& run) {
     const Scenario& scenario = run.report.scenario;
-    return runHeader(run) + QByteArray::fromStdString(historiesCsv(run.report.impact, pulseForceOf(scenario),
-                                                                   run.units, scalesOf(scenario)));
+    return QByteArray::fromStdString(scenarioHeader(completeScenarioText(run.document),
+                                                    describe(run.report.choice), historyColumns(run.units)) +
+                                     historiesCsv(run.report.impact, pulseForceOf(scenario),
+                                                  groupsOf(scenario), run.units, scalesOf(scenario)));
 }
 
 QByteArray eventsFile(const SolvedRun& run) {
@@ -56,8 +64,13 @@ QByteArray eventsFile(const SolvedRun& run) {
            QByteArray::fromStdString(eventsCsv(run.report.impact, run.units, scalesOf(run.report.scenario)));
 }
 
+QByteArray scenarioFile(const SolvedRun& run) {
+    return QByteArray::fromStdString(remarksText(".", describe(run.report.choice)) +
+                                     completeScenarioText(run.document));
+}
+
 QStringList runFileNames(const QStringList& plotFormats) {
-    QStringList names{summaryName, historiesName, eventsName};
+    QStringList names{scenarioName, summaryName, historiesName, eventsName};
     for (const QString& format : plotFormats)
         names << QStringLiteral("blow.") + format << QStringLiteral("rock.") + format;
     return names;
@@ -80,13 +93,16 @@ QString writeRunFolder(const QString& folder, const SolvedRun& run, const QStrin
             .arg(QDir::toNativeSeparators(directory.path()));
     const QByteArray histories = historiesFile(run);
     const QByteArray events = eventsFile(run);
+    const QByteArray scenario = scenarioFile(run);
+    const QByteArray summary = reportJson(run.report, completeScenarioText(run.document));
     QFile::remove(directory.filePath(summaryName));
     QString problem = removeOldPlots(directory, plotFormats);
+    if (problem.isEmpty()) problem = writeWholeFile(directory.filePath(scenarioName), scenario);
     if (problem.isEmpty()) problem = writeWholeFile(directory.filePath(historiesName), histories);
     if (problem.isEmpty()) problem = writeWholeFile(directory.filePath(eventsName), events);
     if (problem.isEmpty() && !plotFormats.isEmpty())
         writeBlowPlots(run.report.scenario, run.report.impact, folder, plotFormats, true, &problem);
-    if (problem.isEmpty()) problem = writeWholeFile(directory.filePath(summaryName), reportJson(run.report));
+    if (problem.isEmpty()) problem = writeWholeFile(directory.filePath(summaryName), summary);
     return problem;
 }
 
