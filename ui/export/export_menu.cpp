@@ -40,7 +40,8 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
                             void (ExportMenu::*save)()) {
         addAction(text, keys, this, save)->setToolTip(toolTip);
     };
-    add(tr("&Histories…"), {}, tr("Impact force, impulse, momentum and incident wave over time, as CSV"),
+    add(tr("&Histories…"), {},
+        tr("Forces, impulse, momentum, penetration and velocity at the bit over time, as CSV"),
         &ExportMenu::saveHistories);
     add(tr("&Events…"), {}, tr("Contacts, reversals and separations with their times, as CSV"),
         &ExportMenu::saveEvents);
@@ -52,7 +53,7 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
         tr("As it is zoomed, to paste into a report"), &ExportMenu::copyPicture);
     addSeparator();
     add(tr("Everything into a &folder…"), QKeySequence(Qt::CTRL | Qt::Key_E),
-        tr("Summary, histories, events and plots, as `drillwave run -o` writes them"),
+        tr("Scenario, summary, histories, events and plots, as `drillwave run -o` writes them"),
         &ExportMenu::saveEverything);
 }
 
