@@ -19,7 +19,10 @@ const QString program = QStringLiteral(DRILLWAVE_PROGRAM);
 Finished shell(const QString& line, const QString& folder = QDir::tempPath()) {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("drillwave", program);
+    // The shell itself would complain of a locale that is not installed.
+    const QString locale = environment.value("LC_ALL");
+    environment.remove("LC_ALL");
+    environment.insert("drillwave", "env LC_ALL=" + locale + " " + program);
     process.setProcessEnvironment(environment);
     process.setWorkingDirectory(folder);
     process.start("bash", {"-c", line});
