@@ -71,7 +71,8 @@ ExitCode runAccuracy(const Arguments& arguments) {
     if (accuracy.exact.outcome != Outcome::rebounded)
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved: " + accuracy.exact.reason);
-    const std::string csv = scenarioHeader(completeScenarioText(document)) + accuracyCsv(accuracy);
+    const std::string scenario = completeScenarioText(document);
+    const std::string csv = scenarioHeader(scenario) + accuracyCsv(accuracy);
     if (directory == "-") {
         writeFile("-", csv, Overwrite::allowed);
         return ExitCode::done;
@@ -79,7 +80,7 @@ ExitCode runAccuracy(const Arguments& arguments) {
     if (inFolder)
         writeFolder(directory, {{{csvName, QByteArray::fromStdString(csv)}}, {}}, overwrite, interruption);
     writeFile("-",
-              arguments.has("json") ? accuracyJson(document.scenario, accuracy).toStdString()
+              arguments.has("json") ? accuracyJson(document.scenario, scenario, accuracy).toStdString()
                                     : accuracyText(document.scenario, accuracy),
               Overwrite::allowed);
     return ExitCode::done;
@@ -95,11 +96,11 @@ const Command& accuracyCommand() {
         .details =
             "Solves the blow exactly, in closed form where that applies, and with the paper's lattice of\n"
             "100 to 20000 segments, and compares errors and run times. Takes some ten seconds.",
-        .options = {setOption,
-                    {"segments", "A,B,C", "of the lattice, in place of 100 to 20000"},
-                    {"json", "", "print one JSON object in place of the table"},
-                    {"o", "DIR", "also write accuracy.csv into DIR; - prints it instead of the table"},
-                    {"force", "", "overwrite an existing file"}},
+        .options = scenarioOptions(
+            {{"segments", "A,B,C", "of the lattice, in place of 100 to 20000"},
+             {"json", "", "print one JSON object in place of the table"},
+             {"o", "DIR", "also write accuracy.csv into DIR; - prints it instead of the table"},
+             {"force", "", "overwrite an existing file"}}),
         .leastOperands = 1,
         .mostOperands = 1,
         .draws = [](const Arguments&) { return false; },

@@ -7,9 +7,10 @@
 namespace drillwave {
 
 std::span<const Command* const> commands() {
-    static const std::array all{
-        &runCommand(),     &sweepCommand(),    &tableCommand(),     &gapCommand(),      &thrustCommand(),
-        &figuresCommand(), &accuracyCommand(), &stabilityCommand(), &validateCommand(), &examplesCommand()};
+    static const std::array all{&runCommand(),      &sweepCommand(),     &tableCommand(),
+                                &gapCommand(),      &thrustCommand(),    &figuresCommand(),
+                                &accuracyCommand(), &stabilityCommand(), &validateCommand(),
+                                &examplesCommand(), &presetsCommand()};
     return all;
 }
 

@@ -1,13 +1,16 @@
 // Picks between the subcommands, which never need a display, and the window.
 #include <QApplication>
 #include <QCoreApplication>
+#include <algorithm>
 #include <cerrno>
 #include <clocale>
 #include <cstdio>
 #include <exception>
+#include <initializer_list>
 #include <new>
 #include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -15,6 +18,8 @@
 #include "app/help_text.h"
 #include "app/interruption.h"
 #include "app/window.h"
+#include "core/file/scenario_file.h"
+#include "core/model/decimal_text.h"
 #include "core/model/version.h"
 
 namespace {
@@ -32,18 +37,30 @@ int printVersion() {
     return print(std::string("drillwave ") + versionText + "\n");
 }
 
-bool asksFor(std::span<const std::string> words, const std::string& option) {
-    for (const std::string& word : words) {
-        if (word == "--") return false;
-        if (word == option) return true;
-    }
-    return false;
-}
-
 const Command* findCommand(const std::string& name) {
     for (const Command* command : commands())
         if (command->name == name) return command;
     return nullptr;
+}
+
+bool asksFor(std::span<const std::string> words, std::initializer_list<std::string_view> options) {
+    for (const std::string& word : words) {
+        if (word == "--") return false;
+        if (std::ranges::find(options, word) != options.end()) return true;
+    }
+    return false;
+}
+
+bool asksForHelp(std::span<const std::string> words) {
+    return asksFor(words, {"--help", "-h"});
+}
+
+/// `drillwave help [COMMAND]`.
+int printHelp(std::span<const std::string> words) {
+    if (words.empty() || asksForHelp(words)) return print(programHelp());
+    if (const Command* command = findCommand(words.front())) return print(commandHelp(*command));
+    throw CommandError(ExitCode::usage,
+                       "`" + shortened(words.front()) + "` is not a command; `drillwave help` lists them");
 }
 
 // The application object takes over the user's locale, and with it a decimal comma in what printf writes.
@@ -52,8 +69,8 @@ void writeNumbersPlainly() {
 }
 
 int runCommand(const Command& command, std::span<const std::string> words, int argc, char** argv) {
-    if (asksFor(words, "--help")) return print(commandHelp(command));
-    if (asksFor(words, "--version")) return printVersion();
+    if (asksForHelp(words)) return print(commandHelp(command));
+    if (asksFor(words, {"--version"})) return printVersion();
     exitOnInterruption();
     const Arguments arguments = parseArguments(command, words);
     if (!command.draws(arguments)) {
@@ -114,11 +131,15 @@ int main(int argc, char** argv) {
     const std::string who = command ? "drillwave " + std::string(command->name) + ": " : "drillwave: ";
     try {
         if (command) return runCommand(*command, std::span(words).subspan(1), argc, argv);
-        if (asksFor(words, "--help") || asksFor(words, "-h")) return print(programHelp());
-        if (asksFor(words, "--version")) return printVersion();
+        const std::string first = words.empty() ? std::string() : words.front();
+        if (first == "help") return printHelp(std::span(words).subspan(1));
+        if (asksForHelp(words)) return print(programHelp());
+        if (first == "version" || asksFor(words, {"--version"})) return printVersion();
         return openWindow(argc, argv);
     } catch (const CommandError& error) {
         return report(who, error, words);
+    } catch (const ScenarioError& error) {
+        return report(who, CommandError(ExitCode::invalidScenario, error.lines()), words);
     } catch (const std::bad_alloc&) {
         return internalError(who, "out of memory");
     } catch (const std::exception& error) {

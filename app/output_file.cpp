@@ -65,7 +65,13 @@ void OutputFile::write(std::string_view text) {
     if (!writeAll(*m_file, text.data(), static_cast<qint64>(text.size()))) fail();
 }
 
+void OutputFile::flush() {
+    if (!m_file->flush()) fail();
+}
+
 void OutputFile::commit() {
+    // The C library holds the last bytes for standard output back, and would lose them without a word.
+    flush();
     auto* saved = qobject_cast<QSaveFile*>(m_file.get());
     if (saved && !saved->commit()) fail();
 }

@@ -26,6 +26,8 @@ class OutputFile {
     OutputFile(const std::string& path, Overwrite overwrite);
 
     void write(std::string_view text);
+    /// Finds out whether everything written so far has found room.
+    void flush();
     /// Makes everything written visible and durable as far as the system tells.
     void commit();
 

@@ -12,7 +12,7 @@ namespace drillwave {
 /// second.
 class ProgressBar {
   public:
-    /// `unit` names what is counted, "points"; empty where that says nothing to people.
+    /// `unit` names what is counted, "points"; empty where only the share is known.
     explicit ProgressBar(std::uint64_t total, std::string_view unit = {});
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;

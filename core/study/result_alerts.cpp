@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/model/decimal_text.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
 #include "core/study/thrust.h"
@@ -80,7 +81,7 @@ void addClosedForm(const Scenario& scenario, const ImpactSummary& summary, std::
 void addAccuracy(const ImpactSummary& summary, std::vector<Alert>& alerts) {
     if (summary.corError <= promisedError) return;
     alerts.push_back({AlertLevel::warning, "reduced_accuracy", "",
-                      "The numerical error of e may be as large as " + rounded(summary.corError) + "."});
+                      "The numerical error of e may be as large as " + boundText(summary.corError) + "."});
 }
 
 }  // namespace

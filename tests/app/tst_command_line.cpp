@@ -42,8 +42,8 @@ class TestCommandLine : public QObject {
 
 void TestCommandLine::helpAndVersionAreEverywhere_data() {
     QTest::addColumn<QString>("command");
-    for (const char* command :
-         {"", "run", "sweep", "table", "gap", "thrust", "figures", "accuracy", "validate", "examples"})
+    for (const char* command : {"", "run", "sweep", "table", "gap", "thrust", "figures", "accuracy",
+                                "stability", "validate", "examples", "presets"})
         QTest::newRow(*command ? command : "program") << command;
 }
 
@@ -54,9 +54,12 @@ void TestCommandLine::helpAndVersionAreEverywhere() {
     QCOMPARE(help.exitCode, 0);
     QVERIFY(help.out.startsWith("Usage: drillwave"));
     QCOMPARE(help.error, QByteArray());
+    QCOMPARE(run(words + QStringList{"-h"}).out, help.out);
+    QCOMPARE(run(QStringList{"help"} + words).out, help.out);
     const Finished version = run(words + QStringList{"--version"});
     QCOMPARE(version.exitCode, 0);
     QVERIFY(QRegularExpression("^drillwave \\d+\\.\\d+\\.\\d+\n$").match(version.out).hasMatch());
+    QCOMPARE(run({"version"}).out, version.out);
 }
 
 void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
@@ -180,7 +183,34 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("table without cases") << QStringList{"table", paper} << 2 << "needs FILE CASES.csv";
     QTest::newRow("missing cases") << QStringList{"table", paper, "nothing.csv"} << 3 << "nothing.csv";
     QTest::newRow("cases from a device")
-        << QStringList{"table", paper, "/dev/null"} << 3 << "not a regular file";
+        << QStringList{"table", paper, "/dev/null"} << 5 << "is empty; its first row must name parameters";
+    QTest::newRow("cases in a folder")
+        << QStringList{"table", paper, QDir::tempPath()} << 3 << "not a regular file";
+    QTest::newRow("scenario and cases from one pipe")
+        << QStringList{"table", "-", "-"} << 2 << "both standard input";
+    QTest::newRow("nearly an example")
+        << QStringList{"run", "t38_medium_rok"} << 3 << "did you mean the example `t38_medium_rock`?";
+    QTest::newRow("output twice") << QStringList{"sweep",    paper,       "--vary",
+                                                 "beta=1,2", "--outputs", "cor,impulse,cor"}
+                                  << 2 << "`cor` is given twice";
+    QTest::newRow("all outputs and one more")
+        << QStringList{"sweep", paper, "--vary", "beta=1,2", "--outputs", "cor,all"} << 2 << "give it alone";
+    QTest::newRow("preset that does not exist")
+        << QStringList{"run", drill, "--rock", "medium rok"} << 2 << "did you mean `medium rock`?";
+    QTest::newRow("preset of several names")
+        << QStringList{"run", drill, "--rod", "T38"} << 2 << "`T38, round 38 mm`, `T38, round 39 mm`";
+    QTest::newRow("preset for groups")
+        << QStringList{"run", paper, "--rod", "T51"} << 2 << "presets need a scenario in physical units";
+    QTest::newRow("presets of nothing")
+        << QStringList{"run", drill, "--presets", "x.yaml"} << 2 << "add one of them";
+    QTest::newRow("missing presets") << QStringList{"presets", "nothing.yaml"} << 3 << "nothing.yaml";
+    QTest::newRow("help for nothing") << QStringList{"help", "rn"} << 2 << "is not a command";
+    QTest::newRow("two forms of the columns")
+        << QStringList{"run", drill, "--si", "--dimensionless", "-o", "x"} << 2 << "exclude each other";
+    QTest::newRow("gap in SI of groups")
+        << QStringList{"gap", paper, "--si", "-o", "-"} << 2 << "has no SI units";
+    QTest::newRow("JSON without a scenario")
+        << QStringList{"run", "/dev/null/x.json"} << 3 << "cannot be opened";
     QTest::newRow("gap without a file") << QStringList{"gap"} << 2 << "needs FILE";
     QTest::newRow("mean of a gap that does not scatter")
         << QStringList{"gap", paper, "--gap-mean", "0.3"} << 2 << "needs --gap-deviation";

@@ -19,13 +19,15 @@ namespace {
 
 constexpr int concurrentRuns = 6;
 
+const QStringList filesOfARun{"events.csv", "histories.csv", "scenario.yaml", "summary.json"};
+
 QStringList contents(const QString& folder) {
     return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
 }
 
-/// The gamma of the scenario at the top of a CSV file.
-double gammaOf(const QString& csv) {
-    const auto found = QRegularExpression("gamma: ([0-9.]+)").match(QString::fromUtf8(read(csv)));
+/// The gamma of a scenario file, or of the scenario at the top of a CSV file.
+double gammaOf(const QString& path) {
+    const auto found = QRegularExpression("gamma: ([0-9.]+)").match(QString::fromUtf8(read(path)));
     return found.captured(1).toDouble();
 }
 
@@ -33,7 +35,8 @@ double gammaOf(const QString& csv) {
 double commonGamma(const QString& folder) {
     const QJsonObject summary = QJsonDocument::fromJson(read(folder + "/summary.json")).object();
     const double gamma = summary["groups"].toObject()["gamma"].toDouble();
-    return gamma == gammaOf(folder + "/histories.csv") && gamma == gammaOf(folder + "/events.csv")
+    return gamma == gammaOf(folder + "/histories.csv") && gamma == gammaOf(folder + "/events.csv") &&
+                   gamma == gammaOf(folder + "/scenario.yaml")
                ? gamma
                : std::nan("");
 }
@@ -81,7 +84,7 @@ void TestFolders::oneOfSixRunsSucceeds() {
         QCOMPARE(codes.count(0), 1);
         QCOMPARE(codes.count(4), concurrentRuns - 1);
         QCOMPARE(commonGamma(folder), (int(codes.indexOf(0)) + 1) / 10.0);
-        QCOMPARE(contents(folder), QStringList({"events.csv", "histories.csv", "summary.json"}));
+        QCOMPARE(contents(folder), filesOfARun);
         QCOMPARE(contents(place.filePath("new")).size(), round + 1);
     }
 }
@@ -93,7 +96,7 @@ void TestFolders::sixForcedRunsNeverMix() {
         QCOMPARE(runTogether(place.path(), {"--force"}).count(0), concurrentRuns);
         QVERIFY(commonGamma(place.path()) > 0);
         QCOMPARE(contents(place.path()),
-                 QStringList({"events.csv", "histories.csv", "notes.txt", "summary.json"}));
+                 QStringList({"events.csv", "histories.csv", "notes.txt", "scenario.yaml", "summary.json"}));
     }
     QCOMPARE(read(place.filePath("notes.txt")), QByteArray("mine"));
 }
@@ -117,7 +120,7 @@ void TestFolders::aSignalLeavesAllOrNothing() {
     timer.start();
     QCOMPARE(run(words + QStringList{"-o", place.filePath("whole")}).exitCode, 0);
     const QStringList all = contents(place.filePath("whole"));
-    QCOMPARE(all.size(), 9);
+    QCOMPARE(all.size(), 10);
     const qint64 whole = timer.nsecsElapsed();
 
     constexpr int moments = 24;
@@ -144,7 +147,7 @@ void TestFolders::aSignalLeavesAllOrNothing() {
             ++interrupted;
         }
         if (replaces) {
-            QStringList expected = done ? all : QStringList{"events.csv", "histories.csv", "summary.json"};
+            QStringList expected = done ? all : filesOfARun;
             expected << "notes.txt";
             expected.sort();
             QCOMPARE(contents(folder), expected);

@@ -40,7 +40,8 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
                             void (ExportMenu::*save)()) {
         addAction(text, keys, this, save)->setToolTip(toolTip);
     };
-    add(tr("&Histories…"), {}, tr("Impact force, impulse, momentum and incident wave over time, as CSV"),
+    add(tr("&Histories…"), {},
+        tr("Forces, impulse, momentum, penetration and velocity at the bit over time, as CSV"),
         &ExportMenu::saveHistories);
     add(tr("&Events…"), {}, tr("Contacts, reversals and separations with their times, as CSV"),
         &ExportMenu::saveEvents);
@@ -52,7 +53,7 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
         tr("As it is zoomed, to paste into a report"), &ExportMenu::copyPicture);
     addSeparator();
     add(tr("Everything into a &folder…"), QKeySequence(Qt::CTRL | Qt::Key_E),
-        tr("Summary, histories, events and plots, as `drillwave run -o` writes them"),
+        tr("Scenario, summary, histories, events and plots, as `drillwave run -o` writes them"),
         &ExportMenu::saveEverything);
 }
 
@@ -82,7 +83,7 @@ void ExportMenu::write(const QString& path, const std::function<QByteArray()>& m
 void ExportMenu::saveEverything() {
     std::optional<SolvedRun> run = solvedRun();
     if (!run) return;
-    run->units = OutputUnits::dimensionless;
+    run->units = customaryUnits(run->report.scenario);
     const QString folder = m_questions.folderToExport(m_window, QFileInfo(suggestion({})).path());
     if (folder.isEmpty()) return;
     const QStringList there = runFilesThere(folder, plotFormats());

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/file/blow_csv.h"
+#include "core/file/result_remarks.h"
 #include "core/file/result_scenario.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
@@ -14,6 +15,7 @@
 namespace drillwave {
 namespace {
 
+const QString scenarioName = QStringLiteral("scenario.yaml");
 const QString summaryName = QStringLiteral("summary.json");
 const QString historiesName = QStringLiteral("histories.csv");
 const QString eventsName = QStringLiteral("events.csv");
@@ -31,6 +33,10 @@ QStringList plotsOfEarlierRun(const QDir& folder) {
 
 }  // namespace
 
+OutputUnits customaryUnits(const Scenario& scenario) {
+    return scenario.form == ScenarioForm::dimensional ? OutputUnits::si : OutputUnits::dimensionless;
+}
+
 QByteArray runHeader(const SolvedRun& run) {
     return QByteArray::fromStdString(
         scenarioHeader(completeScenarioText(run.document), describe(run.report.choice)));
@@ -38,8 +44,10 @@ QByteArray runHeader(const SolvedRun& run) {
 
 QByteArray historiesFile(const SolvedRun& run) {
     const Scenario& scenario = run.report.scenario;
-    return runHeader(run) + QByteArray::fromStdString(historiesCsv(run.report.impact, pulseForceOf(scenario),
-                                                                   run.units, scalesOf(scenario)));
+    return QByteArray::fromStdString(scenarioHeader(completeScenarioText(run.document),
+                                                    describe(run.report.choice), historyColumns(run.units)) +
+                                     historiesCsv(run.report.impact, pulseForceOf(scenario),
+                                                  groupsOf(scenario), run.units, scalesOf(scenario)));
 }
 
 QByteArray eventsFile(const SolvedRun& run) {
@@ -47,8 +55,13 @@ QByteArray eventsFile(const SolvedRun& run) {
            QByteArray::fromStdString(eventsCsv(run.report.impact, run.units, scalesOf(run.report.scenario)));
 }
 
+QByteArray scenarioFile(const SolvedRun& run) {
+    return QByteArray::fromStdString(remarksText(".", describe(run.report.choice)) +
+                                     completeScenarioText(run.document));
+}
+
 QStringList runFileNames(const QStringList& plotFormats) {
-    QStringList names{summaryName, historiesName, eventsName};
+    QStringList names{scenarioName, summaryName, historiesName, eventsName};
     for (const QString& format : plotFormats)
         names << QStringLiteral("blow.") + format << QStringLiteral("rock.") + format;
     return names;
@@ -68,14 +81,16 @@ FolderEnd writeRunFolder(const QString& folder, const SolvedRun& run, const QStr
                          ExistingFiles existing, const std::stop_token& stop) {
     FolderFiles contents;
     contents.outdated = plotsOfEarlierRun;
-    contents.files = {{historiesName, historiesFile(run)}, {eventsName, eventsFile(run)}};
+    contents.files = {{scenarioName, scenarioFile(run)},
+                      {historiesName, historiesFile(run)},
+                      {eventsName, eventsFile(run)}};
     if (!plotFormats.isEmpty()) {
         BlowPictures pictures = drawBlowPlots(run.report.scenario, run.report.impact, plotFormats, stop);
         if (stop.stop_requested()) return {FolderEnd::Kind::stopped, {}};
         if (!pictures.problem.isEmpty()) return {FolderEnd::Kind::failed, pictures.problem};
         std::ranges::move(pictures.files, std::back_inserter(contents.files));
     }
-    contents.files.push_back({summaryName, reportJson(run.report)});
+    contents.files.push_back({summaryName, reportJson(run.report, completeScenarioText(run.document))});
     return writeWholeFolder(folder, contents, existing, stop);
 }
 

@@ -20,6 +20,10 @@ struct SolvedRun {
     OutputUnits units = OutputUnits::dimensionless;
 };
 
+/// Those in which the files of a run are written where nothing else is asked for: SI where the scenario has
+/// units.
+OutputUnits customaryUnits(const Scenario& scenario);
+
 /// The lines at the top of every CSV file: the whole scenario and how it was solved. Throws ScenarioError
 /// where the scenario with the points of its table is too large for a file, as do the next two.
 QByteArray runHeader(const SolvedRun& run);
@@ -29,6 +33,9 @@ QByteArray historiesFile(const SolvedRun& run);
 
 /// events.csv, likewise.
 QByteArray eventsFile(const SolvedRun& run);
+
+/// scenario.yaml: the scenario that was solved, complete in itself, behind who solved it and how.
+QByteArray scenarioFile(const SolvedRun& run);
 
 /// The names of the files of a run with plots in these formats.
 QStringList runFileNames(const QStringList& plotFormats);
