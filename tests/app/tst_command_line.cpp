@@ -267,6 +267,7 @@ void TestCommandLine::oneSetTakesSeveralAssignments() {
 // A mistyped unit may make a solution long: that is said first.
 void TestCommandLine::implausibleValuesAreRemarkedOnBeforeTheWork() {
     QProcess process;
+    process.setReadChannel(QProcess::StandardError);
     process.start(QStringLiteral(DRILLWAVE_PROGRAM),
                   {"run", example("t38_medium_rock"), "--set", "pulse.duration=200s"});
     QByteArray error;
