@@ -63,9 +63,11 @@ int printHelp(std::span<const std::string> words) {
                        "`" + shortened(words.front()) + "` is not a command; `drillwave help` lists them");
 }
 
-// The application object takes over the user's locale, and with it a decimal comma in what printf writes.
-void writeNumbersPlainly() {
+// The application object takes over the user's locale, and with it a decimal comma in what printf writes, and
+// the reasons of the system in another language than the sentences they stand in.
+void writePlainly() {
     std::setlocale(LC_NUMERIC, "C");
+    std::setlocale(LC_MESSAGES, "C");
 }
 
 int runCommand(const Command& command, std::span<const std::string> words, int argc, char** argv) {
@@ -75,7 +77,7 @@ int runCommand(const Command& command, std::span<const std::string> words, int a
     const Arguments arguments = parseArguments(command, words);
     if (!command.draws(arguments)) {
         const QCoreApplication application(argc, argv);
-        writeNumbersPlainly();
+        writePlainly();
         return static_cast<int>(command.run(arguments));
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -84,7 +86,7 @@ int runCommand(const Command& command, std::span<const std::string> words, int a
         if (type == QtFatalMsg) std::fprintf(stderr, "%s\n", message.toUtf8().constData());
     });
     const QApplication application(argc, argv);
-    writeNumbersPlainly();
+    writePlainly();
     return static_cast<int>(command.run(arguments));
 }
 

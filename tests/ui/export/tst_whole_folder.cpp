@@ -2,6 +2,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <cerrno>
+#include <system_error>
 #include <thread>
 
 #include "ui/export/whole_folder.h"
@@ -18,6 +20,11 @@ QByteArray bytesOf(const QString& path) {
 void put(const QString& path, const QByteArray& bytes) {
     QFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("cannot write");
+}
+
+/// As the system says it, in the language of the user.
+QString reason(int error) {
+    return QString::fromStdString(std::generic_category().message(error));
 }
 
 /// Everything in a folder, hidden things too.
@@ -99,7 +106,8 @@ void TestWholeFolder::aFailureHalfWayBringsBackWhatWasThere() {
     const FolderEnd end = writeWholeFolder(path("f"), files, ExistingFiles::replaced);
     QVERIFY(removed);
     QCOMPARE(end.kind, FolderEnd::Kind::failed);
-    QVERIFY2(end.problem.startsWith(path("f/b: cannot be written: No such file")), qPrintable(end.problem));
+    QVERIFY2(end.problem.startsWith(path("f/b: cannot be written: ") + reason(ENOENT)),
+             qPrintable(end.problem));
     QCOMPARE(contents(path("f")), QStringList({"a", "b", "last"}));
     for (const char* name : {"a", "b", "last"})
         QCOMPARE(bytesOf(path("f/") + name), QByteArray(name) + " old");
@@ -154,7 +162,7 @@ void TestWholeFolder::obstaclesAreKnownBefore() {
     put(path("f/b"), "mine");
     for (const char* folder : {"file", "file/x/y"}) {
         const QString before = folderProblem(path(folder), {"a"}, ExistingFiles::replaced);
-        QVERIFY2(before.contains("cannot be made: Not a directory"), qPrintable(before));
+        QVERIFY2(before.contains("cannot be made: " + reason(ENOTDIR)), qPrintable(before));
         QCOMPARE(writeWholeFolder(path(folder), set("1"), ExistingFiles::replaced).kind,
                  FolderEnd::Kind::failed);
     }
