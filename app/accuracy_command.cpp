@@ -5,7 +5,7 @@
 #include "app/accuracy_report.h"
 #include "app/command.h"
 #include "app/interruption.h"
-#include "app/output_file.h"
+#include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
 #include "core/file/blow_csv.h"
@@ -17,6 +17,7 @@ namespace drillwave {
 namespace {
 
 constexpr std::size_t longestLadder = 30;
+constexpr char csvName[] = "accuracy.csv";
 
 /// "100,200,500" in growing order.
 std::vector<int> ladderOf(const Arguments& arguments) {
@@ -45,7 +46,7 @@ std::vector<int> ladderOf(const Arguments& arguments) {
 /// With progress on a terminal.
 Accuracy measure(const Scenario& scenario, const std::vector<int>& ladder, const Interruption& interruption) {
     constexpr double parts = 1000;
-    ProgressBar bar(static_cast<std::uint64_t>(parts), "permille");
+    ProgressBar bar(static_cast<std::uint64_t>(parts));
     const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
     Accuracy accuracy = measureAccuracy(scenario, ladder, interruption.token(), progress);
     interruption.check();
@@ -58,24 +59,28 @@ ExitCode runAccuracy(const Arguments& arguments) {
     const std::vector<int> ladder = ladderOf(arguments);
     const std::string directory = arguments.value("o").value_or(std::string());
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
-    std::string csvPath;
-    if (!directory.empty()) {
-        csvPath = directory == "-" ? "-" : directory + "/accuracy.csv";
-        if (csvPath != "-") makeFolder(directory);
-        checkOutputIsNoInput(csvPath, path, document);
-        checkOverwrite(csvPath, overwrite);
+    const bool inFolder = !directory.empty() && directory != "-";
+    if (inFolder) {
+        checkOutputIsNoInput(directory + "/" + csvName, path, document);
+        checkFolder(directory, {csvName}, overwrite);
     }
 
     const Interruption interruption;
+    remarkOnValues(document.scenario, path);
     const Accuracy accuracy = measure(document.scenario, ladder, interruption);
     if (accuracy.exact.outcome != Outcome::rebounded)
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved: " + accuracy.exact.reason);
-    if (!csvPath.empty())
-        writeFile(csvPath, scenarioHeader(completeScenarioText(document)) + accuracyCsv(accuracy), overwrite);
-    if (csvPath == "-") return ExitCode::done;
+    const std::string scenario = completeScenarioText(document);
+    const std::string csv = scenarioHeader(scenario) + accuracyCsv(accuracy);
+    if (directory == "-") {
+        writeFile("-", csv, Overwrite::allowed);
+        return ExitCode::done;
+    }
+    if (inFolder)
+        writeFolder(directory, {{{csvName, QByteArray::fromStdString(csv)}}, {}}, overwrite, interruption);
     writeFile("-",
-              arguments.has("json") ? accuracyJson(document.scenario, accuracy).toStdString()
+              arguments.has("json") ? accuracyJson(document.scenario, scenario, accuracy).toStdString()
                                     : accuracyText(document.scenario, accuracy),
               Overwrite::allowed);
     return ExitCode::done;
@@ -91,11 +96,11 @@ const Command& accuracyCommand() {
         .details =
             "Solves the blow exactly, in closed form where that applies, and with the paper's lattice of\n"
             "100 to 20000 segments, and compares errors and run times. Takes some ten seconds.",
-        .options = {setOption,
-                    {"segments", "A,B,C", "of the lattice, in place of 100 to 20000"},
-                    {"json", "", "print one JSON object in place of the table"},
-                    {"o", "DIR", "also write accuracy.csv into DIR; - prints it instead of the table"},
-                    {"force", "", "overwrite an existing file"}},
+        .options = scenarioOptions(
+            {{"segments", "A,B,C", "of the lattice, in place of 100 to 20000"},
+             {"json", "", "print one JSON object in place of the table"},
+             {"o", "DIR", "also write accuracy.csv into DIR; - prints it instead of the table"},
+             {"force", "", "overwrite an existing file"}}),
         .leastOperands = 1,
         .mostOperands = 1,
         .draws = [](const Arguments&) { return false; },

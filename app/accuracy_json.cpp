@@ -30,13 +30,14 @@ QJsonObject rowJson(const AccuracyRow& row) {
 
 }  // namespace
 
-QByteArray accuracyJson(const Scenario& scenario, const Accuracy& accuracy) {
+QByteArray accuracyJson(const Scenario& scenario, const std::string& scenarioText, const Accuracy& accuracy) {
     const EquationResiduals& residuals = accuracy.residuals;
     QJsonArray rows;
     for (const AccuracyRow& row : accuracy.rows) rows.append(rowJson(row));
     const QJsonObject object{
         {"version", versionText},
         {"title", jsonText(scenario.title)},
+        {"scenario", jsonText(scenarioText)},
         {"pulse", jsonText(name(scenario.pulse.shape))},
         {"groups", groupsJson(accuracy.groups)},
         {"cor", accuracy.exact.cor},

@@ -12,8 +12,8 @@ namespace drillwave {
 /// A table for people, with what its columns mean and what the checks show.
 std::string accuracyText(const Scenario& scenario, const Accuracy& accuracy);
 
-/// One JSON object; numbers that there are none of are null.
-QByteArray accuracyJson(const Scenario& scenario, const Accuracy& accuracy);
+/// One JSON object, with the text that gives the scenario again; numbers that there are none of are null.
+QByteArray accuracyJson(const Scenario& scenario, const std::string& scenarioText, const Accuracy& accuracy);
 
 /// One row for each method and resolution; empty cells where there is no number.
 std::string accuracyCsv(const Accuracy& accuracy);

@@ -1,6 +1,7 @@
 #include "app/arguments.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "app/command_error.h"
@@ -33,14 +34,47 @@ OptionWord split(std::string_view word) {
     return option;
 }
 
+/// What other programs call an option.
+constexpr auto otherNames = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"jobs", "j"},
+    {"threads", "j"},
+    {"parallel", "j"},
+    {"out", "o"},
+    {"output", "o"},
+    {"output-dir", "o"},
+    {"overwrite", "force"},
+    {"format", "json"},
+    {"param", "set"},
+    {"axis", "vary"},
+});
+
+/// The option most like an unknown long one; nothing is like a single letter.
+const OptionSpec* nearestOption(std::string_view name, std::span<const OptionSpec> options) {
+    std::vector<std::string_view> names;
+    for (const OptionSpec& option : options)
+        if (option.name.size() > 1) names.push_back(option.name);
+    const auto other =
+        std::ranges::find(otherNames, name, &std::pair<std::string_view, std::string_view>::first);
+    const std::string_view near = other != otherNames.end() ? other->second : nearestName(name, names);
+    const auto found = std::ranges::find(options, near, &OptionSpec::name);
+    return found == options.end() ? nullptr : &*found;
+}
+
 [[noreturn]] void refuseUnknown(std::string_view word, std::string_view name,
                                 std::span<const OptionSpec> options) {
-    std::vector<std::string_view> names;
-    for (const OptionSpec& option : options) names.push_back(option.name);
-    const std::string_view near = nearestName(name, names);
-    const auto nearest = std::ranges::find(options, near, &OptionSpec::name);
+    const OptionSpec* nearest = word.starts_with("--") ? nearestOption(name, options) : nullptr;
     refuse("unknown option `" + shortened(word) + "`; " +
-           (near.empty() ? "--help lists the options" : "did you mean `" + nearest->text() + "`?"));
+           (nearest ? "did you mean `" + nearest->text() + "`?" : "--help lists the options"));
+}
+
+/// Quoted where a shell would read more into it than the word.
+std::string shellWord(const std::string& word) {
+    constexpr std::string_view plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%^";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + "'";
 }
 
 bool isOption(std::string_view word) {
@@ -75,6 +109,7 @@ Arguments Arguments::parse(std::span<const std::string> words, std::span<const O
         if (option->value.empty()) {
             if (given.value) refuse("`" + option->text() + "` takes no value");
             given.value = "";
+            arguments.m_switches.push_back(option->name);
         } else if (!given.value) {
             if (i + 1 == words.size())
                 refuse("`" + option->text() + "` needs a value: " + std::string(option->value));
@@ -103,6 +138,24 @@ std::vector<std::string> Arguments::values(std::string_view option) const {
     for (const auto& [name, value] : m_options)
         if (name == option) found.push_back(value);
     return found;
+}
+
+std::string Arguments::shellText(std::span<const std::string_view> without) const {
+    std::string text;
+    const auto add = [&text](const std::string& word) {
+        text += (text.empty() ? "" : " ") + shellWord(word);
+    };
+    if (std::ranges::none_of(m_operands, isOption))
+        for (const std::string& operand : m_operands) add(operand);
+    for (const auto& [name, value] : m_options) {
+        if (std::ranges::find(without, name) != without.end()) continue;
+        add(OptionSpec{name, {}, {}}.text());
+        if (std::ranges::find(m_switches, name) == m_switches.end()) add(value);
+    }
+    if (std::ranges::none_of(m_operands, isOption)) return text;
+    add("--");
+    for (const std::string& operand : m_operands) add(operand);
+    return text;
 }
 
 long Arguments::number(std::string_view option, long fallback, long low, long high) const {

@@ -33,12 +33,16 @@ class Arguments {
     std::vector<std::string> values(std::string_view option) const;
     const std::vector<std::string>& operands() const { return m_operands; }
 
+    /// The words again as a shell takes them, operands first, without the options named.
+    std::string shellText(std::span<const std::string_view> without) const;
+
     /// The whole number given to an option, or `fallback`. Throws CommandError (usage) when it is none or out
     /// of range.
     long number(std::string_view option, long fallback, long low, long high) const;
 
   private:
     std::vector<std::pair<std::string_view, std::string>> m_options;  // names of specs, in the order given
+    std::vector<std::string_view> m_switches;                         // of these, the ones without a value
     std::vector<std::string> m_operands;
 };
 

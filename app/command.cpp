@@ -7,14 +7,17 @@
 namespace drillwave {
 
 std::span<const Command* const> commands() {
-    static const std::array all{
-        &runCommand(),     &sweepCommand(),    &tableCommand(),     &gapCommand(),      &thrustCommand(),
-        &figuresCommand(), &accuracyCommand(), &stabilityCommand(), &validateCommand(), &examplesCommand()};
+    static const std::array all{&runCommand(),      &sweepCommand(),     &tableCommand(),
+                                &gapCommand(),      &thrustCommand(),    &figuresCommand(),
+                                &accuracyCommand(), &stabilityCommand(), &validateCommand(),
+                                &examplesCommand(), &presetsCommand()};
     return all;
 }
 
 Arguments parseArguments(const Command& command, std::span<const std::string> words) {
     Arguments arguments = Arguments::parse(words, command.options);
+    if (arguments.value("o") == std::string())
+        throw CommandError(ExitCode::usage, "-o needs a name, this one is empty; - is standard output");
     const std::size_t given = arguments.operands().size();
     if (given < command.leastOperands)
         throw CommandError(ExitCode::usage, "needs " + std::string(command.operands) + "; see drillwave " +

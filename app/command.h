@@ -35,6 +35,7 @@ const Command& stabilityCommand();
 const Command& accuracyCommand();
 const Command& validateCommand();
 const Command& examplesCommand();
+const Command& presetsCommand();
 
 /// All of them, in the order of the help.
 std::span<const Command* const> commands();

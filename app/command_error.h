@@ -26,12 +26,16 @@ class CommandError : public std::runtime_error {
     /// One line, printed behind the name of the command.
     CommandError(ExitCode code, const std::string& line)
         : std::runtime_error(line), m_code(code), m_lines{line}, m_isLocated(false) {}
-    /// Problems that begin with their place, "file:line:column: …", printed as they are.
-    CommandError(ExitCode code, std::vector<std::string> problems)
+    /// Where the lines of a report begin.
+    enum class Begin {
+        withPlace,   ///< "file:line:column: …", printed as they are
+        withOption,  ///< "--set x: …", printed behind the name of the command
+    };
+    CommandError(ExitCode code, std::vector<std::string> problems, Begin begin = Begin::withPlace)
         : std::runtime_error("problems in the input"),
           m_code(code),
           m_lines(std::move(problems)),
-          m_isLocated(true) {}
+          m_isLocated(begin == Begin::withPlace) {}
 
     ExitCode code() const { return m_code; }
     const std::vector<std::string>& lines() const { return m_lines; }

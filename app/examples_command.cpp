@@ -1,8 +1,9 @@
 // drillwave examples [-o DIR] [NAME]…
+#include <algorithm>
 #include <cstdio>
 
 #include "app/command.h"
-#include "app/output_file.h"
+#include "app/output_folder.h"
 #include "core/file/examples.h"
 #include "core/model/decimal_text.h"
 #include "core/model/nearest_name.h"
@@ -23,7 +24,9 @@ const Example& namedExample(const std::string& name) {
 
 std::vector<Example> chosenExamples(const Arguments& arguments) {
     std::vector<Example> chosen;
-    for (const std::string& name : arguments.operands()) chosen.push_back(namedExample(name));
+    for (const std::string& name : arguments.operands())
+        if (std::ranges::find(chosen, name, &Example::name) == chosen.end())
+            chosen.push_back(namedExample(name));
     if (chosen.empty()) chosen.assign(builtInExamples().begin(), builtInExamples().end());
     return chosen;
 }
@@ -44,13 +47,16 @@ void print(const std::vector<Example>& examples, OutputFile& out) {
 }
 
 void writeInto(const std::string& directory, const std::vector<Example>& examples, Overwrite overwrite) {
-    makeFolder(directory);
-    const auto pathOf = [&](const Example& example) { return directory + "/" + example.name + ".yaml"; };
-    for (const Example& example : examples) checkOverwrite(pathOf(example), overwrite);
-    for (const Example& example : examples) {
-        writeFile(pathOf(example), example.text, overwrite);
-        std::printf("%s\n", pathOf(example).c_str());
-    }
+    const Interruption interruption;
+    FolderFiles folder;
+    for (const Example& example : examples)
+        folder.files.push_back(
+            {QString::fromStdString(example.name) + QStringLiteral(".yaml"),
+             QByteArray(example.text.data(), static_cast<qsizetype>(example.text.size()))});
+    checkFolder(directory, folder.names(), overwrite);
+    writeFolder(directory, folder, overwrite, interruption);
+    for (const Example& example : examples)
+        std::printf("%s/%s.yaml\n", directory.c_str(), example.name.c_str());
 }
 
 ExitCode runExamples(const Arguments& arguments) {

@@ -5,7 +5,7 @@
 #include "app/command.h"
 #include "app/figures_page.h"
 #include "app/interruption.h"
-#include "app/output_file.h"
+#include "app/output_folder.h"
 #include "core/study/figures.h"
 #include "ui/plots/figure_plot.h"
 
@@ -13,34 +13,31 @@ namespace drillwave {
 
 namespace {
 
-/// A file to be written, complete in memory.
-struct PageFile {
-    std::string name;
-    std::string bytes;
-};
-
-std::string drawn(const Figure& figure, const char* format) {
-    const QByteArray bytes = drawFigure(figure, QString::fromLatin1(format));
+QByteArray drawn(const Figure& figure, const QString& format) {
+    const QByteArray bytes = drawFigure(figure, format);
     if (bytes.isEmpty())
         throw CommandError(ExitCode::internalError,
                            "Fig. " + std::to_string(figure.number) + " could not be drawn");
-    return bytes.toStdString();
+    return bytes;
 }
 
-/// In the order of writing: the page last, so that a folder with a page is complete.
-std::vector<PageFile> filesOf(const std::vector<Figure>& figures, const std::vector<Discrepancy>& numbers,
-                              const Interruption& interruption) {
-    std::vector<PageFile> files;
+/// The page last, so that a folder with a page is complete.
+FolderFiles filesOf(const std::vector<Figure>& figures, const std::vector<Discrepancy>& numbers,
+                    const Interruption& interruption) {
+    FolderFiles folder;
+    const auto add = [&](const std::string& name, const std::string& text) {
+        folder.files.push_back({QString::fromStdString(name), QByteArray::fromStdString(text)});
+    };
     for (const Figure& figure : figures) {
-        for (const FigurePanel& panel : figure.panels)
-            files.push_back({panel.name + ".csv", panelCsv(panel)});
-        for (const char* format : {"png", "svg"})
-            files.push_back({"fig" + std::to_string(figure.number) + "." + format, drawn(figure, format)});
+        for (const FigurePanel& panel : figure.panels) add(panel.name + ".csv", panelCsv(panel));
+        for (const QString& format : {QStringLiteral("png"), QStringLiteral("svg")})
+            folder.files.push_back(
+                {QStringLiteral("fig%1.%2").arg(figure.number).arg(format), drawn(figure, format)});
         interruption.check();
     }
-    files.push_back({"discrepancies.csv", discrepanciesCsv(numbers)});
-    files.push_back({"index.html", figuresPage(figures, numbers)});
-    return files;
+    add("discrepancies.csv", discrepanciesCsv(numbers));
+    add("index.html", figuresPage(figures, numbers));
+    return folder;
 }
 
 ExitCode runFigures(const Arguments& arguments) {
@@ -48,6 +45,7 @@ ExitCode runFigures(const Arguments& arguments) {
     if (!directory) throw CommandError(ExitCode::usage, "needs -o DIR, the folder for the figures");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const Interruption interruption;
+    if (*directory != "-") checkFolder(*directory, {}, overwrite);
     const std::vector<Discrepancy> numbers = discrepancies(interruption.token());
     interruption.check();
     if (*directory == "-") {
@@ -56,13 +54,11 @@ ExitCode runFigures(const Arguments& arguments) {
     }
     const std::vector<Figure> figures = paperFigures(interruption.token());
     interruption.check();
-    const std::vector<PageFile> files = filesOf(figures, numbers, interruption);
-    makeFolder(*directory);
-    for (const PageFile& file : files) checkOverwrite(*directory + "/" + file.name, overwrite);
-    for (const PageFile& file : files) writeFile(*directory + "/" + file.name, file.bytes, overwrite);
+    const FolderFiles folder = filesOf(figures, numbers, interruption);
+    writeFolder(*directory, folder, overwrite, interruption);
     const auto agreeing = std::ranges::count_if(numbers, &Discrepancy::agrees);
     std::printf("%zu files in %s; %zu of %zu printed numbers agree, see index.html or discrepancies.csv\n",
-                files.size(), directory->c_str(), static_cast<std::size_t>(agreeing), numbers.size());
+                folder.files.size(), directory->c_str(), static_cast<std::size_t>(agreeing), numbers.size());
     return ExitCode::done;
 }
 

@@ -58,7 +58,7 @@ std::optional<NormalGap> normalOf(const Arguments& arguments, const Scenario& sc
 GapCurve followGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
                    const Interruption& interruption) {
     constexpr double parts = 1000;
-    ProgressBar bar(static_cast<std::uint64_t>(parts), "permille");
+    ProgressBar bar(static_cast<std::uint64_t>(parts));
     const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
     const PulseForce pulse = pulseForceOf(scenario);
     const Groups groups = groupsOf(scenario);
@@ -77,7 +77,8 @@ GapReport study(const Scenario& scenario, const std::optional<NormalGap>& normal
                      .curve = followGap(scenario, normal, interruption),
                      .normal = normal,
                      .statistics = {},
-                     .runTime = 0};
+                     .runTime = 0,
+                     .scenarioText = {}};
     if (report.curve.isComplete()) report.statistics = gapStatistics(report.curve, normal);
     report.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
     return report;
@@ -89,7 +90,13 @@ ExitCode runGap(const Arguments& arguments) {
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     if (arguments.has("force") && !csvPath)
         throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+    const OutputUnits units = arguments.has("si") ? OutputUnits::si : OutputUnits::dimensionless;
+    if (arguments.has("si") && !csvPath)
+        throw CommandError(ExitCode::usage, "--si is about the file of -o; add -o FILE.csv");
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    if (units == OutputUnits::si && document.scenario.form != ScenarioForm::dimensional)
+        throw CommandError(ExitCode::usage,
+                           "--si: " + path + " is given by its dimensionless groups and has no SI units");
     const std::optional<NormalGap> normal = normalOf(arguments, document.scenario);
     if (csvPath) {
         checkOutputIsNoInput(*csvPath, path, document);
@@ -97,12 +104,13 @@ ExitCode runGap(const Arguments& arguments) {
     }
 
     const Interruption interruption;
-    const GapReport report = study(document.scenario, normal, interruption);
+    remarkOnValues(document.scenario, path);
+    GapReport report = study(document.scenario, normal, interruption);
+    report.scenarioText = completeScenarioText(document);
     if (!report.curve.isComplete())
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved at all gaps: " + report.curve.reason);
-    if (csvPath)
-        writeFile(*csvPath, scenarioHeader(completeScenarioText(document)) + gapCsv(report.curve), overwrite);
+    if (csvPath) writeFile(*csvPath, scenarioHeader(report.scenarioText) + gapCsv(report, units), overwrite);
     if (csvPath == "-") return ExitCode::done;
     writeFile("-", arguments.has("json") ? gapJson(report).toStdString() : gapText(report),
               Overwrite::allowed);
@@ -121,14 +129,14 @@ const Command& gapCommand() {
             "where they lie, mean, 5, 50 and 95 % quantiles, and the share of gaps with e > 1, for all gaps "
             "of\n"
             "a period alike and, with --gap-deviation, for a gap scattered normally (cut off at no gap).",
-        .options = {setOption,
-                    {"gap-mean", "GAP",
-                     "mean of the scattered gap, as 0.5mm or, in d0, 0.2; that of FILE if not given"},
-                    {"gap-deviation", "GAP", "standard deviation of the scattered gap"},
-                    {"json", "", "print one JSON object in place of the table"},
-                    {"o", "FILE.csv",
-                     "also write the results along the gap; - prints them instead of the table"},
-                    {"force", "", "overwrite an existing file"}},
+        .options = scenarioOptions(
+            {{"gap-mean", "GAP",
+              "mean of the scattered gap, as 0.5mm or, in d0, 0.2; that of FILE if not given"},
+             {"gap-deviation", "GAP", "standard deviation of the scattered gap"},
+             {"json", "", "print one JSON object in place of the table"},
+             {"o", "FILE.csv", "also write the results along the gap; - prints them instead of the table"},
+             {"si", "", "with -o, columns in SI, with units in the header"},
+             {"force", "", "overwrite an existing file"}}),
         .leastOperands = 1,
         .mostOperands = 1,
         .draws = [](const Arguments&) { return false; },

@@ -92,6 +92,7 @@ QByteArray gapJson(const GapReport& report) {
     QJsonObject object{
         {"version", versionText},
         {"title", jsonText(report.scenario.title)},
+        {"scenario", jsonText(report.scenarioText)},
         {"groups", groupsJson(groupsOf(report.scenario))},
         {"depends_on_gap", report.curve.dependsOnGap},
         {"period", QJsonObject{{"start", report.curve.periodStart}, {"end", report.curve.end}}},
@@ -109,17 +110,26 @@ QByteArray gapJson(const GapReport& report) {
         const Scales scales = scalesOf(report.scenario);
         object["si_scales"] = QJsonObject{
             {"gap", scales.penetration}, {"impulse", scales.impulse}, {"peak_force", scales.force}};
+        object["units"] = QJsonObject{{"gap", unitJson(Quantity::length)},
+                                      {"impulse", unitJson(Quantity::impulse)},
+                                      {"peak_force", unitJson(Quantity::force)}};
     }
     return QJsonDocument(object).toJson(QJsonDocument::Indented);
 }
 
-std::string gapCsv(const GapCurve& curve) {
-    std::string csv = "delta,cor,impulse,peak_force,efficiency\n";
-    for (const double gap : sampleGaps(curve)) {
-        appendNumber(csv, gap);
+std::string gapCsv(const GapReport& report, OutputUnits units) {
+    const bool si = units == OutputUnits::si;
+    const Scales scales = si ? scalesOf(report.scenario) : Scales{};
+    std::string csv = si ? "bit_rock.gap [m]" : "delta";
+    for (const NamedOutput& named : namedOutputs)
+        csv += "," + OutputColumn{findOutput(named.name), units}.header();
+    csv += '\n';
+    for (const double gap : sampleGaps(report.curve)) {
+        appendNumber(csv, gap * scales.penetration);
         for (const NamedOutput& named : namedOutputs) {
             csv += ',';
-            appendNumber(csv, curve.value(named.output, gap) + named.plus);
+            const double scale = findOutput(named.name)->scale(scales);
+            appendNumber(csv, (report.curve.value(named.output, gap) + named.plus) * scale);
         }
         csv += '\n';
     }

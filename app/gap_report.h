@@ -7,6 +7,7 @@
 
 #include "core/model/scenario.h"
 #include "core/study/gap_statistics.h"
+#include "core/study/output_column.h"
 
 namespace drillwave {
 
@@ -16,7 +17,8 @@ struct GapReport {
     GapCurve curve;
     std::optional<NormalGap> normal;
     GapStatistics statistics;
-    double runTime = 0;  ///< [s]
+    double runTime = 0;        ///< [s]
+    std::string scenarioText;  ///< gives the same scenario again
 
     /// What the reader should know about the period, empty when it begins at no gap.
     std::string periodRemark() const;
@@ -28,7 +30,7 @@ std::string gapText(const GapReport& report);
 /// One JSON object, dimensionless, with the scales that lead to SI.
 QByteArray gapJson(const GapReport& report);
 
-/// The curve: gap and all outputs, kinks included.
-std::string gapCsv(const GapCurve& curve);
+/// The curve: gap and all outputs, kinks included. SI needs a dimensional scenario.
+std::string gapCsv(const GapReport& report, OutputUnits units);
 
 }  // namespace drillwave

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/scenario_argument.h"
+
 namespace drillwave {
 
 namespace {
@@ -21,9 +23,9 @@ std::string programHelp() {
         "Usage: drillwave [FILE]             open the window (with a scenario file or a result)\n"
         "       drillwave COMMAND ARGUMENTS  work without a window\n"
         "\nCommands:\n";
-    for (const Command* command : commands()) help += line(std::string(command->name), command->summary, 8);
+    for (const Command* command : commands()) help += line(std::string(command->name), command->summary, 9);
     help +=
-        "\n  drillwave COMMAND --help  says more; --version prints the version.\n"
+        "\n  drillwave help COMMAND  says more, as COMMAND --help and -h do; version prints the version.\n"
         "  Without a display the window needs `-platform offscreen`.\n"
         "  drillwave --reset-ui  opens the window with its first layout, page, units and choices.\n"
         "\nExit codes: 0 done, 1 internal error, 2 usage, 3 input cannot be read, 4 output cannot be\n"
@@ -34,11 +36,12 @@ std::string programHelp() {
 std::string commandHelp(const Command& command) {
     std::string help = "Usage: drillwave " + std::string(command.name) + " " + std::string(command.operands) +
                        " [OPTION]…\n\n" + std::string(command.summary) + ".\n";
-    std::size_t width = std::string_view("--version").size();
+    if (command.operands.starts_with("FILE")) help += "\n" + std::string(scenarioOperandHelp) + "\n";
+    std::size_t width = std::string_view("-h, --help").size();
     for (const OptionSpec& option : command.options) width = std::max(width, synopsis(option).size());
     help += "\nOptions:\n";
     for (const OptionSpec& option : command.options) help += line(synopsis(option), option.help, width);
-    help += line("--help", "this text", width) + line("--version", "version of the program", width);
+    help += line("-h, --help", "this text", width) + line("--version", "version of the program", width);
     if (!command.details.empty()) help += "\n" + std::string(command.details) + "\n";
     return help;
 }

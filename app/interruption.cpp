@@ -5,6 +5,8 @@
 
 #include <cerrno>
 #include <csignal>
+#include <string_view>
+#include <system_error>
 
 #include "app/command_error.h"
 
@@ -28,31 +30,47 @@ void onSignal(int) {
     send(interrupted);
 }
 
-void handleOnce(int signal) {
+void exitAtOnce(int) {
+    constexpr std::string_view words = "drillwave: interrupted\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, words.data(), words.size());
+    ::_exit(static_cast<int>(ExitCode::interrupted));
+}
+
+void handleOnce(int signal, void (*handler)(int)) {
     struct sigaction action {};
-    action.sa_handler = onSignal;
+    action.sa_handler = handler;
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
     ::sigaction(signal, &action, nullptr);
 }
 
 }  // namespace
 
+void exitOnInterruption() {
+    handleOnce(SIGINT, exitAtOnce);
+    handleOnce(SIGTERM, exitAtOnce);
+}
+
 Interruption::Interruption() {
     if (::pipe2(wakeUp, O_CLOEXEC) != 0)
         throw CommandError(ExitCode::internalError, "no pipe left for the signal handler; close some files");
-    m_watcher = std::jthread([this] {
+    const auto watch = [this] {
         char byte = ended;
         while (::read(wakeUp[0], &byte, 1) < 0 && errno == EINTR) {
         }
         if (byte == interrupted) m_source.request_stop();
-    });
-    handleOnce(SIGINT);
-    handleOnce(SIGTERM);
+    };
+    try {
+        m_watcher = std::jthread(watch);
+    } catch (const std::system_error& error) {
+        throw CommandError(ExitCode::internalError, "no thread can be started: " + error.code().message() +
+                                                        "; raise the limit of processes or memory (ulimit)");
+    }
+    handleOnce(SIGINT, onSignal);
+    handleOnce(SIGTERM, onSignal);
 }
 
 Interruption::~Interruption() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    exitOnInterruption();
     send(ended);
     m_watcher.join();
     ::close(wakeUp[0]);

@@ -6,6 +6,10 @@
 
 namespace drillwave {
 
+/// From here on the first SIGINT or SIGTERM ends the program with ExitCode::interrupted, in one line: there
+/// is nothing yet that could be left behind.
+void exitOnInterruption();
+
 /// While one exists, the first SIGINT or SIGTERM requests a stop instead of ending the program; a second one
 /// ends it at once. At most one at a time.
 class Interruption {

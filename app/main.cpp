@@ -1,17 +1,25 @@
 // Picks between the subcommands, which never need a display, and the window.
 #include <QApplication>
 #include <QCoreApplication>
+#include <algorithm>
+#include <cerrno>
 #include <clocale>
 #include <cstdio>
 #include <exception>
+#include <initializer_list>
 #include <new>
 #include <span>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "app/command.h"
 #include "app/help_text.h"
+#include "app/interruption.h"
 #include "app/window.h"
+#include "core/file/scenario_file.h"
+#include "core/model/decimal_text.h"
 #include "core/model/version.h"
 
 namespace {
@@ -19,20 +27,14 @@ namespace {
 using namespace drillwave;
 
 int print(const std::string& text) {
-    const bool printed = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
-    return static_cast<int>(printed ? ExitCode::done : ExitCode::unwritableOutput);
+    if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0)
+        return static_cast<int>(ExitCode::done);
+    const std::string reason = std::generic_category().message(errno);
+    throw CommandError(ExitCode::unwritableOutput, "standard output: cannot be written: " + reason);
 }
 
 int printVersion() {
     return print(std::string("drillwave ") + versionText + "\n");
-}
-
-bool asksFor(std::span<const std::string> words, const std::string& option) {
-    for (const std::string& word : words) {
-        if (word == "--") return false;
-        if (word == option) return true;
-    }
-    return false;
 }
 
 const Command* findCommand(const std::string& name) {
@@ -41,18 +43,41 @@ const Command* findCommand(const std::string& name) {
     return nullptr;
 }
 
-// The application object takes over the user's locale, and with it a decimal comma in what printf writes.
-void writeNumbersPlainly() {
+bool asksFor(std::span<const std::string> words, std::initializer_list<std::string_view> options) {
+    for (const std::string& word : words) {
+        if (word == "--") return false;
+        if (std::ranges::find(options, word) != options.end()) return true;
+    }
+    return false;
+}
+
+bool asksForHelp(std::span<const std::string> words) {
+    return asksFor(words, {"--help", "-h"});
+}
+
+/// `drillwave help [COMMAND]`.
+int printHelp(std::span<const std::string> words) {
+    if (words.empty() || asksForHelp(words)) return print(programHelp());
+    if (const Command* command = findCommand(words.front())) return print(commandHelp(*command));
+    throw CommandError(ExitCode::usage,
+                       "`" + shortened(words.front()) + "` is not a command; `drillwave help` lists them");
+}
+
+// The application object takes over the user's locale, and with it a decimal comma in what printf writes, and
+// the reasons of the system in another language than the sentences they stand in.
+void writePlainly() {
     std::setlocale(LC_NUMERIC, "C");
+    std::setlocale(LC_MESSAGES, "C");
 }
 
 int runCommand(const Command& command, std::span<const std::string> words, int argc, char** argv) {
-    if (asksFor(words, "--help")) return print(commandHelp(command));
-    if (asksFor(words, "--version")) return printVersion();
+    if (asksForHelp(words)) return print(commandHelp(command));
+    if (asksFor(words, {"--version"})) return printVersion();
+    exitOnInterruption();
     const Arguments arguments = parseArguments(command, words);
     if (!command.draws(arguments)) {
         const QCoreApplication application(argc, argv);
-        writeNumbersPlainly();
+        writePlainly();
         return static_cast<int>(command.run(arguments));
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -61,13 +86,36 @@ int runCommand(const Command& command, std::span<const std::string> words, int a
         if (type == QtFatalMsg) std::fprintf(stderr, "%s\n", message.toUtf8().constData());
     });
     const QApplication application(argc, argv);
-    writeNumbersPlainly();
+    writePlainly();
     return static_cast<int>(command.run(arguments));
 }
 
-int report(const std::string& who, const CommandError& error) {
+bool continuesCharacter(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
+}
+
+/// A message with the middle left out of words of the command line, paths mostly, that would fill the screen.
+std::string withShortWords(std::string line, std::span<const std::string> words) {
+    constexpr std::size_t longest = 200;
+    constexpr std::size_t kept = 60;  // bytes at either end
+    for (const std::string& word : words) {
+        if (word.size() <= longest) continue;
+        std::size_t head = kept;
+        std::size_t tail = word.size() - kept;
+        while (head > 0 && continuesCharacter(word[head])) --head;
+        while (tail < word.size() && continuesCharacter(word[tail])) ++tail;
+        const std::string brief = word.substr(0, head) + "…" + word.substr(tail);
+        for (std::size_t at = line.find(word); at != std::string::npos;
+             at = line.find(word, at + brief.size()))
+            line.replace(at, word.size(), brief);
+    }
+    return line;
+}
+
+int report(const std::string& who, const CommandError& error, std::span<const std::string> words) {
     for (const std::string& line : error.lines())
-        std::fprintf(stderr, "%s%s\n", error.isLocated() ? "" : who.c_str(), line.c_str());
+        std::fprintf(stderr, "%s%s\n", error.isLocated() ? "" : who.c_str(),
+                     withShortWords(line, words).c_str());
     return static_cast<int>(error.code());
 }
 
@@ -85,11 +133,15 @@ int main(int argc, char** argv) {
     const std::string who = command ? "drillwave " + std::string(command->name) + ": " : "drillwave: ";
     try {
         if (command) return runCommand(*command, std::span(words).subspan(1), argc, argv);
-        if (asksFor(words, "--help") || asksFor(words, "-h")) return print(programHelp());
-        if (asksFor(words, "--version")) return printVersion();
+        const std::string first = words.empty() ? std::string() : words.front();
+        if (first == "help") return printHelp(std::span(words).subspan(1));
+        if (asksForHelp(words)) return print(programHelp());
+        if (first == "version" || asksFor(words, {"--version"})) return printVersion();
         return openWindow(argc, argv);
     } catch (const CommandError& error) {
-        return report(who, error);
+        return report(who, error, words);
+    } catch (const ScenarioError& error) {
+        return report(who, CommandError(ExitCode::invalidScenario, error.lines()), words);
     } catch (const std::bad_alloc&) {
         return internalError(who, "out of memory");
     } catch (const std::exception& error) {

@@ -7,12 +7,14 @@
 namespace drillwave {
 
 std::vector<OptionSpec> methodOptionSpecs() {
-    return {{"method", "NAME", "how to solve it: exact (if not given), lattice or closed_form"},
+    return {{"method", "NAME",
+             "exact, lattice or closed_form; if not given, that of the result FILE is, or exact"},
             {"segments", "N", "of the lattice, 10000 as in the paper if not given"}};
 }
 
-MethodChoice methodChoice(const Arguments& arguments) {
+MethodChoice methodChoice(const Arguments& arguments, const std::optional<MethodChoice>& ofResult) {
     MethodChoice choice;
+    if (ofResult && !arguments.has("method")) choice = *ofResult;
     const std::string given = arguments.value("method").value_or(std::string(name(choice.method)));
     const std::optional<Method> method = findMethod(given);
     if (!method) {

@@ -1,6 +1,7 @@
 // --method and --segments.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace drillwave {
 /// The two options, for a command's table of options.
 std::vector<OptionSpec> methodOptionSpecs();
 
-/// What they choose. Throws CommandError (usage).
-MethodChoice methodChoice(const Arguments& arguments);
+/// What they choose; without --method that of a result which is solved again, as loadScenarioInput() found
+/// it, or else exact. Throws CommandError (usage).
+MethodChoice methodChoice(const Arguments& arguments, const std::optional<MethodChoice>& ofResult = {});
 
 /// Throws CommandError (usage) if the method says nothing about this scenario, which `path` names.
 void checkMethodApplies(const MethodChoice& choice, const Scenario& scenario, const std::string& path);

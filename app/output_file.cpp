@@ -1,11 +1,11 @@
 #include "app/output_file.h"
 
-#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <cstdio>
 
 #include "app/command_error.h"
+#include "ui/export/whole_file.h"
 
 namespace drillwave {
 
@@ -15,10 +15,6 @@ bool isStandardOutput(const std::string& path) {
     return path == "-";
 }
 
-QString nameOf(const std::string& path) {
-    return QFile::decodeName(QByteArray::fromStdString(path));
-}
-
 /// Something like /dev/null or a pipe, which cannot be replaced by a file.
 bool isDevice(const QFileInfo& info) {
     return info.exists() && !info.isFile() && !info.isDir();
@@ -26,8 +22,18 @@ bool isDevice(const QFileInfo& info) {
 
 }  // namespace
 
+QString fileName(const std::string& path) {
+    const QByteArray bytes = QByteArray::fromStdString(path);
+    const QString name = QFile::decodeName(bytes);
+    if (QFile::encodeName(name) != bytes)
+        throw CommandError(
+            ExitCode::unwritableOutput,
+            name.toStdString() + ": the name has bytes that are not UTF-8; choose another one");
+    return name;
+}
+
 void checkOverwrite(const std::string& path, Overwrite overwrite) {
-    const QFileInfo info(nameOf(path));
+    const QFileInfo info(fileName(path));
     if (isStandardOutput(path) || isDevice(info)) return;
     if (info.isDir())
         throw CommandError(ExitCode::unwritableOutput, path + ": is a folder; give the name of a file");
@@ -37,15 +43,9 @@ void checkOverwrite(const std::string& path, Overwrite overwrite) {
                            path + ": exists already; use --force to overwrite it or choose another name");
 }
 
-void makeFolder(const std::string& path) {
-    if (!QDir().mkpath(nameOf(path)))
-        throw CommandError(ExitCode::unwritableOutput,
-                           path + ": the folder cannot be made; choose another one with -o");
-}
-
 OutputFile::OutputFile(const std::string& path, Overwrite overwrite) : m_path(path) {
     checkOverwrite(path, overwrite);
-    const QString name = nameOf(path);
+    const QString name = fileName(path);
     bool open = false;
     if (isStandardOutput(path)) {
         auto file = std::make_unique<QFile>();
@@ -53,22 +53,25 @@ OutputFile::OutputFile(const std::string& path, Overwrite overwrite) : m_path(pa
         m_file = std::move(file);
     } else if (isDevice(QFileInfo(name))) {
         m_file = std::make_unique<QFile>(name);
-        open = m_file->open(QIODevice::WriteOnly);
+        open = m_file->open(QIODevice::WriteOnly | QIODevice::Unbuffered);
     } else {
         m_file = std::make_unique<QSaveFile>(name);
-        open = m_file->open(QIODevice::WriteOnly);
+        open = m_file->open(QIODevice::WriteOnly | QIODevice::Unbuffered);
     }
     if (!open) fail();
 }
 
 void OutputFile::write(std::string_view text) {
-    const auto size = static_cast<qint64>(text.size());
-    if (m_file->write(text.data(), size) != size) fail();
+    if (!writeAll(*m_file, text.data(), static_cast<qint64>(text.size()))) fail();
+}
+
+void OutputFile::flush() {
+    if (!m_file->flush()) fail();
 }
 
 void OutputFile::commit() {
-    // QSaveFile's commit() alone misses that the last bytes found no room, and puts a short file in place.
-    if (!m_file->flush()) fail();
+    // The C library holds the last bytes for standard output back, and would lose them without a word.
+    flush();
     auto* saved = qobject_cast<QSaveFile*>(m_file.get());
     if (saved && !saved->commit()) fail();
 }
@@ -76,8 +79,8 @@ void OutputFile::commit() {
 void OutputFile::fail() const {
     const std::string name = isStandardOutput(m_path) ? "standard output" : m_path;
     throw CommandError(ExitCode::unwritableOutput,
-                       name + ": cannot be written: " + m_file->errorString().toStdString() +
-                           "; free some space or choose another place with -o");
+                       name + ": cannot be written: " + m_file->errorString().toStdString() + "; " +
+                           (isFull(*m_file) ? "free some space or " : "") + "choose another place with -o");
 }
 
 void writeFile(const std::string& path, std::string_view text, Overwrite overwrite) {

@@ -13,8 +13,9 @@ enum class Overwrite { refused, allowed };
 /// Throws CommandError (unwritable output) when a file of that name exists and may not be overwritten.
 void checkOverwrite(const std::string& path, Overwrite overwrite);
 
-/// Makes a folder and those it is in, if they are not there. Throws CommandError (unwritable output).
-void makeFolder(const std::string& path);
+/// The path as Qt takes it. Throws CommandError (unwritable output) for bytes that are no UTF-8, which Qt
+/// would turn into another name.
+QString fileName(const std::string& path);
 
 /// One output. All failures throw CommandError (unwritable output), at opening already where they can be
 /// known then.
@@ -25,6 +26,8 @@ class OutputFile {
     OutputFile(const std::string& path, Overwrite overwrite);
 
     void write(std::string_view text);
+    /// Finds out whether everything written so far has found room.
+    void flush();
     /// Makes everything written visible and durable as far as the system tells.
     void commit();
 

@@ -3,8 +3,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <condition_variable>
 #include <cstdio>
+#include <mutex>
 #include <string>
+#include <system_error>
 
 namespace drillwave {
 
@@ -39,10 +42,35 @@ void ProgressBar::show(std::uint64_t done) {
     const double rate = static_cast<double>(done) / elapsed;
     const auto filled = static_cast<std::size_t>(share * width);
     std::string bar = "\r\033[K[" + std::string(filled, '#') + std::string(width - filled, ' ') + "] " +
-                      std::to_string(static_cast<int>(share * 100)) + " %  " +
-                      std::to_string(static_cast<std::uint64_t>(rate)) + " " + std::string(m_unit) + "/s";
+                      std::to_string(static_cast<int>(share * 100)) + " %";
+    if (!m_unit.empty())
+        bar += "  " + std::to_string(static_cast<std::uint64_t>(rate)) + " " + std::string(m_unit) + "/s";
     if (rate > 0) bar += "  " + duration(static_cast<double>(m_total - done) / rate) + " left";
     std::fputs(bar.c_str(), stderr);
 }
+
+ElapsedTime::ElapsedTime() {
+    if (::isatty(STDERR_FILENO) != 1) return;
+    const auto draw = [](const std::stop_token& stop) {
+        std::mutex mutex;
+        std::condition_variable_any stopped;
+        std::unique_lock lock(mutex);
+        bool drawn = false;
+        for (int seconds = 1;; ++seconds) {
+            stopped.wait_for(lock, stop, std::chrono::seconds(1), [] { return false; });
+            if (stop.stop_requested()) break;
+            drawn = true;
+            std::fprintf(stderr, "\r\033[Ksolving for %s; Ctrl-C ends it", duration(seconds).c_str());
+        }
+        if (drawn) std::fputs("\r\033[K", stderr);
+    };
+    try {
+        m_drawing = std::jthread(draw);
+    } catch (const std::system_error&) {
+        // No thread is left: the work goes on unseen.
+    }
+}
+
+ElapsedTime::~ElapsedTime() = default;
 
 }  // namespace drillwave

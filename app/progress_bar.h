@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <string_view>
+#include <thread>
 
 namespace drillwave {
 
@@ -11,8 +12,8 @@ namespace drillwave {
 /// second.
 class ProgressBar {
   public:
-    /// `unit` names what is counted, "points".
-    ProgressBar(std::uint64_t total, std::string_view unit);
+    /// `unit` names what is counted, "points"; empty where only the share is known.
+    explicit ProgressBar(std::uint64_t total, std::string_view unit = {});
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
@@ -27,6 +28,19 @@ class ProgressBar {
     bool m_drawn = false;
     Clock::time_point m_start = Clock::now();
     Clock::time_point m_nextDrawing = m_start + std::chrono::seconds(1);
+};
+
+/// Draws "solving for 3 s; Ctrl-C ends it" on stderr, when that is a terminal and the work, whose end nobody
+/// can tell, lasts over a second.
+class ElapsedTime {
+  public:
+    ElapsedTime();
+    ~ElapsedTime();
+    ElapsedTime(const ElapsedTime&) = delete;
+    ElapsedTime& operator=(const ElapsedTime&) = delete;
+
+  private:
+    std::jthread m_drawing;
 };
 
 }  // namespace drillwave

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
+#include <filesystem>
 #include <thread>
 
 #include "app/method_options.h"
@@ -16,12 +16,18 @@ namespace {
 
 constexpr long maximumJobs = 1024;
 
-std::vector<OutputColumn> columnsOf(const Arguments& arguments) {
-    const auto units = arguments.has("si") ? OutputUnits::si : OutputUnits::dimensionless;
-    OutputChoice choice = chooseOutputs(arguments.value("outputs").value_or("cor"), units);
-    if (!choice.problem.empty()) throw CommandError(ExitCode::usage, "--outputs: " + choice.problem);
-    return std::move(choice.columns);
+OutputUnits unitsOf(const Arguments& arguments) {
+    return arguments.has("si") ? OutputUnits::si : OutputUnits::dimensionless;
 }
+
+OutputChoice outputsOf(const Arguments& arguments) {
+    OutputChoice choice = chooseOutputs(arguments.value("outputs").value_or("cor"), unitsOf(arguments));
+    if (!choice.problem.empty()) throw CommandError(ExitCode::usage, "--outputs: " + choice.problem);
+    return choice;
+}
+
+/// What changes where the rows go and how fast, not what they are.
+constexpr std::string_view aboutTheFile[] = {"o", "force", "j"};
 
 bool readCount(std::string_view text, std::uint64_t& number) {
     const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -42,6 +48,22 @@ Shard shardOf(const Arguments& arguments) {
     return shard;
 }
 
+/// "2 rows: it needs more wave pieces than permitted …", and what to do about it.
+std::string reasonsOf(const RowCounts& counts, long workLimit) {
+    std::string text;
+    std::uint64_t told = 0;
+    bool atLimit = false;
+    for (const RowFailure& failure : counts.failures) {
+        text += (text.empty() ? "" : "; ") + std::to_string(failure.rows) +
+                (failure.rows == 1 ? " row: " : " rows: ") + failure.reason;
+        told += failure.rows;
+        atLimit |= failure.reason.find("wave pieces") != std::string::npos;
+    }
+    if (told < counts.failed) text += "; " + std::to_string(counts.failed - told) + " for other reasons";
+    if (atLimit) text += "; --work-limit, now " + std::to_string(workLimit) + ", permits more";
+    return text;
+}
+
 int allThreads() {
     return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 1024U));
 }
@@ -49,15 +71,18 @@ int allThreads() {
 }  // namespace
 
 std::vector<OptionSpec> rowOptionSpecs() {
-    std::vector<OptionSpec> options{setOption,
-                                    {"outputs", "A,B", "output columns, cor if not given; see below"},
-                                    {"si", "", "outputs in SI, with units in the header"}};
+    std::vector<OptionSpec> options =
+        scenarioOptions({{"outputs", "A,B|all", "output columns, cor if not given; see below"},
+                         {"si", "", "outputs in SI, with units in the header"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
+             {"work-limit", "N",
+              "wave pieces a row may take, 1000000 (at worst 2 s) if not given; else its cells are empty"},
              {"j", "N", "threads to use, all of them if not given"},
              {"shard", "I/N", "only the I-th of N contiguous parts; header only in part 1"},
-             {"o", "FILE.csv", "where to write; - is standard output, as without it"},
-             {"force", "", "overwrite an existing file"}})
+             {"o", "FILE.csv",
+              "where to write, with FILE.csv.yaml beside it; - is standard output, as without"},
+             {"force", "", "overwrite existing files"}})
         options.push_back(option);
     return options;
 }
@@ -71,23 +96,72 @@ std::string outputHelp() {
     };
     for (const Output& output : outputs()) add(output.name, output.meaning);
     add("thrust", "blow frequency times impulse, N, when the scenario has a frequency");
+    add("all", "all of them, the thrust where FILE has a blow frequency");
     return help;
 }
 
-RowOptions rowOptions(const Arguments& arguments) {
-    return {.columns = columnsOf(arguments),
-            .jobs = static_cast<int>(arguments.number("j", allThreads(), 1, maximumJobs)),
-            .shard = shardOf(arguments),
-            .path = arguments.value("o").value_or("-"),
-            .overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused,
-            .method = methodChoice(arguments)};
+RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoice>& method) {
+    OutputChoice outputs = outputsOf(arguments);
+    return {
+        .columns = std::move(outputs.columns),
+        .units = unitsOf(arguments),
+        .allOutputs = outputs.all,
+        .jobs = static_cast<int>(arguments.number("j", allThreads(), 1, maximumJobs)),
+        .shard = shardOf(arguments),
+        .path = arguments.value("o").value_or("-"),
+        .overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused,
+        .method = methodChoice(arguments, method),
+        .workLimit = arguments.number("work-limit", defaultWorkLimit, 1, MethodSolver::defaultMostPieces)};
 }
 
-ExitCode writeRows(const RunRows& run, std::uint64_t rows, OutputFile& out,
+std::vector<OutputColumn> RowOptions::columnsFor(const Scenario& scenario) const {
+    std::vector<OutputColumn> chosen = columns;
+    if (allOutputs) addThrust(chosen, units, scenario);
+    return chosen;
+}
+
+RowRecord recordOf(std::string_view command, const Arguments& arguments, const RowOptions& options,
+                   std::span<const OutputColumn> columns, const ScenarioDocument& base, std::uint64_t rows) {
+    RowRecord record{.command = "drillwave " + std::string(command) + " " + arguments.shellText(aboutTheFile),
+                     .method = options.method,
+                     .rows = rows,
+                     .shard = options.shard,
+                     .axes = {},
+                     .cases = {},
+                     .outputs = {},
+                     .scenario = completeScenarioText(base)};
+    for (const OutputColumn& column : columns) record.outputs.push_back(column.header());
+    return record;
+}
+
+std::string RowFile::recordPath(const std::string& path) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    const bool isDevice = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+    return path == "-" || isDevice ? std::string() : path + ".yaml";
+}
+
+RowFile::RowFile(const RowOptions& options) : m_rows(options.path, options.overwrite) {
+    if (const std::string path = recordPath(options.path); !path.empty())
+        m_record.emplace(path, options.overwrite);
+}
+
+void RowFile::commit(const RowRecord& record) {
+    // Rows beside the record of others would be worse than none: both have room before one is put in place.
+    m_rows.flush();
+    if (m_record) {
+        m_record->write(recordText(record));
+        m_record->flush();
+    }
+    m_rows.commit();
+    if (m_record) m_record->commit();
+}
+
+ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options, RowFile& out,
                    const Interruption& interruption) {
     RowCounts counts;
     {
-        ProgressBar bar(rows, "rows");
+        ProgressBar bar(record.rows, "rows");
         const auto write = [&](std::string_view text) {
             out.write(text);
             return true;
@@ -95,11 +169,12 @@ ExitCode writeRows(const RunRows& run, std::uint64_t rows, OutputFile& out,
         counts = run(interruption.token(), write, [&](const RowCounts& soFar) { bar.show(soFar.rows); });
     }
     if (counts.end == RowsEnd::stopped) interruption.check();
-    out.commit();
+    out.commit(record);
     if (counts.failed == 0) return ExitCode::done;
     throw CommandError(ExitCode::unsolvedOrFailed,
                        std::to_string(counts.failed) + " of " + std::to_string(counts.rows) +
-                           " rows could not be solved: their output cells are empty");
+                           " rows could not be solved: their output cells are empty; " +
+                           reasonsOf(counts, options.workLimit));
 }
 
 }  // namespace drillwave

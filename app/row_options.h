@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -12,6 +14,8 @@
 #include "app/command_error.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
+#include "core/file/row_record.h"
+#include "core/file/scenario_file.h"
 #include "core/study/method.h"
 #include "core/study/output_column.h"
 #include "core/study/rows.h"
@@ -28,22 +32,52 @@ std::string outputHelp();
 /// Their values.
 struct RowOptions {
     std::vector<OutputColumn> columns;
+    OutputUnits units = OutputUnits::dimensionless;
+    bool allOutputs = false;  ///< `--outputs all`: the thrust, too, where there is one
     int jobs = 1;
     Shard shard;
     std::string path;  ///< "-" is standard output
     Overwrite overwrite = Overwrite::refused;
     MethodChoice method;
+    long workLimit = defaultWorkLimit;  ///< wave pieces of a row
+
+    /// For scenarios like this one.
+    std::vector<OutputColumn> columnsFor(const Scenario& scenario) const;
 };
 
-/// Throws CommandError (usage).
-RowOptions rowOptions(const Arguments& arguments);
+/// `method` is that of the result which FILE is. Throws CommandError (usage).
+RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoice>& method);
+
+/// The record of a run of `command` that writes these columns: all but its axes or cases. Throws
+/// ScenarioError where the scenario is too large for a file.
+RowRecord recordOf(std::string_view command, const Arguments& arguments, const RowOptions& options,
+                   std::span<const OutputColumn> columns, const ScenarioDocument& base, std::uint64_t rows);
+
+/// The file of rows, and beside a file with a name the one that says what they are. Both exist when both are
+/// complete.
+class RowFile {
+  public:
+    /// Throws CommandError (unwritable output), also where the record of another file may not be replaced.
+    explicit RowFile(const RowOptions& options);
+
+    void write(std::string_view text) { m_rows.write(text); }
+    void commit(const RowRecord& record);
+
+    /// "map.csv.yaml" beside "map.csv"; empty beside standard output or a device.
+    static std::string recordPath(const std::string& path);
+
+  private:
+    OutputFile m_rows;
+    std::optional<OutputFile> m_record;
+};
 
 /// A run of rows: sweep or table.
 using RunRows =
     std::function<RowCounts(std::stop_token, const WriteText& write, const RowProgress& progress)>;
 
-/// Runs into `out` and commits it, with progress on a terminal. `rows` is how many are expected. Failed rows
-/// are counted on stderr and give ExitCode::unsolvedOrFailed; an interruption leaves no file.
-ExitCode writeRows(const RunRows& run, std::uint64_t rows, OutputFile& out, const Interruption& interruption);
+/// Runs into `out` and commits it with its record, with progress on a terminal. Failed rows are counted on
+/// stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an interruption leaves no file.
+ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options, RowFile& out,
+                   const Interruption& interruption);
 
 }  // namespace drillwave

@@ -1,5 +1,4 @@
 // drillwave run FILE
-#include <QFile>
 #include <QStringList>
 #include <algorithm>
 #include <chrono>
@@ -9,8 +8,10 @@
 #include "app/command.h"
 #include "app/interruption.h"
 #include "app/method_options.h"
-#include "app/output_file.h"
+#include "app/output_folder.h"
+#include "app/progress_bar.h"
 #include "app/scenario_argument.h"
+#include "core/file/result_scenario.h"
 #include "core/model/decimal_text.h"
 #include "core/study/result_alerts.h"
 #include "ui/export/run_files.h"
@@ -22,12 +23,10 @@ namespace {
 
 /// Where the files of a run go.
 struct RunFiles {
-    std::string directory;  ///< empty: no files
-    QStringList plots;      ///< formats
-    OutputUnits units = OutputUnits::dimensionless;
+    std::string directory;             ///< empty: no files
+    QStringList plots;                 ///< formats
+    std::optional<OutputUnits> units;  ///< if not given, those of the scenario
     Overwrite overwrite = Overwrite::refused;
-
-    QString folder() const { return QFile::decodeName(QByteArray::fromStdString(directory)); }
 };
 
 QStringList plotFormatsOf(const std::string& list) {
@@ -46,9 +45,13 @@ RunFiles filesOf(const Arguments& arguments) {
     files.directory = arguments.value("o").value_or("-");
     if (files.directory == "-") files.directory.clear();
     if (arguments.has("si")) files.units = OutputUnits::si;
+    if (arguments.has("dimensionless")) {
+        if (files.units) throw CommandError(ExitCode::usage, "--si and --dimensionless exclude each other");
+        files.units = OutputUnits::dimensionless;
+    }
     if (const auto formats = arguments.value("plots")) files.plots = plotFormatsOf(*formats);
     if (files.directory.empty())
-        for (const char* option : {"plots", "si", "force"})
+        for (const char* option : {"plots", "si", "dimensionless", "force"})
             if (arguments.has(option))
                 throw CommandError(ExitCode::usage, std::string("--") + option +
                                                         " is about files; add -o DIR to say where they go");
@@ -58,12 +61,10 @@ RunFiles filesOf(const Arguments& arguments) {
 /// Finds out before anything is computed whether the files can be written.
 void prepare(const RunFiles& files, const std::string& path, const ScenarioDocument& document) {
     if (files.directory.empty()) return;
-    makeFolder(files.directory);
-    for (const QString& name : runFilesThere(files.folder(), files.plots)) {
-        const std::string output = files.directory + "/" + name.toStdString();
-        checkOutputIsNoInput(output, path, document);
-        checkOverwrite(output, files.overwrite);
-    }
+    const QStringList names = runFileNames(files.plots);
+    for (const QString& name : names)
+        checkOutputIsNoInput(files.directory + "/" + name.toStdString(), path, document);
+    checkFolder(files.directory, names, files.overwrite);
 }
 
 /// Solves, and times the solve alone: where it is quick, a second time, because the first one pays for fresh
@@ -81,27 +82,22 @@ BlowReport solve(const Scenario& scenario, Detail detail, const MethodChoice& ch
         report.impact = solver.solve(pulse, groups, detail, choice, stop);
         report.runTime = std::chrono::duration<double>(Clock::now() - start).count();
     };
+    const ElapsedTime elapsed;
     timedSolve();
     if (report.runTime < quick) timedSolve();
     return report;
 }
 
-/// Ctrl-C during the solve ends the command with its own exit code; later it just ends it, as each file is
-/// whole or absent.
-BlowReport solveInterruptibly(const Scenario& scenario, Detail detail, const MethodChoice& choice) {
-    const Interruption interruption;
-    BlowReport report = solve(scenario, detail, choice, interruption.token());
-    interruption.check();
-    return report;
+void writeFiles(const RunFiles& files, const SolvedRun& run, const Interruption& interruption) {
+    const FolderEnd end = writeRunFolder(fileName(files.directory), run, files.plots,
+                                         existingFiles(files.overwrite), interruption.token());
+    checkWritten(end, files.directory, runFileNames(files.plots), files.overwrite, interruption);
 }
 
-void writeFiles(const RunFiles& files, const SolvedRun& run) {
-    const QString problem = writeRunFolder(files.folder(), run, files.plots);
-    if (!problem.isEmpty()) throw CommandError(ExitCode::unwritableOutput, problem.toStdString());
-}
-
-void print(const BlowReport& report, const RunFiles& files, bool json) {
-    std::string text = json ? reportJson(report).toStdString() : reportText(report);
+void print(const SolvedRun& run, const RunFiles& files, bool json) {
+    const BlowReport& report = run.report;
+    std::string text =
+        json ? reportJson(report, completeScenarioText(run.document)).toStdString() : reportText(report);
     if (!json && !files.directory.empty()) text += "  files in " + files.directory + "\n";
     writeFile("-", text, Overwrite::allowed);
 }
@@ -110,8 +106,9 @@ ExitCode runBlow(const Arguments& arguments) {
     const std::string& path = arguments.operands().front();
     const RunFiles files = filesOf(arguments);
     const bool json = arguments.has("json");
-    const MethodChoice choice = methodChoice(arguments);
-    const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    const ScenarioInput input = loadScenarioInput(path, arguments);
+    const ScenarioDocument& document = input.document;
+    const MethodChoice choice = methodChoice(arguments, input.method);
     checkMethodApplies(choice, document.scenario, path);
     if (files.units == OutputUnits::si && document.scenario.form != ScenarioForm::dimensional)
         throw CommandError(ExitCode::usage,
@@ -121,24 +118,31 @@ ExitCode runBlow(const Arguments& arguments) {
     // The largest stress in the rod needs the waves.
     const bool needsWaves = !files.directory.empty() || hasStrength(document.scenario.rod);
     const Detail detail = needsWaves ? Detail::histories : Detail::summary;
-    const BlowReport report = solveInterruptibly(document.scenario, detail, choice);
-    if (report.impact.outcome != Outcome::rebounded) {
-        if (json) print(report, {}, json);
+    const Interruption interruption;
+    remarkOnValues(document.scenario, path);
+    const SolvedRun run{.document = document,
+                        .report = solve(document.scenario, detail, choice, interruption.token()),
+                        .units = files.units.value_or(customaryUnits(document.scenario))};
+    interruption.check();
+    if (run.report.impact.outcome != Outcome::rebounded) {
+        if (json) print(run, {}, json);
         throw CommandError(ExitCode::unsolvedOrFailed,
-                           path + ": could not be solved: " + report.impact.reason);
+                           path + ": could not be solved: " + run.report.impact.reason);
     }
-    if (!files.directory.empty()) writeFiles(files, {document, report, files.units});
-    print(report, files, json);
+    if (!files.directory.empty()) writeFiles(files, run, interruption);
+    print(run, files, json);
     return ExitCode::done;
 }
 
 std::vector<OptionSpec> runOptions() {
-    std::vector<OptionSpec> options{setOption, {"json", "", "print one JSON object in place of the summary"}};
+    std::vector<OptionSpec> options =
+        scenarioOptions({{"json", "", "print one JSON object in place of the summary"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option :
          {OptionSpec{"o", "DIR", "write the files of the run into DIR; - writes none"},
           OptionSpec{"plots", "png,svg,pdf", "with -o, also plots in these formats"},
-          OptionSpec{"si", "", "with -o, CSV columns in SI units"},
+          OptionSpec{"si", "", "with -o, CSV columns in SI, as they are where the scenario has units"},
+          OptionSpec{"dimensionless", "", "with -o, CSV columns dimensionless all the same"},
           OptionSpec{"force", "", "overwrite existing files"}})
         options.push_back(option);
     return options;
@@ -147,14 +151,15 @@ std::vector<OptionSpec> runOptions() {
 }  // namespace
 
 const Command& runCommand() {
+    static const std::string details =
+        "With -o, DIR gets scenario.yaml, summary.json, histories.csv, "
+        "events.csv and the plots: each of the\n"
+        "first four can be run again.";
     static const Command command{
         .name = "run",
         .operands = "FILE",
         .summary = "solve one blow; a summary, and histories, events and plots into a folder",
-        .details =
-            "FILE is a scenario, or a histories.csv or events.csv of an earlier run, which begin with "
-            "theirs.\n"
-            "With -o, DIR gets summary.json, histories.csv, events.csv and the plots.",
+        .details = details,
         .options = runOptions(),
         .leastOperands = 1,
         .mostOperands = 1,

@@ -1,14 +1,19 @@
 #include "app/scenario_argument.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include "app/command_error.h"
-#include "core/file/result_scenario.h"
+#include "app/input_text.h"
+#include "app/preset_options.h"
+#include "core/file/examples.h"
 #include "core/model/decimal_text.h"
+#include "core/model/nearest_name.h"
 #include "core/model/parameter.h"
 #include "core/model/rival_keys.h"
 #include "core/model/validation.h"
+#include "core/model/version.h"
 
 namespace drillwave {
 
@@ -20,13 +25,16 @@ struct Setting {
     std::string word;
 };
 
+std::string quoted(const Setting& setting) {
+    return "--set " + shortened(setting.word);
+}
+
 /// One setting would silently undo the other.
 void checkRivals(const std::vector<Setting>& all) {
     for (auto later = all.begin(); later != all.end(); ++later)
         for (auto earlier = all.begin(); earlier != later; ++earlier)
             if (areRivals(earlier->key, later->key))
-                throw CommandError(ExitCode::usage, "--set " + shortened(earlier->word) + " and --set " +
-                                                        shortened(later->word) +
+                throw CommandError(ExitCode::usage, quoted(*earlier) + " and " + quoted(*later) +
                                                         " set the same thing; give one of them");
 }
 
@@ -45,18 +53,71 @@ std::vector<Setting> settings(const Arguments& arguments) {
     return all;
 }
 
+constexpr std::string_view titleKey = "title";
+
 bool isKey(const std::string& key) {
-    return key == "pulse.shape" || findParameter(key);
+    return key == "pulse.shape" || key == titleKey || findParameter(key);
+}
+
+/// Why not, empty when it is set.
+std::string assign(Scenario& scenario, const Setting& setting) {
+    if (setting.key != titleKey) return assignText(scenario, setting.key, setting.value);
+    if (const TextProblem problem = checkText(setting.value); !problem.reason.empty())
+        return "holds " + problem.reason;
+    scenario.title = setting.value;
+    return {};
+}
+
+/// The built-in example that FILE names; a file of that name goes first.
+const Example* exampleNamed(const std::string& path) {
+    std::error_code error;
+    return std::filesystem::exists(path, error) ? nullptr : findExample(path);
+}
+
+/// "; did you mean …?" where FILE is nearly the name of an example.
+std::string nearExample(const std::string& path) {
+    std::vector<std::string_view> names;
+    for (const Example& example : builtInExamples()) names.push_back(example.name);
+    const std::string_view near = nearestName(path, names);
+    return near.empty() ? "" : "; did you mean the example `" + std::string(near) + "`?";
+}
+
+ScenarioInput loadInputFile(const std::string& path) {
+    if (const Example* example = exampleNamed(path))
+        return {
+            .document = parseScenario(example->text, path), .isResult = false, .version = {}, .method = {}};
+    const FileBytes file = readInput(path, maximumInputBytes);
+    if (!file.problem.empty())
+        throw CommandError(ExitCode::unreadableInput, std::vector{inputName(path) + ": the scenario file " +
+                                                                  file.problem + nearExample(path)});
+    return parseInput(file.bytes, inputName(path));
+}
+
+void tellNewerVersion(const std::string& path, const std::string& version) {
+    if (isNewerVersion(version, versionText))
+        std::fprintf(stderr, "%s: note: written by Drillwave %s, newer than this %s: results may differ\n",
+                     path.c_str(), shortened(version).c_str(), versionText);
 }
 
 }  // namespace
 
-ScenarioDocument loadScenarioFile(const std::string& path) {
+std::vector<OptionSpec> scenarioOptions(std::initializer_list<OptionSpec> own) {
+    std::vector<OptionSpec> options{setOption};
+    for (const OptionSpec& option : presetOptionSpecs()) options.push_back(option);
+    options.insert(options.end(), own);
+    return options;
+}
+
+void rethrow(const ScenarioError& error) {
+    const bool unreadable = error.kind() == ScenarioError::Kind::unreadable;
+    throw CommandError(unreadable ? ExitCode::unreadableInput : ExitCode::invalidScenario, error.lines());
+}
+
+ScenarioInput loadScenarioFile(const std::string& path) {
     try {
-        return loadScenarioOrResult(path);
+        return loadInputFile(path);
     } catch (const ScenarioError& error) {
-        const bool unreadable = error.kind() == ScenarioError::Kind::unreadable;
-        throw CommandError(unreadable ? ExitCode::unreadableInput : ExitCode::invalidScenario, error.lines());
+        rethrow(error);
     }
 }
 
@@ -74,22 +135,47 @@ void checkOutputIsNoInput(const std::string& output, const std::string& scenario
     }
 }
 
-ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments) {
-    ScenarioDocument document = loadScenarioFile(path);
+ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments) {
+    ScenarioInput input = loadScenarioFile(path);
+    tellNewerVersion(inputName(path), input.version);
+    Scenario& scenario = input.document.scenario;
+    applyPresets(scenario, arguments, inputName(path));
     std::vector<std::string> problems;
     bool unknownKey = false;
     for (const Setting& setting : settings(arguments)) {
-        const std::string problem = assignText(document.scenario, setting.key, setting.value);
+        const std::string problem = assign(scenario, setting);
         if (problem.empty()) continue;
-        problems.push_back("--set " + shortened(setting.word) + ": " + problem);
+        problems.push_back(quoted(setting) + ": " + problem);
         unknownKey |= !isKey(setting.key);
     }
     if (!problems.empty())
-        throw CommandError(unknownKey ? ExitCode::usage : ExitCode::invalidScenario, problems);
-    for (const Problem& problem : validate(document.scenario))
-        problems.push_back(path + " with --set: " + problem.text);
+        throw CommandError(unknownKey ? ExitCode::usage : ExitCode::invalidScenario, problems,
+                           CommandError::Begin::withOption);
+    for (const Problem& problem : validate(scenario))
+        problems.push_back(inputName(path) + " with --set: " + problem.text);
     if (!problems.empty()) throw CommandError(ExitCode::invalidScenario, problems);
-    return document;
+    return input;
+}
+
+ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments) {
+    ScenarioInput input = loadScenarioInput(path, arguments);
+    if (input.method && input.method->method != Method::exact)
+        std::fprintf(stderr, "%s: note: was solved by %s; this command solves exactly\n",
+                     inputName(path).c_str(), describe(*input.method).c_str());
+    return std::move(input.document);
+}
+
+void checkNotSet(const Arguments& arguments, std::string_view key, const std::string& what) {
+    for (const Setting& setting : settings(arguments))
+        if (areRivals(setting.key, key))
+            throw CommandError(ExitCode::usage,
+                               what + " and " + quoted(setting) + " set the same thing; give one of them");
+}
+
+void remarkOnValues(const Scenario& scenario, const std::string& path) {
+    for (const Alert& alert : alertsFor(scenario))
+        if (alert.code == implausibleValue)
+            std::fprintf(stderr, "%s: warning: %s\n", inputName(path).c_str(), alert.text.c_str());
 }
 
 }  // namespace drillwave

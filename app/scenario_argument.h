@@ -1,21 +1,34 @@
 // The scenario that a command line names.
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/arguments.h"
-#include "core/file/scenario_file.h"
+#include "core/file/result_scenario.h"
 
 namespace drillwave {
 
-/// The options of every command that takes a scenario.
-inline constexpr OptionSpec setOption{
-    "set", "KEY=VALUE", "change a parameter, e.g. rod.length=4.27m or beta=0.8", OptionSpec::Times::repeated};
+/// The option that changes a scenario; all of them come with scenarioOptions().
+inline constexpr OptionSpec setOption{"set", "KEY=VALUE", "change parameters, e.g. rod.length=4.27m beta=0.8",
+                                      OptionSpec::Times::list};
 
-/// Loads a scenario file, or the scenario in the "#" lines of a CSV file that `run -o` wrote, and applies
-/// every --set: pulse.shape first, then physical parameters, then groups, whatever their order. The scenario
-/// is valid. Throws CommandError.
+/// The options of a command that takes a scenario: --set and the presets, then those of its own.
+std::vector<OptionSpec> scenarioOptions(std::initializer_list<OptionSpec> own = {});
+
+/// What FILE may be, for the help.
+inline constexpr std::string_view scenarioOperandHelp =
+    "FILE is a scenario, a result that holds one (summary.json, histories.csv, map.csv.yaml …), the name of\n"
+    "a built-in example, or - for standard input.";
+
+/// Loads what FILE names (loadScenarioFile()), applies the presets and then every --set: pulse.shape first,
+/// then physical parameters, then groups, whatever their order. The scenario is valid. Says on stderr where
+/// the file is from a newer program. Throws CommandError.
+ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments);
+
+/// The same for a command that solves exactly, whatever a result was solved by: says so where it matters.
 ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments);
 
 /// Throws CommandError (usage) if `output`, which the command writes, is one of the files that are read: the
@@ -23,8 +36,19 @@ ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& 
 void checkOutputIsNoInput(const std::string& output, const std::string& scenarioPath,
                           const ScenarioDocument& document, const std::vector<std::string>& others = {});
 
-/// Just loads a scenario file or the scenario of a result. Throws CommandError with every problem of the
-/// file.
-ScenarioDocument loadScenarioFile(const std::string& path);
+/// Throws CommandError (usage) if a --set sets what another option, which `what` quotes, is to change: one
+/// would silently undo the other.
+void checkNotSet(const Arguments& arguments, std::string_view key, const std::string& what);
+
+/// One line on stderr for each value outside its usual range, which is most often a mistyped unit: to be
+/// called before work that such a value may make long.
+void remarkOnValues(const Scenario& scenario, const std::string& path);
+
+/// Just loads a scenario file, the scenario of a result, a built-in example where there is no file of that
+/// name, or standard input. Throws CommandError with every problem of the file.
+ScenarioInput loadScenarioFile(const std::string& path);
+
+/// Throws what a scenario could not be loaded for as a CommandError.
+[[noreturn]] void rethrow(const ScenarioError& error);
 
 }  // namespace drillwave

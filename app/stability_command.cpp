@@ -1,5 +1,4 @@
 // drillwave stability
-#include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -10,7 +9,7 @@
 
 #include "app/command.h"
 #include "app/interruption.h"
-#include "app/output_file.h"
+#include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "core/file/csv.h"
 #include "core/model/units.h"
@@ -19,6 +18,8 @@
 namespace drillwave {
 
 namespace {
+
+constexpr char csvName[] = "stability.csv";
 
 /// A column of the CSV and a key of the JSON; no number where the check does not apply.
 struct Measure {
@@ -183,13 +184,8 @@ void printText(const StabilityReport& report) {
 
 ExitCode runStability(const Arguments& arguments) {
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
-    std::string path;
-    if (const auto directory = arguments.value("o")) {
-        if (!QDir().mkpath(QString::fromStdString(*directory)))
-            throw CommandError(ExitCode::unwritableOutput, *directory + ": cannot be made a folder");
-        path = *directory + "/stability.csv";
-        checkOverwrite(path, overwrite);
-    }
+    const std::optional<std::string> directory = arguments.value("o");
+    if (directory) checkFolder(*directory, {csvName}, overwrite);
     const Interruption interruption;
     const std::vector<StabilityCase> cases = stabilityCases();
     ProgressBar bar(cases.size(), "cases");
@@ -197,7 +193,9 @@ ExitCode runStability(const Arguments& arguments) {
     const StabilityReport report =
         checkStability(cases, jobs, interruption.token(), [&bar](std::uint64_t done) { bar.show(done); });
     interruption.check();
-    if (!path.empty()) writeFile(path, csvOf(report), overwrite);
+    if (directory)
+        writeFolder(*directory, {{{csvName, QByteArray::fromStdString(csvOf(report))}}, {}}, overwrite,
+                    interruption);
     if (arguments.has("json"))
         printJson(report);
     else

@@ -2,6 +2,7 @@
 #include "app/command.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
+#include "core/model/decimal_text.h"
 #include "core/study/sweep.h"
 
 namespace drillwave {
@@ -19,6 +20,7 @@ std::vector<SweepAxis> axesOf(const Arguments& arguments) {
             throw CommandError(badValue ? ExitCode::invalidScenario : ExitCode::usage,
                                "--vary: " + parsed.problem);
         }
+        checkNotSet(arguments, parsed.axis.key(), "--vary " + shortened(word));
         axes.push_back(std::move(parsed.axis));
     }
     if (axes.empty())
@@ -26,28 +28,53 @@ std::vector<SweepAxis> axesOf(const Arguments& arguments) {
     return axes;
 }
 
+/// What --outputs all may hold: an axis may give the blow frequency that the scenario lacks.
+Scenario sampleOf(const Scenario& base, const std::vector<SweepAxis>& axes) {
+    Scenario sample = base;
+    for (const SweepAxis& axis : axes)
+        if (axis.key() == "drill.blow_frequency") axis.assign(sample, 0);
+    return sample;
+}
+
+/// The axes as they were asked for; parseAxis() has read the words.
+std::vector<RecordedAxis> recordedAxes(const std::vector<SweepAxis>& axes, const Arguments& arguments) {
+    const std::vector<std::string> words = arguments.values("vary");
+    std::vector<RecordedAxis> recorded;
+    for (const SweepAxis& axis : axes) {
+        const std::string& word = words[recorded.size()];
+        recorded.push_back({axis.header(), word.substr(word.find('=') + 1), axis.count});
+    }
+    return recorded;
+}
+
 ExitCode runSweepCommand(const Arguments& arguments) {
-    const RowOptions options = rowOptions(arguments);
     const std::string& path = arguments.operands().front();
     const std::vector<SweepAxis> axes = axesOf(arguments);
-    const ScenarioDocument base = loadScenarioArgument(path, arguments);
-    checkOutputIsNoInput(options.path, path, base);
+    const ScenarioInput input = loadScenarioInput(path, arguments);
+    const ScenarioDocument& base = input.document;
+    const RowOptions options = rowOptions(arguments, input.method);
+    for (const std::string& output : {options.path, RowFile::recordPath(options.path)})
+        checkOutputIsNoInput(output, path, base);
     const Sweep sweep{.base = base.scenario,
                       .axes = axes,
-                      .columns = options.columns,
+                      .columns = options.columnsFor(sampleOf(base.scenario, axes)),
                       .shard = options.shard,
-                      .method = options.method};
+                      .method = options.method,
+                      .workLimit = options.workLimit};
     if (std::vector<std::string> problems = problemsOf(sweep); !problems.empty()) {
         for (std::string& problem : problems) problem = path + ": " + problem;
         throw CommandError(ExitCode::invalidScenario, std::move(problems));
     }
 
+    RowRecord record = recordOf("sweep", arguments, options, sweep.columns, base,
+                                rowsOf(sweep.shard, pointCount(sweep)).size());
+    record.axes = recordedAxes(axes, arguments);
     const Interruption interruption;
-    OutputFile out(options.path, options.overwrite);
+    RowFile out(options);
     const auto run = [&](std::stop_token stop, const WriteText& write, const RowProgress& progress) {
         return runSweep(sweep, options.jobs, stop, write, progress);
     };
-    return writeRows(run, rowsOf(sweep.shard, pointCount(sweep)).size(), out, interruption);
+    return writeRows(run, record, options, out, interruption);
 }
 
 std::vector<OptionSpec> sweepOptions() {
@@ -63,7 +90,8 @@ std::vector<OptionSpec> sweepOptions() {
 const Command& sweepCommand() {
     static const std::string details =
         "Every combination of the values of the axes is one row, later axes fastest. Values carry units\n"
-        "where the parameter has one: --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine\n" +
+        "where the parameter has one: --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine\n"
+        "FILE.csv.yaml beside FILE.csv says what the rows are: version, command, axes and scenario.\n" +
         outputHelp();
     static const Command command{
         .name = "sweep",

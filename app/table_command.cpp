@@ -1,9 +1,9 @@
 // drillwave table FILE CASES.csv
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 
 #include "app/command.h"
+#include "app/input_text.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/study/table.h"
@@ -11,22 +11,6 @@
 namespace drillwave {
 
 namespace {
-
-/// The rows are read twice, to check them all before the first is solved: a pipe will not do.
-std::ifstream openCases(const std::string& path) {
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status))
-        throw CommandError(ExitCode::unreadableInput, path + ": cannot be opened: No such file or directory");
-    if (!std::filesystem::is_regular_file(status))
-        throw CommandError(ExitCode::unreadableInput,
-                           path + ": is not a regular file; write the rows to a file first");
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-        throw CommandError(ExitCode::unreadableInput,
-                           path + ": cannot be opened for reading; check its permissions");
-    return file;
-}
 
 /// Prints warnings, throws problems, returns the number of rows.
 std::uint64_t check(const Table& table, std::ifstream& cases, int jobs, const Interruption& interruption) {
@@ -40,23 +24,32 @@ std::uint64_t check(const Table& table, std::ifstream& cases, int jobs, const In
 }
 
 ExitCode runTableCommand(const Arguments& arguments) {
-    const RowOptions options = rowOptions(arguments);
+    const std::string& scenarioPath = arguments.operands()[0];
     const std::string& path = arguments.operands()[1];
-    const ScenarioDocument base = loadScenarioArgument(arguments.operands()[0], arguments);
-    checkOutputIsNoInput(options.path, arguments.operands()[0], base, {path});
+    if (isStandardInput(scenarioPath) && isStandardInput(path))
+        throw CommandError(ExitCode::usage, "FILE and CASES are both standard input; give a name for one");
+    const ScenarioInput input = loadScenarioInput(scenarioPath, arguments);
+    const ScenarioDocument& base = input.document;
+    const RowOptions options = rowOptions(arguments, input.method);
+    for (const std::string& output : {options.path, RowFile::recordPath(options.path)})
+        checkOutputIsNoInput(output, scenarioPath, base, {path});
     const Table table{.base = base.scenario,
-                      .source = path,
-                      .columns = options.columns,
+                      .source = inputName(path),
+                      .columns = options.columnsFor(base.scenario),
                       .shard = options.shard,
-                      .method = options.method};
-    std::ifstream cases = openCases(path);
+                      .method = options.method,
+                      .workLimit = options.workLimit};
+    RereadableInput cases(path);
     const Interruption interruption;
-    OutputFile out(options.path, options.overwrite);
-    const std::uint64_t rows = check(table, cases, options.jobs, interruption);
+    RowFile out(options);
+    const std::uint64_t rows = check(table, cases.stream(), options.jobs, interruption);
+    RowRecord record =
+        recordOf("table", arguments, options, table.columns, base, rowsOf(table.shard, rows).size());
+    record.cases = inputName(path);
     const auto run = [&](std::stop_token stop, const WriteText& write, const RowProgress& progress) {
-        return runTable(table, cases, rows, options.jobs, stop, write, progress);
+        return runTable(table, cases.stream(), rows, options.jobs, stop, write, progress);
     };
-    return writeRows(run, rowsOf(table.shard, rows).size(), out, interruption);
+    return writeRows(run, record, options, out, interruption);
 }
 
 }  // namespace
@@ -65,7 +58,8 @@ const Command& tableCommand() {
     static const std::string details =
         "The header of CASES names parameters, with a unit in brackets or units in the cells: rod.length "
         "[m].\n"
-        "An empty cell leaves the value of FILE. Columns that are no parameters are passed through.\n" +
+        "An empty cell leaves the value of FILE. Columns that are no parameters are passed through.\n"
+        "CASES may be - or a pipe. FILE.csv.yaml beside FILE.csv says what the rows are.\n" +
         outputHelp();
     static const Command command{
         .name = "table",

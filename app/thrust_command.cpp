@@ -32,7 +32,7 @@ std::optional<SweepAxis> frequenciesOf(const Arguments& arguments) {
 
 ThrustStudy study(const Scenario& scenario, const Interruption& interruption) {
     constexpr double parts = 1000;
-    ProgressBar bar(static_cast<std::uint64_t>(parts), "permille");
+    ProgressBar bar(static_cast<std::uint64_t>(parts));
     const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
     ThrustStudy found = studyThrust(scenario, interruption.token(), progress);
     interruption.check();
@@ -43,7 +43,8 @@ ExitCode runThrust(const Arguments& arguments) {
     const std::string& path = arguments.operands().front();
     const std::optional<std::string> csvPath = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
-    ThrustReport report{.scenario = {}, .study = {}, .frequencies = frequenciesOf(arguments)};
+    ThrustReport report{
+        .scenario = {}, .study = {}, .frequencies = frequenciesOf(arguments), .scenarioText = {}};
     if (csvPath && !report.frequencies)
         throw CommandError(ExitCode::usage,
                            "-o writes the table of --frequency; add --frequency START:STOP:COUNT");
@@ -51,6 +52,7 @@ ExitCode runThrust(const Arguments& arguments) {
         throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     report.scenario = document.scenario;
+    report.scenarioText = completeScenarioText(document);
     if (const std::string problem = thrustProblem(report.scenario); !problem.empty())
         throw CommandError(ExitCode::invalidScenario, path + ": " + problem);
     if (csvPath) {
@@ -59,12 +61,12 @@ ExitCode runThrust(const Arguments& arguments) {
     }
 
     const Interruption interruption;
+    remarkOnValues(report.scenario, path);
     report.study = study(report.scenario, interruption);
     if (!report.study.reason.empty())
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved: " + report.study.reason);
-    if (csvPath)
-        writeFile(*csvPath, scenarioHeader(completeScenarioText(document)) + thrustCsv(report), overwrite);
+    if (csvPath) writeFile(*csvPath, scenarioHeader(report.scenarioText) + thrustCsv(report), overwrite);
     if (csvPath == "-") return ExitCode::done;
     writeFile("-", arguments.has("json") ? thrustJson(report).toStdString() : thrustText(report),
               Overwrite::allowed);
@@ -91,11 +93,11 @@ const Command& thrustCommand() {
         .operands = "FILE",
         .summary = "thrust that blows need, and what the installed one does between them",
         .details = details,
-        .options = {setOption,
-                    {"frequency", "VALUES", "also a table against frequency: 40Hz:80Hz:5, or 40Hz,60Hz"},
-                    {"json", "", "print one JSON object in place of the tables"},
-                    {"o", "FILE.csv", "also write the table of --frequency; - prints it instead"},
-                    {"force", "", "overwrite an existing file"}},
+        .options = scenarioOptions(
+            {{"frequency", "VALUES", "also a table against frequency: 40Hz:80Hz:5, or 40Hz,60Hz"},
+             {"json", "", "print one JSON object in place of the tables"},
+             {"o", "FILE.csv", "also write the table of --frequency; - prints it instead"},
+             {"force", "", "overwrite an existing file"}}),
         .leastOperands = 1,
         .mostOperands = 1,
         .draws = [](const Arguments&) { return false; },

@@ -149,6 +149,12 @@ QByteArray thrustJson(const ThrustReport& report) {
     QJsonObject object{
         {"version", versionText},
         {"title", jsonText(report.scenario.title)},
+        {"scenario", jsonText(report.scenarioText)},
+        {"units", QJsonObject{{"thrust", unitJson(Quantity::force)},
+                              {"installed_thrust", unitJson(Quantity::force)},
+                              {"impulse", unitJson(Quantity::impulse)},
+                              {"frequency_limit", unitJson(Quantity::frequency)},
+                              {"blow_frequency", unitJson(Quantity::frequency)}}},
         {"groups", groupsJson(groupsOf(report.scenario))},
         {"blow_frequency", *drill.blowFrequency},
         {"impulse", pulseImpulse(report.scenario)},

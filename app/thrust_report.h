@@ -16,6 +16,7 @@ struct ThrustReport {
     Scenario scenario;
     ThrustStudy study;
     std::optional<SweepAxis> frequencies;  ///< of drill.blow_frequency, for the table
+    std::string scenarioText;              ///< gives the same scenario again
 
     /// The thrust f I0 (1+e) of a case at another blow frequency, the blow being the same [N].
     double thrustAt(double frequency, ThrustCase which) const;

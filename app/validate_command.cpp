@@ -2,7 +2,10 @@
 #include <cstdio>
 
 #include "app/command.h"
+#include "app/input_text.h"
+#include "app/preset_options.h"
 #include "app/scenario_argument.h"
+#include "core/file/preset_file.h"
 
 namespace drillwave {
 
@@ -14,11 +17,26 @@ ExitCode worse(ExitCode a, ExitCode b) {
     return a == ExitCode::done ? b : a;
 }
 
+/// Presets are checked as presets.
+bool holdsPresets(const std::string& path) {
+    if (isStandardInput(path)) return false;
+    constexpr std::size_t beginning = 1 << 16;
+    const std::string text = readStart(path, beginning).bytes;
+    return text.starts_with(presetKey) || text.find("\n" + std::string(presetKey)) != std::string::npos;
+}
+
+void check(const std::string& path) {
+    if (holdsPresets(path))
+        presetsOf(path);
+    else
+        loadScenarioFile(path);
+}
+
 ExitCode validateFiles(const Arguments& arguments) {
     ExitCode result = ExitCode::done;
     for (const std::string& path : arguments.operands()) {
         try {
-            loadScenarioFile(path);
+            check(path);
         } catch (const CommandError& error) {
             for (const std::string& line : error.lines()) std::fprintf(stderr, "%s\n", line.c_str());
             result = worse(result, error.code());
@@ -33,8 +51,8 @@ const Command& validateCommand() {
     static const Command command{
         .name = "validate",
         .operands = "FILE…",
-        .summary = "list the problems of scenario files, one a line",
-        .details = "Says nothing about a file without problems.",
+        .summary = "list the problems of scenarios, one a line",
+        .details = "Says nothing about a file without problems. Takes files of presets, too.",
         .options = {},
         .leastOperands = 1,
         .mostOperands = SIZE_MAX,

@@ -192,7 +192,10 @@ QString Document::open(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     try {
         const std::string native = nativePath(absolute);
-        take(loadScenarioOrResult(native), isCsvName(native) ? QString() : absolute, absolute);
+        ScenarioInput input = loadInput(native);
+        // What is saved is a scenario: not over a result.
+        const QString toSave = input.isResult ? QString() : absolute;
+        take(std::move(input.document), toSave, absolute);
     } catch (const ScenarioError& error) {
         return lines(error);
     }

@@ -17,7 +17,8 @@ QString fromUtf8(const std::string& text) {
 
 bool isScenarioName(const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
-    return suffix == QLatin1String("yaml") || suffix == QLatin1String("yml");
+    return QStringList{QStringLiteral("yaml"), QStringLiteral("yml"), QStringLiteral("json")}.contains(
+        suffix);
 }
 
 bool isCsv(const QString& path) {
@@ -147,7 +148,7 @@ void FileMenu::take(const QStringList& paths) {
     } else if (isCsv(paths.first())) {
         succeeded(tr("The hammer blow cannot be taken from this file."), m_document.useTable(paths.first()));
     } else {
-        succeeded(refusal, tr("%1\nDrop a scenario (.yaml), a histories.csv or events.csv of a run, or the "
+        succeeded(refusal, tr("%1\nDrop a scenario (.yaml), a file of a run (.csv, .json), or the "
                               "CSV file of a hammer blow.")
                                .arg(QDir::toNativeSeparators(paths.first())));
     }

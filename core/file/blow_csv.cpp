@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "core/model/version.h"
+#include "core/file/result_remarks.h"
 #include "core/study/row_text.h"
+#include "core/wave/bit_motion.h"
 #include "core/wave/wave_field.h"
 
 namespace drillwave {
@@ -15,6 +16,37 @@ std::string heading(std::string_view name, Quantity quantity, OutputUnits units)
     return std::string(name) + " [" + std::string(unitsOf(quantity).front().name) + "]";
 }
 
+std::string historyHeading(OutputUnits units) {
+    return heading("time", Quantity::time, units) + "," + heading("impact_force", Quantity::force, units) +
+           "," + heading("impulse", Quantity::impulse, units) + "," +
+           heading("momentum", Quantity::impulse, units) + "," +
+           heading("incident_wave", Quantity::force, units) + "," +
+           heading("penetration", Quantity::length, units) + "," +
+           heading("front_velocity", Quantity::velocity, units) + "\n";
+}
+
+/// Where the bit is, from the first time to the last.
+class FrontEnd {
+  public:
+    FrontEnd(const Impact& impact, const PulseForce& pulse, const Groups& groups)
+        : m_impact(impact), m_groups(groups), m_firstGap(pulse.isRigidBody() ? 0 : groups.delta) {}
+
+    /// [d0] Of the law of the rock while it pushes, where the displacement of the bit would have its digits
+    /// cancelled by those of a much longer way.
+    double penetration(double time, double force) {
+        m_largestForce = std::max(m_largestForce, force);
+        if (force > 0)
+            return (m_largestForce - m_groups.gamma * (m_largestForce - force)) / (2 * m_groups.beta);
+        return bitDisplacement(m_impact, time) - m_firstGap;
+    }
+
+  private:
+    const Impact& m_impact;
+    const Groups& m_groups;
+    double m_firstGap;
+    double m_largestForce = 0;
+};
+
 /// The first line of a text, which is removed from it.
 std::string_view takeLine(std::string_view& text) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -25,14 +57,15 @@ std::string_view takeLine(std::string_view& text) {
 
 }  // namespace
 
-std::string scenarioHeader(std::string_view scenarioYaml, std::string_view method) {
-    std::string header = "# # Written by Drillwave " + std::string(versionText) +
-                         "; without the leading \"# \" these lines are the scenario.\n";
-    if (!method.empty()) header += "# # Solved by " + std::string(method) + ".\n";
+std::string scenarioHeader(std::string_view scenarioYaml, std::string_view method, std::string_view columns) {
     constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
     if (scenarioYaml.starts_with(byteOrderMark)) scenarioYaml.remove_prefix(byteOrderMark.size());
-    while (!scenarioYaml.empty()) {
-        const std::string_view line = takeLine(scenarioYaml);
+    const std::string yaml =
+        remarksText("; without the leading \"# \" these lines are the scenario.", method, columns) +
+        std::string(scenarioYaml);
+    std::string header;
+    for (std::string_view rest = yaml; !rest.empty();) {
+        const std::string_view line = takeLine(rest);
         header += line.empty() ? "#" : "# ";
         header += line;
         header += '\n';
@@ -52,22 +85,22 @@ std::string scenarioFromHeader(std::string_view csv) {
     return scenario;
 }
 
-std::string historiesCsv(const Impact& impact, const PulseForce& pulse, OutputUnits units,
-                         const Scales& scales) {
-    const bool si = units == OutputUnits::si;
-    const double time = si ? scales.time : 1;
-    const double force = si ? scales.force : 1;
-    const double impulse = si ? scales.impulse : 1;
+std::string historiesCsv(const Impact& impact, const PulseForce& pulse, const Groups& groups,
+                         OutputUnits units, const Scales& scales) {
+    const Scales scale = units == OutputUnits::si ? scales : Scales{};
     const SampledHistory history = sampleHistory(impact);
-    std::string csv =
-        heading("time", Quantity::time, units) + "," + heading("impact_force", Quantity::force, units) + "," +
-        heading("impulse", Quantity::impulse, units) + "," + heading("momentum", Quantity::impulse, units) +
-        "," + heading("incident_wave", Quantity::force, units) + "\n";
+    std::string csv = historyHeading(units);
+    FrontEnd front(impact, pulse, groups);
     for (std::size_t i = 0; i < history.time.size(); ++i) {
+        const double force = history.force[i], incident = history.incident[i];
         const double received = pulse.isRigidBody() ? 1 : pulse.impulseUntil(history.time[i]);
-        const double cells[] = {history.time[i] * time, history.force[i] * force,
-                                history.impulse[i] * impulse, (received - history.impulse[i]) * impulse,
-                                history.incident[i] * force};
+        const double cells[] = {history.time[i] * scale.time,
+                                force * scale.force,
+                                history.impulse[i] * scale.impulse,
+                                (received - history.impulse[i]) * scale.impulse,
+                                (incident == 0 ? 0 : -incident) * scale.force,
+                                front.penetration(history.time[i], force) * scale.penetration,
+                                (incident - force / 2) * (scale.penetration / scale.time)};
         for (const double& cell : cells) {
             if (&cell != cells) csv += ',';
             appendNumber(csv, cell);
@@ -75,6 +108,16 @@ std::string historiesCsv(const Impact& impact, const PulseForce& pulse, OutputUn
         csv += '\n';
     }
     return csv;
+}
+
+std::string historyColumns(OutputUnits units) {
+    return std::string(
+               "incident_wave is a normal force, tension positive; impact_force, impulse, momentum, "
+               "penetration and front_velocity are positive into the rock; penetration is that of the "
+               "bit below the first surface of the rock") +
+           (units == OutputUnits::si ? ". Units stand in the header."
+                                     : "; units: time t0, force F0 = I0/t0, impulse and momentum I0, "
+                                       "penetration d0 = 2 I0/Z, front_velocity d0/t0.");
 }
 
 std::string eventsCsv(const Impact& impact, OutputUnits units, const Scales& scales) {

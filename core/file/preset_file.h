@@ -14,6 +14,9 @@ namespace drillwave {
 /// The newest format number of preset files that this program reads.
 inline constexpr int presetFormat = 1;
 
+/// The first key of such a file.
+inline constexpr std::string_view presetKey = "drillwave_presets:";
+
 /// The presets of the text, in its order. `source` names it in messages. Throws ScenarioError with every
 /// problem and its place: unknown keys, values without a unit or a source, hammers and rods that could not
 /// be.

@@ -1,45 +1,163 @@
 #include "core/file/result_scenario.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <utility>
 
 #include "core/file/blow_csv.h"
+#include "core/file/result_remarks.h"
+#include "core/file/row_record.h"
+#include "core/file/scenario_reader.h"
 #include "core/file/text_input.h"
+#include "core/file/yaml_tree.h"
 
 namespace drillwave {
 namespace {
 
-/// The scenario is at the top: enough for the largest scenario file with "# " before each of its lines.
-constexpr std::size_t topBytes = std::size_t{1} << 22;
+using Node = YamlNode;
 
-[[noreturn]] void refuse(const std::string& path, std::string reason) {
-    throw ScenarioError(ScenarioError::Kind::unreadable, path, {{"", std::move(reason)}});
+[[noreturn]] void refuse(const std::string& source, std::string reason) {
+    throw ScenarioError(ScenarioError::Kind::unreadable, source, {{"", std::move(reason)}});
 }
 
-}  // namespace
-
-bool isCsvName(std::string_view path) {
-    constexpr std::string_view suffix = ".csv";
+bool endsWith(std::string_view path, std::string_view suffix) {
     if (path.size() < suffix.size()) return false;
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
     return std::ranges::equal(path.substr(path.size() - suffix.size()), suffix, {}, lower);
 }
 
-ScenarioDocument loadResultScenario(const std::string& path) {
-    const FileBytes top = readStart(path, topBytes);
-    if (!top.problem.empty()) refuse(path, top.problem);
-    const std::string yaml = scenarioFromHeader(top.bytes);
+/// The text behind a key of a map; nothing where there is no such text.
+const std::string* textOf(const Node& map, std::string_view key) {
+    if (map.kind != Node::Kind::map) return nullptr;
+    for (std::size_t i = 0; i + 1 < map.children.size(); i += 2)
+        if (map.children[i].text == key && map.children[i + 1].kind == Node::Kind::scalar)
+            return &map.children[i + 1].text;
+    return nullptr;
+}
+
+std::optional<MethodChoice> methodOf(const Node& record) {
+    const std::string* given = textOf(record, "method");
+    const std::optional<Method> method = given ? findMethod(*given) : std::nullopt;
+    if (!method) return std::nullopt;
+    MethodChoice choice;
+    choice.method = *method;
+    if (const std::string* text = textOf(record, "segments")) {
+        int segments = 0;
+        const auto read = std::from_chars(text->data(), text->data() + text->size(), segments);
+        if (read.ec != std::errc() || segments < minimumSegments || segments > maximumSegments)
+            return std::nullopt;
+        choice.lattice.segments = segments;
+    }
+    return choice;
+}
+
+/// JSON is YAML with braces: one reader does for both.
+std::optional<ScenarioInput> parseRecord(std::string_view text, const std::string& source) {
+    const YamlTree tree = parseYaml(text);
+    const std::string* scenario = tree.problem.text.empty() ? textOf(tree.root, "scenario") : nullptr;
+    if (!scenario) return std::nullopt;
+    const std::string* version = textOf(tree.root, "version");
+    return ScenarioInput{.document = parseScenario(*scenario, source),
+                         .isResult = true,
+                         .version = version ? *version : std::string(),
+                         .method = methodOf(tree.root)};
+}
+
+ScenarioInput parseCsv(std::string_view text, const std::string& source) {
+    const std::string yaml = scenarioFromHeader(text);
     if (yaml.empty())
-        refuse(path, "holds no scenario; only CSV files written by `drillwave run -o` begin with one");
-    return parseScenario(yaml, path);
+        refuse(
+            source,
+            "is taken for a result, as its name ends in .csv, and holds no scenario; only the CSV files of "
+            "run, gap, thrust and accuracy begin with one (a sweep or table has it in the .yaml beside it)");
+    const ResultRemarks remarks = remarksOf(yaml);
+    return {.document = parseScenario(std::string_view(yaml).substr(remarks.length), source),
+            .isResult = true,
+            .version = remarks.version,
+            .method = remarks.method};
+}
+
+/// Whether a text looks like a record or JSON; a scenario may be in braces too.
+bool mayBeRecord(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first != std::string_view::npos && text[first] == '{')
+        return text.find("scenario") != std::string_view::npos;
+    return text.starts_with(rowRecordKey) || text.find("\n" + std::string(rowRecordKey)) < 1000;
+}
+
+}  // namespace
+
+bool isCsvName(std::string_view path) {
+    return endsWith(path, ".csv");
+}
+
+ScenarioInput parseInput(std::string_view text, const std::string& source) {
+    const std::string_view plain = text.substr(byteOrderMarkLength(text));
+    if (isCsvName(source) || plain.starts_with(csvRemarksBegin)) return parseCsv(plain, source);
+    if (mayBeRecord(plain)) {
+        if (text.size() >= maximumInputBytes) refuse(source, "is larger than 4 MiB, too large to be meant");
+        if (std::optional<ScenarioInput> input = parseRecord(plain, source)) return std::move(*input);
+    }
+    if (endsWith(source, ".json"))
+        refuse(source,
+               "is taken for a result, as its name ends in .json, and holds no `scenario`; give the scenario "
+               "file");
+    if (text.size() > maximumScenarioBytes)
+        refuse(source, "the scenario file is larger than 1024 KiB, too large to be meant");
+    const ResultRemarks remarks = remarksOf(plain);
+    return {.document = parseScenario(text, source),
+            .isResult = false,
+            .version = remarks.version,
+            .method = remarks.method};
+}
+
+ScenarioInput loadInput(const std::string& path) {
+    const FileBytes file = readStart(path, maximumInputBytes);
+    if (!file.problem.empty()) refuse(path, "the scenario file " + file.problem);
+    return parseInput(file.bytes, path);
+}
+
+ScenarioDocument loadResultScenario(const std::string& path) {
+    ScenarioInput input = loadInput(path);
+    if (!input.isResult) refuse(path, "holds no scenario of a result");
+    return std::move(input.document);
 }
 
 ScenarioDocument loadScenarioOrResult(const std::string& path) {
-    return isCsvName(path) ? loadResultScenario(path) : loadScenario(path);
+    return loadInput(path).document;
+}
+
+bool isNewerVersion(std::string_view version, std::string_view than) {
+    using Numbers = std::array<int, 3>;
+    const auto numbersOf = [](std::string_view text) -> std::optional<Numbers> {
+        Numbers numbers{};
+        for (int& number : numbers) {
+            const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+            if (read.ec != std::errc()) return std::nullopt;
+            text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
+            if (text.starts_with('.')) text.remove_prefix(1);
+        }
+        return numbers;
+    };
+    const std::optional<Numbers> one = numbersOf(version), other = numbersOf(than);
+    return one && other && *one > *other;
 }
 
 std::string completeScenarioText(ScenarioDocument document) {
-    document.scenario.pulse.tableFile.clear();
-    return writeScenario(document);
+    const std::string table = std::exchange(document.scenario.pulse.tableFile, {});
+    std::string text;
+    try {
+        text = writeScenario(document);
+    } catch (const ScenarioError&) {
+        if (table.empty()) throw;
+        const std::filesystem::path folder = std::filesystem::path(document.source).parent_path();
+        document.scenario.pulse.tableFile = std::filesystem::absolute(folder / table).string();
+        text = writeScenario(document);
+    }
+    // Of a result that was made a file: a new result says for itself what it is.
+    return text.substr(remarksOf(text).length);
 }
 
 }  // namespace drillwave

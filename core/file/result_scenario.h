@@ -1,25 +1,52 @@
-// The scenario of an earlier run, from the CSV files it left behind.
+// The scenario of an earlier run, from the files it left behind.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/file/scenario_file.h"
+#include "core/study/method.h"
 
 namespace drillwave {
+
+/// Most bytes of an input that are read: a scenario may have 1 MiB, with "# " before each of its lines or as
+/// text in JSON, beside thousands of events, more; of a CSV file only the top matters.
+inline constexpr std::size_t maximumInputBytes = std::size_t{1} << 22;
+
+/// A scenario, and what the file that held it says about itself.
+struct ScenarioInput {
+    ScenarioDocument document;
+    /// A result, whose bytes are not those of the scenario: JSON, CSV, or the record beside a CSV file.
+    bool isResult = false;
+    std::string version;                 ///< of the program that wrote the file; empty where it does not say
+    std::optional<MethodChoice> method;  ///< how it was solved; nothing where it does not say
+};
 
 /// Whether the name says that it is a CSV file ("….csv", however written).
 bool isCsvName(std::string_view path);
 
-/// The scenario in the "#" lines at the top of a histories.csv or events.csv, which is complete in itself.
-/// Throws ScenarioError: unreadable when the file does not begin with one.
+/// The scenario of a text, whatever kind of file it is from: a scenario file; the JSON object of a command,
+/// with the scenario as its text; the record beside a CSV file of rows; a CSV file that begins with its
+/// scenario in "#" lines. A byte order mark in front is skipped. `source` names the text in messages, and
+/// where it ends in ".csv" or ".json" the text is taken for a result. Throws ScenarioError.
+ScenarioInput parseInput(std::string_view text, const std::string& source);
+
+/// The same for a regular file of at most maximumInputBytes, of a CSV file its top. Throws ScenarioError.
+ScenarioInput loadInput(const std::string& path);
+
+/// The scenario of a result. Throws ScenarioError: unreadable when the file holds none.
 ScenarioDocument loadResultScenario(const std::string& path);
 
-/// A scenario file, or, where isCsvName(), the scenario of a result. Throws ScenarioError.
+/// A scenario file or the scenario of a result. Throws ScenarioError.
 ScenarioDocument loadScenarioOrResult(const std::string& path);
 
-/// The scenario as it is solved, complete in itself: points that came from a file are written out. Throws
-/// ScenarioError where that would be larger than 1 MiB.
+/// Whether a version ("0.2.0") is newer than another one; false where one of them is no version.
+bool isNewerVersion(std::string_view version, std::string_view than);
+
+/// The scenario as it is solved, complete in itself: points that came from a file are written out or, where
+/// that would be more than a scenario file may have, their file is named by its absolute path. Throws
+/// ScenarioError where there is no such file either.
 std::string completeScenarioText(ScenarioDocument document);
 
 }  // namespace drillwave

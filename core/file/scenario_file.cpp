@@ -1,5 +1,6 @@
 #include "core/file/scenario_file.h"
 
+#include "core/file/result_remarks.h"
 #include "core/file/scenario_patch.h"
 #include "core/file/scenario_reader.h"
 #include "core/file/scenario_text.h"
@@ -7,8 +8,6 @@
 
 namespace drillwave {
 namespace {
-
-constexpr std::size_t maximumFileBytes = std::size_t{1} << 20;
 
 std::string placed(const Problem& problem, const std::string& source) {
     std::string place = problem.source.empty() ? source : problem.source;
@@ -55,7 +54,7 @@ std::vector<std::string> ScenarioError::lines() const {
 }
 
 ScenarioDocument loadScenario(const std::string& path) {
-    const FileBytes file = readFile(path, maximumFileBytes);
+    const FileBytes file = readFile(path, maximumScenarioBytes);
     if (!file.problem.empty())
         throw ScenarioError(ScenarioError::Kind::unreadable, path,
                             {{"", "the scenario file " + file.problem}});
@@ -63,7 +62,7 @@ ScenarioDocument loadScenario(const std::string& path) {
 }
 
 ScenarioDocument parseScenario(std::string_view text, const std::string& source) {
-    if (text.size() > maximumFileBytes)
+    if (text.size() > maximumScenarioBytes)
         throw ScenarioError(ScenarioError::Kind::unreadable, source,
                             {{"", "the scenario is larger than 1 MiB"}});
     ReadScenario read = readScenario(text, source);
@@ -77,12 +76,15 @@ std::string writeScenario(const ScenarioDocument& document) {
     const Scenario scenario = withoutUnusedValues(document.scenario);
     if (!document.text.empty()) {
         if (says(document.text, scenario, document.source)) return document.text;
-        const std::optional<std::string> patched = patchedText(document.text, scenario);
-        if (patched && patched->size() <= maximumFileBytes && says(*patched, scenario, document.source))
+        // Who solved the scenario of a result, and how, is not true of another one.
+        const std::string_view text = std::string_view(document.text).substr(remarksOf(document.text).length);
+        const std::optional<std::string> patched = patchedText(text, scenario);
+        if (patched && patched->size() <= maximumScenarioBytes && says(*patched, scenario, document.source))
             return *patched;
     }
-    std::string text = std::string(leadingComments(document.text)) + scenarioText(scenario);
-    if (text.size() > maximumFileBytes)
+    const std::string_view old = std::string_view(document.text).substr(remarksOf(document.text).length);
+    std::string text = std::string(leadingComments(old)) + scenarioText(scenario);
+    if (text.size() > maximumScenarioBytes)
         throw ScenarioError(ScenarioError::Kind::invalid, document.source,
                             {{"pulse.points",
                               "the scenario is larger than 1 MiB, which no file may be; keep the points of a "

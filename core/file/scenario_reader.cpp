@@ -37,7 +37,7 @@ bool readFormat(SectionReader& reader, const YamlNode& root) {
                                  ", use a newer one");
         return false;
     }
-    if (!whole || format != scenarioFormat)
+    if (text != std::to_string(scenarioFormat))
         problems.reportValue(entry.place(), "drillwave", text,
                              "the format number must be " + std::to_string(scenarioFormat));
     return true;

@@ -1,6 +1,7 @@
 // From the tree of a YAML text to a scenario, with every problem and its place.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,9 @@ namespace drillwave {
 
 /// The newest format number of scenario files this program reads, and the one it writes.
 inline constexpr int scenarioFormat = 1;
+
+/// Most bytes of a scenario file.
+inline constexpr std::size_t maximumScenarioBytes = std::size_t{1} << 20;
 
 /// A scenario, valid if there are no problems.
 struct ReadScenario {

@@ -40,7 +40,8 @@ void addImplausibleValues(const Scenario& scenario, std::vector<Alert>& alerts) 
         const std::string text = "The " + nameOf(parameter) + " = " + brief(parameter, *value) +
                                  " is outside the usual range, " + brief(parameter, parameter.plausible.low) +
                                  " to " + brief(parameter, parameter.plausible.high) + ".";
-        alerts.push_back({AlertLevel::warning, "outside_plausible_range", std::string(parameter.key), text});
+        alerts.push_back(
+            {AlertLevel::warning, std::string(implausibleValue), std::string(parameter.key), text});
     }
 }
 

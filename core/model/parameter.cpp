@@ -17,6 +17,11 @@ using Value = std::optional<double>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Range positive{0, infinity, true};
 constexpr Range notNegative{0, infinity};
+/// Rounding of a gap or a transit time must stay a small part of a wave: at 1e9 two neighbouring doubles are
+/// 1e-7 of a period or of t0 apart.
+constexpr double largestTime = 1e9;
+constexpr std::string_view lostPhase =
+    "in a larger one the numbers of double precision are too coarse to place a wave";
 constexpr auto linear = SliderScale::linear;
 constexpr auto logarithmic = SliderScale::logarithmic;
 
@@ -194,10 +199,10 @@ constexpr std::array table{
               Quantity::ratio, "", {0, 1, true}, {0.01, 1}, linear, always,
               [](const S& s) { return Value(groupsOf(s).gamma); }, assignGamma},
     Parameter{"tau", "transit time", "τ", "Transit time of the rod over t0; in a dimensional scenario it moves the rod length",
-              Quantity::ratio, "", positive, {0.5, 100}, logarithmic, always,
+              Quantity::ratio, "", {0, largestTime, true, lostPhase}, {0.5, 100}, logarithmic, always,
               [](const S& s) { return Value(groupsOf(s).tau); }, assignTau},
     Parameter{"delta", "gap", "δ", "Gap over 2 I0/Z; in a dimensional scenario it moves the gap",
-              Quantity::ratio, "", notNegative, {0, 10}, linear, always,
+              Quantity::ratio, "", {0, largestTime, false, lostPhase}, {0, 10}, linear, always,
               [](const S& s) { return Value(groupsOf(s).delta); }, assignDelta},
 };
 // clang-format on
@@ -242,7 +247,20 @@ const Parameter* findParameter(std::string_view key) {
 
 std::string rangeProblem(const Parameter& parameter, double value) {
     if (!std::isfinite(value)) return "must be a finite number";
-    return parameter.hard.contains(value) ? std::string() : "must be " + parameter.hard.text();
+    if (parameter.hard.contains(value)) return {};
+    const bool tooLarge = value > parameter.hard.high && !parameter.hard.whyNotMore.empty();
+    return "must be " + parameter.hard.text() +
+           (tooLarge ? ": " + std::string(parameter.hard.whyNotMore) : std::string());
+}
+
+std::string readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted) {
+    constexpr double rounding = 1e-12;
+    const double kept = parameter.value(scenario).value_or(std::nan(""));
+    if (std::abs(kept - wanted) <= rounding * std::abs(wanted)) return {};
+    return "cannot be kept: the values that it follows from are at the end of double precision, it reads "
+           "back "
+           "as " +
+           formatNumber(kept);
 }
 
 bool isGiven(const Parameter& parameter, const Scenario& scenario) {

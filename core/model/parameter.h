@@ -17,6 +17,7 @@ struct Range {
     double low;
     double high;
     bool lowOpen = false;
+    std::string_view whyNotMore = {};  ///< why there is an upper end, for messages; may be empty
     bool contains(double value) const;
     /// "in (0, 1]", "greater than 0", "at least 0", for messages.
     std::string text() const;
@@ -62,6 +63,11 @@ bool isGiven(const Parameter& parameter, const Scenario& scenario);
 /// Why `value` (SI, finite or not) is outside the hard range: "must be in (0, 1]"; empty when it is inside.
 std::string rangeProblem(const Parameter& parameter, double value);
 
+/// Why the scenario does not hold `wanted` (SI) now that it was assigned: what is kept is the physical value
+/// of a group, or the impulse of a force, and that may be at the end of double precision. "cannot be kept …";
+/// empty when it reads back to 1e-12. Requires applies().
+std::string readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted);
+
 /// "rectangular, triangular, …", for messages.
 std::string pulseShapeList();
 
@@ -73,7 +79,8 @@ std::string nearestKey(std::string_view key);
 
 /// Sets `key` from text, as --set, table cells and sweep values do. Accepts every key of parameters() with a
 /// unit where it has one, and "pulse.shape". `unit` is a default unit taken from a column header, or nullptr.
-/// Returns the reason why not ("bit_rock.gamma = 1.3 (must be in (0, 1])"), or an empty string when done.
+/// Returns the reason why not ("bit_rock.gamma = 1.3 (must be in (0, 1])"), or an empty string when done;
+/// after a reason the scenario is not to be used.
 std::string assignText(Scenario& scenario, std::string_view key, std::string_view text,
                        const Unit* unit = nullptr);
 

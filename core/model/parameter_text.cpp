@@ -21,6 +21,8 @@ std::string assignShape(Scenario& scenario, std::string_view text) {
 }
 
 std::string unknownKey(std::string_view key) {
+    for (const std::string_view text : {"title", "pulse.file", "pulse.points"})
+        if (key == text) return "`" + std::string(key) + "` is no number; write it into the scenario file";
     const std::string near = nearestKey(key);
     return "`" + shortened(key) + "` is not a parameter" +
            (near.empty() ? "" : "; did you mean `" + near + "`?");
@@ -83,7 +85,8 @@ std::string assignText(Scenario& scenario, std::string_view key, std::string_vie
     const std::string problem = rangeProblem(*parameter, typed.si);
     if (!problem.empty()) return refusal(key, text, problem);
     parameter->assign(scenario, typed.si);
-    return {};
+    const std::string lost = readBackProblem(*parameter, scenario, typed.si);
+    return lost.empty() ? std::string() : refusal(key, text, lost);
 }
 
 }  // namespace drillwave

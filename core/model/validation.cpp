@@ -66,6 +66,19 @@ bool isPositiveAndFinite(double value) {
     return std::isfinite(value) && value > 0;
 }
 
+/// The bit closes the gap by one d0 in each round trip.
+void checkFirstContact(const Groups& groups, const std::string& follows, std::vector<Problem>& problems) {
+    constexpr double latest = 1e12;  // neighbouring doubles are 1e-4 t0 apart there
+    const double firstContact = groups.tau * (1 + 2 * groups.delta);
+    if (firstContact <= latest) return;
+    report(problems, "delta", formatNumber(groups.delta),
+           "with tau = " + formatNumber(groups.tau) + " the bit meets the rock after " +
+               formatNumber(firstContact) +
+               " t0, too late for double precision to tell what happens within one "
+               "t0 (at most " +
+               formatNumber(latest) + ")" + follows);
+}
+
 /// Each value may be fine and the conversion still overflow or vanish.
 void checkGroups(const Scenario& scenario, std::vector<Problem>& problems) {
     const Scales scales = scalesOf(scenario);
@@ -76,14 +89,15 @@ void checkGroups(const Scenario& scenario, std::vector<Problem>& problems) {
             {"", "the values are so large or small that the force or energy of the blow overflows"});
         return;
     }
+    const std::string follows =
+        scenario.form == ScenarioForm::dimensional ? "; it follows from the other values" : "";
     for (const Parameter& parameter : parameters()) {
         if (parameter.section() != "groups") continue;
         const double value = *parameter.value(scenario);
         const std::string reason = rangeProblem(parameter, value);
-        if (!reason.empty())
-            report(problems, parameter.key, formatNumber(value),
-                   reason + "; it follows from the other values");
+        if (!reason.empty()) report(problems, parameter.key, formatNumber(value), reason + follows);
     }
+    if (problems.empty()) checkFirstContact(groupsOf(scenario), follows, problems);
 }
 
 }  // namespace

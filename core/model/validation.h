@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/model/scenario.h"
@@ -32,6 +33,9 @@ struct PointProblem {
 PointProblem pointProblem(const std::vector<TablePoint>& points);
 
 enum class AlertLevel { information, warning };
+
+/// The code of the remark on a value outside its plausible range.
+inline constexpr std::string_view implausibleValue = "outside_plausible_range";
 
 /// A remark on a valid scenario (contract §4 `alerts`).
 struct Alert {

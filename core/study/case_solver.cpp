@@ -6,18 +6,19 @@
 
 namespace drillwave {
 
-CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method)
+CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit)
     : m_columns(columns),
       m_detail(detailFor(columns)),
       m_inSi(std::ranges::any_of(columns, [](const OutputColumn& c) { return c.units == OutputUnits::si; })),
-      m_method(method) {}
+      m_method(method),
+      m_solver(workLimit) {}
 
-bool CaseSolver::solve(const Scenario& scenario, std::string& row, const std::stop_token& stop) {
+std::string CaseSolver::solve(const Scenario& scenario, std::string& row, const std::stop_token& stop) {
     const Groups groups = groupsOf(scenario);
     const Impact impact = m_solver.solve(m_pulse, groups, m_detail, m_method, stop);
     if (impact.outcome != Outcome::rebounded) {
         row.append(m_columns.size(), ',');
-        return false;
+        return impact.reason;
     }
     const ImpactSummary summary = summarize(impact, groups);
     const Scales scales = m_inSi ? scalesOf(scenario) : Scales{};
@@ -25,7 +26,7 @@ bool CaseSolver::solve(const Scenario& scenario, std::string& row, const std::st
         row += ',';
         if (const auto value = column.value(summary, scenario, scales)) appendNumber(row, *value);
     }
-    return true;
+    return {};
 }
 
 }  // namespace drillwave

@@ -14,15 +14,15 @@ namespace drillwave {
 /// Solves cases and keeps what they share. One for each thread.
 class CaseSolver {
   public:
-    /// `columns` must outlive the solver.
-    CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method);
+    /// `columns` must outlive the solver; a case may take `workLimit` wave pieces.
+    CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit);
 
     /// Must be called before solve() whenever the hammer blow may have changed.
     void setPulse(const Scenario& scenario) { m_pulse = pulseForceOf(scenario); }
 
-    /// Appends ",value" for each column, "," alone where there is no number. False, and all cells empty, when
-    /// the case could not be solved, or not before a stop.
-    bool solve(const Scenario& scenario, std::string& row, const std::stop_token& stop);
+    /// Appends ",value" for each column, "," alone where there is no number. Returns why the case could not
+    /// be solved (all cells are empty then), or an empty string.
+    std::string solve(const Scenario& scenario, std::string& row, const std::stop_token& stop);
 
   private:
     std::span<const OutputColumn> m_columns;

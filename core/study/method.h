@@ -44,6 +44,10 @@ std::string methodRefusal(Method method, const PulseForce& pulse, const Groups& 
 /// Solves one blow after another by any method, keeping the workspace. One solver per thread.
 class MethodSolver {
   public:
+    /// `mostPieces` bounds the work of the exact solver.
+    explicit MethodSolver(long mostPieces = defaultMostPieces) : m_exact(mostPieces) {}
+    static constexpr long defaultMostPieces = 30'000'000;
+
     /// Groups as for ExactSolver::solve(). A blow that the method refuses is not solved, with the reason.
     /// Only the lattice, which may take long, looks at `stop`.
     Impact solve(const PulseForce& pulse, const Groups& groups, Detail detail,

@@ -6,6 +6,7 @@
 #include <exception>
 #include <mutex>
 #include <stop_token>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -28,7 +29,7 @@ enum class RowsEnd {
 /// - `deliver(Chunk&) -> bool` runs on the calling thread; false stops the run.
 ///
 /// Chunks are reused, at most four for each thread are in work at once. An exception of any of the three ends
-/// the run and leaves this function.
+/// the run and leaves this function. Where the system has fewer threads left, those do all the work.
 template <typename Chunk, typename Fill, typename MakeWorker, typename Deliver>
 RowsEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker makeWorker, Deliver deliver) {
     struct Place {
@@ -103,7 +104,14 @@ RowsEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker mak
             std::stop_source& ending;
             ~EndThreads() { ending.request_stop(); }
         } endThreads{ending};
-        for (int i = 0; i < jobs; ++i) threads.emplace_back(runThread);
+        for (int i = 0; i < jobs; ++i) {
+            try {
+                threads.emplace_back(runThread);
+            } catch (const std::system_error&) {
+                if (threads.empty()) throw;
+                break;  // fewer will do
+            }
+        }
         end = deliverChunks();
     }
     if (failure) std::rethrow_exception(failure);

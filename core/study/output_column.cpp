@@ -11,13 +11,15 @@ namespace drillwave {
 namespace {
 
 constexpr std::string_view thrustName = "thrust";
+constexpr std::string_view allName = "all";
 
 std::string unknownOutput(std::string_view name) {
     const std::vector<std::string_view> names = outputNames();
     const std::string_view near = nearestName(name, names);
+    if (name == allName) return "`all` are all outputs already; give it alone";
     std::string problem = "`" + shortened(name) + "` is not an output; ";
     if (!near.empty()) return problem + "did you mean `" + std::string(near) + "`?";
-    problem += "choose from ";
+    problem += "choose from all, ";
     for (const std::string_view known : names)
         problem += (known == names.front() ? "" : ", ") + std::string(known);
     return problem;
@@ -44,15 +46,26 @@ std::optional<double> OutputColumn::value(const ImpactSummary& summary, const Sc
 
 OutputChoice chooseOutputs(std::string_view list, OutputUnits units) {
     OutputChoice choice;
+    if (trimmed(list) == allName) {
+        choice.all = true;
+        for (const Output& output : outputs()) choice.columns.push_back({&output, units});
+        return choice;
+    }
     for (;;) {
         const std::size_t comma = list.find(',');
         const std::string_view name = trimmed(list.substr(0, comma));
         const Output* output = findOutput(name);
-        if (!output && name != thrustName) return {{}, unknownOutput(name)};
+        if (!output && name != thrustName) return {{}, false, unknownOutput(name)};
+        if (std::ranges::find(choice.columns, output, &OutputColumn::output) != choice.columns.end())
+            return {{}, false, "`" + std::string(name) + "` is given twice; give it once"};
         choice.columns.push_back({output, units});
         if (comma == std::string_view::npos) return choice;
         list.remove_prefix(comma + 1);
     }
+}
+
+void addThrust(std::vector<OutputColumn>& columns, OutputUnits units, const Scenario& scenario) {
+    if (thrustProblem(scenario).empty()) columns.push_back({nullptr, units});
 }
 
 Detail detailFor(std::span<const OutputColumn> columns) {

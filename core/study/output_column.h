@@ -29,11 +29,16 @@ struct OutputColumn {
 /// The columns chosen, or why not.
 struct OutputChoice {
     std::vector<OutputColumn> columns;
+    bool all = false;  ///< all of them were asked for; see addThrust()
     std::string problem;
 };
 
-/// Reads "cor,peak_force"; names the nearest output for a mistyped one.
+/// Reads "cor,peak_force"; names the nearest output for a mistyped one. "all" are all of outputs(), to which
+/// addThrust() adds the thrust where there is one.
 OutputChoice chooseOutputs(std::string_view list, OutputUnits units);
+
+/// Adds the thrust to all outputs where thrustProblem() has nothing against it.
+void addThrust(std::vector<OutputColumn>& columns, OutputUnits units, const Scenario& scenario);
 
 /// What the solver must be asked for.
 Detail detailFor(std::span<const OutputColumn> columns);

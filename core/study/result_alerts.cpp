@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/model/decimal_text.h"
 #include "core/model/handy_text.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
@@ -77,13 +78,14 @@ void addAccuracy(const ImpactSummary& summary, std::vector<Alert>& alerts) {
         alerts.push_back(
             {AlertLevel::warning, "input_decides", "",
              "The bit chatters on the rock (" + std::to_string(summary.contacts) +
-                 " contacts), so that e depends on the last digits of the input: " + "it is known to " +
-                 rounded(summary.corError) + " only, and no calculation knows it better. " +
-                 "A longer rod, a shorter blow or a softer rock chatters less."});
+                 " contacts), so that e depends on the last digits of the input: it is known to " +
+                 boundText(summary.corError) +
+                 " only, and no calculation knows it better. A longer rod, a shorter blow or a softer rock "
+                 "chatters less."});
         return;
     }
     alerts.push_back({AlertLevel::warning, "reduced_accuracy", "",
-                      "The numerical error of e may be as large as " + fourDigits(summary.corError) + "."});
+                      "The numerical error of e may be as large as " + boundText(summary.corError) + "."});
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ bool movesPulse(const SweepAxis& axis) {
 struct Chunk {
     RowRange points;
     std::string text;
-    std::uint64_t failed = 0;
+    std::vector<RowFailure> failures;
 };
 
 /// Turns points of the grid into rows. One for each thread.
@@ -52,27 +52,29 @@ class RowMaker {
         : m_sweep(sweep),
           m_order(assignmentOrder(sweep.axes)),
           m_scenario(sweep.base),
-          m_solver(sweep.columns, sweep.method) {
+          m_solver(sweep.columns, sweep.method, sweep.workLimit) {
         for (std::size_t a = 0; a < sweep.axes.size(); ++a)
             if (movesPulse(sweep.axes[a])) m_lastPulseAxis = a;
     }
 
     void operator()(Chunk& chunk, std::stop_token stop) {
         chunk.text.clear();
-        chunk.failed = 0;
+        chunk.failures.clear();
         GridPoint point(m_sweep.axes, chunk.points.begin);
         std::size_t changed = 0;
         for (std::uint64_t n = chunk.points.begin; n < chunk.points.end; ++n) {
             if (stop.stop_requested()) return;
-            if (!appendRow(point, changed, chunk.text, stop)) ++chunk.failed;
+            const std::string reason = appendRow(point, changed, chunk.text, stop);
+            if (!reason.empty()) addFailure(chunk.failures, {reason, 1});
             changed = point.advance();
         }
     }
 
   private:
-    /// `changed` is the first axis whose value is not that of the row before.
-    bool appendRow(const GridPoint& point, std::size_t changed, std::string& text,
-                   const std::stop_token& stop) {
+    /// `changed` is the first axis whose value is not that of the row before. Returns why the row could not
+    /// be solved.
+    std::string appendRow(const GridPoint& point, std::size_t changed, std::string& text,
+                          const std::stop_token& stop) {
         assign(point);
         if (!m_hasPulse || (m_lastPulseAxis && changed <= *m_lastPulseAxis)) m_solver.setPulse(m_scenario);
         m_hasPulse = true;
@@ -87,9 +89,9 @@ class RowMaker {
         }
         text += m_prefix;
         m_sweep.axes[last].appendText(text, point[last]);
-        const bool solved = m_solver.solve(m_scenario, text, stop);
+        std::string reason = m_solver.solve(m_scenario, text, stop);
         text += "\n";
-        return solved;
+        return reason;
     }
 
     /// Sets every axis. What one axis sets may depend on the others in a dimensional scenario (tau moves the
@@ -139,7 +141,7 @@ std::uint64_t pointCount(const Sweep& sweep) {
 RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, const WriteText& write,
                    const RowProgress& progress) {
     RowCounts counts;
-    if (sweep.shard.hasHeader() && !write(headerOf(sweep))) return {.end = RowsEnd::stopped};
+    if (sweep.shard.hasHeader() && !write(headerOf(sweep))) return {.failures = {}, .end = RowsEnd::stopped};
     const RowRange part = rowsOf(sweep.shard, pointCount(sweep));
     std::uint64_t next = part.begin;
     const auto fill = [&](Chunk& chunk) {
@@ -149,8 +151,7 @@ RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, const Wri
     };
     const auto deliver = [&](Chunk& chunk) {
         if (!write(chunk.text)) return false;
-        counts.rows += chunk.points.size();
-        counts.failed += chunk.failed;
+        counts.add(chunk.points.size(), chunk.failures);
         progress(counts);
         return true;
     };

@@ -22,6 +22,7 @@ struct Sweep {
     std::vector<OutputColumn> columns;
     Shard shard;
     MethodChoice method = {};
+    long workLimit = defaultWorkLimit;  ///< most wave pieces of a row; beyond, it is not solved
 };
 
 /// Most axes of one sweep.

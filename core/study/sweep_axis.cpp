@@ -164,6 +164,11 @@ void SweepAxis::assign(Scenario& scenario, std::uint64_t i) const {
         parameter->assign(scenario, value(i));
 }
 
+std::string SweepAxis::readBackProblem(const Scenario& scenario, std::uint64_t i) const {
+    if (!parameter || !parameter->applies(scenario)) return {};
+    return drillwave::readBackProblem(*parameter, scenario, value(i));
+}
+
 std::vector<std::uint64_t> SweepAxis::extremes() const {
     std::vector<std::uint64_t> indices;
     if (kind == Kind::shapes) {

@@ -34,6 +34,8 @@ struct SweepAxis {
     void appendText(std::string& row, std::uint64_t i) const;
     /// Sets the i-th value, if the parameter applies to the scenario.
     void assign(Scenario& scenario, std::uint64_t i) const;
+    /// Why a scenario in which all axes have been set does not hold the i-th value; empty when it does.
+    std::string readBackProblem(const Scenario& scenario, std::uint64_t i) const;
     /// Where the extreme values are: two indices, all of them for shapes.
     std::vector<std::uint64_t> extremes() const;
 };

@@ -79,6 +79,11 @@ void checkCorners(const Sweep& sweep, std::vector<std::string>& problems) {
     ApplicabilityCheck applicability(sweep.axes);
     std::vector<std::string> reported;  // one bad combination explains the others of the same kind
     std::string columnsProblem;
+    const auto isNew = [&](std::string_view key) {
+        if (problems.size() >= enough || std::ranges::find(reported, key) != reported.end()) return false;
+        reported.emplace_back(key);
+        return true;
+    };
     visitCorners(sweep.axes, [&](const std::vector<std::uint64_t>& point) {
         Scenario scenario = sweep.base;
         for (const std::size_t a : order) {
@@ -86,10 +91,14 @@ void checkCorners(const Sweep& sweep, std::vector<std::string>& problems) {
             sweep.axes[a].assign(scenario, point[a]);
         }
         columnsProblem = columnProblem(sweep.columns, scenario);
+        for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
+            const std::string lost = sweep.axes[a].readBackProblem(scenario, point[a]);
+            if (lost.empty() || !isNew(sweep.axes[a].key())) continue;
+            problems.push_back("at " + pointText(sweep.axes, point) + ": " +
+                               std::string(sweep.axes[a].key()) + " " + lost);
+        }
         for (const Problem& problem : validate(scenario)) {
-            if (problems.size() >= enough || std::ranges::find(reported, problem.key) != reported.end())
-                continue;
-            reported.push_back(problem.key);
+            if (!isNew(problem.key)) continue;
             problems.push_back("at " + pointText(sweep.axes, point) + ": " + problem.text);
         }
     });

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "core/file/csv.h"
-#include "core/model/validation.h"
 #include "core/study/case_solver.h"
 #include "core/study/table_header.h"
+#include "core/study/table_row.h"
 
 namespace drillwave {
 
@@ -17,16 +17,11 @@ constexpr std::size_t chunkRows = 256;
 constexpr std::size_t chunkBytes = 1 << 18;
 constexpr std::size_t maximumProblems = 20;
 
-struct Row {
-    CsvRecord record;
-    int line = 0;
-};
-
 struct Chunk {
-    std::vector<Row> rows;
+    std::vector<TableRow> rows;
     std::size_t used = 0;  // rows of this chunk; the rest are kept for their memory
     std::string text;
-    std::uint64_t failed = 0;
+    std::vector<RowFailure> failures;
     std::vector<std::string> problems;
 };
 
@@ -43,7 +38,7 @@ class RowReader {
         std::size_t bytes = 0;
         while (m_next < m_range.end && chunk.used < chunkRows && bytes < chunkBytes) {
             if (chunk.used == chunk.rows.size()) chunk.rows.emplace_back();
-            Row& row = chunk.rows[chunk.used];
+            TableRow& row = chunk.rows[chunk.used];
             if (!m_reader.next(row.record)) break;
             row.line = m_reader.line();
             if (m_next++ < m_range.begin) continue;
@@ -59,56 +54,13 @@ class RowReader {
     std::uint64_t m_next = 0;
 };
 
-/// Sets the cells of one row after another. One for each thread.
-class RowAssigner {
-  public:
-    RowAssigner(const Table& table, const TableHeader& header)
-        : m_table(table), m_header(header), m_order(header.assignmentOrder()), m_scenario(table.base) {}
-
-    /// The scenario of the row last assigned.
-    const Scenario& scenario() const { return m_scenario; }
-
-    /// What is wrong with the row, empty when scenario() is its valid scenario.
-    std::vector<std::string> assign(const Row& row) {
-        std::vector<std::string> problems = assignCells(row);
-        if (!problems.empty()) return problems;
-        for (const Problem& problem : validate(m_scenario))
-            problems.push_back(place(row) + ": " + problem.text);
-        return problems;
-    }
-
-  private:
-    std::vector<std::string> assignCells(const Row& row) {
-        const std::vector<std::string>& cells = row.record.cells;
-        if (!row.record.problem.empty()) return {place(row) + ": " + row.record.problem};
-        if (cells.size() != m_header.columns.size())
-            return {place(row) + ": has " + std::to_string(cells.size()) + " cells, the header has " +
-                    std::to_string(m_header.columns.size())};
-        std::vector<std::string> problems;
-        m_scenario = m_table.base;
-        for (const std::size_t i : m_order) {
-            if (cells[i].empty()) continue;
-            const TableColumn& column = m_header.columns[i];
-            const std::string problem = assignText(m_scenario, column.key(), cells[i], column.unit);
-            if (!problem.empty())
-                problems.push_back(place(row) + ":" + std::to_string(i + 1) + ": " + problem);
-        }
-        return problems;
-    }
-
-    std::string place(const Row& row) const { return m_table.source + ":" + std::to_string(row.line); }
-
-    const Table& m_table;
-    const TableHeader& m_header;
-    std::vector<std::size_t> m_order;
-    Scenario m_scenario;
-};
-
 /// Solves rows into text. One for each thread.
 class RowMaker {
   public:
     RowMaker(const Table& table, const TableHeader& header)
-        : m_assigner(table, header), m_outputs(table.columns.size()), m_solver(table.columns, table.method) {
+        : m_assigner(table.base, table.source, header),
+          m_outputs(table.columns.size()),
+          m_solver(table.columns, table.method, table.workLimit) {
         m_solver.setPulse(table.base);
         for (const TableColumn& column : header.columns)
             if (column.key().starts_with("pulse.") || column.key().starts_with("rod.")) m_movesPulse = true;
@@ -116,35 +68,37 @@ class RowMaker {
 
     void operator()(Chunk& chunk, std::stop_token stop) {
         chunk.text.clear();
-        chunk.failed = 0;
+        chunk.failures.clear();
         for (std::size_t i = 0; i < chunk.used; ++i) {
             if (stop.stop_requested()) return;
-            if (!appendRow(chunk.rows[i], chunk.text, stop)) ++chunk.failed;
+            const std::string reason = appendRow(chunk.rows[i], chunk.text, stop);
+            if (!reason.empty()) addFailure(chunk.failures, {reason, 1});
         }
     }
 
   private:
-    bool appendRow(const Row& row, std::string& text, const std::stop_token& stop) {
+    /// Returns why the row could not be solved.
+    std::string appendRow(const TableRow& row, std::string& text, const std::stop_token& stop) {
         const std::vector<std::string>& cells = row.record.cells;
         for (std::size_t c = 0; c < cells.size(); ++c) {
             if (c > 0) text += ',';
             text += csvCell(cells[c]);
         }
-        const bool solved = solve(row, text, stop);
+        std::string reason = solve(row, text, stop);
         text += '\n';
-        return solved;
+        return reason;
     }
 
-    bool solve(const Row& row, std::string& text, const std::stop_token& stop) {
-        if (!m_assigner.assign(row).empty()) {
+    std::string solve(const TableRow& row, std::string& text, const std::stop_token& stop) {
+        if (const auto problems = m_assigner.assign(row); !problems.empty()) {
             text.append(m_outputs, ',');
-            return false;
+            return "the table has changed since it was checked: " + problems.front();
         }
         if (m_movesPulse) m_solver.setPulse(m_assigner.scenario());
         return m_solver.solve(m_assigner.scenario(), text, stop);
     }
 
-    RowAssigner m_assigner;
+    TableRowAssigner m_assigner;
     std::size_t m_outputs;
     bool m_movesPulse = false;
     CaseSolver m_solver;
@@ -176,14 +130,20 @@ TableHeader checkHeader(const Table& table, RowReader& reader, TableCheck& check
         check.problems.push_back(table.source + ": is empty; its first row must name parameters");
         return {};
     }
-    const std::string place = table.source + ":" + std::to_string(reader.line()) + ": ";
+    const std::string place = table.source + ":" + std::to_string(reader.line());
     if (!record.problem.empty()) {
-        check.problems.push_back(place + record.problem);
+        check.problems.push_back(place + ": " + record.problem);
         return {};
     }
-    TableHeader header = readTableHeader(record.cells);
-    for (const std::string& problem : header.problems) check.problems.push_back(place + problem);
-    for (const std::string& warning : header.warnings) check.warnings.push_back(place + warning);
+    TableHeader header = readTableHeader(record.cells, table.columns);
+    const auto tell = [&](const std::vector<HeaderRemark>& remarks, std::vector<std::string>& lines) {
+        for (const HeaderRemark& remark : remarks)
+            lines.push_back(place + (remark.column > 0 ? ":" + std::to_string(remark.column) : "") + ": " +
+                            remark.text);
+    };
+    tell(header.problems, check.problems);
+    tell(header.warnings, check.warnings);
+    if (check.problems.size() > maximumProblems) check.problems.resize(maximumProblems);
     if (const std::string problem = outputProblem(table, header); !problem.empty())
         check.problems.push_back(problem);
     return header;
@@ -200,7 +160,8 @@ TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::st
     if (!check.problems.empty()) return check;
 
     const auto makeWorker = [&] {
-        return [assigner = RowAssigner(table, header)](Chunk& chunk, std::stop_token) mutable {
+        return [assigner = TableRowAssigner(table.base, table.source, header)](Chunk& chunk,
+                                                                               std::stop_token) mutable {
             chunk.problems.clear();
             for (std::size_t i = 0; i < chunk.used; ++i)
                 for (std::string& problem : assigner.assign(chunk.rows[i]))
@@ -224,14 +185,13 @@ RowCounts runTable(const Table& table, std::istream& cases, std::uint64_t rows, 
     RowReader reader(cases, rowsOf(table.shard, rows));
     CsvRecord record;
     reader.header(record);
-    const TableHeader header = readTableHeader(record.cells);
+    const TableHeader header = readTableHeader(record.cells, table.columns);
     if (table.shard.hasHeader() && !write(headerText(header, table.columns)))
-        return {.end = RowsEnd::stopped};
+        return {.failures = {}, .end = RowsEnd::stopped};
 
     const auto deliver = [&](Chunk& chunk) {
         if (!write(chunk.text)) return false;
-        counts.rows += chunk.used;
-        counts.failed += chunk.failed;
+        counts.add(chunk.used, chunk.failures);
         progress(counts);
         return true;
     };

@@ -23,6 +23,7 @@ struct Table {
     std::vector<OutputColumn> columns;
     Shard shard;
     MethodChoice method = {};
+    long workLimit = defaultWorkLimit;  ///< most wave pieces of a row; beyond, it is not solved
 };
 
 /// What a table is like, found before anything is computed.

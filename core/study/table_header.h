@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/model/parameter.h"
+#include "core/study/output_column.h"
 
 namespace drillwave {
 
@@ -19,17 +20,27 @@ struct TableColumn {
     std::string_view key() const;  ///< empty for other columns, which are passed through
 };
 
+/// Something about a column, counted from 1; 0 is the header as a whole.
+struct HeaderRemark {
+    std::size_t column = 0;
+    std::string text;
+};
+
 /// The columns in the order of the file.
 struct TableHeader {
     std::vector<TableColumn> columns;
-    std::vector<std::string> problems;  ///< a parameter named twice, an unknown unit
-    std::vector<std::string> warnings;  ///< columns that name neither a parameter nor an output
+    /// No column sets anything; a name that only case, `_` or the like keeps from being a parameter, or that
+    /// holds several; a parameter named twice, an unknown unit; bytes that are no text.
+    std::vector<HeaderRemark> problems;
+    /// Columns that name neither a parameter nor an output, or an output that is appended as well.
+    std::vector<HeaderRemark> warnings;
 
     /// The columns that set something, in the order in which a row sets them: the shape, physical parameters,
     /// groups.
     std::vector<std::size_t> assignmentOrder() const;
 };
 
-TableHeader readTableHeader(std::span<const std::string> cells);
+/// `outputs` are those that are appended.
+TableHeader readTableHeader(std::span<const std::string> cells, std::span<const OutputColumn> outputs);
 
 }  // namespace drillwave

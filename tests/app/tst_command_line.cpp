@@ -1,6 +1,8 @@
 // The program as its users' scripts see it: exit codes, messages, names and bytes.
 #include <QtTest>
 
+#include <fcntl.h>
+#include <unistd.h>
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
@@ -8,7 +10,9 @@
 #include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
+
 #include <csignal>
+#include <cstdlib>
 
 #include "tests/app/program.h"
 
@@ -22,6 +26,12 @@ class TestCommandLine : public QObject {
     void helpAndVersionAreEverywhere();
     void mistakesGetOneLineAndTheirExitCode_data();
     void mistakesGetOneLineAndTheirExitCode();
+    void oneSetTakesSeveralAssignments();
+    void implausibleValuesAreRemarkedOnBeforeTheWork();
+    void aLongSolutionShowsItsTimeOnATerminal();
+    void aFullDeviceIsToldOfByHelpToo();
+    void aNameThatIsNotUtf8IsRefused();
+    void longPathsAreShortenedInMessages();
     void everyProblemOfAFileIsALine();
     void validateIsSilentAboutGoodFiles();
     void examplesAreListedAndWritten();
@@ -32,8 +42,8 @@ class TestCommandLine : public QObject {
 
 void TestCommandLine::helpAndVersionAreEverywhere_data() {
     QTest::addColumn<QString>("command");
-    for (const char* command :
-         {"", "run", "sweep", "table", "gap", "thrust", "figures", "accuracy", "validate", "examples"})
+    for (const char* command : {"", "run", "sweep", "table", "gap", "thrust", "figures", "accuracy",
+                                "stability", "validate", "examples", "presets"})
         QTest::newRow(*command ? command : "program") << command;
 }
 
@@ -44,9 +54,12 @@ void TestCommandLine::helpAndVersionAreEverywhere() {
     QCOMPARE(help.exitCode, 0);
     QVERIFY(help.out.startsWith("Usage: drillwave"));
     QCOMPARE(help.error, QByteArray());
+    QCOMPARE(run(words + QStringList{"-h"}).out, help.out);
+    QCOMPARE(run(QStringList{"help"} + words).out, help.out);
     const Finished version = run(words + QStringList{"--version"});
     QCOMPARE(version.exitCode, 0);
     QVERIFY(QRegularExpression("^drillwave \\d+\\.\\d+\\.\\d+\n$").match(version.out).hasMatch());
+    QCOMPARE(run({"version"}).out, version.out);
 }
 
 void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
@@ -62,6 +75,12 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("run without a file") << QStringList{"run"} << 2 << "needs FILE";
     QTest::newRow("run with two files") << QStringList{"run", paper, drill} << 2 << "too much";
     QTest::newRow("mistyped option") << QStringList{"run", paper, "--jsn"} << 2 << "did you mean `--json`?";
+    QTest::newRow("option of other programs")
+        << QStringList{"sweep", paper, "--vary", "beta=1,2", "--jobs", "2"} << 2 << "did you mean `-j`?";
+    QTest::newRow("folder by another name")
+        << QStringList{"run", paper, "--output=x"} << 2 << "did you mean `-o`?";
+    QTest::newRow("unknown letter") << QStringList{"run", paper, "-x"} << 2
+                                    << "unknown option `-x`; --help lists the options";
     QTest::newRow("option without its value")
         << QStringList{"run", paper, "--set"} << 2 << "needs a value: KEY=VALUE";
     QTest::newRow("switch with a value") << QStringList{"run", paper, "--json=1"} << 2 << "takes no value";
@@ -92,6 +111,30 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
         << QStringList{"run", paper, "--set", "gamma=1.3"} << 5 << "gamma = 1.3 (must be in (0, 1])";
     QTest::newRow("setting without unit")
         << QStringList{"run", drill, "--set", "rod.length=3"} << 5 << "has no unit";
+    QTest::newRow("setting that is a file") << QStringList{"run", drill, "--set", "pulse.file=blow.csv"} << 2
+                                            << "write it into the scenario file";
+    // The stiffness that it takes is beyond the largest double: solved was another beta.
+    QTest::newRow("setting that would not be kept")
+        << QStringList{"run", drill, "--set", "beta=1e301"} << 5 << "beta = 1e301 (cannot be kept";
+    QTest::newRow("axis that would not be kept")
+        << QStringList{"sweep", drill, "--vary", "beta=1:1e301:3:log"} << 5 << "beta cannot be kept";
+    QTest::newRow("gap of too many periods")
+        << QStringList{"run", paper, "--set", "delta=1e17"} << 5
+        << "delta = 1e17 (must be in [0, 1e+09]: in a larger one the numbers";
+    QTest::newRow("rod of too many blows")
+        << QStringList{"run", paper, "--set", "tau=1e300"} << 5 << "tau = 1e300 (must be in (0, 1e+09]:";
+    QTest::newRow("gap in units of too many periods")
+        << QStringList{"run", drill, "--set", "bit_rock.gap=1e300km"} << 5
+        << "it follows from the other values";
+    QTest::newRow("contact too late to be told") << QStringList{"run", paper, "--set", "delta=1e8", "tau=1e6"}
+                                                 << 5 << "the bit meets the rock after 2";
+    const auto axisAndSetting = [&](const char* name, const char* axis, const char* setting) {
+        QTest::newRow(name) << QStringList{"sweep", drill, "--vary", axis, "--set", setting} << 2
+                            << QStringLiteral("--vary %1 and --set %2 set the same thing")
+                                   .arg(QLatin1String(axis), QLatin1String(setting));
+    };
+    axisAndSetting("axis that is set", "beta=1,2", "beta=3");
+    axisAndSetting("axis of a length that is set", "tau=1,2", "rod.length=3m");
     const auto twoSettings = [&](const char* name, const char* first, const char* second) {
         QTest::newRow(name) << QStringList{"run", drill, "--set", first, "--set", second} << 2
                             << QStringLiteral("--set %1 and --set %2 set the same thing")
@@ -140,7 +183,34 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("table without cases") << QStringList{"table", paper} << 2 << "needs FILE CASES.csv";
     QTest::newRow("missing cases") << QStringList{"table", paper, "nothing.csv"} << 3 << "nothing.csv";
     QTest::newRow("cases from a device")
-        << QStringList{"table", paper, "/dev/null"} << 3 << "not a regular file";
+        << QStringList{"table", paper, "/dev/null"} << 5 << "is empty; its first row must name parameters";
+    QTest::newRow("cases in a folder")
+        << QStringList{"table", paper, QDir::tempPath()} << 3 << "not a regular file";
+    QTest::newRow("scenario and cases from one pipe")
+        << QStringList{"table", "-", "-"} << 2 << "both standard input";
+    QTest::newRow("nearly an example")
+        << QStringList{"run", "t38_medium_rok"} << 3 << "did you mean the example `t38_medium_rock`?";
+    QTest::newRow("output twice") << QStringList{"sweep",    paper,       "--vary",
+                                                 "beta=1,2", "--outputs", "cor,impulse,cor"}
+                                  << 2 << "`cor` is given twice";
+    QTest::newRow("all outputs and one more")
+        << QStringList{"sweep", paper, "--vary", "beta=1,2", "--outputs", "cor,all"} << 2 << "give it alone";
+    QTest::newRow("preset that does not exist")
+        << QStringList{"run", drill, "--rock", "medium rok"} << 2 << "did you mean `medium rock`?";
+    QTest::newRow("preset of several names")
+        << QStringList{"run", drill, "--rod", "T38"} << 2 << "`T38, round 38 mm`, `T38, round 39 mm`";
+    QTest::newRow("preset for groups")
+        << QStringList{"run", paper, "--rod", "T51"} << 2 << "presets need a scenario in physical units";
+    QTest::newRow("presets of nothing")
+        << QStringList{"run", drill, "--presets", "x.yaml"} << 2 << "add one of them";
+    QTest::newRow("missing presets") << QStringList{"presets", "nothing.yaml"} << 3 << "nothing.yaml";
+    QTest::newRow("help for nothing") << QStringList{"help", "rn"} << 2 << "is not a command";
+    QTest::newRow("two forms of the columns")
+        << QStringList{"run", drill, "--si", "--dimensionless", "-o", "x"} << 2 << "exclude each other";
+    QTest::newRow("gap in SI of groups")
+        << QStringList{"gap", paper, "--si", "-o", "-"} << 2 << "has no SI units";
+    QTest::newRow("JSON without a scenario")
+        << QStringList{"run", "/dev/null/x.json"} << 3 << "cannot be opened";
     QTest::newRow("gap without a file") << QStringList{"gap"} << 2 << "needs FILE";
     QTest::newRow("mean of a gap that does not scatter")
         << QStringList{"gap", paper, "--gap-mean", "0.3"} << 2 << "needs --gap-deviation";
@@ -177,8 +247,108 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode() {
     QCOMPARE(finished.exitCode, exitCode);
     QCOMPARE(finished.out, QByteArray());
     QVERIFY2(QString::fromUtf8(finished.error).contains(part), finished.error);
-    QCOMPARE(finished.error.count('\n'), 1);
     QVERIFY(finished.error.endsWith('\n'));
+    // Remarks on values come before the work that they may cost; the error is one line.
+    QStringList lines = QString::fromUtf8(finished.error).trimmed().split('\n');
+    lines.removeIf([](const QString& line) { return line.contains(": warning: "); });
+    QCOMPARE(lines.size(), 1);
+}
+
+void TestCommandLine::oneSetTakesSeveralAssignments() {
+    const QString paper = example("paper_fig4a");
+    const QByteArray several = run({"gap", paper, "--set", "beta=0.7", "gamma=0.3", "tau=3"}).out;
+    QVERIFY(several.contains("beta 0.7  gamma 0.3  tau 3"));
+    QCOMPARE(run({"gap", "--set=beta=0.7", "gamma=0.3", "tau=3", "--", paper}).exitCode, 0);
+    const Finished refused = run({"run", paper, "--set", "beta=0.7", "gamma=3"});
+    QCOMPARE(refused.exitCode, 5);
+    QVERIFY2(refused.error.startsWith("drillwave run: --set gamma=3: "), refused.error);
+}
+
+// A mistyped unit may make a solution long: that is said first.
+void TestCommandLine::implausibleValuesAreRemarkedOnBeforeTheWork() {
+    QProcess process;
+    process.setReadChannel(QProcess::StandardError);
+    process.start(QStringLiteral(DRILLWAVE_PROGRAM),
+                  {"run", example("t38_medium_rock"), "--set", "pulse.duration=200s"});
+    QByteArray error;
+    while (!error.contains('\n') && process.waitForReadyRead(60000)) error += process.readAllStandardError();
+    error += process.readAllStandardError();
+    QVERIFY2(
+        error.contains("t38_medium_rock.yaml: warning: pulse.duration = 200000000 us is outside the usual"),
+        error);
+    QCOMPARE(process.state(), QProcess::Running);
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitCode(), 130);
+    for (const char* command : {"gap", "thrust"}) {
+        const Finished finished =
+            run({command, example("t38_medium_rock"), "--set", "rod.density=9001kg/m^3"});
+        QCOMPARE(finished.exitCode, 0);
+        QVERIFY2(finished.error.contains("warning: rod.density = 9001 kg/m^3 is outside the usual range"),
+                 finished.error);
+    }
+}
+
+// The time is shown on a terminal, and only there.
+void TestCommandLine::aLongSolutionShowsItsTimeOnATerminal() {
+    const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+    QVERIFY(terminal >= 0 && ::grantpt(terminal) == 0 && ::unlockpt(terminal) == 0);
+    const QByteArray name = ::ptsname(terminal);
+    QProcess process;
+    process.setChildProcessModifier([&name] {
+        const int other = ::open(name.constData(), O_RDWR | O_NOCTTY);
+        ::dup2(other, STDERR_FILENO);
+        ::close(other);
+    });
+    process.start(QStringLiteral(DRILLWAVE_PROGRAM),
+                  {"run", example("t38_medium_rock"), "--set", "pulse.duration=200s"});
+    QVERIFY(process.waitForStarted());
+    QByteArray shown;
+    for (int reads = 0; reads < 50 && !shown.contains("solving for 2 s; Ctrl-C ends it"); ++reads) {
+        char bytes[1024];
+        const auto size = ::read(terminal, bytes, sizeof bytes);
+        if (size <= 0) break;
+        shown += QByteArray(bytes, static_cast<qsizetype>(size));
+    }
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(60000));
+    ::close(terminal);
+    QVERIFY2(shown.contains("solving for 2 s; Ctrl-C ends it"), shown);
+    QCOMPARE(process.exitCode(), 130);
+}
+
+void TestCommandLine::aFullDeviceIsToldOfByHelpToo() {
+    for (const char* option : {"--help", "--version"}) {
+        QProcess process;
+        process.setStandardOutputFile("/dev/full");
+        process.start(QStringLiteral(DRILLWAVE_PROGRAM), {option});
+        QVERIFY(process.waitForFinished(60000));
+        QCOMPARE(process.exitCode(), 4);
+        QCOMPARE(process.readAllStandardError(),
+                 QByteArray("drillwave: standard output: cannot be written: No space left on device\n"));
+    }
+}
+
+void TestCommandLine::longPathsAreShortenedInMessages() {
+    const QString path = QStringLiteral("/nowhere/") + QStringLiteral("ü").repeated(3000) + "/end.yaml";
+    for (const QStringList& words : {QStringList{"run", path}, {"run", example("paper_fig4a"), "-o", path}}) {
+        const Finished finished = run(words);
+        QVERIFY(finished.exitCode == 3 || finished.exitCode == 4);
+        QVERIFY2(finished.error.size() < 400 && finished.error.contains("/end.yaml: "), finished.error);
+        QVERIFY(QString::fromUtf8(finished.error).toUtf8() == finished.error);
+    }
+}
+
+void TestCommandLine::aNameThatIsNotUtf8IsRefused() {
+    const QTemporaryDir folder;
+    QProcess shell;
+    shell.start(
+        "sh", {"-c", QStringLiteral("cd %1; exec %2 sweep %3 --vary beta=1,2 -o \"$(printf 'bad\\377.csv')\"")
+                         .arg(folder.path(), QStringLiteral(DRILLWAVE_PROGRAM), example("paper_fig4a"))});
+    QVERIFY(shell.waitForFinished());
+    QCOMPARE(shell.exitCode(), 4);
+    QVERIFY(shell.readAllStandardError().contains("has bytes that are not UTF-8"));
+    QVERIFY(QDir(folder.path()).isEmpty());
 }
 
 void TestCommandLine::everyProblemOfAFileIsALine() {

@@ -44,6 +44,7 @@ class TestRows : public QObject {
     void badCellsAreNamedBeforeAnythingIsWritten();
     void unknownColumnsAreWarnedOf();
     void unsolvedRowsAreWrittenEmptyAndExitCodeIsSix();
+    void theWorkOfARowHasALimit();
     void anInterruptionLeavesNoFile();
     void aMillionPointsTakeNoMoreMemoryThanAFew();
 };
@@ -205,19 +206,40 @@ void TestRows::unknownColumnsAreWarnedOf() {
     write(cases, "beta,gama,cor\n1,0.5,\n");
     const Finished finished = run({"table", example("paper_fig4a"), cases});
     QCOMPARE(finished.exitCode, 0);
-    QCOMPARE(finished.error.count('\n'), 1);
+    QCOMPARE(finished.error.count('\n'), 2);
     QVERIFY(finished.error.contains("did you mean `gamma`?"));
+    QVERIFY(finished.error.contains("`cor` is passed through as it is"));
     QVERIFY(finished.out.startsWith("beta,gama,cor,cor\n1,0.5,,1.3"));
 }
 
 void TestRows::unsolvedRowsAreWrittenEmptyAndExitCodeIsSix() {
     const Finished finished = run({"sweep", example("paper_fig4a"), "--vary", "beta=1,1e-300,2", "-j1"});
     QCOMPARE(finished.exitCode, 6);
-    QVERIFY(finished.error.contains("1 of 3 rows could not be solved"));
+    QVERIFY2(
+        finished.error.contains("1 of 3 rows could not be solved: their output cells are empty; 1 row: it "
+                                "needs more wave pieces than permitted"),
+        finished.error);
+    QVERIFY2(finished.error.contains("--work-limit, now 1000000, permits more"), finished.error);
+    QCOMPARE(finished.error.count('\n'), 1);
     const auto rows = cells(finished.out);
     QCOMPARE(rows.size(), 4);
     QCOMPARE(rows[2], QList<QByteArray>({"1e-300", ""}));
     QVERIFY(!rows[3][1].isEmpty());
+}
+
+// A limit of pieces, not of seconds: the same cells are empty on every machine.
+void TestRows::theWorkOfARowHasALimit() {
+    const QStringList words{"sweep", example("paper_fig4b"), "--vary", "beta=0.5,1e-7", "-j1"};
+    const auto whole = cells(output(words));
+    QVERIFY(!whole[1][1].isEmpty() && !whole[2][1].isEmpty());
+    const Finished limited = run(words + QStringList{"--work-limit", "10000"});
+    QCOMPARE(limited.exitCode, 6);
+    QVERIFY2(limited.error.contains("--work-limit, now 10000,"), limited.error);
+    const auto rows = cells(limited.out);
+    QCOMPARE(rows[1], whole[1]);
+    QVERIFY(rows[2][1].isEmpty());
+    QCOMPARE(run(words + QStringList{"--work-limit", "0"}).exitCode, 2);
+    QCOMPARE(run(words + QStringList{"--work-limit", "30000001"}).exitCode, 2);
 }
 
 void TestRows::anInterruptionLeavesNoFile() {

@@ -189,11 +189,14 @@ void TestRun::filesAreWrittenAndNotOverwritten() {
     const QString out = folder.filePath("new/folder");
     const QStringList words{"run", example("t38_medium_rock"), "-o", out};
     QCOMPARE(run(words).exitCode, 0);
-    QCOMPARE(QDir(out).entryList(QDir::Files), QStringList({"events.csv", "histories.csv", "summary.json"}));
+    QCOMPARE(QDir(out).entryList(QDir::Files),
+             QStringList({"events.csv", "histories.csv", "scenario.yaml", "summary.json"}));
     const QByteArray histories = read(out + "/histories.csv");
     QVERIFY(histories.startsWith("# # Written by Drillwave "));
-    QVERIFY(histories.contains("\ntime,impact_force,impulse,momentum,incident_wave\n"));
-    QVERIFY(read(out + "/events.csv").contains("\nkind,time\ncontact,"));
+    QVERIFY(
+        histories.contains("\ntime [s],impact_force [N],impulse [N s],momentum [N s],incident_wave [N],"
+                           "penetration [m],front_velocity [m/s]\n"));
+    QVERIFY(read(out + "/events.csv").contains("\nkind,time [s]\ncontact,"));
     const QJsonObject summary = QJsonDocument::fromJson(read(out + "/summary.json")).object();
     QCOMPARE(summary["dimensionless"].toObject()["separation_time"].toDouble(),
              json({example("t38_medium_rock")})["dimensionless"].toObject()["separation_time"].toDouble());
@@ -202,10 +205,13 @@ void TestRun::filesAreWrittenAndNotOverwritten() {
     QVERIFY(QFile::remove(out + "/events.csv") && QFile::remove(out + "/summary.json"));
     const Finished refused = run(words);
     QCOMPARE(refused.exitCode, 4);
-    QVERIFY(refused.error.contains("histories.csv: exists already; use --force"));
+    QVERIFY(refused.error.contains("scenario.yaml: exists already; use --force"));
     QVERIFY(!QFileInfo::exists(out + "/events.csv"));
+    QCOMPARE(run(words + QStringList{"--force", "--dimensionless"}).exitCode, 0);
+    QVERIFY(read(out + "/histories.csv").contains("\ntime,impact_force,impulse,momentum,incident_wave,"));
+    QVERIFY(read(out + "/events.csv").contains("\nkind,time\ncontact,"));
     QCOMPARE(run(words + QStringList{"--force", "--si"}).exitCode, 0);
-    QVERIFY(read(out + "/histories.csv").contains("\ntime [s],impact_force [N],"));
+    QVERIFY(read(out + "/histories.csv") == histories);
 }
 
 // With other formats the old plots would stay beside the new numbers.
@@ -215,9 +221,9 @@ void TestRun::plotsOfAnEarlierRunDoNotStay() {
     QCOMPARE(run(words + QStringList{"--plots", "svg"}).exitCode, 0);
     write(folder.filePath("notes.txt"), "mine");
     QCOMPARE(run(words + QStringList{"--plots", "png"}).exitCode, 0);
-    QCOMPARE(
-        QDir(folder.path()).entryList(QDir::Files),
-        QStringList({"blow.png", "events.csv", "histories.csv", "notes.txt", "rock.png", "summary.json"}));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files),
+             QStringList({"blow.png", "events.csv", "histories.csv", "notes.txt", "rock.png", "scenario.yaml",
+                          "summary.json"}));
 
     // A folder that holds no run holds no plots of one.
     const QTemporaryDir other;
@@ -233,8 +239,8 @@ void TestRun::everyRunWritesTheSameBytes() {
     for (int round = 0; round < 5; ++round) {
         const QString out = folder.filePath(QString::number(round));
         QCOMPARE(run({"run", example("t38_medium_rock"), "-o", out, "--plots", "png,svg"}).exitCode, 0);
-        for (const char* name :
-             {"histories.csv", "events.csv", "blow.png", "blow.svg", "rock.png", "rock.svg"}) {
+        for (const char* name : {"scenario.yaml", "histories.csv", "events.csv", "blow.png", "blow.svg",
+                                 "rock.png", "rock.svg"}) {
             const QByteArray bytes = read(out + "/" + name);
             if (round == 0) first[name] = bytes;
             QVERIFY2(bytes == first[name], name);

@@ -35,6 +35,17 @@ QJsonObject siJson(const BlowReport& report) {
     return object;
 }
 
+/// The SI unit of each number of siJson(), "1" for what has none.
+QJsonObject unitsJson(const QJsonObject& si) {
+    QJsonObject units;
+    for (const QString& name : si.keys()) {
+        const Output* output = findOutput(name.toStdString());
+        const Quantity quantity = output ? output->quantity : Quantity::force;  // the thrust is no Output
+        units[name] = unitJson(quantity);
+    }
+    return units;
+}
+
 QJsonArray eventsJson(const Impact& impact) {
     QJsonArray array;
     for (const ImpactEvent& event : impact.events)
@@ -65,7 +76,7 @@ std::vector<Alert> BlowReport::alerts() const {
     return all;
 }
 
-QByteArray reportJson(const BlowReport& report) {
+QByteArray reportJson(const BlowReport& report, const std::string& scenarioText) {
     const Impact& impact = report.impact;
     const bool solved = impact.outcome == Outcome::rebounded;
     QJsonObject object{
@@ -83,7 +94,12 @@ QByteArray reportJson(const BlowReport& report) {
     };
     if (report.choice.method == Method::lattice) object["segments"] = report.choice.lattice.segments;
     if (!solved) object["reason"] = jsonText(impact.reason);
-    if (report.scenario.form == ScenarioForm::dimensional) object["si"] = siJson(report);
+    object["scenario"] = jsonText(scenarioText);
+    if (report.scenario.form == ScenarioForm::dimensional) {
+        const QJsonObject si = siJson(report);
+        object["si"] = si;
+        object["units"] = unitsJson(si);
+    }
     return QJsonDocument(object).toJson(QJsonDocument::Indented);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <string>
 #include <vector>
 
 #include "core/model/scenario.h"
@@ -20,8 +21,9 @@ struct BlowReport {
     std::vector<Alert> alerts() const;  ///< of the scenario, and of the result if there is one
 };
 
-/// The JSON object of contract §4. Numbers read back exactly; they are null where the case could not be
-/// solved.
-QByteArray reportJson(const BlowReport& report);
+/// The JSON object of a blow: results dimensionless and, where the scenario has units, in SI with the unit of
+/// each; and the scenario as the text that gives them again (completeScenarioText()). Numbers read back
+/// exactly; they are null where the case could not be solved.
+QByteArray reportJson(const BlowReport& report, const std::string& scenarioText);
 
 }  // namespace drillwave

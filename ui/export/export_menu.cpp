@@ -42,7 +42,8 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
                             void (ExportMenu::*save)()) {
         addAction(text, keys, this, save)->setToolTip(toolTip);
     };
-    add(tr("&Histories…"), {}, tr("Impact force, impulse, momentum and incident wave over time, as CSV"),
+    add(tr("&Histories…"), {},
+        tr("Forces, impulse, momentum, penetration and velocity at the bit over time, as CSV"),
         &ExportMenu::saveHistories);
     add(tr("&Events…"), {}, tr("Contacts, reversals and separations with their times, as CSV"),
         &ExportMenu::saveEvents);
@@ -54,7 +55,7 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
         tr("As it is zoomed, to paste into a report"), &ExportMenu::copyPicture);
     addSeparator();
     add(tr("Everything into a &folder…"), QKeySequence(Qt::CTRL | Qt::Key_E),
-        tr("Summary, histories, events and plots, as `drillwave run -o` writes them"),
+        tr("Scenario, summary, histories, events and plots, as `drillwave run -o` writes them"),
         &ExportMenu::saveEverything);
 }
 
@@ -113,14 +114,16 @@ void ExportMenu::saveEverything() {
                                                      there.join(QStringLiteral(", ")),
                                                  tr("Overwrite")))
         return;
-    withRun(QFileInfo(folder).fileName(), [this, folder](const SolvedRun& run) { writeFolder(folder, run); });
+    const auto existing = there.isEmpty() ? ExistingFiles::kept : ExistingFiles::replaced;
+    withRun(QFileInfo(folder).fileName(),
+            [=, this](const SolvedRun& run) { writeFolder(folder, run, existing); });
 }
 
-void ExportMenu::writeFolder(const QString& folder, SolvedRun run) {
-    run.units = OutputUnits::dimensionless;
+void ExportMenu::writeFolder(const QString& folder, SolvedRun run, ExistingFiles existing) {
+    run.units = customaryUnits(run.report.scenario);
     const WaitCursor wait;
     try {
-        finish(folder, writeRunFolder(folder, run, plotFormats()));
+        finish(folder, writeRunFolder(folder, run, plotFormats(), existing).problem);
     } catch (const ScenarioError& error) {
         fail(QString::fromUtf8(error.what()));
     }

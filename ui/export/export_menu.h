@@ -6,6 +6,7 @@
 
 #include "ui/document.h"
 #include "ui/export/run_files.h"
+#include "ui/export/whole_folder.h"
 #include "ui/questions.h"
 #include "ui/solved_blow.h"
 
@@ -53,7 +54,7 @@ class ExportMenu : public QMenu {
     using MakeFile = std::function<QByteArray(const SolvedRun&)>;
     using UseRun = std::function<void(const SolvedRun&)>;
     void saveFile(const QString& title, const QString& ending, const MakeFile& make);
-    void writeFolder(const QString& folder, SolvedRun run);
+    void writeFolder(const QString& folder, SolvedRun run, ExistingFiles existing);
     void writePicture(const QString& path, const PictureChoice& choice);
     /// Whether it is known, and told, that there is nothing to be written.
     bool isUnsolved();

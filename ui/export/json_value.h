@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/model/scenario.h"
+#include "core/model/units.h"
 
 namespace drillwave {
 
@@ -18,6 +19,12 @@ inline QString jsonText(std::string_view text) {
 /// null where there is no number.
 inline QJsonValue jsonNumber(double value) {
     return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null);
+}
+
+/// The SI unit of a quantity; "1" for a ratio.
+inline QJsonValue unitJson(Quantity quantity) {
+    const std::string_view unit = unitsOf(quantity).front().name;
+    return jsonText(unit.empty() ? "1" : unit);
 }
 
 inline QJsonObject groupsJson(const Groups& groups) {

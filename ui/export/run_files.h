@@ -4,10 +4,12 @@
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
+#include <stop_token>
 
 #include "core/file/scenario_file.h"
 #include "core/study/output_column.h"
 #include "ui/export/blow_report.h"
+#include "ui/export/whole_folder.h"
 
 namespace drillwave {
 
@@ -17,6 +19,10 @@ struct SolvedRun {
     BlowReport report;  ///< solved with Detail::histories
     OutputUnits units = OutputUnits::dimensionless;
 };
+
+/// Those in which the files of a run are written where nothing else is asked for: SI where the scenario has
+/// units.
+OutputUnits customaryUnits(const Scenario& scenario);
 
 /// The lines at the top of every CSV file: the whole scenario and how it was solved. Throws ScenarioError
 /// where the scenario with the points of its table is too large for a file, as do the next two.
@@ -28,18 +34,21 @@ QByteArray historiesFile(const SolvedRun& run);
 /// events.csv, likewise.
 QByteArray eventsFile(const SolvedRun& run);
 
+/// scenario.yaml: the scenario that was solved, complete in itself, behind who solved it and how.
+QByteArray scenarioFile(const SolvedRun& run);
+
 /// The names of the files of a run with plots in these formats.
 QStringList runFileNames(const QStringList& plotFormats);
 
 /// Those of runFileNames() that are in the folder already.
 QStringList runFilesThere(const QString& folder, const QStringList& plotFormats);
 
-/// Writes the files of a run into a folder, over files of these names, making the folder where it is missing;
-/// plots need a QApplication. Plots that an earlier run left there in formats not asked for would show
-/// another blow and are removed. summary.json goes first and comes last: a folder with a summary is complete.
-/// The same run gives the same bytes wherever it is written from, but for `run_time` in summary.json and the
-/// creation date in PDF. Returns why not, in one line; what is there then is no complete run. Throws
-/// ScenarioError where the scenario with the points of its table is too large for a file.
-QString writeRunFolder(const QString& folder, const SolvedRun& run, const QStringList& plotFormats);
+/// Writes the files of a run into a folder, whole or not at all (writeWholeFolder()); plots need a
+/// QApplication. Plots that an earlier run left there in formats not asked for would show another blow and
+/// are removed. A folder with a summary.json is complete. The same run gives the same bytes wherever it is
+/// written from, but for `run_time` in summary.json and the creation date in PDF. Throws ScenarioError where
+/// the scenario with the points of its table is too large for a file.
+FolderEnd writeRunFolder(const QString& folder, const SolvedRun& run, const QStringList& plotFormats,
+                         ExistingFiles existing, const std::stop_token& stop = {});
 
 }  // namespace drillwave

@@ -3,6 +3,7 @@
 #include <qcustomplot.h>
 
 #include <QBuffer>
+#include <QDateTime>
 #include <QImage>
 #include <QImageWriter>
 #include <QPdfWriter>
@@ -61,6 +62,20 @@ QByteArray svg(QCustomPlot& plot, Millimetres size, const QString& title) {
     return bytes.replace("font-family=\"" + family + "\"", "font-family=\"" + family + ", sans-serif\"");
 }
 
+// Puts the time of SOURCE_DATE_EPOCH [s since 1970] in place of the present one, for documents that shall
+// come out the same tomorrow (reproducible-builds.org). The length stays, as the file counts its bytes.
+void fixCreationDate(QByteArray& pdf) {
+    bool isNumber = false;
+    const qint64 seconds = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isNumber);
+    const QByteArray key = QByteArrayLiteral("/CreationDate (D:");
+    const qsizetype begin = pdf.indexOf(key) + key.size();
+    const qsizetype length = pdf.indexOf(')', begin) + 1 - begin;
+    const QDateTime time = QDateTime::fromSecsSinceEpoch(seconds, Qt::UTC);
+    const QByteArray date = time.toString(QStringLiteral("yyyyMMddHHmmss")).toLatin1() + "Z)";
+    if (!isNumber || !time.isValid() || begin < key.size() || date.size() > length) return;
+    pdf.replace(begin, length, date.leftJustified(length, ' '));
+}
+
 QByteArray pdf(QCustomPlot& plot, Millimetres size, const QString& title) {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
@@ -74,7 +89,9 @@ QByteArray pdf(QCustomPlot& plot, Millimetres size, const QString& title) {
     painter.begin(&writer);
     paint(plot, painter, pixelsOf(size));
     painter.end();
-    return buffer.data();
+    QByteArray bytes = buffer.data();
+    fixCreationDate(bytes);
+    return bytes;
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ struct Millimetres {
 inline constexpr double standardDpi = 200;
 
 /// The plot in a format of plotFormats(); `dpi` is that of PNG. PNG and SVG are the same bytes for the same
-/// plot on one machine; curves that leave their axes are cut there in every format. `title` goes into the
-/// file's properties. Empty when it could not be drawn.
+/// plot on one machine, PDF with the environment's SOURCE_DATE_EPOCH too; curves that leave their axes are
+/// cut there in every format. `title` goes into the file's properties. Empty when it could not be drawn.
 QByteArray renderPlot(QCustomPlot& plot, Millimetres size, const QString& format, const QString& title,
                       double dpi = standardDpi);
 

@@ -37,6 +37,7 @@ class TestParameter : public QObject {
     Q_OBJECT
 
   private slots:
+    void whatDoesNotReadBackIsRefused();
     void everyKeyIsThereOnce();
     void everyParameterIsDescribed();
     void plausibleRangesLieInsideTheHardOnes();
@@ -143,7 +144,8 @@ void TestParameter::settingAGroupMovesItsPhysicalParameterOnly() {
     }
 }
 
-// The physical value is rounded too: where no double gives the group that was asked for, the nearest one does.
+// The physical value is rounded too: where no double gives the group that was asked for, the nearest one
+// does.
 void TestParameter::aGroupIsHitOrMissedByLessThanADoubleCanTell() {
     for (const std::string_view key : {"beta", "tau", "delta"})
         for (double wanted = 1e-3; wanted < 1e10; wanted *= 1.7) {
@@ -225,7 +227,7 @@ void TestParameter::wrongTextLeavesTheScenarioAloneAndSaysWhy_data() {
     QTest::newRow("closed end") << "si"
                                 << "delta"
                                 << "-1"
-                                << "delta = -1 (must be at least 0)";
+                                << "delta = -1 (must be in [0, 1e+09])";
     QTest::newRow("no unit") << "si"
                              << "rod.diameter"
                              << "38"
@@ -338,6 +340,21 @@ void TestParameter::rangesDescribeThemselves() {
     QVERIFY(!Range({0, 1}).contains(std::nan("")));
     QVERIFY(!Range({0, 1, true}).contains(0));
     QVERIFY(Range({0, 1, true}).contains(1));
+}
+
+// The stiffness is kept, not beta: where it is at the end of double precision, beta would be another.
+void TestParameter::whatDoesNotReadBackIsRefused() {
+    Scenario scenario;
+    for (const char* text : {"1e-300", "1e290", "0.1"})
+        QCOMPARE(assignText(scenario, "beta", text), std::string());
+    for (const char* text : {"1e301", "1e308"}) {
+        const std::string problem = assignText(scenario, "beta", text);
+        QVERIFY2(problem.starts_with(std::string("beta = ") + text + " (cannot be kept"), problem.c_str());
+    }
+    scenario = {};
+    QCOMPARE(assignText(scenario, "pulse.force", "255 kN"), std::string());
+    scenario.form = ScenarioForm::dimensionless;
+    QCOMPARE(assignText(scenario, "beta", "1e301"), std::string());
 }
 
 QTEST_APPLESS_MAIN(TestParameter)

@@ -103,7 +103,7 @@ void TestTable::cellsSetTheParametersOfTheirColumn() {
     const std::string csv = csvOf(tableOf(base),
                                   "rod.diameter [mm],rod.length,pulse.shape\n"
                                   "45,4.27 m,half_sine\n"
-                                  "3.2 cm,3050 mm,triangular\n");
+                                  "32 mm,3050 mm,triangular\n");
     QCOMPARE(lastColumn(csv), (std::vector<double>{corOf(first), corOf(second)}));
 }
 
@@ -151,13 +151,15 @@ void TestTable::shardsPutTogetherAreTheWhole() {
 
 void TestTable::unknownColumnsAreWarnedOfAndOutputsAreNot() {
     const TableCheck check =
-        checkOf(tableOf(dimensionless()), "beta,cor,peak_force [N],gama,site\n1,,,0.5,A\n");
+        checkOf(tableOf(dimensionless()), "beta,impulse,peak_force [N],gama,site,cor\n1,,,0.5,A,\n");
     QVERIFY(check.problems.empty());
-    QCOMPARE(check.warnings.size(), std::size_t{2});
+    QCOMPARE(check.warnings.size(), std::size_t{3});
     QCOMPARE(QString::fromStdString(check.warnings[0]),
-             QString("cases.csv:1: column 4 `gama` is not a parameter and only passed through; did you mean "
+             QString("cases.csv:1:4: `gama` is not a parameter and only passed through; did you mean "
                      "`gamma`?"));
     QVERIFY(QString::fromStdString(check.warnings[1]).contains("`site`"));
+    // The output of that name is appended: there will be two.
+    QVERIFY(QString::fromStdString(check.warnings[2]).startsWith("cases.csv:1:6: `cor` is passed through"));
 }
 
 void TestTable::badTablesAreRefusedWithTheirPlace_data() {
@@ -171,11 +173,10 @@ void TestTable::badTablesAreRefusedWithTheirPlace_data() {
     QTest::newRow("unit of another quantity")
         << QByteArray("rod.length\n3 kg\n") << "cases.csv:2:1: rod.length = 3 kg (unit";
     QTest::newRow("unknown unit of a column")
-        << QByteArray("rod.length [kg]\n3\n") << "cases.csv:1: column 1 rod.length: unit `kg`";
-    QTest::newRow("unit of a group") << QByteArray("beta [m]\n3\n")
-                                     << "cases.csv:1: column 1 beta has no unit";
+        << QByteArray("rod.length [kg]\n3\n") << "cases.csv:1:1: rod.length: unit `kg`";
+    QTest::newRow("unit of a group") << QByteArray("beta [m]\n3\n") << "cases.csv:1:1: beta has no unit";
     QTest::newRow("a parameter twice")
-        << QByteArray("beta,tau,beta\n1,2,3\n") << "cases.csv:1: column 3 sets beta again";
+        << QByteArray("beta,tau,beta\n1,2,3\n") << "cases.csv:1:3: sets beta again";
     QTest::newRow("too few cells") << QByteArray("beta,tau\n1,2\n1\n")
                                    << "cases.csv:3: has 1 cells, the header has 2";
     QTest::newRow("too many cells") << QByteArray("beta,tau\n1,2,3\n")
@@ -184,6 +185,47 @@ void TestTable::badTablesAreRefusedWithTheirPlace_data() {
     QTest::newRow("a row as a whole")
         << QByteArray("rod.bore [mm],rod.diameter [mm]\n10,30\n40,30\n")
         << "cases.csv:3: rod.bore = 40 mm (must be less than the diameter of 30 mm)";
+    // Every row would be the base beside the numbers of the user.
+    QTest::newRow("no parameter") << QByteArray("site,depth\nA,3\n")
+                                  << "cases.csv:1: no column names a parameter";
+    QTest::newRow("semicolons") << QByteArray("beta;gamma\n1;0.5\n")
+                                << "cases.csv:1:1: cells are separated by `;`";
+    QTest::newRow("semicolons and decimal commas")
+        << QByteArray("site;rod.length [m]\nA;3,5\n") << "cases.csv:1:1: cells are separated by `;`";
+    QTest::newRow("tabs") << QByteArray("beta\tgamma\n1\t0.5\n")
+                          << "cases.csv:1:1: cells are separated by tabs";
+    QTest::newRow("upper case") << QByteArray("n,Beta\n1,2\n")
+                                << "cases.csv:1:2: `Beta` is not a parameter; write `beta`,";
+    QTest::newRow("an underscore for the dot, beside a parameter")
+        << QByteArray("beta,rod_length [m]\n1,2\n")
+        << "cases.csv:1:2: `rod_length` is not a parameter; write `rod.length`,";
+    QTest::newRow("a dot for the underscore")
+        << QByteArray("beta,drill.blow.frequency\n1,2\n") << "cases.csv:1:2: `drill.blow.frequency` is not";
+    QTest::newRow("a shape") << QByteArray("Pulse Shape\nhalf_sine\n")
+                             << "cases.csv:1:1: `Pulse Shape` is not a parameter; write `pulse.shape`,";
+    QTest::newRow("a unit in parentheses")
+        << QByteArray("rod.length (m)\n3\n")
+        << "cases.csv:1:1: `rod.length (m)` is not a parameter; write `rod.length`, with its unit in square";
+    QTest::newRow("UTF-16") << QByteArray(
+                                   "\xFF\xFE"
+                                   "b\0e\0t\0a\0\n\0"
+                                   "1\0\n\0",
+                                   16)
+                            << "cases.csv:1:1: has a byte that is not UTF-8";
+    QTest::newRow("UTF-16 without a mark") << QByteArray(
+                                                  "b\0e\0t\0a\0\n\0"
+                                                  "1\0\n\0",
+                                                  14)
+                                           << "cases.csv:1:1: has a NUL byte";
+    QTest::newRow("Latin-1 in a note")
+        << QByteArray("beta,note\n1,f\xFCr\n") << "cases.csv:2:2: has a byte that is not UTF-8";
+    QTest::newRow("NUL in a note") << QByteArray("beta,note\n1,a\0b\n", 16)
+                                   << "cases.csv:2:2: has a NUL byte";
+    QTest::newRow("another unit than the header's")
+        << QByteArray("rod.length [m]\n4 m\n3 ft\n")
+        << "cases.csv:3:1: rod.length = 3 ft (is in ft, the column in m";
+    QTest::newRow("one thing set twice") << QByteArray("rod.length [m],tau\n4,\n,5\n3,5\n")
+                                         << "cases.csv:4:2: tau and rod.length set the same thing";
     QTest::newRow("without meaning") << QByteArray("pulse.rise\n0.2\n")
                                      << "cases.csv:2:1: pulse.rise = 0.2 (only a trapezoid";
 }

@@ -1,6 +1,4 @@
-#include <QFile>
 #include <QImage>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QXmlStreamReader>
 
@@ -14,13 +12,15 @@ using namespace drillwave;
 
 namespace {
 
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 Impact solved(const Scenario& scenario, Detail detail = Detail::histories) {
     return ExactSolver().solve(pulseForceOf(scenario), groupsOf(scenario), detail);
+}
+
+// The one of that name; empty when there is none.
+QByteArray picture(const BlowPictures& pictures, const char* name) {
+    for (const NamedFile& file : pictures.files)
+        if (file.name == QLatin1String(name)) return file.bytes;
+    return {};
 }
 
 QString textsOf(const QByteArray& svg) {
@@ -47,42 +47,33 @@ class TestPlotExport : public QObject {
     Q_OBJECT
 
   private slots:
-    void init();
-    void everyFormatIsWritten();
+    void init() { QLocale::setDefault(QLocale::c()); }
+    void everyFormatIsDrawn();
     void thePngShowsFourPlotsOnWhite();
     void theSvgNamesFourPlotsWithTheirUnits();
     void pngAndSvgAreTheSameBytesEveryTime();
     void filesDoNotDependOnTheLocale();
-    void anExistingFileIsOverwrittenOnlyOnRequest();
+    void aStopEndsTheDrawing();
     void failuresAreToldInOneLine_data();
     void failuresAreToldInOneLine();
 
   private:
+    BlowPictures drawn(const QStringList& formats) const {
+        return drawBlowPlots(m_scenario, solved(m_scenario), formats);
+    }
     Scenario m_scenario;
-    std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-void TestPlotExport::init() {
-    QLocale::setDefault(QLocale::c());
-    m_folder = std::make_unique<QTemporaryDir>();
-}
-
-void TestPlotExport::everyFormatIsWritten() {
-    QString problem;
-    const QString folder = m_folder->filePath(QStringLiteral("new/plots"));
-    const QStringList written =
-        writeBlowPlots(m_scenario, solved(m_scenario), folder, plotFormats(), false, &problem);
-    QCOMPARE(problem, QString());
-    QCOMPARE(written.size(), 6);
-    for (const QString& path : written) QVERIFY2(bytesOf(path).size() > 2000, qPrintable(path));
-    QVERIFY(bytesOf(folder + QStringLiteral("/blow.pdf")).startsWith("%PDF-"));
+void TestPlotExport::everyFormatIsDrawn() {
+    const BlowPictures pictures = drawn(plotFormats());
+    QCOMPARE(pictures.problem, QString());
+    QCOMPARE(pictures.files.size(), std::size_t{6});
+    for (const NamedFile& file : pictures.files) QVERIFY2(file.bytes.size() > 2000, qPrintable(file.name));
+    QVERIFY(picture(pictures, "blow.pdf").startsWith("%PDF-"));
 }
 
 void TestPlotExport::thePngShowsFourPlotsOnWhite() {
-    QString problem;
-    writeBlowPlots(m_scenario, solved(m_scenario), m_folder->path(), {QStringLiteral("png")}, false,
-                   &problem);
-    const QImage image(m_folder->filePath(QStringLiteral("blow.png")));
+    const QImage image = QImage::fromData(picture(drawn({QStringLiteral("png")}), "blow.png"));
     QCOMPARE(image.pixelColor(0, 0), QColor(Qt::white));
     QVERIFY(image.width() * 25.4 / 180 >= 150);  // 180 mm wide at 150 dpi or more
     const PlotStyle style = PlotStyle::forPaper();
@@ -93,91 +84,61 @@ void TestPlotExport::thePngShowsFourPlotsOnWhite() {
 }
 
 void TestPlotExport::theSvgNamesFourPlotsWithTheirUnits() {
-    QString problem;
-    writeBlowPlots(m_scenario, solved(m_scenario), m_folder->path(), {QStringLiteral("svg")}, false,
-                   &problem);
-    const QString texts = textsOf(bytesOf(m_folder->filePath(QStringLiteral("blow.svg"))));
+    const QStringList svg{QStringLiteral("svg")};
+    const QString texts = textsOf(picture(drawn(svg), "blow.svg"));
     for (const char* text :
          {"waves at x/L = 0.50", "N₀ₚ", "N₁ₙ", "N₂ₚ", "N₃ₙ", "N [kN]", "impact force F", "F [kN]",
           "impulse of the impact force I", "I [N s]", "momentum of the rod p", "p [N s]", "time t [ms]"})
         QVERIFY2(texts.contains(QString::fromUtf8(text)), text);
     Scenario scenario;
     scenario.form = ScenarioForm::dimensionless;
-    writeBlowPlots(scenario, solved(scenario), m_folder->path(), {QStringLiteral("svg")}, true, &problem);
-    const QString dimensionless = textsOf(bytesOf(m_folder->filePath(QStringLiteral("blow.svg"))));
+    const QString dimensionless =
+        textsOf(picture(drawBlowPlots(scenario, solved(scenario), svg), "blow.svg"));
     QVERIFY(dimensionless.contains(QStringLiteral("F / F₀")));
     QVERIFY(dimensionless.contains(QStringLiteral("time t / t₀")));
 }
 
 void TestPlotExport::pngAndSvgAreTheSameBytesEveryTime() {
-    QString problem;
     const QStringList formats{QStringLiteral("png"), QStringLiteral("svg")};
-    const QString first = m_folder->filePath(QStringLiteral("1"));
-    const QString second = m_folder->filePath(QStringLiteral("2"));
-    writeBlowPlots(m_scenario, solved(m_scenario), first, formats, false, &problem);
-    writeBlowPlots(m_scenario, solved(m_scenario), second, formats, false, &problem);
-    for (const char* name : {"/blow.png", "/blow.svg", "/rock.png", "/rock.svg"}) {
-        QVERIFY(!bytesOf(first + QLatin1String(name)).isEmpty());
-        QCOMPARE(bytesOf(first + QLatin1String(name)), bytesOf(second + QLatin1String(name)));
+    const BlowPictures first = drawn(formats);
+    const BlowPictures second = drawn(formats);
+    for (const char* name : {"blow.png", "blow.svg", "rock.png", "rock.svg"}) {
+        QVERIFY(!picture(first, name).isEmpty());
+        QCOMPARE(picture(first, name), picture(second, name));
     }
 }
 
 void TestPlotExport::filesDoNotDependOnTheLocale() {
-    QString problem;
     const QStringList formats{QStringLiteral("svg")};
-    writeBlowPlots(m_scenario, solved(m_scenario), m_folder->path(), formats, false, &problem);
-    const QByteArray plain = bytesOf(m_folder->filePath(QStringLiteral("rock.svg")));
+    const QByteArray plain = picture(drawn(formats), "rock.svg");
     QVERIFY(textsOf(plain).contains(QStringLiteral("0.5")));
     QLocale::setDefault(QLocale(QStringLiteral("de_DE")));
-    writeBlowPlots(m_scenario, solved(m_scenario), m_folder->path(), formats, true, &problem);
-    QCOMPARE(bytesOf(m_folder->filePath(QStringLiteral("rock.svg"))), plain);
+    QCOMPARE(picture(drawn(formats), "rock.svg"), plain);
 }
 
-void TestPlotExport::anExistingFileIsOverwrittenOnlyOnRequest() {
-    const QString path = m_folder->filePath(QStringLiteral("rock.png"));
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("mine");
-    file.close();
-    QString problem;
-    const QStringList formats{QStringLiteral("png")};
-    QCOMPARE(writeBlowPlots(m_scenario, solved(m_scenario), m_folder->path(), formats, false, &problem),
-             QStringList());
-    QVERIFY2(problem.contains(QStringLiteral("rock.png")), qPrintable(problem));
-    QCOMPARE(bytesOf(path), QByteArray("mine"));
-    QCOMPARE(writeBlowPlots(m_scenario, solved(m_scenario), m_folder->path(), formats, true, &problem).size(),
-             2);
-    QCOMPARE(problem, QString());
+void TestPlotExport::aStopEndsTheDrawing() {
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(drawBlowPlots(m_scenario, solved(m_scenario), plotFormats(), stop.get_token()).files.empty());
 }
 
 void TestPlotExport::failuresAreToldInOneLine_data() {
-    QTest::addColumn<QString>("folder");
     QTest::addColumn<QString>("format");
     QTest::addColumn<bool>("histories");
     QTest::addColumn<QString>("says");
-    QTest::newRow("unknown format") << ""
-                                    << "gif" << true << "png, svg, pdf";
-    QTest::newRow("a file in place of the folder") << "file"
-                                                   << "png" << true << "cannot be made";
-    QTest::newRow("no histories") << ""
-                                  << "png" << false << "histories";
+    QTest::newRow("unknown format") << "gif" << true << "png, svg, pdf";
+    QTest::newRow("no histories") << "png" << false << "histories";
 }
 
 void TestPlotExport::failuresAreToldInOneLine() {
-    QFETCH(QString, folder);
     QFETCH(QString, format);
     QFETCH(bool, histories);
     QFETCH(QString, says);
-    QFile file(m_folder->filePath(QStringLiteral("file")));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.close();
-    QString problem;
     const Impact impact = solved(m_scenario, histories ? Detail::histories : Detail::summary);
-    const QStringList written =
-        writeBlowPlots(m_scenario, impact, m_folder->filePath(folder), {format}, false, &problem);
-    QCOMPARE(written, QStringList());
-    QVERIFY2(problem.contains(says), qPrintable(problem));
-    QVERIFY(!problem.contains(QLatin1Char('\n')));
+    const BlowPictures pictures = drawBlowPlots(m_scenario, impact, {format});
+    QVERIFY(pictures.files.empty());
+    QVERIFY2(pictures.problem.contains(says), qPrintable(pictures.problem));
+    QVERIFY(!pictures.problem.contains(QLatin1Char('\n')));
 }
 
 QTEST_MAIN(TestPlotExport)

@@ -1,0 +1,127 @@
+#include "app/input_text.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <QDir>
+#include <QTemporaryFile>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include "app/command_error.h"
+
+namespace drillwave {
+
+namespace {
+
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
+
+/// Something that is read once, from its beginning to its end.
+class Pipe {
+  public:
+    explicit Pipe(const std::string& path)
+        : m_isOwn(!isStandardInput(path)),
+          m_descriptor(m_isOwn ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : STDIN_FILENO) {
+        if (m_descriptor < 0) m_problem = "cannot be opened: " + reason(errno);
+        if (!m_isOwn && ::isatty(STDIN_FILENO) == 1)
+            std::fputs("reading standard input; end it with Ctrl-D\n", stderr);
+    }
+    ~Pipe() {
+        if (m_isOwn && m_descriptor >= 0) ::close(m_descriptor);
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+
+    /// Up to `most` of the next bytes; 0 at the end and where there is a problem().
+    std::size_t read(char* bytes, std::size_t most) {
+        while (m_problem.empty()) {
+            const ssize_t got = ::read(m_descriptor, bytes, most);
+            if (got >= 0) return static_cast<std::size_t>(got);
+            if (errno != EINTR) m_problem = "cannot be read: " + reason(errno);
+        }
+        return 0;
+    }
+    const std::string& problem() const { return m_problem; }
+
+  private:
+    bool m_isOwn;
+    int m_descriptor;
+    std::string m_problem;
+};
+
+/// Standard input, a pipe or a terminal: what can be read only once.
+bool isPipe(const std::string& path) {
+    struct stat status {};
+    if (isStandardInput(path)) return true;
+    if (::stat(path.c_str(), &status) != 0) return false;
+    return S_ISFIFO(status.st_mode) || S_ISCHR(status.st_mode) || S_ISSOCK(status.st_mode);
+}
+
+constexpr std::size_t chunkBytes = std::size_t{1} << 16;
+
+}  // namespace
+
+bool isStandardInput(const std::string& path) {
+    return path == "-";
+}
+
+std::string inputName(const std::string& path) {
+    return isStandardInput(path) || path == "/dev/stdin" ? "standard input" : path;
+}
+
+FileBytes readInput(const std::string& path, std::size_t most) {
+    if (!isPipe(path)) return readStart(path, most);
+    Pipe pipe(path);
+    std::string bytes;
+    std::array<char, chunkBytes> chunk{};
+    while (bytes.size() < most) {
+        const std::size_t got = pipe.read(chunk.data(), std::min(chunk.size(), most - bytes.size()));
+        if (got == 0) break;
+        bytes.append(chunk.data(), got);
+    }
+    if (!pipe.problem().empty()) return {{}, pipe.problem()};
+    return {std::move(bytes), {}};
+}
+
+RereadableInput::RereadableInput(const std::string& path) {
+    const auto refuse = [&](const std::string& problem) {
+        throw CommandError(ExitCode::unreadableInput, inputName(path) + ": " + problem);
+    };
+    if (isPipe(path)) {
+        keep(path);
+        return;
+    }
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) refuse("cannot be opened: " + reason(errno));
+    if (!S_ISREG(status.st_mode)) refuse("is not a regular file; write the rows to a file first");
+    m_stream.open(path, std::ios::binary);
+    if (!m_stream) refuse("cannot be opened for reading; check its permissions");
+}
+
+void RereadableInput::keep(const std::string& path) {
+    QTemporaryFile kept(QDir::tempPath() + QStringLiteral("/drillwave-rows-XXXXXX"));
+    const auto refuse = [&] {
+        throw CommandError(ExitCode::unwritableOutput,
+                           inputName(path) + ": cannot be kept in " + QDir::tempPath().toStdString() + ": " +
+                               kept.errorString().toStdString() + "; set TMPDIR to a folder with more room");
+    };
+    if (!kept.open()) refuse();
+    Pipe pipe(path);
+    std::array<char, chunkBytes> chunk{};
+    while (const std::size_t got = pipe.read(chunk.data(), chunk.size()))
+        if (kept.write(chunk.data(), static_cast<qint64>(got)) != static_cast<qint64>(got)) refuse();
+    if (!pipe.problem().empty())
+        throw CommandError(ExitCode::unreadableInput, inputName(path) + ": " + pipe.problem());
+    if (!kept.flush()) refuse();
+    // The name goes at once, the rows when the stream is closed: nothing can be left behind.
+    m_stream.open(kept.fileName().toStdString(), std::ios::binary);
+    if (!m_stream) refuse();
+}
+
+}  // namespace drillwave

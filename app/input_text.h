@@ -1,0 +1,37 @@
+// What a command reads: a file, standard input, or a pipe.
+#pragma once
+
+#include <fstream>
+#include <string>
+
+#include "core/file/text_input.h"
+
+namespace drillwave {
+
+/// Whether a word names standard input: "-".
+bool isStandardInput(const std::string& path);
+
+/// How messages call it: the path, or "standard input".
+std::string inputName(const std::string& path);
+
+/// No more than the first `most` bytes of a file, of standard input ("-") or of a pipe. Waits for a pipe to
+/// be written to.
+FileBytes readInput(const std::string& path, std::size_t most);
+
+/// Rows that are read twice, once to be checked and once to be solved. Those of a pipe are kept in a
+/// temporary file meanwhile, in bounded memory.
+class RereadableInput {
+  public:
+    /// Throws CommandError: unreadable input; unwritable output where there is no room for a temporary file.
+    explicit RereadableInput(const std::string& path);
+
+    /// At the beginning.
+    std::ifstream& stream() { return m_stream; }
+
+  private:
+    void keep(const std::string& path);
+
+    std::ifstream m_stream;
+};
+
+}  // namespace drillwave

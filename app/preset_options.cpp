@@ -1,0 +1,97 @@
+#include "app/preset_options.h"
+
+#include <algorithm>
+
+#include "app/command_error.h"
+#include "app/scenario_argument.h"
+#include "core/file/preset_file.h"
+#include "core/model/decimal_text.h"
+#include "core/model/nearest_name.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr PresetKind allKinds[] = {PresetKind::rod, PresetKind::hammer, PresetKind::rock};
+
+std::string lowerCase(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+[[noreturn]] void refuse(const std::string& option, const std::string& wanted, const std::string& reason) {
+    throw CommandError(ExitCode::usage, option + " " + shortened(wanted) + ": " + reason);
+}
+
+/// The preset of that name, or the only one whose name begins with it: `T51` for "T51, round 52 mm".
+const Preset& presetNamed(const std::vector<Preset>& presets, PresetKind kind, const std::string& wanted) {
+    const std::string option = "--" + std::string(name(kind));
+    std::vector<std::string_view> names;
+    const Preset* beginning = nullptr;
+    std::string candidates;
+    for (const Preset& preset : presets) {
+        if (preset.kind != kind) continue;
+        if (lowerCase(preset.name) == lowerCase(wanted)) return preset;
+        names.push_back(preset.name);
+        if (wanted.empty() || !lowerCase(preset.name).starts_with(lowerCase(wanted))) continue;
+        beginning = &preset;
+        candidates += (candidates.empty() ? "`" : ", `") + preset.name + "`";
+    }
+    if (beginning && candidates == "`" + beginning->name + "`") return *beginning;
+    if (beginning) refuse(option, wanted, "may be " + candidates + "; give the whole name");
+    const std::string near(nearestName(wanted, names));
+    refuse(option, wanted,
+           "is not known; " +
+               (near.empty() ? "`drillwave presets` lists them" : "did you mean `" + near + "`?"));
+}
+
+}  // namespace
+
+std::string_view name(PresetKind kind) {
+    switch (kind) {
+        case PresetKind::rod:
+            return "rod";
+        case PresetKind::hammer:
+            return "hammer";
+        case PresetKind::rock:
+            return "rock";
+    }
+    return {};
+}
+
+std::vector<OptionSpec> presetOptionSpecs() {
+    return {{"rod", "NAME", "take this rod; `drillwave presets` lists rods, hammers and rocks"},
+            {"hammer", "NAME", "take this hammer"},
+            {"rock", "NAME", "take this rock"},
+            {"presets", "FILE.yaml", "a file of presets of your own, in place of the built-in ones"}};
+}
+
+std::vector<Preset> presetsOf(const std::string& path) {
+    if (path.empty()) return {builtInPresets().begin(), builtInPresets().end()};
+    try {
+        return loadPresets(path);
+    } catch (const ScenarioError& error) {
+        rethrow(error);
+    }
+}
+
+void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path) {
+    std::vector<Preset> presets;
+    for (const PresetKind kind : allKinds) {
+        const std::optional<std::string> wanted = arguments.value(name(kind));
+        if (!wanted) continue;
+        const std::string option = "--" + std::string(name(kind));
+        if (scenario.form != ScenarioForm::dimensional)
+            refuse(option, *wanted,
+                   path + " is given by its dimensionless groups; presets need a scenario in physical units");
+        if (presets.empty()) presets = presetsOf(arguments.value("presets").value_or(std::string()));
+        scenario = withPreset(std::move(scenario), presetNamed(presets, kind, *wanted));
+    }
+    const bool used =
+        std::ranges::any_of(allKinds, [&](PresetKind kind) { return arguments.has(name(kind)); });
+    if (arguments.has("presets") && !used)
+        throw CommandError(ExitCode::usage, "--presets is about --rod, --hammer and --rock; add one of them");
+}
+
+}  // namespace drillwave

@@ -1,0 +1,25 @@
+// --rod, --hammer, --rock and --presets.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/arguments.h"
+#include "core/model/preset.h"
+
+namespace drillwave {
+
+/// The options, for a command's table of options.
+std::vector<OptionSpec> presetOptionSpecs();
+
+/// "rod", "hammer", "rock": the option that takes a preset.
+std::string_view name(PresetKind kind);
+
+/// Puts the values of the presets that are named into a scenario, which `path` names. Throws CommandError.
+void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path);
+
+/// The presets of a file, or the built-in ones without. Throws CommandError.
+std::vector<Preset> presetsOf(const std::string& path);
+
+}  // namespace drillwave

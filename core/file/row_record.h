@@ -1,0 +1,39 @@
+// The record beside a CSV file of rows, map.csv.yaml beside map.csv: what the rows are and how to get them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/study/method.h"
+#include "core/study/shard.h"
+
+namespace drillwave {
+
+/// The first key of a record, with the number of its format.
+inline constexpr std::string_view rowRecordKey = "drillwave_result:";
+
+/// An axis of a sweep: its column, and its values as they were asked for.
+struct RecordedAxis {
+    std::string column;  ///< "rod.length [m]"
+    std::string values;  ///< "3 m:6 m:4"
+    std::uint64_t count = 0;
+};
+
+/// What a record says beside the version of the program.
+struct RowRecord {
+    std::string command;  ///< that gives the same rows
+    MethodChoice method;
+    std::uint64_t rows = 0;
+    Shard shard;
+    std::vector<RecordedAxis> axes;    ///< of a sweep
+    std::string cases;                 ///< file of the rows of a table, as given; empty for a sweep
+    std::vector<std::string> outputs;  ///< their columns
+    std::string scenario;              ///< complete in itself, as YAML
+};
+
+/// The file. The scenario is in it as text, and parseInput() finds it there.
+std::string recordText(const RowRecord& record);
+
+}  // namespace drillwave

@@ -1,0 +1,235 @@
+// What FILE may be: a file, standard input, a pipe, a built-in example; and presets by name.
+#include <QtTest>
+
+#include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include "tests/app/program.h"
+
+using namespace drillwave::test;
+
+namespace {
+
+const QString program = QStringLiteral(DRILLWAVE_PROGRAM);
+
+/// A line of a shell, with $drillwave, in that folder.
+Finished shell(const QString& line, const QString& folder = QDir::tempPath()) {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    // The shell itself would complain of a locale that is not installed.
+    const QString locale = environment.value("LC_ALL");
+    environment.remove("LC_ALL");
+    environment.insert("drillwave", "env LC_ALL=" + locale + " " + program);
+    process.setProcessEnvironment(environment);
+    process.setWorkingDirectory(folder);
+    process.start("bash", {"-c", line});
+    if (!process.waitForFinished(60000)) {
+        process.kill();
+        process.waitForFinished();
+        return {};
+    }
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+QJsonObject scenarioOf(const QStringList& words) {
+    const Finished finished = run(QStringList{"run"} + words + QStringList{"--json"});
+    if (finished.exitCode != 0) qFatal("%s", finished.error.constData());
+    return QJsonDocument::fromJson(finished.out).object();
+}
+
+}  // namespace
+
+class TestInputs : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void scenariosComeFromPipes_data();
+    void scenariosComeFromPipes();
+    void resultsComeFromPipes();
+    void problemsOfAPipeAreThoseOfStandardInput();
+    void anEndlessPipeIsRefused();
+    void tablesComeFromPipes_data();
+    void tablesComeFromPipes();
+    void aLongTableFromAPipeTakesNoMemory();
+    void examplesGoByTheirName();
+    void presetsAreListedWithTheirSources();
+    void presetsAreTakenByName();
+    void presetsOfOnesOwnAreTaken();
+    void presetsAreValidatedAsPresets();
+};
+
+void TestInputs::scenariosComeFromPipes_data() {
+    QTest::addColumn<QString>("line");
+    for (const char* command :
+         {"run %1 --json | grep -v run_time", "sweep %1 --vary beta=1,2", "gap %1 -o -", "thrust %1",
+          "validate %1", "accuracy %1 --segments 100 -o - | cut -d, -f1-6"}) {
+        const QString line = QStringLiteral("$drillwave ") + command;
+        QTest::newRow(qPrintable(QString("- ") + command)) << line.arg("- < %1");
+        QTest::newRow(qPrintable(QString("/dev/stdin ") + command)) << "cat %1 | " + line.arg("/dev/stdin");
+        QTest::newRow(qPrintable(QString("<(…) ") + command)) << line.arg("<(cat %1)");
+    }
+}
+
+void TestInputs::scenariosComeFromPipes() {
+    QFETCH(QString, line);
+    const QString file = example("t38_medium_rock");
+    QString direct = line;
+    direct.replace("- < %1", "%1")
+        .replace("cat %1 | ", "")
+        .replace("/dev/stdin", "%1")
+        .replace("<(cat %1)", "%1");
+    const Finished expected = shell(direct.arg(file));
+    QVERIFY2(expected.exitCode == 0, expected.error);
+    const Finished finished = shell(line.arg(file));
+    QVERIFY2(finished.exitCode == 0, finished.error);
+    QCOMPARE(finished.out, expected.out);
+    QCOMPARE(finished.error, QByteArray());
+}
+
+void TestInputs::resultsComeFromPipes() {
+    const QTemporaryDir folder;
+    const QString file = example("t38_medium_rock");
+    const QByteArray expected = shell("$drillwave run " + file + " --json | grep -v run_time").out;
+    QVERIFY(expected.size() > 1000);
+    QCOMPARE(shell("$drillwave run " + file + " --json | $drillwave run - --json | grep -v run_time").out,
+             expected);
+    QCOMPARE(run({"run", file, "-o", folder.path()}).exitCode, 0);
+    QCOMPARE(shell("$drillwave run - --json < histories.csv | grep -v run_time", folder.path()).out,
+             expected);
+    // As a result without its leading "# " is a scenario.
+    QCOMPARE(shell("sed -n 's/^# \\{0,1\\}//p' histories.csv | $drillwave run - --json | grep -v run_time",
+                   folder.path())
+                 .out,
+             expected);
+}
+
+void TestInputs::problemsOfAPipeAreThoseOfStandardInput() {
+    const Finished invalid = shell(
+        "printf 'drillwave: 1\\ndimensionless: {beta: -1, gamma: 1, tau: 1, delta: 0}\\npulse: {shape: "
+        "rectangular}\\n' | $drillwave run -");
+    QCOMPARE(invalid.exitCode, 5);
+    QVERIFY2(invalid.error.startsWith("standard input:2:"), invalid.error);
+    const Finished closed = shell("$drillwave run - <&-");
+    QCOMPARE(closed.exitCode, 3);
+    QCOMPARE(closed.error.count('\n'), 1);
+    QVERIFY2(closed.error.contains("cannot be read"), closed.error);
+    QVERIFY(shell("$drillwave run - < /dev/null").exitCode != 0);
+}
+
+void TestInputs::anEndlessPipeIsRefused() {
+    for (const char* line : {"$drillwave run - < /dev/zero", "yes '# x' | $drillwave run -",
+                             "yes '{ \"scenario\": [' | $drillwave run -"}) {
+        const Finished finished = shell(QStringLiteral("ulimit -v 2000000; ") + line);
+        QVERIFY2(finished.exitCode == 3 || finished.exitCode == 5, finished.error);
+        QCOMPARE(finished.error.count('\n'), 1);
+    }
+}
+
+void TestInputs::tablesComeFromPipes_data() {
+    QTest::addColumn<QString>("line");
+    QTest::newRow("-") << "$drillwave table %1 - < cases.csv";
+    QTest::newRow("/dev/stdin") << "cat cases.csv | $drillwave table %1 /dev/stdin";
+    QTest::newRow("<(…)") << "$drillwave table %1 <(cat cases.csv)";
+    QTest::newRow("named pipe") << "mkfifo pipe; cat cases.csv > pipe & $drillwave table %1 pipe";
+    QTest::newRow("both") << "$drillwave table <(cat %1) - < cases.csv";
+}
+
+void TestInputs::tablesComeFromPipes() {
+    QFETCH(QString, line);
+    const QTemporaryDir folder;
+    QByteArray cases = "beta,note\n";
+    for (int i = 1; i <= 3000; ++i) cases += QByteArray::number(i / 1000.0) + ",\"a, b\"\n";
+    write(folder.filePath("cases.csv"), cases);
+    const QByteArray expected = run({"table", example("paper_fig4b"), folder.filePath("cases.csv")}).out;
+    QCOMPARE(expected.count('\n'), 3001);
+    const Finished finished = shell(line.arg(example("paper_fig4b")), folder.path());
+    QVERIFY2(finished.exitCode == 0, finished.error);
+    QVERIFY(finished.out == expected);
+}
+
+void TestInputs::aLongTableFromAPipeTakesNoMemory() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    QSKIP("sanitizers keep freed memory");
+#endif
+    // 30 MB of rows, whose last one is wrong: all of them are read. A program takes some 25 MB by itself.
+    const Finished finished = shell(
+        "(echo beta,note; for i in {1..30}; do yes \"1,$(printf %0990d 0)\" | head -n 1000; done; echo x,) | "
+        "($drillwave table " +
+        example("paper_fig4b") +
+        " - > /dev/null & pid=$!; while kill -0 $pid 2>/dev/null; do "
+        "grep VmHWM /proc/$pid/status 2>/dev/null; sleep 0.02; done; wait $pid)");
+    QCOMPARE(finished.exitCode, 5);
+    QVERIFY2(finished.error.contains("standard input:30002:1: beta = x"), finished.error);
+    double most = 0;
+    for (const QByteArray& line : finished.out.split('\n'))
+        most = std::max(most, line.simplified().split(' ').value(1).toDouble());
+    QVERIFY2(most > 0 && most < 50000, qPrintable(QString("%1 kB").arg(most)));
+}
+
+void TestInputs::examplesGoByTheirName() {
+    const QTemporaryDir folder;
+    const Finished named = shell("$drillwave run t38_medium_rock --json | grep -v run_time", folder.path());
+    QCOMPARE(named.out,
+             shell("$drillwave run " + example("t38_medium_rock") + " --json | grep -v run_time").out);
+    QCOMPARE(shell("$drillwave gap paper_fig4b", folder.path()).exitCode, 0);
+    QCOMPARE(shell("$drillwave validate paper_fig4b", folder.path()).exitCode, 0);
+    // A file of that name goes first.
+    write(folder.filePath("t38_medium_rock"), read(example("paper_fig4b")));
+    QVERIFY(shell("$drillwave run t38_medium_rock", folder.path()).out.contains("tau 10"));
+}
+
+void TestInputs::presetsAreListedWithTheirSources() {
+    const Finished list = run({"presets"});
+    QCOMPARE(list.exitCode, 0);
+    for (const char* part :
+         {"T38, round 38 mm", "medium drifter, piston", "very hard rock", "assumed", "--rock"})
+        QVERIFY2(list.out.contains(part), part);
+    for (const QByteArray& line : list.out.split('\n')) QVERIFY2(line.size() < 200, line);
+}
+
+void TestInputs::presetsAreTakenByName() {
+    const QString file = example("t38_medium_rock");
+    const QJsonObject report = scenarioOf({file, "--rod", "T51", "--rock", "HARD rock", "--hammer",
+                                           "heavy drifter, piston", "--set", "bit_rock.gamma=0.3"});
+    const QString scenario = report["scenario"].toString();
+    QVERIFY2(scenario.contains("diameter: 52 mm"), qPrintable(scenario));
+    QVERIFY(scenario.contains("shape: piston"));
+    QVERIFY(scenario.contains("gamma: 0.3"));
+    QVERIFY(report["groups"] != scenarioOf({file})["groups"]);
+    // What a preset does not name stays.
+    QVERIFY(scenarioOf({file, "--rock", "hard rock"})["scenario"].toString().contains("diameter: 38 mm"));
+    QCOMPARE(run({"sweep", file, "--rod", "GT60", "--vary", "beta=1,2"}).exitCode, 0);
+    QCOMPARE(run({"thrust", file, "--rock", "soft rock"}).exitCode, 0);
+}
+
+void TestInputs::presetsOfOnesOwnAreTaken() {
+    const QTemporaryDir folder;
+    const QString mine = folder.filePath("mine.yaml");
+    write(mine,
+          "drillwave_presets: 1\nrocks:\n  - name: my quarry\n    stiffness: [123 MN/m, fitted]\n"
+          "    gamma: [0.2, fitted]\n");
+    QVERIFY(run({"presets", mine}).out.contains("my quarry"));
+    const QJsonObject report =
+        scenarioOf({example("t38_medium_rock"), "--presets", mine, "--rock", "my quarry"});
+    QVERIFY(report["scenario"].toString().contains("stiffness: 123 MN/m"));
+}
+
+void TestInputs::presetsAreValidatedAsPresets() {
+    const QTemporaryDir folder;
+    QCOMPARE(
+        run({"validate", QStringLiteral(DRILLWAVE_SOURCE_DIR "/resources/presets/presets.yaml")}).exitCode,
+        0);
+    const QString bad = folder.filePath("bad.yaml");
+    write(bad,
+          "drillwave_presets: 1\nrocks:\n  - name: mine\n    stiffness: [123, fitted]\n    gamma: 0.2\n");
+    const Finished finished = run({"validate", bad});
+    QCOMPARE(finished.exitCode, 5);
+    QCOMPARE(finished.error.count('\n'), 2);
+    QVERIFY2(finished.error.startsWith(bad.toUtf8() + ":4:"), finished.error);
+}
+
+QTEST_GUILESS_MAIN(TestInputs)
+#include "tst_inputs.moc"

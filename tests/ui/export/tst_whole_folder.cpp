@@ -1,0 +1,200 @@
+// Files put into a folder together: all of them or none, and nothing of anybody else is touched.
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cerrno>
+#include <system_error>
+#include <thread>
+
+#include "ui/export/whole_folder.h"
+
+using namespace drillwave;
+
+namespace {
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(not there)");
+}
+
+void put(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("cannot write");
+}
+
+/// As the system says it, in the language of the user.
+QString reason(int error) {
+    return QString::fromStdString(std::generic_category().message(error));
+}
+
+/// Everything in a folder, hidden things too.
+QStringList contents(const QString& folder) {
+    return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
+}
+
+FolderFiles set(const QByteArray& mark) {
+    return {.files = {{"a", "a " + mark}, {"b", "b " + mark}, {"last", "last " + mark}}, .outdated = {}};
+}
+
+}  // namespace
+
+class TestWholeFolder : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init() { m_place = std::make_unique<QTemporaryDir>(); }
+    void aNewFolderAppearsWithItsParents();
+    void foreignFilesStay();
+    void existingFilesAreKeptUnlessAskedFor();
+    void aFailureHalfWayBringsBackWhatWasThere();
+    void aStopLeavesNothing();
+    void outdatedFilesGo();
+    void aFolderInPlaceOfAFileIsNotRemoved();
+    void aLinkToAFolderIsFollowed();
+    void obstaclesAreKnownBefore();
+    void writersAtTheSameTimeNeverMix();
+
+  private:
+    QString path(const char* name) const { return m_place->filePath(QLatin1String(name)); }
+    std::unique_ptr<QTemporaryDir> m_place;
+};
+
+void TestWholeFolder::aNewFolderAppearsWithItsParents() {
+    const FolderEnd end = writeWholeFolder(path("x/y/z/"), set("1"), ExistingFiles::kept);
+    QVERIFY2(end.isWritten(), qPrintable(end.problem));
+    QCOMPARE(contents(path("x/y/z")), QStringList({"a", "b", "last"}));
+    QCOMPARE(contents(path("x/y")), QStringList{"z"});
+    QCOMPARE(bytesOf(path("x/y/z/b")), QByteArray("b 1"));
+    // As mkdir would have made it.
+    QVERIFY(QDir(m_place->path()).mkdir("plain"));
+    QCOMPARE(QFileInfo(path("x/y/z")).permissions(), QFileInfo(path("plain")).permissions());
+}
+
+void TestWholeFolder::foreignFilesStay() {
+    QVERIFY(QDir(m_place->path()).mkpath("f/sub"));
+    put(path("f/notes"), "mine");
+    put(path("f/sub/deep"), "mine too");
+    for (const char* mark : {"1", "2"}) {
+        QVERIFY(writeWholeFolder(path("f"), set(mark), ExistingFiles::replaced).isWritten());
+        QCOMPARE(contents(path("f")), QStringList({"a", "b", "last", "notes", "sub"}));
+        QCOMPARE(bytesOf(path("f/a")), QByteArray("a ") + mark);
+    }
+    QCOMPARE(bytesOf(path("f/notes")), QByteArray("mine"));
+    QCOMPARE(bytesOf(path("f/sub/deep")), QByteArray("mine too"));
+}
+
+void TestWholeFolder::existingFilesAreKeptUnlessAskedFor() {
+    QVERIFY(QDir(m_place->path()).mkdir("f"));
+    put(path("f/b"), "mine");
+    const FolderEnd end = writeWholeFolder(path("f"), set("1"), ExistingFiles::kept);
+    QCOMPARE(end.kind, FolderEnd::Kind::failed);
+    QVERIFY2(end.problem.startsWith(path("f/b: exists already")), qPrintable(end.problem));
+    QCOMPARE(contents(path("f")), QStringList{"b"});
+    QCOMPARE(bytesOf(path("f/b")), QByteArray("mine"));
+}
+
+void TestWholeFolder::aFailureHalfWayBringsBackWhatWasThere() {
+    QVERIFY(writeWholeFolder(path("f"), set("old"), ExistingFiles::kept).isWritten());
+    FolderFiles files = set("new");
+    // Called when all is checked and nothing moved: takes away one of the files that are to be moved.
+    bool removed = false;
+    files.outdated = [&](const QDir& folder) {
+        for (const QString& hidden : folder.entryList({".drillwave-*"}, QDir::Dirs | QDir::Hidden))
+            removed = QFile::remove(folder.filePath(hidden + "/new/b"));
+        return QStringList();
+    };
+    const FolderEnd end = writeWholeFolder(path("f"), files, ExistingFiles::replaced);
+    QVERIFY(removed);
+    QCOMPARE(end.kind, FolderEnd::Kind::failed);
+    QVERIFY2(end.problem.startsWith(path("f/b: cannot be written: ") + reason(ENOENT)),
+             qPrintable(end.problem));
+    QCOMPARE(contents(path("f")), QStringList({"a", "b", "last"}));
+    for (const char* name : {"a", "b", "last"})
+        QCOMPARE(bytesOf(path("f/") + name), QByteArray(name) + " old");
+}
+
+void TestWholeFolder::aStopLeavesNothing() {
+    std::stop_source stop;
+    stop.request_stop();
+    for (const char* folder : {"x/y", "f"}) {
+        if (*folder == 'f') QVERIFY(QDir(m_place->path()).mkdir("f"));
+        const FolderEnd end = writeWholeFolder(path(folder), set("1"), ExistingFiles::kept, stop.get_token());
+        QCOMPARE(end.kind, FolderEnd::Kind::stopped);
+    }
+    QCOMPARE(contents(m_place->path()), QStringList{"f"});
+    QCOMPARE(contents(path("f")), QStringList());
+}
+
+void TestWholeFolder::outdatedFilesGo() {
+    QVERIFY(QDir(m_place->path()).mkdir("f"));
+    for (const char* name : {"a", "picture", "notes"}) put(path("f/") + name, "before");
+    FolderFiles files = set("1");
+    files.outdated = [](const QDir&) { return QStringList{"picture", "a", "gone"}; };
+    QVERIFY(writeWholeFolder(path("f"), files, ExistingFiles::replaced).isWritten());
+    QCOMPARE(contents(path("f")), QStringList({"a", "b", "last", "notes"}));
+}
+
+void TestWholeFolder::aFolderInPlaceOfAFileIsNotRemoved() {
+    QVERIFY(QDir(m_place->path()).mkpath("f/last/precious"));
+    QVERIFY(QDir(m_place->path()).mkpath("g/picture/precious"));
+    FolderFiles files = set("1");
+    files.outdated = [](const QDir&) { return QStringList{"picture"}; };
+    for (const char* folder : {"f", "g"}) {
+        const FolderEnd end = writeWholeFolder(path(folder), files, ExistingFiles::replaced);
+        QVERIFY2(end.problem.contains("is there and no file"), qPrintable(end.problem));
+        QCOMPARE(contents(path(folder)).size(), 1);
+    }
+    QVERIFY(QFileInfo::exists(path("f/last/precious")));
+    QVERIFY(QFileInfo::exists(path("g/picture/precious")));
+}
+
+void TestWholeFolder::aLinkToAFolderIsFollowed() {
+    QVERIFY(QDir(m_place->path()).mkdir("f"));
+    QVERIFY(QFile::link(path("f"), path("link")));
+    QVERIFY(writeWholeFolder(path("link"), set("1"), ExistingFiles::kept).isWritten());
+    QVERIFY(QFileInfo(path("link")).isSymLink());
+    QCOMPARE(contents(path("f")), QStringList({"a", "b", "last"}));
+}
+
+void TestWholeFolder::obstaclesAreKnownBefore() {
+    put(path("file"), "mine");
+    QVERIFY(QDir(m_place->path()).mkdir("f"));
+    put(path("f/b"), "mine");
+    for (const char* folder : {"file", "file/x/y"}) {
+        const QString before = folderProblem(path(folder), {"a"}, ExistingFiles::replaced);
+        QVERIFY2(before.contains("cannot be made: " + reason(ENOTDIR)), qPrintable(before));
+        QCOMPARE(writeWholeFolder(path(folder), set("1"), ExistingFiles::replaced).kind,
+                 FolderEnd::Kind::failed);
+    }
+    QVERIFY(!folderProblem(path("f"), {"a", "b"}, ExistingFiles::kept).isEmpty());
+    QCOMPARE(folderProblem(path("f"), {"a", "b"}, ExistingFiles::replaced), QString());
+    QCOMPARE(folderProblem(path("new/one"), {"a"}, ExistingFiles::kept), QString());
+    QCOMPARE(contents(m_place->path()), QStringList({"f", "file"}));
+}
+
+// Which of them wins is left to chance, but not that it wins whole.
+void TestWholeFolder::writersAtTheSameTimeNeverMix() {
+    constexpr int rounds = 20;
+    constexpr int writers = 6;
+    for (const ExistingFiles existing : {ExistingFiles::kept, ExistingFiles::replaced})
+        for (int round = 0; round < rounds; ++round) {
+            const QString folder = path("f") + QString::number(round);
+            std::atomic<int> written = 0;
+            {
+                std::vector<std::jthread> threads;
+                for (int i = 0; i < writers; ++i)
+                    threads.emplace_back([&, i] {
+                        written += writeWholeFolder(folder, set(QByteArray::number(i)), existing).isWritten();
+                    });
+            }
+            QCOMPARE(contents(folder), QStringList({"a", "b", "last"}));
+            const QByteArray mark = bytesOf(folder + "/a").mid(1);
+            QCOMPARE(bytesOf(folder + "/b"), "b" + mark);
+            QCOMPARE(bytesOf(folder + "/last"), "last" + mark);
+            QCOMPARE(written.load(), existing == ExistingFiles::kept ? 1 : writers);
+            QVERIFY(QDir(folder).removeRecursively());
+        }
+}
+
+QTEST_GUILESS_MAIN(TestWholeFolder)
+#include "tst_whole_folder.moc"

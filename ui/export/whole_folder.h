@@ -1,0 +1,56 @@
+// The files of a folder put in place together: all of them or none.
+#pragma once
+
+#include <QByteArray>
+#include <QDir>
+#include <QString>
+#include <QStringList>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+namespace drillwave {
+
+/// A file to be, complete in memory.
+struct NamedFile {
+    QString name;  ///< without a folder
+    QByteArray bytes;
+};
+
+/// What a folder is to hold.
+struct FolderFiles {
+    /// In the order of appearance: the last one goes first and comes last, so that even after a power failure
+    /// a folder that has it is complete.
+    std::vector<NamedFile> files;
+    /// Names of files in the folder that an earlier set left, which would show something else than these:
+    /// removed with the files that are replaced. May be empty.
+    std::function<QStringList(const QDir&)> outdated;
+
+    QStringList names() const;
+};
+
+enum class ExistingFiles { kept, replaced };
+
+/// How writing a folder ended.
+struct FolderEnd {
+    enum class Kind { written, stopped, failed } kind = Kind::written;
+    QString problem;  ///< Kind::failed: one line that begins with the path
+    bool isWritten() const { return kind == Kind::written; }
+};
+
+/// Writes files into a folder, which afterwards holds all of them or is as it was: also on a failure, on a
+/// stop, and with other runs of this program writing there at the same time, of which at most one succeeds
+/// where existing files are kept, and the last one wins whole where they are replaced.
+///
+/// The files are written into a hidden folder on the same disk first. Where `folder` is not there yet, that
+/// is renamed to it. Where it is, the files change places one by one, under a lock that other runs respect:
+/// exchanging whole folders would lose what others put there meanwhile, pull the folder away from under
+/// whoever works in it, and fail on mount points. Files of other names are never touched. A link of such a
+/// name is replaced, not followed.
+FolderEnd writeWholeFolder(const QString& folder, const FolderFiles& files, ExistingFiles existing,
+                           const std::stop_token& stop = {});
+
+/// Why writeWholeFolder() would fail, as far as that can be told without writing; empty when it should not.
+QString folderProblem(const QString& folder, const QStringList& names, ExistingFiles existing);
+
+}  // namespace drillwave
