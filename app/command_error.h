@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// Exit codes of the program (README, "Exit codes").
+/// Exit codes of the program (commands §6).
 enum class ExitCode : int {
     done = 0,
     internalError = 1,

@@ -1,4 +1,4 @@
-// Scenario files (contract §1): YAML read strictly with positions, written so that nothing unchanged moves.
+// Scenario files (files §1): YAML read strictly with positions, written so that nothing unchanged moves.
 #pragma once
 
 #include <stdexcept>

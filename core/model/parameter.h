@@ -1,5 +1,5 @@
 // The one table of parameters: scenario files, --set, sweep axes, CSV headers, form rows, tooltips and
-// messages all take keys, symbols, units, ranges and meanings from here (contract §2).
+// messages all take keys, symbols, units, ranges and meanings from here (files §2).
 #pragma once
 
 #include <optional>

@@ -41,8 +41,9 @@ inline constexpr int maximumPulseSegments = 100000;
 /// Steps of a piston's staircase until less than 1e-20 of the impulse is left, for any impedance ratio q > 0.
 double pistonStepCount(double impedanceRatio);
 
-/// Builds the force of a valid scenario; a piston's staircase is F_n ∝ R^n, R = (q−1)/(q+1) for impedance
-/// ratio q = Z_hammer/Z_rod > 1, a single step for q ≤ 1 (the hammer rebounds after it). Steps last t0 each.
+/// Builds the force of a valid scenario; a piston's staircase is F_n ∝ R^n (T12), R = (q−1)/(q+1) for
+/// impedance ratio q = Z_hammer/Z_rod > 1, a single step for q ≤ 1 (the hammer rebounds after it). Steps last
+/// t0 each.
 PulseForce pulseForceOf(const Scenario& scenario);
 
 /// The force of a shape with the default shape parameters, as in a dimensionless scenario; not for `table`.

@@ -89,7 +89,7 @@ Scales scalesOf(const Scenario& scenario) {
     scales.impulse = pulseImpulse(scenario);
     scales.force = scales.impulse / scales.time;
     scales.velocity = scales.impulse / rod.mass;
-    scales.penetration = 2 * scales.impulse / rod.impedance;
+    scales.penetration = 2 * scales.impulse / rod.impedance;  // [paper (3)]
     scales.stiffness = rod.impedance / scales.time;
     scales.energy = scales.impulse * scales.velocity / 2;
     scales.length = scenario.rod.length;

@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Shape of the force of the hammer on the rear end of the rod (contract §1).
+/// Shape of the force of the hammer on the rear end of the rod (files §1.1).
 enum class PulseShape {
     rectangular,  ///< constant over the duration
     triangular,   ///< symmetric rise and fall
@@ -88,7 +88,7 @@ struct Drill {
     bool operator==(const Drill&) const = default;
 };
 
-/// The four dimensionless groups on which the solution depends (paper, section 5.1).
+/// The four dimensionless groups on which the solution depends (paper, section 5.1) (T8).
 struct Groups {
     double beta = 0.5;  ///< β = k/k0, k0 = Z/t0; > 0
     double gamma = 1;   ///< γ, 0 < γ ≤ 1

@@ -37,7 +37,7 @@ enum class AlertLevel { information, warning };
 /// The code of the remark on a value outside its plausible range.
 inline constexpr std::string_view implausibleValue = "outside_plausible_range";
 
-/// A remark on a valid scenario (contract §4 `alerts`).
+/// A remark on a valid scenario (files §5.1).
 struct Alert {
     AlertLevel level = AlertLevel::information;
     std::string code;       ///< "outside_plausible_range", "pulse_longer_than_round_trip", …

@@ -10,10 +10,12 @@ namespace drillwave {
 /// Largest violations over many points of the histories, forces in F0. Each is divided by 1 + β/γ, the
 /// steepest slope of a force, because that times the rounding of a time is what no solver can avoid.
 struct EquationResiduals {
-    double wave = 0;  ///< of g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ)
-    double rate = 0;  ///< of F' = a (2g − F), a = β where the penetration is the largest so far, else β/γ
+    double wave = 0;  ///< of g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ) [paper (6)]
+    /// Of F' = a (2g − F) [paper (5)] [paper (8)], a = β where the penetration is the largest so far, else
+    /// β/γ.
+    double rate = 0;
     /// Of the law with memory, F = max(0, βUm − (β/γ)(Um − U)), U' = 2g − F, Um = the largest U so far: one
-    /// equation for all branches, without events.
+    /// equation for all branches (T5), without events.
     double law = 0;
     double leastForce = 0;  ///< smallest F, not divided: no pull but for rounding
     long points = 0;        ///< of the histories looked at

@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// The installed thrust F against blow frequency f, impulse I0 and COR e (theory, section "Thrust").
+/// The installed thrust F against blow frequency f, impulse I0 and COR e (theory §10).
 enum class Feed {
     unknown,          ///< no thrust is given
     pushedBack,       ///< F < f I0: less than the hammer pushes back

@@ -82,9 +82,9 @@ ImpactSummary summarize(const Impact& impact, const Groups& groups) {
             .firstContactTime = impact.firstContactTime,
             .separationTime = impact.separationTime,
             .contactDuration = impact.contactDuration,
-            .workRatio = impact.hammerWork * 2 * groups.tau,
+            .workRatio = impact.hammerWork * 2 * groups.tau,  // [paper (2)]
             .energy = ledgerOf(impact, groups),
-            .momentumResidual = 1 - impact.impulse - impact.finalMomentum,
+            .momentumResidual = 1 - impact.impulse - impact.finalMomentum,  // [paper (10)]
             .corError = impact.corError,
             .growth = impact.growth,
             .contacts = impact.contacts};

@@ -1,4 +1,4 @@
-// The numbers of contract §4 for one solved blow, dimensionless and in SI, with their names.
+// The numbers of files §4 for one solved blow, dimensionless and in SI, with their names.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ struct EnergyLedger {
     double residual = 0;
 };
 
-/// Everything of contract §4, dimensionless.
+/// Everything of files §4, dimensionless.
 struct ImpactSummary {
     double cor = 0;
     double impulse = 0;
@@ -29,7 +29,7 @@ struct ImpactSummary {
     double firstContactTime = 0;     ///< t0
     double separationTime = 0;       ///< t0
     double contactDuration = 0;      ///< t0
-    double workRatio = 0;            ///< W/W0
+    double workRatio = 0;            ///< W/W0 [paper (2)]
     EnergyLedger energy;
     double momentumResidual = 0;  ///< of I0
     double corError = 0;
@@ -51,7 +51,7 @@ struct Output {
     double (*scale)(const Scales&);         ///< SI = value · scale
 };
 
-/// All outputs in the order of contract §4, without `thrust`.
+/// All outputs in the order of files §4, without `thrust`.
 std::span<const Output> outputs();
 
 /// The output of that name, or nullptr.

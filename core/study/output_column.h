@@ -13,7 +13,7 @@ namespace drillwave {
 
 enum class OutputUnits { dimensionless, si };
 
-/// One output of contract §4 as a CSV column.
+/// One output of files §4 as a CSV column.
 struct OutputColumn {
     const Output* output = nullptr;  ///< nullptr for `thrust`
     OutputUnits units = OutputUnits::dimensionless;

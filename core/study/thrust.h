@@ -8,8 +8,8 @@
 
 namespace drillwave {
 
-/// Mean thrust f·I0·(1 + e) [N]: the impulse that the rock gives back with every blow that begins at rest on
-/// the rock. nullopt where thrustProblem() says why.
+/// Mean thrust f·I0·(1 + e) [N] (T34) [paper (9)]: the impulse that the rock gives back with every blow that
+/// begins at rest on the rock. nullopt where thrustProblem() says why.
 std::optional<double> thrustNeeded(const Scenario& scenario, double cor);
 
 /// Why there is no thrust for a scenario and what to do; empty when there is one.

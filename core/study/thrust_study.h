@@ -48,7 +48,7 @@ struct ThrustStudy {
 
     const ThrustNeed& need(ThrustCase which) const { return needs[static_cast<std::size_t>(which)]; }
     const ThrustNeed& largestNeed() const;
-    /// Installed thrust over the largest of the four `thrust`, less 1 (contract: `thrust_margin`).
+    /// Installed thrust over the largest of the four `thrust`, less 1: `thrust_margin` of commands §4.4.
     std::optional<double> margin() const { return largestNeed().margin; }
 };
 

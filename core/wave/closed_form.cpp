@@ -11,7 +11,8 @@ namespace drillwave {
 
 namespace {
 
-/// β1, the positive root of e^x = 2x + 1: above it the second pulse ends while its wave still arrives.
+/// β1, the positive root of e^x = 2x + 1, of [paper (12)]: above it the second pulse ends while its wave
+/// still arrives.
 constexpr double steepest = 1.2564312086261697;
 
 /// 1 − e^(−x) with all its digits.
@@ -22,21 +23,25 @@ double saturation(double x) {
 // The force pulses as A + (B + C u) e^(−βu): while the wave of duration 1 arrives, u = t, and after it,
 // u = t − 1.
 
+/// [paper (11)] for t < 1.
 Decay firstRise() {
     return {.constant = 2, .amplitude = -2, .growth = 0};
 }
+/// [paper (11)] for t ≥ 1.
 Decay firstFall(double beta) {
     return {.constant = 0, .amplitude = 2 * saturation(beta), .growth = 0};
 }
+/// [paper (12)], and [paper (14)] for t < 1.
 Decay secondRise(double beta) {
     return {.constant = -2, .amplitude = 2, .growth = 4 * beta};
 }
+/// [paper (14)] for t ≥ 1.
 Decay secondFall(double beta) {
     const double q = saturation(beta);
     return {.constant = 0, .amplitude = 2 * (2 * beta - (1 + 2 * beta) * q), .growth = -4 * beta * q};
 }
 
-/// The second pulse, followed beyond its end.
+/// The second pulse [paper (12)] [paper (14)], followed beyond its end.
 double secondForceBeyond(double beta, double t) {
     if (t < 1) return 2 * (std::expm1(-beta * t) + 2 * beta * t * std::exp(-beta * t));
     return secondFall(beta).value(t - 1, beta);
@@ -80,7 +85,7 @@ RoundTrip firstTrip(double beta, double roundTrip) {
 
 RoundTrip secondTrip(double beta, double roundTrip) {
     const double end = secondPulseEnd(beta);
-    const Decay during = pulseWave - firstRise();
+    const Decay during = pulseWave - firstRise();  // what came back [paper (6)]
     const Decay after = Decay{} - firstFall(beta);
     RoundTrip trip;
     trip.add(std::min(end, 1.0), during, secondRise(beta));
@@ -125,7 +130,7 @@ void record(const Groups& groups, Detail detail, Impact& impact) {
 
 double firstForcePulse(double beta, double t) {
     if (t < 0) return 0;
-    return t < 1 ? 2 * saturation(beta * t) : firstFall(beta).value(t - 1, beta);
+    return t < 1 ? 2 * saturation(beta * t) : firstFall(beta).value(t - 1, beta);  // [paper (11)]
 }
 
 double secondForcePulse(double beta, double t) {
@@ -139,14 +144,15 @@ double secondPulseEnd(double beta) {
 double secondPulseImpulse(double beta) {
     if (beta > steepest) {
         const double decay = std::exp(-steepest);
-        return 2 / beta * (3 * (1 - decay) - steepest * (1 + 2 * decay));
+        return 2 / beta * (3 * (1 - decay) - steepest * (1 + 2 * decay));  // [paper (13)]
     }
     const double x = beta / saturation(beta) - 0.5;  // β ts
+    // [paper (15)], arranged so that nothing cancels for β → 0
     return 2 * (std::exp(-x) * ((3 + 2 * x) * std::expm1(beta) / beta - 2 * std::exp(beta)) - 1);
 }
 
 double closedFormRestitution(double beta) {
-    return 1 + secondPulseImpulse(beta);
+    return 1 + secondPulseImpulse(beta);  // [paper (10)]
 }
 
 double neglectedOverlap(double beta, double tau) {

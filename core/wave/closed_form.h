@@ -1,4 +1,4 @@
-// The paper's analytical solution for an elastic rock and reflections that do not overlap, eqs (11)–(15).
+// The paper's analytical solution for an elastic rock and reflections that do not overlap (theory §5).
 #pragma once
 
 #include <string>
@@ -12,24 +12,25 @@ namespace drillwave {
 // All for γ = 1, whole δ and the rectangular pulse; forces in F0, impulses in I0, times in t0 from the
 // arrival of each wave at the front end. β > 0.
 
-/// F1, the first pulse of the impact force [paper, eq. (11)]; its impulse I1 is 2.
+/// F1, the first pulse of the impact force [paper (11)]; its impulse I1 is 2.
 double firstForcePulse(double beta, double t);
 
-/// F3, the second pulse, from the wave that comes back; 0 from ts on [paper, eq. (13)].
+/// F3, the second pulse, from the wave that comes back; 0 from ts on [paper (12)] [paper (14)].
 double secondForcePulse(double beta, double t);
 
-/// ts, the end of the second pulse.
+/// ts, the end of the second pulse [paper (12)] [paper (14)].
 double secondPulseEnd(double beta);
 
-/// I3, the impulse of the second pulse.
+/// I3, the impulse of the second pulse [paper (13)] [paper (15)].
 double secondPulseImpulse(double beta);
 
-/// e = 1 + I3 [paper, eq. (15)]; 4e^(−1/2) − 1 for β → 0. Accurate to rounding for every β.
+/// e = 1 + I3 [paper (10)]; 4e^(−1/2) − 1 for β → 0. Accurate to rounding for every β.
 double closedFormRestitution(double beta);
 
 /// ∫ of what the closed form leaves out, from the end of the second pulse on: the tail of the first,
-/// (2/β)(1 − e^(−β)) e^(−β(2τ + ts − 1)). Where overlapIsSmall(), 0 ≤ closed form − e ≤ this: the tail keeps
-/// the contact closed a little longer, in which the second pulse alone would pull and the tail pushes more.
+/// (2/β)(1 − e^(−β)) e^(−β(2τ + ts − 1)) (T29). Where overlapIsSmall(), 0 ≤ closed form − e ≤ this: the tail
+/// keeps the contact closed a little longer, in which the second pulse alone would pull and the tail pushes
+/// more.
 double neglectedOverlap(double beta, double tau);
 
 /// Whether the contact ends before the next wave arrives, and none follows.

@@ -1,4 +1,4 @@
-// The bilinear law of bit and rock over steps of constant force and velocity (paper, section 5.3).
+// The bilinear law of bit and rock over steps of constant force and velocity (paper, section 5.3; theory §6).
 #pragma once
 
 #include <cmath>
@@ -9,14 +9,14 @@ namespace drillwave {
 /// Gap, force and memory of the bit–rock contact, advanced step by step.
 ///
 /// In each step the force F is constant while the front end advances by dU = (2g − F)Δ, with F such that F·dU
-/// is the work of the law over that increment,
+/// is the work of the law over that increment (T32),
 ///
 ///     F dU = ∫ F(U) dU,   F(U) of slope β on the primary line, β/γ below the largest force so far, 0 apart,
 ///
 /// whatever corners the increment passes. On one line of slope a that is F = f + (2g − f) q,
-/// q = (aΔ/2)/(1 + aΔ/2), where f is the force at the beginning of the step; it approaches the end of the
-/// line without overshoot for aΔ ≤ 2. Along corners it is the root of a quadratic equation; it exists and is
-/// the only one because the mean force of the law grows with the increment and 2g − dU/Δ falls.
+/// q = (aΔ/2)/(1 + aΔ/2) (T33), where f is the force at the beginning of the step; it approaches the end of
+/// the line without overshoot for aΔ ≤ 2. Along corners it is the root of a quadratic equation; it exists and
+/// is the only one because the mean force of the law grows with the increment and 2g − dU/Δ falls.
 class ContactLaw {
   public:
     /// What happened in a step: the corners that it passed, as bits.

@@ -23,7 +23,9 @@ struct MarchLimits {
     InputMove move = {};
 };
 
-/// Solves  g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ),  F' = a(2g − F),  a = β, β/γ or 0, piece by piece.
+/// Solves, piece by piece,
+///     g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ)         [paper (6)]
+///     F' = a(2g − F),  a = β, β/γ or 0             [paper (5)] [paper (8)]
 ///
 /// `Basis` represents functions on an interval: it solves one piece of contact exactly, finds first zeros,
 /// and cuts and integrates pieces. What it cannot represent it says through Basis::failed().

@@ -10,7 +10,7 @@
 namespace drillwave {
 
 /// The hammer has ended and the ends are free: the incident wave is periodic. Finds the next contact, or the
-/// proof that none follows: a whole period without contact and momentum not towards the rock.
+/// proof that none follows: a whole period without contact and momentum not towards the rock (T21).
 template <class Basis>
 typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
     Real momentum = 0;
@@ -94,7 +94,7 @@ void ContactMarch<Basis>::finish() {
     Impact& impact = *m_impact;
     impact.outcome = Outcome::rebounded;
     impact.impulse = double(m_impulse);
-    impact.cor = double(m_impulse - 1);
+    impact.cor = double(m_impulse - 1);  // [paper (10)]
     impact.corError = double(m_error + m_basis.momentumNoise());
     impact.growth = double(m_growth);
     if (m_detail != Detail::cor) summarise();

@@ -42,7 +42,7 @@ void ContactMarch<Basis>::nextArrival() {
         m_waves.popFront();
     }
     const Piece& hammer = m_basis.addHammer(segment, into, length, m_incident);
-    if (m_detail != Detail::cor)  // Fa va = Fa (2g − Fa)
+    if (m_detail != Detail::cor)  // Fa va = Fa (2g − Fa) [paper (1)]
         m_impact->hammerWork += double(2 * m_basis.productIntegral(hammer, m_incident, length) -
                                        m_basis.productIntegral(hammer, hammer, length));
     m_hammerTime += length;

@@ -41,6 +41,7 @@ class ExponentialBasis {
     double hammerPieceLength(const PulseSegment&, double left) const { return left; }
     const Piece& addHammer(const PulseSegment& segment, double into, double length, Piece& g);
 
+    /// Solves F' = a(2g − F), F(0) = force, over g [paper (5)] [paper (8)].
     Response& respond(const Piece& g, double rate, double force);
     /// The drive 2g − F = U' = F'/a of a response, until the next is asked for.
     const Piece& drive(const Response& r);

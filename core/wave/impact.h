@@ -50,17 +50,17 @@ struct Impact {
     Outcome outcome = Outcome::notSolved;
     std::string reason;  ///< one sentence when not solved
 
-    double cor = 0;       ///< e = −pf/p0 = −1 + ∫F
+    double cor = 0;       ///< e = −pf/p0 = −1 + ∫F [paper (10)]
     double corError = 0;  ///< bound on |cor − exact|
     double impulse = 0;   ///< ∫F ds = 1 + e
-    double growth = 1;    ///< by how much later contacts may multiply the rounding of earlier ones, at worst
+    double growth = 1;    ///< by how much later contacts may multiply the rounding of earlier ones (T38)
 
     // Detail::summary and above
     double peakForce = 0;         ///< largest F/F0
     double firstContactTime = 0;  ///< global time; frontArrival + s
     double separationTime = 0;    ///< global time of the last separation
     double contactDuration = 0;   ///< summed over contacts
-    double hammerWork = 0;        ///< W = ∫Fa va dt = ∫Fa (2g − Fa) dt [I0²/(Z t0)]
+    double hammerWork = 0;        ///< W = ∫Fa va dt = ∫Fa (2g − Fa) dt [I0²/(Z t0)] (T19)
     double rockWork = 0;          ///< ∫F dU = ∫F (2g − F) ds [I0²/(Z t0)], from the pieces
     double finalMomentum = 0;     ///< ∫g over the last period, independent of `impulse`; −e
     double finalEnergy = 0;       ///< ∫g² over the last period [I0²/(Z t0)]

@@ -1,4 +1,4 @@
-// How far the result of a blow hangs on the last digits of its input.
+// How far the result of a blow hangs on the last digits of its input (theory §11.2).
 #pragma once
 
 #include <algorithm>

@@ -265,7 +265,7 @@ void LatticeMarch<Waves>::finish() {
     m_over = true;
     impact.outcome = Outcome::rebounded;
     impact.impulse = impulse();
-    impact.cor = impact.impulse - 1;
+    impact.cor = impact.impulse - 1;  // [paper (10)]
     if (m_detail == Detail::cor) return;
     impact.peakForce = m_law.peak();
     if (!m_law.isApart() && impact.contacts > 0) {

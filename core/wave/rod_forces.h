@@ -1,4 +1,4 @@
-// The largest forces in the rod, wherever and whenever they occur.
+// The largest forces in the rod, wherever and whenever they occur (theory §3.1).
 #pragma once
 
 #include "core/model/pulse_force.h"

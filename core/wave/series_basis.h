@@ -109,7 +109,7 @@ class SeriesBasis {
         return m_hammer;
     }
 
-    /// Solves as much of F' = a(2g − F), F(0) = force, over g as one piece can hold.
+    /// Solves as much of F' = a(2g − F), F(0) = force, over g as one piece can hold [paper (5)] [paper (8)].
     Response& respond(const Piece& g, Real rate, Real force) {
         Response& r = m_response;
         r.incident = g;

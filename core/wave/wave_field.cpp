@@ -8,6 +8,7 @@
 namespace drillwave {
 namespace {
 
+/// r = F − g, which satisfies [paper (4)] and [paper (7)].
 double reflectedWave(const Impact& impact, double s) {
     return impactForce(impact, s) - incidentWave(impact, s);
 }

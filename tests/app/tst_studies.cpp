@@ -54,7 +54,7 @@ class TestStudies : public QObject {
     void germanUsersGetTheSameNumbers();
 };
 
-// Theory, section 7; half a unit of the last digit given there.
+// theory §7; half a unit of the last digit given there.
 void TestStudies::gapGivesTheStatisticsOfThePapersFigure8() {
     const QJsonObject gap = json({"gap", example("paper_fig8_minimum")});
     const QJsonObject uniform = gap["uniform"].toObject();

@@ -21,7 +21,7 @@ struct BlowReport {
     std::vector<Alert> alerts() const;  ///< of the scenario, and of the result if there is one
 };
 
-/// The JSON object of a blow: results dimensionless and, where the scenario has units, in SI with the unit of
+/// The JSON object of a blow (files §5): results dimensionless and, where the scenario has units, in SI with the unit of
 /// each; and the scenario as the text that gives them again (completeScenarioText()). Numbers read back
 /// exactly; they are null where the case could not be solved.
 QByteArray reportJson(const BlowReport& report, const std::string& scenarioText);

@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// Impact force by the closed form (paper, eqs (11) and (13)), in shown units.
+/// Impact force by the closed form [paper (11)] [paper (12)] [paper (14)], in shown units.
 struct ClosedFormCurve {
     GraphData force;
     double error = 0;  ///< bound on the error of its coefficient of restitution

@@ -1,4 +1,4 @@
-// Scenario files: the two forms of the contract, and saving without moving what did not change.
+// Scenario files: the two forms of files §1, and saving without moving what did not change.
 #include <QtTest>
 
 #include <QTemporaryDir>

@@ -1,4 +1,4 @@
-// The hammer force: unit impulse, contiguous pieces, and the shapes of the contract.
+// The hammer force: unit impulse, contiguous pieces, and the shapes of files §1.1.
 #include <QtTest>
 
 #include <cmath>
@@ -219,7 +219,7 @@ void TestPulseForce::aPistonNoStifferThanTheRodGivesOneStep() {
     }
 }
 
-// Theory: a hammer of impedance ratio q has the decay time (q/2) t0 of a rigid one of the same mass.
+// theory §2.1: a hammer of impedance ratio q has the decay time (q/2) t0 of a rigid one of the same mass.
 void TestPulseForce::aVeryStiffPistonApproachesTheExponential() {
     const double ratio = 2000;
     const PulseForce steps = pulseForceOf(piston(ratio));

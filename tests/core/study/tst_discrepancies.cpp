@@ -24,7 +24,7 @@ class TestDiscrepancies : public QObject {
     std::vector<Discrepancy> m_all;
 };
 
-// Theory, sections 5 and 7, computed with 33 digits; half a unit of the last digit given there.
+// theory §5 and theory §7, computed with 33 digits; half a unit of the last digit given there.
 void TestDiscrepancies::ourNumbersAreThoseOfTheTheory_data() {
     QTest::addColumn<QString>("place");
     QTest::addColumn<QString>("quantity");

@@ -1,4 +1,4 @@
-// The judgement on the feed: thresholds of the theory, one set of words, and nothing claimed beyond it.
+// The judgement on the feed: thresholds of theory §10, one set of words, and nothing claimed beyond it.
 #include <QtTest>
 
 #include "core/study/feed_verdict.h"

@@ -111,11 +111,11 @@ void TestFigures::elasticBlowsReboundAboveOneAndReferencesBelow() {
     for (const char* key : {"elastic_reference", "elastic_reference_z_t0", "bilinear", "bilinear_reference"})
         for (const double e : curveOf(panel, key).y) QVERIFY(e > 0 && e < 1);
     const auto top = std::ranges::max(curveOf(panel, "elastic").y);
-    QVERIFY(top < 1.4140683 && top > 1.41405);  // theory, section 7; the grid is close to the top
+    QVERIFY(top < 1.4140683 && top > 1.41405);  // theory §7; the grid is close to the top
     QVERIFY(std::ranges::min(curveOf(panel, "elastic_reference").y) >= 0.9710053);
 }
 
-// The result depends on βτ alone (theory, section 4): the curves are shifted by a factor of 20.
+// The result depends on βτ alone (theory §4): the curves are shifted by a factor of 20.
 void TestFigures::bothNormalisationsOfTheReferenceAreOneCurve() {
     for (const double gamma : {1.0, 0.1})
         for (const double beta : {0.2, 2.6, 9.0})

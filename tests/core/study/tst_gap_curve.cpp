@@ -156,7 +156,7 @@ void TestGapCurve::thePeriodBeginsOnceTheHammerHasEnded() {
         }
 }
 
-// Theory, section 4: β = 0.5, γ = 1, τ = 0.3.
+// theory §4: β = 0.5, γ = 1, τ = 0.3.
 void TestGapCurve::earlierGapsAreNotPeriodic() {
     const GapCurve curve = gapCurve(pulseOf(PulseShape::rectangular), {0.5, 1, 0.3, 0}, 0, Detail::cor);
     QCOMPARE(curve.start, 0.0);

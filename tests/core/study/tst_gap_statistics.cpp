@@ -70,7 +70,7 @@ class TestGapStatistics : public QObject {
     void aRodThatIsNearlyStoppedHasHonestErrors();
 };
 
-// Theory, section 7: computed there with 33 digits, the last digit rounded.
+// theory §7: computed with 33 digits, the last digit rounded.
 void TestGapStatistics::theExtremesOfThePapersFigure8AreFound() {
     const GapStatistics s = statisticsOf(pulseOf(PulseShape::rectangular), fig8, Detail::summary);
     const GapOutputStatistics& e = s.of(GapOutput::cor);

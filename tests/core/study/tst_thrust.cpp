@@ -65,7 +65,7 @@ void TestThrust::whereThereIsNoThrustTheReasonSaysWhatToDo() {
     QVERIFY(thrustProblem(scenario).find("physical units") != std::string::npos);
 }
 
-// Theory, sections 7 and 9, at these groups: e = 0.4067107 at no gap; the elastic worst is e = 1.4010825.
+// theory §7, at these groups: e = 0.4067107 at no gap; the elastic worst is e = 1.4010825.
 void TestThrust::theCasesAreThoseOfTheTheory() {
     const ThrustStudy study = studyThrust(drill());
     QCOMPARE(study.reason, std::string());
@@ -128,7 +128,7 @@ void TestThrust::theMarginIsThatOfTheLargestNeed() {
 
 void TestThrust::theShareHeldIsTheShareOfGapsThatNeedLess() {
     Scenario scenario = drill(1);
-    // Just enough for rigid rock: held at gaps with e ≤ 1 (theory, section 7).
+    // Just enough for rigid rock: held at gaps with e ≤ 1 (theory §7).
     scenario.drill.thrust = *thrustNeeded(scenario, 1);
     QVERIFY(std::abs(*studyThrust(scenario).shareFull - (1 - 0.548346)) < 5.1e-7);
     scenario.drill.thrust = *thrustNeeded(scenario, 0.84);

@@ -58,7 +58,7 @@ class BitMotionTest : public QObject {
         const Impact impact = solve(scene, Detail::histories);
         const auto contacts = contactIntervals(impact);
         QCOMPARE(bitState(impact, contacts, 200.25, 0).gap, 200.25);
-        // A free end advances by d0 in every round trip (paper, eq. (3)).
+        // A free end advances by d0 in every round trip [paper (3)].
         QCOMPARE(bitState(impact, contacts, 200.25, impact.frontArrival + 50 * impact.roundTrip).gap, 150.25);
         QVERIFY(std::abs(bitState(impact, contacts, 200.25, contacts.front().begin * (1 - 1e-15)).gap) <
                 1e-10);

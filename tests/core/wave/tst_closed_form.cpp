@@ -1,4 +1,4 @@
-// The paper's analytical solution, eqs (11)–(15), and where it holds.
+// The paper's analytical solution (theory §5), and where it holds.
 #include <QtTest>
 
 #include "core/wave/closed_form.h"
@@ -32,7 +32,7 @@ class TestClosedForm : public QObject {
 
   private slots:
     void publishedValuesAreMet() {
-        // theory §7: eq. (15) at β = 0.5; and the limit of a soft rock, 4e^(−1/2) − 1
+        // theory §7: [paper (15)] at β = 0.5; and the limit of a soft rock, 4e^(−1/2) − 1
         QVERIFY(std::abs(closedFormRestitution(0.5) - 1.4011370) < 5e-8);
         QVERIFY(std::abs(closedFormRestitution(1e-12) - (4 * std::exp(-0.5) - 1)) < 1e-11);
         QVERIFY(std::abs(closedFormRestitution(1e12) - 1) < 1e-11);

@@ -126,7 +126,7 @@ class TestContactLaw : public QObject {
     }
 
     void aForceThatDecaysNeitherOvershootsNorSeparates() {
-        // theory §8.1: aΔ = 2 is the limit, at which the force vanishes within one step
+        // theory §6: aΔ = 2 is the limit, at which the force vanishes within one step
         for (const double step : {0.05, 1.0, 1.999}) {
             ContactLaw law(0.5, 0.5, step, 0, 1e-19);
             law.advance(1);

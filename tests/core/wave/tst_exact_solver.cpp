@@ -18,7 +18,7 @@ bool close(double a, double b, double tolerance) {
     return false;
 }
 
-/// The closed form of the paper, eqs (12)–(15), written independently: γ = 1, δ = 0, rectangular, no overlap.
+/// The closed form [paper (13)] [paper (15)], written independently: γ = 1, δ = 0, rectangular, no overlap.
 double closedFormCor(double beta) {
     const double b1 = 1.25643120862616967698;  // e^x = 2x + 1
     if (beta > b1) {

@@ -135,7 +135,7 @@ void TestRockPlot::aPointOfThePathBelongsToItsTime() {
     const RockCurve curve = solved({0.5, 1, 10, 0}).curve;
     QCOMPARE(rockPoint(curve, -5), QPointF(0, 0));
     QCOMPARE(rockPoint(curve, 10), QPointF(0, 0));
-    // Paper, eq. (11): F = 2(1 − e^(−βs)); U/d0 = F/(2β).
+    // [paper (11)]: F = 2(1 − e^(−βs)); U/d0 = F/(2β).
     const QPointF point = rockPoint(curve, 10.6);
     const double force = 2 * (1 - std::exp(-0.5 * 0.6));
     QVERIFY(std::abs(point.y() - force) < 1e-4);
