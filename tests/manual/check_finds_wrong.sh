@@ -1,0 +1,52 @@
+#!/bin/sh
+# The checks of the manual must be able to fail: check_finds_wrong.sh ROOT
+# Each line below is put into a copy of the sources as a comment, or a passage is taken out of its manual.
+set -u
+root=${1:?check_finds_wrong.sh ROOT}
+checks=$(cd "$(dirname "$0")" && pwd)
+copy=$(mktemp -d) || exit 2
+trap 'rm -rf "$copy"' EXIT
+mkdir "$copy/resources"
+(cd "$root" && cp -R core ui app tests CONTRIBUTING.md "$copy" && cp -R resources/manual "$copy/resources") || exit 2
+failed=0
+
+# refuses CHECK EXPECTED: the check must fail on the copy and say so.
+refuses() {
+    said=$("$checks/$1" "$copy" 2>&1) && said="nothing: $said"
+    case $said in
+        nothing*) ;;
+        *"$2"*) return ;;
+    esac
+    echo "$1 does not complain \"$2\"; it said $said"
+    failed=1
+}
+
+while IFS='|' read -r comment expected; do
+    printf '// %s\n' "$comment" >"$copy/core/wrong.h"
+    refuses check_citations.sh "$expected"
+done <<'END'
+see theory §99|core/wrong.h:1: cites theory §99
+see theory §8.9.|core/wrong.h:1: cites theory §8.9
+see files §77|core/wrong.h:1: cites files §77
+see commands §4.40|core/wrong.h:1: cites commands §4.40
+F3 [paper (16)]|core/wrong.h:1: cites [paper (16)]
+e (T999)|core/wrong.h:1: cites (T999)
+F3 [paper, eq. (13)]|core/wrong.h:1:
+one number of contract §4|core/wrong.h:1:
+Theory, section 7|core/wrong.h:1:
+END
+rm "$copy/core/wrong.h"
+
+edit() {
+    sed "$2" "$copy/$1" >"$copy/edited" && mv "$copy/edited" "$copy/$1"
+}
+edit resources/manual/theory.md '/\[paper (14)\]   *(T/d'
+refuses check_citations.sh "cites [paper (14)]"
+edit resources/manual/files.md 's/`bit_rock.stiffness`//; s/peak_force//'
+refuses check_names.sh "parameter bit_rock.stiffness"
+refuses check_names.sh "output peak_force"
+edit resources/manual/commands.md 's/--segments//'
+refuses check_names.sh "option --segments"
+
+[ "$failed" = 0 ] && echo "the checks of the manual find what is wrong"
+exit "$failed"
