@@ -23,21 +23,17 @@ double saturation(double x) {
 // The force pulses as A + (B + C u) e^(−βu): while the wave of duration 1 arrives, u = t, and after it,
 // u = t − 1.
 
-/// [paper (11)] for t < 1.
 Decay firstRise() {
-    return {.constant = 2, .amplitude = -2, .growth = 0};
+    return {.constant = 2, .amplitude = -2, .growth = 0};  // [paper (11)], t < 1
 }
-/// [paper (11)] for t ≥ 1.
 Decay firstFall(double beta) {
-    return {.constant = 0, .amplitude = 2 * saturation(beta), .growth = 0};
+    return {.constant = 0, .amplitude = 2 * saturation(beta), .growth = 0};  // [paper (11)], t ≥ 1
 }
-/// [paper (12)], and [paper (14)] for t < 1.
 Decay secondRise(double beta) {
-    return {.constant = -2, .amplitude = 2, .growth = 4 * beta};
+    return {.constant = -2, .amplitude = 2, .growth = 4 * beta};  // [paper (12)] [paper (14)], t < 1
 }
-/// [paper (14)] for t ≥ 1.
 Decay secondFall(double beta) {
-    const double q = saturation(beta);
+    const double q = saturation(beta);  // [paper (14)], t ≥ 1
     return {.constant = 0, .amplitude = 2 * (2 * beta - (1 + 2 * beta) * q), .growth = -4 * beta * q};
 }
 
@@ -138,6 +134,7 @@ double secondForcePulse(double beta, double t) {
 }
 
 double secondPulseEnd(double beta) {
+    // ts of [paper (12)], and of [paper (14)]
     return beta > steepest ? steepest / beta : 1 / saturation(beta) - 1 / (2 * beta);
 }
 
