@@ -85,8 +85,9 @@ void addPistonAssumption(const Scenario& scenario, std::vector<Alert>& alerts) {
         {AlertLevel::information, "piston_impedance_ratio",
          scenario.form == ScenarioForm::dimensional ? "pulse.diameter" : "pulse.impedance_ratio",
          ratio < 1
-             ? "The hammer's impedance is below the rod's: it bounces off after one step and keeps part of "
-               "its momentum."
+             ? "The hammer's impedance is below the rod's: it bounces back after one step, so that the rod "
+               "takes "
+               "over more than its momentum."
              : "The hammer's impedance is above the rod's: it pushes in a staircase of ever smaller steps, "
                "assumed to run on as if the rod were long."});
 }
