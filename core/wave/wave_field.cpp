@@ -151,10 +151,11 @@ SampledHistory sampleHistory(const Impact& impact) {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const int n = std::max(chords(impact.incident, pieces[i]), chords(impact.force, forces[i]));
         const double shift = impact.frontArrival + unrecordedBefore(impact, pieces[i].start);
+        const double end = i + 1 < pieces.size() ? pieces[i + 1].start : impact.incident.end();
         for (int j = 0; j <= n; ++j) {
             const double x = pieces[i].length * j / n;
-            history.time.push_back(pieces[i].start + x + shift);
-            history.force.push_back(impact.force.value(forces[i], x));
+            history.time.push_back(std::min(pieces[i].start + x, end) + shift);  // rounding apart
+            history.force.push_back(std::max(impact.force.value(forces[i], x), 0.0));
             history.impulse.push_back(impulse + impact.force.integral(forces[i], x));
             history.incident.push_back(impact.incident.value(pieces[i], x));
         }
