@@ -70,11 +70,18 @@ Interruption::Interruption() {
 }
 
 Interruption::~Interruption() {
-    exitOnInterruption();
+    struct sigaction now {};
+    ::sigaction(SIGINT, nullptr, &now);
+    if (now.sa_handler != SIG_IGN) exitOnInterruption();
     send(ended);
     m_watcher.join();
     ::close(wakeUp[0]);
     ::close(wakeUp[1]);
+}
+
+void Interruption::ignoreFromNowOn() const {
+    std::signal(SIGINT, SIG_IGN);
+    std::signal(SIGTERM, SIG_IGN);
 }
 
 void Interruption::check() const {

@@ -22,6 +22,8 @@ class Interruption {
     std::stop_token token() const { return m_source.get_token(); }
     /// Throws CommandError (interrupted) if a stop was requested.
     void check() const;
+    /// What was asked for is in place: a signal that comes now comes too late, until the program ends.
+    void ignoreFromNowOn() const;
 
   private:
     std::stop_source m_source;

@@ -31,7 +31,7 @@ void writeFolder(const std::string& path, const FolderFiles& files, Overwrite ov
 
 void checkWritten(const FolderEnd& end, const std::string& path, const QStringList& names,
                   Overwrite overwrite, const Interruption& interruption) {
-    if (end.isWritten()) return;
+    if (end.isWritten()) return interruption.ignoreFromNowOn();
     interruption.check();
     // Another run may have been faster: that is said as it would have been before the work.
     checkNames(path, names, overwrite);
