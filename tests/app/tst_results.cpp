@@ -176,7 +176,7 @@ void TestResults::rowsHaveTheirRecordBesideThem() {
     const QByteArray record = read(map + ".yaml");
     for (const char* part :
          {"drillwave_result: 1\n", "\nversion: ", "\nmethod: exact\n", "\nrows: 8\n", "rod.length [m]",
-          "3m:6m:4", "count: 2", "peak_force [N]", "    gamma: 0.37 ", "bit_rock.gamma=0.37"})
+          "3m:6m:4", "count: 2", "peak_force [N]", "    gamma: 0.37\n", "bit_rock.gamma=0.37"})
         QVERIFY2(record.contains(part), part);
     const QJsonObject again = json({"run", map + ".yaml"});
     QCOMPARE(again["dimensionless"],
