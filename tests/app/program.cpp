@@ -1,6 +1,7 @@
 #include "tests/app/program.h"
 
 #include <QFile>
+#include <QJsonDocument>
 #include <QProcess>
 
 namespace drillwave::test {
@@ -16,6 +17,12 @@ Finished run(const QStringList& words, const QProcessEnvironment& environment) {
     }
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
             process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+const QJsonObject json(const QStringList& words) {
+    const Finished finished = run(words + QStringList{"--json"});
+    if (finished.exitCode != 0) qFatal("%s", finished.error.constData());
+    return QJsonDocument::fromJson(finished.out).object();
 }
 
 QString example(const QString& name) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QJsonObject>
 #include <QProcessEnvironment>
 #include <QString>
 #include <QStringList>
@@ -17,6 +18,9 @@ struct Finished {
 
 Finished run(const QStringList& words,
              const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment());
+
+/// What `words --json` prints; the test ends where that fails. Constant, so that its [] reads and never adds.
+const QJsonObject json(const QStringList& words);
 
 /// Path of a file of resources/examples.
 QString example(const QString& name);

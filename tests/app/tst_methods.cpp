@@ -16,12 +16,6 @@ using namespace drillwave::test;
 
 namespace {
 
-QJsonObject json(const QStringList& words) {
-    const Finished finished = run(words + QStringList{"--json"});
-    if (finished.exitCode != 0) qFatal("%s", finished.error.constData());
-    return QJsonDocument::fromJson(finished.out).object();
-}
-
 double cor(const QJsonObject& report) {
     return report["dimensionless"].toObject()["cor"].toDouble();
 }

@@ -21,10 +21,6 @@ QByteArray output(const QStringList& words) {
     return finished.out;
 }
 
-const QJsonObject json(const QStringList& words) {
-    return QJsonDocument::fromJson(output(words + QStringList{"--json"})).object();
-}
-
 /// Rows of a CSV behind its "#" lines.
 QList<QList<QByteArray>> rowsOf(const QByteArray& csv) {
     QList<QList<QByteArray>> rows;
