@@ -364,6 +364,7 @@ void WavePicturePageTest::theSpaceBarPlays() {
 
 void WavePicturePageTest::thePointersPlaceIsRead() {
     PlotWidget* plot = m_page->plot();
+    plot->replot();  // so that the axes are where the view has put them
     // Between the fronts, where the blow compresses with F0.
     QTest::mouseMove(plot, QPoint(int(plot->xAxis->coordToPixel(0.3)), int(plot->yAxis->coordToPixel(3.5))));
     const QString text = m_page->findChild<QLabel*>(QStringLiteral("readout"))->text();
