@@ -83,6 +83,7 @@ class ContactMarch {
     Progress skipPeriods(Real momentum);
     void passPeriods(Real periods);
     void closeGap(const Piece& arriving, Real length);
+    void drift(Real impulse);
     void separate();
     void rejoin();
     [[gnu::always_inline]] inline void leave(const Piece& reflected, const Piece& incident,

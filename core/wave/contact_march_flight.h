@@ -31,10 +31,7 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
         const Real impulse = arriving.integral(arriving.length);
         if (m_touching && !arriving.isZero()) separate();
         momentum += impulse;
-        if (!m_touching) {
-            m_gap -= 2 * impulse;
-            m_opened = std::max(m_opened, m_gap);
-        }
+        if (!m_touching) drift(impulse);
         ++m_impact->pieces;
         m_s += arriving.length;
         if (m_touching) m_contactTime += arriving.length;

@@ -76,13 +76,21 @@ void ContactMarch<Basis>::closeGap(const Piece& arriving, Real length) {
     m_everTouched = true;
 }
 
+/// The free front end has moved by twice the impulse of what arrived.
+template <class Basis>
+void ContactMarch<Basis>::drift(Real impulse) {
+    m_gap -= 2 * impulse;
+    m_opened = std::max(m_opened, m_gap);
+}
+
 template <class Basis>
 void ContactMarch<Basis>::separate() {
     m_touching = false;
     m_opened = 0;
     // A gap that errs by δ closes δ/(closing speed) early or late, and shifts the force by as much: the
     // impulse that this displaces is at most 2 Fmax times that.
-    if (m_impact->contacts > 1) m_growth *= 1 + 2 * m_contactForce / std::max(m_closingSpeed, Real(0));
+    if (m_impact->contacts > 1 && m_contactForce > 0)
+        m_growth *= 1 + 2 * m_contactForce / std::max(m_closingSpeed, Real(0));
     m_separatedBefore = m_impact->separationTime;
     m_impact->separationTime = double(m_arrival + m_s);
     note(ContactEvent::separation);
@@ -123,10 +131,7 @@ void ContactMarch<Basis>::advanceApart() {
     const auto contact = m_basis.gapClosure(m_incident, m_gap);
     if (!contact.found) {
         if (m_touching && !m_incident.isZero()) separate();
-        if (!m_touching) {
-            m_gap -= 2 * m_incident.integral(m_incident.length);
-            m_opened = std::max(m_opened, m_gap);
-        }
+        if (!m_touching) drift(m_incident.integral(m_incident.length));
         leave(m_incident, m_incident, nullptr, m_incident.length);
         m_incident.length = 0;
         return;
