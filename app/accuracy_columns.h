@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers of a row of the accuracy study, named once for its table, JSON and CSV.
 #pragma once
 
@@ -5,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/study/accuracy.h"
+#include "core/study/proof/accuracy.h"
 
 namespace drillwave {
 

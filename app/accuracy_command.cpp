@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave accuracy FILE
 #include <algorithm>
 #include <charconv>
@@ -8,9 +9,9 @@
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
-#include "core/file/blow_csv.h"
 #include "core/file/result_scenario.h"
-#include "core/model/decimal_text.h"
+#include "core/report/blow_csv.h"
+#include "core/text/decimal_text.h"
 
 namespace drillwave {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Error against run time as the accuracy command tells it.
 #pragma once
 
@@ -5,7 +6,7 @@
 #include <string>
 
 #include "core/model/scenario.h"
-#include "core/study/accuracy.h"
+#include "core/study/proof/accuracy.h"
 
 namespace drillwave {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The report for people, and the CSV.
 #include <charconv>
 #include <cmath>
@@ -6,8 +7,8 @@
 #include "app/accuracy_columns.h"
 #include "app/accuracy_report.h"
 #include "app/report_text.h"
-#include "core/file/csv.h"
-#include "core/model/units.h"
+#include "core/text/csv.h"
+#include "core/text/units.h"
 
 namespace drillwave {
 

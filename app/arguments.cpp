@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/arguments.h"
 
 #include <algorithm>
@@ -5,8 +6,8 @@
 #include <charconv>
 
 #include "app/command_error.h"
-#include "core/model/decimal_text.h"
-#include "core/model/nearest_name.h"
+#include "core/text/decimal_text.h"
+#include "core/text/nearest_name.h"
 
 namespace drillwave {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The report for people.
 #include <algorithm>
 #include <array>
@@ -6,9 +7,10 @@
 
 #include "app/blow_text.h"
 #include "app/report_text.h"
-#include "core/model/decimal_text.h"
-#include "core/study/impact_summary.h"
-#include "core/study/thrust.h"
+#include "core/blow/impact_summary.h"
+#include "core/blow/thrust.h"
+#include "core/model/alerts.h"
+#include "core/text/decimal_text.h"
 
 namespace drillwave {
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command.h"
 
 #include <array>
 
-#include "core/model/decimal_text.h"
+#include "core/text/decimal_text.h"
 
 namespace drillwave {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How a command ends early: an exit code and the lines that say why.
 #pragma once
 

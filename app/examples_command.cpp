@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave examples [-o DIR] [NAME]…
 #include <algorithm>
 #include <cstdio>
@@ -5,8 +6,8 @@
 #include "app/command.h"
 #include "app/output_folder.h"
 #include "core/file/examples.h"
-#include "core/model/decimal_text.h"
-#include "core/model/nearest_name.h"
+#include "core/text/decimal_text.h"
+#include "core/text/nearest_name.h"
 
 namespace drillwave {
 

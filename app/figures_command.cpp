@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave figures -o DIR
 #include <algorithm>
 #include <cstdio>
@@ -6,8 +7,8 @@
 #include "app/figures_page.h"
 #include "app/interruption.h"
 #include "app/output_folder.h"
-#include "core/study/figures.h"
-#include "ui/plots/figure_plot.h"
+#include "core/study/paper/figures.h"
+#include "ui/export/figure_plot.h"
 
 namespace drillwave {
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The page that compares the paper with what is computed here.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "core/study/discrepancies.h"
-#include "core/study/figure_data.h"
+#include "core/study/paper/discrepancies.h"
+#include "core/study/paper/figure_data.h"
 
 namespace drillwave {
 

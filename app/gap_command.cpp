@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave gap FILE
 #include <chrono>
 
@@ -7,10 +8,10 @@
 #include "app/output_file.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
-#include "core/file/blow_csv.h"
 #include "core/file/result_scenario.h"
-#include "core/model/decimal_text.h"
 #include "core/model/scales.h"
+#include "core/report/blow_csv.h"
+#include "core/text/decimal_text.h"
 
 namespace drillwave {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The machine-readable report, and the curve as CSV.
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -6,7 +7,7 @@
 #include "app/gap_report.h"
 #include "core/model/scales.h"
 #include "core/model/version.h"
-#include "core/study/row_text.h"
+#include "core/text/row_text.h"
 #include "ui/export/json_value.h"
 
 namespace drillwave {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The statistics over the gap as the gap command tells them.
 #pragma once
 
@@ -6,8 +7,8 @@
 #include <string>
 
 #include "core/model/scenario.h"
-#include "core/study/gap_statistics.h"
-#include "core/study/output_column.h"
+#include "core/study/gap/gap_statistics.h"
+#include "core/study/rows/output_column.h"
 
 namespace drillwave {
 

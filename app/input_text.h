@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a command reads: a file, standard input, or a pipe.
 #pragma once
 
 #include <fstream>
 #include <string>
 
-#include "core/file/text_input.h"
+#include "core/text/text_input.h"
 
 namespace drillwave {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Picks between the subcommands, which never need a display, and the window.
 #include <QApplication>
 #include <QCoreApplication>
@@ -19,8 +20,8 @@
 #include "app/interruption.h"
 #include "app/window.h"
 #include "core/file/scenario_file.h"
-#include "core/model/decimal_text.h"
 #include "core/model/version.h"
+#include "core/text/decimal_text.h"
 
 namespace {
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/method_options.h"
 
 #include "app/command_error.h"
-#include "core/model/decimal_text.h"
 #include "core/model/scales.h"
+#include "core/text/decimal_text.h"
 
 namespace drillwave {
 

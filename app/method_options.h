@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // --method and --segments.
 #pragma once
 
@@ -6,7 +7,7 @@
 #include <vector>
 
 #include "app/arguments.h"
-#include "core/study/method.h"
+#include "core/blow/method.h"
 
 namespace drillwave {
 

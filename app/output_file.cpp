@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/output_file.h"
 
 #include <QFile>
@@ -5,7 +6,7 @@
 #include <cstdio>
 
 #include "app/command_error.h"
-#include "ui/export/whole_file.h"
+#include "ui/document/whole_file.h"
 
 namespace drillwave {
 

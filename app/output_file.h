@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where a command writes: standard output, or a file that appears whole or not at all.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A folder that a command writes: all of its files or none.
 #pragma once
 

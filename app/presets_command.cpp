@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave presets [FILE.yaml]
 #include "app/command.h"
 #include "app/output_file.h"

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers and tables of numbers as reports for people show them.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "core/model/handy_text.h"
 #include "core/model/scenario.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 

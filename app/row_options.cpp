@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/row_options.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 #include "app/method_options.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
-#include "core/model/decimal_text.h"
+#include "core/text/decimal_text.h"
 
 namespace drillwave {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What `sweep` and `table` have in common: outputs, threads, parts, and the file that the rows go to.
 #pragma once
 
@@ -14,12 +15,12 @@
 #include "app/command_error.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
+#include "core/blow/method.h"
 #include "core/file/row_record.h"
 #include "core/file/scenario_file.h"
-#include "core/study/method.h"
-#include "core/study/output_column.h"
-#include "core/study/rows.h"
-#include "core/study/shard.h"
+#include "core/study/rows/output_column.h"
+#include "core/study/rows/rows.h"
+#include "core/study/rows/shard.h"
 
 namespace drillwave {
 

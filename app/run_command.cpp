@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave run FILE
 #include <QStringList>
 #include <algorithm>
@@ -11,11 +12,12 @@
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
+#include "core/blow/result_alerts.h"
 #include "core/file/result_scenario.h"
-#include "core/model/decimal_text.h"
-#include "core/study/result_alerts.h"
+#include "core/text/decimal_text.h"
+#include "ui/export/plot_export.h"
 #include "ui/export/run_files.h"
-#include "ui/plots/plot_export.h"
+#include "ui/plot/plot_rendering.h"
 
 namespace drillwave {
 

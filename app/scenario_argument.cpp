@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scenario_argument.h"
 
 #include <algorithm>
@@ -8,12 +9,14 @@
 #include "app/input_text.h"
 #include "app/preset_options.h"
 #include "core/file/examples.h"
-#include "core/model/decimal_text.h"
-#include "core/model/nearest_name.h"
+#include "core/model/alerts.h"
 #include "core/model/parameter.h"
+#include "core/model/parameter_text.h"
 #include "core/model/rival_keys.h"
 #include "core/model/validation.h"
 #include "core/model/version.h"
+#include "core/text/decimal_text.h"
+#include "core/text/nearest_name.h"
 
 namespace drillwave {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave stability
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -11,9 +12,9 @@
 #include "app/interruption.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
-#include "core/file/csv.h"
-#include "core/model/units.h"
-#include "core/study/stability.h"
+#include "core/study/proof/stability.h"
+#include "core/text/csv.h"
+#include "core/text/units.h"
 
 namespace drillwave {
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave sweep FILE --vary KEY=…
 #include "app/command.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
-#include "core/model/decimal_text.h"
-#include "core/study/sweep.h"
+#include "core/study/rows/sweep_check.h"
+#include "core/text/decimal_text.h"
 
 namespace drillwave {
 

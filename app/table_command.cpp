@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave table FILE CASES.csv
 #include <cstdio>
 #include <fstream>
@@ -6,7 +7,7 @@
 #include "app/input_text.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
-#include "core/study/table.h"
+#include "core/study/rows/table.h"
 
 namespace drillwave {
 

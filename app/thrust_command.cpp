@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave thrust FILE
 #include "app/command.h"
 #include "app/interruption.h"
@@ -6,9 +7,9 @@
 #include "app/report_text.h"
 #include "app/scenario_argument.h"
 #include "app/thrust_report.h"
-#include "core/file/blow_csv.h"
+#include "core/blow/thrust.h"
 #include "core/file/result_scenario.h"
-#include "core/study/thrust.h"
+#include "core/report/blow_csv.h"
 
 namespace drillwave {
 

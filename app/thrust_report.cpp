@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/thrust_report.h"
 
 #include <QJsonArray>
@@ -7,7 +8,7 @@
 #include "app/report_text.h"
 #include "core/model/scales.h"
 #include "core/model/version.h"
-#include "core/study/row_text.h"
+#include "core/text/row_text.h"
 #include "ui/export/json_value.h"
 
 namespace drillwave {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The thrust as the thrust command tells it.
 #pragma once
 
@@ -6,8 +7,8 @@
 #include <string>
 
 #include "core/model/scenario.h"
-#include "core/study/sweep_axis.h"
-#include "core/study/thrust_study.h"
+#include "core/study/rows/sweep_axis.h"
+#include "core/study/thrust/thrust_study.h"
 
 namespace drillwave {
 

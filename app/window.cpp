@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window.h"
 
 #include <QApplication>
@@ -8,12 +9,12 @@
 #include <vector>
 
 #include "app/command.h"
-#include "core/model/decimal_text.h"
-#include "core/model/nearest_name.h"
 #include "core/model/version.h"
-#include "ui/main_window.h"
-#include "ui/recovery.h"
-#include "ui/settings.h"
+#include "core/text/decimal_text.h"
+#include "core/text/nearest_name.h"
+#include "ui/document/recovery.h"
+#include "ui/text/settings.h"
+#include "ui/window/main_window.h"
 
 namespace drillwave {
 

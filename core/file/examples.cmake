@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Embeds resources/examples/*.yaml into core/file/example_texts.h of the build directory.
 set(DRILLWAVE_EXAMPLE_TEXTS "")
 foreach(name

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file/preset_file.h"
 
 #include "core/file/preset_reader.h"
 #include "core/file/preset_text.h"
-#include "core/file/text_input.h"
+#include "core/text/text_input.h"
 
 namespace drillwave {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files of presets: YAML read as strictly as scenarios. The format is explained in resources/presets.
 #pragma once
 

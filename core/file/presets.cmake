@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Embeds resources/presets/presets.yaml into core/file/preset_text.h of the build directory.
 set(file ${PROJECT_SOURCE_DIR}/resources/presets/presets.yaml)
 file(READ ${file} DRILLWAVE_PRESET_TEXT)

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file/problem_list.h"
 
 #include <algorithm>
 #include <tuple>
 
-#include "core/model/decimal_text.h"
+#include "core/text/decimal_text.h"
 
 namespace drillwave {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Problems of a scenario text, collected with their places.
 #pragma once
 
@@ -7,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/file/text_input.h"
 #include "core/model/validation.h"
+#include "core/text/text_input.h"
 
 namespace drillwave {
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file/pulse_reader.h"
 
 #include <filesystem>
 
 #include "core/file/pulse_table.h"
 #include "core/model/parameter.h"
+#include "core/model/parameter_text.h"
 
 namespace drillwave {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The hammer blow of a scenario file: its shape, what that shape needs, and the points of a table.
 #pragma once
 

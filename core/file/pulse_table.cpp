@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file/pulse_table.h"
 
 #include <sstream>
 
-#include "core/file/csv.h"
-#include "core/file/text_input.h"
-#include "core/model/decimal_text.h"
 #include "core/model/pulse_force.h"
-#include "core/model/units.h"
+#include "core/text/csv.h"
+#include "core/text/decimal_text.h"
+#include "core/text/text_input.h"
+#include "core/text/units.h"
 
 namespace drillwave {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The CSV file of a tabulated pulse: time and force, with their units in the header.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file/result_scenario.h"
 
 #include <algorithm>
@@ -6,12 +7,12 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/file/blow_csv.h"
-#include "core/file/result_remarks.h"
 #include "core/file/row_record.h"
 #include "core/file/scenario_reader.h"
-#include "core/file/text_input.h"
 #include "core/file/yaml_tree.h"
+#include "core/report/blow_csv.h"
+#include "core/report/result_remarks.h"
+#include "core/text/text_input.h"
 
 namespace drillwave {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The scenario of an earlier run, from the files it left behind.
 #pragma once
 
@@ -5,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/blow/method.h"
 #include "core/file/scenario_file.h"
-#include "core/study/method.h"
 
 namespace drillwave {
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file/row_record.h"
 
 #include <algorithm>
 
 #include "core/file/scenario_text.h"
-#include "core/file/text_input.h"
 #include "core/model/version.h"
+#include "core/text/text_input.h"
 
 namespace drillwave {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The record beside a CSV file of rows, map.csv.yaml beside map.csv: what the rows are and how to get them.
 #pragma once
 
@@ -6,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/study/method.h"
-#include "core/study/shard.h"
+#include "core/blow/method.h"
+#include "core/study/rows/shard.h"
 
 namespace drillwave {
 

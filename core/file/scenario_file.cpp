@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file/scenario_file.h"
 
-#include "core/file/result_remarks.h"
 #include "core/file/scenario_patch.h"
 #include "core/file/scenario_reader.h"
 #include "core/file/scenario_text.h"
-#include "core/file/text_input.h"
+#include "core/report/result_remarks.h"
+#include "core/text/text_input.h"
 
 namespace drillwave {
 namespace {

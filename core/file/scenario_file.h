@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenario files (files §1): YAML read strictly with positions, written so that nothing unchanged moves.
 #pragma once
 

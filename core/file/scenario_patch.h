@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Changed values put into the text of a scenario file, everything else in it left where it is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From the tree of a YAML text to a scenario, with every problem and its place.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What of a scenario is kept in a file, and that file written anew.
 #pragma once
 

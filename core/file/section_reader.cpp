@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file/section_reader.h"
 
 #include <algorithm>
 
-#include "core/model/nearest_name.h"
 #include "core/model/parameter.h"
+#include "core/model/parameter_text.h"
+#include "core/text/nearest_name.h"
 
 namespace drillwave {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sections of a scenario file: their keys checked, their values read through the parameter table.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Replacements of parts of a text, made all at once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file/yaml_tree.h"
 
 #include <yaml-cpp/eventhandler.h>
@@ -8,7 +9,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "core/file/text_input.h"
+#include "core/text/text_input.h"
 
 namespace drillwave {
 namespace {

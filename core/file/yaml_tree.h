@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A YAML text as a plain tree with byte positions: what is needed of YAML, and nothing that surprises.
 #pragma once
 

@@ -1,11 +1,12 @@
-// Remarks on valid scenarios.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/alerts.h"
+
 #include <cmath>
 
-#include "core/model/handy_text.h"
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
-#include "core/model/validation.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The one table of parameters: scenario files, --set, sweep axes, CSV headers, form rows, tooltips and
 // messages all take keys, symbols, units, ranges and meanings from here (files §2).
 #pragma once
@@ -8,7 +9,7 @@
 #include <string_view>
 
 #include "core/model/scenario.h"
-#include "core/model/units.h"
+#include "core/text/units.h"
 
 namespace drillwave {
 
@@ -67,21 +68,5 @@ std::string rangeProblem(const Parameter& parameter, double value);
 /// of a group, or the impulse of a force, and that may be at the end of double precision. "cannot be kept …";
 /// empty when it reads back to 1e-12. Requires applies().
 std::string readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted);
-
-/// "rectangular, triangular, …", for messages.
-std::string pulseShapeList();
-
-/// Why a parameter has no meaning in this scenario and what to do instead; empty when it applies.
-std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenario);
-
-/// The known key (of parameters(), or "pulse.shape") most like a mistyped one; empty when none is close.
-std::string nearestKey(std::string_view key);
-
-/// Sets `key` from text, as --set, table cells and sweep values do. Accepts every key of parameters() with a
-/// unit where it has one, and "pulse.shape". `unit` is a default unit taken from a column header, or nullptr.
-/// Returns the reason why not ("bit_rock.gamma = 1.3 (must be in (0, 1])"), or an empty string when done;
-/// after a reason the scenario is not to be used.
-std::string assignText(Scenario& scenario, std::string_view key, std::string_view text,
-                       const Unit* unit = nullptr);
 
 }  // namespace drillwave

@@ -1,10 +1,11 @@
-// Parameters set from text, and the words for what is wrong with it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/parameter_text.h"
+
 #include <algorithm>
 #include <vector>
 
-#include "core/model/decimal_text.h"
-#include "core/model/nearest_name.h"
-#include "core/model/parameter.h"
+#include "core/text/decimal_text.h"
+#include "core/text/nearest_name.h"
 
 namespace drillwave {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A named set of values for a part of a scenario: a rod, a hammer, a rock.
 #pragma once
 

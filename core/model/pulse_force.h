@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The hammer force as a dimensionless function of time with unit impulse, ready for the solvers.
 #pragma once
 

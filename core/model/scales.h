@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From a scenario to its dimensionless groups and the scales that lead back to SI.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A drilling scenario as plain values: what is described, not how it is solved.
 #pragma once
 

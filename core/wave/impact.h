@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One blow, solved: the common result of every solver, all quantities dimensionless.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "core/wave/piecewise.h"
+#include "core/numeric/piecewise.h"
 
 namespace drillwave {
 

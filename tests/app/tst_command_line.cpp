@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The program as its users' scripts see it: exit codes, messages, names and bytes.
 #include <QtTest>
 
@@ -14,7 +15,7 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "tests/app/program.h"
+#include "tests/support/program.h"
 
 using namespace drillwave::test;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Folders that commands write: whole or not at all, whoever else writes there and whenever they are stopped.
 #include <QtTest>
 
@@ -11,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-#include "tests/app/program.h"
+#include "tests/support/program.h"
 
 using namespace drillwave::test;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What FILE may be: a file, standard input, a pipe, a built-in example; and presets by name.
 #include <QtTest>
 
@@ -7,7 +8,7 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
-#include "tests/app/program.h"
+#include "tests/support/program.h"
 
 using namespace drillwave::test;
 

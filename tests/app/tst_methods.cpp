@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The other solvers on the command line: run --method, and accuracy.
 #include <QtTest>
 
@@ -10,7 +11,7 @@
 #include <QTemporaryDir>
 #include <csignal>
 
-#include "tests/app/program.h"
+#include "tests/support/program.h"
 
 using namespace drillwave::test;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // packaging/run on a bare system, whose commands are stood in for: what it asks for, shows and leaves behind.
 #include <QtTest>
 
@@ -5,7 +6,7 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
-#include "tests/app/program.h"
+#include "tests/support/program.h"
 
 using namespace drillwave::test;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every file says what it is, and can be worked on with.
 #include <QtTest>
 
@@ -8,7 +9,7 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
-#include "tests/app/program.h"
+#include "tests/support/program.h"
 
 using namespace drillwave::test;
 

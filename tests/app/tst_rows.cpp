@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave sweep and table: rows in order, the same bytes from any number of threads and parts.
 #include <QtTest>
 
@@ -6,7 +7,7 @@
 #include <QTemporaryDir>
 #include <csignal>
 
-#include "tests/app/program.h"
+#include "tests/support/program.h"
 
 using namespace drillwave::test;
 

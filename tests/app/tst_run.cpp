@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave run: the JSON object, the files, and running a case again from them.
 #include <QtTest>
 
@@ -10,7 +11,7 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 
-#include "tests/app/program.h"
+#include "tests/support/program.h"
 
 using namespace drillwave::test;
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // packaging/slurm/sweep.sbatch as Slurm would run its tasks.
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "tests/app/program.h"
+#include "tests/support/program.h"
 
 using namespace drillwave::test;
 

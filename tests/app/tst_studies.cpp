@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave gap, thrust and figures: numbers, names, files and what they refuse.
 #include <QtTest>
 
@@ -9,7 +10,7 @@
 #include <QTemporaryDir>
 #include <csignal>
 
-#include "tests/app/program.h"
+#include "tests/support/program.h"
 
 using namespace drillwave::test;
 

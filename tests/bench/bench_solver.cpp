@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Seconds per COR evaluation, scene by scene: a table, or with --json an array. Not run by ctest.
 #include <cstdio>
 #include <cstring>
 #include <string>
 
 #include "core/model/pulse_force.h"
-#include "core/model/units.h"
-#include "core/study/run_time.h"
-#include "core/wave/exact_solver.h"
+#include "core/numeric/run_time.h"
+#include "core/text/units.h"
+#include "core/wave/exact/exact_solver.h"
 
 using namespace drillwave;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Milliseconds from a keystroke in a field to the new pixels of the whole window, page by page: bench_window
 // [REPEATS], 50 by default. Not run by ctest but for a trial: times depend on the machine.
 #include <QApplication>
@@ -9,12 +10,12 @@
 #include <chrono>
 #include <cstdio>
 
-#include "ui/main_window.h"
+#include "ui/form/quantity_field.h"
+#include "ui/form/scenario_panel.h"
 #include "ui/pages/page.h"
-#include "ui/plots/plot_widget.h"
-#include "ui/quantity_field.h"
-#include "ui/scenario_panel.h"
-#include "ui/settings.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/text/settings.h"
+#include "ui/window/main_window.h"
 
 using namespace drillwave;
 

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Holds citations to the manual: check_citations.sh ROOT
 #   theory §3, files §1.1, commands §4   a section must be a heading of resources/manual/<word>.md
 #   [paper (14)]                         an equation of the paper must stand in theory.md with that number

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The checks of the manual must be able to fail: check_finds_wrong.sh ROOT
 # Each line below is put into a copy of the sources as a comment, or a passage is taken out of its manual.
 set -u

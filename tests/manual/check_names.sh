@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Holds the manual to the program: check_names.sh ROOT
 # Every parameter, output, alert and shape of a blow must stand in files.md, and every command and option in commands.md,
 # as `name`; found in the tables of the sources that define them.
@@ -24,8 +25,8 @@ expect() {
 }
 
 sed -n 's/^ *Parameter{"\([^"]*\)",.*/\1/p' core/model/parameter.cpp | expect files.md parameter 25
-sed -n 's/^ *{"\([a-z_]*\)", "[^"]*",* *\(Quantity::.*\)*$/\1/p' core/study/impact_summary.cpp | expect files.md output 15
-grep -ho 'AlertLevel::[a-z]*, *"[a-z_]*"' core/model/*.cpp core/study/*.cpp |
+sed -n 's/^ *{"\([a-z_]*\)", "[^"]*",* *\(Quantity::.*\)*$/\1/p' core/blow/impact_summary.cpp | expect files.md output 15
+grep -ho 'AlertLevel::[a-z]*, *"[a-z_]*"' core/model/*.cpp core/blow/*.cpp |
     sed 's/.*"\(.*\)"/\1/' | expect files.md alert 4
 sed -n '/shapeNames{/,/};/p' core/model/scenario.cpp | grep -o '"[a-z_]*"' | tr -d '"' | expect files.md shape 8
 sed -n 's/^ *\.name = "\([a-z]*\)",.*/\1/p' app/*_command.cpp | expect commands.md command 10

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes for the tests of the solvers: solved blows, the reference table, random scenarios.
 #pragma once
 
@@ -8,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "core/file/csv.h"
 #include "core/model/pulse_force.h"
-#include "core/model/units.h"
-#include "core/wave/exact_solver.h"
+#include "core/text/csv.h"
+#include "core/text/units.h"
+#include "core/wave/exact/exact_solver.h"
 
 namespace drillwave::test {
 

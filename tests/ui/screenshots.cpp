@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the whole window, to be looked at: screenshots FOLDER. Every page, light and dark, in three
 // sizes, at one and two pixels a point: blow_dark_1440x900_2x.png and so on.
 #include <QApplication>
@@ -8,9 +9,9 @@
 #include <QTest>
 #include <cstdio>
 
-#include "tests/ui/themes.h"
-#include "ui/main_window.h"
-#include "ui/settings.h"
+#include "tests/support/themes.h"
+#include "ui/text/settings.h"
+#include "ui/window/main_window.h"
 
 using namespace drillwave;
 

@@ -1,14 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/blow_report.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "core/file/blow_csv.h"
+#include "core/blow/impact_summary.h"
+#include "core/blow/result_alerts.h"
+#include "core/blow/thrust.h"
+#include "core/model/alerts.h"
 #include "core/model/version.h"
-#include "core/study/impact_summary.h"
-#include "core/study/result_alerts.h"
-#include "core/study/thrust.h"
+#include "core/report/blow_csv.h"
 #include "ui/export/json_value.h"
 
 namespace drillwave {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One solved blow with all that is reported about it, and the report for programs.
 #pragma once
 
@@ -5,9 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/blow/method.h"
+#include "core/model/alerts.h"
 #include "core/model/scenario.h"
 #include "core/model/validation.h"
-#include "core/study/method.h"
 #include "core/wave/impact.h"
 
 namespace drillwave {
@@ -21,9 +23,9 @@ struct BlowReport {
     std::vector<Alert> alerts() const;  ///< of the scenario, and of the result if there is one
 };
 
-/// The JSON object of a blow (files §5): results dimensionless and, where the scenario has units, in SI with the unit of
-/// each; and the scenario as the text that gives them again (completeScenarioText()). Numbers read back
-/// exactly; they are null where the case could not be solved.
+/// The JSON object of a blow (files §5): results dimensionless and, where the scenario has units, in SI with
+/// the unit of each; and the scenario as the text that gives them again (completeScenarioText()). Numbers
+/// read back exactly; they are null where the case could not be solved.
 QByteArray reportJson(const BlowReport& report, const std::string& scenarioText);
 
 }  // namespace drillwave

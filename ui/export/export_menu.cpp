@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/export_menu.h"
 
 #include <QApplication>
@@ -5,10 +6,11 @@
 #include <QFileInfo>
 #include <QKeyEvent>
 
-#include "ui/export/whole_file.h"
-#include "ui/plots/plot_export.h"
-#include "ui/plots/plot_widget.h"
-#include "ui/settings.h"
+#include "ui/document/whole_file.h"
+#include "ui/export/plot_export.h"
+#include "ui/plot/plot_rendering.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/text/settings.h"
 
 namespace drillwave {
 namespace {

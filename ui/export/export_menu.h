@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // File ▸ Export: results and pictures of the blow that is shown, as files.
 #pragma once
 
 #include <QMenu>
 #include <functional>
 
-#include "ui/document.h"
+#include "ui/document/document.h"
 #include "ui/export/run_files.h"
 #include "ui/export/whole_folder.h"
-#include "ui/questions.h"
-#include "ui/solved_blow.h"
+#include "ui/job/solved_blow.h"
+#include "ui/questions/questions.h"
 
 namespace drillwave {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Values of JSON reports.
 #pragma once
 
@@ -8,12 +9,13 @@
 #include <string_view>
 
 #include "core/model/scenario.h"
-#include "core/model/units.h"
+#include "core/text/units.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 
 inline QString jsonText(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+    return fromView(text);
 }
 
 /// null where there is no number.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/run_files.h"
 
 #include <QDir>
@@ -5,12 +6,13 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/file/blow_csv.h"
-#include "core/file/result_remarks.h"
 #include "core/file/result_scenario.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
-#include "ui/plots/plot_export.h"
+#include "core/report/blow_csv.h"
+#include "core/report/result_remarks.h"
+#include "ui/export/plot_export.h"
+#include "ui/plot/plot_rendering.h"
 
 namespace drillwave {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The files of one blow: what `drillwave run -o` and the window's export write, in one place.
 #pragma once
 
@@ -7,7 +8,7 @@
 #include <stop_token>
 
 #include "core/file/scenario_file.h"
-#include "core/study/output_column.h"
+#include "core/study/rows/output_column.h"
 #include "ui/export/blow_report.h"
 #include "ui/export/whole_folder.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/whole_folder.h"
 
 #include <QCoreApplication>
@@ -14,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-#include "ui/export/whole_file.h"
+#include "ui/document/whole_file.h"
 
 namespace drillwave {
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The files of a folder put in place together: all of them or none.
 #pragma once
 

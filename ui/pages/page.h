@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What every page of the window has in common.
 #pragma once
 
 #include <QWidget>
 
-#include "ui/solved_blow.h"
+#include "ui/job/solved_blow.h"
 
 namespace drillwave {
 

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The built-in scenarios: the files of resources/examples, each valid and explained.
 #include <QtTest>
 
 #include <QDir>
 #include <QFile>
 
+#include "core/blow/impact_summary.h"
 #include "core/file/examples.h"
 #include "core/file/scenario_file.h"
-#include "core/study/impact_summary.h"
-#include "core/wave/exact_solver.h"
+#include "core/wave/exact/exact_solver.h"
 
 using namespace drillwave;
 
@@ -94,4 +95,5 @@ void TestExamples::theDefaultIsTheT38Case() {
 }
 
 QTEST_GUILESS_MAIN(TestExamples)
+#include "core/model/alerts.h"
 #include "tst_examples.moc"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Malformed scenario files: one clear problem at its place, whatever is in the file.
 #include <QtTest>
 

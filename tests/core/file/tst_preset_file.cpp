@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Presets: what is built in is sound and sourced, and what users add is read as strictly as a scenario.
 #include <QtTest>
 
@@ -235,4 +236,5 @@ void TestPresetFile::aMissingFileIsReported() {
 }
 
 QTEST_GUILESS_MAIN(TestPresetFile)
+#include "core/model/alerts.h"
 #include "tst_preset_file.moc"

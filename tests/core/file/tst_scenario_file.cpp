@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scenario files: the two forms of files §1, and saving without moving what did not change.
 #include <QtTest>
 
@@ -576,4 +577,5 @@ void TestScenarioFile::theUsersLocaleChangesNothing() {
 }
 
 QTEST_APPLESS_MAIN(TestScenarioFile)
+#include "core/model/parameter_text.h"
 #include "tst_scenario_file.moc"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Mutations of valid scenario files: each is read or refused, and what is read is saved and read back the
 // same.
 #include <QtTest>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The parameter table: every key once, set and read alike by every user of it.
 #include <QtTest>
 
@@ -5,10 +6,10 @@
 #include <random>
 #include <set>
 
-#include "core/model/nearest_name.h"
 #include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "core/model/validation.h"
+#include "core/text/nearest_name.h"
 
 using namespace drillwave;
 
@@ -358,4 +359,5 @@ void TestParameter::whatDoesNotReadBackIsRefused() {
 }
 
 QTEST_APPLESS_MAIN(TestParameter)
+#include "core/model/parameter_text.h"
 #include "tst_parameter.moc"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Groups and scales: the way from SI to dimensionless numbers and back.
 #include <QtTest>
 

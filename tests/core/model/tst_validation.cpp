@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Validation: every problem at once, and remarks on what is valid but strained.
 #include <QtTest>
 
@@ -238,4 +239,6 @@ void TestValidation::aHammerThatNobodyGaveIsRemarkedOn() {
 }
 
 QTEST_APPLESS_MAIN(TestValidation)
+#include "core/model/alerts.h"
+#include "core/model/parameter_text.h"
 #include "tst_validation.moc"

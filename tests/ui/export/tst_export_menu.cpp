@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the window exports is what the command line writes, and every failure is told.
 #include <QClipboard>
 #include <QComboBox>
@@ -17,15 +18,15 @@
 
 #include "core/file/examples.h"
 #include "core/file/result_scenario.h"
-#include "tests/app/program.h"
-#include "tests/ui/scripted_questions.h"
+#include "tests/support/program.h"
+#include "tests/support/scripted_questions.h"
 #include "ui/export/export_menu.h"
-#include "ui/export/picture_dialog.h"
-#include "ui/main_window.h"
-#include "ui/pages/blow_page.h"
-#include "ui/plots/plot_export.h"
-#include "ui/plots/plot_widget.h"
-#include "ui/solve_status.h"
+#include "ui/export/plot_export.h"
+#include "ui/job/solve_status.h"
+#include "ui/pages/blow/blow_page.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/questions/picture_dialog.h"
+#include "ui/window/main_window.h"
 
 using namespace drillwave;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files put into a folder together: all of them or none, and nothing of anybody else is touched.
 #include <QFile>
 #include <QTemporaryDir>

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/blow/method.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/wave/closed/closed_form.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> names{"exact", "lattice", "closed_form"};
+
+}  // namespace
+
+std::string_view name(Method method) {
+    return names[static_cast<std::size_t>(method)];
+}
+
+std::optional<Method> findMethod(std::string_view name) {
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<Method>(found - names.begin());
+}
+
+std::span<const std::string_view> methodNames() {
+    return names;
+}
+
+std::string describe(const MethodChoice& choice) {
+    std::string text = "method " + std::string(name(choice.method));
+    if (choice.method == Method::lattice)
+        text += ", " + std::to_string(choice.lattice.segments) + " segments";
+    return text;
+}
+
+std::string methodRefusal(Method method, const PulseForce& pulse, const Groups& groups) {
+    return method == Method::closedForm ? closedFormRefusal(pulse, groups) : std::string();
+}
+
+Impact MethodSolver::solve(const PulseForce& pulse, const Groups& groups, Detail detail,
+                           const MethodChoice& choice, const std::stop_token& stop) {
+    switch (choice.method) {
+        case Method::exact:
+            return m_exact.solve(pulse, groups, detail, stop);
+        case Method::lattice:
+            if (!m_lattice) m_lattice.emplace();
+            return m_lattice->solve(pulse, groups, detail, choice.lattice, stop);
+        case Method::closedForm:
+            return solveClosedForm(pulse, groups, detail);
+    }
+    return {};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which of the solvers is to be used, and one place to call it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+#include "core/model/pulse_force.h"
+#include "core/model/scenario.h"
+#include "core/wave/exact/exact_solver.h"
+#include "core/wave/impact.h"
+#include "core/wave/lattice/lattice_solver.h"
+
+namespace drillwave {
+
+/// How a blow is solved.
+enum class Method {
+    exact,       ///< from event to event (ExactSolver)
+    lattice,     ///< the paper's algorithm (LatticeSolver)
+    closedForm,  ///< the paper's analytical solution (solveClosedForm())
+};
+
+/// "closed_form" and so on, as on the command line.
+std::string_view name(Method method);
+std::optional<Method> findMethod(std::string_view name);
+/// All names, in the order of Method.
+std::span<const std::string_view> methodNames();
+
+/// A method with its settings.
+struct MethodChoice {
+    Method method = Method::exact;
+    LatticeOptions lattice;  ///< counts for Method::lattice only
+    bool operator==(const MethodChoice&) const = default;
+};
+
+/// "method exact", "method lattice, 1000 segments": how to ask for it again.
+std::string describe(const MethodChoice& choice);
+
+/// Why a method says nothing about a blow that others can solve; empty when it does.
+std::string methodRefusal(Method method, const PulseForce& pulse, const Groups& groups);
+
+/// Solves one blow after another by any method, keeping the workspace. One solver per thread.
+class MethodSolver {
+  public:
+    /// `mostPieces` bounds the work of the exact solver.
+    explicit MethodSolver(long mostPieces = defaultMostPieces) : m_exact(mostPieces) {}
+    static constexpr long defaultMostPieces = 30'000'000;
+
+    /// Groups as for ExactSolver::solve(). A blow that the method refuses is not solved, with the reason.
+    /// Only the lattice, which may take long, looks at `stop`.
+    Impact solve(const PulseForce& pulse, const Groups& groups, Detail detail,
+                 const MethodChoice& choice = {}, const std::stop_token& stop = {});
+
+  private:
+    ExactSolver m_exact;
+    std::optional<LatticeSolver> m_lattice;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The feed force that blows need for full penetration.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// Mean thrust f·I0·(1 + e) [N] (T34) [paper (9)]: the impulse that the rock gives back with every blow that
+/// begins at rest on the rock. nullopt where thrustProblem() says why.
+std::optional<double> thrustNeeded(const Scenario& scenario, double cor);
+
+/// Why there is no thrust for a scenario and what to do; empty when there is one.
+std::string thrustProblem(const Scenario& scenario);
+
+}  // namespace drillwave

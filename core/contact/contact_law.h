@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bilinear law of bit and rock over steps of constant force and velocity (paper, section 5.3; theory §6).
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace drillwave {
+
+/// Gap, force and memory of the bit–rock contact, advanced step by step.
+///
+/// In each step the force F is constant while the front end advances by dU = (2g − F)Δ, with F such that F·dU
+/// is the work of the law over that increment (T32),
+///
+///     F dU = ∫ F(U) dU,   F(U) of slope β on the primary line, β/γ below the largest force so far, 0 apart,
+///
+/// whatever corners the increment passes. On one line of slope a that is F = f + (2g − f) q,
+/// q = (aΔ/2)/(1 + aΔ/2) (T33), where f is the force at the beginning of the step; it approaches the end of
+/// the line without overshoot for aΔ ≤ 2. Along corners it is the root of a quadratic equation; it exists and
+/// is the only one because the mean force of the law grows with the increment and 2g − dU/Δ falls.
+class ContactLaw {
+  public:
+    /// What happened in a step: the corners that it passed, as bits.
+    enum Change : unsigned {
+        none = 0,
+        contact = 1,         ///< the gap closed
+        unloading = 2,       ///< the force turned down from the primary line, at the beginning of the step
+        primaryLoading = 4,  ///< the force came back to the primary line
+        separation = 8,      ///< the force vanished
+    };
+
+    /// β > 0, 0 < γ ≤ 1, step Δ > 0 in t0, gap ≥ 0 in I0/Z; `negligible` is the force taken for zero when
+    /// nothing arrives any more.
+    ContactLaw(double beta, double gamma, double step, double gap, double negligible);
+
+    /// Advances by one step in which the mean incident wave is g. Returns F ≥ 0.
+    double advance(double g) {
+        m_changes = none;
+        if (!m_touches) {
+            const double advance = 2 * g * m_step;
+            if (advance > 0 && advance >= m_gap) return load(g);
+            m_gap -= advance;
+            return 0;
+        }
+        const double drive = 2 * g - m_force;
+        if (std::abs(drive) <= rounding * (2 * std::abs(g) + m_force)) return rest(g);
+        return drive > 0 ? advanceLoading(g, drive) : advanceUnloading(g, drive);
+    }
+
+    unsigned changes() const { return m_changes; }  ///< of the last step
+    /// When in the last step the gap closed, the primary line was reached, the force vanished; 0 … 1.
+    double contactFraction() const { return m_contactFraction; }
+    double primaryFraction() const { return m_primaryFraction; }
+    double separationFraction() const { return m_separationFraction; }
+
+    /// Not in contact; contact by exactly zero force is one.
+    bool isApart() const { return !m_touches; }
+    double gap() const { return m_gap; }      ///< still to close, I0/Z
+    double force() const { return m_force; }  ///< at the end of the last step
+    double peak() const { return m_peak; }    ///< largest force so far: the memory of the rock
+    /// Closes the gap of parts that are apart to what free flight leaves of it.
+    void setGap(double gap) { m_gap = gap; }
+
+  private:
+    static constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+
+    double advanceLoading(double g, double drive) {
+        const bool onPrimary = m_isElastic || m_force >= m_peak;
+        const double force = m_force + drive * (onPrimary ? m_loading : m_unloading);
+        const double end = 2 * force - m_force;
+        if (onPrimary)
+            m_peak = std::fmax(m_peak, end);
+        else if (end > m_peak)
+            return load(g);
+        m_force = end;
+        return force;
+    }
+    double advanceUnloading(double g, double drive) {
+        if (!m_isElastic && m_force > 0 && m_force >= m_peak) m_changes = unloading;
+        const double force = m_force + drive * m_unloading;
+        const double end = 2 * force - m_force;
+        if (end < 0 || m_force == 0) return separate(g);
+        m_force = end;
+        return force;
+    }
+    double rest(double g) {
+        if (g == 0 && m_force <= m_negligible) m_force = 0;
+        return m_force;
+    }
+    double load(double g);
+    double separate(double g);
+
+    double m_beta;
+    double m_unloadingRate;  ///< β/γ
+    double m_step;
+    double m_loading;    ///< q of the primary line
+    double m_unloading;  ///< q below the largest force
+    double m_negligible;
+    bool m_isElastic;  ///< γ = 1: one line, no memory
+    bool m_touches = false;
+    double m_gap;
+    double m_force = 0;
+    double m_peak = 0;
+    unsigned m_changes = none;
+    double m_contactFraction = 0, m_primaryFraction = 0, m_separationFraction = 0;
+};
+
+}  // namespace drillwave

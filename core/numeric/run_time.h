@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How long something takes, measured so that the number means something.
+#pragma once
+
+#include <time.h>
+
+#include <algorithm>
+#include <stop_token>
+#include <vector>
+
+namespace drillwave {
+
+/// Seconds of one run, over several runs after a warm-up: processor time of the thread, so that other work on
+/// the machine counts as little as possible.
+struct RunTime {
+    double median = 0;
+    double least = 0;
+    int runs = 0;  ///< 11, fewer where one takes over a second
+};
+
+inline constexpr int wantedRuns = 11;
+
+/// Processor time that this thread has used, s.
+inline double threadSeconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Times work(), which has been run once already and took about `estimate` seconds. What is quick is repeated
+/// within a run until the clock can tell. onRun() is called after each run; a stop ends it early.
+template <class Work, class OnRun>
+RunTime measureRunTime(Work work, double estimate, const std::stop_token& stop, OnRun onRun) {
+    constexpr double resolved = 1e-3;  // s
+    const auto batch = [&](long count) {
+        const double start = threadSeconds();
+        for (long i = 0; i < count; ++i) work();
+        return threadSeconds() - start;
+    };
+    long count = 1;
+    if (estimate < resolved)
+        while (batch(count) < resolved && !stop.stop_requested()) count *= 2;
+    const int runs = estimate > 10 ? 1 : estimate > 1 ? 3 : wantedRuns;
+    std::vector<double> seconds;
+    while (static_cast<int>(seconds.size()) < runs && !stop.stop_requested()) {
+        seconds.push_back(batch(count) / static_cast<double>(count));
+        onRun();
+    }
+    if (seconds.empty()) return {};
+    std::ranges::sort(seconds);
+    return {.median = seconds[seconds.size() / 2],
+            .least = seconds.front(),
+            .runs = static_cast<int>(seconds.size())};
+}
+
+}  // namespace drillwave

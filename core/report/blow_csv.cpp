@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/blow_csv.h"
+
+#include <algorithm>
+
+#include "core/report/result_remarks.h"
+#include "core/text/row_text.h"
+#include "core/wave/field/bit_motion.h"
+#include "core/wave/field/wave_field.h"
+
+namespace drillwave {
+
+namespace {
+
+std::string heading(std::string_view name, Quantity quantity, OutputUnits units) {
+    if (units == OutputUnits::dimensionless) return std::string(name);
+    return std::string(name) + " [" + std::string(unitsOf(quantity).front().name) + "]";
+}
+
+std::string historyHeading(OutputUnits units) {
+    return heading("time", Quantity::time, units) + "," + heading("impact_force", Quantity::force, units) +
+           "," + heading("impulse", Quantity::impulse, units) + "," +
+           heading("momentum", Quantity::impulse, units) + "," +
+           heading("incident_wave", Quantity::force, units) + "," +
+           heading("penetration", Quantity::length, units) + "," +
+           heading("front_velocity", Quantity::velocity, units) + "\n";
+}
+
+/// Where the bit is, from the first time to the last.
+class FrontEnd {
+  public:
+    FrontEnd(const Impact& impact, const PulseForce& pulse, const Groups& groups)
+        : m_impact(impact), m_groups(groups), m_firstGap(pulse.isRigidBody() ? 0 : groups.delta) {}
+
+    /// [d0] Of the law of the rock while it pushes, where the displacement of the bit would have its digits
+    /// cancelled by those of a much longer way.
+    double penetration(double time, double force) {
+        m_largestForce = std::max(m_largestForce, force);
+        if (force > 0)
+            return (m_largestForce - m_groups.gamma * (m_largestForce - force)) / (2 * m_groups.beta);
+        return bitDisplacement(m_impact, time) - m_firstGap;
+    }
+
+  private:
+    const Impact& m_impact;
+    const Groups& m_groups;
+    double m_firstGap;
+    double m_largestForce = 0;
+};
+
+/// The first line of a text, which is removed from it.
+std::string_view takeLine(std::string_view& text) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line;
+}
+
+}  // namespace
+
+std::string scenarioHeader(std::string_view scenarioYaml, std::string_view method, std::string_view columns) {
+    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+    if (scenarioYaml.starts_with(byteOrderMark)) scenarioYaml.remove_prefix(byteOrderMark.size());
+    const std::string yaml =
+        remarksText("; without the leading \"# \" these lines are the scenario.", method, columns) +
+        std::string(scenarioYaml);
+    std::string header;
+    for (std::string_view rest = yaml; !rest.empty();) {
+        const std::string_view line = takeLine(rest);
+        header += line.empty() ? "#" : "# ";
+        header += line;
+        header += '\n';
+    }
+    return header;
+}
+
+std::string scenarioFromHeader(std::string_view csv) {
+    std::string scenario;
+    while (csv.starts_with('#')) {
+        std::string_view line = takeLine(csv).substr(1);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (line.starts_with(' ')) line.remove_prefix(1);
+        scenario += line;
+        scenario += '\n';
+    }
+    return scenario;
+}
+
+std::string historiesCsv(const Impact& impact, const PulseForce& pulse, const Groups& groups,
+                         OutputUnits units, const Scales& scales) {
+    const Scales scale = units == OutputUnits::si ? scales : Scales{};
+    const SampledHistory history = sampleHistory(impact);
+    std::string csv = historyHeading(units);
+    FrontEnd front(impact, pulse, groups);
+    for (std::size_t i = 0; i < history.time.size(); ++i) {
+        const double force = history.force[i], incident = history.incident[i];
+        const double received = pulse.isRigidBody() ? 1 : pulse.impulseUntil(history.time[i]);
+        const double cells[] = {history.time[i] * scale.time,
+                                force * scale.force,
+                                history.impulse[i] * scale.impulse,
+                                (received - history.impulse[i]) * scale.impulse,
+                                (incident == 0 ? 0 : -incident) * scale.force,
+                                front.penetration(history.time[i], force) * scale.penetration,
+                                (incident - force / 2) * (scale.penetration / scale.time)};
+        for (const double& cell : cells) {
+            if (&cell != cells) csv += ',';
+            appendNumber(csv, cell);
+        }
+        csv += '\n';
+    }
+    return csv;
+}
+
+std::string historyColumns(OutputUnits units) {
+    return std::string(
+               "incident_wave is a normal force, tension positive; impact_force, impulse, momentum, "
+               "penetration and front_velocity are positive into the rock; penetration is that of the "
+               "bit below the first surface of the rock") +
+           (units == OutputUnits::si ? ". Units stand in the header."
+                                     : "; units: time t0, force F0 = I0/t0, impulse and momentum I0, "
+                                       "penetration d0 = 2 I0/Z, front_velocity d0/t0.");
+}
+
+std::string eventsCsv(const Impact& impact, OutputUnits units, const Scales& scales) {
+    const double scale = units == OutputUnits::si ? scales.time : 1;
+    std::string csv = "kind," + heading("time", Quantity::time, units) + "\n";
+    for (const ImpactEvent& event : impact.events) {
+        csv += name(event.kind);
+        csv += ',';
+        appendNumber(csv, event.time * scale);
+        csv += '\n';
+    }
+    return csv;
+}
+
+std::string_view name(ContactEvent event) {
+    switch (event) {
+        case ContactEvent::contact:
+            return "contact";
+        case ContactEvent::unloading:
+            return "unloading";
+        case ContactEvent::primaryLoading:
+            return "primary_loading";
+        case ContactEvent::separation:
+            return "separation";
+    }
+    return {};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Histories and events of one blow as CSV, with all that is needed to run the case again.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/model/pulse_force.h"
+#include "core/model/scales.h"
+#include "core/study/rows/output_column.h"
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// The program version and a scenario file as lines that begin with "#": without their leading "# " they are
+/// a scenario file again, the version line, the one that names the method and the one that explains the
+/// columns being comments of it (see ResultRemarks).
+std::string scenarioHeader(std::string_view scenarioYaml, std::string_view method = {},
+                           std::string_view columns = {});
+
+/// Turns the lines of scenarioHeader() at the top of a CSV file back into the scenario file; empty without
+/// such lines.
+std::string scenarioFromHeader(std::string_view csv);
+
+/// time, impact_force, impulse, momentum, incident_wave, penetration, front_velocity at the front end: from
+/// the arrival of the first wave to the end of the recording, a time twice where a curve jumps. The wave is a
+/// normal force, tension positive; everything else is positive towards the rock. Momentum is that of the rod.
+/// Penetration is that of the bit below the first surface of the rock, negative while it is above. `scales`
+/// of the scenario turn the columns into SI; without, forces are in F0, times in t0, lengths in d0,
+/// velocities in d0/t0. Requires an impact solved with Detail::histories.
+std::string historiesCsv(const Impact& impact, const PulseForce& pulse, const Groups& groups,
+                         OutputUnits units, const Scales& scales);
+
+/// Signs and units of these columns in one line, for the header of the file.
+std::string historyColumns(OutputUnits units);
+
+/// kind, time of every event.
+std::string eventsCsv(const Impact& impact, OutputUnits units, const Scales& scales);
+
+/// "contact", "unloading", "primary_loading", "separation".
+std::string_view name(ContactEvent event);
+
+}  // namespace drillwave

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The result of a blow as a function of the gap between bit and rock, to a known accuracy.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/model/pulse_force.h"
+#include "core/model/scenario.h"
+#include "core/numeric/chebyshev.h"
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// What is known along the gap. The impulse is 1 + e.
+enum class GapOutput : std::size_t { cor, peakForce, efficiency };
+inline constexpr std::size_t gapOutputCount = 3;
+
+/// So many times at most may the wave of the hammer have returned before the hammer has ended.
+inline constexpr double maximumGapPeriodStart = 10'000;
+
+/// The gap δ = d/d0 from which on results have period 1 in it: 0 where the hammer has ended before the first
+/// reflection is back, else the next whole number beyond which every contact is late enough (theory §4);
+/// infinite beyond maximumGapPeriodStart. A tail of 1e-13 of the impulse is taken as none.
+double gapPeriodStart(const PulseForce& pulse, const Groups& groups);
+
+/// A stretch of gap over which results are smooth.
+struct GapPiece {
+    double start = 0;
+    double end = 0;
+    std::array<Chebyshev, gapOutputCount> outputs;
+    std::array<double, gapOutputCount> error{};  ///< bound of |outputs − exact| as estimated, in output units
+    int contacts = 0;
+    bool resolved = true;  ///< the error is within the tolerance; else this is a sliver around a kink
+    bool solved = true;    ///< false: the solver has no answer here, and there are no numbers
+};
+
+/// Results over [start, end), the last period [periodStart, end) repeating for ever.
+struct GapCurve {
+    double start = 0;
+    double periodStart = 0;
+    double end = 0;
+    bool dependsOnGap = true;      ///< false for the reference case
+    std::size_t outputCount = 0;   ///< 1 with only the COR, else all
+    std::vector<GapPiece> pieces;  ///< ascending, contiguous but for slivers of 1e-12
+    std::vector<double> borders;   ///< gaps at which the order of events changes, and the whole numbers
+    std::uint64_t solves = 0;      ///< blows solved
+    double solverError = 0;        ///< largest bound of the solver on e
+    double unsolved = 0;           ///< length of gap without an answer
+    std::string reason;            ///< why there is none somewhere
+    bool stopped = false;          ///< on the stop token: nothing here is complete
+    bool usable() const { return !stopped && !pieces.empty(); }
+    /// Whether there is an answer all along the gap, but for what is too little to matter.
+    bool isComplete() const { return usable() && unsolved <= 1e-6; }
+
+    /// An output at any gap ≥ start. Requires that there is an answer there.
+    double value(GapOutput output, double gap) const;
+};
+
+/// Told now and then which share of the work is done, 0 … 1.
+using GapProgress = std::function<void(double)>;
+
+/// Interpolates what `detail` asks for (cor: e alone; summary: all outputs) over [start, periodStart + 1), δ
+/// of `groups` being replaced. Pieces end where the order of events changes, found by bracketing to 1e-12,
+/// and are halved until polynomials through the solver's values agree with it: to 1e-10 in e and in the
+/// efficiency, and relatively in the peak force. 0 ≤ start ≤ periodStart.
+GapCurve gapCurve(const PulseForce& pulse, const Groups& groups, double start, Detail detail,
+                  std::stop_token stop = {}, const GapProgress& progress = {});
+
+/// Over one period.
+GapCurve gapCurve(const PulseForce& pulse, const Groups& groups, Detail detail, std::stop_token stop = {},
+                  const GapProgress& progress = {});
+
+/// Gaps at which to draw the curve: the ends of its pieces, but for slivers, and no more than 1/500 apart.
+std::vector<double> sampleGaps(const GapCurve& curve);
+
+}  // namespace drillwave

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/gap/gap_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <span>
+
+#include "core/numeric/brent.h"
+#include "core/numeric/gauss_rule.h"
+#include "core/study/gap/gap_segments.h"
+
+namespace drillwave {
+
+namespace {
+
+using Segments = std::span<const GapSegment>;
+
+constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+
+/// One output under one distribution of the gap, as a distribution of values.
+class ValueDistribution {
+  public:
+    ValueDistribution(Segments segments, const GapDistribution& gaps) : m_segments(segments), m_gaps(gaps) {
+        for (const GapSegment& segment : segments) {
+            const double mass = gaps.cumulative(segment.end) - gaps.cumulative(segment.start);
+            m_masses.push_back(mass);
+            m_total += mass;
+            if (!segment.piece->resolved)
+                m_unresolved += mass;
+            else if (mass > 0)
+                m_error = std::max(m_error, segment.error());
+        }
+    }
+
+    /// Probability of a value of at most `value`.
+    double cumulative(double value) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < m_segments.size(); ++i) {
+            const GapSegment& segment = m_segments[i];
+            if (m_masses[i] <= 0 || segment.lower() > value) continue;
+            if (segment.upper() <= value) {
+                sum += m_masses[i];
+                continue;
+            }
+            const double gap = segment.gapOf(value);
+            sum += segment.first <= value ? m_gaps.cumulative(gap) - m_gaps.cumulative(segment.start)
+                                          : m_gaps.cumulative(segment.end) - m_gaps.cumulative(gap);
+        }
+        return sum / m_total;
+    }
+
+    /// Values move by at most the error of the curve, and probabilities by what is unresolved.
+    Estimate quantile(double share) const {
+        const double value = valueAt(share);
+        double error = m_error + rounding * std::abs(value);
+        if (m_unresolved > 0)
+            error += std::max(std::abs(valueAt(share - m_unresolved) - value),
+                              std::abs(valueAt(share + m_unresolved) - value));
+        return {value, error};
+    }
+
+    Estimate shareAbove(double value) const {
+        const double share = 1 - cumulative(value);
+        const double error = m_error + rounding * std::abs(value);
+        const double least = 1 - cumulative(value + error), most = 1 - cumulative(value - error);
+        double unresolved = 0;
+        for (std::size_t i = 0; i < m_segments.size(); ++i) {
+            const GapSegment& segment = m_segments[i];
+            const bool mayBeEither =
+                segment.lower() - segment.error() <= value && segment.upper() + segment.error() >= value;
+            if (!segment.piece->resolved && mayBeEither) unresolved += m_masses[i] / m_total;
+        }
+        return {share, std::max(most - share, share - least) + unresolved + rounding};
+    }
+
+  private:
+    double valueAt(double share) const {
+        double low = INFINITY, high = -INFINITY;
+        for (std::size_t i = 0; i < m_segments.size(); ++i) {
+            if (m_masses[i] <= 0) continue;
+            low = std::min(low, m_segments[i].lower());
+            high = std::max(high, m_segments[i].upper());
+        }
+        const auto excess = [&](double value) { return cumulative(value) - share; };
+        const double atLow = excess(low), atHigh = excess(high);
+        if (atLow >= 0) return low;
+        if (atHigh <= 0) return high;
+        return brentRoot(excess, low, atLow, high, atHigh);
+    }
+
+    Segments m_segments;
+    const GapDistribution& m_gaps;
+    std::vector<double> m_masses;
+    double m_total = 0;
+    double m_unresolved = 0;
+    double m_error = 0;
+};
+
+/// ∫ output · density over the pieces, each cut where the density is not smooth on its scale.
+Estimate meanOf(const GapCurve& curve, std::size_t output, const GapDistribution& gaps) {
+    const GaussRule& rule = gaussRule();
+    double sum = 0, weights = 0, error = 0;
+    for (const GapPiece& piece : curve.pieces) {
+        if (!piece.solved) continue;
+        auto cut = std::ranges::upper_bound(gaps.cuts(), piece.start);
+        double pieceWeight = 0;
+        for (double from = piece.start; from < piece.end;) {
+            const double to = cut == gaps.cuts().end() ? piece.end : std::min(*cut++, piece.end);
+            for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
+                const double gap = from + (to - from) * rule.nodes[j];
+                const double weight = gaps.density(gap) * (to - from) * rule.weights[j];
+                sum += weight * piece.outputs[output](gap);
+                pieceWeight += weight;
+            }
+            from = to;
+        }
+        weights += pieceWeight;
+        error += pieceWeight * piece.error[output];
+    }
+    const double mean = sum / weights;
+    return {mean, error / weights + 16 * rounding * std::abs(mean)};
+}
+
+GapSpread spreadOf(const GapCurve& curve, std::size_t output, const ValueDistribution& values,
+                   const GapDistribution& gaps) {
+    GapSpread spread{.mean = meanOf(curve, output, gaps), .quantiles = {}};
+    for (std::size_t i = 0; i < gapQuantiles.size(); ++i)
+        spread.quantiles[i] = values.quantile(gapQuantiles[i]);
+    return spread;
+}
+
+/// How far from `gap`, an end of segment `i`, the value stays within `margin`, to the right or to the left.
+double stay(Segments segments, std::ptrdiff_t i, int direction, double gap, double value, double margin) {
+    double reached = gap;
+    for (; i >= 0 && i < std::ssize(segments); i += direction) {
+        const GapSegment& segment = segments[static_cast<std::size_t>(i)];
+        const double outer = direction > 0 ? segment.last : segment.first;
+        if (std::abs(outer - value) > margin) {
+            const double level =
+                std::clamp(outer > value ? value + margin : value - margin, segment.lower(), segment.upper());
+            return std::abs(segment.gapOf(level) - gap);
+        }
+        reached = direction > 0 ? segment.end : segment.start;
+    }
+    return std::abs(reached - gap);
+}
+
+/// The largest value of `sign` times the output.
+GapExtreme extremeOf(const GapCurve& curve, Segments segments, double sign) {
+    std::size_t where = 0;
+    bool atStart = true;
+    double best = -INFINITY, bound = -INFINITY, opposite = INFINITY;
+    for (std::size_t i = 0; i < segments.size(); ++i)
+        for (const bool start : {true, false}) {
+            const double value = sign * (start ? segments[i].first : segments[i].last);
+            bound = std::max(bound, value + segments[i].error());
+            opposite = std::min(opposite, value);
+            if (value <= best) continue;
+            best = value;
+            where = i;
+            atStart = start;
+        }
+    const double error = bound - best + rounding * std::abs(best);
+    const double gap = atStart ? segments[where].start : segments[where].end;
+    const auto i = static_cast<std::ptrdiff_t>(where);
+    const double left = stay(segments, atStart ? i - 1 : i, -1, gap, sign * best, 2 * error);
+    const double right = stay(segments, atStart ? i : i + 1, 1, gap, sign * best, 2 * error);
+    GapExtreme extreme{.value = {sign * best, error}, .gap = {gap, std::max(left, right)}};
+    if (best - opposite <= 2 * error)
+        extreme.kind = GapExtreme::Kind::everywhere;
+    else if (isKink(curve, static_cast<GapOutput>(segments.front().output), gap, std::abs(best)))
+        extreme.kind = GapExtreme::Kind::kink;
+    return extreme;
+}
+
+/// Where e passes from clearly below 1 to clearly above, or back.
+std::vector<GapCrossing> crossingsOf(Segments segments) {
+    std::vector<GapCrossing> crossings;
+    const auto sideOf = [](double value, double margin) {
+        return value > 1 + margin ? 1 : value < 1 - margin ? -1 : 0;
+    };
+    int side = sideOf(segments.front().first, segments.front().error() + rounding);
+    std::vector<double> ones;  // gaps with e = 1 since e was last clearly off it
+    double accuracy = 0;
+    for (const GapSegment& segment : segments) {
+        const double margin = segment.error() + rounding;
+        if (segment.lower() <= 1 && segment.upper() >= 1 && segment.lower() < segment.upper()) {
+            ones.push_back(segment.gapOf(1));
+            const double slope = std::abs(segment.piece->outputs[segment.output].slope(ones.back()));
+            accuracy = std::min(segment.end - segment.start, margin / slope) + rounding * ones.back();
+        }
+        const int now = sideOf(segment.last, margin);
+        if (now == 0) continue;
+        if (side != 0 && now != side && !ones.empty())
+            crossings.push_back(
+                {{(ones.front() + ones.back()) / 2, (ones.back() - ones.front()) / 2 + accuracy}, now > 0});
+        side = now;
+        ones.clear();
+    }
+    return crossings;
+}
+
+/// Of segments in ascending order, those inside the period.
+Segments inPeriod(const std::vector<GapSegment>& segments, const GapCurve& curve) {
+    const auto first = std::ranges::lower_bound(segments, curve.periodStart, {}, &GapSegment::start);
+    return {first, segments.end()};
+}
+
+}  // namespace
+
+GapStatistics gapStatistics(const GapCurve& curve, const std::optional<NormalGap>& normal) {
+    GapStatistics statistics;
+    statistics.kinks = kinksOf(curve);
+    const GapDistribution alike = GapDistribution::uniform(curve);
+    std::optional<GapDistribution> scattered;
+    if (normal) scattered = GapDistribution::normal(curve, *normal);
+    for (std::size_t i = 0; i < curve.outputCount; ++i) {
+        const std::vector<GapSegment> segments = segmentsOf(curve, static_cast<GapOutput>(i));
+        const Segments period = inPeriod(segments, curve);
+        const ValueDistribution values(period, alike);
+        GapOutputStatistics output{.least = extremeOf(curve, period, -1),
+                                   .largest = extremeOf(curve, period, 1),
+                                   .uniform = spreadOf(curve, i, values, alike),
+                                   .normal = {}};
+        if (i == 0) statistics.shareAboveOne = values.shareAbove(1);
+        if (i == 0) statistics.crossings = crossingsOf(period);
+        if (scattered) {
+            const ValueDistribution scatteredValues(segments, *scattered);
+            output.normal = spreadOf(curve, i, scatteredValues, *scattered);
+            if (i == 0) statistics.normalShareAboveOne = scatteredValues.shareAbove(1);
+        }
+        statistics.outputs.push_back(output);
+    }
+    return statistics;
+}
+
+Estimate shareAbove(const GapCurve& curve, double cor) {
+    const std::vector<GapSegment> segments = segmentsOf(curve, GapOutput::cor);
+    const GapDistribution alike = GapDistribution::uniform(curve);
+    return ValueDistribution(inPeriod(segments, curve), alike).shareAbove(cor);
+}
+
+Estimate largestCor(const GapCurve& curve) {
+    const std::vector<GapSegment> segments = segmentsOf(curve, GapOutput::cor);
+    return extremeOf(curve, segments, 1).value;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures of the paper that show results, computed anew.
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "core/study/paper/figure_data.h"
+
+namespace drillwave {
+
+// Each as the paper draws it, dimensionless, from the exact solution.
+
+/// Waves at the mid-section.
+Figure figure3();
+/// Impact force, impulse and momentum.
+Figure figure4();
+/// The two peaks of the impact force beside the closed form, in local time.
+Figure figure5();
+/// COR over the stiffness, with the reference case in both normalisations.
+Figure figure6();
+/// COR over the stiffness beside the closed form, with what that neglects.
+Figure figure7();
+/// COR over one period of the gap, with the reference case in both normalisations.
+Figure figure8();
+
+/// All of them; fewer when a stop is requested.
+std::vector<Figure> paperFigures(std::stop_token stop = {});
+
+}  // namespace drillwave

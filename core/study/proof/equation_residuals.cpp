@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/proof/equation_residuals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/numeric/compensated_sum.h"
+#include "core/wave/field/wave_field.h"
+
+namespace drillwave {
+
+namespace {
+
+using Piece = PiecewisePolynomial::Piece;
+
+/// Where in a piece, as fractions of its length: denser where layers are.
+constexpr std::array<double, 9> inside{0.01, 0.05, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 0.98};
+
+double derivative(const PiecewisePolynomial& f, const Piece& piece, double x) {
+    const auto c = f.coefficients(piece);
+    const double u = x / piece.scale;
+    double sum = 0;
+    for (std::size_t k = c.size(); k-- > 1;) sum = sum * u + double(k) * c[k];
+    return sum / piece.scale;
+}
+
+/// Follows the front end along the recording, and the rock with its one number of memory.
+class Checker {
+  public:
+    Checker(const Impact& impact, const PulseForce& pulse, const Groups& groups)
+        : m_impact(impact),
+          m_pulse(pulse),
+          m_beta(groups.beta),
+          m_unloading(groups.beta / groups.gamma),
+          m_weight(1 / (1 + groups.beta / groups.gamma)),
+          m_gap(pulse.isRigidBody() ? 0 : 2 * groups.delta) {
+        m_penetration = -m_gap;
+    }
+
+    void check(const Piece& incident, const Piece& force) {
+        passSkips(incident.start);
+        const double s = timeOfRecorded(m_impact, incident.start);
+        checkLaw(incident, force, 0);
+        for (const double fraction : inside) {
+            const double x = fraction * incident.length;
+            checkRate(incident, force, x);
+            checkLaw(incident, force, x);
+            if (isResolved(incident)) checkWave(incident, s, x);
+            ++m_found.points;
+        }
+        checkLaw(incident, force, incident.length);
+        m_penetration += 2 * m_impact.incident.integral(incident, incident.length) -
+                         m_impact.force.integral(force, force.length);
+    }
+
+    const EquationResiduals& found() const { return m_found; }
+
+  private:
+    /// The points of a shorter piece cannot be told from its ends 2τ later.
+    bool isResolved(const Piece& piece) const {
+        return piece.length >
+               1e4 * std::numeric_limits<double>::epsilon() * (piece.start + m_impact.roundTrip);
+    }
+
+    /// Periods of free flight that were not recorded: each advances the front end like the one before them,
+    /// by exactly 2 as long as only the hammer has acted.
+    void passSkips(double recorded) {
+        while (m_skips < m_impact.skips.size()) {
+            const PeriodSkip& skip = m_impact.skips[m_skips];
+            if (recorded + m_leftOut < skip.start) return;
+            const auto travelled = [&](double at) { return 2 * m_impact.incident.integral(at); };
+            const double last =
+                m_deepest > 0 ? travelled(recorded) - travelled(recorded - m_impact.roundTrip) : 2;
+            m_penetration += last * std::round(skip.duration / m_impact.roundTrip);
+            m_leftOut += skip.duration;
+            ++m_skips;
+        }
+    }
+
+    double penetrationAt(const Piece& incident, const Piece& force, double x) const {
+        return m_penetration +
+               (2 * m_impact.incident.integral(incident, x) - m_impact.force.integral(force, x));
+    }
+
+    void checkLaw(const Piece& incident, const Piece& force, double x) {
+        const double U = penetrationAt(incident, force, x);
+        m_deepest = std::max(m_deepest, U);
+        const double law = std::max(0.0, m_beta * m_deepest - m_unloading * (m_deepest - U));
+        const double F = m_impact.force.value(force, x);
+        m_found.law = std::max(m_found.law, m_weight * std::abs(F - law));
+        m_found.leastForce = std::min(m_found.leastForce, F);
+    }
+
+    void checkRate(const Piece& incident, const Piece& force, double x) {
+        if (force.count == 0) return;  // apart
+        const double drive = 2 * m_impact.incident.value(incident, x) - m_impact.force.value(force, x);
+        const double change = derivative(m_impact.force, force, x);
+        const double loading = std::abs(change - m_beta * drive);
+        const double unloading = std::abs(change - m_unloading * drive);
+        const double below = m_deepest - penetrationAt(incident, force, x);
+        const double undecided =
+            1e-12 * (1 + m_deepest + m_gap);  // about the deepest point either line will do
+        const double residual = below > undecided    ? unloading
+                                : below < -undecided ? loading
+                                                     : std::min(loading, unloading);
+        m_found.rate = std::max(m_found.rate, m_weight * residual);
+    }
+
+    void checkWave(const Piece& incident, double s, double x) {
+        const double g = m_impact.incident.value(incident, x);
+        // Periods that were left out are like the one before them: one round trip earlier is so in the
+        // recording too.
+        const double before = incident.start + x - m_impact.roundTrip;
+        const double expected =
+            m_pulse(s + x) + (before < 0 ? incidentWave(m_impact, before)
+                                         : m_impact.incident(before) - m_impact.force(before));
+        m_found.wave = std::max(m_found.wave, m_weight * std::abs(g - expected));
+    }
+
+    const Impact& m_impact;
+    const PulseForce& m_pulse;
+    double m_beta, m_unloading, m_weight, m_gap;
+    EquationResiduals m_found;
+    CompensatedSum<double> m_penetration;  ///< U at the beginning of the piece; negative: a gap
+    double m_deepest = 0;                  ///< Um
+    std::size_t m_skips = 0;
+    double m_leftOut = 0;
+};
+
+}  // namespace
+
+EquationResiduals equationResiduals(const Impact& impact, const PulseForce& pulse, const Groups& groups) {
+    Checker checker(impact, pulse, groups);
+    const auto incident = impact.incident.pieces();
+    const auto force = impact.force.pieces();
+    for (std::size_t i = 0; i < incident.size(); ++i) checker.check(incident[i], force[i]);
+    return checker.found();
+}
+
+}  // namespace drillwave

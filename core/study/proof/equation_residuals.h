@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How well a recorded blow satisfies the equations themselves, found without the code that solved it.
+#pragma once
+
+#include "core/model/pulse_force.h"
+#include "core/model/scenario.h"
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// Largest violations over many points of the histories, forces in F0. Each is divided by 1 + β/γ, the
+/// steepest slope of a force, because that times the rounding of a time is what no solver can avoid.
+struct EquationResiduals {
+    double wave = 0;  ///< of g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ) [paper (6)]
+    /// Of F' = a (2g − F) [paper (5)] [paper (8)], a = β where the penetration is the largest so far, else
+    /// β/γ.
+    double rate = 0;
+    /// Of the law with memory, F = max(0, βUm − (β/γ)(Um − U)), U' = 2g − F, Um = the largest U so far: one
+    /// equation for all branches (T5), without events.
+    double law = 0;
+    double leastForce = 0;  ///< smallest F, not divided: no pull but for rounding
+    long points = 0;        ///< of the histories looked at
+};
+
+/// Of an impact of smooth pieces solved with Detail::histories. An event that was missed or invented shows as
+/// a residual of the size of its effect.
+EquationResiduals equationResiduals(const Impact& impact, const PulseForce& pulse, const Groups& groups);
+
+}  // namespace drillwave

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/proof/stability.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "core/numeric/ordered_rows.h"
+#include "core/text/units.h"
+#include "core/wave/exact/exact_solver.h"
+#include "core/wave/exact/extended_solver.h"
+#include "core/wave/lattice/lattice_solver.h"
+
+namespace drillwave {
+namespace {
+
+constexpr StabilityMarks marks = stabilityMarks;
+constexpr long mostRecorded = 200'000;  // pieces of which histories are kept
+constexpr long mostExtended = 5000;     // pieces of blows that are solved again in long double
+constexpr int latticeSegments = 2000;
+
+void require(StabilityRow& row, bool holds, const char* what, double value) {
+    if (!holds) row.failures.push_back(std::string(what) + " " + formatNumber(value));
+}
+
+/// The momentum that the rock took and the one that the waves carry were summed apart; so were the energies.
+void checkBalances(StabilityRow& row, const Impact& impact) {
+    row.momentumResidual = 1 - impact.impulse - impact.finalMomentum;
+    require(row, std::abs(row.momentumResidual) <= marks.momentum, "momentum residual", row.momentumResidual);
+    // a hammer that pushes a rod against rigid rock does next to no work: the sums round at F0² t0/Z
+    const double energy = std::max(impact.hammerWork, 1e-3);
+    row.energyResidual = (impact.hammerWork - impact.rockWork - impact.finalEnergy) / energy;
+    require(row, std::abs(row.energyResidual) <= marks.energy, "energy residual", row.energyResidual);
+}
+
+double leastForceOf(const Impact& impact) {
+    double least = 0;
+    for (const auto& piece : impact.force.pieces())
+        for (int k = 0; k <= 8; ++k) least = std::min(least, impact.force.value(piece, piece.length * k / 8));
+    return impact.peakForce > 0 ? least / impact.peakForce : least;
+}
+
+/// How far the free front end gets beyond the point of the last separation over the round trip after it.
+double reachOf(const Impact& impact) {
+    const auto pieces = impact.incident.pieces();
+    const auto forces = impact.force.pieces();
+    std::size_t first = pieces.size();
+    while (first > 0 && forces[first - 1].count == 0) --first;  // free flight to the end of the recording
+    double position = 0, reach = 0;
+    for (std::size_t i = first; i < pieces.size(); ++i) {
+        for (int k = 1; k <= 8; ++k)
+            reach =
+                std::max(reach, position + 2 * impact.incident.integral(pieces[i], pieces[i].length * k / 8));
+        position += 2 * impact.incident.integral(pieces[i], pieces[i].length);
+    }
+    return reach;
+}
+
+void checkHistories(StabilityRow& row, const PulseForce& pulse, ExactSolver& solver,
+                    const std::stop_token& stop) {
+    if (row.pieces > mostRecorded) return;
+    const Impact impact = solver.solve(pulse, row.stabilityCase.groups, Detail::histories, stop);
+    row.leastForce = leastForceOf(impact);
+    require(row, *row.leastForce >= -marks.pull, "the rock pulls: F/Fmax", *row.leastForce);
+    row.reach = reachOf(impact);
+    require(row, *row.reach <= marks.reach && impact.finalMomentum <= marks.momentum,
+            "not at its end: the front end returns by", *row.reach);
+}
+
+void checkContinuity(StabilityRow& row, const PulseForce& pulse, ExactSolver& solver,
+                     const std::stop_token& stop) {
+    const Groups& at = row.stabilityCase.groups;
+    const double near = 1e-10;
+    // The stated error covers input moved by 16 roundings: what hangs on the last digits hangs more on this,
+    // if not in proportion.
+    const double movedBy = 16 * std::numeric_limits<double>::epsilon();
+    const Groups neighbours[] = {{at.beta * (1 + near), at.gamma, at.tau, at.delta},
+                                 {at.beta, at.gamma * (1 - near), at.tau, at.delta},
+                                 {at.beta, at.gamma, at.tau * (1 + near), at.delta},
+                                 {at.beta, at.gamma, at.tau, at.delta + near}};
+    for (const Groups& groups : neighbours) {
+        const Impact impact = solver.solve(pulse, groups, Detail::cor, stop);
+        const double change =
+            impact.outcome == Outcome::rebounded ? std::abs(impact.cor - row.cor) : INFINITY;
+        row.change = std::max(row.change, change);
+    }
+    require(row, row.change <= marks.change + 10 * row.corError * near / movedBy,
+            "not continuous: e changes by", row.change);
+}
+
+/// Rigid rock: e → 1 once the blow ends before it returns. Soft rock, reference case: e → √γ.
+void checkLimits(StabilityRow& row, const PulseForce& pulse) {
+    const Groups& g = row.stabilityCase.groups;
+    if (g.beta >= 1e5 && pulse.end <= 2 * g.tau)
+        row.limitDistance = std::abs(row.cor - 1) * std::sqrt(g.beta) / 10;
+    if (pulse.isRigidBody() && g.beta * g.tau <= 1e-3)
+        row.limitDistance =
+            std::abs(row.cor - std::sqrt(g.gamma)) / (10 * std::sqrt(g.beta * g.tau / g.gamma));
+    if (row.limitDistance)
+        require(row, *row.limitDistance <= marks.limit, "far from its limit by a factor", *row.limitDistance);
+}
+
+/// The lattice shares no code with the exact solver; it is asked where its steps resolve the contact.
+void checkLattice(StabilityRow& row, const PulseForce& pulse, LatticeSolver& lattice,
+                  const std::stop_token& stop) {
+    const Groups& g = row.stabilityCase.groups;
+    const double step = g.tau / latticeSegments;
+    const bool resolved = g.beta / g.gamma * step < 0.05 && step < 0.01 && pulse.end < 20 * g.tau;
+    if (!resolved || g.beta * g.tau < 1e-3 || g.delta > 100) return;
+    const Impact impact = lattice.solve(pulse, g, Detail::cor, {.segments = latticeSegments}, stop);
+    if (impact.outcome != Outcome::rebounded || !(impact.corError > 0)) return;
+    row.latticeDistance = std::abs(impact.cor - row.cor) / (impact.corError + row.corError);
+    require(row, *row.latticeDistance <= marks.lattice,
+            "the lattice differs by estimates:", *row.latticeDistance);
+}
+
+/// The stated error, against more digits, which have an error of their own.
+void checkBound(StabilityRow& row, const PulseForce& pulse, const std::stop_token& stop) {
+    if (row.pieces > mostExtended) return;
+    const Impact extended = solveInExtendedPrecision(pulse, row.stabilityCase.groups, Detail::cor, stop);
+    if (extended.outcome != Outcome::rebounded) return;
+    row.boundDistance = std::abs(extended.cor - row.cor) / (row.corError + extended.corError);
+    require(row, *row.boundDistance <= marks.bound, "the stated error is exceeded by a factor",
+            *row.boundDistance);
+}
+
+StabilityRow check(const StabilityCase& stabilityCase, ExactSolver& solver, LatticeSolver& lattice,
+                   const std::stop_token& stop) {
+    StabilityRow row;
+    row.stabilityCase = stabilityCase;
+    const PulseForce pulse = pulseOf(stabilityCase);
+    const auto start = std::chrono::steady_clock::now();
+    const Impact impact = solver.solve(pulse, stabilityCase.groups, Detail::summary, stop);
+    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    row.outcome = impact.outcome;
+    row.reason = impact.reason;
+    row.pieces = impact.pieces;
+    if (impact.outcome != Outcome::rebounded) return row;
+    row.cor = impact.cor;
+    row.corError = impact.corError;
+    checkBalances(row, impact);
+    checkHistories(row, pulse, solver, stop);
+    checkContinuity(row, pulse, solver, stop);
+    checkLimits(row, pulse);
+    checkLattice(row, pulse, lattice, stop);
+    checkBound(row, pulse, stop);
+    return row;
+}
+
+}  // namespace
+
+std::size_t StabilityReport::notSolved() const {
+    return static_cast<std::size_t>(std::count_if(
+        rows.begin(), rows.end(), [](const StabilityRow& row) { return row.outcome != Outcome::rebounded; }));
+}
+
+std::size_t StabilityReport::failed() const {
+    return static_cast<std::size_t>(std::count_if(
+        rows.begin(), rows.end(), [](const StabilityRow& row) { return !row.failures.empty(); }));
+}
+
+StabilityReport checkStability(const std::vector<StabilityCase>& cases, int jobs, std::stop_token stop,
+                               const std::function<void(std::uint64_t)>& progress) {
+    struct Chunk {
+        std::size_t index = 0;
+        StabilityRow row;
+    };
+    StabilityReport report;
+    std::size_t next = 0;
+    const auto fill = [&](Chunk& chunk) {
+        chunk.index = next;
+        return next++ < cases.size();
+    };
+    const auto makeWorker = [&cases] {
+        return [&cases, solver = ExactSolver(), lattice = LatticeSolver()](
+                   Chunk& chunk, const std::stop_token& token) mutable {
+            chunk.row = check(cases[chunk.index], solver, lattice, token);
+        };
+    };
+    const auto deliver = [&](Chunk& chunk) {
+        report.rows.push_back(std::move(chunk.row));
+        progress(report.rows.size());
+        return true;
+    };
+    report.stopped = processInOrder<Chunk>(jobs, stop, fill, makeWorker, deliver) == RowsEnd::stopped;
+    return report;
+}
+
+}  // namespace drillwave

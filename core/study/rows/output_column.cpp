@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/rows/output_column.h"
+
+#include <algorithm>
+
+#include "core/blow/thrust.h"
+#include "core/text/decimal_text.h"
+#include "core/text/nearest_name.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr std::string_view thrustName = "thrust";
+constexpr std::string_view allName = "all";
+
+std::string unknownOutput(std::string_view name) {
+    const std::vector<std::string_view> names = outputNames();
+    const std::string_view near = nearestName(name, names);
+    if (name == allName) return "`all` are all outputs already; give it alone";
+    std::string problem = "`" + shortened(name) + "` is not an output; ";
+    if (!near.empty()) return problem + "did you mean `" + std::string(near) + "`?";
+    problem += "choose from all, ";
+    for (const std::string_view known : names)
+        problem += (known == names.front() ? "" : ", ") + std::string(known);
+    return problem;
+}
+
+std::string withUnit(std::string_view name, Quantity quantity) {
+    const std::string_view unit = unitsOf(quantity).front().name;
+    return unit.empty() ? std::string(name) : std::string(name) + " [" + std::string(unit) + "]";
+}
+
+}  // namespace
+
+std::string OutputColumn::header() const {
+    if (!output) return withUnit(thrustName, Quantity::force);
+    return units == OutputUnits::si ? withUnit(output->name, output->quantity) : std::string(output->name);
+}
+
+std::optional<double> OutputColumn::value(const ImpactSummary& summary, const Scenario& scenario,
+                                          const Scales& scales) const {
+    if (!output) return thrustNeeded(scenario, summary.cor);
+    const double value = output->value(summary);
+    return units == OutputUnits::si ? value * output->scale(scales) : value;
+}
+
+OutputChoice chooseOutputs(std::string_view list, OutputUnits units) {
+    OutputChoice choice;
+    if (trimmed(list) == allName) {
+        choice.all = true;
+        for (const Output& output : outputs()) choice.columns.push_back({&output, units});
+        return choice;
+    }
+    for (;;) {
+        const std::size_t comma = list.find(',');
+        const std::string_view name = trimmed(list.substr(0, comma));
+        const Output* output = findOutput(name);
+        if (!output && name != thrustName) return {{}, false, unknownOutput(name)};
+        if (std::ranges::find(choice.columns, output, &OutputColumn::output) != choice.columns.end())
+            return {{}, false, "`" + std::string(name) + "` is given twice; give it once"};
+        choice.columns.push_back({output, units});
+        if (comma == std::string_view::npos) return choice;
+        list.remove_prefix(comma + 1);
+    }
+}
+
+void addThrust(std::vector<OutputColumn>& columns, OutputUnits units, const Scenario& scenario) {
+    if (thrustProblem(scenario).empty()) columns.push_back({nullptr, units});
+}
+
+Detail detailFor(std::span<const OutputColumn> columns) {
+    Detail detail = Detail::cor;
+    for (const OutputColumn& column : columns) detail = std::max(detail, column.detail());
+    return detail;
+}
+
+std::string columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario) {
+    const bool dimensional = scenario.form == ScenarioForm::dimensional;
+    for (const OutputColumn& column : columns) {
+        if (column.units == OutputUnits::si && !dimensional)
+            return "SI columns need a scenario in physical units; this one is given by its dimensionless "
+                   "groups";
+        if (column.output) continue;
+        if (std::string problem = thrustProblem(scenario); !problem.empty()) return problem;
+    }
+    return {};
+}
+
+std::vector<std::string_view> outputNames() {
+    std::vector<std::string_view> names;
+    for (const Output& output : outputs()) names.push_back(output.name);
+    names.push_back(thrustName);
+    return names;
+}
+
+}  // namespace drillwave

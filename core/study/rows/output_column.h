@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The columns of results that a sweep or a table appends.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/blow/impact_summary.h"
+
+namespace drillwave {
+
+enum class OutputUnits { dimensionless, si };
+
+/// One output of files §4 as a CSV column.
+struct OutputColumn {
+    const Output* output = nullptr;  ///< nullptr for `thrust`
+    OutputUnits units = OutputUnits::dimensionless;
+
+    /// "peak_force", or in SI "peak_force [N]"; thrust always has its unit.
+    std::string header() const;
+    Detail detail() const { return output ? output->detail : Detail::cor; }
+    /// nullopt where there is no number: the thrust without a blow frequency.
+    std::optional<double> value(const ImpactSummary& summary, const Scenario& scenario,
+                                const Scales& scales) const;
+};
+
+/// The columns chosen, or why not.
+struct OutputChoice {
+    std::vector<OutputColumn> columns;
+    bool all = false;  ///< all of them were asked for; see addThrust()
+    std::string problem;
+};
+
+/// Reads "cor,peak_force"; names the nearest output for a mistyped one. "all" are all of outputs(), to which
+/// addThrust() adds the thrust where there is one.
+OutputChoice chooseOutputs(std::string_view list, OutputUnits units);
+
+/// Adds the thrust to all outputs where thrustProblem() has nothing against it.
+void addThrust(std::vector<OutputColumn>& columns, OutputUnits units, const Scenario& scenario);
+
+/// What the solver must be asked for.
+Detail detailFor(std::span<const OutputColumn> columns);
+
+/// Why a column would be empty for every such scenario and what to do; empty when none would.
+std::string columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario);
+
+/// The names that chooseOutputs() knows, in order, `thrust` last.
+std::vector<std::string_view> outputNames();
+
+}  // namespace drillwave

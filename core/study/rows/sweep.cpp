@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/rows/sweep.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/study/rows/case_solver.h"
+
+namespace drillwave {
+
+namespace {
+
+/// Points of one chunk: enough to make handing over cheap, few enough to end soon when stopped.
+constexpr std::uint64_t chunkPoints = 512;
+
+/// Which value each axis has at a point of the grid.
+class GridPoint {
+  public:
+    GridPoint(const std::vector<SweepAxis>& axes, std::uint64_t number) : m_axes(axes), m_index(axes.size()) {
+        for (std::size_t a = axes.size(); a-- > 0; number /= axes[a].count)
+            m_index[a] = number % axes[a].count;
+    }
+
+    /// Moves to the next point and returns the first axis whose value changed.
+    std::size_t advance() {
+        std::size_t a = m_axes.size() - 1;
+        while (++m_index[a] == m_axes[a].count && a > 0) m_index[a--] = 0;
+        return a;
+    }
+
+    std::uint64_t operator[](std::size_t axis) const { return m_index[axis]; }
+
+  private:
+    const std::vector<SweepAxis>& m_axes;
+    std::vector<std::uint64_t> m_index;
+};
+
+/// The hammer blow depends on its own parameters and, for a piston, on the rod.
+bool movesPulse(const SweepAxis& axis) {
+    return !axis.parameter || axis.parameter->section() == "pulse" || axis.parameter->section() == "rod";
+}
+
+struct Chunk {
+    RowRange points;
+    std::string text;
+    std::vector<RowFailure> failures;
+};
+
+/// Turns points of the grid into rows. One for each thread.
+class RowMaker {
+  public:
+    explicit RowMaker(const Sweep& sweep)
+        : m_sweep(sweep),
+          m_order(assignmentOrder(sweep.axes)),
+          m_scenario(sweep.base),
+          m_solver(sweep.columns, sweep.method, sweep.workLimit) {
+        for (std::size_t a = 0; a < sweep.axes.size(); ++a)
+            if (movesPulse(sweep.axes[a])) m_lastPulseAxis = a;
+    }
+
+    void operator()(Chunk& chunk, std::stop_token stop) {
+        chunk.text.clear();
+        chunk.failures.clear();
+        GridPoint point(m_sweep.axes, chunk.points.begin);
+        std::size_t changed = 0;
+        for (std::uint64_t n = chunk.points.begin; n < chunk.points.end; ++n) {
+            if (stop.stop_requested()) return;
+            const std::string reason = appendRow(point, changed, chunk.text, stop);
+            if (!reason.empty()) addFailure(chunk.failures, {reason, 1});
+            changed = point.advance();
+        }
+    }
+
+  private:
+    /// `changed` is the first axis whose value is not that of the row before. Returns why the row could not
+    /// be solved.
+    std::string appendRow(const GridPoint& point, std::size_t changed, std::string& text,
+                          const std::stop_token& stop) {
+        assign(point);
+        if (!m_hasPulse || (m_lastPulseAxis && changed <= *m_lastPulseAxis)) m_solver.setPulse(m_scenario);
+        m_hasPulse = true;
+
+        const std::size_t last = m_sweep.axes.size() - 1;
+        if (changed < last) {
+            m_prefix.clear();
+            for (std::size_t a = 0; a < last; ++a) {
+                m_sweep.axes[a].appendText(m_prefix, point[a]);
+                m_prefix += ',';
+            }
+        }
+        text += m_prefix;
+        m_sweep.axes[last].appendText(text, point[last]);
+        std::string reason = m_solver.solve(m_scenario, text, stop);
+        text += "\n";
+        return reason;
+    }
+
+    /// Sets every axis. What one axis sets may depend on the others in a dimensional scenario (tau moves the
+    /// length, which moves nothing else, but a duration moves the impulse of a given force), so that each
+    /// point starts from the base.
+    void assign(const GridPoint& point) {
+        if (m_scenario.form == ScenarioForm::dimensional) m_scenario = m_sweep.base;
+        for (const std::size_t a : m_order) m_sweep.axes[a].assign(m_scenario, point[a]);
+    }
+
+    const Sweep& m_sweep;
+    std::vector<std::size_t> m_order;
+    std::optional<std::size_t> m_lastPulseAxis;
+    Scenario m_scenario;
+    CaseSolver m_solver;
+    bool m_hasPulse = false;
+    std::string m_prefix;
+};
+
+std::string headerOf(const Sweep& sweep) {
+    std::string header;
+    for (const SweepAxis& axis : sweep.axes) header += axis.header() + ",";
+    for (const OutputColumn& column : sweep.columns) header += column.header() + ",";
+    header.pop_back();
+    return header + "\n";
+}
+
+}  // namespace
+
+std::vector<std::size_t> assignmentOrder(const std::vector<SweepAxis>& axes) {
+    // The parameter table has the groups last; the shape, which is not in it, has a null pointer.
+    std::vector<std::size_t> order(axes.size());
+    for (std::size_t a = 0; a < axes.size(); ++a) order[a] = a;
+    std::ranges::sort(order, {}, [&](std::size_t a) { return axes[a].parameter; });
+    return order;
+}
+
+std::uint64_t pointCount(const Sweep& sweep) {
+    std::uint64_t points = 1;
+    for (const SweepAxis& axis : sweep.axes) {
+        if (axis.count > maximumSweepPoints / points) return 0;
+        points *= axis.count;
+    }
+    return points;
+}
+
+RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, const WriteText& write,
+                   const RowProgress& progress) {
+    RowCounts counts;
+    if (sweep.shard.hasHeader() && !write(headerOf(sweep))) return {.failures = {}, .end = RowsEnd::stopped};
+    const RowRange part = rowsOf(sweep.shard, pointCount(sweep));
+    std::uint64_t next = part.begin;
+    const auto fill = [&](Chunk& chunk) {
+        chunk.points = {next, std::min(next + chunkPoints, part.end)};
+        next = chunk.points.end;
+        return chunk.points.size() > 0;
+    };
+    const auto deliver = [&](Chunk& chunk) {
+        if (!write(chunk.text)) return false;
+        counts.add(chunk.points.size(), chunk.failures);
+        progress(counts);
+        return true;
+    };
+    counts.end = processInOrder<Chunk>(
+        jobs, stop, fill, [&] { return RowMaker(sweep); }, deliver);
+    return counts;
+}
+
+}  // namespace drillwave

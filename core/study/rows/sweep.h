@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A product grid of parameters solved point by point, as CSV.
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/blow/method.h"
+#include "core/model/scenario.h"
+#include "core/study/rows/output_column.h"
+#include "core/study/rows/rows.h"
+#include "core/study/rows/shard.h"
+#include "core/study/rows/sweep_axis.h"
+
+namespace drillwave {
+
+/// What to sweep: every combination of the values of the axes, later axes fastest.
+struct Sweep {
+    Scenario base;
+    std::vector<SweepAxis> axes;  ///< at least one
+    std::vector<OutputColumn> columns;
+    Shard shard;
+    MethodChoice method = {};
+    long workLimit = defaultWorkLimit;  ///< most wave pieces of a row; beyond, it is not solved
+};
+
+/// Most axes of one sweep.
+inline constexpr std::size_t maximumSweepAxes = 8;
+
+/// The axes in the order in which a point sets them: the shape first, it decides which parameters apply; the
+/// groups last, they move physical parameters.
+std::vector<std::size_t> assignmentOrder(const std::vector<SweepAxis>& axes);
+
+/// Number of points of the whole grid; 0 if there are more than maximumSweepPoints.
+std::uint64_t pointCount(const Sweep& sweep);
+
+/// Writes header and rows in order. `write` and `progress` are called on the calling thread. Memory does not
+/// grow with the number of points; the bytes do not depend on `jobs` (≥ 1). Requires problemsOf() to be
+/// empty.
+RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, const WriteText& write,
+                   const RowProgress& progress);
+
+}  // namespace drillwave

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/rows/sweep_axis.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/model/parameter_text.h"
+#include "core/text/decimal_text.h"
+#include "core/text/row_text.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr std::string_view shapeKey = "pulse.shape";
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const std::size_t at = text.find(separator);
+        parts.push_back(trimmed(text.substr(0, at)));
+        if (at == std::string_view::npos) return parts;
+        text.remove_prefix(at + 1);
+    }
+}
+
+std::string refusal(std::string_view key, std::string_view value, std::string_view reason) {
+    return std::string(key) + " = " + shortened(value) + " (" + std::string(reason) + ")";
+}
+
+/// Reads a value of the axis; a problem for what is no value or out of range.
+std::string readValue(ParsedAxis& parsed, std::string_view text, double& value) {
+    SweepAxis& axis = parsed.axis;
+    const Parameter& parameter = *axis.parameter;
+    const TypedQuantity typed =
+        parseQuantity(text, parameter.quantity, BareNumber::refused, &parameter.displayUnit());
+    parsed.kind = ParsedAxis::Kind::badValue;
+    if (!typed.valid()) return refusal(parameter.key, text, typed.problem);
+    const bool sameUnit = !axis.unit || axis.unit == typed.unit;
+    axis.unit = sameUnit ? typed.unit : &unitsOf(parameter.quantity).front();
+    value = typed.si;
+    const std::string problem = rangeProblem(parameter, value);
+    if (!problem.empty()) return refusal(parameter.key, text, problem);
+    parsed.kind = ParsedAxis::Kind::badText;
+    return {};
+}
+
+/// The way from a (position 0) to b (position last). Weights rather than steps, so that 1 to 10 in ten steps
+/// gives whole numbers and 0.1 to 0.5 in five gives 0.2.
+double between(double a, double b, double position, double last) {
+    const double sum = a * (last - position) + b * position;
+    return std::isfinite(sum) ? sum / last : a * ((last - position) / last) + b * (position / last);
+}
+
+std::string readCount(SweepAxis& axis, std::string_view text) {
+    const char* end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, axis.count);
+    if (text.empty() || read.ec != std::errc() || read.ptr != end || axis.count < 1 ||
+        axis.count > maximumSweepPoints)
+        return "the count `" + shortened(text) + "` of " + std::string(axis.key()) +
+               " must be a whole number from 1 to " + std::to_string(maximumSweepPoints);
+    return {};
+}
+
+std::string readRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts) {
+    SweepAxis& axis = parsed.axis;
+    const std::string key(axis.key());
+    if (parts.size() < 3 || parts.size() > 4)
+        return key + " needs START:STOP:COUNT, START:STOP:COUNT:log or a list A,B,C";
+    if (parts.size() == 4 && parts[3] != "log")
+        return "`" + shortened(parts[3]) + "` behind the count of " + key +
+               " is not known; only `log` may follow";
+    axis.kind = parts.size() == 4 ? SweepAxis::Kind::logarithmic : SweepAxis::Kind::linear;
+    if (std::string problem = readValue(parsed, parts[0], axis.start); !problem.empty()) return problem;
+    if (std::string problem = readValue(parsed, parts[1], axis.stop); !problem.empty()) return problem;
+    if (std::string problem = readCount(axis, parts[2]); !problem.empty()) return problem;
+    if (axis.kind == SweepAxis::Kind::logarithmic && !(axis.start > 0 && axis.stop > 0))
+        return "a logarithmic axis of " + key + " must begin and end above 0";
+    return {};
+}
+
+std::string readList(ParsedAxis& parsed, const std::vector<std::string_view>& items) {
+    SweepAxis& axis = parsed.axis;
+    axis.count = items.size();
+    for (const std::string_view item : items) {
+        double value = 0;
+        if (std::string problem = readValue(parsed, item, value); !problem.empty()) return problem;
+        axis.list.push_back(value);
+    }
+    return {};
+}
+
+std::string readShapes(ParsedAxis& parsed, const std::vector<std::string_view>& items) {
+    SweepAxis& axis = parsed.axis;
+    axis.kind = SweepAxis::Kind::shapes;
+    axis.count = items.size();
+    for (const std::string_view item : items) {
+        const std::optional<PulseShape> shape = findPulseShape(item);
+        if (!shape) {
+            parsed.kind = ParsedAxis::Kind::badValue;
+            return refusal(shapeKey, item, "must be one of " + pulseShapeList());
+        }
+        axis.shapes.push_back(*shape);
+    }
+    return {};
+}
+
+std::string readAxis(ParsedAxis& parsed, std::string_view text) {
+    SweepAxis& axis = parsed.axis;
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos)
+        return "`" + shortened(text) +
+               "` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C";
+    const std::string_view key = trimmed(text.substr(0, equals));
+    const std::string_view values = text.substr(equals + 1);
+    if (key == shapeKey) return readShapes(parsed, split(values, ','));
+    axis.parameter = findParameter(key);
+    if (!axis.parameter) {
+        const std::string near = nearestKey(key);
+        return "`" + shortened(key) + "` is not a parameter" +
+               (near.empty() ? "" : "; did you mean `" + near + "`?");
+    }
+    if (values.find(':') != std::string_view::npos) return readRange(parsed, split(values, ':'));
+    return readList(parsed, split(values, ','));
+}
+
+}  // namespace
+
+std::string SweepAxis::header() const {
+    const std::string name(key());
+    return !unit || unit->name.empty() ? name : name + " [" + std::string(unit->name) + "]";
+}
+
+std::string_view SweepAxis::key() const {
+    return parameter ? parameter->key : shapeKey;
+}
+
+double SweepAxis::value(std::uint64_t i) const {
+    if (kind == Kind::list) return list[i];
+    if (i == 0) return start;
+    if (i + 1 == count) return stop;
+    const double position = static_cast<double>(i);
+    const double last = static_cast<double>(count - 1);
+    const double a = unit->fromSi(start);
+    const double b = unit->fromSi(stop);
+    if (kind == Kind::linear) return unit->toSi(between(a, b, position, last));
+    return unit->toSi(std::pow(10.0, between(std::log10(a), std::log10(b), position, last)));
+}
+
+void SweepAxis::appendText(std::string& row, std::uint64_t i) const {
+    if (kind == Kind::shapes) {
+        row += name(shapes[i]);
+    } else if (parameter->quantity == Quantity::ratio) {
+        appendNumber(row, value(i));
+    } else {
+        row += formatQuantity(value(i), parameter->quantity, *unit);
+        row.resize(row.size() - unit->name.size() - 1);
+    }
+}
+
+void SweepAxis::assign(Scenario& scenario, std::uint64_t i) const {
+    if (kind == Kind::shapes)
+        scenario.pulse.shape = shapes[i];
+    else if (parameter->applies(scenario))
+        parameter->assign(scenario, value(i));
+}
+
+std::string SweepAxis::readBackProblem(const Scenario& scenario, std::uint64_t i) const {
+    if (!parameter || !parameter->applies(scenario)) return {};
+    return drillwave::readBackProblem(*parameter, scenario, value(i));
+}
+
+std::vector<std::uint64_t> SweepAxis::extremes() const {
+    std::vector<std::uint64_t> indices;
+    if (kind == Kind::shapes) {
+        for (std::uint64_t i = 0; i < count; ++i) indices.push_back(i);
+    } else if (kind == Kind::list) {
+        const auto [low, high] = std::ranges::minmax_element(list);
+        indices = {static_cast<std::uint64_t>(low - list.begin()),
+                   static_cast<std::uint64_t>(high - list.begin())};
+    } else {
+        indices = {0, count - 1};
+    }
+    return indices;
+}
+
+ParsedAxis parseAxis(std::string_view text) {
+    ParsedAxis parsed;
+    parsed.problem = readAxis(parsed, text);
+    return parsed;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One axis of a sweep: a parameter and the values it takes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/model/parameter.h"
+
+namespace drillwave {
+
+/// The values of one parameter, or of pulse.shape, along an axis. Ranges are not stored value by value.
+struct SweepAxis {
+    enum class Kind { linear, logarithmic, list, shapes };
+
+    const Parameter* parameter = nullptr;  ///< nullptr for pulse.shape
+    const Unit* unit = nullptr;            ///< of the column: as typed, SI where several were typed
+    Kind kind = Kind::list;
+    double start = 0;                ///< SI
+    double stop = 0;                 ///< SI
+    std::uint64_t count = 0;         ///< number of values, at least 1
+    std::vector<double> list;        ///< Kind::list, SI
+    std::vector<PulseShape> shapes;  ///< Kind::shapes
+
+    /// "beta", "rod.length [mm]".
+    std::string header() const;
+    std::string_view key() const;
+
+    /// The i-th value in SI, the ends exactly as given, even steps in `unit`. Not for shapes.
+    double value(std::uint64_t i) const;
+    /// Appends the i-th value as a cell of the table; it reads back as exactly value(i).
+    void appendText(std::string& row, std::uint64_t i) const;
+    /// Sets the i-th value, if the parameter applies to the scenario.
+    void assign(Scenario& scenario, std::uint64_t i) const;
+    /// Why a scenario in which all axes have been set does not hold the i-th value; empty when it does.
+    std::string readBackProblem(const Scenario& scenario, std::uint64_t i) const;
+    /// Where the extreme values are: two indices, all of them for shapes.
+    std::vector<std::uint64_t> extremes() const;
+};
+
+/// Most values that one axis may have, and most points of a grid.
+inline constexpr std::uint64_t maximumSweepPoints = 1'000'000'000'000;
+
+/// An axis read from text, or why not.
+struct ParsedAxis {
+    /// What was wrong: the words, or a value that the parameter cannot take.
+    enum class Kind { badText, badValue } kind = Kind::badText;
+    SweepAxis axis;
+    std::string problem;
+};
+
+/// Reads "KEY=START:STOP:COUNT", "KEY=START:STOP:COUNT:log" or "KEY=A,B,C"; units on the values where the
+/// parameter has one ("rod.length=3m:6m:4"). Every value is inside the hard range of the parameter.
+ParsedAxis parseAxis(std::string_view text);
+
+}  // namespace drillwave

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A table of cases solved row by row, as CSV.
+#pragma once
+
+#include <cstdint>
+#include <istream>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/blow/method.h"
+#include "core/model/scenario.h"
+#include "core/study/rows/output_column.h"
+#include "core/study/rows/rows.h"
+#include "core/study/rows/shard.h"
+
+namespace drillwave {
+
+/// What to do with every row: its cells set the parameters that the header names, on top of `base`; an empty
+/// cell leaves the value of `base`.
+struct Table {
+    Scenario base;
+    std::string source;  ///< name of the file, for messages
+    std::vector<OutputColumn> columns;
+    Shard shard;
+    MethodChoice method = {};
+    long workLimit = defaultWorkLimit;  ///< most wave pieces of a row; beyond, it is not solved
+};
+
+/// What a table is like, found before anything is computed.
+struct TableCheck {
+    std::uint64_t rows = 0;
+    std::vector<std::string> problems;  ///< "cases.csv:7:3: bit_rock.gamma = 1.3 (…)", the first twenty
+    std::vector<std::string> warnings;  ///< "cases.csv:1: column 4 …"
+    RowsEnd end = RowsEnd::finished;
+};
+
+/// Reads all of `cases` (to be rewound afterwards) and checks every cell and every row.
+TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::stop_token stop);
+
+/// Writes the columns of `cases`, each cell as it was, with the outputs behind them; `rows` is what
+/// checkTable() counted. `write` and `progress` are called on the calling thread. Memory does not grow with
+/// the number of rows; the bytes do not depend on `jobs` (≥ 1). A row that has become invalid since the check
+/// counts as failed.
+RowCounts runTable(const Table& table, std::istream& cases, std::uint64_t rows, int jobs,
+                   std::stop_token stop, const WriteText& write, const RowProgress& progress);
+
+}  // namespace drillwave

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/rows/table_header.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/model/parameter_text.h"
+#include "core/text/decimal_text.h"
+#include "core/text/text_input.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr std::string_view shapeKey = "pulse.shape";
+
+/// "rod.length [mm]" in its parts; `unit` is empty without brackets.
+struct NameAndUnit {
+    std::string_view name;
+    std::string_view unit;
+};
+
+NameAndUnit split(std::string_view cell) {
+    cell = trimmed(cell);
+    const std::size_t bracket = cell.find('[');
+    if (bracket == std::string_view::npos || !cell.ends_with(']')) return {cell, {}};
+    return {trimmed(cell.substr(0, bracket)), trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2))};
+}
+
+bool isOutput(std::string_view name) {
+    const auto names = outputNames();
+    return std::ranges::find(names, name) != names.end();
+}
+
+/// A name without what people and spreadsheets write differently: case, dots, underscores, hyphens, blanks,
+/// and a unit in parentheses.
+std::string bare(std::string_view name) {
+    std::string letters;
+    for (const char c : name.substr(0, name.find('('))) {
+        if (c >= 'A' && c <= 'Z')
+            letters += static_cast<char>(c - 'A' + 'a');
+        else if (std::string_view("._- \t").find(c) == std::string_view::npos)
+            letters += c;
+    }
+    return letters;
+}
+
+/// The key that is meant by a name that is almost it; empty when there is none.
+std::string_view meantKey(std::string_view name) {
+    const std::string wanted = bare(name);
+    if (wanted == bare(shapeKey)) return shapeKey;
+    const auto found =
+        std::ranges::find_if(parameters(), [&](const Parameter& p) { return bare(p.key) == wanted; });
+    return found == parameters().end() ? std::string_view() : found->key;
+}
+
+/// The character that holds keys together in one cell, as spreadsheets of some countries write it.
+std::optional<char> otherSeparator(std::string_view cell) {
+    for (const char separator : {';', '\t'}) {
+        for (std::string_view rest = cell; rest.find(separator) != std::string_view::npos;) {
+            const std::size_t at = rest.find(separator);
+            if (!meantKey(split(rest.substr(0, at)).name).empty()) return separator;
+            rest.remove_prefix(at + 1);
+            if (!meantKey(split(rest.substr(0, rest.find(separator))).name).empty()) return separator;
+        }
+    }
+    return std::nullopt;
+}
+
+std::string wrongSeparator(char separator) {
+    return std::string("cells are separated by ") + (separator == '\t' ? "tabs" : "`;`") +
+           ", not by `,`; save the table with `,` between them and `.` in numbers";
+}
+
+/// Why a column that is none of a parameter may not just be passed through; empty when it may.
+std::string misnamed(std::string_view cell, std::string_view name) {
+    if (const TextProblem problem = checkText(cell); !problem.reason.empty())
+        return "has " + problem.reason + "; save the table as CSV in UTF-8";
+    if (const auto separator = otherSeparator(cell)) return wrongSeparator(*separator);
+    const std::string_view key = meantKey(name);
+    if (key.empty()) return {};
+    const bool unitInParentheses = name.find('(') != std::string_view::npos;
+    return "`" + shortened(name) + "` is not a parameter; write `" + std::string(key) +
+           (unitInParentheses ? "`, with its unit in square brackets" : "`") +
+           ", or another name for a column that is only to be passed through";
+}
+
+std::string passedThrough(std::string_view name) {
+    const std::string near = nearestKey(name);
+    return "`" + shortened(name) + "` is not a parameter and only passed through" +
+           (near.empty() ? "" : "; did you mean `" + near + "`?");
+}
+
+void readUnit(TableColumn& column, std::string_view unit, std::size_t number, TableHeader& header) {
+    if (unit.empty()) return;
+    const Quantity quantity = column.parameter->quantity;
+    column.unit = findUnit(quantity, unit);
+    if (column.unit) return;
+    const std::string key(column.key());
+    header.problems.push_back(
+        {number, quantity == Quantity::ratio
+                     ? key + " has no unit; write it without `[" + shortened(unit) + "]`"
+                     : key + ": unit `" + shortened(unit) +
+                           "` is not known here; units that would do: " + unitList(quantity)});
+}
+
+void checkTwice(const TableColumn& column, std::size_t number, TableHeader& header) {
+    const auto earlier = std::ranges::find(header.columns, column.key(), &TableColumn::key);
+    if (earlier == header.columns.end()) return;
+    header.problems.push_back({number, "sets " + std::string(column.key()) + " again, column " +
+                                           std::to_string(earlier - header.columns.begin() + 1) +
+                                           " does already; keep one of them"});
+}
+
+/// A column that sets nothing.
+void judgeOther(std::string_view cell, std::size_t number, std::span<const OutputColumn> outputs,
+                TableHeader& header) {
+    const std::string_view name = split(cell).name;
+    if (std::string problem = misnamed(cell, name); !problem.empty())
+        header.problems.push_back({number, std::move(problem)});
+    else if (std::ranges::find(outputs, trimmed(cell), &OutputColumn::header) != outputs.end())
+        header.warnings.push_back({number, "`" + shortened(trimmed(cell)) +
+                                               "` is passed through as it is; the column that is computed "
+                                               "follows with the same name"});
+    else if (!isOutput(name))
+        header.warnings.push_back({number, passedThrough(name)});
+}
+
+void checkSetsSomething(TableHeader& header) {
+    const auto sets = [](const TableColumn& column) { return column.kind != TableColumn::Kind::other; };
+    if (!header.problems.empty() || std::ranges::any_of(header.columns, sets)) return;
+    header.problems.push_back({0,
+                               "no column names a parameter, so that every row would be the same blow; name "
+                               "some in the first row, as `beta` or `rod.length [m]`"});
+}
+
+}  // namespace
+
+std::string_view TableColumn::key() const {
+    if (kind == Kind::shape) return shapeKey;
+    return kind == Kind::parameter ? parameter->key : std::string_view();
+}
+
+std::vector<std::size_t> TableHeader::assignmentOrder() const {
+    // The parameter table has the groups last; the shape, which is not in it, has a null pointer.
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        if (columns[i].kind != TableColumn::Kind::other) order.push_back(i);
+    std::ranges::sort(order, {}, [this](std::size_t i) { return columns[i].parameter; });
+    return order;
+}
+
+TableHeader readTableHeader(std::span<const std::string> cells, std::span<const OutputColumn> outputs) {
+    TableHeader header;
+    for (const std::string& cell : cells) {
+        const std::size_t number = header.columns.size() + 1;
+        const auto [name, unit] = split(cell);
+        TableColumn column{.text = cell};
+        column.parameter = findParameter(name);
+        if (column.parameter)
+            column.kind = TableColumn::Kind::parameter;
+        else if (name == shapeKey)
+            column.kind = TableColumn::Kind::shape;
+        else
+            judgeOther(cell, number, outputs, header);
+        if (column.parameter) readUnit(column, unit, number, header);
+        if (column.kind != TableColumn::Kind::other) checkTwice(column, number, header);
+        header.columns.push_back(std::move(column));
+    }
+    checkSetsSomething(header);
+    return header;
+}
+
+}  // namespace drillwave

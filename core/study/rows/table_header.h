@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the header of a table of cases says about its columns.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/model/parameter.h"
+#include "core/study/rows/output_column.h"
+
+namespace drillwave {
+
+/// One column of a table of cases.
+struct TableColumn {
+    std::string text;  ///< header cell as written
+    enum class Kind { parameter, shape, other } kind = Kind::other;
+    const Parameter* parameter = nullptr;  ///< Kind::parameter
+    const Unit* unit = nullptr;            ///< of cells without one, from "rod.length [mm]"; may be nullptr
+
+    std::string_view key() const;  ///< empty for other columns, which are passed through
+};
+
+/// Something about a column, counted from 1; 0 is the header as a whole.
+struct HeaderRemark {
+    std::size_t column = 0;
+    std::string text;
+};
+
+/// The columns in the order of the file.
+struct TableHeader {
+    std::vector<TableColumn> columns;
+    /// No column sets anything; a name that only case, `_` or the like keeps from being a parameter, or that
+    /// holds several; a parameter named twice, an unknown unit; bytes that are no text.
+    std::vector<HeaderRemark> problems;
+    /// Columns that name neither a parameter nor an output, or an output that is appended as well.
+    std::vector<HeaderRemark> warnings;
+
+    /// The columns that set something, in the order in which a row sets them: the shape, physical parameters,
+    /// groups.
+    std::vector<std::size_t> assignmentOrder() const;
+};
+
+/// `outputs` are those that are appended.
+TableHeader readTableHeader(std::span<const std::string> cells, std::span<const OutputColumn> outputs);
+
+}  // namespace drillwave

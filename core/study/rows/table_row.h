@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One row of a table of cases, from cells to a scenario.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/model/scenario.h"
+#include "core/study/rows/table_header.h"
+#include "core/text/csv.h"
+
+namespace drillwave {
+
+struct TableRow {
+    CsvRecord record;
+    int line = 0;  ///< from 1
+};
+
+/// Sets the cells of one row after another on top of a scenario. One for each thread.
+class TableRowAssigner {
+  public:
+    /// `source` names the file, for messages; all three must outlive this.
+    TableRowAssigner(const Scenario& base, const std::string& source, const TableHeader& header);
+
+    /// The scenario of the row last assigned.
+    const Scenario& scenario() const { return m_scenario; }
+
+    /// What is wrong with the row, each with its place, "cases.csv:7:3: bit_rock.gamma = 1.3 (…)"; empty when
+    /// scenario() is its valid scenario.
+    std::vector<std::string> assign(const TableRow& row);
+
+  private:
+    std::vector<std::string> assignCells(const TableRow& row);
+    std::string assignCell(const TableColumn& column, const std::string& cell);
+    std::string rivalProblem(std::size_t a, std::size_t b) const;
+    std::string place(const TableRow& row) const { return m_source + ":" + std::to_string(row.line); }
+
+    const Scenario& m_base;
+    const std::string& m_source;
+    const TableHeader& m_header;
+    std::vector<std::size_t> m_order;
+    std::vector<std::pair<std::size_t, std::size_t>> m_rivals;  // columns of which a row may set only one
+    Scenario m_scenario;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/text/csv.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int endOfInput = std::char_traits<char>::eof();
+
+/// Takes one cell off the stream; `budget` is what is left of the record's limit.
+class CellScanner {
+  public:
+    CellScanner(std::streambuf& in, std::size_t budget, int& line)
+        : m_in(in), m_budget(budget), m_line(line) {}
+
+    /// Reads a cell up to, and not including, the comma or line end behind it.
+    std::string cell() {
+        std::string text;
+        if (m_in.sgetc() == '"') {
+            m_in.sbumpc();
+            quotedPart(text);
+        }
+        while (!atCellEnd()) {
+            if (m_wasQuoted && m_problem.empty()) m_problem = "text follows a closing quote";
+            take(text);
+        }
+        m_wasQuoted = false;
+        return text;
+    }
+
+    /// Steps over the separator: true for a comma, false at the end of the record.
+    bool anotherCell() {
+        const int c = m_in.sgetc();
+        if (c == endOfInput) return false;
+        m_in.sbumpc();
+        if (c == ',') return true;
+        if (c == '\r' && m_in.sgetc() == '\n') m_in.sbumpc();
+        ++m_line;
+        return false;
+    }
+
+    const std::string& problem() const { return m_problem; }
+
+  private:
+    bool atCellEnd() const {
+        const int c = m_in.sgetc();
+        return c == endOfInput || c == ',' || c == '\n' || c == '\r';
+    }
+
+    /// Everything up to the closing quote; a doubled quote is one of the text.
+    void quotedPart(std::string& text) {
+        m_wasQuoted = true;
+        while (true) {
+            const int c = m_in.sgetc();
+            if (c == endOfInput) {
+                m_problem = "a quote is not closed";
+                return;
+            }
+            if (c == '"') {
+                m_in.sbumpc();
+                if (m_in.sgetc() != '"') return;
+            }
+            if (c == '\n') ++m_line;
+            take(text);
+        }
+    }
+
+    void take(std::string& text) {
+        const int c = m_in.sbumpc();
+        if (m_budget == 0) {
+            if (m_problem.empty()) m_problem = "the record is too long";
+            return;
+        }
+        --m_budget;
+        text += std::char_traits<char>::to_char_type(c);
+    }
+
+    std::streambuf& m_in;
+    std::size_t m_budget;
+    int& m_line;
+    bool m_wasQuoted = false;
+    std::string m_problem;
+};
+
+void skipByteOrderMark(std::streambuf& in) {
+    for (const int byte : {0xEF, 0xBB, 0xBF}) {
+        if (in.sgetc() != byte) return;
+        in.sbumpc();
+    }
+}
+
+void skipLine(std::streambuf& in) {
+    for (int c = in.sbumpc(); c != endOfInput && c != '\n'; c = in.sbumpc()) {
+    }
+}
+
+}  // namespace
+
+std::string csvCell(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+}
+
+CsvReader::CsvReader(std::istream& in, std::size_t maximumRecordBytes)
+    : m_in(in), m_maximumRecordBytes(maximumRecordBytes) {}
+
+bool CsvReader::next(CsvRecord& record) {
+    std::streambuf& in = *m_in.rdbuf();
+    if (m_nextLine == 1) skipByteOrderMark(in);
+    while (in.sgetc() != endOfInput) {
+        m_line = m_nextLine;
+        if (m_first && in.sgetc() == '#') {
+            skipLine(in);
+            ++m_nextLine;
+            continue;
+        }
+        record = {};
+        const bool quoted = in.sgetc() == '"';
+        CellScanner scanner(in, m_maximumRecordBytes, m_nextLine);
+        do {
+            record.cells.push_back(scanner.cell());
+            // A cell costs more than its bytes: a line of a million commas is refused as well.
+            if (record.cells.size() > m_maximumRecordBytes / 16) {
+                record.problem = "the record has too many cells";
+                record.cells.clear();
+                skipLine(in);
+                ++m_nextLine;
+                m_first = false;
+                return true;
+            }
+        } while (scanner.anotherCell());
+        record.problem = scanner.problem();
+        const bool blank = record.cells.size() == 1 && record.cells.front().empty() && !quoted;
+        if (blank) continue;
+        m_first = false;
+        return true;
+    }
+    return false;
+}
+
+}  // namespace drillwave

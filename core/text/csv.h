@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CSV, RFC 4180: "," and ".", header row, shortest round-trip numbers, whatever the locale.
+#pragma once
+
+#include <istream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drillwave {
+
+/// A cell quoted where RFC 4180 needs it.
+std::string csvCell(std::string_view text);
+
+/// One record without the line end, split into unquoted cells; nullopt-like empty `problem` when well formed.
+struct CsvRecord {
+    std::vector<std::string> cells;
+    std::string problem;
+};
+
+/// Reads records one at a time in bounded memory (quotes, CRLF, embedded line ends, UTF-8 BOM skipped).
+class CsvReader {
+  public:
+    explicit CsvReader(std::istream& in, std::size_t maximumRecordBytes = 1 << 20);
+    /// Reads the next record that is not empty and, before the header, does not begin with '#'. False at the
+    /// end.
+    bool next(CsvRecord& record);
+    int line() const { return m_line; }  ///< line on which the last record began, 1-based
+
+  private:
+    std::istream& m_in;
+    std::size_t m_maximumRecordBytes;
+    int m_line = 0;
+    int m_nextLine = 1;
+    bool m_first = true;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Decimal numbers as text: found, shifted by powers of ten without rounding, and cut for messages. C locale.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace drillwave {
+
+/// Without blanks and tabs at either end.
+std::string_view trimmed(std::string_view text);
+
+/// At most about 40 bytes of it, control characters replaced, for quoting in a message.
+std::string shortened(std::string_view text);
+
+/// Length of the finite decimal number at the beginning ("+1.5e3"), 0 if there is none (also for nan and
+/// inf).
+std::size_t numberLength(std::string_view text);
+
+/// A bound in two digits that are not less than it.
+std::string boundText(double bound);
+
+/// number × 10^exponent rounded once, so that ("38", −3) is 0.038. `number` as numberLength() found it.
+/// nullopt where the result would overflow, or underflow to something inexact.
+std::optional<double> scaledNumber(std::string_view number, int exponent);
+
+/// value × 10^exponent as the shortest digits of `value` with the point moved: nothing is rounded.
+std::string shiftedNumber(double value, int exponent);
+
+}  // namespace drillwave

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/text/handy_text.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace drillwave {
+
+std::string rounded(double value, int digits) {
+    std::array<char, 48> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+    return {text.data(), end.ptr};
+}
+
+std::string inHandyUnit(double si, Quantity quantity, int digits) {
+    // Of each quantity from the smallest on.
+    constexpr std::array<std::string_view, 17> handy{"us",  "ms",  "s",    "um",   "mm",  "m",
+                                                     "N s", "N",   "kN",   "J",    "kJ",  "MPa",
+                                                     "GPa", "N/m", "kN/m", "MN/m", "GN/m"};
+    const Unit* chosen = nullptr;
+    for (const std::string_view name : handy) {
+        const Unit* unit = findUnit(quantity, name);
+        if (unit && (!chosen || std::abs(unit->fromSi(si)) >= 1)) chosen = unit;
+    }
+    if (!chosen) chosen = &unitsOf(quantity).front();
+    const std::string number = rounded(chosen->fromSi(si), digits);
+    return chosen->name.empty() ? number : number + " " + std::string(chosen->name);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/text/text_input.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace drillwave {
+namespace {
+
+unsigned char byteAt(std::string_view text, std::size_t at) {
+    return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
+}
+
+/// Length of the well-formed UTF-8 sequence at that place, 0 if there is none.
+std::size_t sequenceLength(std::string_view text, std::size_t at) {
+    const unsigned char lead = byteAt(text, at);
+    if (lead < 0x80) return 1;
+    const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+    if (lead < 0xC2 || lead > 0xF4) return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byteAt(text, at + i) & 0xC0) != 0x80) return 0;
+    const unsigned char second = byteAt(text, at + 1);
+    const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
+    const bool surrogateOrBeyond = (lead == 0xED && second >= 0xA0) || (lead == 0xF4 && second >= 0x90);
+    return overlong || surrogateOrBeyond ? 0 : length;
+}
+
+std::string_view controlProblem(std::string_view text, std::size_t at) {
+    const unsigned char c = byteAt(text, at);
+    if (c == '\r') return byteAt(text, at + 1) == '\n' ? "" : "a carriage return without a line feed";
+    if (c == '\n' || c == '\t' || (c >= 0x20 && c != 0x7F)) return "";
+    return c == 0 ? "a NUL byte" : "a control character";
+}
+
+}  // namespace
+
+FileBytes readStart(const std::string& path, std::size_t bytes) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status))
+        return {{}, "cannot be opened: " + (error ? error.message() : "no such file")};
+    if (std::filesystem::is_directory(status)) return {{}, "is a folder, not a file"};
+    if (!std::filesystem::is_regular_file(status)) return {{}, "is not a regular file"};
+    std::ifstream in(path, std::ios::binary);
+    if (!in) return {{}, "cannot be opened: " + std::generic_category().message(errno)};
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    // One byte more than it should have, in case the file grows or its size was not told right.
+    std::string start(error ? bytes : std::min<std::uintmax_t>(size + 1, bytes), '\0');
+    in.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (in.bad()) return {{}, "cannot be read: " + std::generic_category().message(errno)};
+    start.resize(static_cast<std::size_t>(in.gcount()));
+    return {std::move(start), {}};
+}
+
+FileBytes readFile(const std::string& path, std::size_t maximumBytes) {
+    // One byte more than allowed tells a file at the limit from one beyond, whatever its size was said to be.
+    FileBytes file = readStart(path, maximumBytes + 1);
+    if (file.bytes.size() > maximumBytes)
+        return {{}, "is larger than " + std::to_string(maximumBytes / 1024) + " KiB, too large to be meant"};
+    return file;
+}
+
+TextProblem checkText(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = sequenceLength(text, at);
+        if (length == 0) return {at, "a byte that is not UTF-8"};
+        const std::string_view control = length == 1 ? controlProblem(text, at) : "";
+        if (!control.empty()) return {at, std::string(control)};
+        at += length;
+    }
+    return {};
+}
+
+std::size_t byteOrderMarkLength(std::string_view text) {
+    return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+}
+
+TextPosition positionOf(std::string_view text, std::size_t offset) {
+    // A byte order mark is no character of the first line.
+    if (const std::size_t mark = byteOrderMarkLength(text); offset >= mark) {
+        text.remove_prefix(mark);
+        offset -= mark;
+    }
+    const std::string_view before = text.substr(0, offset);
+    const std::size_t lineStart = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+    const auto startsCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+    TextPosition position;
+    position.line += static_cast<int>(std::ranges::count(before, '\n'));
+    position.column += static_cast<int>(std::ranges::count_if(before.substr(lineStart), startsCharacter));
+    return position;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files read whole, within a limit, and checked to be text before anything interprets them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace drillwave {
+
+/// What was read, or why not ("cannot be opened: No such file or directory").
+struct FileBytes {
+    std::string bytes;
+    std::string problem;
+};
+
+/// Reads a regular file of at most `maximumBytes`; anything else (a folder, a pipe, a device) is refused
+/// unread.
+FileBytes readFile(const std::string& path, std::size_t maximumBytes);
+
+/// The same without the limit, but no more than the first `bytes` of it.
+FileBytes readStart(const std::string& path, std::size_t bytes);
+
+/// The first byte at which the text is not UTF-8 text (NUL, control characters, malformed sequences, lone
+/// CR).
+struct TextProblem {
+    std::size_t offset = 0;
+    std::string reason;  ///< empty when the text is fine
+};
+TextProblem checkText(std::string_view text);
+
+/// 3 for a text that begins with the UTF-8 byte order mark, else 0.
+std::size_t byteOrderMarkLength(std::string_view text);
+
+/// Line and column of a byte, both from 1; a column is a character.
+struct TextPosition {
+    int line = 1;
+    int column = 1;
+};
+
+/// Where a byte of the text is. Costs a walk through the text: for messages.
+TextPosition positionOf(std::string_view text, std::size_t offset);
+
+}  // namespace drillwave

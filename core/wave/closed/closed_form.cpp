@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/closed/closed_form.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/text/units.h"
+#include "core/wave/exact/decay_pieces.h"
+
+namespace drillwave {
+
+namespace {
+
+/// β1, the positive root of e^x = 2x + 1, of [paper (12)]: above it the second pulse ends while its wave
+/// still arrives.
+constexpr double steepest = 1.2564312086261697;
+
+/// 1 − e^(−x) with all its digits.
+double saturation(double x) {
+    return -std::expm1(-x);
+}
+
+// The force pulses as A + (B + C u) e^(−βu): while the wave of duration 1 arrives, u = t, and after it,
+// u = t − 1.
+
+Decay firstRise() {
+    return {.constant = 2, .amplitude = -2, .growth = 0};  // [paper (11)], t < 1
+}
+Decay firstFall(double beta) {
+    return {.constant = 0, .amplitude = 2 * saturation(beta), .growth = 0};  // [paper (11)], t ≥ 1
+}
+Decay secondRise(double beta) {
+    return {.constant = -2, .amplitude = 2, .growth = 4 * beta};  // [paper (12)] [paper (14)], t < 1
+}
+Decay secondFall(double beta) {
+    const double q = saturation(beta);  // [paper (14)], t ≥ 1
+    return {.constant = 0, .amplitude = 2 * (2 * beta - (1 + 2 * beta) * q), .growth = -4 * beta * q};
+}
+
+/// The second pulse [paper (12)] [paper (14)], followed beyond its end.
+double secondForceBeyond(double beta, double t) {
+    if (t < 1) return 2 * (std::expm1(-beta * t) + 2 * beta * t * std::exp(-beta * t));
+    return secondFall(beta).value(t - 1, beta);
+}
+
+/// How far the wave that returns from the second reflection pushes the front end at most, ∫ of its positive
+/// part: 2e^(−βt) − 1 less the force.
+double largestPush(double beta) {
+    const double until = std::min(1.0, std::log(2) / beta);
+    return 2 * saturation(beta * until) / beta - until;
+}
+
+/// Waves and force of one round trip, stretch by stretch.
+struct RoundTrip {
+    struct Stretch {
+        double length;
+        Decay incident, force;
+    };
+    std::vector<Stretch> stretches;
+
+    void add(double length, const Decay& incident, const Decay& force = {}) {
+        if (length > 0) stretches.push_back({length, incident, force});
+    }
+};
+
+constexpr Decay pulseWave{.constant = 1, .amplitude = 0, .growth = 0};
+
+RoundTrip freeTrip(double roundTrip) {
+    RoundTrip trip;
+    trip.add(1, pulseWave);
+    trip.add(roundTrip - 1, {});
+    return trip;
+}
+
+RoundTrip firstTrip(double beta, double roundTrip) {
+    RoundTrip trip;
+    trip.add(1, pulseWave, firstRise());
+    trip.add(roundTrip - 1, {}, firstFall(beta));
+    return trip;
+}
+
+RoundTrip secondTrip(double beta, double roundTrip) {
+    const double end = secondPulseEnd(beta);
+    const Decay during = pulseWave - firstRise();  // what came back [paper (6)]
+    const Decay after = Decay{} - firstFall(beta);
+    RoundTrip trip;
+    trip.add(std::min(end, 1.0), during, secondRise(beta));
+    trip.add(1 - end, during.from(end, beta));
+    trip.add(end - 1, after, secondFall(beta));
+    const double apart = std::max(end, 1.0);
+    trip.add(roundTrip - apart, after.from(apart - 1, beta));
+    return trip;
+}
+
+/// The same stretches one round trip later, free.
+RoundTrip reflected(const RoundTrip& trip) {
+    RoundTrip next;
+    for (const auto& [length, incident, force] : trip.stretches) next.add(length, incident - force);
+    return next;
+}
+
+/// Histories, and the sums over them.
+void record(const Groups& groups, Detail detail, Impact& impact) {
+    const double beta = groups.beta;
+    const double periods = std::round(groups.delta);
+    const bool keep = detail == Detail::histories;
+    DecayPieces pieces(beta, keep ? &impact : nullptr);
+    const auto append = [&](const RoundTrip& trip) {
+        pieces.beginSums();
+        for (const auto& [length, incident, force] : trip.stretches) pieces.append(length, incident, force);
+    };
+    if (periods > 0) append(freeTrip(impact.roundTrip));
+    if (periods > 1 && keep) impact.skips.push_back({impact.roundTrip, (periods - 1) * impact.roundTrip});
+    const RoundTrip second = secondTrip(beta, impact.roundTrip);
+    append(firstTrip(beta, impact.roundTrip));
+    impact.rockWork = pieces.rockWork();
+    append(second);
+    impact.rockWork += pieces.rockWork();
+    append(reflected(second));
+    impact.finalMomentum = pieces.momentum();
+    impact.finalEnergy = pieces.energy();
+    impact.pieces = pieces.count();
+}
+
+}  // namespace
+
+double firstForcePulse(double beta, double t) {
+    if (t < 0) return 0;
+    return t < 1 ? 2 * saturation(beta * t) : firstFall(beta).value(t - 1, beta);  // [paper (11)]
+}
+
+double secondForcePulse(double beta, double t) {
+    return t < 0 || t >= secondPulseEnd(beta) ? 0.0 : secondForceBeyond(beta, t);
+}
+
+double secondPulseEnd(double beta) {
+    // ts of [paper (12)], and of [paper (14)]
+    return beta > steepest ? steepest / beta : 1 / saturation(beta) - 1 / (2 * beta);
+}
+
+double secondPulseImpulse(double beta) {
+    if (beta > steepest) {
+        const double decay = std::exp(-steepest);
+        return 2 / beta * (3 * (1 - decay) - steepest * (1 + 2 * decay));  // [paper (13)]
+    }
+    const double x = beta / saturation(beta) - 0.5;  // β ts
+    // [paper (15)], arranged so that nothing cancels for β → 0
+    return 2 * (std::exp(-x) * ((3 + 2 * x) * std::expm1(beta) / beta - 2 * std::exp(beta)) - 1);
+}
+
+double closedFormRestitution(double beta) {
+    return 1 + secondPulseImpulse(beta);  // [paper (10)]
+}
+
+double neglectedOverlap(double beta, double tau) {
+    return 2 / beta * saturation(beta) * std::exp(-beta * (2 * tau + secondPulseEnd(beta) - 1));
+}
+
+bool overlapIsSmall(double beta, double tau) {
+    const bool endsInTime = firstForcePulse(beta, 4 * tau) + secondForceBeyond(beta, 2 * tau) <= 0;
+    // The gap that opens until the next wave arrives is at least 2 + I3 − 3∫F1 over what is left at 2τ.
+    const double left = firstForcePulse(beta, 2 * tau) / beta;
+    return endsInTime && 2 * largestPush(beta) < 2 + secondPulseImpulse(beta) - 3 * left;
+}
+
+std::string closedFormRefusal(const PulseForce& pulse, const Groups& groups) {
+    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+    std::string found;
+    const auto add = [&](const std::string& text) { found += (found.empty() ? "" : ", ") + text; };
+    if (pulse.shape != PulseShape::rectangular) add("pulse.shape = " + std::string(name(pulse.shape)));
+    if (groups.gamma != 1) add("gamma = " + formatNumber(groups.gamma));
+    if (std::abs(groups.delta - std::round(groups.delta)) > rounding * std::max(1.0, groups.delta))
+        add("delta = " + formatNumber(groups.delta));
+    if (groups.tau < 0.5) add("tau = " + formatNumber(groups.tau));
+    if (found.empty()) return found;
+    return "the closed form is for a rectangular pulse, gamma = 1, a whole number as delta and tau >= 0.5, "
+           "not " +
+           found + "; use the exact method or the lattice";
+}
+
+Impact solveClosedForm(const PulseForce& pulse, const Groups& groups, Detail detail) {
+    Impact impact;
+    impact.reason = closedFormRefusal(pulse, groups);
+    if (!impact.reason.empty()) return impact;
+    const double beta = groups.beta;
+    if (!overlapIsSmall(beta, groups.tau)) {
+        impact.reason =
+            "the reflections overlap, which the closed form neglects: the contact is not over when the third "
+            "wave arrives; use the exact method or the lattice";
+        return impact;
+    }
+    impact.outcome = Outcome::rebounded;
+    impact.cor = closedFormRestitution(beta);
+    impact.impulse = 1 + impact.cor;
+    impact.corError = neglectedOverlap(beta, groups.tau) + 8 * std::numeric_limits<double>::epsilon();
+    impact.pieces = 4;
+    impact.contacts = 1;
+    if (detail == Detail::cor) return impact;
+
+    impact.frontArrival = groups.tau;
+    impact.roundTrip = 2 * groups.tau;
+    impact.peakForce = 2 * saturation(beta);  // of the first pulse; the second is never as high
+    const double periods = std::round(groups.delta);
+    const double loading = groups.tau + periods * impact.roundTrip;
+    // A gap of whole δ closes with the end of a wave, and nothing happens until the next one.
+    impact.firstContactTime = periods > 0 ? loading - impact.roundTrip + 1 : loading;
+    impact.separationTime = loading + impact.roundTrip + secondPulseEnd(beta);
+    impact.contactDuration = impact.separationTime - impact.firstContactTime;
+    impact.hammerWork = 1;
+    impact.events = {{ContactEvent::contact, impact.firstContactTime},
+                     {ContactEvent::separation, impact.separationTime}};
+    record(groups, detail, impact);
+    return impact;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The march from event to event along the front end of the rod (theory §3), for any representation of the
+// waves.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stop_token>
+
+#include "core/contact/contact_rates.h"
+#include "core/model/pulse_force.h"
+#include "core/model/scenario.h"
+#include "core/wave/exact/input_move.h"
+#include "core/wave/exact/wave_queue.h"
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// What a march may cost, and when it must end.
+struct MarchLimits {
+    long pieces = 30'000'000;               ///< smooth pieces
+    const std::stop_token* stop = nullptr;  ///< none: to the end
+    InputMove move = {};
+};
+
+/// Solves, piece by piece,
+///     g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ)         [paper (6)]
+///     F' = a(2g − F),  a = β, β/γ or 0             [paper (5)] [paper (8)]
+///
+/// `Basis` represents functions on an interval: it solves one piece of contact exactly, finds first zeros,
+/// and cuts and integrates pieces. What it cannot represent it says through Basis::failed().
+template <class Basis>
+class ContactMarch {
+  public:
+    using Real = typename Basis::Real;
+    using Piece = typename Basis::Piece;
+
+    /// Solves into `impact`. False when the basis cannot represent this blow to full accuracy.
+    /// More pieces than permitted, and a stop, end as Outcome::notSolved.
+    bool solve(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact,
+               const MarchLimits& limits = {});
+
+  private:
+    enum class Phase {
+        apart,    ///< no contact force; a zero gap with nothing arriving is the forceless contact
+        primary,  ///< on the primary line, rate β
+        elastic,  ///< below the largest force so far, rate β/γ
+    };
+    enum class Progress { goesOn, finished };
+    enum class Ending { none, separation, unloading, primaryLoading };
+    struct Stretch {
+        Real length;
+        Ending ending;
+    };
+    using Response = typename Basis::Response;
+
+    /// Layers thinner than this are below the rounding of time; taking them so thick moves e by less than
+    /// 1e-13.
+    static constexpr Real fastestRate = Real(1e15);
+
+    /// After this many events in a row without progress in time the branch is taken to hang on rounding;
+    /// after the second number nothing more is asked.
+    static constexpr int repeatedEvents = 3, mostEventsOnTheSpot = 6;
+
+    /// A gap that opens no further than the rounding of the distance travelled is none.
+    static constexpr Real closedGap = 8 * std::numeric_limits<Real>::epsilon();
+
+    /// How often to look for a stop: every millisecond or so.
+    static constexpr long piecesBetweenLooks = 8192;
+
+    static constexpr std::size_t mostWaiting = 400'000;
+    static constexpr long mostRecordedPieces = 4'000'000;  ///< some 600 MB of histories
+
+    void begin(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact);
+    bool isSliver(const Piece& piece);
+    void nextArrival();
+    void advanceApart();
+    Stretch firstEvent(Response& response);
+    bool mayStay(const Response& response);
+    void advanceContact();
+    void changeBranch(Ending ending, Real length);
+    Progress flyFree();
+    Progress skipPeriods(Real momentum);
+    void passPeriods(Real periods);
+    void closeGap(const Piece& arriving, Real length);
+    void drift(Real impulse);
+    void separate();
+    void rejoin();
+    [[gnu::always_inline]] inline void leave(const Piece& reflected, const Piece& incident,
+                                             const Piece* force, Real length);
+    void finish();
+    void summarise();
+    void note(ContactEvent kind) {
+        if (m_detail != Detail::cor) m_impact->events.push_back({kind, double(m_arrival + m_s)});
+    }
+    /// Whether the work must end, and why; cheap enough for every piece.
+    bool isOver() {
+        if (m_waves.size() > mostWaiting) return failAtLimit();
+        return m_impact->pieces > m_nextLook && lookForEnd();
+    }
+    bool lookForEnd() {
+        if (m_impact->pieces > m_mostPieces) return failAtLimit();
+        if (m_limits.stop && m_limits.stop->stop_requested()) return fail("stopped");
+        m_nextLook = std::min(m_mostPieces, m_impact->pieces + piecesBetweenLooks);
+        return false;
+    }
+    bool fail(const char* reason) {
+        m_impact->outcome = Outcome::notSolved;
+        m_impact->reason = reason;
+        return true;
+    }
+
+    /// What the basis cannot decide, or not represent.
+    bool undecided() {
+        fail("the order of two events hangs on rounding");
+        return false;
+    }
+
+    bool failAtLimit() {
+        fail(m_detail == Detail::histories ? "its histories need more than 4 million wave pieces"
+                                           : "it needs more wave pieces than permitted");
+        m_impact->reason +=
+            ": each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a "
+            "shorter blow needs fewer";
+        return true;
+    }
+
+    Basis m_basis;
+    WaveQueue<Piece> m_waves;  ///< g of the next round trip without Fa
+    Piece m_incident;          ///< g now arriving
+    const PulseForce* m_pulse = nullptr;
+    Impact* m_impact = nullptr;
+    MarchLimits m_limits;
+    long m_mostPieces = 0;
+    long m_nextLook = 0;  ///< how many pieces may pass before lookForEnd()
+    Detail m_detail = Detail::cor;
+
+    ContactRates<Real> m_rates;
+    Real m_roundTrip = 0;
+    Real m_arrival = 0;                ///< global time of s = 0
+    typename Basis::Sum m_s;           ///< time at the front end
+    typename Basis::Sum m_hammerTime;  ///< how far the hammer force has been used
+    std::size_t m_hammerPiece = 0;
+    bool m_elasticRock = false;
+    bool m_everTouched = false;
+    bool m_touching = false;  ///< apart, but by zero: forceless contact
+    bool m_justUnloaded = false;
+    int m_eventsOnTheSpot = 0;  ///< events in a row without progress in time
+    Phase m_phase = Phase::apart;
+    Real m_periodsAhead = 0;       ///< periods of free flight still to come before `m_gap` counts
+    Real m_gap = 0;                ///< distance still to close, displacement unit I0/Z
+    Real m_opened = 0;             ///< largest gap since the last separation
+    double m_separatedBefore = 0;  ///< time of the separation before the last one
+    Real m_force = 0;
+    Real m_peak = 0;          ///< largest force so far: the memory of the rock
+    Real m_closingSpeed = 0;  ///< of the bit at the last contact, force unit; 0 for the first contact
+    Real m_contactForce = 0;  ///< largest force since then, at the ends of pieces
+    Real m_growth = 1;        ///< Impact::growth
+    typename Basis::Sum m_contactTime;  ///< summed over contacts
+    typename Basis::Sum m_impulse;
+    Real m_error = 0;
+};
+
+template <class Basis>
+bool ContactMarch<Basis>::solve(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact,
+                                const MarchLimits& limits) {
+    m_limits = limits;
+    m_mostPieces = detail == Detail::histories ? std::min(limits.pieces, mostRecordedPieces) : limits.pieces;
+    m_nextLook = std::min(m_mostPieces, piecesBetweenLooks);
+    begin(pulse, groups, detail, impact);
+    for (;;) {
+        const bool hammerEnded = m_hammerPiece >= m_pulse->segments.size();
+        if (m_phase == Phase::apart && hammerEnded && m_incident.length <= 0) {
+            if (flyFree() == Progress::goesOn) continue;
+            return !m_basis.failed() || undecided();
+        }
+        if (m_incident.length <= 0) nextArrival();
+        if (m_phase == Phase::apart)
+            advanceApart();
+        else
+            advanceContact();
+        if (m_basis.failed()) return undecided();
+        if (!(m_force >= 0 || m_force < 0)) return fail("the wave force overflowed");
+        if (isOver()) return true;
+    }
+}
+
+template <class Basis>
+void ContactMarch<Basis>::begin(const PulseForce& pulse, const Groups& groups, Detail detail,
+                                Impact& impact) {
+    m_pulse = &pulse;
+    m_impact = &impact;
+    m_detail = detail;
+    const auto moved = [](double value, int units) {
+        return Real(value) * (1 + Real(units) * std::numeric_limits<Real>::epsilon());
+    };
+    const Real beta = moved(groups.beta, m_limits.move.beta);
+    m_rates = {std::min(beta, fastestRate), std::min(beta / Real(groups.gamma), fastestRate)};
+    m_elasticRock = groups.gamma == 1;
+    const Real transit = moved(groups.tau, m_limits.move.tau);
+    m_roundTrip = 2 * transit;
+    m_arrival = pulse.isRigidBody() ? Real(0) : transit;
+    m_s = 0;
+    m_hammerTime = 0;
+    m_hammerPiece = 0;
+    m_everTouched = m_touching = m_justUnloaded = false;
+    m_eventsOnTheSpot = 0;
+    m_phase = Phase::apart;
+    // Free flight advances by 2 in each period once the hammer has ended: whole periods of the gap beyond
+    // that are kept apart, exactly.
+    const double gap = pulse.isRigidBody() ? 0 : groups.delta;  // the reference case begins in contact
+    const double hammerPeriods = std::ceil(pulse.end / (2 * groups.tau)) + 2;
+    const double whole = std::floor(gap);
+    m_periodsAhead = Real(std::max(0.0, whole - hammerPeriods));
+    m_gap = 2 * (Real(std::min(whole, hammerPeriods)) + Real(gap - whole));
+    m_force = m_peak = 0;
+    m_contactTime = 0;
+    m_impulse = 0;
+    m_error = 0;
+    m_growth = 1;
+    m_waves.clear();
+    m_incident = Piece::zero(0);
+    m_basis.begin(pulse, groups, m_rates);
+    if (pulse.isRigidBody())
+        m_waves.pushBack(m_basis.constant(m_roundTrip, 1 / m_roundTrip));
+    else
+        m_waves.pushBack(Piece::zero(m_roundTrip));
+    impact.frontArrival = double(m_arrival);
+    impact.roundTrip = double(m_roundTrip);
+    if (pulse.isRigidBody()) impact.hammerWork = double(1 / m_roundTrip);  // ½ m v0²: the rod arrives with it
+}
+
+}  // namespace drillwave
+
+#include "core/wave/exact/contact_march_flight.h"
+#include "core/wave/exact/contact_march_steps.h"

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How ContactMarch flies free between contacts, and ends. Included by contact_march.h only.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/wave/exact/contact_march.h"
+
+namespace drillwave {
+
+/// The hammer has ended and the ends are free: the incident wave is periodic. Finds the next contact, or the
+/// proof that none follows: a whole period without contact and momentum not towards the rock (T21).
+template <class Basis>
+typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
+    Real momentum = 0;
+    const std::size_t period = m_waves.size();
+    for (std::size_t i = 0; i < period; ++i) {
+        Piece& arriving = m_waves.front();
+        const auto contact = m_basis.gapClosure(arriving, m_gap);
+        if (m_basis.failed()) return Progress::finished;
+        if (contact.found) {
+            if (m_touching && contact.u > 0) separate();
+            m_incident = arriving;
+            m_waves.popFront();
+            if (contact.u > 0) leave(m_incident, m_incident, nullptr, contact.u);
+            closeGap(m_incident, contact.u);
+            if (contact.u > 0) m_incident.dropFront(contact.u);
+            return Progress::goesOn;
+        }
+        const Real impulse = arriving.integral(arriving.length);
+        if (m_touching && !arriving.isZero()) separate();
+        momentum += impulse;
+        if (!m_touching) drift(impulse);
+        ++m_impact->pieces;
+        m_s += arriving.length;
+        if (m_touching) m_contactTime += arriving.length;
+        if (m_detail == Detail::histories) m_basis.record(arriving, nullptr, arriving.length, *m_impact);
+        m_waves.rotate();
+    }
+    return skipPeriods(momentum);
+}
+
+/// After one whole period without contact: either it is over, or the rod drifts on and hits again later.
+template <class Basis>
+typename ContactMarch<Basis>::Progress ContactMarch<Basis>::skipPeriods(Real momentum) {
+    if (!m_everTouched) momentum = 1;  // nothing but the hammer has acted
+    if (m_periodsAhead > 0) {
+        passPeriods(m_periodsAhead);
+        m_periodsAhead = 0;
+        return Progress::goesOn;
+    }
+    const Real uncertain = 4 * (m_error + m_basis.momentumNoise());
+    if (momentum <= uncertain) {
+        finish();
+        // Whether a rod without momentum returns is undecided; what the rock could still give it is as
+        // little.
+        if (momentum > -uncertain && !m_touching) m_impact->corError += double(2 * uncertain);
+        return Progress::finished;
+    }
+    // How far the front end reaches beyond its advance of whole periods, piece by piece: the earliest
+    // contact.
+    const Real advance = 2 * momentum;
+    Real reached = 0, fewest = std::numeric_limits<Real>::infinity();
+    for (std::size_t i = 0; i < m_waves.size(); ++i) {
+        const Piece& piece = m_waves[i];
+        const Real most = reached + 2 * m_basis.largestIntegral(piece);
+        fewest = std::min(fewest, std::ceil((m_gap - most) / advance));
+        reached += 2 * piece.integral(piece.length);
+    }
+    const Real periods = std::max(fewest - 1, Real(0));  // one less: rounding must not jump past the contact
+    if (periods > 0) {
+        m_error += periods * (m_everTouched ? uncertain : 0);
+        const Real from = m_gap;
+        m_gap = std::fma(-periods, advance, m_gap);
+        m_error += std::numeric_limits<Real>::epsilon() * (m_everTouched ? from : m_gap);
+        passPeriods(periods);
+    }
+    return isOver() ? Progress::finished : Progress::goesOn;
+}
+
+template <class Basis>
+void ContactMarch<Basis>::passPeriods(Real periods) {
+    if (m_detail == Detail::histories)
+        m_impact->skips.push_back({double(m_s), double(periods * m_roundTrip)});
+    m_s += periods * m_roundTrip;
+}
+
+template <class Basis>
+void ContactMarch<Basis>::finish() {
+    Impact& impact = *m_impact;
+    impact.outcome = Outcome::rebounded;
+    impact.impulse = double(m_impulse);
+    impact.cor = double(m_impulse - 1);  // [paper (10)]
+    impact.corError = double(m_error + m_basis.momentumNoise());
+    impact.growth = double(m_growth);
+    if (m_detail != Detail::cor) summarise();
+}
+
+/// Peak, end and the sums over the last period that balance momentum and energy independently.
+template <class Basis>
+void ContactMarch<Basis>::summarise() {
+    Impact& impact = *m_impact;
+    impact.peakForce = double(m_peak);
+    impact.contactDuration = double(m_contactTime);
+    if (m_touching) impact.separationTime = double(m_arrival + m_s);
+    Real momentum = 0, energy = 0;
+    for (std::size_t i = 0; i < m_waves.size(); ++i) {
+        const Piece& piece = m_waves[i];
+        momentum += piece.integral(piece.length);
+        energy += m_basis.productIntegral(piece, piece, piece.length);
+    }
+    impact.finalMomentum = double(momentum);
+    impact.finalEnergy = double(energy);
+}
+
+}  // namespace drillwave

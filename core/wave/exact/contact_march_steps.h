@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How ContactMarch takes the next arriving piece and passes it through contact. Included by contact_march.h
+// only.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "core/wave/exact/contact_march.h"
+
+namespace drillwave {
+
+/// Whether a piece is but the rounding between two breakpoints that coincide; its impulse counts as error.
+template <class Basis>
+bool ContactMarch<Basis>::isSliver(const Piece& piece) {
+    const Real coincident = 4 * std::numeric_limits<Real>::epsilon() * (m_roundTrip + m_hammerTime);
+    if (piece.length > coincident) return false;
+    const Real impulse = piece.magnitude() * piece.length;
+    if (impulse > std::numeric_limits<Real>::epsilon() / 2) return false;
+    m_error += impulse;
+    return true;
+}
+
+/// Takes the next piece of the incident wave and adds the hammer force that arrives with it. Ends of pieces
+/// that coincide within rounding are taken as one.
+template <class Basis>
+void ContactMarch<Basis>::nextArrival() {
+    while (m_waves.size() > 1 && isSliver(m_waves.front())) m_waves.popFront();
+    m_incident = m_waves.front();
+    if (m_hammerPiece >= m_pulse->segments.size()) {
+        m_waves.popFront();
+        return;
+    }
+    const Real coincident = 4 * std::numeric_limits<Real>::epsilon() * (1 + m_hammerTime);
+    const PulseSegment& segment = m_pulse->segments[m_hammerPiece];
+    const Real into = m_hammerTime - Real(segment.start);
+    const Real left = std::max(Real(segment.length) - into, coincident);
+    const Real length = std::min(m_basis.hammerPieceLength(segment, left), m_incident.length);
+    if (m_incident.length > length) {
+        m_waves.front().dropFront(length);
+        m_incident.shorten(length);
+    } else {
+        m_waves.popFront();
+    }
+    const Piece& hammer = m_basis.addHammer(segment, into, length, m_incident);
+    if (m_detail != Detail::cor)  // Fa va = Fa (2g − Fa) [paper (1)]
+        m_impact->hammerWork += double(2 * m_basis.productIntegral(hammer, m_incident, length) -
+                                       m_basis.productIntegral(hammer, hammer, length));
+    m_hammerTime += length;
+    if (left - length <= coincident) {
+        ++m_hammerPiece;
+        m_hammerTime = m_hammerPiece < m_pulse->segments.size() ? Real(m_pulse->segments[m_hammerPiece].start)
+                                                                : Real(m_pulse->end);
+    }
+}
+
+/// The gap is closed where `length` of `arriving` has passed.
+template <class Basis>
+void ContactMarch<Basis>::closeGap(const Piece& arriving, Real length) {
+    m_opened = std::max(m_opened, m_gap + 2 * arriving.magnitude() * length);
+    const bool wasClosed = m_everTouched && m_opened <= closedGap;
+    m_gap = 0;
+    m_force = 0;
+    m_phase = m_elasticRock || m_peak == 0 ? Phase::primary : Phase::elastic;
+    if (!m_touching && wasClosed) {
+        rejoin();
+    } else if (!m_touching) {
+        ++m_impact->contacts;
+        note(ContactEvent::contact);
+        if (m_everTouched)
+            m_closingSpeed = 2 * arriving.value(length);
+        else
+            m_impact->firstContactTime = double(m_arrival + m_s);
+        m_contactForce = 0;
+    }
+    m_touching = false;
+    m_everTouched = true;
+}
+
+/// The free front end has moved by twice the impulse of what arrived.
+template <class Basis>
+void ContactMarch<Basis>::drift(Real impulse) {
+    m_gap -= 2 * impulse;
+    m_opened = std::max(m_opened, m_gap);
+}
+
+template <class Basis>
+void ContactMarch<Basis>::separate() {
+    m_touching = false;
+    m_opened = 0;
+    // A gap that errs by δ closes δ/(closing speed) early or late, and shifts the force by as much: the
+    // impulse that this displaces is at most 2 Fmax times that.
+    if (m_impact->contacts > 1 && m_contactForce > 0)
+        m_growth *= 1 + 2 * m_contactForce / std::max(m_closingSpeed, Real(0));
+    m_separatedBefore = m_impact->separationTime;
+    m_impact->separationTime = double(m_arrival + m_s);
+    note(ContactEvent::separation);
+}
+
+/// The last separation opened no gap: it was none.
+template <class Basis>
+void ContactMarch<Basis>::rejoin() {
+    m_impact->separationTime = m_separatedBefore;
+    if (m_detail != Detail::cor) m_impact->events.pop_back();
+}
+
+/// A stretch of the front end has passed: its reflected wave goes back into the rod.
+template <class Basis>
+void ContactMarch<Basis>::leave(const Piece& reflected, const Piece& incident, const Piece* force,
+                                Real length) {
+    ++m_impact->pieces;
+    m_s += length;
+    if (force || m_touching) m_contactTime += length;
+    if (length <= 0) return;
+    if (m_detail == Detail::histories) [[unlikely]]
+        m_basis.record(incident, force, length, *m_impact);
+    if constexpr (Basis::joinsPieces)
+        if (m_waves.size() > Basis::manyPieces) {
+            Piece last = reflected;
+            last.shorten(length);
+            m_basis.tidy(last);
+            if (m_basis.join(m_waves.back(), last, m_error)) return;
+        }
+    m_waves.pushBack(reflected);
+    m_waves.back().shorten(length);
+    m_basis.tidy(m_waves.back());
+}
+
+/// While the hammer still pushes: the front end is free until the gap is closed.
+template <class Basis>
+void ContactMarch<Basis>::advanceApart() {
+    const auto contact = m_basis.gapClosure(m_incident, m_gap);
+    if (!contact.found) {
+        if (m_touching && !m_incident.isZero()) separate();
+        if (!m_touching) drift(m_incident.integral(m_incident.length));
+        leave(m_incident, m_incident, nullptr, m_incident.length);
+        m_incident.length = 0;
+        return;
+    }
+    if (contact.u > 0) {
+        if (m_touching) separate();
+        leave(m_incident, m_incident, nullptr, contact.u);
+    }
+    closeGap(m_incident, contact.u);
+    if (contact.u > 0) m_incident.dropFront(contact.u);
+}
+
+/// Where the solved stretch ends: at its first event, or at its end.
+template <class Basis>
+typename ContactMarch<Basis>::Stretch ContactMarch<Basis>::firstEvent(Response& response) {
+    Stretch stretch{response.length, Ending::none};
+    const auto endsAt = [&stretch](const auto& zero, Ending ending) {
+        if (zero.found && (stretch.ending == Ending::none || zero.u < stretch.length))
+            stretch = {zero.u, ending};
+    };
+    if (m_phase == Phase::primary && !m_elasticRock) {
+        endsAt(m_basis.driveVanishes(response), Ending::unloading);
+    } else {
+        endsAt(m_basis.forceVanishes(response), Ending::separation);
+        if (!m_elasticRock)
+            endsAt(m_basis.forceReaches(response, m_peak, m_justUnloaded), Ending::primaryLoading);
+    }
+    if (stretch.length > 0) {
+        m_eventsOnTheSpot = 0;
+        return stretch;
+    }
+    if (++m_eventsOnTheSpot > 1) m_basis.stall();
+    if (m_eventsOnTheSpot > repeatedEvents && stretch.ending != Ending::separation && mayStay(response)) {
+        stretch = {response.length, Ending::none};
+        if (m_phase == Phase::primary) m_peak = std::max(m_peak, response.force.value(response.length));
+        m_eventsOnTheSpot = repeatedEvents;  // a plateau of many pieces is one spot
+    }
+    return stretch;
+}
+
+/// Events repeat on the spot where the force stays at its peak: which branch it is on hangs on rounding, and
+/// either will do for as long as they differ by rounding only. A force that then leaves the peak decides.
+template <class Basis>
+bool ContactMarch<Basis>::mayStay(const Response& response) {
+    if (m_eventsOnTheSpot > mostEventsOnTheSpot) return true;
+    const Real end = response.force.value(response.length);
+    const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * m_peak;
+    return m_phase == Phase::primary ? end >= m_force - rounding : end <= m_peak + rounding;
+}
+
+/// Contact over the piece now arriving, up to the first event or its end.
+template <class Basis>
+void ContactMarch<Basis>::advanceContact() {
+    if (m_incident.isZero() && m_force <= m_basis.negligibleForce()) {
+        m_force = 0;  // forceless contact: what is left of an exponential is rounding
+        m_phase = Phase::apart;
+        m_touching = true;
+        m_gap = 0;
+        return;
+    }
+    const Real rate = m_phase == Phase::primary ? m_rates.primary : m_rates.elastic;
+    Response& response = m_basis.respond(m_incident, rate, m_force);
+    if (m_basis.failed()) return;
+    const auto [length, ending] = firstEvent(response);
+    if (m_basis.failed()) return;
+
+    m_basis.endAt(response, length);
+    m_impulse += response.force.integral(length);
+    m_error += m_basis.roundingError(response, length);
+    if (m_detail != Detail::cor) {
+        m_impact->rockWork +=
+            double(m_basis.productIntegral(response.force, m_basis.drive(response), length));
+        if (m_elasticRock) m_peak = std::max(m_peak, m_basis.largest(response, length));
+    }
+    m_force = std::max(response.force.value(length), Real(0));  // below it: rounding
+    m_contactForce = std::max(m_contactForce, m_force);
+    leave(response.reflected, response.incident, &response.force, length);
+    if (length < m_incident.length)
+        m_basis.dropFront(m_incident, response);
+    else
+        m_incident.length = 0;
+    changeBranch(ending, length);
+}
+
+template <class Basis>
+void ContactMarch<Basis>::changeBranch(Ending ending, Real length) {
+    if (length > 0) m_justUnloaded = false;
+    switch (ending) {
+        case Ending::none:
+            break;
+        case Ending::separation:
+            m_force = 0;
+            m_gap = 0;
+            m_phase = Phase::apart;
+            separate();
+            break;
+        case Ending::unloading:
+            m_force = m_peak = std::max(m_force, m_peak);
+            m_phase = Phase::elastic;
+            m_justUnloaded = length > 0;  // at a jump of g, F' is negative at once
+            note(ContactEvent::unloading);
+            break;
+        case Ending::primaryLoading:
+            m_force = m_peak;
+            m_phase = Phase::primary;
+            note(ContactEvent::primaryLoading);
+            break;
+    }
+}
+
+}  // namespace drillwave

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/exact/exact_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/wave/exact/contact_march.h"
+#include "core/wave/exact/exponential_basis.h"
+#include "core/wave/exact/series_basis.h"
+#include "core/wave/exact/soft_reference.h"
+
+namespace drillwave {
+
+struct ExactSolver::Workspace {
+    ContactMarch<ExponentialBasis> closed;
+    ContactMarch<SeriesBasis<double>> series;
+
+    void march(const PulseForce& pulse, const Groups& groups, Detail detail, const MarchLimits& limits,
+               Impact& impact);
+    [[gnu::cold]] void widen(const PulseForce& pulse, const Groups& groups, MarchLimits limits,
+                             Impact& impact);
+};
+
+namespace {
+
+/// A blow that needs more exponential pieces than this is one for power series.
+constexpr long mostClosedPieces = 2000;
+
+bool isSolved(const Impact& impact) {
+    return impact.outcome == Outcome::rebounded;
+}
+
+}  // namespace
+
+/// One march into a new `impact`: in closed form where that suits and comes to its end, else in series.
+void ExactSolver::Workspace::march(const PulseForce& pulse, const Groups& groups, Detail detail,
+                                   const MarchLimits& limits, Impact& impact) {
+    if (ExponentialBasis::suits(pulse, groups)) {
+        MarchLimits few = limits;
+        few.pieces = std::min(limits.pieces, mostClosedPieces);
+        if (closed.solve(pulse, groups, detail, impact, few) && isSolved(impact)) return;
+        impact = Impact{};
+    }
+    series.solve(pulse, groups, detail, impact, limits);
+}
+
+void ExactSolver::Workspace::widen(const PulseForce& pulse, const Groups& groups, MarchLimits limits,
+                                   Impact& impact) {
+    widenByMovedInput(impact, [&](const InputMove& move) {
+        limits.move = move;
+        Impact moved;
+        march(pulse, groups, Detail::cor, limits, moved);
+        return moved;
+    });
+}
+
+ExactSolver::ExactSolver(long mostPieces)
+    : m_workspace(std::make_unique<Workspace>()), m_mostPieces(mostPieces) {}
+ExactSolver::~ExactSolver() = default;
+ExactSolver::ExactSolver(ExactSolver&&) noexcept = default;
+ExactSolver& ExactSolver::operator=(ExactSolver&&) noexcept = default;
+
+Impact ExactSolver::solve(const PulseForce& pulse, const Groups& groups, Detail detail,
+                          const std::stop_token& stop) {
+    Impact impact;  // the only one returned: a move of it would be seen in sweeps
+    if (pulse.isRigidBody() && isSoftReference(groups)) {
+        impact = softReference(groups, detail);
+        return impact;
+    }
+    m_workspace->march(pulse, groups, detail, {.pieces = m_mostPieces, .stop = &stop}, impact);
+    if (!isSolved(impact)) return impact;
+    if (impact.growth > coveredGrowth) m_workspace->widen(pulse, groups, {m_mostPieces, &stop}, impact);
+    if (!std::isfinite(impact.cor + impact.corError)) {
+        impact.outcome = Outcome::notSolved;
+        impact.reason = "its numbers are beyond the range of double precision";
+    }
+    return impact;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exponential sums as power series on short stretches: for histories, products and extremes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/numeric/power_series.h"
+#include "core/wave/exact/exponential_sum.h"
+
+namespace drillwave {
+
+/// Walks over [0, length] in stretches on which each of the functions is one short power series, all on the
+/// same scale: the fastest decay that is still above `negligible` passes by at most 2 in a stretch. The
+/// functions have the same rates; some 20 stretches see one decay out.
+template <std::size_t count>
+class ExponentialStretches {
+  public:
+    ExponentialStretches(const std::array<const ExponentialSum*, count>& functions, double length,
+                         double negligible)
+        : m_length(length), m_negligible(negligible) {
+        for (std::size_t i = 0; i < count; ++i) m_rest[i] = *functions[i];
+        for (ExponentialSum& rest : m_rest) {
+            rest.shorten(length);
+            tidy(rest);
+        }
+    }
+
+    /// Calls visit(start, series) for each stretch in order; series[i].length is that of the stretch.
+    template <class Visit>
+    void forEach(Visit visit) {
+        double start = 0;
+        while (start < m_length) {
+            const double left = m_length - start;
+            const double fastest = fastestDecay();
+            const bool isLast = fastest * left <= 2;
+            const double length = isLast ? left : 2 / fastest;
+            std::array<PowerSeries<double>, count> series;
+            for (std::size_t i = 0; i < count; ++i) series[i] = seriesOf(m_rest[i], length);
+            visit(start, series);
+            if (isLast) return;
+            start += length;
+            for (ExponentialSum& rest : m_rest) {
+                rest.dropFront(length);
+                tidy(rest);
+            }
+        }
+    }
+
+  private:
+    void tidy(ExponentialSum& f) const {
+        f.primary.trim(m_negligible);
+        f.elastic.trim(m_negligible);
+    }
+    double fastestDecay() const {
+        double fastest = 0;
+        for (const ExponentialSum& f : m_rest) {
+            if (f.primary.count) fastest = std::max(fastest, f.rates->primary);
+            if (f.elastic.count) fastest = std::max(fastest, f.rates->elastic);
+        }
+        return fastest;
+    }
+
+    /// Adds Σ c_m φ_m(λx), φ_m(y) = e^{−y} y^m/m!, with y = reach·u: the coefficient of u^j is
+    /// reach^j Σ_m c_m/m! (−1)^(j−m)/(j−m)!.
+    static void add(const DecayTerms& terms, double reach, PowerSeries<double>& f) {
+        if (terms.count == 0) return;
+        std::array<double, PowerSeries<double>::capacity> decay;  // of e^{−y}
+        decay[0] = 1;
+        for (std::size_t j = 1; j < decay.size(); ++j) decay[j] = -decay[j - 1] / double(j);
+        double power = 1;
+        for (int j = 0; j < PowerSeries<double>::capacity; ++j, power *= reach) {
+            double sum = 0, factorial = 1;
+            for (int m = 0; m < terms.count && m <= j; ++m) {
+                sum += terms.c[m] / factorial * decay[j - m];
+                factorial *= m + 1;
+            }
+            if (j >= f.count) f.c[j] = 0;
+            f.c[j] += sum * power;
+        }
+        f.count = PowerSeries<double>::capacity;
+    }
+
+    PowerSeries<double> seriesOf(const ExponentialSum& f, double length) const {
+        auto series = PowerSeries<double>::zero(length);
+        series.count = 2;
+        series.c[0] = f.c0;
+        series.c[1] = f.c1 * length;
+        if (f.rates) {
+            add(f.primary, f.rates->primary * length, series);
+            add(f.elastic, f.rates->elastic * length, series);
+        }
+        series.trim(m_negligible);
+        return series;
+    }
+
+    double m_length, m_negligible;
+    std::array<ExponentialSum, count> m_rest;
+};
+
+}  // namespace drillwave

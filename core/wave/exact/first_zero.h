@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first zero of a polynomial: where an event ends a piece of contact or of free flight.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/numeric/power_series.h"
+
+namespace drillwave {
+
+/// Outcome of the search for the first zero of a function that starts positive.
+template <class Real>
+struct Zero {
+    bool found = false;
+    bool undecided = false;  ///< the search ended without an answer: `found` is false and means nothing
+    Real u = 0;
+
+    static Zero at(Real u) { return {.found = true, .undecided = false, .u = u}; }
+};
+
+/// A polynomial seen from one point: the coefficients are relative to it.
+template <class Real>
+struct LocalPolynomial {
+    static constexpr int capacity = PowerSeries<Real>::capacity + 1;
+    int count = 0;
+    std::array<Real, capacity> c;
+
+    void moveBy(Real u) {
+        for (int i = 0; i + 1 < count; ++i)
+            for (int k = count - 2; k >= i; --k) c[k] += u * c[k + 1];
+    }
+    /// The same over [0, 1] in place of [0, width].
+    LocalPolynomial over(Real width) const {
+        LocalPolynomial p;
+        p.count = count;
+        Real power = 1;
+        for (int k = 0; k < count; ++k, power *= width) p.c[k] = c[k] * power;
+        return p;
+    }
+    /// Lower bound over [0, 1].
+    Real least() const {
+        Real sum = c[0];
+        for (int k = 1; k < count; ++k) sum += std::min(c[k], Real(0));
+        return sum;
+    }
+    /// Upper bound of the slope over [0, 1].
+    Real steepest() const {
+        Real sum = count > 1 ? c[1] : Real(0);
+        for (int k = 2; k < count; ++k) sum += Real(k) * std::max(c[k], Real(0));
+        return sum;
+    }
+    Real value(Real u) const {
+        Real sum = 0;
+        for (int k = count - 1; k >= 0; --k) sum = sum * u + c[k];
+        return sum;
+    }
+};
+
+/// Where a march along a polynomial ended.
+enum class MarchEnd { zero, passed, exhausted };
+
+/// Marches from u towards `end` with steps that the curvature bound `curvature` on the way allows: no zero is
+/// stepped over, and a zero is approached quadratically. p(u) must not be negative.
+template <class Real>
+MarchEnd marchToZero(const Real* c, int count, Real end, Real curvature, Real noise, Real& u, int mostSteps) {
+    const Real tiny = std::numeric_limits<Real>::min();
+    for (int step = 0; step < mostSteps; ++step) {
+        Real value = 0, slope = 0;
+        for (int k = count - 1; k >= 0; --k) {
+            slope = slope * u + value;
+            value = value * u + c[k];
+        }
+        if (step > 0 && value <= noise && slope <= 0) return MarchEnd::zero;
+        value = std::max(value, Real(0));
+        // largest h with value + slope h − curvature h²/2 ≥ 0
+        const Real root = std::sqrt(slope * slope + 2 * curvature * value);
+        const Real h = slope > 0 ? (slope + root) / (curvature + tiny) : 2 * value / (root - slope + tiny);
+        u += std::max(h, 8 * std::numeric_limits<Real>::epsilon());
+        if (!(u <= end)) return MarchEnd::passed;
+    }
+    return MarchEnd::exhausted;
+}
+
+/// The zero of p in [0, 1], falling all the way with p(0) > 0 > p(1): by bisection.
+template <class Real>
+Real zeroOfFalling(const LocalPolynomial<Real>& p) {
+    Real low = 0, high = 1;
+    for (int step = 0; step < std::numeric_limits<Real>::digits + 4; ++step) {
+        const Real middle = (low + high) / 2;
+        (p.value(middle) > 0 ? low : high) = middle;
+    }
+    return high;
+}
+
+/// The same search where one curvature bound is too coarse. The interval is cut until a part is proven free
+/// of zeros or falls through one; a dip that stays within `noise` of zero is none.
+template <class Real>
+Zero<Real> firstZeroInParts(const Real* c, int count, Real end, Real from, Real noise) {
+    LocalPolynomial<Real> p;
+    p.count = count;
+    std::copy_n(c, count, p.c.begin());
+    p.moveBy(from);
+    const Real narrowest = std::numeric_limits<Real>::epsilon() * end;
+    Real u = from, width = (end - from) / 2;
+    constexpr int mostParts = 2000;
+    for (int part = 0; part < mostParts; ++part) {
+        const LocalPolynomial<Real> q = p.over(width);
+        const bool isFree = q.least() >= -noise;
+        if (!isFree && q.value(1) < -noise && (q.steepest() < 0 || width <= narrowest))
+            return Zero<Real>::at(u + width * (q.c[0] > 0 ? zeroOfFalling(q) : Real(0)));
+        if (!isFree && width > narrowest) {
+            width /= 2;
+            continue;
+        }
+        u += width;
+        if (u >= end) return {};
+        p.moveBy(width);
+        width = std::min(2 * width, end - u);
+    }
+    return {.found = false, .undecided = true, .u = u};
+}
+
+/// First zero in (start, end] of p(u) = Σ c_k u^k, end ≤ 1, p > 0 just after `start`. Exact zeros of p at u =
+/// 0 (leading zero coefficients) are divided out; if p is negative just after 0, the answer is 0.
+template <class Real>
+Zero<Real> firstZero(const Real* c, int count, Real end, Real start = 0) {
+    if (start == 0)
+        while (count > 0 && c[0] == 0) ++c, --count;
+    if (count == 0) return {};
+    if (start == 0 && c[0] < 0) return Zero<Real>::at(0);
+    Real slopeSum = 0, curvature = 0;
+    for (int k = 1; k < count; ++k) {
+        const Real size = std::abs(c[k]);
+        slopeSum += size;
+        curvature += Real(k * (k - 1)) * size;
+    }
+    if (start == 0 && c[0] > slopeSum) return {};  // p cannot reach zero on [0, 1]
+    const Real noise = 4 * std::numeric_limits<Real>::epsilon() * (std::abs(c[0]) + slopeSum);
+    Real u = start;
+    switch (marchToZero(c, count, end, curvature, noise, u, 24)) {
+        case MarchEnd::zero:
+            return Zero<Real>::at(u);
+        case MarchEnd::passed:
+            return {};
+        case MarchEnd::exhausted:
+            break;
+    }
+    return firstZeroInParts(c, count, end, u, noise);
+}
+
+/// Calls found(x) where f falls through zero in (0, length). False when a zero could not be decided.
+template <class Real, class Found>
+bool forEachMaximum(const PowerSeries<Real>& f, Real length, Found found) {
+    if (f.isZero()) return true;
+    Real signedCoefficients[PowerSeries<Real>::capacity];
+    Real start = 0;
+    bool positive = f.c[0] >= 0;
+    for (int crossing = 0; crossing < PowerSeries<Real>::capacity; ++crossing) {
+        for (int k = 0; k < f.count; ++k) signedCoefficients[k] = positive ? f.c[k] : -f.c[k];
+        const auto zero = firstZero(signedCoefficients, f.count, length / f.scale, start);
+        if (!zero.found) return !zero.undecided;
+        if (positive) found(zero.u * f.scale);
+        positive = !positive;
+        start = std::max(zero.u, std::numeric_limits<Real>::min());
+    }
+    return true;
+}
+
+}  // namespace drillwave

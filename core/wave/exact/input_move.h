@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far the result of a blow hangs on the last digits of its input (theory §11.2).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// Moves the input by a few units of rounding, β(1 + beta·ε) and τ(1 + tau·ε), ε of the arithmetic in use.
+struct InputMove {
+    int beta = 0;
+    int tau = 0;
+};
+
+/// Rounding made in one contact is multiplied by the contacts that follow: where the bit chatters, e may have
+/// few digits or none although each step was right to the last one. Up to this growth (Impact::growth, a
+/// worst case) the error that a march sums up covers it.
+inline constexpr double coveredGrowth = 8;
+
+/// A march cannot see how much of that growth is real, but a second one with moved input makes the same
+/// experience. Adds to impact.corError what moves of the input do to e; solve(InputMove) marches again for e
+/// alone. Where a moved blow cannot be solved, neither is the impact.
+///
+/// Two moves in opposite directions of β and τ, each 16 ε, and four times the larger change: over a thousand
+/// chattering blows that covers the error of more than 99 in 100 for every number of contacts and exceeds it
+/// a hundredfold in the median, like the bound of ordinary blows (tst_chatter).
+template <class Solve>
+void widenByMovedInput(Impact& impact, const Solve& solve) {
+    if (impact.outcome != Outcome::rebounded || !(impact.growth > coveredGrowth)) return;
+    constexpr std::array moves{InputMove{16, -16}, InputMove{-16, 16}};
+    constexpr double factor = 4;
+    double change = 0;
+    for (const InputMove& move : moves) {
+        const Impact moved = solve(move);
+        if (moved.outcome != Outcome::rebounded) {
+            impact.outcome = Outcome::notSolved;
+            impact.reason = moved.reason;
+            return;
+        }
+        change = std::max(change, std::abs(moved.cor - impact.cor));
+    }
+    impact.corError += factor * change;
+    // The march has proven that no contact follows with its own error of the momentum −e. With the grown one
+    // that is undecided for a rod nearly at rest: what the rock could still give it is of that size too.
+    if (impact.cor <= impact.corError) impact.corError *= 3;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contact solved in power series on short pieces: robust for every rate, pulse and number of reflections.
+#pragma once
+
+#include "core/contact/contact_rates.h"
+#include "core/model/pulse_force.h"
+#include "core/model/scenario.h"
+#include "core/numeric/compensated_sum.h"
+#include "core/numeric/power_series.h"
+#include "core/wave/exact/first_zero.h"
+#include "core/wave/exact/series_joiner.h"
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// The representation of ContactMarch by truncated power series.
+///
+/// A piece of contact with rate a and length ℓ: for aℓ ≲ 2 the recurrence of F' = a(2g − F) is summed
+/// directly. For larger aℓ the piece is cut, except where F follows the slow solution F = 2g − F'/a, which is
+/// an exact polynomial for a polynomial g: there one piece does, however large a is.
+template <class RealType>
+class SeriesBasis {
+  public:
+    using Real = RealType;
+    using Piece = PowerSeries<Real>;
+    using Sum = CompensatedSum<Real>;
+    static constexpr bool joinsPieces = true;
+
+    /// One solved stretch of contact: F, the drive 2g − F = U' = F'/a and the reflected g − F, on one scale.
+    struct Response {
+        Real length = 0;
+        Piece incident, force, drive, reflected;
+        bool isSlow = false;  ///< F = 2g − F'/a without a layer: F' does not start from 2g − F
+        Real size = 0;        ///< Σ|coefficients|: what rounding is relative to
+    };
+
+    void begin(const PulseForce& pulse, const Groups& groups, ContactRates<Real> rates) {
+        m_undecided = false;
+        m_scale = std::max(Real(pulse.peak), 1 / (2 * Real(groups.tau)));
+        if (!pulse.isRigidBody() && groups.tau >= 0.5) m_scale = Real(pulse.peak);
+        m_joiner.begin(groups, rates.elastic);
+        m_negligible = std::ldexp(m_scale, std::numeric_limits<Real>::digits == 53 ? -62 : -80);
+    }
+    /// How many pieces a round trip may have before joining them is worth the effort.
+    static constexpr std::size_t manyPieces = 32;
+
+    bool failed() const { return m_undecided; }
+    void stall() const {}
+    Real negligibleForce() const { return m_negligible; }
+    /// Rounding of a sum of impulses of order one.
+    Real momentumNoise() const { return 4 * std::numeric_limits<Real>::epsilon() + m_joiner.peakError(); }
+
+    Piece constant(Real length, Real value) const {
+        Piece f = Piece::zero(length);
+        f.count = 1;
+        f.c[0] = value;
+        return f;
+    }
+
+    /// The part of the hammer force from `left` on that one series can hold.
+    Real hammerPieceLength(const PulseSegment& segment, Real left) const {
+        switch (segment.kind) {
+            case PulseSegment::Kind::linear:
+                return left;
+            case PulseSegment::Kind::sine:
+                return left > Real(0.5) ? Real(0.5) : left;
+            case PulseSegment::Kind::exponential:
+                return left > 2 ? Real(2) : left;
+        }
+        return left;
+    }
+
+    /// Adds the hammer force from `into` the segment to `g` over `length`, on the scale of `length`.
+    const Piece& addHammer(const PulseSegment& segment, Real into, Real length, Piece& g) {
+        m_hammer = Piece::zero(length);
+        auto& c = m_hammer.c;
+        switch (segment.kind) {
+            case PulseSegment::Kind::linear:
+                c[0] = Real(segment.value) + Real(segment.slope) * into;
+                c[1] = Real(segment.slope) * length;
+                m_hammer.count = c[1] == 0 ? 1 : 2;
+                break;
+            case PulseSegment::Kind::sine: {
+                const Real pi = Real(3.14159265358979323846264338327950288L);
+                const Real phase = pi * (Real(segment.start) + into);
+                Real power = Real(segment.value);
+                const Real sine = std::sin(phase), cosine = std::cos(phase);
+                for (int k = 0; k < Piece::capacity; ++k) {
+                    c[k] = power * (k % 4 == 0 ? sine : k % 4 == 1 ? cosine : k % 4 == 2 ? -sine : -cosine);
+                    power *= pi * length / Real(k + 1);
+                }
+                m_hammer.count = Piece::capacity;
+                break;
+            }
+            case PulseSegment::Kind::exponential: {
+                Real power = Real(segment.value) * std::exp(-into);
+                for (int k = 0; k < Piece::capacity; ++k) {
+                    c[k] = power;
+                    power *= -length / Real(k + 1);
+                }
+                m_hammer.count = Piece::capacity;
+                break;
+            }
+        }
+        m_hammer.trim(m_negligible);
+        if (g.scale != length) g.rescale(length);
+        for (int k = g.count; k < m_hammer.count; ++k) g.c[k] = 0;
+        g.count = std::max(g.count, m_hammer.count);
+        for (int k = 0; k < m_hammer.count; ++k) g.c[k] += m_hammer.c[k];
+        return m_hammer;
+    }
+
+    /// Solves as much of F' = a(2g − F), F(0) = force, over g as one piece can hold [paper (5)] [paper (8)].
+    Response& respond(const Piece& g, Real rate, Real force) {
+        Response& r = m_response;
+        r.incident = g;
+        r.isSlow = false;
+        const Real alpha = rate * g.length;
+        Real length = g.length;
+        if (alpha > Real(2)) {
+            if (alpha >= Real(16 + 4 * g.count) && slowSolution(r, alpha, force)) return r;
+            length = layerLength(g, rate, alpha);
+        }
+        for (;;) {
+            if (r.incident.scale != length) {
+                r.incident.rescale(length);
+                r.incident.trim(m_negligible);
+            }
+            r.incident.length = length;
+            if (sumSeries(r, rate * length, force)) return r;
+            length /= 2;
+        }
+    }
+
+    const Piece& drive(const Response& r) const { return r.drive; }
+    /// The stretch ends at `length`, by an event or at its end.
+    void endAt(Response& r, Real length) const { r.length = length; }
+    /// The rest of g behind that stretch.
+    void dropFront(Piece& g, const Response& r) const { g.dropFront(r.length); }
+
+    /// When ∫2g closes the gap.
+    Zero<Real> gapClosure(const Piece& g, Real gap) {
+        if (g.isZero()) return gap < 0 ? Zero<Real>::at(0) : Zero<Real>{};
+        if (gap > 2 * g.length * g.magnitude()) return {};
+        Real c[Piece::capacity + 1];
+        c[0] = gap;
+        for (int k = 0; k < g.count; ++k) c[k + 1] = -2 * g.scale * g.c[k] * inverse(k + 1);
+        return scaled(firstZero(c, g.count + 1, g.length / g.scale), g.scale, g.length);
+    }
+    /// F is a positive mean of 2g and of what it was: a compressive wave cannot pull the rod off.
+    Zero<Real> forceVanishes(const Response& r) {
+        if (r.incident.isZero()) return {};
+        const Real start = r.incident.startValue();
+        if (start + start >= r.incident.magnitude()) return {};
+        return zeroOf(r.force, r);
+    }
+    Zero<Real> driveVanishes(const Response& r) { return zeroOf(r.drive, r); }
+    /// When F rises to `peak`; `tangential` at the start of unloading, where F = peak and F' = 0 by
+    /// construction.
+    Zero<Real> forceReaches(const Response& r, Real peak, bool tangential) {
+        Real c[Piece::capacity];
+        c[0] = tangential ? Real(0) : peak - r.force.startValue();
+        Real rise = 0;
+        for (int k = 1; k < r.force.count; ++k) {
+            c[k] = -r.force.c[k];
+            rise += std::abs(c[k]);
+        }
+        if (r.isSlow && c[0] <= 16 * (m_negligible + std::numeric_limits<Real>::epsilon() * peak))
+            c[0] = 0;  // the slow solution differs from the force before by rounding
+        else if (tangential && r.force.count > 1)
+            c[1] = 0;
+        if (c[0] > rise) return {};
+        return scaled(firstZero(c, std::max(r.force.count, 1), r.length / r.force.scale), r.force.scale,
+                      r.length);
+    }
+
+    /// Largest F over [0, length].
+    Real largest(const Response& r, Real length) {
+        Real most = std::max(r.force.startValue(), r.force.value(length));
+        m_undecided |=
+            !forEachMaximum(r.drive, length, [&](Real x) { most = std::max(most, r.force.value(x)); });
+        return most;
+    }
+    /// Largest ∫0..x g over the piece, at least 0.
+    Real largestIntegral(const Piece& g) {
+        Real most = std::max(Real(0), g.integral(g.length));
+        m_undecided |= !forEachMaximum(g, g.length, [&](Real x) { most = std::max(most, g.integral(x)); });
+        return most;
+    }
+
+    Real roundingError(const Response& r, Real length) const {
+        const Real size = r.size + r.incident.magnitude();
+        return 4 * (std::numeric_limits<Real>::epsilon() * size + m_negligible) * length;
+    }
+
+    void tidy(Piece& piece) const { piece.trim(m_negligible); }
+
+    bool join(Piece& last, const Piece& next, Real& error) { return m_joiner.join(last, next, error); }
+
+    static Real productIntegral(const Piece& f, const Piece& g, Real length) {
+        return Piece::productIntegral(f, g, length);
+    }
+
+    void record(const Piece& incident, const Piece* force, Real length, Impact& impact) const {
+        double c[Piece::capacity];
+        const auto copy = [&](const Piece& f) {
+            for (int k = 0; k < f.count; ++k) c[k] = double(f.c[k]);
+            return std::span<const double>(c, static_cast<std::size_t>(f.count));
+        };
+        impact.incident.append(double(length), double(incident.scale), copy(incident));
+        impact.force.append(double(length), double(incident.scale),
+                            force ? copy(*force) : std::span<const double>());
+    }
+
+  private:
+    static Real inverse(int k) {
+        static const auto table = [] {
+            std::array<Real, Piece::capacity + 2> t{};
+            for (int i = 1; i < Piece::capacity + 2; ++i) t[i] = 1 / Real(i);
+            return t;
+        }();
+        return table[k];
+    }
+
+    Zero<Real> scaled(Zero<Real> zero, Real scale, Real length) {
+        m_undecided |= zero.undecided;
+        zero.u = std::min(zero.u * scale, length);
+        return zero;
+    }
+    Zero<Real> zeroOf(const Piece& f, const Response& r) {
+        return scaled(firstZero(f.c.data(), f.count, r.length / f.scale), f.scale, r.length);
+    }
+
+    /// F = 2g − F'/a as the exact polynomial; false while the layer in front of it still matters.
+    bool slowSolution(Response& r, Real alpha, Real force) {
+        const Piece& g = r.incident;
+        if (r.incident.scale != g.length) r.incident.rescale(g.length);
+        r.force.scale = g.scale;
+        r.force.count = g.count;
+        Real next = 0;
+        for (int k = g.count - 1; k >= 0; --k) {
+            next = 2 * g.c[k] - (Real(k + 1) / alpha) * next;
+            r.force.c[k] = next;
+        }
+        m_layer = std::abs(force - r.force.startValue());
+        const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * (std::abs(force) + g.magnitude());
+        if (m_layer > 16 * m_negligible + rounding) return false;
+        r.isSlow = true;
+        r.drive.scale = r.reflected.scale = g.scale;
+        r.drive.count = std::max(g.count - 1, 0);
+        r.reflected.count = g.count;
+        r.size = 0;
+        for (int k = 0; k < g.count; ++k) {
+            if (k + 1 < g.count) r.drive.c[k] = Real(k + 1) / alpha * r.force.c[k + 1];
+            r.reflected.c[k] = g.c[k] - r.force.c[k];
+            r.size += std::abs(g.c[k]) + std::abs(r.force.c[k]);
+        }
+        r.length = r.force.length = r.drive.length = r.reflected.length = g.length;
+        return true;
+    }
+
+    /// How much of a long piece to take: aℓ = 2 in general, more where only a faint layer remains.
+    Real layerLength(const Piece& g, Real rate, Real alpha) const {
+        if (alpha < Real(16 + 4 * g.count)) return g.length / std::ceil(alpha / 2);
+        const Real layer = std::max(m_layer / m_scale, std::numeric_limits<Real>::epsilon());
+        const Real wide = 2 * std::exp2(-std::log2(layer) / 28);
+        return std::min(g.length, std::clamp(wide, Real(2), Real(6)) / rate);
+    }
+
+    /// The recurrence F_{k+1} = α (2g_k − F_k)/(k+1). False where the series does not converge in its
+    /// capacity.
+    bool sumSeries(Response& r, Real alpha, Real force) {
+        const Piece& g = r.incident;
+        r.length = r.force.length = r.drive.length = r.reflected.length = g.length;
+        r.force.scale = r.drive.scale = r.reflected.scale = g.length;
+        auto& f = r.force.c;
+        auto& d = r.drive.c;
+        auto& out = r.reflected.c;
+        f[0] = force;
+        Real size = std::abs(force);
+        int k = 0;
+        for (; k < g.count; ++k) {
+            if (k + 1 >= Piece::capacity) break;
+            d[k] = 2 * g.c[k] - f[k];
+            out[k] = g.c[k] - f[k];
+            f[k + 1] = alpha * inverse(k + 1) * d[k];
+            size += std::abs(f[k + 1]);
+        }
+        for (; std::abs(f[k]) > m_negligible && k + 1 < Piece::capacity; ++k) {
+            d[k] = out[k] = -f[k];
+            f[k + 1] = alpha * inverse(k + 1) * d[k];
+            size += std::abs(f[k + 1]);
+        }
+        const bool full = k + 1 >= Piece::capacity;
+        const Real gLast = k < g.count ? g.c[k] : Real(0);
+        d[k] = 2 * gLast - f[k];
+        out[k] = gLast - f[k];
+        r.force.count = r.drive.count = r.reflected.count = k + 1;
+        r.size = size;
+        const Real unresolved = 1024 * m_negligible;
+        const bool converged = !full || (std::abs(f[k]) <= unresolved && std::abs(gLast) <= unresolved);
+        return (converged && size <= 256 * m_scale) || g.length * m_scale < m_negligible;
+    }
+
+    bool m_undecided = false;  ///< a search for an event ended without an answer
+    Real m_scale = 1;          ///< largest wave force of this blow
+    Real m_negligible = 0;     ///< what is dropped
+    Real m_layer = 0;          ///< distance of F from the slow solution
+    SeriesJoiner<Real> m_joiner;
+    Piece m_hammer;
+    Response m_response;
+};
+
+}  // namespace drillwave

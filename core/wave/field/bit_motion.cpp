@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/field/bit_motion.h"
+
+#include <algorithm>
+
+#include "core/wave/field/wave_field.h"
+
+namespace drillwave {
+
+double bitDisplacement(const Impact& impact, double t) {
+    const double s = t - impact.frontArrival;
+    return incidentImpulse(impact, s) - impactImpulse(impact, s) / 2;
+}
+
+BitState bitState(const Impact& impact, std::span<const ContactInterval> contacts, double delta, double t) {
+    const double displacement = bitDisplacement(impact, t);
+    const auto next =
+        std::upper_bound(contacts.begin(), contacts.end(), t,
+                         [](double time, const ContactInterval& contact) { return time < contact.begin; });
+    if (next == contacts.begin()) return {false, 0, std::max(0.0, delta - displacement)};
+    const ContactInterval& last = *std::prev(next);
+    if (t <= last.end) return {true, displacement - delta, 0};
+    return {false, 0, std::max(0.0, bitDisplacement(impact, last.end) - displacement)};
+}
+
+}  // namespace drillwave

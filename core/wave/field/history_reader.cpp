@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/field/history_reader.h"
+
+#include <algorithm>
+
+#include "core/wave/field/recorded_time.h"
+
+namespace drillwave {
+
+HistoryReader::HistoryReader(const Impact& impact) : m_impact(impact), m_before(waveBeforeArrival(impact)) {}
+
+double HistoryReader::incident(double s) {
+    if (s < 0) return m_before;
+    if (!seek(s)) return 0;
+    return m_impact.incident.value(m_impact.incident.pieces()[m_index], m_local);
+}
+
+double HistoryReader::reflected(double s) {
+    if (s < 0) return -m_before;
+    if (!seek(s)) return 0;
+    return m_impact.force.value(m_impact.force.pieces()[m_index], m_local) -
+           m_impact.incident.value(m_impact.incident.pieces()[m_index], m_local);
+}
+
+// The incident wave and the force are recorded on the same pieces.
+bool HistoryReader::seek(double s) {
+    const auto pieces = m_impact.incident.pieces();
+    const double recorded = recordedTime(m_impact, s);
+    if (pieces.empty() || !(recorded >= pieces.front().start) || recorded >= m_impact.incident.end())
+        return false;
+    ++m_steps;
+    if (!holds(m_index, recorded)) m_index = find(recorded);
+    m_local = std::min(recorded - pieces[m_index].start, pieces[m_index].length);
+    return true;
+}
+
+bool HistoryReader::holds(std::size_t index, double recorded) const {
+    const auto pieces = m_impact.incident.pieces();
+    return recorded >= pieces[index].start &&
+           (index + 1 == pieces.size() || recorded < pieces[index + 1].start);
+}
+
+// Strides of 1, 2, 4 … pieces until the time is behind, then bisection of the last one: next to nothing for a
+// neighbour, and no more than a search however many pieces lie between.
+std::size_t HistoryReader::find(double recorded) {
+    const auto pieces = m_impact.incident.pieces();
+    const auto begins = [&](std::size_t index) {
+        ++m_steps;
+        return pieces[index].start <= recorded;
+    };
+    std::size_t first = m_index, stride = 1;  // the piece begins in [first, end)
+    std::size_t end = pieces.size();
+    if (begins(m_index)) {
+        while (first + stride < pieces.size() && begins(first + stride)) {
+            first += stride;
+            stride *= 2;
+        }
+        end = std::min(end, first + stride);
+    } else {
+        end = first;
+        while (true) {
+            first = end > stride ? end - stride : 0;
+            if (first == 0 || begins(first)) break;
+            end = first;
+            stride *= 2;
+        }
+    }
+    while (end - first > 1) {
+        const std::size_t middle = first + (end - first) / 2;
+        (begins(middle) ? first : end) = middle;
+    }
+    return first;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The largest forces in the rod, wherever and whenever they occur (theory §3.1).
+#pragma once
+
+#include "core/model/pulse_force.h"
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// A largest normal force in the rod, and one place and time at which it occurs (others may have the same).
+struct RodForce {
+    double size = 0;     ///< |N|/F0, ≥ 0
+    double section = 0;  ///< ξ = x/L: rear end 0, front end 1
+    double time = 0;     ///< global time t/t0
+    bool operator==(const RodForce&) const = default;
+};
+
+/// Sizes are 0 where the rod is never pushed or pulled.
+struct RodForces {
+    RodForce compression;       ///< of −N while the blow lasts: to one transit after the last separation
+    RodForce tension;           ///< of N in that time
+    RodForce compressionAfter;  ///< of −N later, of the waves left, which nothing damps in the model
+    RodForce tensionAfter;      ///< of N later; time and place of the first meeting of the waves
+    bool operator==(const RodForces&) const = default;
+};
+
+/// The largest of −N and of N = Np + Nn over the whole rod, during the blow and of the waves that run on
+/// after it. Of an impact solved with Detail::histories.
+///
+/// N(ξ, t) = −g(a) − r(b) with r = F − g, a = t − ξτ and b = t − (2 − ξ)τ: every pair of times 0 ≤ a − b ≤ 2τ
+/// meets at some section at t = (a + b)/2 + τ, so it is a sliding maximum of r that is added to g. Exact at
+/// breakpoints and jumps; a maximum inside a smooth piece may be missed by 2e-4 of the peak force.
+RodForces largestRodForces(const Impact& impact, const PulseForce& pulse);
+
+}  // namespace drillwave

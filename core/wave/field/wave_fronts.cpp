@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/field/wave_fronts.h"
+
+#include <cmath>
+
+namespace drillwave {
+namespace {
+
+double valueAtEnd(const PulseSegment& segment) {
+    switch (segment.kind) {
+        case PulseSegment::Kind::linear:
+            return segment.value + segment.slope * segment.length;
+        case PulseSegment::Kind::sine:
+            return 0;
+        case PulseSegment::Kind::exponential:
+            return segment.value * std::exp(-segment.length);
+    }
+    return 0;
+}
+
+}  // namespace
+
+std::vector<double> pulseFronts(const PulseForce& pulse) {
+    constexpr double visible = 0.02;
+    std::vector<double> fronts{0};
+    double before = 0;
+    for (const PulseSegment& segment : pulse.segments) {
+        if (segment.start > 0 && std::abs(pulse(segment.start) - before) >= visible * pulse.peak)
+            fronts.push_back(segment.start);
+        before = valueAtEnd(segment);
+    }
+    const bool fades = pulse.shape == PulseShape::exponential || pulse.shape == PulseShape::piston;
+    if (!pulse.segments.empty() && (!fades || before >= visible * pulse.peak)) fronts.push_back(pulse.end);
+    return fronts;
+}
+
+std::vector<ContactInterval> contactIntervals(const Impact& impact) {
+    std::vector<ContactInterval> intervals;
+    bool touching = false;
+    for (const ImpactEvent& event : impact.events) {
+        if (event.kind == ContactEvent::contact && !touching) {
+            intervals.push_back({event.time, event.time});
+            touching = true;
+        } else if (event.kind == ContactEvent::separation && touching) {
+            intervals.back().end = event.time;
+            touching = false;
+        }
+    }
+    if (touching) intervals.back().end = impact.separationTime;
+    return intervals;
+}
+
+}  // namespace drillwave

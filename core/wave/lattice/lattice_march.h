@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The march of the lattice: step after step at the front end of the rod (paper, Appendix A).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stop_token>
+#include <string>
+
+#include "core/contact/contact_law.h"
+#include "core/model/pulse_force.h"
+#include "core/model/scenario.h"
+#include "core/numeric/compensated_sum.h"
+#include "core/text/units.h"
+#include "core/wave/exact/hammer_cells.h"
+#include "core/wave/impact.h"
+#include "core/wave/lattice/step_history.h"
+
+namespace drillwave {
+
+/// Solves one blow on a lattice. `Waves` keeps the waves in the segments: MovedWaves or RingWaves.
+template <class Waves>
+class LatticeMarch {
+  public:
+    /// Solves into `impact`, whose corError it leaves alone.
+    void solve(const PulseForce& pulse, const Groups& groups, int segments, Detail detail,
+               const std::stop_token& stop, Impact& impact);
+
+    /// Rounding of the impulse, of order one, in the last solve.
+    double roundingError() const { return roundingAfter(m_step); }
+
+  private:
+    // About a second of work for the ring buffer and twenty for moved waves; 200 MB of history.
+    static constexpr double mostSteps = 1e8;
+    static constexpr double mostMoves = 1e11;
+    static constexpr std::size_t mostRecorded = 2'000'000;
+    /// Stop requests are looked for after so many moves.
+    static constexpr long movesPerCheck = 1L << 20;
+    /// An impulse that a contact shorter than a step may have unnoticed: it is of rounding errors.
+    static constexpr double negligibleImpulse = 1e-12;
+
+    void begin(const PulseForce& pulse, const Groups& groups, int segments, Detail detail, Impact& impact);
+    bool isFeasible(const PulseForce& pulse, const Groups& groups, int segments);
+    void reachFrontEnd(int segments, const std::stop_token& stop);
+    void step();
+    void noteChanges(double impulseBefore);
+    void flyFree(double g);
+    void decide();
+    void skipPeriods(double momentum);
+    void finish();
+    void countWork(const std::stop_token& stop);
+    void fail(std::string reason) {
+        m_impact->outcome = Outcome::notSolved;
+        m_impact->reason = std::move(reason);
+        m_over = true;
+    }
+    void note(ContactEvent kind, double time) {
+        if (m_detail != Detail::cor) m_impact->events.push_back({kind, time});
+    }
+    /// Global time of a fraction of the step that has just been made.
+    double timeAt(double fraction) const {
+        return m_arrival + m_skipped + (double(m_step - 1) + fraction) * m_duration;
+    }
+    static double roundingAfter(long steps) {
+        return 8 * std::numeric_limits<double>::epsilon() * (1 + std::sqrt(double(steps)));
+    }
+    double impulse() const { return m_forces * m_duration; }
+
+    Waves m_waves;
+    HammerCells m_hammer;  ///< as it arrives at the front end
+    ContactLaw m_law{1, 1, 1, 0, 0};
+    StepHistory m_history;
+    Impact* m_impact = nullptr;
+    Detail m_detail = Detail::cor;
+    bool m_over = false;
+
+    double m_duration = 1;    ///< Δ
+    double m_arrival = 0;     ///< global time of s = 0
+    double m_skipped = 0;     ///< periods of free flight left out, in t0
+    double m_negligible = 0;  ///< force of no consequence
+    long m_step = 0;          ///< steps since the first arrival
+    long m_period = 0;        ///< steps of a round trip: 2L
+    long m_movesPerStep = 1, m_untilCheck = 0;
+    double m_moves = 0;
+
+    CompensatedSum<double> m_forces;                      ///< ΣF; the impulse is Δ times that
+    CompensatedSum<double> m_hammerPowers, m_rockPowers;  ///< ΣFa (2g − Fa), ΣF (2g − F)
+    double m_contactStart = 0, m_impulseAtContact = 0;
+    double m_periodsAhead = 0;  ///< periods of free flight still to come before the gap counts
+
+    long m_freeSteps = 0;  ///< in a row, without contact and hammer force
+    double m_freeMomentum = 0, m_freeEnergy = 0;
+    double m_farthest = 0;  ///< largest Σg since the free flight began
+};
+
+template <class Waves>
+void LatticeMarch<Waves>::solve(const PulseForce& pulse, const Groups& groups, int segments, Detail detail,
+                                const std::stop_token& stop, Impact& impact) {
+    begin(pulse, groups, segments, detail, impact);
+    if (!isFeasible(pulse, groups, segments)) return;
+    if (!pulse.isRigidBody()) reachFrontEnd(segments, stop);
+    while (!m_over) {
+        step();
+        countWork(stop);
+    }
+    impact.pieces = m_step;
+    if (detail == Detail::histories && impact.outcome == Outcome::rebounded) m_history.flush(impact);
+}
+
+template <class Waves>
+void LatticeMarch<Waves>::begin(const PulseForce& pulse, const Groups& groups, int segments, Detail detail,
+                                Impact& impact) {
+    const bool isRigidBody = pulse.isRigidBody();
+    const double uniform = isRigidBody ? 1 / (2 * groups.tau) : 0;
+    m_impact = &impact;
+    m_detail = detail;
+    m_over = false;
+    m_duration = groups.tau / segments;
+    m_arrival = isRigidBody ? 0 : groups.tau;
+    m_skipped = 0;
+    m_negligible = std::ldexp(std::max(pulse.peak, 1 / (2 * groups.tau)), -62);
+    m_step = 0;
+    m_period = 2L * segments;
+    m_movesPerStep = Waves::movesPerStep(segments);
+    m_untilCheck = 0;
+    m_moves = 0;
+    m_forces = m_hammerPowers = m_rockPowers = 0;
+    m_contactStart = m_impulseAtContact = 0;
+    m_freeSteps = 0;
+    m_freeMomentum = m_freeEnergy = m_farthest = 0;
+    // Free flight advances by 2 in each period once the hammer has ended: whole periods of the gap beyond
+    // that are kept apart, exactly.
+    const double hammerPeriods = std::ceil(pulse.end / (2 * groups.tau)) + 2;
+    m_periodsAhead = std::max(0.0, std::floor(groups.delta) - hammerPeriods);
+    const double gap = isRigidBody ? 0 : 2 * (groups.delta - m_periodsAhead);
+    m_law = ContactLaw(groups.beta, groups.gamma, m_duration, gap, m_negligible);
+    m_hammer = HammerCells(pulse, m_duration);
+    m_history.begin(m_duration);
+    impact.frontArrival = m_arrival;
+    impact.roundTrip = 2 * groups.tau;
+    impact.hammerWork = uniform;  // ½ m v0²: the rod arrives with it
+}
+
+/// Whether the steps are short enough for the rock and few enough for the hammer.
+template <class Waves>
+bool LatticeMarch<Waves>::isFeasible(const PulseForce& pulse, const Groups& groups, int segments) {
+    const double steepest = groups.beta / groups.gamma * m_duration;
+    if (!(steepest <= 2)) {
+        fail("a step of the lattice is too long for the rock: (beta/gamma) tau/N = " +
+             formatNumber(steepest) + " must not exceed 2; it takes at least " +
+             formatNumber(std::ceil(groups.beta / groups.gamma * groups.tau / 2)) + " segments");
+        return false;
+    }
+    if (!(pulse.end / m_duration + double(m_period) < mostSteps)) {
+        fail("the lattice would need more than the permitted number of steps; use fewer than " +
+             formatNumber(segments) + " segments, or the exact method");
+        return false;
+    }
+    m_waves.begin(segments, pulse.isRigidBody() ? 1 / (2 * groups.tau) : 0, pulse, m_duration);
+    return true;
+}
+
+/// Until the first wave arrives, nothing happens at the front end.
+template <class Waves>
+void LatticeMarch<Waves>::reachFrontEnd(int segments, const std::stop_token& stop) {
+    for (long ahead = Waves::stepsAhead(segments); ahead > 0 && !m_over; --ahead) {
+        m_waves.step(0);
+        countWork(stop);
+    }
+}
+
+template <class Waves>
+void LatticeMarch<Waves>::step() {
+    const double hammer = m_hammer.next();
+    const double g = m_waves.arriving(hammer);
+    const double force = m_law.advance(g);
+    const double reflected = force - g;
+    m_waves.step(std::abs(reflected) > m_negligible ? reflected : 0);
+    ++m_step;
+
+    const double impulseBefore = impulse();
+    m_forces += force;
+    if (m_detail != Detail::cor) {
+        m_hammerPowers += hammer * (2 * g - hammer);
+        m_rockPowers += force * (2 * g - force);
+        if (m_detail == Detail::histories) m_history.add(g, force, *m_impact);
+    }
+    if (m_law.changes() != ContactLaw::none) noteChanges(impulseBefore);
+    if (force == 0 && m_law.changes() == ContactLaw::none && m_hammer.ended() && (m_law.isApart() || g == 0))
+        flyFree(g);
+    else
+        m_freeSteps = 0;
+}
+
+template <class Waves>
+void LatticeMarch<Waves>::noteChanges(double impulseBefore) {
+    const unsigned changes = m_law.changes();
+    if (changes & ContactLaw::contact) {
+        m_contactStart = timeAt(m_law.contactFraction());
+        m_impulseAtContact = impulseBefore;
+        if (m_impact->contacts++ == 0) m_impact->firstContactTime = m_contactStart;
+        note(ContactEvent::contact, m_contactStart);
+    }
+    if (changes & ContactLaw::unloading) note(ContactEvent::unloading, timeAt(0));
+    if (changes & ContactLaw::primaryLoading)
+        note(ContactEvent::primaryLoading, timeAt(m_law.primaryFraction()));
+    if (changes & ContactLaw::separation) {
+        const double time = timeAt(m_law.separationFraction());
+        m_impact->contactDuration += time - m_contactStart;
+        m_impact->separationTime = time;
+        note(ContactEvent::separation, time);
+        const double exchanged = impulse() - m_impulseAtContact;
+        if (time - m_contactStart < m_duration && exchanged > negligibleImpulse)
+            fail("a contact at time " + formatNumber(m_contactStart) +
+                 " is shorter than a step of the lattice; use more segments or the exact method");
+    }
+}
+
+/// Neither hammer nor rock act: after a whole period it is decided how it goes on.
+template <class Waves>
+void LatticeMarch<Waves>::flyFree(double g) {
+    if (m_freeSteps++ == 0) m_freeMomentum = m_freeEnergy = m_farthest = 0;
+    m_freeMomentum += g;
+    m_freeEnergy += g * g;
+    m_farthest = std::max(m_farthest, m_freeMomentum);
+    if (m_freeSteps < m_period) return;
+    decide();
+    m_freeSteps = 0;
+}
+
+/// After one whole period without contact the incident wave is periodic: either it is over, or the rod drifts
+/// on and hits again later (theory §3).
+template <class Waves>
+void LatticeMarch<Waves>::decide() {
+    if (m_periodsAhead > 0) {
+        m_impact->skips.push_back({timeAt(1) - m_arrival, m_periodsAhead * m_impact->roundTrip});
+        m_skipped += m_periodsAhead * m_impact->roundTrip;
+        m_periodsAhead = 0;
+        return;
+    }
+    const double momentum = m_freeMomentum * m_duration;
+    const double uncertain = 4 * roundingError();
+    const bool touches = !m_law.isApart();
+    if (momentum > uncertain) return skipPeriods(momentum);
+    finish();
+    if (!touches && momentum > -uncertain)
+        fail("the momentum after a separation is zero within rounding: whether the rod returns is undecided");
+}
+
+template <class Waves>
+void LatticeMarch<Waves>::skipPeriods(double momentum) {
+    const double advance = 2 * momentum;
+    const double reached = 2 * m_farthest * m_duration;
+    // one less: rounding must not jump past the contact
+    const double periods = std::ceil((m_law.gap() - reached) / advance) - 1;
+    if (!(periods > 0)) return;
+    m_law.setGap(std::fma(-periods, advance, m_law.gap()));
+    m_impact->skips.push_back({timeAt(1) - m_arrival, periods * m_impact->roundTrip});
+    m_skipped += periods * m_impact->roundTrip;
+}
+
+template <class Waves>
+void LatticeMarch<Waves>::finish() {
+    Impact& impact = *m_impact;
+    m_over = true;
+    impact.outcome = Outcome::rebounded;
+    impact.impulse = impulse();
+    impact.cor = impact.impulse - 1;  // [paper (10)]
+    if (m_detail == Detail::cor) return;
+    impact.peakForce = m_law.peak();
+    if (!m_law.isApart() && impact.contacts > 0) {
+        impact.contactDuration += timeAt(1) - m_contactStart;
+        impact.separationTime = timeAt(1);
+    }
+    impact.hammerWork += m_hammerPowers * m_duration;
+    impact.rockWork = m_rockPowers * m_duration;
+    impact.finalMomentum = m_freeMomentum * m_duration;
+    impact.finalEnergy = m_freeEnergy * m_duration;
+}
+
+template <class Waves>
+void LatticeMarch<Waves>::countWork(const std::stop_token& stop) {
+    if (m_over || --m_untilCheck > 0) return;
+    m_untilCheck = std::max(1L, movesPerCheck / m_movesPerStep);
+    m_moves += double(m_untilCheck) * double(m_movesPerStep);
+    if (stop.stop_requested()) return fail("stopped");
+    if (double(m_step) > mostSteps || m_moves > mostMoves || m_history.pieces() > mostRecorded)
+        fail(
+            "the lattice needs more than the permitted number of steps; use fewer segments or the exact "
+            "method");
+    if (m_impact->events.size() > mostRecorded)
+        fail("the lattice found more than the permitted number of events; use the exact method");
+}
+
+}  // namespace drillwave

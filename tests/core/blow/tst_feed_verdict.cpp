@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The judgement on the feed: thresholds of theory §10, one set of words, and nothing claimed beyond it.
+#include <QtTest>
+
+#include "core/blow/feed_verdict.h"
+#include "core/blow/result_alerts.h"
+
+using namespace drillwave;
+
+namespace {
+
+// 50 blows a second of 40 N s: f I0 = 2000 N.
+Scenario drill(std::optional<double> thrust) {
+    Scenario scenario;
+    scenario.pulse.impulse = 40;
+    scenario.drill = {.blowFrequency = 50, .thrust = thrust};
+    return scenario;
+}
+
+QString textOf(std::string_view text) {
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+}  // namespace
+
+class TestFeedVerdict : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void thresholdsAreThoseOfTheTheory() {
+        const FeedVerdict verdict = *judgeFeed(drill({}), 0.4);
+        QCOMPARE(verdict.feed, Feed::unknown);
+        QCOMPARE(verdict.balance, 2000.0);
+        QCOMPARE(verdict.fullRate, 2800.0);
+        QCOMPARE(verdict.returned, 3600.0);
+    }
+
+    void eachRangeHasItsWord_data() {
+        QTest::addColumn<double>("thrust");
+        QTest::addColumn<QString>("code");
+        QTest::addColumn<bool>("warned");
+        QTest::newRow("no feed at all") << 0.0 << "pushed_back" << true;
+        QTest::newRow("just below f I0") << 1999.0 << "pushed_back" << true;
+        QTest::newRow("f I0") << 2000.0 << "penetration_lost" << true;
+        QTest::newRow("just below f I0 (1+e)") << 2799.0 << "penetration_lost" << true;
+        QTest::newRow("f I0 (1+e)") << 2800.0 << "full_rate" << false;
+        QTest::newRow("just below f I0 (1+2e)") << 3599.0 << "full_rate" << false;
+        QTest::newRow("f I0 (1+2e)") << 3600.0 << "back_in_time" << false;
+        QTest::newRow("ten times as much") << 36000.0 << "back_in_time" << false;
+    }
+
+    void eachRangeHasItsWord() {
+        QFETCH(double, thrust);
+        QFETCH(QString, code);
+        QFETCH(bool, warned);
+        const FeedVerdict verdict = *judgeFeed(drill(thrust), 0.4);
+        QCOMPARE(textOf(name(verdict.feed)), code);
+        QVERIFY(!feedWord(verdict.feed).empty());
+        QVERIFY(textOf(feedSentence(verdict)).endsWith(textOf(feedAdvice(verdict.feed))));
+        // The alert says the very same.
+        ImpactSummary summary;
+        summary.cor = 0.4;
+        const std::vector<Alert> alerts = resultAlerts(drill(thrust), summary);
+        QCOMPARE(!alerts.empty(), warned);
+        if (!warned) return;
+        QCOMPARE(alerts[0].code, std::string("thrust_below_needed"));
+        QCOMPARE(alerts[0].level, AlertLevel::warning);
+        QCOMPARE(alerts[0].text, feedSentence(verdict));
+    }
+
+    void theSentenceStatesTheThreshold() {
+        QVERIFY(textOf(feedSentence(*judgeFeed(drill(1000), 0.4))).contains("f I0 = 2 kN"));
+        QVERIFY(textOf(feedSentence(*judgeFeed(drill(2500), 0.4))).contains("f I0 (1+e) = 2.8 kN"));
+        QVERIFY(textOf(feedSentence(*judgeFeed(drill(3000), 0.4))).contains("f I0 (1+2e) = 3.6 kN"));
+        QVERIFY(textOf(feedSentence(*judgeFeed(drill(9000), 0.4))).contains("f I0 (1+2e) = 3.6 kN"));
+    }
+
+    // A bit at f I0 (1+e) hangs off the rock between blows; what too much feed does is not computed.
+    void nothingIsClaimedBeyondTheTheory() {
+        for (const double thrust : {1000.0, 2500.0, 3000.0, 9000.0}) {
+            const QString sentence = textOf(feedSentence(*judgeFeed(drill(thrust), 0.4)));
+            QVERIFY(!sentence.contains("hold", Qt::CaseInsensitive));
+            QVERIFY(!sentence.contains("over-feed", Qt::CaseInsensitive));
+        }
+        QVERIFY(textOf(feedAdvice(Feed::fullRate)).contains("leaves the rock between blows"));
+        QVERIFY(textOf(feedAdvice(Feed::backInTime)).contains("outside the model"));
+    }
+
+    void withoutAFrequencyThereIsNoVerdict() {
+        Scenario scenario = drill(1000);
+        scenario.drill.blowFrequency.reset();
+        QVERIFY(!judgeFeed(scenario, 0.4));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFeedVerdict)
+#include "core/model/alerts.h"
+#include "tst_feed_verdict.moc"

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One place that calls every solver.
+#include <QtTest>
+
+#include "core/blow/method.h"
+#include "core/wave/closed/closed_form.h"
+#include "tests/support/scenes.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+class TestMethod : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void namesReadBack() {
+        for (const std::string_view text : methodNames()) {
+            const std::optional<Method> method = findMethod(text);
+            QVERIFY(method && name(*method) == text);
+        }
+        QVERIFY(!findMethod("guess"));
+        QVERIFY(MethodChoice{}.method == Method::exact);
+    }
+
+    void everyMethodIsTheSolverOfItsName() {
+        const Scene scene{PulseShape::rectangular, {0.5, 1, 10, 0}};
+        const PulseForce pulse = pulseOf(scene);
+        MethodSolver solver;
+        LatticeSolver lattice;
+        const LatticeOptions options{.segments = 500};
+        // twice, because the workspace is kept
+        for (int i = 0; i < 2; ++i) {
+            QCOMPARE(solver.solve(pulse, scene.groups, Detail::cor).cor, solve(scene).cor);
+            QCOMPARE(solver.solve(pulse, scene.groups, Detail::cor, {Method::lattice, options}).cor,
+                     lattice.solve(pulse, scene.groups, Detail::cor, options).cor);
+            QCOMPARE(solver.solve(pulse, scene.groups, Detail::cor, {Method::closedForm, {}}).cor,
+                     closedFormRestitution(0.5));
+        }
+    }
+
+    void onlyTheClosedFormRefusesBlows() {
+        const Scene scene{PulseShape::rectangular, {0.5, 0.1, 10, 0}};
+        const PulseForce pulse = pulseOf(scene);
+        QCOMPARE(methodRefusal(Method::exact, pulse, scene.groups), std::string());
+        QCOMPARE(methodRefusal(Method::lattice, pulse, scene.groups), std::string());
+        const std::string refusal = methodRefusal(Method::closedForm, pulse, scene.groups);
+        QVERIFY(!refusal.empty());
+        const Impact impact =
+            MethodSolver().solve(pulse, scene.groups, Detail::cor, {Method::closedForm, {}});
+        QCOMPARE(impact.outcome, Outcome::notSolved);
+        QCOMPARE(impact.reason, refusal);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestMethod)
+#include "tst_method.moc"

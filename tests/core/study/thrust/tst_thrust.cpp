@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The feed force: its formula, its cases from this blow to the worst, and what the installed one means.
+#include <QtTest>
+
+#include <cmath>
+
+#include "core/blow/thrust.h"
+#include "core/model/scales.h"
+#include "core/study/thrust/thrust_study.h"
+#include "core/wave/exact/exact_solver.h"
+
+using namespace drillwave;
+
+namespace {
+
+/// The paper's Fig. 8 in steel: β = 0.5, γ = 0.1 unless set, τ = 10, no gap, 50 blows a second of 40 N s.
+Scenario drill(double gamma = 0.1) {
+    Scenario scenario;
+    scenario.pulse.impulse = 40;
+    scenario.drill.blowFrequency = 50;
+    scenario.bitRock.gamma = gamma;
+    const RodProperties rod = propertiesOf(scenario.rod);
+    scenario.rod.length = 10 * scenario.pulse.duration * rod.waveSpeed;
+    scenario.bitRock.stiffness = 0.5 * rod.impedance / scenario.pulse.duration;
+    return scenario;
+}
+
+}  // namespace
+
+class TestThrust : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void thrustIsFrequencyTimesImpulse();
+    void whereThereIsNoThrustTheReasonSaysWhatToDo();
+    void theCasesAreThoseOfTheTheory();
+    void anElasticRockNeedsMoreThanARigidOne();
+    void marginsAndFrequencyLimitFollowFromTheInstalledThrust();
+    void eachNeedJudgesTheFeedByItsOwnRebound();
+    void theMarginIsThatOfTheLargestNeed();
+    void theShareHeldIsTheShareOfGapsThatNeedLess();
+    void theReferenceCaseHasOneRebound();
+    void aStopEndsTheStudy();
+};
+
+void TestThrust::thrustIsFrequencyTimesImpulse() {
+    QCOMPARE(*thrustNeeded(drill(), 0.4), 50 * 40 * 1.4);
+    // A piston brings its own impulse, all of its momentum where impedances match.
+    Scenario piston = drill();
+    piston.pulse.shape = PulseShape::piston;
+    piston.pulse.piston.diameter = piston.rod.diameter;
+    const double mass =
+        piston.rod.density * M_PI / 4 * std::pow(piston.rod.diameter, 2) * piston.pulse.piston.length;
+    QVERIFY(std::abs(*thrustNeeded(piston, 0) / (50 * mass * piston.pulse.piston.velocity) - 1) < 1e-12);
+}
+
+void TestThrust::whereThereIsNoThrustTheReasonSaysWhatToDo() {
+    Scenario scenario = drill();
+    QCOMPARE(thrustProblem(scenario), std::string());
+    scenario.drill.blowFrequency.reset();
+    QVERIFY(!thrustNeeded(scenario, 0.4));
+    QVERIFY(thrustProblem(scenario).find("drill.blow_frequency") != std::string::npos);
+    scenario = drill();
+    scenario.form = ScenarioForm::dimensionless;
+    QVERIFY(!thrustNeeded(scenario, 0.4));
+    QVERIFY(thrustProblem(scenario).find("physical units") != std::string::npos);
+}
+
+// theory §7, at these groups: e = 0.4067107 at no gap; the elastic worst is e = 1.4010825.
+void TestThrust::theCasesAreThoseOfTheTheory() {
+    const ThrustStudy study = studyThrust(drill());
+    QCOMPARE(study.reason, std::string());
+    QVERIFY(std::abs(study.need(ThrustCase::scenario).cor.value - 0.40671074387478970) < 1e-12);
+    QCOMPARE(study.need(ThrustCase::rigidRock).cor.value, 1.0);
+    QVERIFY(std::abs(study.need(ThrustCase::elasticWorst).cor.value - 1.4010824845070556) < 1e-10);
+    const GapCurve curve = gapCurve(pulseForceOf(drill()), groupsOf(drill()), Detail::cor);
+    QCOMPARE(study.need(ThrustCase::gapQuantile).cor.value,
+             gapStatistics(curve).of(GapOutput::cor).uniform.quantiles[2].value);
+    for (const ThrustNeed& need : study.needs) {
+        QCOMPARE(need.thrust, 50 * 40 * (1 + need.cor.value));
+        QCOMPARE(need.thrustUndamped, 50 * 40 * (1 + 2 * need.cor.value));
+    }
+}
+
+// The paper, section 6: with e = 1.4 some 20 % more thrust than for rigid rock.
+void TestThrust::anElasticRockNeedsMoreThanARigidOne() {
+    const ThrustStudy study = studyThrust(drill());
+    const double ratio =
+        study.need(ThrustCase::elasticWorst).thrust / study.need(ThrustCase::rigidRock).thrust;
+    QVERIFY(std::abs(ratio - 1.2) < 0.005);
+    QCOMPARE(&study.largestNeed(), &study.need(ThrustCase::elasticWorst));
+}
+
+void TestThrust::marginsAndFrequencyLimitFollowFromTheInstalledThrust() {
+    Scenario scenario = drill();
+    QVERIFY(!studyThrust(scenario).need(ThrustCase::rigidRock).margin);
+    QVERIFY(!studyThrust(scenario).shareFull);
+    scenario.drill.thrust = 5000;
+    const ThrustStudy study = studyThrust(scenario);
+    QCOMPARE(*study.need(ThrustCase::rigidRock).margin, 0.25);  // 4000 N needed
+    QCOMPARE(*study.need(ThrustCase::rigidRock).frequencyLimit, 62.5);
+    // At the limit the installed thrust is just what is needed.
+    scenario.drill.blowFrequency = *study.need(ThrustCase::elasticWorst).frequencyLimit;
+    QVERIFY(std::abs(*studyThrust(scenario).need(ThrustCase::elasticWorst).margin) < 1e-12);
+}
+
+// Needs for full penetration: 2813 N here, 2892 N for 95 % of gaps, 4000 N on rigid, 4802 N on the worst
+// rock.
+void TestThrust::eachNeedJudgesTheFeedByItsOwnRebound() {
+    Scenario scenario = drill();
+    scenario.drill.thrust = 4200;
+    const ThrustStudy study = studyThrust(scenario);
+    // This blow: f I0 (1+2e) = 3627 N.
+    QCOMPARE(study.verdict.feed, Feed::backInTime);
+    QCOMPARE(study.need(ThrustCase::scenario).feed, Feed::backInTime);
+    QCOMPARE(study.need(ThrustCase::rigidRock).feed, Feed::fullRate);
+    QCOMPARE(study.need(ThrustCase::elasticWorst).feed, Feed::penetrationLost);
+    QCOMPARE(study.verdict, *judgeFeed(scenario, study.need(ThrustCase::scenario).cor.value));
+}
+
+void TestThrust::theMarginIsThatOfTheLargestNeed() {
+    Scenario scenario = drill();
+    QVERIFY(!studyThrust(scenario).margin());
+    scenario.drill.thrust = 4200;
+    const ThrustStudy study = studyThrust(scenario);
+    QCOMPARE(*study.margin(), 4200 / study.need(ThrustCase::elasticWorst).thrust - 1);
+    QVERIFY(*study.margin() < 0);
+}
+
+void TestThrust::theShareHeldIsTheShareOfGapsThatNeedLess() {
+    Scenario scenario = drill(1);
+    // Just enough for rigid rock: held at gaps with e ≤ 1 (theory §7).
+    scenario.drill.thrust = *thrustNeeded(scenario, 1);
+    QVERIFY(std::abs(*studyThrust(scenario).shareFull - (1 - 0.548346)) < 5.1e-7);
+    scenario.drill.thrust = *thrustNeeded(scenario, 0.84);
+    QCOMPARE(*studyThrust(scenario).shareFull, 0.0);
+    scenario.drill.thrust = *thrustNeeded(scenario, 1.41);
+    QCOMPARE(*studyThrust(scenario).shareFull, 1.0);
+}
+
+void TestThrust::theReferenceCaseHasOneRebound() {
+    Scenario scenario = drill();
+    scenario.pulse.shape = PulseShape::rigidBody;
+    const ThrustStudy study = studyThrust(scenario);
+    QCOMPARE(study.need(ThrustCase::gapQuantile).cor.value, study.need(ThrustCase::scenario).cor.value);
+}
+
+void TestThrust::aStopEndsTheStudy() {
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(studyThrust(drill(), stop.get_token()).stopped);
+}
+
+QTEST_GUILESS_MAIN(TestThrust)
+#include "tst_thrust.moc"

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The largest forces in the rod, against the wave field looked at everywhere.
+#include <QtTest>
+
+#include "core/wave/field/rod_forces.h"
+#include "core/wave/field/wave_field.h"
+#include "tests/support/scenes.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+namespace {
+
+RodForces forcesOf(const Scene& scene) {
+    return largestRodForces(solve(scene, Detail::histories), pulseOf(scene));
+}
+
+/// Compressive force at a place and time.
+double compressionAt(const Impact& impact, double section, double time) {
+    return -positiveWave(impact, section, time) - negativeWave(impact, section, time);
+}
+
+/// The largest of sign·(−N) in a close neighbourhood: at a jump the largest value is there on one side only.
+double nearby(const Impact& impact, double sign, const RodForce& at) {
+    double most = 0;
+    const double tau = impact.roundTrip / 2;
+    for (const double dx : {-1e-7, 0.0, 1e-7})
+        for (const double dt : {-3e-7, -1e-7, 0.0, 1e-7, 3e-7})
+            most = std::max(most, sign * compressionAt(impact, std::clamp(at.section + dx, 0.0, 1.0),
+                                                       at.time + dt * tau));
+    return most;
+}
+
+}  // namespace
+
+class TestRodForces : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void rigidRockDoublesThePulseAtTheBit() {
+        // The incident force comes back on top of itself, and then from the free rear end as tension.
+        const RodForces forces = forcesOf({PulseShape::halfSine, {1e6, 1, 10, 0}});
+        const double peak = std::acos(-1.0) / 2;
+        QVERIFY(std::abs(forces.compression.size - 2 * peak) < 1e-4);
+        QVERIFY(std::abs(forces.compression.section - 1) < 1e-4);
+        QVERIFY(std::abs(forces.compression.time - 10.5) < 0.02);
+        QVERIFY(std::abs(forces.tension.size - peak) < 1e-4);
+    }
+
+    void wavesThatMeetAfterABlowAddUp() {
+        // Stiff rock lets the first instant of a jump back as tension, the last one as twice the force: thin
+        // waves of +1 and −2 that meet in the rod after the blow.
+        const RodForces forces = forcesOf({PulseShape::rectangular, {1e6, 1, 10, 0}});
+        QVERIFY(std::abs(forces.compressionAfter.size - 3) < 1e-9);
+        QVERIFY(std::abs(forces.tensionAfter.size - 3) < 1e-9);
+        // They are one t0 apart and meet half of that from an end.
+        QVERIFY(std::abs(forces.compressionAfter.section - 0.05) < 1e-6);
+        QVERIFY(std::abs(forces.tensionAfter.section - 0.95) < 1e-6);
+        // The first meeting, as compression at the struck end, is less than a transit after the last
+        // separation.
+        QVERIFY2(std::abs(forces.compression.size - 3) < 1e-9,
+                 qPrintable(QString::number(forces.compression.size)));
+    }
+
+    void everySectionAndTimeStaysBelow_data() {
+        QTest::addColumn<Scene>("scene");
+        QTest::newRow("paper Fig. 4 (a)") << Scene{PulseShape::rectangular, {0.5, 1, 10, 0}};
+        QTest::newRow("paper Fig. 4 (b)") << Scene{PulseShape::rectangular, {0.5, 0.1, 10, 0}};
+        QTest::newRow("triangular") << Scene{PulseShape::triangular, {0.9, 0.3, 2.3, 0.4}};
+        QTest::newRow("half sine") << Scene{PulseShape::halfSine, {2, 0.05, 3.3, 0.9}};
+        QTest::newRow("hammer longer than a round trip")
+            << Scene{PulseShape::trapezoid, {0.7, 0.3, 0.21, 0.4}};
+        QTest::newRow("piston") << Scene{PulseShape::piston, {5, 0.2, 1.7, 0}};
+        QTest::newRow("reference case") << Scene{PulseShape::rigidBody, {0.5, 0.1, 2, 0}};
+        QTest::newRow("gap of ten periods") << Scene{PulseShape::rectangular, {0.7, 0.3, 4, 10.3}};
+    }
+
+    void everySectionAndTimeStaysBelow() {
+        QFETCH(Scene, scene);
+        const Impact impact = solve(scene, Detail::histories);
+        const RodForces found = largestRodForces(impact, pulseOf(scene));
+        const double tolerance = 2e-4 * impact.peakForce + 1e-12;
+        const double blowEnd = impact.separationTime + impact.roundTrip / 2;
+        const double end = timeOfRecorded(impact, impact.incident.end()) + 2 * impact.roundTrip;
+        double during[2] = {0, 0}, after[2] = {0, 0};  // compression, tension
+        constexpr int sections = 97, times = 4001;     // beside the fronts
+        for (int i = 0; i <= sections; ++i)
+            for (int j = 0; j <= times; ++j) {
+                const double time = end * j / times;
+                const double N = compressionAt(impact, double(i) / sections, time);
+                double* most = time <= blowEnd ? during : after;
+                most[0] = std::max(most[0], N);
+                most[1] = std::max(most[1], -N);
+            }
+        QVERIFY2(during[0] <= found.compression.size + tolerance, qPrintable(QString::number(during[0])));
+        QVERIFY2(during[1] <= found.tension.size + tolerance, qPrintable(QString::number(during[1])));
+        QVERIFY2(after[0] <= found.compressionAfter.size + tolerance, qPrintable(QString::number(after[0])));
+        QVERIFY2(after[1] <= found.tensionAfter.size + tolerance, qPrintable(QString::number(after[1])));
+        for (const RodForce& force : {found.compression, found.tension})
+            QVERIFY(force.time <= blowEnd + 1e-9);
+        for (const RodForce& force : {found.compressionAfter, found.tensionAfter})
+            QVERIFY(force.size == 0 || force.time >= blowEnd - 1e-9);
+        QVERIFY(found.compression.size >= pulseOf(scene).peak);  // at the struck end
+        // and the place and time that are told do have it
+        QVERIFY(std::abs(nearby(impact, 1, found.compression) - found.compression.size) <= tolerance);
+        QVERIFY(std::abs(nearby(impact, -1, found.tension) - found.tension.size) <= tolerance);
+        QVERIFY(std::abs(nearby(impact, 1, found.compressionAfter) - found.compressionAfter.size) <=
+                tolerance);
+        QVERIFY(std::abs(nearby(impact, -1, found.tensionAfter) - found.tensionAfter.size) <= tolerance);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRodForces)
+#include "tst_rod_forces.moc"

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scenario panel on its own, with its document, answers to its questions, and folders that go with it.
+#pragma once
+
+#include <QFile>
+#include <QLocale>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/file/examples.h"
+#include "tests/support/scripted_questions.h"
+#include "ui/form/scenario_panel.h"
+
+namespace drillwave {
+
+/// Settings and the user's presets are kept in the fixture's folder.
+struct PanelFixture {
+    QTemporaryDir folder;
+    ScriptedAnswers answers;
+    ScriptedQuestions questions{answers};
+    Document document;
+    std::unique_ptr<ScenarioPanel> panel;
+
+    PanelFixture() {
+        QLocale::setDefault(QLocale::c());
+        qputenv("XDG_CONFIG_HOME", QFile::encodeName(folder.filePath(QStringLiteral("config"))));
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                           folder.filePath(QStringLiteral("settings")));
+        document.startFrom(defaultExample().text, QStringLiteral("example"));
+        makePanel();
+    }
+
+    /// As at the next start of the program.
+    void makePanel() {
+        panel = std::make_unique<ScenarioPanel>(document, questions);
+        panel->resize(420, 900);
+        panel->show();
+    }
+
+    QString write(const QString& name, const QByteArray& bytes) const {
+        QFile file(folder.filePath(name));
+        if (file.open(QIODevice::WriteOnly)) file.write(bytes);
+        return file.fileName();
+    }
+
+    template <typename Widget>
+    Widget& find(const char* name) const {
+        auto* widget = panel->findChild<Widget*>(QLatin1String(name));
+        if (!widget) qFatal("the panel has no %s", name);
+        return *widget;
+    }
+
+    /// Chooses an entry of a combo box as a user would; false if it has none of that text.
+    static bool choose(QComboBox& box, const QString& text) {
+        const int index = box.findText(text);
+        if (index < 0) return false;
+        box.setCurrentIndex(index);
+        emit box.activated(index);
+        return true;
+    }
+
+    void undoAll() {
+        while (document.undoStack().canUndo()) document.undoStack().undo();
+    }
+};
+
+}  // namespace drillwave

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/program.h"
+
+#include <QFile>
+#include <QJsonDocument>
+#include <QProcess>
+
+namespace drillwave::test {
+
+Finished run(const QStringList& words, const QProcessEnvironment& environment) {
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(DRILLWAVE_PROGRAM), words);
+    if (!process.waitForFinished(60000)) {
+        process.kill();
+        process.waitForFinished();
+        return {};
+    }
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+const QJsonObject json(const QStringList& words) {
+    const Finished finished = run(words + QStringList{"--json"});
+    if (finished.exitCode != 0) qFatal("%s", finished.error.constData());
+    return QJsonDocument::fromJson(finished.out).object();
+}
+
+QString example(const QString& name) {
+    return QStringLiteral(DRILLWAVE_SOURCE_DIR "/resources/examples/") + name + QStringLiteral(".yaml");
+}
+
+QByteArray read(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) qFatal("cannot read %s", qPrintable(path));
+    return file.readAll();
+}
+
+void write(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        qFatal("cannot write %s", qPrintable(path));
+}
+
+}  // namespace drillwave::test

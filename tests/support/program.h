@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the built program as a shell would.
+#pragma once
+
+#include <QByteArray>
+#include <QJsonObject>
+#include <QProcessEnvironment>
+#include <QString>
+#include <QStringList>
+
+namespace drillwave::test {
+
+/// What a run of the program left behind.
+struct Finished {
+    int exitCode = -1;  ///< −1 when it did not end by itself in a minute
+    QByteArray out;
+    QByteArray error;
+};
+
+Finished run(const QStringList& words,
+             const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment());
+
+/// What `words --json` prints; the test ends where that fails. Constant, so that its [] reads and never adds.
+const QJsonObject json(const QStringList& words);
+
+/// Path of a file of resources/examples.
+QString example(const QString& name);
+
+QByteArray read(const QString& path);
+void write(const QString& path, const QByteArray& bytes);
+
+}  // namespace drillwave::test

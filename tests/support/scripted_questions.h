@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Answers to the window's questions that a test has prepared, and a record of what it was told.
+#pragma once
+
+#include <QStringList>
+
+#include "ui/questions/questions.h"
+
+namespace drillwave {
+
+struct ScriptedAnswers {
+    Questions::Unsaved unsaved = Questions::Unsaved::cancel;
+    QString open;
+    QString import;
+    QString save;
+    QString exportTo;
+    QString folder;
+    std::optional<PictureChoice> picture;
+    bool confirm = false;
+    Questions::Recovery recovery = Questions::Recovery::later;
+    int unsavedAsked = 0;
+    int importAsked = 0;
+    QStringList confirmed;  ///< what was to be confirmed
+    QStringList found;      ///< what could have been recovered
+    QStringList told;
+};
+
+class ScriptedQuestions : public Questions {
+  public:
+    explicit ScriptedQuestions(ScriptedAnswers& answers) : m_answers(answers) {}
+
+    Unsaved unsavedChanges(QWidget* /*parent*/, const QString& /*name*/) override {
+        ++m_answers.unsavedAsked;
+        return m_answers.unsaved;
+    }
+    QString fileToOpen(QWidget* /*parent*/, const QString& /*folder*/) override { return m_answers.open; }
+    QString fileToImport(QWidget* /*parent*/, const QString& /*title*/, const QString& /*folder*/,
+                         const QString& /*filter*/) override {
+        ++m_answers.importAsked;
+        return m_answers.import;
+    }
+    QString fileToSave(QWidget* /*parent*/, const QString& /*suggestion*/) override { return m_answers.save; }
+    QString fileToExport(QWidget* /*parent*/, const QString& /*title*/, const QString& /*suggestion*/,
+                         const QString& /*filter*/) override {
+        return m_answers.exportTo;
+    }
+    QString folderToExport(QWidget* /*parent*/, const QString& /*suggestion*/) override {
+        return m_answers.folder;
+    }
+    std::optional<PictureChoice> picture(QWidget* /*parent*/, const PictureChoice& /*before*/) override {
+        return m_answers.picture;
+    }
+    bool confirm(QWidget* /*parent*/, const QString& question, const QString& details,
+                 const QString& /*action*/) override {
+        m_answers.confirmed.append(question + QLatin1Char('\n') + details);
+        return m_answers.confirm;
+    }
+    Recovery recover(QWidget* /*parent*/, const QString& name, const QString& details) override {
+        m_answers.found.append(name + QLatin1Char('\n') + details);
+        return m_answers.recovery;
+    }
+    void tell(QWidget* /*parent*/, Tone /*tone*/, const QString& what, const QString& details) override {
+        m_answers.told.append(what + QLatin1Char('\n') + details);
+    }
+
+  private:
+    ScriptedAnswers& m_answers;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unsaved changes survive the death of the program, and only that.
+#include <QDir>
+#include <QFile>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/file/examples.h"
+#include "tests/support/child_process.h"
+#include "tests/support/scripted_questions.h"
+#include "ui/document/lost_changes.h"
+#include "ui/document/recovery.h"
+#include "ui/window/main_window.h"
+
+using namespace drillwave;
+
+namespace {
+
+SolveJob::Solve exactSolve() {
+    auto solver = std::make_shared<ExactSolver>();
+    return [solver](const SolveRequest& request) { return solveBlow(request, *solver); };
+}
+
+std::unique_ptr<MainWindow> newWindow(ScriptedAnswers& answers) {
+    return std::make_unique<MainWindow>(std::make_unique<ScriptedQuestions>(answers), exactSolve());
+}
+
+void setLength(Document& document, double metres) {
+    document.assign(*findParameter("rod.length"), metres, 1);
+}
+
+QStringList recoveryFiles(const QString& folder) {
+    return QDir(folder).entryList({QStringLiteral("*.recovery")}, QDir::Files);
+}
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void writeBytes(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+}
+
+void keepSettingsIn(const QString& folder) {
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder + QStringLiteral("/settings"));
+}
+
+// A window with an unsaved change to a file, until it is killed.
+int editForEver(const QString& folder, const QString& path) {
+    keepSettingsIn(QFileInfo(folder).path());
+    ScriptedAnswers answers;
+    const auto window = newWindow(answers);
+    window->startRecovery(folder);
+    if (!window->openFile(path)) return 1;
+    setLength(window->document(), 5);
+    if (!QTest::qWaitFor([&] { return !recoveryFiles(folder).isEmpty(); })) return 1;
+    sayReady();
+    return QCoreApplication::exec();
+}
+
+}  // namespace
+
+class TestRecovery : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init();
+    void cleanup();
+    void changesAreKeptSoonAndRemovedWhenSaved();
+    void anEndLeavesNothing();
+    void aLivingInstanceKeepsItsChanges();
+    void changesOfAKilledProgramAreRestored();
+    void laterKeepsThemAndDiscardRemovesThem();
+    void aDamagedFileIsToldOfOnceAndKept_data();
+    void aDamagedFileIsToldOfOnceAndKept();
+    void locksOfTheDeadAreRemoved();
+    void aFolderThatCannotBeWrittenIsToldOfOnce();
+
+  private:
+    void leaveChangesOfAKilledProgram();
+
+    std::unique_ptr<QTemporaryDir> m_place;
+    QString m_folder;
+    QString m_original;
+    ScriptedAnswers m_answers;
+};
+
+void TestRecovery::init() {
+    m_place = std::make_unique<QTemporaryDir>();
+    keepSettingsIn(m_place->path());
+    m_folder = m_place->filePath(QStringLiteral("recovery"));
+    m_original = m_place->filePath(QStringLiteral("original.yaml"));
+    writeBytes(m_original, QByteArray(defaultExample().text.data(), qsizetype(defaultExample().text.size())));
+    m_answers = {};
+}
+
+void TestRecovery::cleanup() {
+    m_place.reset();
+}
+
+void TestRecovery::leaveChangesOfAKilledProgram() {
+    QProcess child;
+    QVERIFY(startChild(child, {QStringLiteral("--edit"), m_folder, m_original}));
+    QVERIFY(findLostChanges(m_folder).empty());  // it is alive
+    QVERIFY(killChild(child));
+    QCOMPARE(recoveryFiles(m_folder).size(), 1);
+}
+
+void TestRecovery::changesAreKeptSoonAndRemovedWhenSaved() {
+    Document document;
+    QCOMPARE(document.open(m_original), QString());
+    const Recovery recovery(document, m_folder);
+    setLength(document, 5);
+    QTRY_VERIFY(bytesOf(recovery.file()).contains("length: 5 m"));
+    setLength(document, 6);
+    QTRY_VERIFY(bytesOf(recovery.file()).contains("length: 6 m"));
+    document.undoStack().undo();
+    QTRY_VERIFY(!QFile::exists(recovery.file()));
+    setLength(document, 7);
+    QTRY_VERIFY(QFile::exists(recovery.file()));
+    QCOMPARE(document.save(m_original), QString());
+    QTRY_VERIFY(!QFile::exists(recovery.file()));
+}
+
+void TestRecovery::anEndLeavesNothing() {
+    const auto window = newWindow(m_answers);
+    window->startRecovery(m_folder);
+    setLength(window->document(), 5);
+    QTRY_COMPARE(recoveryFiles(m_folder).size(), 1);
+    m_answers.unsaved = Questions::Unsaved::cancel;
+    QVERIFY(!window->close());
+    QCOMPARE(recoveryFiles(m_folder).size(), 1);
+    m_answers.unsaved = Questions::Unsaved::discard;
+    QVERIFY(window->close());
+    QCOMPARE(recoveryFiles(m_folder).size(), 0);
+    QCOMPARE(m_answers.found, QStringList());
+}
+
+void TestRecovery::aLivingInstanceKeepsItsChanges() {
+    const auto first = newWindow(m_answers);
+    first->startRecovery(m_folder);
+    setLength(first->document(), 5);
+    QTRY_COMPARE(recoveryFiles(m_folder).size(), 1);
+    m_answers.recovery = Questions::Recovery::restore;
+    const auto second = newWindow(m_answers);
+    second->startRecovery(m_folder);
+    QCOMPARE(m_answers.found, QStringList());
+    QVERIFY(!second->document().isModified());
+    QCOMPARE(recoveryFiles(m_folder).size(), 1);
+}
+
+void TestRecovery::changesOfAKilledProgramAreRestored() {
+    const QByteArray original = bytesOf(m_original);
+    leaveChangesOfAKilledProgram();
+    m_answers.recovery = Questions::Recovery::restore;
+    const auto window = newWindow(m_answers);
+    window->startRecovery(m_folder);
+    QCOMPARE(m_answers.found.size(), 1);
+    QVERIFY2(m_answers.found.first().contains(QStringLiteral("original.yaml")),
+             qPrintable(m_answers.found.first()));
+    const Document& document = window->document();
+    QByteArray expected = original;
+    expected.replace("length: 3.66 m              # a 12 ft extension rod", "length: 5 m");
+    QCOMPARE(document.text().simplified(), expected.simplified());
+    QVERIFY(document.isModified());
+    QVERIFY(window->isWindowModified());
+    // What is opened next is as it was read, whatever came before.
+    {
+        const auto other = newWindow(m_answers);
+        other->document().markUnsaved();
+        QVERIFY(other->openFile(m_original));
+        QVERIFY(!other->document().isModified());
+        QVERIFY(!other->isWindowModified());
+        other->document().markUnsaved();
+        other->document().start();
+        QVERIFY(!other->document().isModified());
+    }
+    // It does not know its file, so no save can hit it unasked; and it is safe again already.
+    QCOMPARE(document.path(), QString());
+    QCOMPARE(document.suggestedPath(), m_original);
+    QCOMPARE(bytesOf(m_original), original);
+    QCOMPARE(recoveryFiles(m_folder).size(), 1);
+    QVERIFY(findLostChanges(m_folder).empty());
+}
+
+void TestRecovery::laterKeepsThemAndDiscardRemovesThem() {
+    leaveChangesOfAKilledProgram();
+    m_answers.recovery = Questions::Recovery::later;
+    newWindow(m_answers)->startRecovery(m_folder);
+    QCOMPARE(recoveryFiles(m_folder).size(), 1);
+    m_answers.recovery = Questions::Recovery::discard;
+    const auto window = newWindow(m_answers);
+    window->startRecovery(m_folder);
+    QCOMPARE(m_answers.found.size(), 2);
+    QCOMPARE(recoveryFiles(m_folder).size(), 0);
+    QVERIFY(!window->document().isModified());
+}
+
+void TestRecovery::aDamagedFileIsToldOfOnceAndKept_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::newRow("cut off") << QByteArray(R"({"drillwave_recovery": 1, "scen)");
+    QTest::newRow("empty") << QByteArray();
+    QTest::newRow("binary") << QByteArray("\0\1\2\3", 4);
+    QTest::newRow("another format") << QByteArray(R"({"drillwave_recovery": 2, "scenario": "drillwave: 1"})");
+    QTest::newRow("not a scenario") << QByteArray(R"({"drillwave_recovery": 1, "scenario": "rodd: 1"})");
+}
+
+void TestRecovery::aDamagedFileIsToldOfOnceAndKept() {
+    QFETCH(QByteArray, bytes);
+    QVERIFY(QDir().mkpath(m_folder));
+    writeBytes(QDir(m_folder).filePath(QStringLiteral("a.recovery")), bytes);
+    m_answers.recovery = Questions::Recovery::restore;
+    for (int start = 0; start < 2; ++start) {
+        const auto window = newWindow(m_answers);
+        const Scenario before = window->document().scenario();
+        window->startRecovery(m_folder);
+        QCOMPARE(m_answers.told.size(), 1);
+        QVERIFY(window->document().scenario() == before);
+    }
+    QCOMPARE(bytesOf(QDir(m_folder).filePath(QStringLiteral("a.damaged"))), bytes);
+}
+
+void TestRecovery::locksOfTheDeadAreRemoved() {
+    QProcess child;
+    QVERIFY(startChild(child, {QStringLiteral("--edit"), m_folder, m_original}));
+    QVERIFY(killChild(child));
+    for (const QString& name : recoveryFiles(m_folder)) QFile::remove(QDir(m_folder).filePath(name));
+    QCOMPARE(QDir(m_folder).entryList(QDir::Files).size(), 1);
+    QVERIFY(findLostChanges(m_folder).empty());
+    QCOMPARE(QDir(m_folder).entryList(QDir::Files), QStringList());
+}
+
+void TestRecovery::aFolderThatCannotBeWrittenIsToldOfOnce() {
+    writeBytes(m_folder, "a file where the folder should be");
+    const auto window = newWindow(m_answers);
+    window->startRecovery(m_folder);
+    setLength(window->document(), 5);
+    QTRY_COMPARE(m_answers.told.size(), 1);
+    setLength(window->document(), 6);
+    QTest::qWait(1200);
+    QCOMPARE(m_answers.told.size(), 1);
+    QCOMPARE(window->document().scenario().rod.length, 6.0);
+}
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    const QStringList words = QCoreApplication::arguments();
+    if (words.value(1) == QLatin1String("--edit")) return editForEver(words.value(2), words.value(3));
+    TestRecovery test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "tst_recovery.moc"

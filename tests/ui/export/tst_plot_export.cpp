@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QImage>
+#include <QTest>
+#include <QXmlStreamReader>
+
+#include "core/model/pulse_force.h"
+#include "core/model/scales.h"
+#include "core/wave/exact/exact_solver.h"
+#include "ui/export/plot_export.h"
+#include "ui/plot/plot_style.h"
+
+using namespace drillwave;
+
+namespace {
+
+Impact solved(const Scenario& scenario, Detail detail = Detail::histories) {
+    return ExactSolver().solve(pulseForceOf(scenario), groupsOf(scenario), detail);
+}
+
+// The one of that name; empty when there is none.
+QByteArray picture(const BlowPictures& pictures, const char* name) {
+    for (const NamedFile& file : pictures.files)
+        if (file.name == QLatin1String(name)) return file.bytes;
+    return {};
+}
+
+QString textsOf(const QByteArray& svg) {
+    QXmlStreamReader xml(svg);
+    QString texts;
+    while (!xml.atEnd())
+        if (xml.readNext() == QXmlStreamReader::Characters)
+            texts += xml.text().toString().trimmed() + QLatin1Char('\n');
+    return texts;
+}
+
+// Pixels of that very colour in a band of rows.
+int count(const QImage& image, QColor color, double from, double to) {
+    int found = 0;
+    for (int y = int(from * image.height()); y < int(to * image.height()); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (image.pixelColor(x, y) == color) ++found;
+    return found;
+}
+
+}  // namespace
+
+class TestPlotExport : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init() { QLocale::setDefault(QLocale::c()); }
+    void everyFormatIsDrawn();
+    void thePngShowsFourPlotsOnWhite();
+    void theSvgNamesFourPlotsWithTheirUnits();
+    void pngAndSvgAreTheSameBytesEveryTime();
+    void filesDoNotDependOnTheLocale();
+    void aStopEndsTheDrawing();
+    void failuresAreToldInOneLine_data();
+    void failuresAreToldInOneLine();
+
+  private:
+    BlowPictures drawn(const QStringList& formats) const {
+        return drawBlowPlots(m_scenario, solved(m_scenario), formats);
+    }
+    Scenario m_scenario;
+};
+
+void TestPlotExport::everyFormatIsDrawn() {
+    const BlowPictures pictures = drawn(plotFormats());
+    QCOMPARE(pictures.problem, QString());
+    QCOMPARE(pictures.files.size(), std::size_t{6});
+    for (const NamedFile& file : pictures.files) QVERIFY2(file.bytes.size() > 2000, qPrintable(file.name));
+    QVERIFY(picture(pictures, "blow.pdf").startsWith("%PDF-"));
+}
+
+void TestPlotExport::thePngShowsFourPlotsOnWhite() {
+    const QImage image = QImage::fromData(picture(drawn({QStringLiteral("png")}), "blow.png"));
+    QCOMPARE(image.pixelColor(0, 0), QColor(Qt::white));
+    QVERIFY(image.width() * 25.4 / 180 >= 150);  // 180 mm wide at 150 dpi or more
+    const PlotStyle style = PlotStyle::forPaper();
+    for (int plot = 0; plot < 4; ++plot)
+        QVERIFY2(count(image, style.lines[0], plot / 4.0, (plot + 1) / 4.0) > 300,
+                 qPrintable(QString::number(plot)));
+    for (int wave = 1; wave < 4; ++wave) QVERIFY(count(image, style.lines[wave], 0, 0.25) > 50);
+}
+
+void TestPlotExport::theSvgNamesFourPlotsWithTheirUnits() {
+    const QStringList svg{QStringLiteral("svg")};
+    const QString texts = textsOf(picture(drawn(svg), "blow.svg"));
+    for (const char* text :
+         {"waves at x/L = 0.50", "N₀ₚ", "N₁ₙ", "N₂ₚ", "N₃ₙ", "N [kN]", "impact force F", "F [kN]",
+          "impulse of the impact force I", "I [N s]", "momentum of the rod p", "p [N s]", "time t [ms]"})
+        QVERIFY2(texts.contains(QString::fromUtf8(text)), text);
+    Scenario scenario;
+    scenario.form = ScenarioForm::dimensionless;
+    const QString dimensionless =
+        textsOf(picture(drawBlowPlots(scenario, solved(scenario), svg), "blow.svg"));
+    QVERIFY(dimensionless.contains(QStringLiteral("F / F₀")));
+    QVERIFY(dimensionless.contains(QStringLiteral("time t / t₀")));
+}
+
+void TestPlotExport::pngAndSvgAreTheSameBytesEveryTime() {
+    const QStringList formats{QStringLiteral("png"), QStringLiteral("svg")};
+    const BlowPictures first = drawn(formats);
+    const BlowPictures second = drawn(formats);
+    for (const char* name : {"blow.png", "blow.svg", "rock.png", "rock.svg"}) {
+        QVERIFY(!picture(first, name).isEmpty());
+        QCOMPARE(picture(first, name), picture(second, name));
+    }
+}
+
+void TestPlotExport::filesDoNotDependOnTheLocale() {
+    const QStringList formats{QStringLiteral("svg")};
+    const QByteArray plain = picture(drawn(formats), "rock.svg");
+    QVERIFY(textsOf(plain).contains(QStringLiteral("0.5")));
+    QLocale::setDefault(QLocale(QStringLiteral("de_DE")));
+    QCOMPARE(picture(drawn(formats), "rock.svg"), plain);
+}
+
+void TestPlotExport::aStopEndsTheDrawing() {
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(drawBlowPlots(m_scenario, solved(m_scenario), plotFormats(), stop.get_token()).files.empty());
+}
+
+void TestPlotExport::failuresAreToldInOneLine_data() {
+    QTest::addColumn<QString>("format");
+    QTest::addColumn<bool>("histories");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("unknown format") << "gif" << true << "png, svg, pdf";
+    QTest::newRow("no histories") << "png" << false << "histories";
+}
+
+void TestPlotExport::failuresAreToldInOneLine() {
+    QFETCH(QString, format);
+    QFETCH(bool, histories);
+    QFETCH(QString, says);
+    const Impact impact = solved(m_scenario, histories ? Detail::histories : Detail::summary);
+    const BlowPictures pictures = drawBlowPlots(m_scenario, impact, {format});
+    QVERIFY(pictures.files.empty());
+    QVERIFY2(pictures.problem.contains(says), qPrintable(pictures.problem));
+    QVERIFY(!pictures.problem.contains(QLatin1Char('\n')));
+}
+
+QTEST_MAIN(TestPlotExport)
+#include "tst_plot_export.moc"
+#include "ui/plot/plot_rendering.h"

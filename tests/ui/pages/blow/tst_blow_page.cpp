@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSettings>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/wave/field/wave_field.h"
+#include "tests/support/scripted_questions.h"
+#include "ui/form/quantity_slider.h"
+#include "ui/form/scenario_panel.h"
+#include "ui/pages/blow/blow_instant.h"
+#include "ui/pages/blow/blow_meanings.h"
+#include "ui/pages/blow/blow_page.h"
+#include "ui/window/main_window.h"
+
+using namespace drillwave;
+
+namespace {
+
+SolvedBlowPtr solved(const BlowPage& page, const Scenario& scenario, UnitSystem units) {
+    SolveRequest request;
+    request.scenario = scenario;
+    request.units = units;
+    page.addNeeds(request);
+    ExactSolver solver;
+    return solveBlow(request, solver);
+}
+
+Scenario dimensionless(const Groups& groups) {
+    Scenario scenario;
+    scenario.form = ScenarioForm::dimensionless;
+    scenario.groups = groups;
+    return scenario;
+}
+
+}  // namespace
+
+class TestBlowPage : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void init();
+    void arrowKeysMoveTheSection();
+    void aSectionOfManyDigitsIsKept();
+    void thePlaceIsGivenInMetresWhereThereIsALength();
+    void theInstantOfTheTimeCursorIsRead();
+    void anInstantAddsUp();
+    void anUnsolvedBlowSaysWhy();
+    void theTimeCursorIsShared();
+    void cursorsStayInTheirPlaceInOtherUnits();
+    void cursorsReadExactImpulses_data();
+    void cursorsReadExactImpulses();
+    void whatIsReadOutlivesTheBlow();
+    void aHeldSliderLeavesAGhostUntilItIsReleased();
+
+  private:
+    QLabel* label(const char* name) const { return m_page->findChild<QLabel*>(QLatin1String(name)); }
+    QDoubleSpinBox* section() const { return m_page->findChild<QDoubleSpinBox*>(QStringLiteral("section")); }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<Observation> m_observation;
+    std::unique_ptr<BlowPage> m_page;
+};
+
+void TestBlowPage::initTestCase() {
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+}
+
+void TestBlowPage::init() {
+    QLocale::setDefault(QLocale::c());
+    m_page.reset();
+    m_observation = std::make_unique<Observation>();
+    m_page = std::make_unique<BlowPage>(*m_observation);
+    m_page->resize(700, 700);
+    m_page->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+}
+
+void TestBlowPage::arrowKeysMoveTheSection() {
+    section()->setFocus();
+    QTest::keyClick(section(), Qt::Key_Up);
+    QCOMPARE(m_observation->section(), 0.51);
+    QTest::keyClick(section(), Qt::Key_PageDown);
+    QCOMPARE(m_observation->section(), 0.41);
+    QCOMPARE(section()->text(), QStringLiteral("0.410"));
+}
+
+void TestBlowPage::aSectionOfManyDigitsIsKept() {
+    m_observation->setSection(0.123456);
+    QCOMPARE(section()->text(), QStringLiteral("0.123"));
+    QCOMPARE(m_observation->section(), 0.123456);
+}
+
+void TestBlowPage::thePlaceIsGivenInMetresWhereThereIsALength() {
+    Scenario scenario;
+    scenario.rod.length = 3.66;
+    m_page->setResult(solved(*m_page, scenario, UnitSystem::si));
+    QVERIFY(label("place")->isVisible());
+    QCOMPARE(label("place")->text(), QStringLiteral("1.83 m from the struck end"));
+    m_observation->setSection(1);
+    QCOMPARE(label("place")->text(), QStringLiteral("3.66 m from the struck end"));
+    m_page->setResult(solved(*m_page, dimensionless({0.5, 0.1, 10, 0}), UnitSystem::dimensionless));
+    QVERIFY(!label("place")->isVisible());
+}
+
+void TestBlowPage::theInstantOfTheTimeCursorIsRead() {
+    m_page->setResult(solved(*m_page, dimensionless({0.5, 1, 10, 0}), UnitSystem::dimensionless));
+    QVERIFY(!label("instant")->isVisible());
+    m_observation->setTime(5.5);
+    QVERIFY(label("instant")->isVisible());
+    QString text = label("instant")->text();
+    text.replace(QChar(QChar::Nbsp), QLatin1Char(' '));
+    // The blow is just passing the middle of the rod.
+    QCOMPARE(text, QStringLiteral("t = 5.5 t₀ · N = −1 F₀ · F = 0 F₀ · I = 0 I₀ · p = 1 I₀"));
+    m_page->setResult(failedBlow({}, QStringLiteral("no more")));
+    QVERIFY(!label("instant")->isVisible());
+}
+
+void TestBlowPage::anInstantAddsUp() {
+    const SolvedBlowPtr blow = solved(*m_page, dimensionless({0.5, 0.3, 3, 0.2}), UnitSystem::dimensionless);
+    for (const double t : {0.4, 3.7, 9.1, 500.25}) {
+        const BlowInstant atBit = blowInstant(*blow, 1, t);
+        QVERIFY(std::abs(atBit.normalForce + atBit.impactForce) < 1e-14);
+        QVERIFY(std::abs(atBit.impulse + atBit.momentum - blow->pulse.impulseUntil(t)) < 1e-14);
+    }
+    QVERIFY(std::abs(blowInstant(*blow, 0.5, 500).momentum + blow->summary.cor) < 1e-13);
+}
+
+void TestBlowPage::anUnsolvedBlowSaysWhy() {
+    m_page->setResult(failedBlow({}, QStringLiteral("The rod has melted.")));
+    QVERIFY(m_page->plot()->accessibleDescription().contains(QStringLiteral("The rod has melted.")));
+}
+
+void TestBlowPage::theTimeCursorIsShared() {
+    const SolvedBlowPtr blow = solved(*m_page, Scenario(), UnitSystem::si);
+    m_page->setResult(blow);
+    m_observation->setTime(4.0);
+    const double shown = 4 * blow->units.time.factor;
+    QCOMPARE(m_page->plot()->cursorPosition(PlotCursor::time), std::optional(shown));
+    emit m_page->plot()->timeCursorDragged(5 * blow->units.time.factor);
+    QVERIFY(std::abs(*m_observation->time() - 5) < 1e-12);
+    // The same time in other units.
+    const SolvedBlowPtr other = solved(*m_page, Scenario(), UnitSystem::dimensionless);
+    m_page->setResult(other);
+    QVERIFY(std::abs(*m_page->plot()->cursorPosition(PlotCursor::time) - 5) < 1e-12);
+    m_observation->setTime({});
+    QVERIFY(!m_page->plot()->cursorPosition(PlotCursor::time));
+}
+
+void TestBlowPage::cursorsStayInTheirPlaceInOtherUnits() {
+    const SolvedBlowPtr blow = solved(*m_page, Scenario(), UnitSystem::si);
+    m_page->setResult(blow);
+    PlotWidget& plot = *m_page->plot();
+    plot.placeCursor(PlotCursor::b, 3 * blow->units.time.factor);
+    m_page->setResult(solved(*m_page, Scenario(), UnitSystem::dimensionless));
+    QVERIFY(!plot.cursorPosition(PlotCursor::a));
+    QVERIFY(std::abs(*plot.cursorPosition(PlotCursor::b) - 3) < 1e-12);
+    // A longer blow in the same units moves nothing.
+    m_page->setResult(blow);
+    Scenario longer;
+    longer.pulse.duration *= 1.5;
+    m_page->setResult(solved(*m_page, longer, UnitSystem::si));
+    QVERIFY(std::abs(*plot.cursorPosition(PlotCursor::b) - 3 * blow->units.time.factor) < 1e-12);
+}
+
+void TestBlowPage::cursorsReadExactImpulses_data() {
+    QTest::addColumn<bool>("si");
+    QTest::addColumn<PulseShape>("shape");
+    QTest::addColumn<double>("gap");
+    QTest::newRow("rectangular, SI") << true << PulseShape::rectangular << 0.0;
+    QTest::newRow("rectangular, dimensionless") << false << PulseShape::rectangular << 0.0;
+    QTest::newRow("half sine with a gap, SI") << true << PulseShape::halfSine << 3e-4;
+    QTest::newRow("far from the rock, dimensionless") << false << PulseShape::rectangular << 0.1;
+}
+
+void TestBlowPage::cursorsReadExactImpulses() {
+    QFETCH(bool, si);
+    QFETCH(PulseShape, shape);
+    QFETCH(double, gap);
+    Scenario scenario;
+    scenario.pulse.shape = shape;
+    scenario.bitRock.gap = gap;
+    const SolvedBlowPtr blow = solved(*m_page, scenario, si ? UnitSystem::si : UnitSystem::dimensionless);
+    QCOMPARE(blow->problem, QString());
+    m_page->setResult(blow);
+    PlotWidget& plot = *m_page->plot();
+    const double end = blow->curves->timeEnd;
+    plot.placeCursor(PlotCursor::a, 0);
+    plot.placeCursor(PlotCursor::b, end);
+    plot.setReadGraph(m_page->plots()->forceGraph());
+    const double unit = blow->units.impulse.factor;
+    const double impulse = blow->summary.impulse * unit;
+    QVERIFY(std::abs(plot.cursorReading()->integral / impulse - 1) < 1e-9);
+    QVERIFY(plot.cursorText().contains(si ? QStringLiteral("N s") : QStringLiteral("I₀")));
+    QVERIFY(std::abs(plot.cursorReading()->mean * end -
+                     impulse / unit * blow->units.force.factor * blow->units.time.factor) <
+            1e-9 * plot.cursorReading()->mean * end);
+    plot.setReadGraph(m_page->plots()->waveGraph(0));  // the blow itself, compressive
+    QVERIFY(std::abs(plot.cursorReading()->integral / -unit - 1) < 1e-9);
+    plot.setReadGraph(m_page->plots()->impulseGraph());
+    QVERIFY(std::abs(plot.cursorReading()->yB / impulse - 1) < 1e-12);
+    plot.setReadGraph(m_page->plots()->momentumGraph());
+    QVERIFY(std::abs(plot.cursorReading()->yB / (-blow->summary.cor * unit) - 1) < 1e-9);
+    // Between the cursors in the middle of the rising force the curve itself is read, not its chords.
+    const double arrival = blow->summary.firstContactTime;
+    plot.placeCursor(PlotCursor::a, (arrival + 0.31) * blow->units.time.factor);
+    plot.setReadGraph(m_page->plots()->forceGraph());
+    const double force = impactForce(blow->impact, arrival + 0.31 - blow->impact.frontArrival);
+    QVERIFY(std::abs(plot.cursorReading()->yA / (force * blow->units.force.factor) - 1) < 1e-9);
+}
+
+void TestBlowPage::whatIsReadOutlivesTheBlow() {
+    SolvedBlowPtr blow = solved(*m_page, Scenario(), UnitSystem::si);
+    const BlowMeanings meanings = blowMeanings(blow);
+    const double impulse = blow->summary.impulse * blow->units.impulse.factor;
+    const double end = 2 * blow->curves->timeEnd;
+    const std::weak_ptr<const SolvedBlow> watched = blow;
+    blow.reset();
+    QVERIFY(!watched.expired());
+    QVERIFY(std::abs(meanings.force.integral(0, end) * meanings.force.integralFactor / impulse - 1) < 1e-9);
+}
+
+// Through the whole window: the panel tells of the drag, the window gives the page what was shown.
+void TestBlowPage::aHeldSliderLeavesAGhostUntilItIsReleased() {
+    ScriptedAnswers answers;
+    MainWindow window(std::make_unique<ScriptedQuestions>(answers), [](const SolveRequest& request) {
+        ExactSolver solver;
+        return solveBlow(request, solver);
+    });
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    const int curves = window.blowPage().plot()->graphCount();
+    auto* slider = window.scenarioPanel().findChild<QuantitySlider*>(QStringLiteral("beta.slider"));
+    const SolvedBlowPtr before = window.shown();
+    slider->setSliderDown(true);
+    for (const int position : {300, 500, 700}) {
+        slider->setValue(position);
+        QTRY_VERIFY(!window.job().isBusy());
+    }
+    QVERIFY(window.shown() != before);
+    QCOMPARE(window.blowPage().plot()->graphCount(), curves + 7);
+    QCOMPARE(window.blowPage().plot()->graph(curves)->data().get(), before->curves->waves[0].get());
+    slider->setSliderDown(false);
+    QCOMPARE(window.blowPage().plot()->graphCount(), curves);
+}
+
+QTEST_MAIN(TestBlowPage)
+#include "tst_blow_page.moc"

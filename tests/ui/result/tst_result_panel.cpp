@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QClipboard>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+
+#include "core/wave/exact/exact_solver.h"
+#include "ui/result/result_panel.h"
+#include "ui/text/number_text.h"
+
+using namespace drillwave;
+
+namespace {
+
+SolvedBlowPtr solved(const Scenario& scenario, UnitSystem units = UnitSystem::dimensionless) {
+    ExactSolver solver;
+    SolveRequest request;
+    request.scenario = scenario;
+    request.units = units;
+    return solveBlow(request, solver);
+}
+
+Scenario scenarioOf(double beta, double gamma, double tau, double delta) {
+    Scenario scenario;
+    scenario.form = ScenarioForm::dimensionless;
+    scenario.groups = {beta, gamma, tau, delta};
+    return scenario;
+}
+
+Scenario drillOf(double thrust) {
+    Scenario scenario;
+    scenario.drill.blowFrequency = 60;
+    scenario.drill.thrust = thrust;
+    return scenario;
+}
+
+SolvedBlowPtr withShares(double rock, double rebound, double waves) {
+    auto blow = std::make_shared<SolvedBlow>(*solved(scenarioOf(0.5, 0.1, 10, 0)));
+    blow->summary.energy = {rock, rebound, waves, 0};
+    return blow;
+}
+
+/// The value that the panel's text has behind a name.
+QString valueOf(const ResultPanel& panel, const QString& name) {
+    for (const QString& line : panel.text().split('\n'))
+        if (line.section('\t', 0, 0) == name) return line.section('\t', 1).replace(QChar(QChar::Nbsp), ' ');
+    return {};
+}
+
+QTableView& eventsOf(ResultPanel& panel) {
+    return *panel.findChild<QTableView*>();
+}
+
+}  // namespace
+
+class TestResultPanel : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void sharesOfTheEnergyAreAPatternedBar() {
+        ResultPanel panel;
+        panel.resize(300, 900);
+        panel.setAttribute(Qt::WA_DontShowOnScreen);
+        static_cast<QWidget&>(panel).show();
+        auto* bar = panel.findChild<EnergyBar*>();
+        QVERIFY(bar);
+        QVERIFY(bar->accessibleName().contains("no result"));
+        panel.show(withShares(0.6, 0.3, 0.1));
+        QCOMPARE(bar->accessibleName().replace(QChar(QChar::Nbsp), ' '),
+                 QString("Energy: rock 60 %, rebound 30 %, waves 10 %"));
+        QCOMPARE(panel.findChildren<EnergySwatch*>().size(), 3);
+        QVERIFY(bar->labelOf(EnergyPart::rock).contains("60"));
+        // A share that no word fits into stays in the list below.
+        panel.show(withShares(0.98, 0.01, 0.01));
+        QCOMPARE(bar->labelOf(EnergyPart::waves), QString());
+        QCOMPARE(valueOf(panel, "Energy: left in waves"), QString("1 %"));
+    }
+
+    void sharesThatRoundingMakesNegativeAreNotDrawn() {
+        EnergyBar bar;
+        bar.show({-1e-17, 0.7, 0.3, 0});
+        QCOMPARE(bar.accessibleName().replace(QChar(QChar::Nbsp), ' '),
+                 QString("Energy: rebound 70 %, waves 30 %"));
+        bar.resize(200, 24);
+        QVERIFY(!bar.grab().isNull());
+        ResultPanel panel;
+        panel.show(withShares(-1e-15, 0.7, 0.3));
+        QCOMPARE(valueOf(panel, "Energy: into the rock"), QString("0 %"));
+    }
+
+    void magnitudesHaveOneDigit() {
+        QCOMPARE(magnitudeText(3.2e-15, QLocale::c()), QStringLiteral("3·10⁻¹⁵"));
+        QCOMPARE(magnitudeText(9.6e-14, QLocale::c()), QStringLiteral("1·10⁻¹³"));  // not 10·10⁻¹⁴
+        QCOMPARE(magnitudeText(-9.6e3, QLocale::c()), QStringLiteral("−1·10⁴"));
+        QCOMPARE(magnitudeText(0, QLocale::c()), QStringLiteral("0"));
+    }
+
+    void stressIsShownInMegapascalAndAsAForce() {
+        ResultPanel panel;
+        Scenario scenario;
+        const SolvedBlowPtr blow = solved(scenario, UnitSystem::si);
+        panel.show(blow);
+        const double area = std::acos(-1.0) * 0.038 * 0.038 / 4;
+        const double stress = blow->rodForces.compression.size * 255e3 / area / 1e6;
+        QCOMPARE(valueOf(panel, "Stress in the rod: compression, blow"),
+                 QString::number(stress, 'g', 4) + " MPa");
+        panel.show(solved(scenario));
+        QVERIFY(valueOf(panel, "Stress in the rod: tension, after").endsWith(" F₀"));
+    }
+
+    void theInstalledThrustIsJudged_data() {
+        QTest::addColumn<double>("share");
+        QTest::addColumn<QString>("feed");
+        // e = 0.43: the blows push back with 0.7 of what is needed, the bit is back in time at 1.3 of it.
+        QTest::newRow("pushed back") << 0.6 << "pushed back";
+        QTest::newRow("too little") << 0.9 << "penetration lost";
+        QTest::newRow("full rate") << 1.1 << "full rate, bit bounces";
+        QTest::newRow("back in time") << 3.0 << "bit back in time";
+    }
+
+    void theInstalledThrustIsJudged() {
+        QFETCH(double, share);
+        QFETCH(QString, feed);
+        const double needed = solved(drillOf(1))->feed->fullRate;
+        ResultPanel panel;
+        panel.show(solved(drillOf(share * needed)));
+        QCOMPARE(valueOf(panel, "Thrust: feed"), feed);
+        const QString percent =
+            QString("(%1%2 %)").arg(share > 1 ? "+" : "−").arg(std::round(100 * std::abs(share - 1)));
+        QVERIFY2(valueOf(panel, "Thrust: margin").endsWith(percent), qPrintable(panel.text()));
+        // Without a drill there is nothing to say.
+        panel.show(solved(scenarioOf(0.5, 1, 10, 0)));
+        QVERIFY(!panel.text().contains("Thrust"));
+    }
+
+    void allNumbersAreCopiedAsText() {
+        ResultPanel panel;
+        panel.show(solved(scenarioOf(0.5, 1, 10, 0)));
+        QCOMPARE(panel.actions().size(), 1);
+        panel.actions().first()->trigger();
+        const QString text = QGuiApplication::clipboard()->text();
+        QVERIFY2(text.startsWith("coefficient of restitution e\t1.401 ± "), qPrintable(text));
+        QCOMPARE(valueOf(panel, "Impact: impulse 1 + e"), QString("2.401 I₀"));
+        QVERIFY(text.contains("Impact: impulse 1 + e\t"));
+    }
+
+    void noValueIsWiderThanItsColumn() {
+        ResultPanel panel;
+        panel.setAttribute(Qt::WA_DontShowOnScreen);
+        static_cast<QWidget&>(panel).show();
+        panel.resize(panel.minimumSizeHint());
+        for (const SolvedBlowPtr& blow :
+             {solved(scenarioOf(0.5, 0.1, 10, 0)), solved(scenarioOf(1e-7, 1e-3, 3, 12345.678)),
+              solved(scenarioOf(1e9, 1e-6, 1000, 0)), solved(drillOf(50e3), UnitSystem::si)}) {
+            panel.show(blow);
+            QCoreApplication::processEvents();
+            for (const QLabel* label : panel.findChildren<QLabel*>()) {
+                if (label->wordWrap() || label->isHidden()) continue;
+                QVERIFY2(label->sizeHint().width() <= label->width(), qPrintable(label->text()));
+                QVERIFY(
+                    panel.widget()->rect().contains(label->mapTo(panel.widget(), label->rect().topRight())));
+            }
+            QVERIFY(panel.widget()->width() <= panel.viewport()->width());
+        }
+    }
+
+    void anEventMovesTheTimeCursorAndIsMarkedByIt() {
+        ResultPanel panel;
+        const SolvedBlowPtr blow = solved(scenarioOf(0.5, 0.1, 10, 0.3));
+        panel.show(blow);
+        QTableView& table = eventsOf(panel);
+        QVERIFY(table.model()->rowCount() > 2);
+        QSignalSpy chosen(&panel, &ResultPanel::timeChosen);
+        table.setCurrentIndex(table.model()->index(1, 0));
+        QCOMPARE(chosen.count(), 1);
+        QCOMPARE(*chosen.at(0).at(0).value<std::optional<double>>(), blow->impact.events[1].time);
+        // The cursor from elsewhere: marked, not chosen again.
+        panel.setTime(blow->impact.events[2].time);
+        QCOMPARE(table.currentIndex().row(), 2);
+        QVERIFY(table.selectionModel()->isRowSelected(2, {}));
+        panel.setTime(blow->impact.events[2].time + 0.01);
+        QVERIFY(!table.selectionModel()->hasSelection());
+        panel.setTime(blow->impact.events[0].time);
+        panel.show(solved(scenarioOf(0.5, 0.1, 10, 0.3)));  // the same blow, solved anew
+        QVERIFY(table.selectionModel()->isRowSelected(0, {}));
+        panel.setTime(std::nullopt);
+        QVERIFY(!table.selectionModel()->hasSelection());
+        QCOMPARE(chosen.count(), 1);
+        // With the keys.
+        table.setCurrentIndex(table.model()->index(1, 0));
+        QTest::keyClick(&table, Qt::Key_Down);
+        QCOMPARE(chosen.count(), 3);
+        QCOMPARE(*chosen.last().at(0).value<std::optional<double>>(), blow->impact.events[2].time);
+    }
+
+    void thousandsOfEventsAreMarkedOneByOne() {
+        auto blow = std::make_shared<SolvedBlow>(*solved(scenarioOf(0.5, 0.1, 10, 0)));
+        blow->impact.events.clear();
+        for (int i = 0; i < 200'000; ++i) blow->impact.events.push_back({ContactEvent::contact, 0.5 * i});
+        ResultPanel panel;
+        panel.show(blow);
+        for (const int row : {0, 77, 123'456, 199'999}) {
+            panel.setTime(0.5 * row);
+            QCOMPARE(eventsOf(panel).currentIndex().row(), row);
+        }
+    }
+
+    void alertsKeepTheirLabelsAndTheirRoom() {
+        AlertList list;
+        list.setAttribute(Qt::WA_DontShowOnScreen);
+        list.resize(200, 300);
+        static_cast<QWidget&>(list).show();
+        const Alert warning{AlertLevel::warning, "code", "delta", "One thing and <another>."};
+        list.show({}, {warning, warning});
+        QCoreApplication::processEvents();
+        const QList<QLabel*> labels = list.findChildren<QLabel*>();
+        QCOMPARE(labels.size(), 2);
+        QVERIFY(labels[0]->accessibleName().endsWith("One thing and <another>."));
+        const int height = list.height();
+        list.show({}, {});
+        QCOMPARE(list.findChildren<QLabel*>(), labels);
+        QVERIFY(labels[1]->isHidden());
+        QVERIFY(list.minimumHeight() >= height);  // what is below stands still
+        QTRY_COMPARE(list.minimumHeight(), 0);    // until values rest
+        list.show(QStringLiteral("out of rock"), {});
+        QCOMPARE(list.texts(), QStringList{"out of rock"});
+    }
+};
+
+QTEST_MAIN(TestResultPanel)
+#include "core/model/alerts.h"
+#include "tst_result_panel.moc"

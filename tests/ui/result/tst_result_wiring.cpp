@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "ui/form/scenario_panel.h"
+#include "ui/result/result_panel.h"
+#include "ui/text/settings.h"
+#include "ui/window/main_window.h"
+
+using namespace drillwave;
+
+// What leads from the result panel to the rest of the window, and back.
+class TestResultWiring : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() {
+        QLocale::setDefault(QLocale::c());
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+    }
+
+    void anAlertLeadsToTheFieldOfItsParameter() {
+        MainWindow window;
+        window.setAttribute(Qt::WA_DontShowOnScreen);
+        window.show();
+        window.activateWindow();
+        const Alert alert{AlertLevel::warning, "outside_plausible_range", "bit_rock.gap", "Too far."};
+        window.resultPanel().alerts()->show({}, {alert});
+        QLabel* label = nullptr;
+        for (QLabel* each : window.resultPanel().alerts()->findChildren<QLabel*>())
+            if (each->text().contains("href=\"bit_rock.gap\"")) label = each;
+        QVERIFY(label);
+        for (SectionBox* box : window.scenarioPanel().findChildren<SectionBox*>()) box->setOpen(false);
+        QSignalSpy chosen(&window.resultPanel(), &ResultPanel::parameterChosen);
+        emit label->linkActivated(QStringLiteral("bit_rock.gap"));
+        QCOMPARE(chosen.count(), 1);
+        QWidget* field = window.scenarioPanel().findChild<QWidget*>(QStringLiteral("bit_rock.gap"));
+        QVERIFY(field->isVisibleTo(&window));
+        QCOMPARE(window.focusWidget() == field || field->isAncestorOf(window.focusWidget()), true);
+    }
+
+    void theTimeCursorOfTheWindowMarksTheEvent() {
+        MainWindow window;
+        QTableView& events = *window.resultPanel().findChild<QTableView*>();
+        const double time = window.shown()->impact.events.at(1).time;
+        window.observation().setTime(time);
+        QCOMPARE(events.currentIndex().row(), 1);
+        events.setCurrentIndex(events.model()->index(0, 0));
+        QCOMPARE(*window.observation().time(), window.shown()->impact.events.at(0).time);
+    }
+
+  private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestResultWiring)
+#include "core/model/alerts.h"
+#include "tst_result_wiring.moc"

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A result that is not of the present input never looks like one, and is never exported as one.
+#include <QClipboard>
+#include <QFile>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <atomic>
+#include <semaphore>
+
+#include "core/file/result_scenario.h"
+#include "tests/support/scripted_questions.h"
+#include "tests/support/themes.h"
+#include "ui/export/export_menu.h"
+#include "ui/job/solve_status.h"
+#include "ui/pages/blow/blow_page.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/result/result_panel.h"
+#include "ui/result/stale_veil.h"
+#include "ui/window/main_window.h"
+
+using namespace drillwave;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// Solves at once while the gate is open, else one request for every pass that is given.
+struct Gate {
+    std::atomic<bool> open = true;
+    std::counting_semaphore<> passes{0};
+
+    void wait(const std::stop_token& stop) {
+        while (!open && !stop.stop_requested())
+            if (passes.try_acquire_for(1ms)) return;
+    }
+};
+
+}  // namespace
+
+class TestStaleResult : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase() {
+        QLocale::setDefault(QLocale::c());
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                           m_folder.filePath(QStringLiteral("settings")));
+    }
+
+    void init() {
+        m_answers = {};
+        m_gate = std::make_shared<Gate>();
+        m_window = std::make_unique<MainWindow>(
+            std::make_unique<ScriptedQuestions>(m_answers),
+            [gate = m_gate, solver = std::make_shared<ExactSolver>()](const SolveRequest& request) {
+                gate->wait(request.stop);
+                return solveBlow(request, *solver);
+            });
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QTRY_VERIFY(status().isCurrent() && !m_window->job().isBusy());
+        status().setPatience(0ms);
+    }
+
+    void cleanup() {
+        m_window.reset();
+        QApplication::setPalette(QPalette());
+    }
+
+    void aChangeWithoutAnAnswerIsMarked() {
+        m_gate->open = false;
+        const QString before = panel().text();
+        edit(4);
+        QVERIFY(!status().isCurrent());
+        QTRY_VERIFY(status().isMarked());
+        QCOMPARE(status().text(), QStringLiteral("solving …"));
+        QVERIFY(status().button()->isVisible());
+        QCOMPARE(status().button()->text(), QStringLiteral("Cancel"));
+        const QList<StaleVeil*> veils = m_window->findChildren<StaleVeil*>();
+        QCOMPARE(veils.size(), 2);
+        for (const StaleVeil* veil : veils) QVERIFY(veil->isVisible());
+        QCOMPARE(panel().text(), StaleVeil::words() + QLatin1Char('\n') + before);
+        m_gate->open = true;
+        QTRY_VERIFY(status().isCurrent());
+        QVERIFY(!status().isMarked() && !status().button()->isVisible());
+        for (const StaleVeil* veil : veils) QVERIFY(!veil->isVisible());
+        QVERIFY(status().text().contains(QStringLiteral("e = ")));
+        QVERIFY(m_window->shown()->request.scenario == m_window->document().scenario());
+    }
+
+    // Words, hatching and less contrast: in light and dark, and not by colour alone.
+    void theMarkIsSeen_data() {
+        QTest::addColumn<bool>("dark");
+        QTest::newRow("light") << false;
+        QTest::newRow("dark") << true;
+    }
+    void theMarkIsSeen() {
+        QFETCH(bool, dark);
+        QApplication::setPalette(dark ? darkPalette() : lightPalette());
+        QTRY_VERIFY(status().isCurrent());
+        for (QWidget* each : {static_cast<QWidget*>(&panel()), m_window->blowPage().parentWidget()}) {
+            const int clear = spread(each->grab().toImage());
+            m_gate->open = false;
+            edit(each == &panel() ? 4 : 5);
+            QTRY_VERIFY(status().isMarked());
+            const QImage veiled =
+                m_window->grab(QRect(each->mapTo(m_window.get(), QPoint(0, 60)), each->size())).toImage();
+            QVERIFY2(spread(veiled) < 0.7 * clear, qPrintable(QString::number(spread(veiled))));
+            m_gate->open = true;
+            QTRY_VERIFY(status().isCurrent());
+        }
+    }
+
+    void aFastAnswerIsNeverMarked() {
+        status().setPatience(1h);
+        QSignalSpy marked(&status(), &SolveStatus::marked);
+        for (int i = 0; i < 20; ++i) {
+            edit(3 + 0.1 * i);
+            QTRY_VERIFY(status().isCurrent());
+        }
+        QCOMPARE(marked.size(), 0);
+    }
+
+    void anAnswerToAnEarlierInputStaysMarked() {
+        m_gate->open = false;
+        edit(4);
+        edit(5);
+        QTRY_VERIFY(status().isMarked());
+        QSignalSpy solved(&m_window->job(), &SolveJob::solved);
+        m_gate->passes.release();
+        QTRY_VERIFY(solved.size() == 1 || !m_window->job().isBusy());
+        QVERIFY(status().isMarked() && !status().isCurrent());
+        m_gate->open = true;
+        QTRY_VERIFY(status().isCurrent());
+        QCOMPARE(m_window->shown()->request.scenario.rod.length, 5.0);
+    }
+
+    void cancelStopsAndTheOldResultStaysMarked() {
+        m_gate->open = false;
+        edit(4);
+        QTRY_VERIFY(status().isMarked());
+        QTest::mouseClick(status().button(), Qt::LeftButton);
+        QTRY_VERIFY(!m_window->job().isBusy());
+        QVERIFY(status().isMarked() && !status().isCurrent());
+        QVERIFY(status().text().startsWith(QStringLiteral("stopped")));
+        QCOMPARE(status().button()->text(), QStringLiteral("Solve"));
+        m_gate->open = true;
+        QTest::mouseClick(status().button(), Qt::LeftButton);
+        QTRY_VERIFY(status().isCurrent());
+        QVERIFY(!status().isMarked());
+        QCOMPARE(m_window->shown()->request.scenario.rod.length, 4.0);
+    }
+
+    void anExportWaitsForTheResultOfThePresentInput() {
+        m_gate->open = false;
+        edit(4);
+        m_answers.exportTo = m_folder.filePath(QStringLiteral("late.csv"));
+        m_window->exportMenu().saveHistories();  // and returns, whatever the solver does
+        QVERIFY(!QFile::exists(m_answers.exportTo));
+        QVERIFY2(status().text().contains(QStringLiteral("late.csv waits")), qPrintable(status().text()));
+        QVERIFY(status().button()->isVisible());
+        m_gate->open = true;
+        QTRY_VERIFY(QFile::exists(m_answers.exportTo));
+        QCOMPARE(loadResultScenario(m_answers.exportTo.toStdString()).scenario.rod.length, 4.0);
+        QCOMPARE(m_answers.told, QStringList());
+    }
+
+    void everyExportWaits_data() {
+        QTest::addColumn<int>("which");
+        for (int i = 0; i < 6; ++i) QTest::addRow("%d", i) << i;
+    }
+    void everyExportWaits() {
+        QFETCH(int, which);
+        m_gate->open = false;
+        QGuiApplication::clipboard()->clear();
+        m_answers.exportTo = m_folder.filePath(QStringLiteral("x%1.png").arg(which));
+        m_answers.folder = m_folder.filePath(QStringLiteral("folder"));
+        m_answers.picture = PictureChoice{QStringLiteral("png"), {120, 80}, 100};
+        edit(4);
+        ExportMenu& menu = m_window->exportMenu();
+        void (ExportMenu::*const exports[])() = {&ExportMenu::saveHistories, &ExportMenu::saveEvents,
+                                                 &ExportMenu::saveData,      &ExportMenu::savePicture,
+                                                 &ExportMenu::copyPicture,   &ExportMenu::saveEverything};
+        QSignalSpy exported(&menu, &ExportMenu::exported);
+        (menu.*exports[which])();
+        QVERIFY(status().isWaiting());
+        QCOMPARE(exported.size(), 0);
+        m_gate->open = true;
+        QTRY_COMPARE(exported.size(), 1);
+        QVERIFY(!status().isWaiting());
+    }
+
+    void cancelCallsTheExportOff() {
+        m_gate->open = false;
+        edit(4);
+        m_answers.exportTo = m_folder.filePath(QStringLiteral("never.csv"));
+        m_window->exportMenu().saveHistories();
+        QTest::mouseClick(status().button(), Qt::LeftButton);
+        QVERIFY(
+            m_window->statusBar()->currentMessage().contains(QStringLiteral("never.csv was not written")));
+        m_gate->open = true;
+        QTest::mouseClick(status().button(), Qt::LeftButton);
+        QTRY_VERIFY(status().isCurrent());
+        QVERIFY(!QFile::exists(m_answers.exportTo));
+    }
+
+    void anEditCallsTheExportOff() {
+        m_gate->open = false;
+        edit(4);
+        m_answers.exportTo = m_folder.filePath(QStringLiteral("changed.csv"));
+        m_window->exportMenu().saveHistories();
+        edit(5);
+        QVERIFY(!status().isWaiting());
+        m_gate->open = true;
+        QTRY_VERIFY(status().isCurrent());
+        QVERIFY(!QFile::exists(m_answers.exportTo));
+    }
+
+    void anExportAfterAStopSolvesAnew() {
+        m_gate->open = false;
+        edit(4);
+        QTRY_VERIFY(status().isMarked());
+        QTest::mouseClick(status().button(), Qt::LeftButton);
+        QTRY_VERIFY(!m_window->job().isBusy());
+        m_gate->open = true;
+        m_answers.exportTo = m_folder.filePath(QStringLiteral("again.csv"));
+        m_window->exportMenu().saveHistories();
+        QTRY_VERIFY(QFile::exists(m_answers.exportTo));
+        QCOMPARE(loadResultScenario(m_answers.exportTo.toStdString()).scenario.rod.length, 4.0);
+    }
+
+    void theMenuOfAPlotCopiesNoOldCurves() {
+        const auto copyEnabled = [this] {
+            const std::unique_ptr<QMenu> menu(m_window->blowPage().plot()->makeMenu({100, 100}));
+            int enabled = 0;
+            for (const QAction* action : menu->actions())
+                enabled += action->text().startsWith(QStringLiteral("Copy")) && action->isEnabled();
+            return enabled;
+        };
+        QCOMPARE(copyEnabled(), 2);
+        m_gate->open = false;
+        edit(4);
+        QCOMPARE(copyEnabled(), 0);
+        m_gate->open = true;
+        QTRY_VERIFY(status().isCurrent());
+        QCOMPARE(copyEnabled(), 2);
+    }
+
+  private:
+    SolveStatus& status() { return m_window->solveStatus(); }
+    ResultPanel& panel() { return m_window->resultPanel(); }
+    void edit(double metres) {
+        m_window->document().assign(*findParameter("rod.length"), metres, ++m_gesture);
+    }
+
+    /// From the darkest to the lightest per cent of the pixels.
+    static int spread(const QImage& image) {
+        QList<int> greys;
+        for (int y = 0; y < image.height(); y += 2)
+            for (int x = 0; x < image.width(); x += 2) greys.append(qGray(image.pixel(x, y)));
+        std::sort(greys.begin(), greys.end());
+        return greys[greys.size() * 99 / 100] - greys[greys.size() / 100];
+    }
+
+    QTemporaryDir m_folder;
+    ScriptedAnswers m_answers;
+    std::shared_ptr<Gate> m_gate;
+    std::unique_ptr<MainWindow> m_window;
+    int m_gesture = 0;
+};
+
+QTEST_MAIN(TestStaleResult)
+#include "tst_stale_result.moc"

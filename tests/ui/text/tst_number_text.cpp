@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <limits>
+
+#include "ui/text/number_text.h"
+
+using namespace drillwave;
+
+class TestNumberText : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void numbersAreWrittenForPeople_data();
+    void numbersAreWrittenForPeople();
+    void theLocaleGivesTheComma();
+};
+
+void TestNumberText::numbersAreWrittenForPeople_data() {
+    QTest::addColumn<double>("value");
+    QTest::addColumn<int>("digits");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("a COR") << 0.40671234 << 4 << QStringLiteral("0.4067");
+    QTest::newRow("negative, with a real minus") << -0.40671234 << 4 << QStringLiteral("−0.4067");
+    QTest::newRow("nothing") << 0.0 << 4 << QStringLiteral("0");
+    QTest::newRow("no trailing zeros") << 200.0 << 4 << QStringLiteral("200");
+    QTest::newRow("more digits before the point") << 12345.6 << 4 << QStringLiteral("12346");
+    QTest::newRow("rounded up to one digit more") << 9999.7 << 4 << QStringLiteral("10000");
+    QTest::newRow("three digits of thousands") << 2666.4 << 3 << QStringLiteral("2666");
+    QTest::newRow("large") << 1.23456e9 << 4 << QStringLiteral("1.235·10⁹");
+    QTest::newRow("small") << -1.23456e-12 << 4 << QStringLiteral("−1.235·10⁻¹²");
+    QTest::newRow("smallest") << std::numeric_limits<double>::denorm_min() << 2
+                              << QStringLiteral("4.9·10⁻³²⁴");
+}
+
+void TestNumberText::numbersAreWrittenForPeople() {
+    QFETCH(const double, value);
+    QFETCH(const int, digits);
+    QTEST(numberText(value, digits, QLocale::c()), "text");
+}
+
+void TestNumberText::theLocaleGivesTheComma() {
+    const QLocale german(QLocale::German);
+    QCOMPARE(numberText(0.5, 3, german), QStringLiteral("0,5"));
+    QCOMPARE(numberText(1.5e-9, 2, german), QStringLiteral("1,5·10⁻⁹"));
+    QCOMPARE(numberText(12345.0, 3, german), QStringLiteral("12345"));
+}
+
+QTEST_GUILESS_MAIN(TestNumberText)
+#include "tst_number_text.moc"

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a user would find wrong with a window at a glance, found without looking.
+#pragma once
+
+#include <QStringList>
+
+class QWidget;
+
+namespace drillwave {
+
+/// Labels, buttons and fields of a visible window whose text does not fit where it stands, or that stick out
+/// of the panel they are in.
+QStringList clippedTexts(const QWidget& window);
+
+/// Pairs of widgets of one layout that cover each other.
+QStringList overlaps(const QWidget& window);
+
+/// Controls that take the focus and have no name for a screen reader.
+QStringList namelessControls(const QWidget& window);
+
+/// Enabled labels and buttons whose text stands out from what is behind it by less than 4.5 : 1 (WCAG 2.1).
+QStringList faintTexts(const QWidget& window);
+
+}  // namespace drillwave

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files come into the window by menus and by drops, and what is unsaved is asked about every time.
+#include <QDropEvent>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QUrl>
+
+#include "core/file/examples.h"
+#include "tests/support/scripted_questions.h"
+#include "ui/text/settings.h"
+#include "ui/window/example_note.h"
+#include "ui/window/file_menu.h"
+#include "ui/window/main_window.h"
+
+using namespace drillwave;
+
+namespace {
+
+QByteArray exampleBytes() {
+    return QByteArray(defaultExample().text.data(), qsizetype(defaultExample().text.size()));
+}
+
+QAction* actionOf(const QMenu& menu, const QString& text) {
+    for (QAction* action : menu.actions())
+        if (QString(action->text()).remove(QLatin1Char('&')) == text) return action;
+    return nullptr;
+}
+
+// The middle of a widget, as a drag from another program delivers it.
+bool drop(QWidget& widget, const QList<QUrl>& urls) {
+    QMimeData data;
+    data.setUrls(urls);
+    QDragEnterEvent enter(widget.rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&widget, &enter);
+    QDropEvent event(widget.rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    event.ignore();
+    QCoreApplication::sendEvent(&widget, &event);
+    return enter.isAccepted() && event.isAccepted();
+}
+
+}  // namespace
+
+class TestFiles : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init();
+    void cleanup();
+    void openingAsksForTheFileFirstAndThenAboutTheChanges();
+    void everyWayToAnotherScenarioAsksAboutChanges();
+    void aDroppedScenarioIsOpened();
+    void aFileDroppedOntoAFieldIsNotTypedIntoIt();
+    void aDroppedResultIsOpenedWithoutAPath();
+    void aDroppedTableBecomesTheHammerBlow();
+    void whatCannotBeTakenIsToldOnce();
+    void everyExampleExplainsItself();
+    void theExplanationCanBeDismissedAndComesBackByTheMenu();
+    void theFirstExplanationStaysAwayOnceDismissed();
+    void savingAsAddsTheSuffix();
+    void recentFilesCanBeClearedAndMissingOnesTakenOff();
+    void pageUnitsAndPlaceAreRemembered();
+    void aWindowOffTheScreenComesBack();
+    void aResetForgetsChoicesButNotFiles();
+
+  private:
+    MainWindow& window() { return *m_window; }
+    void makeWindow();
+    QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
+    QString put(const char* name, const QByteArray& bytes) const;
+    void edit(double metres) { window().document().assign(*findParameter("rod.length"), metres, 1); }
+    double length() const { return m_window->document().scenario().rod.length; }
+    QMenu* menu(const QString& title) const;
+    QStringList recentFiles() const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    ScriptedAnswers m_answers;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void TestFiles::init() {
+    QLocale::setDefault(QLocale::c());
+    m_folder = std::make_unique<QTemporaryDir>();
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, path("settings"));
+    m_answers = {};
+    makeWindow();
+}
+
+void TestFiles::cleanup() {
+    m_window.reset();
+}
+
+void TestFiles::makeWindow() {
+    m_window.reset();
+    auto solver = std::make_shared<ExactSolver>();
+    m_window = std::make_unique<MainWindow>(
+        std::make_unique<ScriptedQuestions>(m_answers),
+        [solver](const SolveRequest& request) { return solveBlow(request, *solver); });
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+}
+
+QString TestFiles::put(const char* name, const QByteArray& bytes) const {
+    QFile file(path(name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("cannot write");
+    return path(name);
+}
+
+QMenu* TestFiles::menu(const QString& title) const {
+    for (QMenu* menu : m_window->fileMenu().findChildren<QMenu*>())
+        if (menu->title().remove(QLatin1Char('&')) == title) return menu;
+    return nullptr;
+}
+
+QStringList TestFiles::recentFiles() const {
+    QStringList names;
+    for (const QAction* action : menu(QStringLiteral("Open Recent"))->actions())
+        if (action->text().contains(QLatin1Char('.'))) names.append(action->text());
+    return names;
+}
+
+void TestFiles::openingAsksForTheFileFirstAndThenAboutTheChanges() {
+    QAction* open = actionOf(window().fileMenu(), QStringLiteral("Open…"));
+    edit(5);
+    open->trigger();  // no file was chosen, so there is nothing to ask
+    QCOMPARE(m_answers.unsavedAsked, 0);
+    m_answers.open = put("other.yaml", exampleBytes().replace("3.66 m", "7 m"));
+    open->trigger();
+    QCOMPARE(m_answers.unsavedAsked, 1);
+    QCOMPARE(length(), 5.0);
+    m_answers.unsaved = Questions::Unsaved::save;
+    m_answers.save = path("mine.yaml");
+    open->trigger();
+    QCOMPARE(length(), 7.0);
+    QVERIFY(QFile::exists(path("mine.yaml")));
+}
+
+void TestFiles::everyWayToAnotherScenarioAsksAboutChanges() {
+    const QString other = put("other.yaml", exampleBytes());
+    QVERIFY(window().openFile(other));
+    edit(5);
+    m_answers.unsaved = Questions::Unsaved::cancel;
+    m_answers.open = other;
+    int asked = 0;
+    const auto refused = [&] { return m_answers.unsavedAsked == ++asked && length() == 5; };
+    actionOf(window().fileMenu(), QStringLiteral("New"))->trigger();
+    QVERIFY(refused());
+    actionOf(window().fileMenu(), QStringLiteral("Open…"))->trigger();
+    QVERIFY(refused());
+    menu(QStringLiteral("Examples"))->actions().first()->trigger();
+    QVERIFY(refused());
+    menu(QStringLiteral("Open Recent"))->actions().first()->trigger();
+    QVERIFY(refused());
+    QVERIFY(drop(window(), {QUrl::fromLocalFile(other)}));
+    QTRY_VERIFY(m_answers.unsavedAsked == asked + 1);
+    QVERIFY(refused());
+    QVERIFY(!window().close());
+    QVERIFY(refused());
+}
+
+void TestFiles::aDroppedScenarioIsOpened() {
+    const QString file = put("dropped.yaml", exampleBytes().replace("3.66 m", "7 m"));
+    QVERIFY(drop(window(), {QUrl::fromLocalFile(file)}));
+    QTRY_COMPARE(length(), 7.0);
+    QCOMPARE(window().document().path(), file);
+    QCOMPARE(m_answers.told, QStringList());
+}
+
+// A line edit takes the names of files for text.
+void TestFiles::aFileDroppedOntoAFieldIsNotTypedIntoIt() {
+    const QString file = put("dropped.yaml", exampleBytes().replace("3.66 m", "7 m"));
+    auto* field = window().findChild<QLineEdit*>(QStringLiteral("title"));
+    QVERIFY(field);
+    QVERIFY(drop(*field, {QUrl::fromLocalFile(file)}));
+    QTRY_COMPARE(length(), 7.0);
+    QVERIFY(!field->text().contains(QStringLiteral("dropped")));
+}
+
+void TestFiles::aDroppedResultIsOpenedWithoutAPath() {
+    QByteArray header;
+    for (const QByteArray& line : exampleBytes().replace("3.66 m", "7 m").split('\n'))
+        header += "# " + line + '\n';
+    const QByteArray result = header + "kind,time\ncontact,10\n";
+    const QString file = put("events.csv", result);
+    QVERIFY(drop(window(), {QUrl::fromLocalFile(file)}));
+    QTRY_COMPARE(length(), 7.0);
+    QCOMPARE(window().document().path(), QString());
+    m_answers.save = path("events.yaml");
+    edit(8);
+    QVERIFY(window().fileMenu().save());
+    QFile after(file);
+    QVERIFY(after.open(QIODevice::ReadOnly));
+    QCOMPARE(after.readAll(), result);
+}
+
+void TestFiles::aDroppedTableBecomesTheHammerBlow() {
+    const QString table = put("blow.csv", "time [us],force [kN]\n0,0\n100,300\n200,0\n");
+    QVERIFY(drop(window(), {QUrl::fromLocalFile(table)}));
+    QTRY_COMPARE(window().document().scenario().pulse.shape, PulseShape::table);
+    QTRY_COMPARE(window().shown()->request.scenario, window().document().scenario());
+    QCOMPARE(window().shown()->problem, QString());
+    window().document().undoStack().undo();
+    QCOMPARE(window().document().text(), exampleBytes());
+}
+
+void TestFiles::whatCannotBeTakenIsToldOnce() {
+    const QUrl first = QUrl::fromLocalFile(put("a.yaml", exampleBytes()));
+    const QUrl second = QUrl::fromLocalFile(put("b.yaml", exampleBytes()));
+    const QUrl picture = QUrl::fromLocalFile(put("c.png", "picture"));
+    const QUrl wrongTable = QUrl::fromLocalFile(put("d.csv", "a,b\n1,2\n"));
+    const QList<QList<QUrl>> refused{
+        {first, second}, {picture}, {wrongTable}, {QUrl::fromLocalFile(m_folder->path())}};
+    int told = 0;
+    for (const QList<QUrl>& urls : refused) {
+        QVERIFY(drop(window(), urls));
+        ++told;
+        QTRY_COMPARE(m_answers.told.size(), told);
+        QCOMPARE(window().document().text(), exampleBytes());
+    }
+    QVERIFY(!drop(window(), {QUrl(QStringLiteral("https://example.org/a.yaml"))}));
+    QCOMPARE(m_answers.told.size(), told);
+}
+
+void TestFiles::everyExampleExplainsItself() {
+    QCOMPARE(menu(QStringLiteral("Examples"))->actions().size(), qsizetype(builtInExamples().size()));
+    for (size_t i = 0; i < builtInExamples().size(); ++i) {
+        menu(QStringLiteral("Examples"))->actions()[qsizetype(i)]->trigger();
+        QVERIFY(window().exampleNote().isVisible());
+        QCOMPARE(window().exampleNote().text(), QString::fromStdString(builtInExamples()[i].explanation));
+        QVERIFY(window().exampleNote().findChild<QLabel*>(QStringLiteral("text"))->textInteractionFlags() &
+                Qt::TextSelectableByMouse);
+    }
+    QVERIFY(window().openFile(put("other.yaml", exampleBytes())));
+    QVERIFY(!window().exampleNote().isVisible());
+    QVERIFY(!window().exampleNote().action()->isEnabled());
+}
+
+void TestFiles::theExplanationCanBeDismissedAndComesBackByTheMenu() {
+    menu(QStringLiteral("Examples"))->actions().first()->trigger();
+    window().exampleNote().findChild<QToolButton*>(QStringLiteral("dismiss"))->click();
+    QVERIFY(!window().exampleNote().isVisible());
+    window().exampleNote().action()->trigger();
+    QVERIFY(window().exampleNote().isVisible());
+    window().exampleNote().action()->trigger();
+    QVERIFY(!window().exampleNote().isVisible());
+}
+
+void TestFiles::theFirstExplanationStaysAwayOnceDismissed() {
+    QVERIFY(window().exampleNote().isVisible());
+    window().exampleNote().findChild<QToolButton*>(QStringLiteral("dismiss"))->click();
+    makeWindow();
+    QVERIFY(!window().exampleNote().isVisible());
+    QVERIFY(window().exampleNote().action()->isEnabled());
+    menu(QStringLiteral("Examples"))->actions().first()->trigger();
+    QVERIFY(window().exampleNote().isVisible());
+}
+
+void TestFiles::savingAsAddsTheSuffix() {
+    m_answers.save = path("T38.v2");
+    QVERIFY(window().fileMenu().saveAs());
+    QCOMPARE(window().document().path(), path("T38.v2.yaml"));
+    QCOMPARE(m_answers.confirmed, QStringList());
+    // The dialog has asked about another name.
+    QVERIFY(!window().fileMenu().saveAs());
+    QCOMPARE(m_answers.confirmed.size(), 1);
+    m_answers.save = path("plain.YML");
+    QVERIFY(window().fileMenu().saveAs());
+    QCOMPARE(window().document().path(), path("plain.YML"));
+}
+
+void TestFiles::recentFilesCanBeClearedAndMissingOnesTakenOff() {
+    const QString first = put("a.yaml", exampleBytes());
+    const QString second = put("b & c.yaml", exampleBytes());
+    QVERIFY(window().openFile(first));
+    QVERIFY(window().openFile(second));
+    QCOMPARE(recentFiles().size(), 2);
+    QVERIFY(recentFiles().first().endsWith(QStringLiteral("b && c.yaml")));
+    QVERIFY(QFile::remove(first));
+    menu(QStringLiteral("Open Recent"))->actions()[1]->trigger();
+    QCOMPARE(m_answers.confirmed.size(), 1);
+    QCOMPARE(recentFiles().size(), 2);
+    m_answers.confirm = true;
+    menu(QStringLiteral("Open Recent"))->actions()[1]->trigger();
+    QCOMPARE(recentFiles().size(), 1);
+    actionOf(*menu(QStringLiteral("Open Recent")), QStringLiteral("Clear list"))->trigger();
+    QCOMPARE(recentFiles().size(), 0);
+    QVERIFY(QFile::exists(second));
+}
+
+void TestFiles::pageUnitsAndPlaceAreRemembered() {
+    auto* pages = window().findChild<QTabWidget*>();
+    const int last = pages->count() - 1;
+    pages->setCurrentIndex(last);
+    window().setUnits(UnitSystem::dimensionless);
+    window().resize(1100, 700);
+    const int height = window().height();
+    QVERIFY(window().close());
+    makeWindow();
+    QCOMPARE(window().findChild<QTabWidget*>()->currentIndex(), last);
+    QCOMPARE(window().shown()->request.units, UnitSystem::dimensionless);
+    QCOMPARE(window().height(), height);  // the screen of the test is narrower than the window
+}
+
+void TestFiles::aWindowOffTheScreenComesBack() {
+    window().move(-5000, 9000);
+    QVERIFY(window().close());
+    makeWindow();
+    const QRect shown = window().screen()->availableGeometry() & window().frameGeometry();
+    QVERIFY(shown.width() >= 80 && shown.height() >= 80);
+}
+
+void TestFiles::aResetForgetsChoicesButNotFiles() {
+    QVERIFY(window().openFile(put("a.yaml", exampleBytes())));
+    window().setUnits(UnitSystem::dimensionless);
+    QVERIFY(window().close());
+    const QStringList presets{QStringLiteral("mine.yaml")};
+    Settings().setValue(presetFilesKey, presets);
+    resetSettings();
+    QCOMPARE(Settings().value(presetFilesKey).toStringList(), presets);
+    makeWindow();
+    QCOMPARE(window().shown()->request.units, UnitSystem::si);
+    QCOMPARE(recentFiles().size(), 1);
+}
+
+QTEST_MAIN(TestFiles)
+#include "tst_files.moc"

@@ -1,0 +1,514 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "core/file/examples.h"
+#include "core/file/preset_file.h"
+#include "core/model/scales.h"
+#include "tests/support/scripted_questions.h"
+#include "ui/export/export_menu.h"
+#include "ui/form/scenario_panel.h"
+#include "ui/pages/blow/blow_page.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/result/result_panel.h"
+#include "ui/text/settings.h"
+#include "ui/window/example_note.h"
+#include "ui/window/file_menu.h"
+#include "ui/window/main_window.h"
+
+using namespace drillwave;
+
+namespace {
+
+SolveJob::Solve exactSolve() {
+    auto solver = std::make_shared<ExactSolver>();
+    return [solver](const SolveRequest& request) { return solveBlow(request, *solver); };
+}
+
+void type(QuantityField& field, const QString& text) {
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClick(&field, Qt::Key_Backspace);
+    QTest::keyClicks(&field, text);
+    QTest::keyClick(&field, Qt::Key_Return);
+}
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class TestMainWindow : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void opensWithASolvedBlow();
+    void everyRowHasANameAndAnExplanation();
+    void typingABetaMovesStiffnessAndResult();
+    void movingTheStiffnessMovesBeta();
+    void aDragIsOneStepAndUndoRestoresTheBytes();
+    void wrongTextIsExplainedBelowItsRow();
+    void theLocalesCommaIsTyped();
+    void aFailingSolversTextReachesTheAlerts();
+    void aSlowSolverNeverHoldsTheWindowUp();
+    void savingIntoAnUnwritableFolderIsReportedAndNothingLost();
+    void savedFilesAreRememberedAndReopened();
+    void aBadFileIsReportedAndThePresentScenarioStays();
+    void closingAsksAboutUnsavedChanges();
+    void unitsOfResultsCanBeSwitched();
+    void aDimensionlessScenarioHasNoSi();
+    void theSectionOfTheWavesCanBeMoved();
+    void theShapeOfThePulseChangesItsRows();
+    void everyExampleOpensSolved();
+    void theTitleBarNamesTheFile();
+    void controlEReachesTheWindowFromALineEdit();
+    void aChosenUnitIsKept();
+    void aPresetLeavesAGhostUntilTheNextChange();
+    void theNoteOfAnExampleDoesNotOutliveItsValues();
+    void aNarrowWindowStacksItsPanels();
+    void keysAimAtThePlotBelowThePointer();
+    void theReasonOfAnUnsolvedCaseStaysInThePlot();
+    void aWindowCanGoWhileAFieldIsEdited_data();
+    void aWindowCanGoWhileAFieldIsEdited();
+
+  private:
+    MainWindow& window() { return *m_window; }
+    QuantityField& field(const char* key) {
+        return *m_window->scenarioPanel().findChild<QuantityField*>(QLatin1String(key));
+    }
+    double cor() const { return m_window->shown()->summary.cor; }
+    void makeWindow(SolveJob::Solve solve);
+    void settle() { QTRY_VERIFY(!m_window->job().isBusy()); }
+
+    QTemporaryDir m_folder;
+    ScriptedAnswers m_answers;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void TestMainWindow::initTestCase() {
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                       m_folder.filePath(QStringLiteral("settings")));
+}
+
+void TestMainWindow::init() {
+    QLocale::setDefault(QLocale::c());
+    Settings().clear();
+    m_answers = {};
+    makeWindow(exactSolve());
+}
+
+void TestMainWindow::cleanup() {
+    m_window.reset();
+}
+
+void TestMainWindow::makeWindow(SolveJob::Solve solve) {
+    m_window = std::make_unique<MainWindow>(std::make_unique<ScriptedQuestions>(m_answers), std::move(solve));
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+}
+
+void TestMainWindow::opensWithASolvedBlow() {
+    MainWindow fresh(std::make_unique<ScriptedQuestions>(m_answers), exactSolve());
+    // Solved before it is shown: no empty frame.
+    QCOMPARE(fresh.shown()->problem, QString());
+    QVERIFY(fresh.shown()->summary.cor > 0);
+    QVERIFY(!fresh.blowPage().plot()->graph(0)->data()->isEmpty());
+    QCOMPARE(fresh.blowPage().plot()->axisRectCount(), 4);
+    QVERIFY(fresh.windowTitle().startsWith(QString::fromStdString(defaultExample().title)));
+    QVERIFY(!fresh.isWindowModified());
+    QVERIFY(fresh.resultPanel()
+                .findChild<QLabel*>(QStringLiteral("cor"))
+                ->text()
+                .startsWith(QStringLiteral("0.")));
+}
+
+void TestMainWindow::everyRowHasANameAndAnExplanation() {
+    int rows = 0;
+    for (const QuantityField* each : window().scenarioPanel().findChildren<QuantityField*>()) {
+        const Parameter* parameter = findParameter(each->objectName().toStdString());
+        QVERIFY(parameter);
+        QVERIFY(each->accessibleName().contains(QLatin1Char(':')));
+        QVERIFY(!each->toolTip().isEmpty());
+        ++rows;
+    }
+    QCOMPARE(rows, int(parameters().size()));
+    for (const QLabel* label : window().resultPanel().findChildren<QLabel*>())
+        if (label->textInteractionFlags() & Qt::TextSelectableByKeyboard)
+            QVERIFY(!label->accessibleName().isEmpty());
+}
+
+void TestMainWindow::typingABetaMovesStiffnessAndResult() {
+    const double before = cor();
+    const double stiffness = *field("bit_rock.stiffness").value();
+    type(field("beta"), QStringLiteral("0.25"));
+    QTRY_VERIFY(cor() != before);
+    settle();
+    QCOMPARE(window().shown()->groups.beta, 0.25);
+    QVERIFY(*field("bit_rock.stiffness").value() < stiffness);
+    ExactSolver solver;
+    const Scenario& scenario = window().document().scenario();
+    QCOMPARE(cor(), solver.solve(pulseForceOf(scenario), groupsOf(scenario)).cor);
+    QVERIFY(window().isWindowModified());
+    QVERIFY(
+        window().findChild<QStatusBar*>()->findChild<QLabel*>()->text().contains(QStringLiteral("e = 0.")));
+}
+
+void TestMainWindow::movingTheStiffnessMovesBeta() {
+    const double beta = *field("beta").value();
+    type(field("bit_rock.stiffness"), QStringLiteral("210 MN/m"));  // twice the example's
+    QVERIFY(std::abs(*field("beta").value() / beta - 2) < 1e-12);
+}
+
+void TestMainWindow::aDragIsOneStepAndUndoRestoresTheBytes() {
+    const QByteArray before = window().document().text();
+    auto* slider = window().scenarioPanel().findChild<QuantitySlider*>(QStringLiteral("beta.slider"));
+    slider->setSliderDown(true);
+    for (int position = 300; position <= 700; position += 10) slider->setValue(position);
+    slider->setSliderDown(false);
+    QCOMPARE(window().document().undoStack().count(), 1);
+    type(field("rod.length"), QStringLiteral("12 ft"));
+    QCOMPARE(window().document().undoStack().count(), 2);
+    QVERIFY(window().document().text() != before);
+    QTest::keyClick(&field("rod.length"), Qt::Key_Z, Qt::ControlModifier);
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(window().document().text(), before);
+    QVERIFY(!window().isWindowModified());
+    settle();
+    QCOMPARE(window().shown()->request.scenario, window().document().scenario());
+}
+
+void TestMainWindow::wrongTextIsExplainedBelowItsRow() {
+    const double before = cor();
+    type(field("gamma"), QStringLiteral("1.3"));
+    settle();
+    QCOMPARE(cor(), before);
+    const QList<QLabel*> labels = window().scenarioPanel().findChildren<QLabel*>();
+    QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
+        return label->isVisible() && label->text().contains(QStringLiteral("must be in (0, 1]"));
+    }));
+}
+
+void TestMainWindow::theLocalesCommaIsTyped() {
+    QLocale::setDefault(QLocale(QStringLiteral("de_DE")));
+    makeWindow(exactSolve());
+    type(field("rod.length"), QStringLiteral("4,27"));
+    QCOMPARE(window().document().scenario().rod.length, 4.27);
+    QCOMPARE(field("rod.length").findChild<QLineEdit*>()->text(), QStringLiteral("4,27"));
+    QVERIFY(window().document().text().contains("length: 4.27 m"));
+    settle();
+    QVERIFY(window()
+                .resultPanel()
+                .findChild<QLabel*>(QStringLiteral("cor"))
+                ->text()
+                .startsWith(QStringLiteral("0,")));
+}
+
+void TestMainWindow::aFailingSolversTextReachesTheAlerts() {
+    makeWindow([](const SolveRequest& request) {
+        return failedBlow(request, QStringLiteral("The rod has melted."));
+    });
+    QCOMPARE(window().resultPanel().alerts()->texts(), QStringList{QStringLiteral("The rod has melted.")});
+    QCOMPARE(window().resultPanel().findChild<QLabel*>(QStringLiteral("cor"))->text(), QStringLiteral("–"));
+    QVERIFY(window().blowPage().plots()->textSummary().contains(QStringLiteral("melted")));
+    makeWindow([](const SolveRequest&) -> SolvedBlowPtr { throw std::runtime_error("out of rock"); });
+    QCOMPARE(window().resultPanel().alerts()->texts(), QStringList{QStringLiteral("out of rock")});
+}
+
+void TestMainWindow::aSlowSolverNeverHoldsTheWindowUp() {
+    auto solver = std::make_shared<ExactSolver>();
+    std::atomic<int> calls = 0;
+    makeWindow([solver, &calls](const SolveRequest& request) {
+        ++calls;
+        QTest::qSleep(30);
+        return solveBlow(request, *solver);
+    });
+    calls = 0;
+    for (int i = 1; i <= 50; ++i) window().document().assign(*findParameter("beta"), 0.02 * i, 1);
+    // All fifty were taken at once; the first and the last are solved.
+    settle();
+    QCOMPARE(calls.load(), 2);
+    QCOMPARE(window().shown()->groups.beta, 1.0);
+    m_window.reset();
+}
+
+void TestMainWindow::savingIntoAnUnwritableFolderIsReportedAndNothingLost() {
+    type(field("rod.length"), QStringLiteral("5"));
+    m_answers.save = m_folder.filePath(QStringLiteral("missing/a.yaml"));
+    QVERIFY(!window().fileMenu().save());
+    QCOMPARE(m_answers.told.size(), 1);
+    QVERIFY2(m_answers.told.first().contains(QStringLiteral("a.yaml")), qPrintable(m_answers.told.first()));
+    QVERIFY(window().isWindowModified());
+    QCOMPARE(window().document().scenario().rod.length, 5.0);
+    QVERIFY(window().document().undoStack().canUndo());
+}
+
+void TestMainWindow::savedFilesAreRememberedAndReopened() {
+    const QString path = m_folder.filePath(QStringLiteral("mine.yaml"));
+    type(field("rod.length"), QStringLiteral("5"));
+    m_answers.save = path;
+    QVERIFY(window().fileMenu().save());
+    QVERIFY(!window().isWindowModified());
+    QCOMPARE(bytesOf(path), window().document().text());
+    makeWindow(exactSolve());
+    const QList<QMenu*> menus = window().fileMenu().findChildren<QMenu*>();
+    QVERIFY(std::ranges::any_of(menus, [&](const QMenu* menu) {
+        return !menu->actions().isEmpty() &&
+               menu->actions().first()->text().endsWith(QStringLiteral("mine.yaml"));
+    }));
+    QVERIFY(window().openFile(path));
+    QCOMPARE(window().document().scenario().rod.length, 5.0);
+    QTRY_COMPARE(window().shown()->request.scenario, window().document().scenario());
+}
+
+void TestMainWindow::aBadFileIsReportedAndThePresentScenarioStays() {
+    const QString path = m_folder.filePath(QStringLiteral("bad.yaml"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("drillwave: 1\nrodd: 3\n");
+    file.close();
+    const Scenario before = window().document().scenario();
+    QVERIFY(!window().openFile(path));
+    QCOMPARE(m_answers.told.size(), 1);
+    QVERIFY2(m_answers.told.first().contains(QStringLiteral("bad.yaml:2")),
+             qPrintable(m_answers.told.first()));
+    QCOMPARE(window().document().scenario(), before);
+}
+
+void TestMainWindow::closingAsksAboutUnsavedChanges() {
+    QVERIFY(window().close());
+    QCOMPARE(m_answers.unsavedAsked, 0);
+    makeWindow(exactSolve());
+    type(field("rod.length"), QStringLiteral("5"));
+    m_answers.unsaved = Questions::Unsaved::cancel;
+    QVERIFY(!window().close());
+    QVERIFY(window().isVisible());
+    m_answers.unsaved = Questions::Unsaved::save;
+    m_answers.save = m_folder.filePath(QStringLiteral("missing/b.yaml"));
+    QVERIFY(!window().close());  // it could not be saved, so it must not be lost
+    m_answers.unsaved = Questions::Unsaved::discard;
+    QVERIFY(window().close());
+    QCOMPARE(m_answers.unsavedAsked, 3);
+}
+
+void TestMainWindow::unitsOfResultsCanBeSwitched() {
+    QVERIFY(window()
+                .blowPage()
+                .plots()
+                ->axisRect(1)
+                ->axis(QCPAxis::atLeft)
+                ->label()
+                .contains(QStringLiteral("[kN]")));
+    for (QRadioButton* button : window().findChildren<QRadioButton*>())
+        if (button->text() == QStringLiteral("dimensionless")) button->click();
+    settle();
+    QTRY_VERIFY(window()
+                    .blowPage()
+                    .plots()
+                    ->axisRect(1)
+                    ->axis(QCPAxis::atLeft)
+                    ->label()
+                    .contains(QStringLiteral("F₀")));
+    QCOMPARE(window().shown()->units.force.factor, 1.0);
+}
+
+void TestMainWindow::aDimensionlessScenarioHasNoSi() {
+    const Example* example = findExample("paper_fig4b");
+    QVERIFY(example);
+    QCOMPARE(window().document().startFrom(example->text, QStringLiteral("example")), QString());
+    settle();
+    // Paper, Fig. 4 (b); the value of the reference solver, to its 1e-13.
+    QTRY_VERIFY(std::abs(cor() - 0.40671074387478970) < 1e-13);
+    QCOMPARE(window().shown()->request.units, UnitSystem::dimensionless);
+    QVERIFY(!field("rod.length").isVisible());
+    QVERIFY(field("beta").isVisible());
+}
+
+void TestMainWindow::theSectionOfTheWavesCanBeMoved() {
+    window().blowPage().findChild<QDoubleSpinBox*>(QStringLiteral("section"))->setValue(0.25);
+    QTRY_COMPARE(window().shown()->curves->section, 0.25);
+}
+
+void TestMainWindow::theShapeOfThePulseChangesItsRows() {
+    auto* shape = window().scenarioPanel().findChild<QComboBox*>(QStringLiteral("pulse.shape"));
+    QCOMPARE(shape->findText(QStringLiteral("table")), -1);  // there are no points
+    QVERIFY(!field("pulse.rise").isVisible());
+    shape->setCurrentIndex(shape->findText(QStringLiteral("trapezoid")));
+    emit shape->activated(shape->currentIndex());
+    QVERIFY(field("pulse.rise").isVisible());
+    QCOMPARE(window().document().scenario().pulse.shape, PulseShape::trapezoid);
+    shape->setCurrentIndex(shape->findText(QStringLiteral("piston")));
+    emit shape->activated(shape->currentIndex());
+    QVERIFY(!field("pulse.rise").isVisible());
+    QVERIFY(field("pulse.velocity").isVisible());
+    settle();
+    QTRY_COMPARE(window().shown()->request.scenario, window().document().scenario());
+    QCOMPARE(window().shown()->problem, QString());
+}
+
+void TestMainWindow::everyExampleOpensSolved() {
+    for (const Example& example : builtInExamples()) {
+        QCOMPARE(window().document().startFrom(example.text, QString::fromStdString(example.name)),
+                 QString());
+        settle();
+        QTRY_COMPARE(window().shown()->request.scenario, window().document().scenario());
+        QCOMPARE(window().shown()->problem, QString());
+    }
+}
+
+void TestMainWindow::theTitleBarNamesTheFile() {
+    QVERIFY(!window().windowTitle().contains(QStringLiteral(".yaml")));
+    const QString path = m_folder.filePath(QStringLiteral("named.yaml"));
+    QCOMPARE(window().document().save(path), QString());
+    QCOMPARE(window().windowTitle(), QStringLiteral("T38 rod, medium rock – named.yaml[*] — Drillwave"));
+    window().document().setTitle({});
+    QCOMPARE(window().windowTitle(), QStringLiteral("named.yaml[*] — Drillwave"));
+}
+
+// As line edits do on X11, where Ctrl+E goes to the end of the line.
+class GreedyLineEdit : public QLineEdit {
+  public:
+    using QLineEdit::QLineEdit;
+
+  protected:
+    bool event(QEvent* event) override {
+        if (event->type() == QEvent::ShortcutOverride) event->accept();
+        return event->type() == QEvent::ShortcutOverride || QLineEdit::event(event);
+    }
+};
+
+void TestMainWindow::controlEReachesTheWindowFromALineEdit() {
+    GreedyLineEdit edit(window().centralWidget());
+    edit.show();
+    edit.setFocus();
+    QVERIFY(edit.hasFocus());
+    m_answers.folder = m_folder.filePath(QStringLiteral("everything"));
+    QTest::keyClick(&edit, Qt::Key_E, Qt::ControlModifier);
+    QTRY_VERIFY(QFile::exists(m_answers.folder + QStringLiteral("/summary.json")));
+}
+
+void TestMainWindow::aChosenUnitIsKept() {
+    type(field("rod.length"), QStringLiteral("12 ft"));
+    QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
+    makeWindow(exactSolve());
+    QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
+    type(field("rod.length"), QStringLiteral("3 m"));
+    makeWindow(exactSolve());
+    QCOMPARE(field("rod.length").unit().name, std::string_view("m"));
+}
+
+void TestMainWindow::aPresetLeavesAGhostUntilTheNextChange() {
+    const int graphs = window().blowPage().plot()->graphCount();
+    const auto hard = std::ranges::find(builtInPresets(), std::string("hard rock"), &Preset::name);
+    QCOMPARE(window().document().applyPreset(*hard), QString());
+    settle();
+    QVERIFY(window().blowPage().plot()->graphCount() > graphs);
+    window().document().assign(*findParameter("rod.length"), 4, 1);
+    settle();
+    QCOMPARE(window().blowPage().plot()->graphCount(), graphs);
+}
+
+void TestMainWindow::theNoteOfAnExampleDoesNotOutliveItsValues() {
+    const QString explanation = window().exampleNote().text();
+    QCOMPARE(explanation, QString::fromStdString(defaultExample().explanation));
+    window().document().assign(*findParameter("rod.length"), 4, 1);
+    QVERIFY(window().exampleNote().text().startsWith(QStringLiteral("You have changed this example")));
+    window().document().undoStack().undo();
+    QCOMPARE(window().exampleNote().text(), explanation);
+}
+
+void TestMainWindow::aNarrowWindowStacksItsPanels() {
+    const QList<QDockWidget*> docks = window().findChildren<QDockWidget*>();
+    QCOMPARE(docks.size(), 2);
+    window().resize(1500, 800);
+    QTRY_VERIFY(window().tabifiedDockWidgets(docks[0]).isEmpty());
+    window().setMinimumSize(1, 1);  // as a window manager may that knows no smallest size
+    window().resize(800, 500);
+    QTRY_COMPARE(window().tabifiedDockWidgets(docks[0]).size(), 1);
+    QVERIFY(window().minimumSizeHint().width() <= 800);
+    window().resize(1500, 800);
+    QTRY_VERIFY(window().tabifiedDockWidgets(docks[0]).isEmpty());
+}
+
+void TestMainWindow::keysAimAtThePlotBelowThePointer() {
+    PlotWidget& plot = *window().blowPage().plot();
+    const QPointF middle = plot.axisRect(0)->center();
+    QEnterEvent enter(middle, middle, plot.mapToGlobal(middle));
+    QCoreApplication::sendEvent(&plot, &enter);
+    auto* button = window().blowPage().findChild<QPushButton*>();
+    button->setFocus();
+    QTest::keyClick(button, Qt::Key_A);
+    QVERIFY(plot.cursorPosition(PlotCursor::a));
+    // Text is typed where the focus is.
+    auto* title = window().scenarioPanel().findChild<QLineEdit*>(QStringLiteral("title"));
+    title->setFocus();
+    title->clear();
+    QTest::keyClicks(title, QStringLiteral("b"));
+    QCOMPARE(title->text(), QStringLiteral("b"));
+    QVERIFY(!plot.cursorPosition(PlotCursor::b));
+    // The wheel takes the focus, so that Backspace brings the view back.
+    QWheelEvent wheel(middle, plot.mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    const QCPRange before = plot.xAxis->range();
+    QCoreApplication::sendEvent(&plot, &wheel);
+    QVERIFY(plot.hasFocus());
+    QTest::keyClick(window().focusWidget(), Qt::Key_Backspace);
+    QCOMPARE(plot.xAxis->range().upper, before.upper);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&plot, &leave);
+}
+
+void TestMainWindow::theReasonOfAnUnsolvedCaseStaysInThePlot() {
+    makeWindow([](const SolveRequest& request) {
+        return failedBlow(request,
+                          QString("The histories need more than 4 million wave pieces. ").repeated(5));
+    });
+    PlotWidget& plot = *window().blowPage().plot();
+    plot.replot();
+    const QCPItemText* message = nullptr;
+    for (int i = 0; i < plot.itemCount(); ++i)
+        if (auto* text = qobject_cast<QCPItemText*>(plot.item(i)); text && text->text().contains("million"))
+            message = text;
+    QVERIFY(message && message->visible());
+    QVERIFY(message->brush().style() != Qt::NoBrush);
+    QVERIFY(message->left->pixelPosition().x() >= 0);
+    QVERIFY(message->right->pixelPosition().x() <= plot.width());
+    QVERIFY(message->top->pixelPosition().y() >= 0);
+}
+
+void TestMainWindow::aWindowCanGoWhileAFieldIsEdited_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("title") << "title";
+    QTest::newRow("quantity") << "rod.length";
+}
+
+// The last thing a field does is to lose the focus and to hand over its edits: to a document that must still
+// be there.
+void TestMainWindow::aWindowCanGoWhileAFieldIsEdited() {
+    QFETCH(QString, name);
+    auto* edited = window().scenarioPanel().findChild<QWidget*>(name);
+    edited->setFocus();
+    QVERIFY(edited->hasFocus());
+    QTest::keyClicks(edited, QStringLiteral("1"));
+    m_window.reset();
+    QVERIFY(!QApplication::focusWidget());
+}
+
+QTEST_MAIN(TestMainWindow)
+#include "tst_main_window.moc"

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/document.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
+
+#include "core/file/pulse_table.h"
+#include "core/file/result_scenario.h"
+#include "core/model/optional_parameter.h"
+#include "ui/document/whole_file.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/typed_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int undoLimit = 1000;
+
+std::string nativePath(const QString& path) {
+    return QFile::encodeName(path).toStdString();
+}
+
+QString lines(const ScenarioError& error) {
+    QStringList all;
+    for (const std::string& line : error.lines()) all.append(QString::fromStdString(line));
+    return all.join(QLatin1Char('\n'));
+}
+
+// "stiffness β", as in "Undo change stiffness β to 0.6".
+QString editName(const Parameter& parameter) {
+    const QString label = fromView(parameter.label);
+    return (label + QLatin1Char(' ') + shownSymbol(parameter.symbol)).trimmed();
+}
+
+QString keyOf(const Parameter& parameter) {
+    return fromView(parameter.key);
+}
+
+QString shownValue(const Parameter& parameter, double si) {
+    const Unit& unit = parameter.displayUnit();
+    const QString number = QLocale().toString(unit.fromSi(si), 'g', 4);
+    return unit.name.empty() ? number : number + QLatin1Char(' ') + shownUnitName(unit.name);
+}
+
+}  // namespace
+
+// One undo step: the scenario before and after. Edits of the same parameter within a gesture melt into one.
+class Document::Edit : public QUndoCommand {
+  public:
+    Edit(Document& document, Scenario after, QString key, int gesture)
+        : m_document(document),
+          m_before(document.m_scenario),
+          m_after(std::move(after)),
+          m_key(std::move(key)),
+          m_gesture(gesture) {}
+
+    const Scenario& before() const { return m_before; }
+    bool isOf(const QString& key, int gesture) const { return m_key == key && m_gesture == gesture; }
+    void undo() override { m_document.setScenario(m_before); }
+    void redo() override { m_document.setScenario(m_after); }
+    int id() const override { return m_key.isEmpty() ? -1 : 1; }
+    bool mergeWith(const QUndoCommand* other) override {
+        const auto* later = static_cast<const Edit*>(other);
+        if (later->m_key != m_key || later->m_gesture != m_gesture) return false;
+        m_after = later->m_after;
+        setText(later->text());
+        setObsolete(m_after == m_before);
+        return true;
+    }
+
+  private:
+    Document& m_document;
+    Scenario m_before;
+    Scenario m_after;
+    QString m_key;
+    int m_gesture;
+};
+
+Document::Document(QObject* parent) : QObject(parent) {
+    m_undoStack.setUndoLimit(undoLimit);
+    connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Document::stateChanged);
+}
+
+QString Document::displayName() const {
+    if (!m_scenario.title.empty()) return QString::fromStdString(m_scenario.title);
+    return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName();
+}
+
+QString Document::suggestedPath() const {
+    if (!m_path.isEmpty()) return m_path;
+    if (m_origin.isEmpty()) return QStringLiteral("scenario.yaml");
+    const QFileInfo origin(m_origin);
+    return origin.dir().filePath(origin.completeBaseName() + QStringLiteral(".yaml"));
+}
+
+QByteArray Document::text() const {
+    return QByteArray::fromStdString(writeScenario(contents()));
+}
+
+QString Document::whyNot(const Parameter& parameter, double si) const {
+    const std::string outside = rangeProblem(parameter, si);
+    if (!outside.empty()) return QString::fromStdString(outside);
+    Scenario changed = m_scenario;
+    parameter.assign(changed, si);
+    const std::vector<Problem> problems = validate(changed);
+    return problems.empty() ? QString() : QString::fromStdString(problems.front().text);
+}
+
+void Document::assign(const Parameter& parameter, double si, int gesture) {
+    if (!whyNot(parameter, si).isEmpty()) return;
+    Scenario changed = m_scenario;
+    parameter.assign(changed, si);
+    push(std::move(changed), tr("change %1 to %2").arg(editName(parameter), shownValue(parameter, si)),
+         keyOf(parameter), gesture);
+}
+
+void Document::clear(const Parameter& parameter, int gesture) {
+    Scenario changed = m_scenario;
+    if (std::optional<double>* value = optionalValue(changed, parameter.key)) {
+        value->reset();
+    } else {
+        // Only the diameter of a rod that was given by its area can have had no value before.
+        const auto* last = static_cast<const Edit*>(m_undoStack.command(m_undoStack.index() - 1));
+        if (!last || !last->isOf(keyOf(parameter), gesture)) return;
+        changed = last->before();
+    }
+    push(std::move(changed), tr("clear %1").arg(editName(parameter)), keyOf(parameter), gesture);
+}
+
+bool Document::canHaveShape(PulseShape shape) const {
+    Scenario changed = m_scenario;
+    changed.pulse.shape = shape;
+    return validate(changed).empty();
+}
+
+void Document::setShape(PulseShape shape) {
+    if (!canHaveShape(shape)) return;
+    Scenario changed = m_scenario;
+    changed.pulse.shape = shape;
+    const std::string_view shapeName = name(shape);
+    push(std::move(changed), tr("change the pulse shape to %1").arg(fromView(shapeName).replace(u'_', u' ')));
+}
+
+void Document::setTitle(const QString& title) {
+    Scenario changed = m_scenario;
+    changed.title = title.toStdString();
+    push(std::move(changed), tr("change the title"));
+}
+
+void Document::push(Scenario after, const QString& name, const QString& key, int gesture) {
+    if (after == m_scenario) return;
+    auto* edit = new Edit(*this, std::move(after), key, gesture);
+    edit->setText(name);
+    m_undoStack.push(edit);
+}
+
+void Document::setScenario(const Scenario& scenario) {
+    m_scenario = scenario;
+    emit scenarioChanged();
+    emit stateChanged();
+}
+
+void Document::take(ScenarioDocument source, const QString& path, const QString& origin) {
+    m_source = std::move(source);
+    m_path = path;
+    m_origin = origin;
+    m_undoStack.clear();
+    m_undoStack.setClean();  // an empty stack ignores clear(), and may have been marked unsaved
+    emit replaced();
+    setScenario(m_source.scenario);
+}
+
+void Document::start() {
+    take({}, {}, {});
+}
+
+QString Document::startFrom(std::string_view text, const QString& name) {
+    try {
+        take(parseScenario(text, name.toStdString()), {}, {});
+    } catch (const ScenarioError& error) {
+        return lines(error);
+    }
+    return {};
+}
+
+QString Document::open(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    try {
+        const std::string native = nativePath(absolute);
+        ScenarioInput input = loadInput(native);
+        // What is saved is a scenario: not over a result.
+        const QString toSave = input.isResult ? QString() : absolute;
+        take(std::move(input.document), toSave, absolute);
+    } catch (const ScenarioError& error) {
+        return lines(error);
+    }
+    return {};
+}
+
+QString Document::reload() {
+    try {
+        ScenarioDocument source = loadScenario(nativePath(m_path));
+        push(source.scenario, tr("reload the file"));
+        m_source = std::move(source);
+    } catch (const ScenarioError& error) {
+        return lines(error);
+    }
+    m_undoStack.setClean();
+    emit stateChanged();
+    return {};
+}
+
+QString Document::restore(const std::string& text, const QString& origin) {
+    const std::string source = origin.isEmpty() ? std::string() : nativePath(origin);
+    try {
+        take(parseScenario(text, source), {}, origin);
+    } catch (const ScenarioError& error) {
+        return lines(error);
+    }
+    markUnsaved();
+    return {};
+}
+
+void Document::markUnsaved() {
+    m_undoStack.resetClean();
+    emit stateChanged();
+}
+
+QString Document::applyPreset(const Preset& preset) {
+    Scenario changed = withPreset(m_scenario, preset);
+    std::vector<Problem> problems = validate(changed);
+    if (!problems.empty())
+        return lines(ScenarioError(ScenarioError::Kind::invalid, preset.name, std::move(problems)));
+    if (changed != m_scenario) emit presetTaken();
+    push(std::move(changed), tr("take the preset %1").arg(QString::fromStdString(preset.name)));
+    return {};
+}
+
+QString Document::useTable(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    const QString name =
+        m_origin.isEmpty() ? absolute : QFileInfo(m_origin).absoluteDir().relativeFilePath(absolute);
+    return takeTable(absolute, nativePath(name),
+                     tr("take the hammer blow from %1").arg(QFileInfo(path).fileName()));
+}
+
+QString Document::reloadTable() {
+    return takeTable(tablePath(), m_scenario.pulse.tableFile, tr("reload the table of the hammer blow"));
+}
+
+QString Document::tablePath() const {
+    const QString name = QFile::decodeName(m_scenario.pulse.tableFile.c_str());
+    if (name.isEmpty()) return {};
+    return QFileInfo(m_origin.isEmpty() ? QDir() : QFileInfo(m_origin).absoluteDir(), name)
+        .absoluteFilePath();
+}
+
+QString Document::takeTable(const QString& path, const std::string& name, const QString& step) {
+    PulseTable table = readPulseTable(nativePath(path), nativePath(path), m_scenario.form);
+    std::vector<Problem> problems = std::move(table.problems);
+    Scenario changed = m_scenario;
+    changed.pulse.shape = PulseShape::table;
+    changed.pulse.tablePoints = std::move(table.points);
+    changed.pulse.tableFile = name;
+    if (problems.empty()) problems = validate(changed);
+    if (!problems.empty())
+        return lines(ScenarioError(ScenarioError::Kind::invalid, nativePath(path), std::move(problems)));
+    push(std::move(changed), step);
+    return {};
+}
+
+// The points of a table are in a file named relative to the scenario: saved elsewhere, the name must follow.
+bool Document::keepTableInReach(const QString& path) {
+    const QString table = QFile::decodeName(m_scenario.pulse.tableFile.c_str());
+    const QDir from = QFileInfo(m_origin).absoluteDir();
+    const QDir to = QFileInfo(path).absoluteDir();
+    if (table.isEmpty() || m_origin.isEmpty() || QDir::isAbsolutePath(table) || from == to) return false;
+    Scenario changed = m_scenario;
+    changed.pulse.tableFile = nativePath(to.relativeFilePath(from.absoluteFilePath(table)));
+    push(std::move(changed), tr("follow the table of the pulse"));
+    return true;
+}
+
+QString Document::save(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    const bool tableMoved = keepTableInReach(absolute);
+    const auto failed = [&](const QString& reason) {
+        if (tableMoved) m_undoStack.undo();
+        return tr("%1: cannot be saved: %2. Nothing is lost: save it under another name or in another "
+                  "folder.")
+            .arg(QDir::toNativeSeparators(absolute), reason);
+    };
+    QByteArray bytes;
+    try {
+        bytes = text();
+    } catch (const ScenarioError& error) {
+        return failed(lines(error));
+    }
+    if (const QString reason = replaceFile(absolute, bytes); !reason.isEmpty()) return failed(reason);
+    m_source = {m_scenario, bytes.toStdString(), nativePath(absolute)};
+    m_path = m_origin = absolute;
+    m_undoStack.setClean();
+    emit stateChanged();
+    return {};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scenario being edited: its file, its history of edits, and what has not been saved yet.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include "core/file/scenario_file.h"
+#include "core/model/parameter.h"
+#include "core/model/preset.h"
+
+namespace drillwave {
+
+/// Always holds a scenario that validate() finds nothing wrong with; edits that would spoil it are refused.
+class Document : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit Document(QObject* parent = nullptr);
+
+    const Scenario& scenario() const { return m_scenario; }
+    QUndoStack& undoStack() { return m_undoStack; }
+    /// The file it was read from or saved to last, which saving writes; empty where there is none.
+    const QString& path() const { return m_path; }
+    /// The file that it came from, even if saving does not write that; empty where there is none.
+    const QString& origin() const { return m_origin; }
+    /// Where to propose to save it: path(), else a scenario file beside the file that it came from.
+    QString suggestedPath() const;
+    /// Title of the scenario, else the name of its file, else "Untitled".
+    QString displayName() const;
+    bool isModified() const { return !m_undoStack.isClean(); }
+    /// The bytes that saving would write. Throws ScenarioError where they would be more than a file may have.
+    QByteArray text() const;
+    /// The scenario as it is, with the text it came from: all that its bytes are made of.
+    ScenarioDocument contents() const { return {m_scenario, m_source.text, m_source.source}; }
+    /// The scenario and its bytes as last read or written.
+    const ScenarioDocument& source() const { return m_source; }
+    const std::string& savedText() const { return m_source.text; }
+
+    /// Why a parameter cannot take a value (SI); empty when it can.
+    QString whyNot(const Parameter& parameter, double si) const;
+    /// Sets a parameter (SI) as one undo step; edits of one parameter with the same `gesture` are one step.
+    void assign(const Parameter& parameter, double si, int gesture);
+    /// Takes an optional parameter back to "not given", any other to what it was before the gesture.
+    void clear(const Parameter& parameter, int gesture);
+    /// Whether the scenario would be valid with that shape (a table needs points).
+    bool canHaveShape(PulseShape shape) const;
+    void setShape(PulseShape shape);
+    void setTitle(const QString& title);
+    /// Takes the values of a preset as one undo step. Returns why not; then nothing has changed.
+    QString applyPreset(const Preset& preset);
+    /// Takes the hammer blow from a CSV file of times and forces, as one undo step. Returns why not, line by
+    /// line; then nothing has changed.
+    QString useTable(const QString& path);
+    /// Reads the CSV file of the hammer blow anew, likewise. Requires tablePath().
+    QString reloadTable();
+    /// The CSV file that the points of the hammer blow are from; empty when they are the scenario's own.
+    QString tablePath() const;
+
+    /// A new scenario with the default values.
+    void start();
+    /// A scenario from text, without a file; `name` names it in messages. Returns why not, line by line.
+    QString startFrom(std::string_view text, const QString& name);
+    /// Replaces the scenario by that of a file, or by the one that a CSV file of results begins with; that
+    /// has no path(), so that saving never writes over results. Returns why not, line by line; then nothing
+    /// has changed.
+    QString open(const QString& path);
+    /// Takes the scenario of the file anew, as an undo step. Returns why not; then nothing has changed.
+    QString reload();
+    /// Replaces the scenario by one that was never saved, without a path(); `origin` is the file it was an
+    /// edit of, or empty. Returns why not, line by line; then nothing has changed.
+    QString restore(const std::string& text, const QString& origin);
+    /// Counts as modified from now on, because its file says something else or is gone.
+    void markUnsaved();
+    /// Writes the file whole or not at all. Returns why not; then nothing has changed.
+    QString save(const QString& path);
+
+  signals:
+    /// Another scenario has taken the place of the one before, with its file and history.
+    void replaced();
+    void scenarioChanged();
+    /// A preset is about to change the scenario.
+    void presetTaken();
+    /// Path, title or modified state may have changed.
+    void stateChanged();
+
+  private:
+    class Edit;
+    void push(Scenario after, const QString& name, const QString& key = {}, int gesture = 0);
+    void setScenario(const Scenario& scenario);
+    void take(ScenarioDocument source, const QString& path, const QString& origin);
+    QString takeTable(const QString& path, const std::string& name, const QString& step);
+    bool keepTableInReach(const QString& path);
+
+    Scenario m_scenario;
+    ScenarioDocument m_source;  // as last read or written: what saving changes as little as possible
+    QString m_path;
+    QString m_origin;  // what the names of other files are relative to
+    QUndoStack m_undoStack;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/figure_plot.h"
+
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plot/plot_rendering.h"
+#include "ui/plot/plot_style.h"
+
+namespace drillwave {
+namespace {
+
+/// What data files spell out, as it is printed: "gamma" as γ, "k0" with its index.
+QString printed(const std::string& text) {
+    QString result = QString::fromStdString(text);
+    const std::pair<const char*, const char*> symbols[] = {
+        {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"}, {"tau", "τ"},   {"/t0", "/t₀"}, {"/F0", "/F₀"},
+        {"/I0", "/I₀"}, {"k0", "k₀"},   {"N0p", "N₀ₚ"}, {"N1n", "N₁ₙ"}, {"N2p", "N₂ₚ"}, {"N3n", "N₃ₙ"}};
+    for (const auto& [plain, symbol] : symbols)
+        result.replace(QLatin1String(plain), QString::fromUtf8(symbol));
+    return result;
+}
+
+QCPRange rangeOf(const FigurePanel& panel, std::vector<double> FigureCurve::*values, double margin) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const FigureCurve& curve : panel.curves) {
+        if (curve.line == FigureCurve::Line::none) continue;
+        const auto [least, largest] = std::ranges::minmax(curve.*values);
+        low = std::min(low, least);
+        high = std::max(high, largest);
+    }
+    const double room = margin * (high - low);
+    return {low - room, high + room};
+}
+
+/// Where all lines are solid, dashes make them differ not by colour alone.
+QPen penOf(const FigurePanel& panel, const FigureCurve& curve, const PlotStyle& style) {
+    using Line = FigureCurve::Line;
+    if (std::ranges::all_of(panel.curves, [](const FigureCurve& one) { return one.line == Line::solid; }))
+        return style.linePen(curve.colour);
+    QPen pen(style.lines[curve.colour % PlotStyle::lineKinds], style.lineWidth);
+    pen.setCapStyle(Qt::FlatCap);
+    if (curve.line == Line::dotted) pen.setDashPattern({1.5, 2});
+    if (curve.line == Line::dashed) pen.setDashPattern({6, 3});
+    return pen;
+}
+
+void addCurves(const FigurePanel& panel, QCPAxisRect& rect, QCPLegend& legend, const PlotStyle& style) {
+    for (const FigureCurve& curve : panel.curves) {
+        if (curve.line == FigureCurve::Line::none) continue;
+        QCPGraph* graph =
+            rect.parentPlot()->addGraph(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+        graph->setName(printed(curve.label));
+        graph->setAdaptiveSampling(false);
+        graph->setData(QVector<double>(curve.x.begin(), curve.x.end()),
+                       QVector<double>(curve.y.begin(), curve.y.end()), true);
+        graph->setPen(penOf(panel, curve, style));
+        graph->addToLegend(&legend);
+    }
+}
+
+void setAxes(const FigurePanel& panel, QCPAxisRect& rect) {
+    QCPAxis& x = *rect.axis(QCPAxis::atBottom);
+    QCPAxis& y = *rect.axis(QCPAxis::atLeft);
+    x.setLabel(printed(panel.xLabel));
+    y.setLabel(printed(panel.yLabel));
+    for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) rect.axis(side)->setTicks(false);
+    x.setRange(rangeOf(panel, &FigureCurve::x, 0));
+    y.setRange(rangeOf(panel, &FigureCurve::y, 0.06));
+    if (!panel.logarithmicX) return;
+    x.setScaleType(QCPAxis::stLogarithmic);
+    x.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+    x.setNumberFormat(QStringLiteral("g"));
+    x.setNumberPrecision(3);
+}
+
+/// Adds an element below the others, as high as it needs to be or taking what height is left.
+enum class Height { own, rest };
+void addRow(QCustomPlot& plot, QCPLayoutElement* element, Height height) {
+    const int row = plot.plotLayout()->rowCount();
+    plot.plotLayout()->addElement(row, 0, element);
+    if (height == Height::own) plot.plotLayout()->setRowStretchFactor(row, 1e-3);
+}
+
+void addTitle(QCustomPlot& plot, const std::string& text, const PlotStyle& style) {
+    auto* title = new QCPTextElement(&plot, printed(text));
+    title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    title->setMargins(QMargins(8, 4, 0, 0));
+    style.applyTo(*title);
+    addRow(plot, title, Height::own);
+}
+
+void addPanel(QCustomPlot& plot, const FigurePanel& panel, const PlotStyle& style) {
+    if (!panel.title.empty()) addTitle(plot, panel.title, style);
+    auto* rect = new QCPAxisRect(&plot);
+    rect->setupFullAxesBox(true);
+    rect->setMinimumMargins(QMargins(4, 6, 16, 2));
+    // Drawn in the order of these lines: axes() comes in another order in every run of the program.
+    for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight, QCPAxis::atTop, QCPAxis::atBottom}) {
+        rect->axis(side)->setLayer(QStringLiteral("axes"));
+        rect->axis(side)->grid()->setLayer(QStringLiteral("grid"));
+    }
+    addRow(plot, rect, Height::rest);
+    auto* legend = new QCPLegend;
+    legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    legend->setWrap(panel.curves.size() > 4 ? 2 : 4);
+    legend->setIconSize(34, 12);
+    addRow(plot, legend, Height::own);
+    legend->setLayer(QStringLiteral("legend"));
+    addCurves(panel, *rect, *legend, style);
+    setAxes(panel, *rect);
+    style.applyTo(*rect);
+    style.applyTo(*legend);
+}
+
+}  // namespace
+
+QByteArray drawFigure(const Figure& figure, const QString& format) {
+    constexpr double width = 160, panelHeight = 95;
+    QCustomPlot plot;
+    plot.setLocale(QLocale::c());
+    plot.setAutoAddPlottableToLegend(false);
+    plot.plotLayout()->clear();
+    const PlotStyle style = PlotStyle::forPaper();
+    plot.setBackground(style.background);
+    for (const FigurePanel& panel : figure.panels) addPanel(plot, panel, style);
+    const Millimetres size{width, panelHeight * static_cast<double>(figure.panels.size())};
+    return renderPlot(plot, size, format, QStringLiteral("Fig. %1").arg(figure.number));
+}
+
+}  // namespace drillwave

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/form/parameter_row.h"
+
+#include <QRegularExpression>
+
+#include "ui/text/settings.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/typed_text.h"
+
+namespace drillwave {
+ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid,
+                           QWidget* parent)
+    : QObject(parent),
+      m_parameter(parameter),
+      m_label(new QLabel(parent)),
+      m_field(new QuantityField(parameter.quantity, parameter.displayUnit(), parent)),
+      m_slider(new QuantitySlider(parameter.plausible, parameter.slider, parent)),
+      m_message(new QLabel(parent)) {
+    m_field->setStepAtZero((parameter.plausible.high - parameter.plausible.low) / 100);
+    m_slider->setFocusPolicy(Qt::ClickFocus);
+    m_slider->setMinimumWidth(44);
+    m_message->setWordWrap(true);
+    m_message->setVisible(false);
+    m_message->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    nameWidgets(sectionTitle);
+    rememberUnit();
+
+    const int row = grid->rowCount();
+    grid->addWidget(m_label, row, 0);
+    grid->addWidget(m_slider, row, 1);
+    grid->addWidget(m_field, row, 2);
+    if (m_field->unitButton()) grid->addWidget(m_field->unitButton(), row, 3);
+    grid->addWidget(m_message, row + 1, 0, 1, 4);
+
+    connect(m_field, &QuantityField::valueEdited, this, &ParameterRow::edited);
+    connect(m_field, &QuantityField::cleared, this, &ParameterRow::cleared);
+    connect(m_field, &QuantityField::editsEnded, this, &ParameterRow::editsEnded);
+    connect(m_field, &QuantityField::problemShown, this, &ParameterRow::showProblem);
+    connect(m_slider, &QuantitySlider::valueDragged, this, &ParameterRow::drag);
+    connect(m_slider, &QuantitySlider::dragEnded, this, [this] {
+        showProblem(m_field->problem());
+        emit editsEnded();
+    });
+}
+
+// The unit of choice is that of this parameter in every scenario and every run.
+void ParameterRow::rememberUnit() {
+    const QString settingsKey = QStringLiteral("units/") + fromView(m_parameter.key);
+    const std::string name = Settings().value(settingsKey).toString().toStdString();
+    if (const Unit* unit = name.empty() ? nullptr : findUnit(m_parameter.quantity, name))
+        m_field->setUnit(*unit);
+    connect(m_field, &QuantityField::unitChosen, this,
+            [settingsKey](const Unit& unit) { Settings().setValue(settingsKey, fromView(unit.name)); });
+}
+
+void ParameterRow::nameWidgets(const QString& sectionTitle) {
+    // "hammer length" in messages; in its own section "length" will do.
+    const QString label = fromView(m_parameter.label).remove(QRegularExpression(QStringLiteral("^hammer ")));
+    const QString symbol = shownSymbol(m_parameter.symbol);
+    const QString meaning = fromView(m_parameter.meaning);
+    const QString name = QStringLiteral("%1: %2").arg(sectionTitle, label);
+    m_label->setText(symbol.isEmpty() ? label : QStringLiteral("%1 %2").arg(label, symbol));
+    m_label->setBuddy(m_field);
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_label), static_cast<QWidget*>(m_field), static_cast<QWidget*>(m_slider)}) {
+        widget->setToolTip(meaning);
+        widget->setAccessibleDescription(meaning);
+    }
+    m_field->setObjectName(fromView(m_parameter.key));
+    m_field->setAccessibleName(name);
+    m_slider->setObjectName(fromView(m_parameter.key) + QStringLiteral(".slider"));
+    m_slider->setAccessibleName(tr("%1, slider").arg(name));
+    if (m_field->unitButton()) {
+        m_field->unitButton()->setAccessibleName(tr("%1, unit").arg(name));
+        m_field->unitButton()->setToolTip(tr("Unit in which the %1 is shown").arg(label));
+    }
+}
+
+// Where the slider cannot go, the value stays and the reason is said.
+void ParameterRow::drag(double si) {
+    const double rounded = m_field->rounded(si);
+    const QString objection = m_field->objectionTo(rounded);
+    showProblem(objection);
+    if (objection.isEmpty()) emit edited(rounded);
+}
+
+void ParameterRow::showProblem(const QString& problem) {
+    m_problem = problem;
+    m_message->setText(QStringLiteral("⚠ %1: %2").arg(m_label->text(), problem));
+    m_message->setVisible(!problem.isEmpty() && m_field->isVisibleTo(m_field->parentWidget()));
+}
+
+void ParameterRow::show(const Scenario& scenario) {
+    const bool applies = m_parameter.applies(scenario);
+    setVisible(applies);
+    if (!applies) return;
+    const std::optional<double> si = m_parameter.value(scenario);
+    m_field->setValue(si);
+    m_slider->show(si.value_or(m_parameter.plausible.low));
+    const QString meaning = fromView(m_parameter.meaning);
+    m_slider->setToolTip(m_slider->beyond() == 0
+                             ? meaning
+                             : tr("%1. The value lies beyond the range of the slider.").arg(meaning));
+}
+
+void ParameterRow::setVisible(bool visible) {
+    m_label->setVisible(visible);
+    m_field->setVisible(visible);
+    m_slider->setVisible(visible);
+    if (m_field->unitButton()) m_field->unitButton()->setVisible(visible);
+    m_message->setVisible(visible && !m_problem.isEmpty());
+}
+
+}  // namespace drillwave

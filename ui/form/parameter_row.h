@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One parameter in the form: name, slider, field, unit, and a line for what is wrong.
+#pragma once
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include "core/model/parameter.h"
+#include "ui/form/quantity_field.h"
+#include "ui/form/quantity_slider.h"
+
+namespace drillwave {
+
+/// Made from an entry of the parameter table alone. Its widgets live in the grid of the section.
+class ParameterRow : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Fills the two lowest rows of `grid`; `sectionTitle` goes into the accessible names.
+    ParameterRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid, QWidget* parent);
+
+    const Parameter& parameter() const { return m_parameter; }
+    QuantityField* field() const { return m_field; }
+    QuantitySlider* slider() const { return m_slider; }
+
+    /// Widths that the columns of labels and units need [px].
+    int labelWidth() const { return m_label->sizeHint().width(); }
+    int unitWidth() const { return m_field->unitButton() ? m_field->unitButton()->sizeHint().width() : 0; }
+
+    /// Shows the parameter's value in the scenario, or hides the row where it does not apply.
+    void show(const Scenario& scenario);
+
+  signals:
+    /// The user changed the value (SI), by the field or the slider.
+    void edited(double si);
+    void cleared();
+    /// Further edits are a new undo step.
+    void editsEnded();
+
+  private:
+    void setVisible(bool visible);
+    void rememberUnit();
+    void nameWidgets(const QString& sectionTitle);
+    void drag(double si);
+    void showProblem(const QString& problem);
+
+    const Parameter& m_parameter;
+    QLabel* m_label;
+    QuantityField* m_field;
+    QuantitySlider* m_slider;
+    QLabel* m_message;
+    QString m_problem;  // what the message says, empty when there is none
+};
+
+}  // namespace drillwave

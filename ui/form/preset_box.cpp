@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/form/preset_box.h"
+
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
+#include <QUrl>
+
+namespace drillwave {
+namespace {
+
+QString htmlDescription(const Preset& preset) {
+    return QStringLiteral("<p>%1</p>")
+        .arg(QString::fromStdString(description(preset))
+                 .toHtmlEscaped()
+                 .replace(u'\n', QStringLiteral("<br>")));
+}
+
+// An ampersand in a name is no mnemonic.
+QString menuText(QString name) {
+    return name.replace(QLatin1Char('&'), QLatin1String("&&"));
+}
+
+}  // namespace
+
+PresetBox::PresetBox(PresetKind kind, const QString& part, Document& document, PresetLibrary& library,
+                     Questions& questions, QWidget* parent)
+    : ChoiceBox(parent),
+      m_kind(kind),
+      m_document(document),
+      m_library(library),
+      m_questions(questions),
+      m_menu(new QMenu(this)) {
+    setObjectName(QStringLiteral("preset.%1").arg(static_cast<int>(kind)));
+    setAccessibleName(tr("%1: preset").arg(part));
+    m_menu->setToolTipsVisible(true);
+    addItem(tr("custom"));
+}
+
+void PresetBox::show(const Scenario& scenario) {
+    const bool physical = scenario.form == ScenarioForm::dimensional;
+    const Preset* preset = m_library.matching(m_kind, scenario);
+    QString help = tr("The values are those of no preset. Choose one to start from its values.");
+    if (!physical)
+        help =
+            tr("Presets are physical values, and this scenario is given by its dimensionless groups alone. "
+               "File ▸ New begins one in physical values.");
+    else if (preset)
+        help = htmlDescription(*preset);
+    setItemText(0, preset ? QString::fromStdString(preset->name) : physical ? tr("custom") : tr("none"));
+    setEnabled(physical);
+    setToolTip(help);
+    setAccessibleDescription(preset ? QString::fromStdString(description(*preset)) : help);
+}
+
+QMenu* PresetBox::menu() {
+    m_library.reload();
+    emit libraryChanged();
+    fillMenu();
+    return m_menu;
+}
+
+void PresetBox::showPopup() {
+    menu()->setMinimumWidth(width());
+    m_menu->popup(mapToGlobal(QPoint(0, height())));
+}
+
+void PresetBox::fillMenu() {
+    m_menu->clear();
+    for (const PresetSource& source : m_library.sources()) {
+        if (!source.problem.isEmpty())
+            addProblem(source);
+        else
+            addPresets(m_menu, source);
+    }
+    m_menu->addSeparator();
+    m_menu->addAction(tr("&Add file of presets…"), this, &PresetBox::addFile)
+        ->setToolTip(tr("Offer the presets of a YAML file of your own, now and in later runs"));
+    QAction* open = m_menu->addAction(tr("&Open folder of presets"), this, [] {
+        QDir().mkpath(PresetLibrary::folder());
+        QDesktopServices::openUrl(QUrl::fromLocalFile(PresetLibrary::folder()));
+    });
+    open->setToolTip(tr("A file presets.yaml in %1 is read by itself")
+                         .arg(QDir::toNativeSeparators(PresetLibrary::folder()))
+                         .toHtmlEscaped());
+}
+
+void PresetBox::addPresets(QMenu* menu, const PresetSource& source) {
+    if (!source.path.isEmpty()) menu->addSection(menuText(QFileInfo(source.path).fileName()));
+    for (const Preset& preset : source.presets) {
+        if (preset.kind != m_kind) continue;
+        QAction* action = menu->addAction(menuText(QString::fromStdString(preset.name)), this,
+                                          [this, preset] { take(preset); });
+        action->setCheckable(true);
+        action->setChecked(matches(preset, m_document.scenario()));
+        action->setToolTip(htmlDescription(preset));
+    }
+    if (!source.path.isEmpty() && m_library.wasAdded(source.path))
+        menu->addAction(tr("Remove these from the list"), this, [this, path = source.path] {
+            m_library.remove(path);
+            emit libraryChanged();
+        });
+}
+
+void PresetBox::addProblem(const PresetSource& source) {
+    QAction* action = m_menu->addAction(
+        tr("⚠ %1 is not used: why?").arg(menuText(QFileInfo(source.path).fileName())), this,
+        [this, path = source.path, problem = source.problem] { explainProblem(path, problem); });
+    action->setToolTip(QStringLiteral("<p>%1</p>").arg(source.problem.toHtmlEscaped()));
+}
+
+void PresetBox::explainProblem(const QString& path, const QString& problem) {
+    const QString what = tr("The presets of %1 are not used.").arg(QFileInfo(path).fileName());
+    if (!m_library.wasAdded(path)) return m_questions.tell(window(), Questions::Tone::failure, what, problem);
+    if (!m_questions.confirm(window(), what, problem, tr("Take it off the list"))) return;
+    m_library.remove(path);
+    emit libraryChanged();
+}
+
+void PresetBox::addFile() {
+    const QString path =
+        m_questions.fileToImport(window(), tr("Add a file of presets"), PresetLibrary::folder(),
+                                 tr("Presets (*.yaml *.yml);;All files (*)"));
+    if (path.isEmpty()) return;
+    const QString problem = m_library.add(path);
+    if (!problem.isEmpty())
+        m_questions.tell(window(), Questions::Tone::failure, tr("These presets cannot be used."), problem);
+    emit libraryChanged();
+}
+
+void PresetBox::take(const Preset& preset) {
+    const QString problem = m_document.applyPreset(preset);
+    if (!problem.isEmpty())
+        m_questions.tell(window(), Questions::Tone::failure,
+                         tr("This preset does not fit the rest of the scenario."), problem);
+    // The same values again leave the document as it is, the box too.
+    show(m_document.scenario());
+}
+
+}  // namespace drillwave

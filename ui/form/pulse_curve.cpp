@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/form/pulse_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drillwave {
+namespace {
+
+constexpr double exponentialEnd = 5;      // e^−5: below one percent
+constexpr double negligibleShare = 0.02;  // of the peak, where a staircase may be cut
+constexpr int curvedSteps = 40;
+constexpr std::size_t most = 1000;  // segments drawn one by one
+
+double shownEnd(const PulseForce& force) {
+    if (force.shape == PulseShape::exponential) return exponentialEnd;
+    if (force.shape != PulseShape::piston) return force.end;
+    const auto small = std::ranges::find_if(
+        force.segments, [&](const PulseSegment& step) { return step.value < negligibleShare * force.peak; });
+    return small == force.segments.end() ? force.end : small->start;
+}
+
+double valueAt(const PulseSegment& segment, double x) {
+    switch (segment.kind) {
+        case PulseSegment::Kind::linear:
+            return segment.value + segment.slope * x;
+        case PulseSegment::Kind::sine:
+            return segment.value * std::sin(M_PI * (segment.start + x));
+        case PulseSegment::Kind::exponential:
+            return segment.value * std::exp(-x);
+    }
+    return 0;
+}
+
+void append(QPolygonF& points, const PulseSegment& segment, double end, double peak) {
+    const double length = std::min(segment.length, end - segment.start);
+    const int steps = segment.kind == PulseSegment::Kind::linear ? 1 : curvedSteps;
+    for (int i = 0; i <= steps; ++i) {
+        const double x = length * i / steps;
+        points.append({segment.start + x, valueAt(segment, x) / peak});
+    }
+}
+
+// Of so many points that several fall on one pixel, the lowest and the highest of each bunch.
+QPolygonF thinned(const QPolygonF& points) {
+    const qsizetype bunch = points.size() / static_cast<qsizetype>(most) + 1;
+    if (bunch <= 2) return points;
+    QPolygonF kept;
+    for (qsizetype i = 0; i < points.size(); i += bunch) {
+        const auto begin = points.begin() + i;
+        const auto end = points.begin() + std::min(i + bunch, points.size());
+        auto [low, high] =
+            std::minmax_element(begin, end, [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); });
+        if (low > high) std::swap(low, high);
+        kept.append(*low);
+        kept.append(*high);
+    }
+    return kept;
+}
+
+}  // namespace
+
+PulseCurve::PulseCurve(const PulseForce& force) {
+    if (force.segments.empty()) return;
+    end = shownEnd(force);
+    for (const PulseSegment& segment : force.segments)
+        if (segment.start < end) append(points, segment, end, force.peak);
+    points = thinned(points);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/form/pulse_preview.h"
+
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "core/model/scales.h"
+#include "ui/form/pulse_curve.h"
+#include "ui/plot/plot_style.h"
+#include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/shown_units.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int digits = 3;
+constexpr int gap = 4;  // between the frame, the labels and the curve [px]
+
+// In a unit that suits this value, which may be far from the mean force that other units go by.
+QString peakText(double peak, Scales scales, UnitSystem system) {
+    const QLocale locale;
+    if (system == UnitSystem::dimensionless) {
+        const ShownUnit unit = shownUnits(system, scales).force;
+        return peak == 1 ? unit.unit : numberText(peak, digits, locale) + QChar(QChar::Nbsp) + unit.unit;
+    }
+    scales.force *= peak;
+    const ShownUnit unit = shownUnits(system, scales).force;
+    return numberText(unit.factor, digits, locale) + QChar(QChar::Nbsp) + unit.unit;
+}
+
+}  // namespace
+
+QString blowTimeText(double seconds) {
+    struct Prefixed {
+        double factor;
+        QString unit;
+    };
+    const Prefixed unit = seconds < 1e-3 ? Prefixed{1e6, QStringLiteral("µs")}
+                          : seconds < 1  ? Prefixed{1e3, QStringLiteral("ms")}
+                                         : Prefixed{1, QStringLiteral("s")};
+    return numberText(seconds * unit.factor, digits, QLocale()) + QChar(QChar::Nbsp) + unit.unit;
+}
+
+PulsePreview::PulsePreview(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("pulsePreview"));
+    setAccessibleName(tr("Hammer force over time"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void PulsePreview::show(const Scenario& scenario) {
+    const PulseForce force = pulseForceOf(scenario);
+    const UnitSystem system = naturalUnits(scenario);
+    const Scales scales = scalesOf(scenario);
+    const PulseCurve curve(force);
+    m_curve = curve.points;
+    m_end = curve.end;
+    const bool si = system == UnitSystem::si;
+    const QString duration = si ? blowTimeText(scales.time) : QStringLiteral("t₀");
+    const QString peak = peakText(force.peak, scales, system);
+    m_peakText = tr("peak %1").arg(peak);
+    m_timeText = si ? tr("t₀ = %1").arg(duration) : duration;
+    m_words = m_curve.isEmpty() ? tr("No hammer force: the rod arrives with a uniform velocity")
+                                : tr("%1, %2, %3").arg(shapeText(scenario.pulse.shape), duration, peak);
+    setAccessibleDescription(m_words);
+    setToolTip(m_curve.isEmpty() ? m_words : tr("Force of the hammer on the rod over time: %1").arg(m_words));
+    update();
+}
+
+QSize PulsePreview::sizeHint() const {
+    return {200, 5 * fontMetrics().height() + 4 * gap};
+}
+
+QSize PulsePreview::minimumSizeHint() const {
+    return {120, sizeHint().height()};
+}
+
+void PulsePreview::paintEvent(QPaintEvent* /*event*/) {
+    const PlotStyle style = PlotStyle::forScreen(palette(), font());
+    QPainter painter(this);
+    painter.fillRect(rect(), style.background);
+    painter.setPen(style.frame);
+    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    painter.setFont(style.font);
+    painter.setPen(style.text);
+    const QRect inside = rect().adjusted(2 * gap, gap, -2 * gap, -gap);
+    if (m_curve.isEmpty()) {
+        painter.drawText(inside, Qt::AlignCenter | Qt::TextWordWrap, m_words);
+        return;
+    }
+    const int line = painter.fontMetrics().height();
+    const QRectF area = QRectF(inside).adjusted(0.5, line + gap + 0.5, -0.5, -line - gap - 0.5);
+    const auto at = [&](const QPointF& point) {
+        return QPointF(area.left() + point.x() / m_end * area.width(),
+                       area.bottom() - point.y() * area.height());
+    };
+    // The level of the peak and the end of t0, with their values.
+    painter.drawText(inside, Qt::AlignLeft | Qt::AlignTop, m_peakText);
+    const double t0 = at({1, 0}).x();
+    const int width = painter.fontMetrics().horizontalAdvance(m_timeText);
+    const int left = qBound(inside.left(), qRound(t0) - width / 2, inside.right() + 1 - width);
+    painter.drawText(QRect(left, inside.top(), width + 1, inside.height()), Qt::AlignLeft | Qt::AlignBottom,
+                     m_timeText);
+    painter.setPen(QPen(style.zeroLine, 1, Qt::DotLine));
+    painter.drawLine(area.topLeft(), area.topRight());
+    painter.setPen(QPen(style.frame, 1));
+    painter.drawLine(area.bottomLeft(), area.bottomRight());
+    painter.drawLine(QPointF(t0, area.bottom()), QPointF(t0, area.bottom() + gap));
+
+    painter.setRenderHint(QPainter::Antialiasing);
+    QPolygonF curve;
+    curve.append(area.bottomLeft());
+    for (const QPointF& point : m_curve) curve.append(at(point));
+    curve.append({curve.last().x(), area.bottom()});
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(style.areaBrush(0));
+    painter.drawPolygon(curve);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(style.linePen(0));
+    painter.drawPolyline(curve);
+}
+
+QString shapeText(PulseShape shape) {
+    const std::string_view text = name(shape);
+    return fromView(text).replace(u'_', u' ');
+}
+
+}  // namespace drillwave

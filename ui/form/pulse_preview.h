@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A small drawing of the force of the hammer over time.
+#pragma once
+
+#include <QPolygonF>
+#include <QWidget>
+
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// Names the peak of the force and the time t0, in SI where the scenario has it.
+class PulsePreview : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit PulsePreview(QWidget* parent = nullptr);
+
+    void show(const Scenario& scenario);
+    /// The drawing in words: "rectangular, 200 µs, 255 kN".
+    QString words() const { return m_words; }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    QPolygonF m_curve;  // time in t0, force relative to the peak
+    double m_end = 0;   // of the curve, in t0
+    QString m_peakText;
+    QString m_timeText;
+    QString m_words;
+};
+
+/// "half sine", as people write it.
+QString shapeText(PulseShape shape);
+
+/// The duration of a blow with three digits: "200 µs", "1.5 ms".
+QString blowTimeText(double seconds);
+
+}  // namespace drillwave

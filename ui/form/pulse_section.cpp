@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/form/pulse_section.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QSignalBlocker>
+
+#include "core/model/scales.h"
+#include "ui/text/number_text.h"
+#include "ui/text/shown_units.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int columns = 4;
+
+QString tableText(const Scenario& scenario) {
+    const QLocale locale;
+    const auto count = static_cast<qlonglong>(scenario.pulse.tablePoints.size());
+    const QString from = scenario.pulse.tableFile.empty()
+                             ? PulseSection::tr("kept in the scenario itself")
+                             : PulseSection::tr("from %1").arg(
+                                   QFileInfo(QFile::decodeName(scenario.pulse.tableFile.c_str())).fileName());
+    if (scenario.form == ScenarioForm::dimensionless)
+        return PulseSection::tr("%1 points, scaled to t₀ and I₀, %2").arg(locale.toString(count), from);
+    const ShownUnits units = shownUnits(UnitSystem::si, scalesOf(scenario));
+    return PulseSection::tr("%1 points, %2, %3, %4")
+        .arg(locale.toString(count), blowTimeText(pulseDuration(scenario)),
+             quantityText(1, units.impulse, locale), from);
+}
+
+}  // namespace
+
+PulseSection::PulseSection(Document& document, Questions& questions, QGridLayout* grid, QWidget* parent)
+    : QObject(parent), m_document(document), m_questions(questions) {
+    addShape(grid, parent);
+    m_preview = new PulsePreview(parent);
+    grid->addWidget(m_preview, grid->rowCount(), 0, 1, columns);
+    addTable(grid, parent);
+}
+
+void PulseSection::addShape(QGridLayout* grid, QWidget* parent) {
+    auto* label = new QLabel(tr("shape"), parent);
+    m_shape = new ChoiceBox(parent);
+    m_shape->setObjectName(QStringLiteral("pulse.shape"));
+    m_shape->setAccessibleName(tr("Hammer blow: shape"));
+    m_shape->setToolTip(tr("Shape of the force of the hammer on the rod over time"));
+    label->setBuddy(m_shape);
+    const int row = grid->rowCount();
+    grid->addWidget(label, row, 0);
+    grid->addWidget(m_shape, row, 1, 1, columns - 1);
+    connect(m_shape, &QComboBox::activated, this,
+            [this](int index) { chooseShape(static_cast<PulseShape>(m_shape->itemData(index).toInt())); });
+}
+
+void PulseSection::addTable(QGridLayout* grid, QWidget* parent) {
+    m_table = new QWidget(parent);
+    auto* layout = new QHBoxLayout(m_table);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_tableText = new QLabel(m_table);
+    m_tableText->setObjectName(QStringLiteral("tableText"));
+    m_tableText->setAccessibleName(tr("Table of the hammer blow"));
+    m_tableText->setWordWrap(true);
+    m_tableText->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_reload = new QPushButton(tr("Reload"), m_table);
+    m_reload->setObjectName(QStringLiteral("reloadTable"));
+    m_reload->setToolTip(tr("Read the CSV file of the hammer blow again"));
+    auto* choose = new QPushButton(tr("Choose CSV…"), m_table);
+    choose->setObjectName(QStringLiteral("chooseTable"));
+    choose->setToolTip(tr("Take the hammer blow from a CSV file that begins with `time [us],force [kN]`"));
+    layout->addWidget(m_tableText, 1);
+    layout->addWidget(m_reload, 0, Qt::AlignTop);
+    layout->addWidget(choose, 0, Qt::AlignTop);
+    grid->addWidget(m_table, grid->rowCount(), 0, 1, columns);
+    connect(choose, &QPushButton::clicked, this, &PulseSection::chooseTable);
+    connect(m_reload, &QPushButton::clicked, this, [this] { tellIfFailed(m_document.reloadTable()); });
+}
+
+void PulseSection::show(const Scenario& scenario) {
+    showShape();
+    m_preview->show(scenario);
+    m_table->setVisible(scenario.pulse.shape == PulseShape::table);
+    if (scenario.pulse.shape == PulseShape::table) showTable(scenario);
+}
+
+// Only shapes that the scenario can have; a table can always be chosen from a file.
+void PulseSection::showShape() {
+    const QSignalBlocker quiet(m_shape);
+    m_shape->clear();
+    for (const std::string_view text : pulseShapeNames()) {
+        const PulseShape shape = *findPulseShape(text);
+        const bool asksForFile = shape == PulseShape::table && !m_document.canHaveShape(shape);
+        if (asksForFile)
+            m_shape->addItem(tr("%1 from a file…").arg(shapeText(shape)), static_cast<int>(shape));
+        else if (m_document.canHaveShape(shape))
+            m_shape->addItem(shapeText(shape), static_cast<int>(shape));
+    }
+    m_shape->setCurrentIndex(m_shape->findData(static_cast<int>(m_document.scenario().pulse.shape)));
+}
+
+void PulseSection::showTable(const Scenario& scenario) {
+    m_tableText->setText(tableText(scenario));
+    m_tableText->setToolTip(QDir::toNativeSeparators(m_document.tablePath()));
+    m_reload->setVisible(!scenario.pulse.tableFile.empty());
+}
+
+void PulseSection::chooseShape(PulseShape shape) {
+    if (m_document.canHaveShape(shape)) return m_document.setShape(shape);
+    chooseTable();
+    // Without a table the shape stays what it was.
+    showShape();
+}
+
+void PulseSection::chooseTable() {
+    const QString now = m_document.tablePath();
+    const QString folder = QFileInfo(now.isEmpty() ? m_document.suggestedPath() : now).absolutePath();
+    const QString path =
+        m_questions.fileToImport(m_shape->window(), tr("Take the hammer blow from a CSV file"), folder,
+                                 tr("Tables of time and force (*.csv);;All files (*)"));
+    if (!path.isEmpty()) tellIfFailed(m_document.useTable(path));
+}
+
+void PulseSection::tellIfFailed(const QString& problem) {
+    if (!problem.isEmpty())
+        m_questions.tell(m_shape->window(), Questions::Tone::failure,
+                         tr("The hammer blow cannot be taken from this file."), problem);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The hammer blow's own rows: its shape, its drawing, and the table it may be from.
+#pragma once
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "ui/document/document.h"
+#include "ui/form/choice_box.h"
+#include "ui/form/pulse_preview.h"
+#include "ui/questions/questions.h"
+
+namespace drillwave {
+
+/// Its widgets live in the grid of the section.
+class PulseSection : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Fills the lowest rows of `grid`. Document and questions must outlive it.
+    PulseSection(Document& document, Questions& questions, QGridLayout* grid, QWidget* parent);
+
+    void show(const Scenario& scenario);
+
+  private:
+    void addShape(QGridLayout* grid, QWidget* parent);
+    void addTable(QGridLayout* grid, QWidget* parent);
+    void showShape();
+    void showTable(const Scenario& scenario);
+    void chooseShape(PulseShape shape);
+    void chooseTable();
+    void tellIfFailed(const QString& problem);
+
+    Document& m_document;
+    Questions& m_questions;
+    ChoiceBox* m_shape = nullptr;
+    PulsePreview* m_preview = nullptr;
+    QWidget* m_table = nullptr;
+    QLabel* m_tableText = nullptr;
+    QPushButton* m_reload = nullptr;
+};
+
+}  // namespace drillwave

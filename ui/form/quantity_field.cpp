@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/form/quantity_field.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QEvent>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QStyle>
+#include <QToolButton>
+#include <QWheelEvent>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "ui/form/unit_button.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/typed_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int patienceMs = 500;      // a half-typed number is not called wrong before that
+constexpr int stepSeriesMs = 800;    // steps closer in time than this are one edit
+constexpr int exactTextLength = 10;  // longer ones are rounded for display
+constexpr int displayDigits = 6;
+
+QString roundedText(double value, int digits) {
+    std::array<char, 40> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                   std::chars_format::general, digits);
+    return QString::fromLatin1(buffer.data(), end.ptr - buffer.data());
+}
+
+// One unit of the second digit, so that a step is a few per cent wherever the value lies.
+double stepSize(double value, int direction) {
+    const double magnitude = std::abs(value);
+    double decade = std::floor(std::log10(magnitude));
+    // Going towards zero from 10 leads to 9.9, not to 9.
+    const bool shrinking = (value > 0) == (direction < 0);
+    if (shrinking && magnitude <= std::pow(10, decade)) decade -= 1;
+    return std::pow(10, decade - 1);
+}
+
+}  // namespace
+
+QuantityField::QuantityField(Quantity quantity, const Unit& unit, QWidget* parent)
+    : QAbstractSpinBox(parent), m_quantity(quantity), m_unit(&unit) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAlignment(Qt::AlignRight);
+    m_mark = lineEdit()->addAction(style()->standardIcon(QStyle::SP_MessageBoxWarning),
+                                   QLineEdit::LeadingPosition);
+    m_mark->setVisible(false);
+    m_markTimer.setSingleShot(true);
+    m_markTimer.setInterval(patienceMs);
+    connect(&m_markTimer, &QTimer::timeout, this, &QuantityField::showProblem);
+    m_stepTimer.setSingleShot(true);
+    m_stepTimer.setInterval(stepSeriesMs);
+    connect(&m_stepTimer, &QTimer::timeout, this, &QuantityField::editsEnded);
+    connect(lineEdit(), &QLineEdit::textEdited, this, &QuantityField::readText);
+    connect(this, &QAbstractSpinBox::editingFinished, this, &QuantityField::endEdits);
+    if (unitsOf(quantity).size() > 1) createUnitButton(parent);
+}
+
+QuantityField::~QuantityField() {
+    delete m_unitButton;
+}
+
+void QuantityField::createUnitButton(QWidget* parent) {
+    m_unitButton = new UnitButton(parent);
+    m_unitButton->setText(shownUnitName(m_unit->name));
+    auto* menu = new QMenu(m_unitButton);
+    auto* group = new QActionGroup(menu);
+    for (const Unit& unit : unitsOf(m_quantity)) {
+        QAction* action = menu->addAction(shownUnitName(unit.name));
+        action->setCheckable(true);
+        action->setChecked(&unit == m_unit);
+        action->setData(fromView(unit.name));
+        group->addAction(action);
+    }
+    connect(menu, &QMenu::triggered, this, [this](QAction* action) {
+        if (const Unit* chosen = findUnit(m_quantity, action->data().toString().toStdString())) {
+            setUnit(*chosen);
+            emit unitChosen(*chosen);
+        }
+    });
+    m_unitButton->setMenu(menu);
+}
+
+void QuantityField::setUnit(const Unit& unit) {
+    m_unit = &unit;
+    if (m_unitButton) {
+        m_unitButton->setText(shownUnitName(unit.name));
+        for (QAction* action : m_unitButton->menu()->actions())
+            action->setChecked(action->text() == shownUnitName(unit.name));
+    }
+    if (m_problem.isEmpty()) showValue();
+}
+
+void QuantityField::setOptional(const QString& placeholder) {
+    m_optional = true;
+    lineEdit()->setPlaceholderText(placeholder);
+}
+
+void QuantityField::setValue(std::optional<double> si) {
+    if (si == m_value) return;
+    // A group follows from physical values, which sometimes miss it by a rounding: no reason to change the
+    // text.
+    const bool roundingOnly = m_editing && si && m_value && std::abs(*si - *m_value) <= 1e-14 * std::abs(*si);
+    m_value = si;
+    if (roundingOnly) return;
+    m_valueBefore = si;
+    m_typedUnit = nullptr;
+    accept();
+    showValue();
+}
+
+void QuantityField::readText(const QString& text) {
+    m_editing = true;
+    if (m_optional && text.trimmed().isEmpty()) {
+        accept();
+        return take(std::nullopt);
+    }
+    const PlainText plain = plainText(text, locale());
+    if (!plain.problem.isEmpty()) return refuse(plain.problem);
+    const TypedQuantity typed =
+        parseQuantity(plain.text.toStdString(), m_quantity, BareNumber::inDefaultUnit, m_unit);
+    if (!typed.valid()) return refuse(QString::fromStdString(typed.problem));
+    const QString objection = objectionTo(typed.si);
+    if (!objection.isEmpty()) return refuse(objection);
+    accept();
+    m_typedUnit = typed.unit;
+    take(typed.si);
+}
+
+void QuantityField::take(std::optional<double> si) {
+    if (m_value == si) return;
+    m_value = si;
+    if (si)
+        emit valueEdited(*si);
+    else
+        emit cleared();
+}
+
+void QuantityField::refuse(const QString& reason) {
+    m_problem = reason;
+    m_typedUnit = nullptr;
+    // The beginning of the text may have been a value ("3" of "3 kN"); as a whole it is none.
+    take(m_valueBefore);
+    if (m_shownProblem.isEmpty())
+        m_markTimer.start();
+    else
+        showProblem();
+}
+
+void QuantityField::accept() {
+    m_problem.clear();
+    m_markTimer.stop();
+    showProblem();
+}
+
+void QuantityField::showProblem() {
+    if (m_shownProblem == m_problem) return;
+    const bool wrong = !m_problem.isEmpty();
+    if (m_shownProblem.isEmpty()) m_help = toolTip();
+    m_shownProblem = m_problem;
+    m_mark->setVisible(wrong);
+    m_mark->setToolTip(m_problem);
+    setToolTip(wrong ? m_problem : m_help);
+    setAccessibleDescription(wrong ? m_problem : m_help);
+    QPalette colors = palette();
+    if (wrong) {
+        const QColor base = colors.color(QPalette::Base);
+        colors.setColor(QPalette::Base,
+                        base.lightness() < 128 ? QColor(0x5a, 0x22, 0x22) : QColor(0xff, 0xe3, 0xe0));
+    }
+    lineEdit()->setPalette(wrong ? colors : QPalette());
+    emit problemShown(m_problem);
+}
+
+void QuantityField::endEdits() {
+    if (m_problem.isEmpty()) {
+        // Whoever types inches wants to see inches.
+        if (m_typedUnit && m_typedUnit != m_unit) {
+            setUnit(*m_typedUnit);
+            emit unitChosen(*m_unit);
+        }
+        m_typedUnit = nullptr;
+        showValue();
+    }
+    m_editing = false;
+    m_valueBefore = m_value;
+    m_markTimer.stop();
+    showProblem();
+    emit editsEnded();
+}
+
+void QuantityField::showValue() {
+    lineEdit()->setText(m_value ? shownText(*m_value) : QString());
+}
+
+QString QuantityField::shownText(double si) const {
+    const QString exact = QString::fromStdString(formatQuantity(si, m_quantity, *m_unit));
+    const qsizetype end = exact.indexOf(u' ');
+    const QString number = end < 0 ? exact : exact.left(end);
+    const bool inThisUnit = m_unit->name.empty() || exact.mid(end + 1).toStdString() == m_unit->name;
+    const bool readable = inThisUnit && number.size() <= exactTextLength;
+    return localText(readable ? number : roundedText(m_unit->fromSi(si), displayDigits), locale());
+}
+
+double QuantityField::rounded(double si) const {
+    const std::string text =
+        roundedText(m_unit->fromSi(si), 3).toStdString() + " " + std::string(m_unit->name);
+    const TypedQuantity read = parseQuantity(text, m_quantity, BareNumber::inDefaultUnit, m_unit);
+    return read.valid() ? read.si : si;
+}
+
+void QuantityField::stepBy(int steps) {
+    if (!m_value || steps == 0) return;
+    const double shown = m_unit->fromSi(*m_value);
+    const double step = shown == 0 ? std::abs(m_unit->fromSi(m_stepAtZero)) : stepSize(shown, steps);
+    double si = rounded(m_unit->toSi(shown + steps * step));
+    if (*m_value > 0 && si < 0) si = 0;
+    if (si == *m_value || !objectionTo(si).isEmpty()) return;
+    accept();
+    take(si);
+    m_valueBefore = m_value;
+    showValue();
+    selectAll();
+    m_stepTimer.start();
+}
+
+QAbstractSpinBox::StepEnabled QuantityField::stepEnabled() const {
+    return m_value ? StepUpEnabled | StepDownEnabled : StepEnabled(StepNone);
+}
+
+// A wheel that scrolls the panel must not change values on its way.
+void QuantityField::wheelEvent(QWheelEvent* event) {
+    if (hasFocus())
+        QAbstractSpinBox::wheelEvent(event);
+    else
+        event->ignore();
+}
+
+// Undo belongs to the document, except while there is wrong text to correct.
+bool QuantityField::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && m_problem.isEmpty()) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return true;
+        }
+    }
+    return QAbstractSpinBox::event(event);
+}
+
+void QuantityField::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Down && event->modifiers() == Qt::AltModifier && m_unitButton)
+        return m_unitButton->showMenu();
+    if (event->key() != Qt::Key_Escape || m_problem.isEmpty()) return QAbstractSpinBox::keyPressEvent(event);
+    accept();
+    showValue();
+    selectAll();
+}
+
+void QuantityField::changeEvent(QEvent* event) {
+    QAbstractSpinBox::changeEvent(event);
+    if (event->type() == QEvent::LocaleChange && m_problem.isEmpty()) showValue();
+}
+
+QSize QuantityField::sizeHint() const {
+    QSize size = QAbstractSpinBox::sizeHint();
+    size.setWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.000e-0000")) + 28);
+    return size;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A field for one physical quantity: holds the exact SI value, takes any unit, shows the unit of choice.
+#pragma once
+
+#include <QAbstractSpinBox>
+#include <QPointer>
+#include <QString>
+#include <QTimer>
+#include <QToolButton>
+#include <functional>
+#include <optional>
+
+#include "core/text/units.h"
+
+class QAction;
+
+namespace drillwave {
+
+/// Holds a double in SI that only an edit changes: showing it in another unit or with fewer digits does not.
+/// Text that cannot be taken stays as it is, marked with the reason, and the old value is kept.
+class QuantityField : public QAbstractSpinBox {
+    Q_OBJECT
+
+  public:
+    /// Why a value (SI) cannot be taken; empty when it can.
+    using Check = std::function<QString(double)>;
+
+    QuantityField(Quantity quantity, const Unit& unit, QWidget* parent = nullptr);
+    ~QuantityField() override;
+
+    /// The value in SI; nothing where an optional quantity is not given.
+    std::optional<double> value() const { return m_value; }
+    /// Shows a value from elsewhere. Text being edited stays if it already means that value, or if it is
+    /// wrong and the value did not change.
+    void setValue(std::optional<double> si);
+    void setCheck(Check check) { m_check = std::move(check); }
+    /// Why the check would not let that value (SI) in; empty when it would.
+    QString objectionTo(double si) const { return m_check ? m_check(si) : QString(); }
+    /// Lets the field be emptied (`cleared()`), and shows `placeholder` then.
+    void setOptional(const QString& placeholder);
+    /// Size of a step where the value is zero (SI), which says nothing about its own size.
+    void setStepAtZero(double si) { m_stepAtZero = si; }
+
+    const Unit& unit() const { return *m_unit; }
+    /// Changes what is shown, not the value.
+    void setUnit(const Unit& unit);
+    /// Shows the unit and offers the others (also by Alt+Down in the field); nullptr for a ratio. To be
+    /// laid out beside the field; it goes with it.
+    QToolButton* unitButton() const { return m_unitButton; }
+
+    /// Why the text is not taken, empty when it is.
+    QString problem() const { return m_problem; }
+    /// The nearest value with three significant digits in the unit shown.
+    double rounded(double si) const;
+
+    void stepBy(int steps) override;
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+  signals:
+    /// The user changed the value (SI): every keystroke that can be taken, every step.
+    void valueEdited(double si);
+    /// The user emptied an optional field.
+    void cleared();
+    /// The reason that is shown now changed; empty when there is none any more.
+    void problemShown(const QString& problem);
+    /// The user has chosen the unit that is shown, from the list or by typing it.
+    void unitChosen(const drillwave::Unit& unit);
+    /// A series of edits has come to its end: Enter, or the focus leaves.
+    void editsEnded();
+
+  protected:
+    StepEnabled stepEnabled() const override;
+    bool event(QEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void readText(const QString& text);
+    void take(std::optional<double> si);
+    void refuse(const QString& reason);
+    void accept();
+    void showProblem();
+    void showValue();
+    void endEdits();
+    QString shownText(double si) const;
+    void createUnitButton(QWidget* parent);
+
+    Quantity m_quantity;
+    const Unit* m_unit;
+    const Unit* m_typedUnit = nullptr;
+    std::optional<double> m_value;
+    std::optional<double> m_valueBefore;  // what wrong text falls back to: the value when editing began
+    bool m_editing = false;
+    double m_stepAtZero = 1;
+    bool m_optional = false;
+    Check m_check;
+    QString m_problem;
+    QString m_shownProblem;
+    QString m_help;
+    QTimer m_markTimer;
+    QTimer m_stepTimer;
+    QAction* m_mark = nullptr;
+    QPointer<QToolButton> m_unitButton;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/form/quantity_slider.h"
+
+#include <QSignalBlocker>
+#include <QStyleOption>
+#include <QStylePainter>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+namespace drillwave {
+namespace {
+constexpr int positions = 1000;
+constexpr int stepSeriesMs = 800;  // keys and turns closer in time than this are one edit
+constexpr int arrowSize = 9;
+}  // namespace
+
+QuantitySlider::QuantitySlider(const Range& range, SliderScale scale, QWidget* parent)
+    : QSlider(Qt::Horizontal, parent), m_range(range), m_scale(scale) {
+    setRange(0, positions);
+    setSingleStep(5);
+    setPageStep(50);
+    setFocusPolicy(Qt::StrongFocus);
+    m_stepTimer.setSingleShot(true);
+    m_stepTimer.setInterval(stepSeriesMs);
+    connect(&m_stepTimer, &QTimer::timeout, this, &QuantitySlider::dragEnded);
+    connect(this, &QSlider::valueChanged, this, [this](int position) {
+        if (!isSliderDown()) m_stepTimer.start();
+        emit valueDragged(valueAt(position));
+    });
+    connect(this, &QSlider::sliderReleased, this, &QuantitySlider::dragEnded);
+}
+
+double QuantitySlider::valueAt(int position) const {
+    const double share = static_cast<double>(position) / positions;
+    if (m_scale == SliderScale::linear) return m_range.low + share * (m_range.high - m_range.low);
+    return m_range.low * std::pow(m_range.high / m_range.low, share);
+}
+
+void QuantitySlider::show(double si) {
+    m_beyond = si < m_range.low ? -1 : si > m_range.high ? 1 : 0;
+    update();
+    if (isSliderDown()) return;  // the hand decides, not the rounded value
+    const double inside = std::clamp(si, m_range.low, m_range.high);
+    const double share = m_scale == SliderScale::linear
+                             ? (inside - m_range.low) / (m_range.high - m_range.low)
+                             : std::log(inside / m_range.low) / std::log(m_range.high / m_range.low);
+    const QSignalBlocker quiet(this);
+    setValue(static_cast<int>(std::lround(share * positions)));
+}
+
+void QuantitySlider::wheelEvent(QWheelEvent* event) {
+    if (hasFocus())
+        QSlider::wheelEvent(event);
+    else
+        event->ignore();
+}
+
+// A handle that goes out of sight while it is held is let go: whoever waits for that would wait for ever.
+void QuantitySlider::hideEvent(QHideEvent* event) {
+    setSliderDown(false);
+    endSteps();
+    QSlider::hideEvent(event);
+}
+
+void QuantitySlider::focusOutEvent(QFocusEvent* event) {
+    endSteps();
+    QSlider::focusOutEvent(event);
+}
+
+void QuantitySlider::endSteps() {
+    if (!m_stepTimer.isActive()) return;
+    m_stepTimer.stop();
+    emit dragEnded();
+}
+
+void QuantitySlider::paintEvent(QPaintEvent* event) {
+    QSlider::paintEvent(event);
+    if (m_beyond == 0) return;
+    QStylePainter painter(this);
+    QStyleOption arrow;
+    arrow.initFrom(this);
+    arrow.rect = QRect(m_beyond < 0 ? 0 : width() - arrowSize, 0, arrowSize, arrowSize);
+    painter.drawPrimitive(m_beyond < 0 ? QStyle::PE_IndicatorArrowLeft : QStyle::PE_IndicatorArrowRight,
+                          arrow);
+}
+
+}  // namespace drillwave

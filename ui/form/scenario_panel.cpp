@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/form/scenario_panel.h"
+
+#include <QDockWidget>
+#include <QGridLayout>
+#include <QLabel>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/model/optional_parameter.h"
+
+namespace drillwave {
+namespace {
+
+std::optional<PresetKind> presetsOf(const QString& section) {
+    if (section == QLatin1String("rod")) return PresetKind::rod;
+    if (section == QLatin1String("pulse")) return PresetKind::hammer;
+    if (section == QLatin1String("bit_rock")) return PresetKind::rock;
+    return std::nullopt;
+}
+
+}  // namespace
+
+ScenarioPanel::ScenarioPanel(Document& document, Questions& questions, QWidget* parent)
+    : QScrollArea(parent), m_document(document), m_questions(questions) {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setWidget(new QWidget);
+    auto* layout = new QVBoxLayout(widget());
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->setSpacing(8);
+    addTitle();
+    addSection(QStringLiteral("groups"), tr("Groups"));
+    addSection(QStringLiteral("rod"), tr("Rod"));
+    addSection(QStringLiteral("pulse"), tr("Hammer blow"));
+    addSection(QStringLiteral("bit_rock"), tr("Bit and rock"));
+    addSection(QStringLiteral("drill"), tr("Drill"));
+    layout->addStretch();
+    alignColumns();
+    connect(&document, &Document::scenarioChanged, this, &ScenarioPanel::showScenario);
+    showScenario();
+}
+
+// Sliders that are held and fields with the focus hand their edits over as they go out of sight: while the
+// panel and the document are still there.
+ScenarioPanel::~ScenarioPanel() {
+    hide();
+}
+
+void ScenarioPanel::addTitle() {
+    m_title = new QLineEdit(widget());
+    m_title->setObjectName(QStringLiteral("title"));
+    m_title->setPlaceholderText(tr("Title of the scenario"));
+    m_title->setAccessibleName(tr("Title of the scenario"));
+    connect(m_title, &QLineEdit::editingFinished, this, [this] { m_document.setTitle(m_title->text()); });
+    widget()->layout()->addWidget(m_title);
+}
+
+void ScenarioPanel::addSection(const QString& section, const QString& title) {
+    auto* box = new SectionBox(title, widget());
+    box->setObjectName(section);
+    box->rememberAs(QStringLiteral("panel/") + section);
+    auto* grid = new QGridLayout(box->content());
+    grid->setContentsMargins(8, 0, 0, 0);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(3);
+    grid->setColumnStretch(1, 1);
+    m_sections.append({box, grid, {}});
+    if (const std::optional<PresetKind> kind = presetsOf(section))
+        addPresets(*kind, title, grid, box->content());
+    if (section == QLatin1String("pulse"))
+        m_pulse = new PulseSection(m_document, m_questions, grid, box->content());
+    for (const Parameter& parameter : parameters())
+        if (parameter.section() == section.toStdString()) addRow(parameter, title, grid, box->content());
+    widget()->layout()->addWidget(box);
+}
+
+void ScenarioPanel::addPresets(PresetKind kind, const QString& title, QGridLayout* grid, QWidget* parent) {
+    auto* label = new QLabel(tr("preset"), parent);
+    auto* box = new PresetBox(kind, title, m_document, m_presets, m_questions, parent);
+    label->setBuddy(box);
+    const int row = grid->rowCount();
+    grid->addWidget(label, row, 0);
+    grid->addWidget(box, row, 1, 1, 3);
+    connect(box, &PresetBox::libraryChanged, this, &ScenarioPanel::showPresets);
+    m_presetBoxes.append(box);
+}
+
+void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid,
+                           QWidget* parent) {
+    auto* row = new ParameterRow(parameter, sectionTitle, grid, parent);
+    m_sections.last().rows.append(row);
+    row->field()->setCheck([this, &parameter](double si) { return m_document.whyNot(parameter, si); });
+    Scenario probe;
+    if (optionalValue(probe, parameter.key)) row->field()->setOptional(tr("not given"));
+    connect(row, &ParameterRow::edited, this,
+            [this, &parameter](double si) { m_document.assign(parameter, si, m_gesture); });
+    connect(row, &ParameterRow::cleared, this,
+            [this, &parameter] { m_document.clear(parameter, m_gesture); });
+    connect(row->slider(), &QSlider::sliderPressed, this, &ScenarioPanel::dragStarted);
+    connect(row->slider(), &QSlider::sliderReleased, this, &ScenarioPanel::dragEnded);
+    // A slider that was held stands where the hand was, which may not be what the document took.
+    connect(row, &ParameterRow::editsEnded, this, [this, row] {
+        ++m_gesture;
+        row->show(m_document.scenario());
+    });
+}
+
+// One set of columns through all sections.
+void ScenarioPanel::alignColumns() {
+    int label = 0;
+    int unit = 0;
+    for (const Section& section : std::as_const(m_sections))
+        for (const ParameterRow* row : section.rows) {
+            label = std::max(label, row->labelWidth());
+            unit = std::max(unit, row->unitWidth());
+        }
+    for (const Section& section : std::as_const(m_sections)) {
+        section.grid->setColumnMinimumWidth(0, label);
+        section.grid->setColumnMinimumWidth(3, unit);
+    }
+}
+
+void ScenarioPanel::showScenario() {
+    const Scenario& scenario = m_document.scenario();
+    const QString title = QString::fromStdString(scenario.title);
+    if (m_title->text() != title) m_title->setText(title);
+    showPresets();
+    m_pulse->show(scenario);
+    for (const Section& section : std::as_const(m_sections)) {
+        for (ParameterRow* row : section.rows) row->show(scenario);
+        const bool used = std::ranges::any_of(
+            section.rows, [&](const ParameterRow* row) { return row->parameter().applies(scenario); });
+        section.box->setVisible(used || section.box->objectName() == QLatin1String("pulse"));
+    }
+}
+
+void ScenarioPanel::showPresets() {
+    for (PresetBox* box : std::as_const(m_presetBoxes)) box->show(m_document.scenario());
+}
+
+void ScenarioPanel::goTo(const QString& key) {
+    auto* field = widget()->findChild<QWidget*>(key);
+    if (!field) return;
+    for (const Section& section : std::as_const(m_sections))
+        if (section.box->isAncestorOf(field)) section.box->setOpen(true);
+    if (auto* dock = qobject_cast<QDockWidget*>(parentWidget())) {
+        dock->show();
+        dock->raise();
+    }
+    ensureWidgetVisible(field);
+    field->setFocus(Qt::OtherFocusReason);
+}
+
+QSize ScenarioPanel::sizeHint() const {
+    const QSize content = widget()->sizeHint();
+    return {content.width() + verticalScrollBar()->sizeHint().width() + 2, std::min(content.height(), 900)};
+}
+
+QSize ScenarioPanel::minimumSizeHint() const {
+    return {widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width() + 2, 200};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The form of a scenario: every parameter of the table that applies, in sections that can be folded.
+#pragma once
+
+#include <QLineEdit>
+#include <QScrollArea>
+
+#include "ui/document/document.h"
+#include "ui/document/preset_library.h"
+#include "ui/form/parameter_row.h"
+#include "ui/form/preset_box.h"
+#include "ui/form/pulse_section.h"
+#include "ui/form/section_box.h"
+#include "ui/questions/questions.h"
+
+namespace drillwave {
+
+/// Shows and edits a document. Rows come from parameters() alone: what is added there appears here.
+class ScenarioPanel : public QScrollArea {
+    Q_OBJECT
+
+  public:
+    /// Document and questions must outlive the panel.
+    ScenarioPanel(Document& document, Questions& questions, QWidget* parent = nullptr);
+    ~ScenarioPanel() override;
+
+    /// Shows the field of a parameter, by its key, and gives it the focus.
+    void goTo(const QString& key);
+
+    QSize sizeHint() const override;
+    /// Wide enough that nothing is cut off at the side.
+    QSize minimumSizeHint() const override;
+
+  signals:
+    /// A slider is held, and let go again; not for clicks, keys and wheel.
+    void dragStarted();
+    void dragEnded();
+
+  private:
+    void addTitle();
+    void addSection(const QString& section, const QString& title);
+    void addPresets(PresetKind kind, const QString& title, QGridLayout* grid, QWidget* parent);
+    void addRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid, QWidget* parent);
+    void alignColumns();
+    void showScenario();
+    void showPresets();
+
+    struct Section {
+        SectionBox* box;
+        QGridLayout* grid;
+        QList<ParameterRow*> rows;
+    };
+
+    Document& m_document;
+    Questions& m_questions;
+    PresetLibrary m_presets;
+    QList<PresetBox*> m_presetBoxes;
+    QLineEdit* m_title = nullptr;
+    PulseSection* m_pulse = nullptr;
+    QList<Section> m_sections;
+    int m_gesture = 1;
+};
+
+}  // namespace drillwave

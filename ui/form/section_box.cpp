@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/form/section_box.h"
+
+#include <QVBoxLayout>
+
+#include "ui/text/settings.h"
+
+namespace drillwave {
+
+SectionBox::SectionBox(const QString& title, QWidget* parent)
+    : QWidget(parent), m_header(new QToolButton(this)), m_content(new QWidget(this)) {
+    m_header->setText(title);
+    m_header->setAccessibleName(title);
+    m_header->setAutoRaise(true);
+    m_header->setArrowType(Qt::DownArrow);
+    m_header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    QFont bold = m_header->font();
+    bold.setBold(true);
+    m_header->setFont(bold);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(m_header);
+    layout->addWidget(m_content);
+    connect(m_header, &QToolButton::clicked, this, [this] {
+        setOpen(!isOpen());
+        if (!m_key.isEmpty()) Settings().setValue(m_key, isOpen());
+    });
+}
+
+void SectionBox::setOpen(bool open) {
+    m_header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    m_header->setAccessibleDescription(open ? tr("open") : tr("folded"));
+    m_content->setVisible(open);
+}
+
+void SectionBox::rememberAs(const QString& key) {
+    m_key = key;
+    setOpen(Settings().value(key, true).toBool());
+}
+
+}  // namespace drillwave

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A titled part of a panel that can be folded away.
+#pragma once
+
+#include <QToolButton>
+#include <QWidget>
+
+namespace drillwave {
+
+class SectionBox : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit SectionBox(const QString& title, QWidget* parent = nullptr);
+
+    /// Where the content goes; give it a layout.
+    QWidget* content() const { return m_content; }
+    QString title() const { return m_header->text(); }
+    bool isOpen() const { return m_content->isVisibleTo(this); }
+    void setOpen(bool open);
+    /// Keeps whether it is open under that key of the settings, and is now as it was left.
+    void rememberAs(const QString& key);
+
+  private:
+    QToolButton* m_header;
+    QWidget* m_content;
+    QString m_key;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where in the rod and when in the blow one looks: the same place on every page.
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+namespace drillwave {
+
+/// The section and the time cursor that pages and result panel share.
+class Observation : public QObject {
+    Q_OBJECT
+
+  public:
+    using QObject::QObject;
+
+    /// ξ = x/L, 0 (struck end) … 1 (bit).
+    double section() const { return m_section; }
+    void setSection(double section);
+    /// Global time of the time cursor t/t0; nothing while there is none.
+    std::optional<double> time() const { return m_time; }
+    void setTime(std::optional<double> time);
+
+  signals:
+    void sectionChanged(double section);
+    void timeChanged(std::optional<double> time);
+
+  private:
+    double m_section = 0.5;
+    std::optional<double> m_time;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exact functions and the units behind the curves of a blow.
+#pragma once
+
+#include <array>
+
+#include "ui/job/solved_blow.h"
+#include "ui/plot/curve_meaning.h"
+
+namespace drillwave {
+
+/// What the graphs of BlowPlots mean. The functions share the blow, so they may outlive everything else.
+/// Forces have exact values and integrals, the latter as impulses ("N s", "I₀"); impulse and momentum have
+/// exact values.
+struct BlowMeanings {
+    std::array<CurveMeaning, BlowCurves::waveCount> waves;
+    CurveMeaning force;
+    CurveMeaning closedForm;
+    CurveMeaning impulse;
+    CurveMeaning momentum;
+};
+
+/// Requires a solved blow with its curves.
+BlowMeanings blowMeanings(const SolvedBlowPtr& blow);
+
+}  // namespace drillwave

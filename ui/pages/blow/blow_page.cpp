@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/blow/blow_page.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "ui/pages/blow/blow_instant.h"
+#include "ui/pages/blow/blow_meanings.h"
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+
+BlowPage::BlowPage(Observation& observation, QWidget* parent)
+    : Page(parent),
+      m_observation(observation),
+      m_hint(new QLabel(this)),
+      m_section(new QDoubleSpinBox(this)),
+      m_place(new QLabel(this)),
+      m_instant(new QLabel(this)),
+      m_plot(new PlotWidget(this)),
+      m_plots(new BlowPlots(m_plot)) {
+    setUpSection();
+    m_instant->setObjectName(QStringLiteral("instant"));
+    m_instant->setContentsMargins(8, 0, 8, 0);
+    m_instant->setWordWrap(true);
+    m_instant->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_instant->setToolTip(
+        tr("Values at the time cursor: normal force at the section, impact force, impulse, momentum"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addLayout(makeBar());
+    layout->addWidget(m_instant);
+    layout->addWidget(m_plot, 1);
+
+    m_plot->setAccessibleName(tr("Waves, impact force, impulse and momentum over time"));
+    m_plot->followPalette([this](const PlotStyle& style) { m_plots->setStyle(style); });
+    connect(m_section, &QDoubleSpinBox::valueChanged, &observation, &Observation::setSection);
+    connect(&observation, &Observation::sectionChanged, this, &BlowPage::showSection);
+    connect(&observation, &Observation::timeChanged, this, &BlowPage::showInstant);
+    connect(m_plot, &PlotWidget::fitRequested, m_plots, &BlowPlots::fit);
+    connect(m_plot, &PlotWidget::timeCursorDragged, this, [this](double x) {
+        if (m_blow) m_observation.setTime(x / m_blow->units.time.factor);
+    });
+    showPlace();
+    showInstant();
+}
+
+void BlowPage::setUpSection() {
+    m_section->setObjectName(QStringLiteral("section"));
+    m_section->setRange(0, 1);
+    m_section->setDecimals(3);
+    m_section->setSingleStep(0.01);
+    m_section->setValue(m_observation.section());
+    m_section->setAccessibleName(tr("Section x/L of the waves"));
+    m_section->setToolTip(
+        tr("Where in the rod the waves are observed: 0 is the struck end, 1 the bit.\n"
+           "Up and Down move it by 0.01, Page Up and Page Down by 0.1."));
+    m_place->setObjectName(QStringLiteral("place"));
+}
+
+QHBoxLayout* BlowPage::makeBar() {
+    auto* label = new QLabel(tr("Section x/L"), this);
+    label->setBuddy(m_section);
+    // Asks for no width: it is there when there is room.
+    m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    auto* fitButton = new QPushButton(tr("Fit"), this);
+    fitButton->setToolTip(tr("Bring all curves into view (double-click in the plots)"));
+    fitButton->setMinimumWidth(50);
+    connect(fitButton, &QPushButton::clicked, this, &BlowPage::fit);
+    auto* bar = new QHBoxLayout;
+    bar->setContentsMargins(8, 6, 8, 0);
+    bar->addWidget(label);
+    bar->addWidget(m_section);
+    bar->addWidget(m_place);
+    bar->addWidget(m_hint, 1);
+    bar->addWidget(fitButton);
+    return bar;
+}
+
+void BlowPage::addNeeds(SolveRequest& request) const {
+    request.section = m_observation.section();
+}
+
+// Shown with three decimals, kept with all.
+void BlowPage::showSection(double section) {
+    const QSignalBlocker quiet(m_section);
+    m_section->setValue(section);
+    showPlace();
+    showInstant();
+    emit needsChanged();
+}
+
+void BlowPage::showPlace() {
+    const bool hasLength = m_blow && m_blow->request.scenario.form == ScenarioForm::dimensional;
+    m_place->setVisible(hasLength);
+    if (!hasLength) return;
+    const double x = m_observation.section() * m_blow->request.scenario.rod.length;
+    m_place->setText(tr("%1 m from the struck end").arg(numberText(x, 4, QLocale())));
+}
+
+void BlowPage::showInstant() {
+    const std::optional<double> time = m_observation.time();
+    const bool known = time && m_blow && m_blow->problem.isEmpty();
+    m_instant->setVisible(known);
+    m_plot->setTimeCursor(known ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
+    if (!known) return;
+    const BlowInstant instant = blowInstant(*m_blow, m_observation.section(), *time);
+    const ShownUnits& units = m_blow->units;
+    const QLocale locale;
+    m_instant->setText(tr("t = %1 · N = %2 · F = %3 · I = %4 · p = %5")
+                           .arg(quantityText(*time, units.time, locale),
+                                quantityText(instant.normalForce, units.force, locale),
+                                quantityText(instant.impactForce, units.force, locale),
+                                quantityText(instant.impulse, units.impulse, locale),
+                                quantityText(instant.momentum, units.impulse, locale)));
+}
+
+void BlowPage::setResult(const SolvedBlowPtr& blow) {
+    m_blow = blow;
+    if (blow->curves) {
+        carryCursors();
+        m_plots->show(*blow->curves);
+        setMeanings();
+    } else if (!blow->problem.isEmpty()) {
+        m_plots->showNothing(tr("Nothing to show: %1").arg(blow->problem));
+    }
+    showPlace();
+    showInstant();
+    m_plot->setAccessibleDescription(m_plots->textSummary());
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+// In other units the cursors A and B stay where they are in the blow.
+void BlowPage::carryCursors() {
+    const ShownUnit& unit = m_blow->units.time;
+    if (unit.unit != m_cursorUnit.unit) {
+        for (const PlotCursor cursor : {PlotCursor::a, PlotCursor::b})
+            if (const std::optional<double> x = m_plot->cursorPosition(cursor))
+                m_plot->placeCursor(cursor, *x / m_cursorUnit.factor * unit.factor);
+    }
+    m_cursorUnit = unit;
+}
+
+void BlowPage::setMeanings() {
+    BlowMeanings meanings = blowMeanings(m_blow);
+    for (int i = 0; i < BlowCurves::waveCount; ++i)
+        m_plot->setMeaning(m_plots->waveGraph(i), std::move(meanings.waves[static_cast<std::size_t>(i)]));
+    m_plot->setMeaning(m_plots->forceGraph(), std::move(meanings.force));
+    m_plot->setMeaning(m_plots->closedFormGraph(), std::move(meanings.closedForm));
+    m_plot->setMeaning(m_plots->impulseGraph(), std::move(meanings.impulse));
+    m_plot->setMeaning(m_plots->momentumGraph(), std::move(meanings.momentum));
+}
+
+void BlowPage::setGhost(const SolvedBlowPtr& before) {
+    m_plots->setGhost(before && before->curves ? &*before->curves : nullptr);
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void BlowPage::resizeEvent(QResizeEvent* event) {
+    Page::resizeEvent(event);
+    m_hint->setText(width() > 720 ? tr("wheel zooms · drag moves · double-click fits") : QString());
+}
+
+void BlowPage::fit() {
+    m_plot->fit();
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+}  // namespace drillwave

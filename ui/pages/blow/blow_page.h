@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The blow over time: waves at a section, impact force, impulse and momentum (paper, Figs. 3–5).
+#pragma once
+
+#include "ui/job/observation.h"
+#include "ui/pages/blow/blow_plots.h"
+#include "ui/pages/page.h"
+#include "ui/plot/plot_widget.h"
+
+class QDoubleSpinBox;
+class QHBoxLayout;
+class QLabel;
+
+namespace drillwave {
+
+class BlowPage : public Page {
+    Q_OBJECT
+
+  public:
+    /// The observation must outlive the page.
+    explicit BlowPage(Observation& observation, QWidget* parent = nullptr);
+
+    QString title() const override { return tr("Blow"); }
+    void addNeeds(SolveRequest& request) const override;
+    void setResult(const SolvedBlowPtr& blow) override;
+    void setGhost(const SolvedBlowPtr& before) override;
+    void fit() override;
+
+    PlotWidget* plot() const override { return m_plot; }
+    BlowPlots* plots() const { return m_plots; }
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    QHBoxLayout* makeBar();
+    void setUpSection();
+    void showSection(double section);
+    void showPlace();
+    void showInstant();
+    void setMeanings();
+    void carryCursors();
+
+    Observation& m_observation;
+    QLabel* m_hint;
+    QDoubleSpinBox* m_section;
+    QLabel* m_place;
+    QLabel* m_instant;
+    PlotWidget* m_plot;
+    BlowPlots* m_plots;
+    SolvedBlowPtr m_blow;
+    ShownUnit m_cursorUnit;  // of cursors A and B
+};
+
+}  // namespace drillwave

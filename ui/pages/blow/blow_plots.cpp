@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/blow/blow_plots.h"
+
+#include <QScopedValueRollback>
+#include <cmath>
+#include <limits>
+
+#include "ui/plot/ghost_style.h"
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+namespace {
+
+enum PlotIndex : std::size_t { waves, force, impulse, momentumOfRod };
+
+const QStringList waveNames{QStringLiteral("N₀ₚ"), QStringLiteral("N₁ₙ"), QStringLiteral("N₂ₚ"),
+                            QStringLiteral("N₃ₙ")};
+
+// By name: their factors follow the scenario.
+bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
+    return a.time.unit == b.time.unit && a.force.unit == b.force.unit && a.impulse.unit == b.impulse.unit;
+}
+
+// A bound with one digit, not smaller than it is.
+QString boundText(double bound, const QLocale& locale) {
+    const double decade = std::pow(10, std::floor(std::log10(bound)));
+    return magnitudeText(std::ceil(bound / decade) * decade, locale);
+}
+
+// Two decimals, three where they say more.
+QString sectionText(double section, const QLocale& locale) {
+    const bool twoDo = std::abs(100 * section - std::round(100 * section)) < 0.05;
+    return locale.toString(section, 'f', twoDo ? 2 : 3);
+}
+
+// The range of all graphs of a plot with zero in it and room to spare, so that flat curves are readable too.
+QCPRange valueRange(const QVector<QCPGraph*>& graphs) {
+    double low = 0;
+    double high = 0;
+    for (const QCPGraph* graph : graphs)
+        for (auto point = graph->data()->constBegin(); point != graph->data()->constEnd(); ++point) {
+            low = std::min(low, point->value);
+            high = std::max(high, point->value);
+        }
+    const double size = high - low;
+    if (!(size > std::numeric_limits<float>::min())) return {-1, 1};
+    return {low - 0.08 * size, high + 0.08 * size};
+}
+
+double largestMagnitude(const GraphData& data) {
+    double largest = 0;
+    for (auto point = data->constBegin(); point != data->constEnd(); ++point)
+        if (std::abs(point->value) > std::abs(largest)) largest = point->value;
+    return largest;
+}
+
+// Adaptive sampling draws steep parts of a curve as a saw; only very long curves are worth that.
+void setData(QCPGraph& graph, const GraphData& data) {
+    constexpr int manyPoints = 50000;
+    graph.setAdaptiveSampling(data->size() > manyPoints);
+    graph.setData(data);
+}
+
+}  // namespace
+
+BlowPlots::BlowPlots(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
+    plot->setAutoAddPlottableToLegend(false);
+    plot->plotLayout()->clear();
+    plot->plotLayout()->setRowSpacing(0);
+    auto* margins = new QCPMarginGroup(plot);
+    addPlot(waves, waveNames, margins);
+    addPlot(force, {tr("impact force F"), tr("closed form")}, margins);
+    addPlot(impulse, {tr("impulse of the impact force I")}, margins);
+    addPlot(momentumOfRod, {tr("momentum of the rod p")}, margins);
+    linkTimeAxes();
+    m_message = new PlotMessage(plot);
+    setStyle(PlotStyle::forPaper());
+}
+
+void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins) {
+    Plot& added = m_plots[index];
+    const int row = 2 * static_cast<int>(index);
+    auto* header = new QCPLayoutGrid;
+    m_plot->plotLayout()->addElement(row, 0, header);
+    header->setColumnSpacing(0);
+    // Begins where the axes do.
+    header->setMinimumMargins(QMargins(0, 2, 0, 0));
+    header->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+    added.title = new QCPTextElement(m_plot);
+    added.title->setTextFlags(Qt::AlignLeft | Qt::AlignTop);
+    added.title->setMargins(QMargins(0, 0, 0, 0));
+    added.legend = new QCPLegend;
+    added.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    added.legend->setMargins(QMargins(index == waves ? 10 : 0, 0, 0, 0));
+    added.legend->setColumnSpacing(8);
+    added.legend->setIconSize(20, 12);
+    header->addElement(0, 0, added.title);
+    header->addElement(0, 1, added.legend);
+    header->addElement(0, 2, new QCPTextElement(m_plot));  // takes what width is left
+    header->setColumnStretchFactor(0, 1e-3);
+    header->setColumnStretchFactor(1, 1e-3);
+    added.legend->setLayer(QStringLiteral("legend"));
+
+    added.rect = new QCPAxisRect(m_plot);
+    added.rect->setupFullAxesBox(true);
+    added.rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+    added.rect->setMinimumMargins(QMargins(4, 2, 10, 2));
+    // Drawn in the order of these lines: axes() comes in another order in every run of the program.
+    for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight, QCPAxis::atTop, QCPAxis::atBottom}) {
+        added.rect->axis(side)->setLayer(QStringLiteral("axes"));
+        added.rect->axis(side)->grid()->setLayer(QStringLiteral("grid"));
+    }
+    // The lowest plot alone carries the numbers of the common time axis.
+    added.rect->axis(QCPAxis::atBottom)->setTickLabels(index + 1 == plotCount);
+    m_plot->plotLayout()->addElement(row + 1, 0, added.rect);
+    m_plot->plotLayout()->setRowStretchFactor(row, 1e-3);
+
+    for (const QString& name : names) {
+        QCPGraph* graph =
+            m_plot->addGraph(added.rect->axis(QCPAxis::atBottom), added.rect->axis(QCPAxis::atLeft));
+        graph->setName(name);
+        graph->addToLegend(added.legend);
+        added.graphs.append(graph);
+    }
+}
+
+void BlowPlots::linkTimeAxes() {
+    for (const Plot& from : m_plots) {
+        QCPAxis* axis = from.rect->axis(QCPAxis::atBottom);
+        connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this,
+                [this](const QCPRange& range) {
+                    m_fitted = m_fitting;
+                    for (const Plot& to : m_plots) to.rect->axis(QCPAxis::atBottom)->setRange(range);
+                });
+        connect(from.rect->axis(QCPAxis::atLeft), qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this,
+                [this] { m_fitted = m_fitting; });
+    }
+}
+
+void BlowPlots::show(const BlowCurves& curves) {
+    const bool unitsChanged = !sameUnits(m_curves.units, curves.units);
+    m_curves = curves;
+    if (unitsChanged) setGhost(nullptr);
+    for (std::size_t i = 0; i < curves.waves.size(); ++i)
+        setData(*m_plots[waves].graphs[static_cast<qsizetype>(i)], curves.waves[i]);
+    setData(*forceGraph(), curves.force);
+    setData(*impulseGraph(), curves.impulse);
+    setData(*momentumGraph(), curves.momentum);
+    showClosedForm();
+    m_message->hide();
+    m_timeEnd = curves.timeEnd > 0 ? curves.timeEnd : 1;
+    setLabels();
+    summarize();
+    if (m_fitted || unitsChanged) fit();
+}
+
+// Where it does not hold there is nothing to be hidden or shown either.
+void BlowPlots::showClosedForm() {
+    const std::optional<ClosedFormCurve>& closedForm = m_curves.closedForm;
+    setData(*closedFormGraph(), closedForm ? closedForm->force : GraphData::create());
+    if (!closedForm)
+        closedFormGraph()->removeFromLegend(m_plots[force].legend);
+    else if (closedFormGraph()->addToLegend(m_plots[force].legend))
+        m_style.applyTo(*m_plots[force].legend);
+}
+
+void BlowPlots::setGhost(const BlowCurves* before) {
+    for (Plot& plot : m_plots) {
+        for (QCPGraph* ghost : std::as_const(plot.ghosts)) m_plot->removeGraph(ghost);
+        plot.ghosts.clear();
+    }
+    m_ghostEnd = 0;
+    if (before && sameUnits(before->units, m_curves.units)) {
+        for (int i = 0; i < BlowCurves::waveCount; ++i)
+            addGhost(waves, i, before->waves[static_cast<std::size_t>(i)]);
+        addGhost(force, 0, before->force);
+        addGhost(impulse, 0, before->impulse);
+        addGhost(momentumOfRod, 0, before->momentum);
+        m_ghostEnd = before->timeEnd;
+    }
+    if (m_fitted) fit();
+}
+
+void BlowPlots::addGhost(std::size_t index, int kind, const GraphData& data) {
+    Plot& plot = m_plots[index];
+    QCPGraph* ghost = m_plot->addGraph(plot.rect->axis(QCPAxis::atBottom), plot.rect->axis(QCPAxis::atLeft));
+    ghost->setLayer(ghostLayer(*m_plot));
+    ghost->setSelectable(QCP::stNone);
+    ghost->setPen(ghostPen(m_style, kind));
+    setData(*ghost, data);
+    plot.ghosts.append(ghost);
+}
+
+void BlowPlots::showNothing(const QString& message) {
+    for (const Plot& plot : m_plots)
+        for (QCPGraph* graph : plot.graphs) graph->setData(GraphData::create());
+    m_message->show(message);
+    m_summary = message;
+}
+
+void BlowPlots::setLabels() {
+    const ShownUnits& units = m_curves.units;
+    const QLocale locale = m_plot->locale();
+    if (m_curves.closedForm)
+        closedFormGraph()->setName(
+            tr("closed form, error of e < %1").arg(boundText(m_curves.closedForm->error, locale)));
+    m_plots[waves].title->setText(tr("waves at x/L = %1").arg(sectionText(m_curves.section, locale)));
+    m_plots[waves].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(QStringLiteral("N")));
+    m_plots[force].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(QStringLiteral("F")));
+    m_plots[impulse].rect->axis(QCPAxis::atLeft)->setLabel(units.impulse.axisLabel(QStringLiteral("I")));
+    m_plots[momentumOfRod]
+        .rect->axis(QCPAxis::atLeft)
+        ->setLabel(units.impulse.axisLabel(QStringLiteral("p")));
+    m_plots[momentumOfRod].rect->axis(QCPAxis::atBottom)->setLabel(units.time.axisLabel(tr("time t")));
+}
+
+void BlowPlots::summarize() {
+    const BlowCurves& curves = m_curves;
+    const QLocale locale = m_plot->locale();
+    const auto shown = [&locale](double value, const ShownUnit& unit) {
+        return locale.toString(value, 'g', 4) + QLatin1Char(' ') + unit.unit;
+    };
+    m_summary =
+        tr("Four plots over time from 0 to %1. Waves at x/L = %2: largest N0p %3, N1n %4, N2p %5, N3n %6. "
+           "Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.")
+            .arg(shown(curves.timeEnd, curves.units.time), sectionText(curves.section, locale),
+                 shown(largestMagnitude(curves.waves[0]), curves.units.force),
+                 shown(largestMagnitude(curves.waves[1]), curves.units.force),
+                 shown(largestMagnitude(curves.waves[2]), curves.units.force),
+                 shown(largestMagnitude(curves.waves[3]), curves.units.force),
+                 shown(largestMagnitude(curves.force), curves.units.force),
+                 shown(largestMagnitude(curves.impulse), curves.units.impulse),
+                 shown(largestMagnitude(curves.momentum), curves.units.impulse));
+}
+
+void BlowPlots::setStyle(const PlotStyle& style) {
+    m_style = style;
+    m_plot->setBackground(style.background);
+    for (const Plot& plot : m_plots) {
+        style.applyTo(*plot.rect);
+        style.applyTo(*plot.legend);
+        style.applyTo(*plot.title);
+        for (int i = 0; i < plot.graphs.size(); ++i) plot.graphs[i]->setPen(style.linePen(i));
+        for (int i = 0; i < plot.ghosts.size(); ++i) plot.ghosts[i]->setPen(ghostPen(style, i));
+    }
+    if (m_curves.force) setLabels();  // files have another locale
+    m_message->setStyle(style);
+}
+
+void BlowPlots::fit() {
+    const QScopedValueRollback<bool> fitting(m_fitting, true);
+    m_fitted = true;
+    m_plots[waves].rect->axis(QCPAxis::atBottom)->setRange(0, std::max(m_timeEnd, m_ghostEnd));
+    for (const Plot& plot : m_plots)
+        plot.rect->axis(QCPAxis::atLeft)->setRange(valueRange(plot.graphs + plot.ghosts));
+}
+
+}  // namespace drillwave

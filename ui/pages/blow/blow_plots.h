@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The four plots of a blow on one time axis: the same drawing code for the page and for files.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <array>
+
+#include "ui/pages/blow/blow_curves.h"
+#include "ui/plot/plot_message.h"
+#include "ui/plot/plot_style.h"
+
+namespace drillwave {
+
+/// Lays four axis rects with linked time axes into a plot and fills them. Lives as a child of the plot.
+class BlowPlots : public QObject {
+    Q_OBJECT
+
+  public:
+    static constexpr int plotCount = 4;
+
+    explicit BlowPlots(QCustomPlot* plot);
+
+    /// Shows the curves; the view stays where it is unless it was fitted or the units changed.
+    void show(const BlowCurves& curves);
+    /// The curves of another blow faintly behind, in no legend; nullptr takes them away.
+    void setGhost(const BlowCurves* before);
+    /// No curves, and `message` in their place (why there are none).
+    void showNothing(const QString& message);
+    void setStyle(const PlotStyle& style);
+    /// All curves in view.
+    void fit();
+    /// What the plots show, in words, for assistive tools.
+    QString textSummary() const { return m_summary; }
+    QCPAxisRect* axisRect(int index) const { return m_plots.at(static_cast<std::size_t>(index)).rect; }
+    /// The waves N0p, N1n, N2p, N3n.
+    QCPGraph* waveGraph(int number) const { return m_plots[0].graphs[number]; }
+    QCPGraph* forceGraph() const { return m_plots[1].graphs.first(); }
+    /// In its legend only while the closed form holds.
+    QCPGraph* closedFormGraph() const { return m_plots[1].graphs.last(); }
+    QCPGraph* impulseGraph() const { return m_plots[2].graphs.first(); }
+    QCPGraph* momentumGraph() const { return m_plots[3].graphs.first(); }
+
+  private:
+    struct Plot {
+        QCPAxisRect* rect = nullptr;
+        QCPTextElement* title = nullptr;
+        QCPLegend* legend = nullptr;
+        QVector<QCPGraph*> graphs;
+        QVector<QCPGraph*> ghosts;
+    };
+    void addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins);
+    void linkTimeAxes();
+    void showClosedForm();
+    void addGhost(std::size_t index, int kind, const GraphData& data);
+    void setLabels();
+    void summarize();
+
+    QCustomPlot* m_plot;
+    std::array<Plot, plotCount> m_plots;
+    PlotMessage* m_message;
+    PlotStyle m_style;
+    BlowCurves m_curves;
+    double m_timeEnd = 1;
+    double m_ghostEnd = 0;
+    bool m_fitted = true;  // until the user zooms or pans
+    bool m_fitting = false;
+    QString m_summary;
+};
+
+}  // namespace drillwave

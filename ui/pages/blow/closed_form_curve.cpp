@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/blow/closed_form_curve.h"
+
+#include "core/wave/closed/closed_form.h"
+#include "core/wave/field/wave_field.h"
+
+namespace drillwave {
+
+std::optional<ClosedFormCurve> closedFormCurve(const PulseForce& pulse, const Groups& groups,
+                                               const ShownUnits& units, double timeEnd) {
+    const Impact impact = solveClosedForm(pulse, groups, Detail::histories);
+    if (impact.outcome != Outcome::rebounded) return {};
+    const SampledHistory history = sampleHistory(impact);
+    return ClosedFormCurve{
+        historyData(shownPoints(history.time, history.force, units.time, units.force), timeEnd, Tail::kept),
+        impact.corError};
+}
+
+}  // namespace drillwave

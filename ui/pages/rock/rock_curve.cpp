@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/rock/rock_curve.h"
+
+#include <QVector>
+#include <algorithm>
+#include <cmath>
+
+#include "core/blow/impact_summary.h"
+#include "core/wave/field/wave_field.h"
+
+namespace drillwave {
+namespace {
+
+QSharedPointer<QCPCurveDataContainer> pathOf(const Impact& impact, const Groups& groups,
+                                             const ShownUnits& units) {
+    const SampledHistory history = sampleHistory(impact);
+    QVector<QCPCurveData> points{QCPCurveData(impact.frontArrival * units.time.factor, 0, 0)};
+    points.reserve(static_cast<qsizetype>(history.force.size()) + 1);
+    double largest = 0;
+    for (std::size_t i = 0; i < history.force.size(); ++i) {
+        const double force = history.force[i];
+        largest = std::max(largest, force);
+        const double penetration = (largest - groups.gamma * (largest - force)) / (2 * groups.beta);
+        const double x = penetration * units.penetration.factor;
+        const double y = force * units.force.factor;
+        if (std::isfinite(x) && std::isfinite(y))
+            points.append(QCPCurveData(history.time[i] * units.time.factor, x, y));
+    }
+    auto path = QSharedPointer<QCPCurveDataContainer>::create();
+    path->set(points, true);
+    return path;
+}
+
+// A blow of a million reflections runs up and down its lines a million times: to fill between them would take
+// minutes. Where unloading lines lie closer than can be seen, the one that goes deepest stands for them.
+QSharedPointer<QCPCurveDataContainer> outlineOf(const QSharedPointer<QCPCurveDataContainer>& path,
+                                                double peakForce) {
+    constexpr int pointsDrawnAtOnce = 20000;
+    constexpr double linesTold = 4000;
+    if (path->size() <= pointsDrawnAtOnce) return path;
+    QVector<QCPCurveData> points;
+    const auto append = [&points](const QCPCurveData& point) {
+        points.append(QCPCurveData(static_cast<double>(points.size()), point.key, point.value));
+    };
+    QCPCurveData peak = *path->constBegin();
+    QCPCurveData lowest = peak;
+    double lineBegin = peak.value;
+    append(peak);
+    for (auto point = path->constBegin(); point != path->constEnd(); ++point) {
+        if (point->value > lineBegin + peakForce / linesTold) {
+            append(peak);
+            append(lowest);
+            append(peak);
+            peak = lowest = *point;
+            lineBegin = peak.value;
+        } else if (point->value > peak.value) {
+            peak = *point;
+        } else if (point->value <= lowest.value) {
+            lowest = *point;
+        }
+    }
+    append(peak);
+    append(lowest);
+    append(*(path->constEnd() - 1));
+    auto outline = QSharedPointer<QCPCurveDataContainer>::create();
+    outline->set(points, true);
+    return outline;
+}
+
+}  // namespace
+
+RockCurve rockCurve(const Impact& impact, const Groups& groups, const ShownUnits& units) {
+    const ImpactSummary summary = summarize(impact, groups);
+    const double peakForce = summary.peakForce * units.force.factor;
+    const auto path = pathOf(impact, groups, units);
+    return {.units = units,
+            .path = path,
+            .outline = outlineOf(path, peakForce),
+            .peakForce = peakForce,
+            .maxPenetration = summary.maxPenetration * units.penetration.factor,
+            .residualPenetration = summary.residualPenetration * units.penetration.factor,
+            .loading = groups.beta * units.stiffness.factor,
+            .unloading = groups.beta / groups.gamma * units.stiffness.factor,
+            .energy = summary.energy.rockWork * summary.workRatio * units.energy.factor,
+            .energyShare = summary.energy.rockWork};
+}
+
+QPointF rockPoint(const RockCurve& curve, double time) {
+    const QCPCurveDataContainer& path = *curve.path;
+    if (path.isEmpty()) return {};
+    const auto behind = std::upper_bound(path.constBegin(), path.constEnd(), time,
+                                         [](double t, const QCPCurveData& point) { return t < point.t; });
+    if (behind == path.constBegin()) return {behind->key, behind->value};
+    const auto before = behind - 1;
+    if (behind == path.constEnd()) return {before->key, before->value};
+    const double share = (time - before->t) / (behind->t - before->t);
+    return {before->key + share * (behind->key - before->key),
+            before->value + share * (behind->value - before->value)};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The path of a blow in the force–penetration plane and the numbers that mark it.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <QPointF>
+#include <QSharedPointer>
+
+#include "core/model/scenario.h"
+#include "core/wave/impact.h"
+#include "ui/text/shown_units.h"
+
+namespace drillwave {
+
+/// All in the units of `units`; built away from the window's thread, never changed once built.
+struct RockCurve {
+    ShownUnits units;
+    QSharedPointer<QCPCurveDataContainer> path;  ///< penetration, force; the parameter t is the global time
+    /// The path as it is drawn and filled: the same, but of a bounded number of points.
+    QSharedPointer<QCPCurveDataContainer> outline;
+    double peakForce = 0;            ///< Fm
+    double maxPenetration = 0;       ///< Um
+    double residualPenetration = 0;  ///< Ur
+    double loading = 0;              ///< k
+    double unloading = 0;            ///< k/γ
+    double energy = 0;               ///< left in the rock: the enclosed area
+    double energyShare = 0;          ///< of the hammer work
+};
+
+/// Requires an impact solved with Detail::histories. The penetration follows from the force by the bilinear
+/// law alone: U/d0 = (Fm − γ(Fm − F))/(2β), Fm the largest force so far. While apart it is what stays.
+RockCurve rockCurve(const Impact& impact, const Groups& groups, const ShownUnits& units);
+
+/// Penetration and force at a global time in shown units; at either end of the path before and behind it.
+QPointF rockPoint(const RockCurve& curve, double time);
+
+}  // namespace drillwave

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/rock/rock_page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+
+RockPage::RockPage(Observation& observation, QWidget* parent)
+    : Page(parent),
+      m_observation(observation),
+      m_instant(new QLabel(this)),
+      m_plot(new PlotWidget(this)),
+      m_rock(new RockPlot(m_plot)) {
+    m_instant->setObjectName(QStringLiteral("instant"));
+    m_instant->setWordWrap(true);
+    m_instant->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_instant->setToolTip(tr("State of the rock at the time cursor, the larger point on the path"));
+    auto* fitButton = new QPushButton(tr("Fit"), this);
+    fitButton->setToolTip(tr("Bring the whole path into view (double-click in the plot)"));
+
+    auto* bar = new QHBoxLayout;
+    bar->setContentsMargins(8, 6, 8, 0);
+    bar->addWidget(m_instant, 1);
+    bar->addWidget(fitButton);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addLayout(bar);
+    layout->addWidget(m_plot, 1);
+
+    m_plot->setAccessibleName(tr("Impact force against penetration"));
+    m_plot->followPalette([this](const PlotStyle& style) { m_rock->setStyle(style); });
+    connect(&observation, &Observation::timeChanged, this, [this] {
+        showTime();
+        m_plot->layer(QStringLiteral("overlay"))->replot();
+    });
+    connect(m_plot, &PlotWidget::fitRequested, m_rock, &RockPlot::fit);
+    connect(fitButton, &QPushButton::clicked, this, &RockPage::fit);
+    showTime();
+}
+
+void RockPage::addNeeds(SolveRequest& request) const {
+    request.rock = true;
+}
+
+void RockPage::setResult(const SolvedBlowPtr& blow) {
+    if (blow->rock) {
+        m_rock->show(*blow->rock);
+        CurveMeaning meaning;
+        meaning.xUnit = blow->units.penetration.unit;
+        meaning.yUnit = blow->units.force.unit;
+        m_plot->setMeaning(m_rock->path(), meaning);
+    } else if (!blow->problem.isEmpty()) {
+        m_rock->showNothing(tr("Nothing to show: %1").arg(blow->problem));
+    } else {
+        return;  // solved for another page; what was asked for is on its way
+    }
+    m_blow = blow;
+    showTime();
+    m_plot->setAccessibleDescription(m_rock->textSummary());
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void RockPage::showTime() {
+    const bool known = m_blow && m_blow->rock && m_observation.time();
+    if (!known) {
+        m_rock->setPoint({});
+        m_instant->setText(tr("No time chosen: click an event, or place the time cursor in Blow."));
+        return;
+    }
+    const RockCurve& curve = *m_blow->rock;
+    const QPointF point = rockPoint(curve, *m_observation.time() * curve.units.time.factor);
+    m_rock->setPoint(point);
+    const QLocale locale;
+    const auto shown = [&locale](double value, const ShownUnit& unit) {
+        return numberText(value, 4, locale) + QChar(QChar::Nbsp) + unit.unit;
+    };
+    m_instant->setText(tr("t = %1 · U = %2 · F = %3")
+                           .arg(quantityText(*m_observation.time(), curve.units.time, locale),
+                                shown(point.x(), curve.units.penetration),
+                                shown(point.y(), curve.units.force)));
+}
+
+void RockPage::setGhost(const SolvedBlowPtr& before) {
+    m_rock->setGhost(before && before->rock ? &*before->rock : nullptr);
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void RockPage::fit() {
+    m_plot->fit();
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+}  // namespace drillwave

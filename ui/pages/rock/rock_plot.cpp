@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/rock/rock_plot.h"
+
+#include <QScopedValueRollback>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plot/ghost_style.h"
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+namespace {
+
+QString shown(double value, const ShownUnit& unit, const QLocale& locale) {
+    return numberText(value, 4, locale) + QChar(QChar::Nbsp) + unit.unit;
+}
+
+// The area of an elastic rock is nothing but rounding.
+QString energyText(const RockCurve& curve, const QLocale& locale) {
+    constexpr double rounding = 1e-9;
+    if (std::abs(curve.energyShare) < rounding) return RockPlot::tr("no energy left in the rock");
+    return RockPlot::tr("energy left in the rock: %1 (%2 of W)")
+        .arg(shown(curve.energy, curve.units.energy, locale),
+             numberText(100 * curve.energyShare, 3, locale) + QChar(QChar::Nbsp) + QLatin1Char('%'));
+}
+
+// Degrees, clockwise, by which text follows a line between two pixels.
+double textRotation(const QPointF& from, const QPointF& to) {
+    return std::atan2(to.y() - from.y(), to.x() - from.x()) * 180 / M_PI;
+}
+
+// By name: their factors follow the scenario.
+bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
+    return a.force.unit == b.force.unit && a.penetration.unit == b.penetration.unit;
+}
+
+}  // namespace
+
+RockPlot::RockPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
+    plot->axisRect()->setupFullAxesBox(true);
+    plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
+    m_path = new QCPCurve(plot->xAxis, plot->yAxis);
+    m_path->setName(tr("impact force F"));
+    addHeader();
+    addDropLines();
+    m_peakName = addLabel();
+    m_peakName->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
+    m_peakName->setTextAlignment(Qt::AlignRight);
+    m_residualName = addLabel();
+    m_loadingName = addLabel();
+    m_loadingName->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+    m_unloadingName = addLabel();
+    m_unloadingName->setPositionAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    m_message = new PlotMessage(plot);
+    for (QCPItemTracer** tracer : {&m_peak, &m_residual, &m_point}) {
+        *tracer = new QCPItemTracer(plot);
+        (*tracer)->setStyle(QCPItemTracer::tsCircle);
+        (*tracer)->setSelectable(false);
+    }
+    m_point->setLayer(QStringLiteral("overlay"));
+    m_point->setVisible(false);
+    connect(plot, &QCustomPlot::afterLayout, this, &RockPlot::placeLabels);
+    for (QCPAxis* axis : {plot->xAxis, plot->yAxis})
+        connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this,
+                [this] { m_fitted = m_fitting; });
+    setStyle(PlotStyle::forPaper());
+    setMarksVisible(false);
+}
+
+// Above the plot, where it can hide no part of the curve.
+void RockPlot::addHeader() {
+    m_plot->plotLayout()->insertRow(0);
+    auto* header = new QCPLayoutGrid;
+    m_plot->plotLayout()->addElement(0, 0, header);
+    m_plot->plotLayout()->setRowStretchFactor(0, 1e-3);
+    m_caption = new QCPTextElement(m_plot);
+    m_caption->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    m_caption->setMargins(QMargins(7, 0, 0, 4));
+    header->setRowSpacing(0);
+    header->addElement(0, 0, m_plot->legend);
+    header->addElement(1, 0, m_caption);
+    m_plot->legend->setVisible(true);
+    m_plot->legend->setMargins(QMargins(7, 6, 0, 0));
+}
+
+QCPItemText* RockPlot::addLabel() {
+    auto* label = new QCPItemText(m_plot);
+    label->setSelectable(false);
+    label->setPadding(QMargins(5, 2, 5, 2));
+    return label;
+}
+
+// From the peak to both axes: where its numbers are read off.
+void RockPlot::addDropLines() {
+    for (QCPItemLine** line : {&m_toForceAxis, &m_toPenetrationAxis}) {
+        *line = new QCPItemLine(m_plot);
+        (*line)->setSelectable(false);
+        (*line)->start->setType(QCPItemPosition::ptPlotCoords);
+        (*line)->end->setType(QCPItemPosition::ptPlotCoords);
+    }
+}
+
+void RockPlot::show(const RockCurve& curve) {
+    const bool unitsChanged = !sameUnits(m_curve.units, curve.units);
+    if (unitsChanged) setGhost(nullptr);
+    m_curve = curve;
+    m_path->setData(curve.outline);
+    m_plot->xAxis->setLabel(curve.units.penetration.axisLabel(tr("penetration U")));
+    m_plot->yAxis->setLabel(curve.units.force.axisLabel(tr("impact force F")));
+    m_message->hide();
+    setMarksVisible(curve.peakForce > 0);
+    nameNumbers(curve);
+    if (m_fitted || unitsChanged) fit();
+}
+
+void RockPlot::showNothing(const QString& message) {
+    m_path->setData(QSharedPointer<QCPCurveDataContainer>::create());
+    setMarksVisible(false);
+    m_point->setVisible(false);
+    m_caption->setText({});
+    m_curve = {};
+    m_message->show(message);
+    m_summary = message;
+}
+
+void RockPlot::nameNumbers(const RockCurve& curve) {
+    const QLocale locale = m_plot->locale();
+    const ShownUnits& units = curve.units;
+    const QString force = shown(curve.peakForce, units.force, locale);
+    const QString largest = shown(curve.maxPenetration, units.penetration, locale);
+    const QString residual = shown(curve.residualPenetration, units.penetration, locale);
+    const QString loading = shown(curve.loading, units.stiffness, locale);
+    const QString unloading = shown(curve.unloading, units.stiffness, locale);
+    const QString energy = energyText(curve, locale);
+    m_caption->setText(tr("enclosed area: %1").arg(energy));
+    m_peakName->setText(tr("Fm = %1\nUm = %2").arg(force, largest));
+    m_residualName->setText(tr("Ur = %1").arg(residual));
+    m_loadingName->setText(tr("k = %1").arg(loading));
+    m_unloadingName->setText(tr("k/γ = %1").arg(unloading));
+    m_summary =
+        tr("Impact force against penetration. Loading along the slope k = %1 up to the peak, Fm = %2 at "
+           "the penetration Um = %3; unloading along k/γ = %4; the penetration Ur = %5 stays. The "
+           "enclosed area: %6.")
+            .arg(loading, force, largest, unloading, residual, energy);
+}
+
+// Beside the lines they name, at any zoom: above the loading line, below the unloading line, and the residual
+// penetration on the side on which its text fits.
+void RockPlot::placeLabels() {
+    if (!m_peak->visible()) return;
+    const QCPAxis* x = m_plot->xAxis;
+    const QCPAxis* y = m_plot->yAxis;
+    const auto pixel = [&](double u, double f) { return QPointF(x->coordToPixel(u), y->coordToPixel(f)); };
+    const double um = m_curve.maxPenetration;
+    const double ur = m_curve.residualPenetration;
+    const double fm = m_curve.peakForce;
+    m_loadingName->position->setCoords(0.45 * um, 0.45 * fm);
+    m_loadingName->setRotation(textRotation(pixel(0, 0), pixel(um, fm)));
+    m_unloadingName->position->setCoords(ur + 0.5 * (um - ur), 0.5 * fm);
+    m_unloadingName->setRotation(textRotation(pixel(ur, 0), pixel(um, fm)));
+    m_residualName->position->setCoords(ur, 0);
+    const double textWidth = QFontMetricsF(m_residualName->font()).horizontalAdvance(m_residualName->text());
+    const bool fitsLeft = pixel(ur, 0).x() - pixel(0, 0).x() > 1.6 * textWidth;
+    m_residualName->setPositionAlignment((fitsLeft ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
+}
+
+void RockPlot::setMarksVisible(bool visible) {
+    const bool stays = visible && m_curve.residualPenetration > 0;
+    for (QCPAbstractItem* item : std::initializer_list<QCPAbstractItem*>{m_peakName, m_loadingName, m_peak,
+                                                                         m_toForceAxis, m_toPenetrationAxis})
+        item->setVisible(visible);
+    for (QCPAbstractItem* item :
+         std::initializer_list<QCPAbstractItem*>{m_residualName, m_unloadingName, m_residual})
+        item->setVisible(stays);
+    const double um = m_curve.maxPenetration;
+    const double fm = m_curve.peakForce;
+    m_peakName->position->setCoords(um, fm);
+    m_peak->position->setCoords(um, fm);
+    m_residual->position->setCoords(m_curve.residualPenetration, 0);
+    m_toForceAxis->start->setCoords(um, fm);
+    m_toForceAxis->end->setCoords(0, fm);
+    m_toPenetrationAxis->start->setCoords(um, fm);
+    m_toPenetrationAxis->end->setCoords(um, 0);
+}
+
+void RockPlot::setGhost(const RockCurve* before) {
+    if (m_ghost) m_plot->removePlottable(m_ghost);
+    m_ghost = nullptr;
+    m_ghostSize = {};
+    if (before && sameUnits(before->units, m_curve.units)) {
+        m_ghost = new QCPCurve(m_plot->xAxis, m_plot->yAxis);
+        m_ghost->removeFromLegend();
+        m_ghost->setSelectable(QCP::stNone);
+        m_ghost->setLayer(ghostLayer(*m_plot));
+        m_ghost->setPen(ghostPen(m_style, 0));
+        m_ghost->setData(before->outline);
+        m_ghostSize = {before->maxPenetration, before->peakForce};
+    }
+    if (m_fitted) fit();
+}
+
+void RockPlot::setPoint(const std::optional<QPointF>& point) {
+    m_point->setVisible(point.has_value());
+    if (point) m_point->position->setCoords(*point);
+}
+
+void RockPlot::setStyle(const PlotStyle& style) {
+    m_message->setStyle(style);
+    m_style = style;
+    m_plot->setBackground(style.background);
+    style.applyTo(*m_plot->axisRect());
+    style.applyTo(*m_plot->legend);
+    m_path->setPen(style.linePen(0));
+    m_path->setBrush(style.areaBrush(0));
+    style.applyTo(*m_caption);
+    if (m_ghost) m_ghost->setPen(ghostPen(style, 0));
+    for (QCPItemText* label : {m_peakName, m_residualName, m_loadingName, m_unloadingName}) {
+        label->setFont(style.font);
+        label->setColor(style.text);
+    }
+    QColor behind = style.background;
+    behind.setAlpha(170);
+    m_residualName->setBrush(behind);  // lines of earlier contacts may pass there
+    for (QCPItemLine* line : {m_toForceAxis, m_toPenetrationAxis})
+        line->setPen(QPen(style.zeroLine, 1, Qt::DashLine));
+    for (QCPItemTracer* mark : {m_peak, m_residual}) {
+        mark->setSize(6);
+        mark->setPen(QPen(style.lines[0], 1.5));
+        mark->setBrush(style.background);
+    }
+    m_point->setSize(10);
+    m_point->setPen(QPen(style.text, 1.5));
+    m_point->setBrush(style.lines[1]);
+    if (m_curve.path) nameNumbers(m_curve);  // files have another locale
+}
+
+void RockPlot::fit() {
+    const QScopedValueRollback<bool> fitting(m_fitting, true);
+    m_fitted = true;
+    const auto range = [](double present, double ghost) {
+        const double size = std::max(present, ghost);
+        return size > 0 ? QCPRange(-0.03 * size, 1.14 * size) : QCPRange(0, 1);
+    };
+    m_plot->xAxis->setRange(range(m_curve.maxPenetration, m_ghostSize.width()));
+    m_plot->yAxis->setRange(range(m_curve.peakForce, m_ghostSize.height()));
+}
+
+}  // namespace drillwave

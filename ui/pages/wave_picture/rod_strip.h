@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rod itself at one instant, coloured by its stress.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/job/solved_blow.h"
+#include "ui/pages/wave_picture/colour_scale.h"
+
+namespace drillwave {
+
+/// Hammer, rod, bit and rock from left to right, and the state of the bit in words. Redrawn for every step of
+/// a playing blow: a fraction of a millisecond.
+class RodStrip : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit RodStrip(QWidget* parent = nullptr);
+
+    /// A blow with a picture, or nullptr for an empty strip.
+    void setBlow(const SolvedBlowPtr& blow);
+    /// Global time t/t0.
+    void setTime(double t);
+    double time() const { return m_time; }
+    /// Where the rod begins and ends [px from the left], to be in line with a picture above.
+    void setRodEnds(int left, int right);
+    /// "t = 0.52 ms: contact, penetration 0.8 mm, force 120 kN; stress −45 … 12 MPa".
+    QString stateText() const;
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return {300, sizeHint().height()}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void compute();
+    QRect rodRect() const;
+    void paintRod(QPainter& painter, const QRect& rod) const;
+    void paintHammer(QPainter& painter, const QRect& rod) const;
+    void paintRock(QPainter& painter, const QRect& rod) const;
+
+    SolvedBlowPtr m_blow;
+    double m_time = 0;
+    int m_left = 64, m_right = -1;
+    ColourScale m_colours = ColourScale::onLight();
+    std::vector<float> m_force;  // N/F0 at the pixels of the rod
+};
+
+}  // namespace drillwave

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/wave_picture/wave_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/model/scales.h"
+
+namespace drillwave {
+namespace {
+
+constexpr double mostFlightShown = 6;  // round trips before the first contact that are shown from the start
+constexpr double mostRoundTrips = 12;
+
+// The tail of a fading blow is long, and nothing can be seen in it.
+double visibleEnd(const PulseForce& pulse) {
+    constexpr double visible = 0.97;
+    for (const PulseSegment& segment : pulse.segments)
+        if (segment.kind == PulseSegment::Kind::exponential)
+            return segment.start - std::log1p(-visible);
+        else if (pulse.impulseUntil(segment.start + segment.length) >= visible)
+            return segment.start + segment.length;
+    return pulse.end;
+}
+
+// Looked up on a grid of its own, so that the colours stay while one zooms; waves that meet only long after
+// the blow would make all others pale.
+double largestMagnitude(const Impact& impact, WaveField field, const TimeSpan& time) {
+    const WaveRaster overview = waveRaster(impact, field, {0, 1, 65, time.begin, time.end, 600});
+    double largest = field == WaveField::force ? impact.peakForce : 0;
+    for (const float value : overview.values) largest = std::max(largest, std::abs(double(value)));
+    return std::isfinite(largest) && largest > 0 ? largest : 1;
+}
+
+RasterGrid gridOf(const WavePictureNeed& need, const TimeSpan& time) {
+    double columns = std::max(1, need.columns), rows = std::max(1, need.rows);
+    const double coarser = std::sqrt(std::max(1.0, columns * rows / mostPictureCells));
+    columns = std::max(1.0, std::floor(columns / coarser));
+    rows = std::max(1.0, std::floor(rows / coarser));
+    return {need.xiBegin, need.xiEnd, int(columns), time.begin, time.end, int(rows)};
+}
+
+}  // namespace
+
+PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units) {
+    if (units.force.dimensionless) {
+        // F0/Z is τ v0: the momentum I0 = m v0 is carried by a pulse of length t0 in a rod of length τ t0.
+        const double tau = groupsOf(scenario).tau;
+        return {{1, QStringLiteral("L"), true},
+                units.time,
+                units.force,
+                {tau, QStringLiteral("v₀"), true},
+                units.force};
+    }
+    const Scales scales = scalesOf(scenario);
+    const RodProperties rod = propertiesOf(scenario.rod);
+    return {{scales.length, QStringLiteral("m"), false},
+            units.time,
+            units.force,
+            {scales.force / rod.impedance, QStringLiteral("m/s"), false},
+            {scales.force / rod.area * 1e-6, QStringLiteral("MPa"), false}};
+}
+
+QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QLocale& locale) {
+    const double largest = std::max(std::abs(span.begin), std::abs(span.end));
+    const double resolved = std::log10(largest / (span.end - span.begin));
+    const int digits = std::isfinite(resolved) ? std::clamp(static_cast<int>(resolved) + 4, 4, 15) : 4;
+    QLocale plain = locale;
+    plain.setNumberOptions(QLocale::OmitGroupSeparator);
+    return plain.toString(t * unit.factor, 'g', digits).replace(QLatin1Char('-'), QStringLiteral("−")) +
+           QChar(QChar::Nbsp) + unit.unit;
+}
+
+TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse) {
+    const double roundTrip = impact.roundTrip;
+    const bool longFlight = impact.firstContactTime > mostFlightShown * roundTrip;
+    const double begin = longFlight ? impact.firstContactTime - 1.5 * roundTrip : 0;
+    const double end = std::max({impact.separationTime, visibleEnd(pulse), impact.frontArrival}) + roundTrip;
+    return {begin, std::min(end, begin + mostRoundTrips * roundTrip)};
+}
+
+WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,
+                        const ShownUnits& units, const WavePictureNeed& need) {
+    WavePicture picture;
+    picture.units = pictureUnits(scenario, units);
+    picture.interesting = interestingTime(impact, pulse);
+    picture.forceLimit = largestMagnitude(impact, WaveField::force, picture.interesting);
+    picture.limit = need.field == WaveField::force
+                        ? picture.forceLimit
+                        : largestMagnitude(impact, need.field, picture.interesting);
+    picture.fronts = pulseFronts(pulse);
+    picture.contacts = contactIntervals(impact);
+    picture.raster = waveRaster(impact, need.field, gridOf(need, need.time.value_or(picture.interesting)));
+    return picture;
+}
+
+}  // namespace drillwave

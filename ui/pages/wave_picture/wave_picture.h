@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The x–t picture of one blow as ready data, built away from the window's thread.
+#pragma once
+
+#include <QLocale>
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "core/model/pulse_force.h"
+#include "core/wave/field/wave_fronts.h"
+#include "core/wave/field/wave_raster.h"
+#include "ui/text/shown_units.h"
+
+namespace drillwave {
+
+/// A stretch of global time t/t0.
+struct TimeSpan {
+    double begin = 0;
+    double end = 1;
+    bool operator==(const TimeSpan&) const = default;
+};
+
+/// What a picture is to show, at the pixels of its screen.
+struct WavePictureNeed {
+    WaveField field = WaveField::force;
+    double xiBegin = 0, xiEnd = 1;  ///< x/L
+    std::optional<TimeSpan> time;   ///< all that is of interest when there is none
+    int columns = 0, rows = 0;      ///< device pixels
+    bool operator==(const WavePictureNeed&) const = default;
+};
+
+/// Units of what a picture shows; position in x/L or metres.
+struct PictureUnits {
+    ShownUnit position;
+    ShownUnit time;
+    ShownUnit force;
+    ShownUnit velocity;  ///< of the particles; shown = (value in F0/Z)·factor
+    ShownUnit stress;    ///< N/A, or N/F0 where there is no cross-section
+    bool operator==(const PictureUnits&) const = default;
+
+    const ShownUnit& of(WaveField field) const { return field == WaveField::force ? force : velocity; }
+};
+
+/// `units` gives times and forces; what else there is follows from the scenario.
+PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units);
+
+/// Never changed once made; dimensionless but for `units`.
+struct WavePicture {
+    PictureUnits units;
+    WaveRaster raster;
+    TimeSpan interesting;   ///< from the blow to its last separation, within a sane number of round trips
+    double limit = 1;       ///< largest magnitude of the field in that time
+    double forceLimit = 1;  ///< that of the force
+    std::vector<double> fronts;  ///< pulseFronts()
+    std::vector<ContactInterval> contacts;
+};
+
+/// A time with as many digits as tell the instants of a span apart: "10000005.3 t₀", four at least.
+QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QLocale& locale);
+
+/// A raster has no more cells than this: larger needs are met more coarsely.
+inline constexpr int mostPictureCells = 4'000'000;
+
+/// The time in which a blow is worth looking at: from its beginning to a round trip after the last
+/// separation. A long flight before the first contact is left out but for its end, and so is what comes later
+/// than a dozen round trips.
+TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse);
+
+/// Requires an impact solved with Detail::histories.
+WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,
+                        const ShownUnits& units, const WavePictureNeed& need);
+
+}  // namespace drillwave

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an x–t picture consists of: the coloured field, the fronts of the blow, the times of contact.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <QImage>
+
+#include "ui/job/solved_blow.h"
+#include "ui/pages/wave_picture/colour_scale.h"
+#include "ui/plot/plot_style.h"
+
+namespace drillwave {
+
+/// Something drawn from a blow with a picture over the axes of a plot, position to the right and time upward.
+/// Cuts off by itself what lies outside of the axes: not every format can.
+class WavePictureItem : public QCPAbstractItem {
+    Q_OBJECT
+
+  public:
+    explicit WavePictureItem(QCustomPlot* plot) : QCPAbstractItem(plot) { setSelectable(false); }
+
+    /// A blow with a picture, or nullptr for none.
+    virtual void setBlow(const SolvedBlowPtr& blow) { m_blow = blow; }
+    virtual void setStyle(const PlotStyle& style) { m_style = style; }
+    double selectTest(const QPointF&, bool, QVariant* = nullptr) const override { return -1; }
+
+  protected:
+    const WavePicture& picture() const { return *m_blow->picture; }
+    /// What the axes show, in x/L and t/t0.
+    RasterGrid view() const;
+    /// A place in the plot [px].
+    QPointF pixel(double xi, double t) const;
+
+    SolvedBlowPtr m_blow;
+    PlotStyle m_style;
+};
+
+/// The field in colours. In a file it is computed anew for the resolution of the file.
+class WaveFieldItem : public WavePictureItem {
+    Q_OBJECT
+
+  public:
+    using WavePictureItem::WavePictureItem;
+    void setBlow(const SolvedBlowPtr& blow) override;
+    void setStyle(const PlotStyle& style) override;
+
+  protected:
+    void draw(QCPPainter* painter) override;
+
+  private:
+    QImage imageOf(const WaveRaster& raster) const;
+    void drawForFile(QCPPainter& painter) const;
+
+    ColourScale m_colours = ColourScale::onLight();
+    QImage m_image;
+};
+
+/// Thin lines x = ±ct + … from every beginning, jump and end of the hammer force, reflected for ever; the
+/// first waves are named as in the paper's Fig. 2.
+class WaveFrontsItem : public WavePictureItem {
+    Q_OBJECT
+
+  public:
+    using WavePictureItem::WavePictureItem;
+
+  protected:
+    void draw(QCPPainter* painter) override;
+
+  private:
+    enum class Direction { toBit, fromBit };
+    void drawFamily(QCPPainter& painter, double offset, bool named) const;
+    void drawLine(QCPPainter& painter, double timeAtBit, Direction direction) const;
+    void drawName(QCPPainter& painter, double timeAtBit, Direction direction, int number) const;
+};
+
+/// Bars beside the bit's end of the picture while bit and rock touch, ticks at the other events.
+class ContactBarsItem : public WavePictureItem {
+    Q_OBJECT
+
+  public:
+    static constexpr int width = 46;  ///< that it needs beside the axes [px]
+
+    explicit ContactBarsItem(QCustomPlot* plot) : WavePictureItem(plot) { setClipToAxisRect(false); }
+
+  protected:
+    void draw(QCPPainter* painter) override;
+
+  private:
+    void drawEvents(QCPPainter& painter, const RasterGrid& range) const;
+    void drawTitle(QCPPainter& painter) const;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/wave_picture/wave_picture_page.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "ui/pages/wave_picture/play_bar.h"
+#include "ui/pages/wave_picture/rod_strip.h"
+#include "ui/text/settings.h"
+
+namespace drillwave {
+namespace {
+
+const QString fieldKey = QStringLiteral("wavePicture/field");
+const QString frontsKey = QStringLiteral("wavePicture/fronts");
+const QString velocityName = QStringLiteral("velocity");
+
+}  // namespace
+
+WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
+    : Page(parent),
+      m_observation(observation),
+      m_field(new QComboBox(this)),
+      m_fronts(new QCheckBox(tr("Fronts"), this)),
+      m_section(new QDoubleSpinBox(this)),
+      m_readout(new QLabel(this)),
+      m_plot(new PlotWidget(this)),
+      m_picture(new WavePicturePlot(m_plot)),
+      m_cursors(new PictureCursors(m_plot, m_picture)),
+      m_strip(new RodStrip(this)),
+      m_playBar(new PlayBar(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addLayout(makeBar());
+    layout->addWidget(m_plot, 1);
+    layout->addWidget(m_strip);
+    layout->addWidget(m_playBar);
+    m_plot->setAccessibleName(tr("Waves in the rod over position and time"));
+    m_plot->followPalette([this](const PlotStyle& style) {
+        m_picture->setStyle(style);
+        m_cursors->setStyle(style);
+    });
+    m_plot->setDataText([this](char separator) { return m_picture->csv(separator); });
+    restoreChoices();
+    wire();
+    m_cursors->setSection(observation.section());
+}
+
+QHBoxLayout* WavePicturePage::makeBar() {
+    m_field->setObjectName(QStringLiteral("field"));
+    m_field->addItem(tr("Force N"));
+    m_field->addItem(tr("Particle velocity v"));
+    m_field->setMinimumWidth(90);
+    m_field->setAccessibleName(tr("What the colours show"));
+    m_field->setToolTip(
+        tr("Normal force (tension positive) or particle velocity (towards the rock positive)"));
+    m_fronts->setObjectName(QStringLiteral("fronts"));
+    m_fronts->setToolTip(
+        tr("Lines where the hammer force begins (solid), jumps or ends (dashed), running with "
+           "the wave speed"));
+    m_section->setObjectName(QStringLiteral("section"));
+    m_section->setRange(0, 1);
+    m_section->setDecimals(3);
+    m_section->setSingleStep(0.05);
+    m_section->setValue(m_observation.section());
+    m_section->setAccessibleName(tr("Section x/L of the waves"));
+    m_section->setToolTip(tr(
+        "The dashed line: where in the rod the waves of the page Blow are observed; 0 is the struck end, 1 "
+        "the bit"));
+    auto* label = new QLabel(tr("Section x/L"), this);
+    label->setBuddy(m_section);
+    m_readout->setObjectName(QStringLiteral("readout"));
+    m_readout->setAccessibleName(tr("Value at the pointer"));
+    // Asks for no width: it is there when there is room.
+    m_readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_readout->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    auto* fitButton = new QPushButton(tr("Fit"), this);
+    fitButton->setToolTip(tr("Bring the whole blow into view (double-click in the picture)"));
+    fitButton->setMinimumWidth(50);
+    connect(fitButton, &QPushButton::clicked, this, &WavePicturePage::fit);
+
+    auto* bar = new QHBoxLayout;
+    bar->setContentsMargins(8, 6, 8, 0);
+    bar->addWidget(m_field);
+    bar->addWidget(m_fronts);
+    bar->addWidget(label);
+    bar->addWidget(m_section);
+    bar->addWidget(m_readout, 1);
+    bar->addWidget(fitButton);
+    return bar;
+}
+
+void WavePicturePage::restoreChoices() {
+    const Settings settings;
+    const bool velocity = settings.value(fieldKey).toString() == velocityName;
+    m_field->setCurrentIndex(velocity ? 1 : 0);
+    m_picture->setField(velocity ? WaveField::velocity : WaveField::force);
+    m_fronts->setChecked(settings.value(frontsKey, true).toBool());
+    m_picture->setFrontsShown(m_fronts->isChecked());
+}
+
+void WavePicturePage::wire() {
+    connect(m_field, &QComboBox::currentIndexChanged, this, [this](int index) {
+        Settings().setValue(fieldKey, index == 1 ? velocityName : QStringLiteral("force"));
+        m_picture->setField(index == 1 ? WaveField::velocity : WaveField::force);
+    });
+    connect(m_fronts, &QCheckBox::toggled, this, [this](bool shown) {
+        Settings().setValue(frontsKey, shown);
+        m_picture->setFrontsShown(shown);
+        m_plot->replot(QCustomPlot::rpQueuedReplot);
+    });
+    connect(m_picture, &WavePicturePlot::needChanged, this, &Page::needsChanged);
+    connect(m_picture, &WavePicturePlot::viewChanged, this, &WavePicturePage::showSpan);
+    connect(m_plot, &PlotWidget::fitRequested, m_picture, &WavePicturePlot::fit);
+    connect(m_plot, &QCustomPlot::afterReplot, this, &WavePicturePage::alignStrip);
+
+    connect(m_section, &QDoubleSpinBox::valueChanged, &m_observation, &Observation::setSection);
+    connect(m_cursors, &PictureCursors::sectionMoved, &m_observation, &Observation::setSection);
+    connect(&m_observation, &Observation::sectionChanged, this, &WavePicturePage::showSection);
+    connect(m_cursors, &PictureCursors::timeMoved, &m_observation, &Observation::setTime);
+    connect(m_playBar, &PlayBar::timeChosen, &m_observation, &Observation::setTime);
+    connect(&m_observation, &Observation::timeChanged, this, &WavePicturePage::showTime);
+    for (QWidget* widget : {static_cast<QWidget*>(m_plot), static_cast<QWidget*>(m_strip),
+                            m_playBar->findChild<QWidget*>(QStringLiteral("timeSlider"))})
+        widget->installEventFilter(this);
+}
+
+void WavePicturePage::addNeeds(SolveRequest& request) const {
+    request.picture = m_picture->need();
+}
+
+void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
+    if (blow->picture)
+        m_picture->show(blow);
+    else if (!blow->problem.isEmpty())
+        m_picture->showNothing(tr("Nothing to show: %1").arg(blow->problem));
+    else
+        return;  // the answer to an older request, before this page was there to ask
+    m_strip->setBlow(m_picture->shown());
+    showSpan();
+    showTime();
+    m_plot->setAccessibleDescription(m_picture->textSummary());
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void WavePicturePage::fit() {
+    m_plot->fit();
+}
+
+// Shown with three decimals, kept with all.
+void WavePicturePage::showSection(double section) {
+    const QSignalBlocker quiet(m_section);
+    m_section->setValue(section);
+    m_cursors->setSection(section);
+}
+
+// While nobody has chosen a time: when the blow is on its way to the bit.
+double WavePicturePage::timeShown() const {
+    if (const std::optional<double> time = m_observation.time()) return *time;
+    const SolvedBlowPtr& blow = m_picture->shown();
+    if (!blow) return 0;
+    const double begin = blow->picture->interesting.begin;
+    return begin > 0 ? begin : 0.7 * blow->impact.frontArrival;
+}
+
+void WavePicturePage::showTime() {
+    const double time = timeShown();
+    m_cursors->setTime(time);
+    m_strip->setTime(time);
+    m_playBar->setTime(time);
+    m_playBar->setTimeText(m_strip->stateText());
+}
+
+void WavePicturePage::showSpan() {
+    const SolvedBlowPtr& blow = m_picture->shown();
+    if (!blow) return;
+    m_playBar->setSpan(m_picture->timeInView(),
+                       blow->picture->units.time.dimensionless ? 0 : blow->scales.time);
+}
+
+// The rod below lies in line with the picture above while the whole of it is in view.
+void WavePicturePage::alignStrip() {
+    const QRect axes = m_plot->axisRect()->rect();
+    m_strip->setRodEnds(axes.left(), axes.right() + 1);
+}
+
+bool WavePicturePage::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
+        m_playBar->toggle();
+        return true;
+    }
+    if (watched == m_plot && event->type() == QEvent::MouseMove)
+        m_readout->setText(m_picture->readout(static_cast<QMouseEvent*>(event)->position()));
+    if (watched == m_plot && event->type() == QEvent::Leave) m_readout->clear();
+    return Page::eventFilter(watched, event);
+}
+
+}  // namespace drillwave

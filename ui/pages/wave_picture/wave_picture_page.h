@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The waves over position and time in one picture, and the rod playing through it (paper, Fig. 2).
+#pragma once
+
+#include "ui/job/observation.h"
+#include "ui/pages/page.h"
+#include "ui/pages/wave_picture/picture_cursors.h"
+#include "ui/pages/wave_picture/wave_picture_plot.h"
+#include "ui/plot/plot_widget.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QHBoxLayout;
+class QLabel;
+
+namespace drillwave {
+
+class PlayBar;
+class RodStrip;
+
+class WavePicturePage : public Page {
+    Q_OBJECT
+
+  public:
+    /// The observation must outlive the page.
+    explicit WavePicturePage(Observation& observation, QWidget* parent = nullptr);
+
+    QString title() const override { return tr("Wave picture"); }
+    void addNeeds(SolveRequest& request) const override;
+    void setResult(const SolvedBlowPtr& blow) override;
+    void fit() override;
+
+    PlotWidget* plot() const override { return m_plot; }
+    WavePicturePlot* picture() const { return m_picture; }
+    PictureCursors* cursors() const { return m_cursors; }
+    RodStrip* rodStrip() const { return m_strip; }
+    PlayBar* playBar() const { return m_playBar; }
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    QHBoxLayout* makeBar();
+    void restoreChoices();
+    void wire();
+    void showSection(double section);
+    void showTime();
+    void showSpan();
+    void alignStrip();
+    double timeShown() const;
+
+    Observation& m_observation;
+    QComboBox* m_field;
+    QCheckBox* m_fronts;
+    QDoubleSpinBox* m_section;
+    QLabel* m_readout;
+    PlotWidget* m_plot;
+    WavePicturePlot* m_picture;
+    PictureCursors* m_cursors;
+    RodStrip* m_strip;
+    PlayBar* m_playBar;
+};
+
+}  // namespace drillwave

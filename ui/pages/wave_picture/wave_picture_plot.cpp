@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/wave_picture/wave_picture_plot.h"
+
+#include <QScopedValueRollback>
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/pages/wave_picture/wave_picture_csv.h"
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+namespace {
+
+QString fieldWords(WaveField field) {
+    return field == WaveField::force ? WavePicturePlot::tr("force N (tension positive)")
+                                     : WavePicturePlot::tr("particle velocity v (towards the rock positive)");
+}
+
+}  // namespace
+
+WavePicturePlot::WavePicturePlot(QCustomPlot* plot)
+    : QObject(plot), m_plot(plot), m_bar(new QCPColorScale(plot)) {
+    plot->setAutoAddPlottableToLegend(false);
+    QCPAxisRect* rect = plot->axisRect();
+    rect->setupFullAxesBox(true);
+    rect->setMinimumMargins(QMargins(64, 10, ContactBarsItem::width, 4));
+    for (QCPAxis* axis : rect->axes()) axis->grid()->setVisible(false);
+    m_bar->setType(QCPAxis::atRight);
+    m_bar->setBarWidth(14);
+    m_bar->setRangeDrag(false);
+    m_bar->setRangeZoom(false);
+    auto* margins = new QCPMarginGroup(plot);
+    rect->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
+    m_bar->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
+    plot->plotLayout()->addElement(0, 1, m_bar);
+    addItems();
+    setStyle(PlotStyle::forPaper());
+    followAxes();
+}
+
+void WavePicturePlot::addItems() {
+    m_picture = new WaveFieldItem(m_plot);
+    m_picture->setLayer(QStringLiteral("background"));
+    m_fronts = new WaveFrontsItem(m_plot);
+    m_contacts = new ContactBarsItem(m_plot);
+    m_message = new PlotMessage(m_plot);
+}
+
+void WavePicturePlot::followAxes() {
+    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis})
+        connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &WavePicturePlot::takeRanges);
+    // Drawing for a file lays out for another size and back again: asked about when that is over.
+    connect(m_plot, &QCustomPlot::afterLayout, this, [this] {
+        if (!std::exchange(m_checking, true)) QTimer::singleShot(0, this, &WavePicturePlot::checkNeed);
+    });
+}
+
+void WavePicturePlot::checkNeed() {
+    m_checking = false;
+    if (!m_blow) return;
+    const WavePictureNeed now = need();
+    if (now == m_blow->request.picture || now == m_announced) return;
+    m_announced = now;
+    emit needChanged();
+}
+
+WavePictureNeed WavePicturePlot::need() const {
+    const QSize size = m_plot->axisRect()->size();
+    const double ratio = m_plot->bufferDevicePixelRatio();
+    const auto pixels = [ratio](int length) {
+        return std::max(1, static_cast<int>(std::lround(length * ratio)));
+    };
+    WavePictureNeed need{m_field, m_xiBegin, m_xiEnd, {}, pixels(size.width()), pixels(size.height())};
+    if (!m_fitted) need.time = m_time;
+    return need;
+}
+
+void WavePicturePlot::show(const SolvedBlowPtr& blow) {
+    m_blow = blow;
+    if (blow->request.picture == m_announced) m_announced.reset();
+    for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_picture, m_fronts, m_contacts})
+        item->setBlow(blow);
+    m_message->hide();
+    m_bar->setVisible(true);
+    if (m_fitted) m_time = blow->picture->interesting;
+    setRanges();
+    setLabels();
+    summarize();
+}
+
+void WavePicturePlot::showNothing(const QString& message) {
+    m_blow.reset();
+    for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_picture, m_fronts, m_contacts})
+        item->setBlow(nullptr);
+    m_message->show(message);
+    m_bar->setVisible(false);
+    m_summary = message;
+}
+
+// Views are kept dimensionless: units may change below them.
+void WavePicturePlot::setRanges() {
+    const PictureUnits& units = m_blow->picture->units;
+    const QScopedValueRollback<bool> setting(m_settingRanges, true);
+    m_plot->xAxis->setRange(m_xiBegin * units.position.factor, m_xiEnd * units.position.factor);
+    m_plot->yAxis->setRange(m_time.begin * units.time.factor, m_time.end * units.time.factor);
+    emit viewChanged();
+}
+
+void WavePicturePlot::takeRanges() {
+    if (m_settingRanges || !m_blow) return;
+    const PictureUnits& units = m_blow->picture->units;
+    const QCPRange x = m_plot->xAxis->range().bounded(0, units.position.factor);
+    const QCPRange y = m_plot->yAxis->range();
+    m_xiBegin = std::max(0.0, x.lower / units.position.factor);
+    m_xiEnd = std::min(1.0, x.upper / units.position.factor);
+    m_time = {y.lower / units.time.factor, y.upper / units.time.factor};
+    m_fitted = false;
+    setRanges();
+}
+
+void WavePicturePlot::setField(WaveField field) {
+    if (m_field == field) return;
+    m_field = field;
+    checkNeed();
+}
+
+void WavePicturePlot::setFrontsShown(bool shown) {
+    m_fronts->setVisible(shown);
+}
+
+void WavePicturePlot::setLabels() {
+    const WavePicture& picture = *m_blow->picture;
+    const ShownUnit& unit = picture.units.of(picture.raster.field);
+    m_plot->xAxis->setLabel(picture.units.position.axisLabel(tr("position x from the struck end")));
+    m_plot->yAxis->setLabel(picture.units.time.axisLabel(tr("time t")));
+    m_bar->setDataRange({-picture.limit * unit.factor, picture.limit * unit.factor});
+    m_bar->setLabel(unit.axisLabel(fieldWords(picture.raster.field)));
+}
+
+QByteArray WavePicturePlot::csv(char separator) const {
+    if (!m_blow) return {};
+    return wavePictureCsv(*m_blow, m_blow->picture->raster.field, {m_xiBegin, m_xiEnd, m_time},
+                          {m_plot->xAxis->label(), m_plot->yAxis->label(), m_bar->label()}, separator);
+}
+
+void WavePicturePlot::setStyle(const PlotStyle& style) {
+    m_plot->setBackground(style.background);
+    style.applyTo(*m_plot->axisRect());
+    QCPAxisRect* bar = m_bar->axis()->axisRect();
+    style.applyTo(*bar);
+    for (QCPAxis* axis : m_plot->axisRect()->axes() + bar->axes()) {
+        // Outside: inside they would be lost in the colours.
+        axis->setTickLength(0, axis->tickLabels() ? 4 : 0);
+        axis->setSubTickLength(0, axis->tickLabels() ? 2 : 0);
+    }
+    m_bar->setGradient(ColourScale::forBackground(style.background).gradient());
+    for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_picture, m_fronts, m_contacts})
+        item->setStyle(style);
+    m_message->setStyle(style);
+}
+
+void WavePicturePlot::fit() {
+    m_fitted = true;
+    m_xiBegin = 0;
+    m_xiEnd = 1;
+    if (!m_blow) return;
+    m_time = m_blow->picture->interesting;
+    setRanges();
+}
+
+QString WavePicturePlot::readout(const QPointF& pixel) const {
+    if (!m_blow || !m_plot->axisRect()->rect().contains(pixel.toPoint())) return {};
+    const WavePicture& picture = *m_blow->picture;
+    const PictureUnits& units = picture.units;
+    const double xi = m_plot->xAxis->pixelToCoord(pixel.x()) / units.position.factor;
+    const double t = m_plot->yAxis->pixelToCoord(pixel.y()) / units.time.factor;
+    const WaveField field = picture.raster.field;
+    const QLocale locale = m_plot->locale();
+    return tr("x = %1 · t = %2 · %3 = %4")
+        .arg(quantityText(xi, units.position, locale), timeText(t, m_time, units.time, locale),
+             field == WaveField::force ? QStringLiteral("N") : QStringLiteral("v"),
+             quantityText(waveValue(m_blow->impact, field, xi, t), units.of(field), locale));
+}
+
+void WavePicturePlot::summarize() {
+    const WavePicture& picture = *m_blow->picture;
+    const QLocale locale = m_plot->locale();
+    const ShownUnit& time = picture.units.time;
+    QStringList contacts;
+    for (const ContactInterval& contact : picture.contacts) {
+        if (contacts.size() == 4) break;
+        contacts.append(tr("from %1 to %2")
+                            .arg(timeText(contact.begin, m_time, time, locale),
+                                 timeText(contact.end, m_time, time, locale)));
+    }
+    const auto count = static_cast<int>(picture.contacts.size());
+    m_summary =
+        tr("Picture of %1 over position and time from %2 to %3, up to %4. %5: %6%7.")
+            .arg(fieldWords(picture.raster.field), timeText(m_time.begin, m_time, time, locale),
+                 timeText(m_time.end, m_time, time, locale),
+                 quantityText(picture.limit, picture.units.of(picture.raster.field), locale),
+                 count == 1 ? tr("1 contact of bit and rock") : tr("%1 contacts of bit and rock").arg(count),
+                 contacts.join(QStringLiteral(", ")), count > contacts.size() ? tr(" and so on") : QString());
+}
+
+}  // namespace drillwave

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The x–t picture of a blow with axes and colour bar: the same drawing code for the page and for files.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <optional>
+
+#include "ui/pages/wave_picture/wave_picture_items.h"
+
+#include "ui/plot/plot_message.h"
+
+namespace drillwave {
+
+/// Position in the rod to the right, time upward, force or particle velocity as colour. Lives as a child of
+/// the plot.
+class WavePicturePlot : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit WavePicturePlot(QCustomPlot* plot);
+
+    /// What has to be computed to show the present view at the present size.
+    WavePictureNeed need() const;
+    /// Shows a blow with a picture; the view stays where it is unless it was fitted.
+    void show(const SolvedBlowPtr& blow);
+    /// No picture, and `message` in its place (why there is none).
+    void showNothing(const QString& message);
+    /// What is on show, or nullptr.
+    const SolvedBlowPtr& shown() const { return m_blow; }
+
+    void setField(WaveField field);
+    WaveField field() const { return m_field; }
+    void setFrontsShown(bool shown);
+    bool frontsShown() const { return m_fronts->visible(); }
+    void setStyle(const PlotStyle& style);
+    /// The whole rod over all the time of interest.
+    void fit();
+
+    /// The times in view, t/t0.
+    TimeSpan timeInView() const { return m_time; }
+    /// The field over the part in view; see wavePictureCsv(). Empty while nothing is on show.
+    QByteArray csv(char separator) const;
+    /// What the picture shows, in words, for assistive tools.
+    QString textSummary() const { return m_summary; }
+    /// The place below a point of the plot and the field there, in words; empty outside of the picture.
+    QString readout(const QPointF& pixel) const;
+
+  signals:
+    /// What is on show is not what need() says any more.
+    void needChanged();
+    void viewChanged();
+
+  private:
+    void addItems();
+    void followAxes();
+    void takeRanges();
+    void setRanges();
+    void checkNeed();
+    void setLabels();
+    void summarize();
+
+    QCustomPlot* m_plot;
+    QCPColorScale* m_bar;
+    WaveFieldItem* m_picture;
+    WaveFrontsItem* m_fronts;
+    ContactBarsItem* m_contacts;
+    PlotMessage* m_message;
+    SolvedBlowPtr m_blow;
+    WaveField m_field = WaveField::force;
+    double m_xiBegin = 0, m_xiEnd = 1;
+    TimeSpan m_time;
+    std::optional<WavePictureNeed> m_announced;  // by needChanged(), not answered yet
+    bool m_fitted = true;                        // until the user zooms or pans
+    bool m_settingRanges = false;
+    bool m_checking = false;
+    QString m_summary;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/axis_view.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace drillwave {
+namespace {
+
+constexpr double largestMagnitude = 1e100;
+constexpr double leastRelativeSize = 1e-12;
+constexpr double mostDecades = 300;
+constexpr double mostFittedDecades = 9;
+const char* const linearTicker = "drillwave_linear_ticker";
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("drillwave::AxisView", text);
+}
+
+// The smallest and largest number of the visible curves along an axis, and the smallest positive one.
+struct Extent {
+    double least = std::numeric_limits<double>::infinity();
+    double leastPositive = std::numeric_limits<double>::infinity();
+    double most = -std::numeric_limits<double>::infinity();
+
+    void add(double number) {
+        if (!std::isfinite(number)) return;
+        least = std::min(least, number);
+        most = std::max(most, number);
+        if (number > 0) leastPositive = std::min(leastPositive, number);
+    }
+};
+
+template <class Points>
+void addAll(Extent& extent, const Points& points, bool keys) {
+    for (auto point = points.constBegin(); point != points.constEnd(); ++point)
+        extent.add(keys ? point->key : point->value);
+}
+
+Extent extentOf(const QCPAxis& axis) {
+    Extent extent;
+    for (const QCPAbstractPlottable* curve : axis.plottables()) {
+        if (!curve->realVisibility()) continue;
+        const bool keys = curve->keyAxis() == &axis;
+        if (const auto* graph = qobject_cast<const QCPGraph*>(curve)) addAll(extent, *graph->data(), keys);
+        if (const auto* path = qobject_cast<const QCPCurve*>(curve)) addAll(extent, *path->data(), keys);
+    }
+    return extent;
+}
+
+QCPAxis* oppositeAxis(const QCPAxis& axis) {
+    QCPAxis* opposite = axis.axisRect()->axis(QCPAxis::opposite(axis.axisType()));
+    return opposite == &axis ? nullptr : opposite;
+}
+
+bool isLogarithmic(const QCPAxis& axis) {
+    return axis.scaleType() == QCPAxis::stLogarithmic;
+}
+
+}  // namespace
+
+QCPRange usableRange(QCPRange wanted, QCPRange present, QCPAxis::ScaleType scale) {
+    const double magnitude = std::max(std::abs(wanted.lower), std::abs(wanted.upper));
+    // Written so that NaN fails.
+    if (!(magnitude <= largestMagnitude && wanted.size() >= leastRelativeSize * magnitude &&
+          wanted.size() > 1 / largestMagnitude))
+        return present;
+    if (scale == QCPAxis::stLinear) return wanted;
+    const bool usable = wanted.lower > 0 && std::log10(wanted.upper) - std::log10(wanted.lower) < mostDecades;
+    return usable ? wanted : present;
+}
+
+void zoomAxis(QCPAxis& axis, double factor, double aroundPixel) {
+    const double center = axis.pixelToCoord(aroundPixel);
+    const QCPRange range = axis.range();
+    const QCPRange zoomed = isLogarithmic(axis) ? QCPRange(center * std::pow(range.lower / center, factor),
+                                                           center * std::pow(range.upper / center, factor))
+                                                : QCPRange(center + (range.lower - center) * factor,
+                                                           center + (range.upper - center) * factor);
+    axis.setRange(usableRange(zoomed, range, axis.scaleType()));
+}
+
+void panAxis(QCPAxis& axis, QCPRange start, double fromPixel, double toPixel) {
+    const double from = axis.pixelToCoord(fromPixel);
+    const double to = axis.pixelToCoord(toPixel);
+    const QCPRange panned = isLogarithmic(axis)
+                                ? QCPRange(start.lower * (from / to), start.upper * (from / to))
+                                : QCPRange(start.lower + (from - to), start.upper + (from - to));
+    axis.setRange(usableRange(panned, axis.range(), axis.scaleType()));
+}
+
+void zoomAxisTo(QCPAxis& axis, double pixel, double otherPixel) {
+    const double a = axis.pixelToCoord(pixel);
+    const double b = axis.pixelToCoord(otherPixel);
+    axis.setRange(usableRange(QCPRange(std::min(a, b), std::max(a, b)), axis.range(), axis.scaleType()));
+}
+
+QString reasonAgainstLogarithm(const QCPAxis& axis) {
+    const Extent extent = extentOf(axis);
+    if (!(extent.most > 0)) return tr("No curve on this axis has positive values.");
+    if (extent.least < 0) return tr("Curves on this axis have negative values; hide them first.");
+    return {};
+}
+
+void setScale(QCPAxis& axis, QCPAxis::ScaleType scale) {
+    if (axis.scaleType() == scale) return;
+    QList<QCPAxis*> both{&axis};
+    if (QCPAxis* opposite = oppositeAxis(axis)) both.append(opposite);
+    for (QCPAxis* changed : both) {
+        if (scale == QCPAxis::stLogarithmic) {
+            changed->setProperty(linearTicker, QVariant::fromValue(changed->ticker()));
+            changed->setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+        } else {
+            changed->setTicker(changed->property(linearTicker).value<QSharedPointer<QCPAxisTicker>>());
+        }
+        changed->setScaleType(scale);
+    }
+    fitLogarithmic(axis);
+}
+
+void fitLogarithmic(QCPAxis& axis) {
+    if (!isLogarithmic(axis)) return;
+    const Extent extent = extentOf(axis);
+    if (!(extent.most > 0)) return;
+    const double least = std::max(extent.leastPositive, extent.most * std::pow(10, -mostFittedDecades));
+    const double margin = std::max(1.02, std::pow(extent.most / least, 0.04));
+    const QCPRange fitted = axis.orientation() == Qt::Horizontal && extent.most > least
+                                ? QCPRange(least, extent.most)
+                                : QCPRange(least / margin, extent.most * margin);
+    axis.setRange(usableRange(fitted, axis.range(), axis.scaleType()));
+}
+
+void setTickDigits(QCPAxis& axis) {
+    const QVector<double> ticks = axis.tickVector();
+    if (ticks.size() < 2) return;
+    const double magnitude = std::max(std::abs(ticks.first()), std::abs(ticks.last()));
+    const double step = std::abs(ticks[1] - ticks[0]);
+    const bool apart = step > 0 && magnitude > 0 && std::isfinite(magnitude / step);
+    const int digits = apart ? static_cast<int>(std::ceil(std::log10(magnitude / step))) + 2 : 6;
+    axis.setNumberPrecision(std::clamp(digits, 6, 16));
+}
+
+}  // namespace drillwave

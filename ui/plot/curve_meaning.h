@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a curve of a plot stands for: its units, and the exact function behind its drawn points.
+#pragma once
+
+#include <QString>
+#include <functional>
+
+namespace drillwave {
+
+/// Everything is in the units the curve is shown in: x as on the horizontal axis, y as on the vertical one.
+struct CurveMeaning {
+    QString xUnit;  ///< "ms"; empty for a mere number
+    QString yUnit;  ///< "kN"
+    /// Shown slope = slopeFactor · dy/dx, followed by slopeUnit; without a unit "kN/ms".
+    QString slopeUnit;
+    double slopeFactor = 1;
+    /// Shown integral = integralFactor · ∫y dx, followed by integralUnit ("N s"); without a unit "kN·ms".
+    QString integralUnit;
+    double integralFactor = 1;
+    /// Exact y(x); without it values are read from the drawn chords.
+    std::function<double(double x)> value;
+    /// Exact ∫ y dx from a to b, negative of that from b to a; without it the drawn chords are integrated.
+    std::function<double(double a, double b)> integral;
+};
+
+}  // namespace drillwave

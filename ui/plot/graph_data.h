@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sampled histories as ready plot data.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <QSharedPointer>
+#include <QVector>
+#include <vector>
+
+#include "ui/text/shown_units.h"
+
+namespace drillwave {
+
+/// Shared, never changed once built: handing it to a graph costs nothing however long it is.
+using GraphData = QSharedPointer<QCPGraphDataContainer>;
+
+/// Whether curves go on behind the end of what is interesting, to be panned to, or end there, for formats
+/// that do not clip.
+enum class Tail { kept, cut };
+
+/// Appends a point if both numbers are finite: one "inf" in the data would make every rescaling of the axes
+/// fail without a word.
+void appendFinite(QVector<QCPGraphData>& points, double time, double value);
+
+/// Samples in the units they are shown in.
+QVector<QCPGraphData> shownPoints(const std::vector<double>& time, const std::vector<double>& value,
+                                  const ShownUnit& timeUnit, const ShownUnit& valueUnit);
+
+/// Points of not decreasing times as they are.
+GraphData graphData(const QVector<QCPGraphData>& points);
+
+/// A history at the bit in shown units: 0 from time 0 to its first point, constant from its last point to
+/// `timeEnd`, and with Tail::cut nothing behind that.
+GraphData historyData(QVector<QCPGraphData> points, double timeEnd, Tail tail);
+
+}  // namespace drillwave

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The point of a curve next to the pointer, marked and read in words.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <QPointer>
+#include <QString>
+#include <functional>
+#include <optional>
+
+#include "ui/plot/plot_style.h"
+
+namespace drillwave {
+
+/// A point on a visible curve.
+struct CurvePoint {
+    QCPAbstractPlottable* curve = nullptr;
+    double x = 0;
+    double y = 0;
+    QPointF pixel;
+};
+
+/// The point of a visible named curve nearest to a point of the plot, within `tolerance` pixels. Looks only
+/// at the points of graphs beside the pointer, so long curves cost no more than short ones.
+std::optional<CurvePoint> nearestCurvePoint(const QCustomPlot& plot, QPointF pixel, double tolerance);
+
+/// A ring and a label on the layer "overlay".
+class HoverMark {
+  public:
+    explicit HoverMark(QCustomPlot& plot) : m_plot(plot) {}
+
+    /// Marks a point, or nothing; returns whether the overlay has to be drawn again.
+    bool show(const std::optional<CurvePoint>& point, const QString& text);
+    void setStyle(const PlotStyle& style);
+    /// The label, empty while there is no mark.
+    QString text() const;
+
+  private:
+    void addItems();
+
+    QCustomPlot& m_plot;
+    QPointer<QCPItemTracer> m_ring;
+    QPointer<QCPItemText> m_label;
+    PlotStyle m_style = PlotStyle::forPaper();
+};
+
+}  // namespace drillwave

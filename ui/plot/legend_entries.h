@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The entries of all legends of a plot, which hide and show their curves.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <QList>
+#include <QPointF>
+
+namespace drillwave {
+
+/// The curves that stand in a legend, in the order in which they were added: those that users can name.
+QList<QCPAbstractPlottable*> namedCurves(const QCustomPlot& plot);
+
+/// The same that are shown now and have a point.
+QList<QCPAbstractPlottable*> visibleCurves(const QCustomPlot& plot);
+
+/// The curve whose legend entry is at a point of the plot, or nullptr.
+QCPAbstractPlottable* legendEntryAt(const QCustomPlot& plot, QPointF point);
+
+/// Fades and strikes out the entries of hidden curves. Changes nothing where nothing has changed.
+void markHiddenCurves(QCustomPlot& plot);
+
+/// While it lives, the entries of hidden curves are not drawn: on paper nobody can show them again.
+class WithoutHiddenEntries {
+  public:
+    explicit WithoutHiddenEntries(QCustomPlot& plot);
+    ~WithoutHiddenEntries();
+    WithoutHiddenEntries(const WithoutHiddenEntries&) = delete;
+    WithoutHiddenEntries& operator=(const WithoutHiddenEntries&) = delete;
+
+  private:
+    QList<QCPPlottableLegendItem*> m_entries;
+};
+
+}  // namespace drillwave

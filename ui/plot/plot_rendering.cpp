@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/plot_rendering.h"
+
+#include <qcustomplot.h>
+
+#include <QBuffer>
+#include <QDateTime>
+#include <QImage>
+#include <QImageWriter>
+#include <QPdfWriter>
+#include <QSvgGenerator>
+#include <cmath>
+
+#include "ui/plot/curve_clip.h"
+#include "ui/plot/plot_style.h"
+
+namespace drillwave {
+namespace {
+
+constexpr double layoutDpi = 96;  // the plots are laid out in these pixels in every format
+constexpr double millimetresPerInch = 25.4;
+
+QSize pixelsOf(Millimetres size) {
+    return {static_cast<int>(std::lround(size.width / millimetresPerInch * layoutDpi)),
+            static_cast<int>(std::lround(size.height / millimetresPerInch * layoutDpi))};
+}
+
+void paint(QCustomPlot& plot, QCPPainter& painter, QSize size) {
+    painter.setMode(QCPPainter::pmVectorized);
+    painter.setMode(QCPPainter::pmNoCaching);
+    plot.toPainter(&painter, size.width(), size.height());
+}
+
+QByteArray png(QCustomPlot& plot, Millimetres size, double dpi) {
+    const double scale = dpi / layoutDpi;
+    const QSize pixels = pixelsOf(size);
+    QImage image = plot.toPixmap(pixels.width(), pixels.height(), scale).toImage();
+    image.setDevicePixelRatio(1);
+    image.setDotsPerMeterX(static_cast<int>(std::lround(dpi * 1000 / millimetresPerInch)));
+    image.setDotsPerMeterY(image.dotsPerMeterX());
+    QBuffer buffer;
+    QImageWriter(&buffer, "png").write(image);
+    return buffer.data();
+}
+
+QByteArray svg(QCustomPlot& plot, Millimetres size, const QString& title) {
+    const CurveClip clip(plot);
+    QBuffer buffer;
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setTitle(title);
+    generator.setDescription(QStringLiteral("Drillwave"));
+    generator.setResolution(static_cast<int>(layoutDpi));
+    generator.setSize(pixelsOf(size));
+    generator.setViewBox(QRect(QPoint(0, 0), pixelsOf(size)));
+    QCPPainter painter;
+    painter.begin(&generator);
+    paint(plot, painter, pixelsOf(size));
+    painter.end();
+    // Readers that do not have the font shall take another one without serifs.
+    const QByteArray family = PlotStyle::forPaper().font.family().toUtf8();
+    QByteArray bytes = buffer.data();
+    return bytes.replace("font-family=\"" + family + "\"", "font-family=\"" + family + ", sans-serif\"");
+}
+
+// Puts the time of SOURCE_DATE_EPOCH [s since 1970] in place of the present one, for documents that shall
+// come out the same tomorrow (reproducible-builds.org). The length stays, as the file counts its bytes.
+void fixCreationDate(QByteArray& pdf) {
+    bool isNumber = false;
+    const qint64 seconds = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isNumber);
+    const QByteArray key = QByteArrayLiteral("/CreationDate (D:");
+    const qsizetype begin = pdf.indexOf(key) + key.size();
+    const qsizetype length = pdf.indexOf(')', begin) + 1 - begin;
+    const QDateTime time = QDateTime::fromSecsSinceEpoch(seconds, Qt::UTC);
+    const QByteArray date = time.toString(QStringLiteral("yyyyMMddHHmmss")).toLatin1() + "Z)";
+    if (!isNumber || !time.isValid() || begin < key.size() || date.size() > length) return;
+    pdf.replace(begin, length, date.leftJustified(length, ' '));
+}
+
+QByteArray pdf(QCustomPlot& plot, Millimetres size, const QString& title) {
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    writer.setTitle(title);
+    writer.setCreator(QStringLiteral("Drillwave"));
+    writer.setResolution(static_cast<int>(layoutDpi));
+    writer.setPageSize(QPageSize(QSizeF(size.width, size.height), QPageSize::Millimeter));
+    writer.setPageMargins(QMarginsF(0, 0, 0, 0));
+    QCPPainter painter;
+    painter.begin(&writer);
+    paint(plot, painter, pixelsOf(size));
+    painter.end();
+    QByteArray bytes = buffer.data();
+    fixCreationDate(bytes);
+    return bytes;
+}
+
+}  // namespace
+
+QStringList plotFormats() {
+    return {QStringLiteral("png"), QStringLiteral("svg"), QStringLiteral("pdf")};
+}
+
+QByteArray renderPlot(QCustomPlot& plot, Millimetres size, const QString& format, const QString& title,
+                      double dpi) {
+    if (format == QLatin1String("png")) return png(plot, size, dpi);
+    return format == QLatin1String("svg") ? svg(plot, size, title) : pdf(plot, size, title);
+}
+
+}  // namespace drillwave

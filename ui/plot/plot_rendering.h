@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A plot as the bytes of a file.
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+class QCustomPlot;
+
+namespace drillwave {
+
+/// The file formats that can be asked for: "png", "svg", "pdf".
+QStringList plotFormats();
+
+/// Size on paper.
+struct Millimetres {
+    double width;
+    double height;
+};
+
+/// Of PNG, where nothing else is asked for.
+inline constexpr double standardDpi = 200;
+
+/// The plot in a format of plotFormats(); `dpi` is that of PNG. PNG and SVG are the same bytes for the same
+/// plot on one machine, PDF with the environment's SOURCE_DATE_EPOCH too; curves that leave their axes are
+/// cut there in every format. `title` goes into the file's properties. Empty when it could not be drawn.
+QByteArray renderPlot(QCustomPlot& plot, Millimetres size, const QString& format, const QString& title,
+                      double dpi = standardDpi);
+
+}  // namespace drillwave

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/questions/picture_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace drillwave {
+
+PictureDialog::PictureDialog(const PictureChoice& before, QWidget* parent)
+    : QDialog(parent),
+      m_format(new QComboBox(this)),
+      m_width(addNumber("width", tr("mm"), before.size.width)),
+      m_height(addNumber("height", tr("mm"), before.size.height)),
+      m_dpi(addNumber("dpi", tr("dpi"), before.dpi)),
+      m_remark(new QLabel(this)) {
+    setWindowTitle(tr("Save picture"));
+    m_format->setObjectName(QStringLiteral("format"));
+    m_format->addItem(tr("PNG – pixels"), QStringLiteral("png"));
+    m_format->addItem(tr("SVG – lines and text, for editing"), QStringLiteral("svg"));
+    m_format->addItem(tr("PDF – lines and text, for printing"), QStringLiteral("pdf"));
+    m_format->setCurrentIndex(m_format->findData(before.format));
+    m_format->setToolTip(tr("The kind of file; always on white, whatever the window looks like"));
+    m_width->setToolTip(tr("Width on paper"));
+    m_height->setToolTip(tr("Height on paper"));
+    m_dpi->setToolTip(tr("Pixels per inch of a PNG; 300 is usual for print"));
+    m_remark->setWordWrap(true);
+
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Format"), m_format);
+    form->addRow(tr("&Width"), m_width);
+    form->addRow(tr("&Height"), m_height);
+    form->addRow(tr("&Resolution"), m_dpi);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_accept = buttons->addButton(tr("Choose file…"), QDialogButtonBox::AcceptRole);
+    m_accept->setDefault(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    layout->addWidget(m_remark);
+    layout->addWidget(buttons);
+
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_format, &QComboBox::currentIndexChanged, this, &PictureDialog::check);
+    for (QDoubleSpinBox* field : {m_width, m_height, m_dpi})
+        connect(field, &QDoubleSpinBox::valueChanged, this, &PictureDialog::check);
+    check();
+}
+
+QDoubleSpinBox* PictureDialog::addNumber(const char* name, const QString& unit, double value) {
+    auto* field = new QDoubleSpinBox(this);
+    field->setObjectName(QLatin1String(name));
+    field->setDecimals(0);
+    field->setRange(1, 9999);
+    field->setSingleStep(10);
+    field->setSuffix(QLatin1Char(' ') + unit);
+    field->setValue(value);
+    return field;
+}
+
+PictureChoice PictureDialog::choice() const {
+    return {m_format->currentData().toString(), {m_width->value(), m_height->value()}, m_dpi->value()};
+}
+
+void PictureDialog::check() {
+    const PictureChoice now = choice();
+    const bool isPng = now.format == QLatin1String("png");
+    const QString problem = now.problem();
+    m_dpi->setEnabled(isPng);
+    m_accept->setEnabled(problem.isEmpty());
+    if (!problem.isEmpty())
+        m_remark->setText(problem);
+    else if (isPng)
+        m_remark->setText(
+            tr("%1 × %2 pixels")
+                .arg(locale().toString(now.pixels().width()), locale().toString(now.pixels().height())));
+    else
+        m_remark->setText(tr("Sharp at any size"));
+}
+
+}  // namespace drillwave

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/questions/questions.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QGuiApplication>
+#include <QMessageBox>
+#include <QPushButton>
+#include <cstdio>
+
+#include "ui/questions/picture_dialog.h"
+
+namespace drillwave {
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("drillwave::Questions", text);
+}
+
+bool someoneIsThere() {
+    const QString platform = QGuiApplication::platformName();
+    return platform != QLatin1String("offscreen") && platform != QLatin1String("minimal");
+}
+
+QString scenarioFilter() {
+    return tr("Scenarios (*.yaml *.yml);;All files (*)");
+}
+
+QString openFilter() {
+    return tr("Scenarios and results (*.yaml *.yml *.csv);;All files (*)");
+}
+
+}  // namespace
+
+Questions::Unsaved DialogQuestions::unsavedChanges(QWidget* parent, const QString& name) {
+    if (!someoneIsThere()) return Unsaved::discard;
+    QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(name),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
+    box.setInformativeText(tr("They are lost otherwise."));
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+        case QMessageBox::Save:
+            return Unsaved::save;
+        case QMessageBox::Discard:
+            return Unsaved::discard;
+        default:
+            return Unsaved::cancel;
+    }
+}
+
+QString DialogQuestions::fileToOpen(QWidget* parent, const QString& folder) {
+    if (!someoneIsThere()) return {};
+    return QFileDialog::getOpenFileName(parent, tr("Open a scenario"), folder, openFilter());
+}
+
+QString DialogQuestions::fileToImport(QWidget* parent, const QString& title, const QString& folder,
+                                      const QString& filter) {
+    if (!someoneIsThere()) return {};
+    return QFileDialog::getOpenFileName(parent, title, folder, filter);
+}
+
+QString DialogQuestions::fileToSave(QWidget* parent, const QString& suggestion) {
+    if (!someoneIsThere()) return {};
+    QFileDialog dialog(parent, tr("Save the scenario"), suggestion, scenarioFilter());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("yaml"));
+    dialog.selectFile(suggestion);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+QString DialogQuestions::fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
+                                      const QString& filter) {
+    if (!someoneIsThere()) return {};
+    QFileDialog dialog(parent, title, suggestion, filter);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QFileInfo(suggestion).suffix());
+    dialog.selectFile(suggestion);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+QString DialogQuestions::folderToExport(QWidget* parent, const QString& suggestion) {
+    if (!someoneIsThere()) return {};
+    return QFileDialog::getExistingDirectory(parent, tr("Export everything into a folder"), suggestion);
+}
+
+std::optional<PictureChoice> DialogQuestions::picture(QWidget* parent, const PictureChoice& before) {
+    if (!someoneIsThere()) return std::nullopt;
+    PictureDialog dialog(before, parent);
+    if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+    return dialog.choice();
+}
+
+bool DialogQuestions::confirm(QWidget* parent, const QString& question, const QString& details,
+                              const QString& action) {
+    if (!someoneIsThere()) return false;
+    QMessageBox box(QMessageBox::Warning, tr("Drillwave"), question, QMessageBox::Cancel, parent);
+    box.setInformativeText(details);
+    const QAbstractButton* does = box.addButton(action, QMessageBox::AcceptRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == does;
+}
+
+Questions::Recovery DialogQuestions::recover(QWidget* parent, const QString& name, const QString& details) {
+    if (!someoneIsThere()) return Recovery::later;
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes found"),
+                    tr("Restore the unsaved changes to “%1”?").arg(name), QMessageBox::NoButton, parent);
+    box.setInformativeText(details);
+    QPushButton* restore = box.addButton(tr("&Restore"), QMessageBox::AcceptRole);
+    const QAbstractButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    box.setEscapeButton(box.addButton(tr("&Later"), QMessageBox::RejectRole));
+    box.setDefaultButton(restore);
+    box.exec();
+    if (box.clickedButton() == discard) return Recovery::discard;
+    return box.clickedButton() == restore ? Recovery::restore : Recovery::later;
+}
+
+void DialogQuestions::tell(QWidget* parent, Tone tone, const QString& what, const QString& details) {
+    if (!someoneIsThere()) {
+        std::fprintf(stderr, "%s: %s\n", qPrintable(what), qPrintable(details));
+        return;
+    }
+    auto* box = new QMessageBox(tone == Tone::failure ? QMessageBox::Warning : QMessageBox::Information,
+                                tr("Drillwave"), what, QMessageBox::Ok, parent);
+    box->setInformativeText(details);
+    box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    // Lines that begin with a path need width.
+    auto* layout = static_cast<QGridLayout*>(box->layout());
+    layout->addItem(new QSpacerItem(520, 0), layout->rowCount(), 0, 1, layout->columnCount());
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+}  // namespace drillwave

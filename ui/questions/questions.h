@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The questions that the window asks, apart from the window, so that tests and headless runs can answer them.
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "ui/questions/picture_choice.h"
+
+class QWidget;
+
+namespace drillwave {
+
+class Questions {
+  public:
+    enum class Unsaved { save, discard, cancel };
+    enum class Tone { information, failure };
+    enum class Recovery { restore, discard, later };
+
+    virtual ~Questions() = default;
+    /// What to do with changes that would be lost.
+    virtual Unsaved unsavedChanges(QWidget* parent, const QString& name) = 0;
+    /// The file to open; empty when the user gave up.
+    virtual QString fileToOpen(QWidget* parent, const QString& folder) = 0;
+    /// A file to take something from, other than a scenario; empty when the user gave up.
+    virtual QString fileToImport(QWidget* parent, const QString& title, const QString& folder,
+                                 const QString& filter) = 0;
+    /// Where to save, overwriting confirmed; empty when the user gave up.
+    virtual QString fileToSave(QWidget* parent, const QString& suggestion) = 0;
+    /// Where to write something else than a scenario, overwriting confirmed; empty when the user gave up.
+    virtual QString fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
+                                 const QString& filter) = 0;
+    /// The folder to write several files into; empty when the user gave up.
+    virtual QString folderToExport(QWidget* parent, const QString& suggestion) = 0;
+    /// Format, size and resolution of a picture; nothing when the user gave up.
+    virtual std::optional<PictureChoice> picture(QWidget* parent, const PictureChoice& before) = 0;
+    /// Whether to do something that cannot be undone; `action` is the name of the button that does it.
+    virtual bool confirm(QWidget* parent, const QString& question, const QString& details,
+                         const QString& action) = 0;
+    /// What to do with changes that were not saved when the program ended unexpectedly.
+    virtual Recovery recover(QWidget* parent, const QString& name, const QString& details) = 0;
+    /// Tells of a failure, or gives information, without waiting for the user.
+    virtual void tell(QWidget* parent, Tone tone, const QString& what, const QString& details) = 0;
+};
+
+/// Asks by dialogs. On a platform without a screen nobody could answer, so there every question is answered
+/// by "cancel" or "later" and the unsaved changes of a closing window are dropped; what is told goes to the
+/// error output.
+class DialogQuestions : public Questions {
+  public:
+    Unsaved unsavedChanges(QWidget* parent, const QString& name) override;
+    QString fileToOpen(QWidget* parent, const QString& folder) override;
+    QString fileToImport(QWidget* parent, const QString& title, const QString& folder,
+                         const QString& filter) override;
+    QString fileToSave(QWidget* parent, const QString& suggestion) override;
+    QString fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
+                         const QString& filter) override;
+    QString folderToExport(QWidget* parent, const QString& suggestion) override;
+    std::optional<PictureChoice> picture(QWidget* parent, const PictureChoice& before) override;
+    bool confirm(QWidget* parent, const QString& question, const QString& details,
+                 const QString& action) override;
+    Recovery recover(QWidget* parent, const QString& name, const QString& details) override;
+    void tell(QWidget* parent, Tone tone, const QString& what, const QString& details) override;
+};
+
+}  // namespace drillwave

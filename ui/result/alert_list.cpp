@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/result/alert_list.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+#include <chrono>
+
+#include "core/model/alerts.h"
+#include "core/model/parameter.h"
+
+namespace drillwave {
+namespace {
+
+// How long a list that has become shorter keeps its room.
+constexpr std::chrono::milliseconds rest{1500};
+
+QString fieldName(const std::string& key) {
+    const Parameter* parameter = findParameter(key);
+    return QString::fromStdString(parameter ? std::string(parameter->label) : key);
+}
+
+}  // namespace
+
+AlertList::AlertList(QWidget* parent) : QWidget(parent) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(6);
+    // At the top of the room that is kept, without asking for more.
+    layout->setAlignment(Qt::AlignTop);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(rest);
+    connect(&m_rest, &QTimer::timeout, this, [this] { setMinimumHeight(0); });
+}
+
+void AlertList::show(const QString& problem, const std::vector<Alert>& alerts) {
+    QStringList texts;
+    if (!problem.isEmpty()) texts.append(problem);
+    for (const Alert& alert : alerts) texts.append(QString::fromStdString(alert.text));
+    // Most solutions while a slider is dragged change nothing here.
+    if (texts == m_texts && !m_labels.isEmpty()) return;
+    m_texts = texts;
+    if (isVisible()) setMinimumHeight(std::max(minimumHeight(), height()));
+    m_rest.start();
+    qsizetype row = 0;
+    if (!problem.isEmpty()) write(row++, QStringLiteral("✖"), tr("Not solved"), problem, {});
+    for (const Alert& alert : alerts) {
+        const bool warning = alert.level == AlertLevel::warning;
+        write(row++, warning ? QStringLiteral("⚠") : QStringLiteral("ℹ"),
+              warning ? tr("Warning") : tr("Note"), QString::fromStdString(alert.text), alert.parameter);
+    }
+    if (row == 0) write(row++, QStringLiteral("✓"), tr("Nothing unusual"), tr("Nothing unusual."), {});
+    for (qsizetype unused = row; unused < m_labels.size(); ++unused) m_labels[unused]->hide();
+}
+
+// Labels stay: made anew they would flicker, and take a selection or the focus with them.
+QLabel* AlertList::labelAt(qsizetype row) {
+    while (m_labels.size() <= row) {
+        auto* label = new QLabel(this);
+        label->setTextFormat(Qt::RichText);
+        label->setWordWrap(true);
+        label->setTextInteractionFlags(Qt::TextBrowserInteraction | Qt::TextSelectableByKeyboard);
+        connect(label, &QLabel::linkActivated, this, &AlertList::parameterChosen);
+        static_cast<QVBoxLayout*>(layout())->insertWidget(static_cast<int>(m_labels.size()), label);
+        m_labels.append(label);
+    }
+    return m_labels[row];
+}
+
+void AlertList::write(qsizetype row, const QString& mark, const QString& kind, const QString& text,
+                      const std::string& key) {
+    QLabel* label = labelAt(row);
+    QString html = mark + QLatin1Char(' ') + text.toHtmlEscaped();
+    if (!key.empty())
+        html += QStringLiteral(" <a href=\"%1\">%2</a>")
+                    .arg(QString::fromStdString(key).toHtmlEscaped(),
+                         tr("Go to “%1”").arg(fieldName(key)).toHtmlEscaped());
+    if (label->text() != html) label->setText(html);
+    label->setAccessibleName(QStringLiteral("%1: %2").arg(kind, text));
+    label->setToolTip(kind);
+    label->show();
+}
+
+}  // namespace drillwave

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the user should know about a scenario or its solution, in words.
+#pragma once
+
+#include <QLabel>
+#include <QStringList>
+#include <QTimer>
+#include <QWidget>
+#include <vector>
+
+#include "core/model/alerts.h"
+#include "core/model/validation.h"
+
+namespace drillwave {
+
+/// Shows alerts one below the other. While they come and go the list keeps the room it once needed, so that
+/// what is below stands still until values rest.
+class AlertList : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit AlertList(QWidget* parent = nullptr);
+
+    /// Shows why there is no solution (when not empty) before the remarks on the scenario.
+    void show(const QString& problem, const std::vector<Alert>& alerts);
+    /// The texts shown.
+    QStringList texts() const { return m_texts; }
+
+  signals:
+    /// The user follows an alert to its parameter: the key, as in parameters().
+    void parameterChosen(const QString& key);
+
+  private:
+    void write(qsizetype row, const QString& mark, const QString& kind, const QString& text,
+               const std::string& key);
+    QLabel* labelAt(qsizetype row);
+
+    QStringList m_texts;
+    QList<QLabel*> m_labels;
+    QTimer m_rest;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the work of the hammer went, as one bar.
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "core/blow/impact_summary.h"
+
+namespace drillwave {
+
+/// The shares of the energy ledger, in the order of the bar.
+enum class EnergyPart { rock, rebound, waves };
+inline constexpr std::array energyParts{EnergyPart::rock, EnergyPart::rebound, EnergyPart::waves};
+
+/// A short word for a share: "rock".
+QString energyPartName(EnergyPart part);
+/// The share of the hammer work, 0 … 1; what rounding makes negative is 0.
+double energyShare(const EnergyLedger& ledger, EnergyPart part);
+
+/// A horizontal bar in three parts told apart by pattern, colour and, where they fit, words. Empty where
+/// there is no result.
+class EnergyBar : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit EnergyBar(QWidget* parent = nullptr);
+
+    void show(const EnergyLedger& ledger);
+    void clear();
+    /// What is written in a part; empty where it does not fit.
+    QString labelOf(EnergyPart part) const;
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    QRectF partRect(EnergyPart part) const;
+    void describe();
+
+    std::array<double, energyParts.size()> m_shares{};  // together 1, or all 0 without a result
+};
+
+/// The pattern of one part, for the list beside the bar.
+class EnergySwatch : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit EnergySwatch(EnergyPart part, QWidget* parent = nullptr);
+    QSize sizeHint() const override;
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    EnergyPart m_part;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers of a solved blow, what happened at the bit, and what to know about it.
+#pragma once
+
+#include <QLabel>
+#include <QList>
+#include <QScrollArea>
+#include <optional>
+
+#include "ui/form/section_box.h"
+#include "ui/job/solved_blow.h"
+#include "ui/result/alert_list.h"
+#include "ui/result/energy_bar.h"
+#include "ui/result/event_model.h"
+#include "ui/result/stale_veil.h"
+
+class QGridLayout;
+class QTableView;
+
+namespace drillwave {
+
+class ResultPanel : public QScrollArea {
+    Q_OBJECT
+
+  public:
+    explicit ResultPanel(QWidget* parent = nullptr);
+
+    void show(const SolvedBlowPtr& blow);
+    /// Marks the event at the time cursor t/t0, if there is one.
+    void setTime(std::optional<double> time);
+    /// Marks all that is shown as not of the present input, and what is copied too.
+    void setOutOfDate(bool outOfDate);
+    /// All numbers as lines of "name<tab>value".
+    QString text() const;
+
+    AlertList* alerts() const { return m_alerts; }
+    QSize sizeHint() const override;
+    /// Wide enough that nothing is cut off at the side.
+    QSize minimumSizeHint() const override;
+
+  signals:
+    /// The user chose an event: its global time t/t0.
+    void timeChosen(std::optional<double> time);
+    /// The user follows an alert to its parameter: the key, as in parameters().
+    void parameterChosen(const QString& key);
+
+  private:
+    /// How one number of a blow is written; empty where it is not given.
+    using Text = QString (*)(const SolvedBlow&);
+    using Meaning = Text;
+    struct Row {
+        SectionBox* section;
+        QLabel* name;
+        QLabel* value;
+        QString meaning;
+        Text text;
+        Meaning note;
+    };
+    struct Entry {
+        QString name;
+        QString meaning;
+        Text text;
+        std::optional<EnergyPart> part = {};
+        Meaning note = nullptr;  ///< more to say about the value of this blow, in its tooltip
+    };
+
+    SectionBox* addSection(const QString& title);
+    void addNumbers(const QString& title, const QList<Entry>& entries);
+    void addHeadline();
+    void addImpact();
+    void addEnergy();
+    void addStress();
+    void addThrust();
+    void addAlerts();
+    void addEvents();
+    void alignColumns();
+    void copy() const;
+    void markEvent();
+
+    QLabel* m_cor = nullptr;
+    QLabel* m_error = nullptr;
+    QList<Row> m_rows;
+    QList<QGridLayout*> m_grids;
+    EnergyBar* m_energy = nullptr;
+    std::optional<double> m_time;
+    bool m_following = false;  // the table follows the time cursor, not the user
+    EventModel* m_eventModel;
+    QTableView* m_events = nullptr;
+    AlertList* m_alerts = nullptr;
+    StaleVeil* m_veil;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/number_text.h"
+
+#include <cmath>
+
+namespace drillwave {
+namespace {
+
+QString superscript(int exponent) {
+    static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString text = exponent < 0 ? QStringLiteral("⁻") : QString();
+    for (const QChar digit : QString::number(std::abs(exponent))) text += digits[digit.digitValue()];
+    return text;
+}
+
+}  // namespace
+
+QString numberText(double value, int digits, const QLocale& locale) {
+    QLocale plain = locale;
+    plain.setNumberOptions(QLocale::OmitGroupSeparator);
+    const double magnitude = std::abs(value);
+    QString text;
+    if (value != 0 && (magnitude < 1e-4 || magnitude >= 1e6) && std::isfinite(value)) {
+        const QStringList parts = QString::number(value, 'e', digits - 1).split(QLatin1Char('e'));
+        text = plain.toString(parts[0].toDouble(), 'f', digits - 1) + QStringLiteral("·10") +
+               superscript(parts[1].toInt());
+    } else if (magnitude >= std::pow(10, digits) - 0.5) {
+        text = plain.toString(value, 'f', 0);  // 'g' would write 12345 as 1.235e+04
+    } else {
+        text = plain.toString(value, 'g', digits);
+    }
+    return text.replace(QLatin1Char('-'), QStringLiteral("−"));
+}
+
+QString magnitudeText(double value, const QLocale& locale) {
+    if (value == 0) return QStringLiteral("0");
+    int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
+    double mantissa = std::round(value / std::pow(10, exponent));
+    if (std::abs(mantissa) >= 10) {  // 9.6 is 1·10¹
+        mantissa /= 10;
+        ++exponent;
+    }
+    return numberText(mantissa, 1, locale) + QStringLiteral("·10") + superscript(exponent);
+}
+
+QString quantityText(double value, const ShownUnit& unit, const QLocale& locale) {
+    return numberText(value * unit.factor, 4, locale) + QChar(QChar::Nbsp) + unit.unit;
+}
+
+QString runTimeText(double seconds, const QLocale& locale) {
+    const auto text = [&locale](double value, const QString& unit) {
+        return numberText(value, value < 10 ? 2 : 3, locale) + QChar(QChar::Nbsp) + unit;
+    };
+    if (seconds < 1e-3) return text(seconds * 1e6, QStringLiteral("µs"));
+    return seconds < 1 ? text(seconds * 1e3, QStringLiteral("ms")) : text(seconds, QStringLiteral("s"));
+}
+
+}  // namespace drillwave

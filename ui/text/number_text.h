@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results as text for people.
+#pragma once
+
+#include <QLocale>
+#include <QString>
+
+#include "ui/text/shown_units.h"
+
+namespace drillwave {
+
+/// So many significant digits, without trailing zeros: "0.4067", "−0.4067" with a real minus sign; all digits
+/// before the point up to a million, "12345", without group separators; "1.235·10⁷" and "1.235·10⁻⁵" beyond.
+QString numberText(double value, int digits, const QLocale& locale);
+
+/// Order of magnitude with one digit, "3·10⁻¹⁵"; "0" for zero.
+QString magnitudeText(double value, const QLocale& locale);
+
+/// A dimensionless value in the unit it is shown in: "187.3 kN".
+QString quantityText(double value, const ShownUnit& unit, const QLocale& locale);
+
+/// A duration of the program itself: "3 µs", "12 ms".
+QString runTimeText(double seconds, const QLocale& locale);
+
+}  // namespace drillwave

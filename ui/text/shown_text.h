@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Texts of the core as a window shows them.
+#pragma once
+
+#include <QString>
+#include <string_view>
+
+namespace drillwave {
+
+/// UTF-8 as Qt's own text.
+QString fromView(std::string_view text);
+
+/// "t₀" for "t0".
+QString shownSymbol(std::string_view symbol);
+
+}  // namespace drillwave

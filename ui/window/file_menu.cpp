@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/file_menu.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include "core/file/result_scenario.h"
+#include "ui/text/settings.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int recentLimit = 10;
+
+QString fromUtf8(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+bool isScenarioName(const QString& path) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    return QStringList{QStringLiteral("yaml"), QStringLiteral("yml"), QStringLiteral("json")}.contains(
+        suffix);
+}
+
+bool isCsv(const QString& path) {
+    return isCsvName(path.toStdString());
+}
+
+// Results begin with the lines of their scenario; a table of times and forces begins with its header.
+bool isResult(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) && file.read(1) == "#";
+}
+
+}  // namespace
+
+FileMenu::FileMenu(Document& document, Questions& questions, FileWatch& watch, QMenu* exports,
+                   QWidget* window)
+    : QMenu(tr("&File"), window),
+      m_document(document),
+      m_questions(questions),
+      m_watch(watch),
+      m_window(window) {
+    setToolTipsVisible(true);
+    addFileActions(exports);
+}
+
+void FileMenu::addFileActions(QMenu* exports) {
+    addAction(tr("&New"), QKeySequence::New, this, [this] {
+        if (mayDiscard()) m_document.start();
+    });
+    addAction(tr("&Open…"), QKeySequence::Open, this, [this] {
+        const QString folder = QFileInfo(m_document.suggestedPath()).absolutePath();
+        const QString path = m_questions.fileToOpen(m_window, folder);
+        if (!path.isEmpty() && mayDiscard()) openFile(path);
+    });
+    addExamples();
+    addRecentFiles();
+    addSeparator();
+    addAction(tr("&Save"), QKeySequence::Save, this, &FileMenu::save);
+    // Without a desktop theme some standard shortcuts are empty.
+    addAction(tr("Save &As…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this, &FileMenu::saveAs);
+    addMenu(exports);
+    addSeparator();
+    QAction* quit = addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), m_window, &QWidget::close);
+    quit->setMenuRole(QAction::QuitRole);
+}
+
+void FileMenu::addExamples() {
+    QMenu* menu = addMenu(tr("&Examples"));
+    menu->setToolTipsVisible(true);
+    for (const Example& example : builtInExamples()) {
+        QAction* action =
+            menu->addAction(fromUtf8(example.title), this, [this, &example] { openExample(example); });
+        action->setToolTip(QStringLiteral("<p>%1</p>").arg(fromUtf8(example.explanation).toHtmlEscaped()));
+    }
+}
+
+void FileMenu::openExample(const Example& example) {
+    if (!mayDiscard()) return;
+    const QString problem = m_document.startFrom(example.text, fromUtf8(example.name));
+    if (succeeded(tr("The example cannot be opened."), problem)) emit exampleOpened(example);
+}
+
+void FileMenu::addRecentFiles() {
+    m_recent = addMenu(tr("Open &Recent"));
+    showRecentFiles();
+}
+
+void FileMenu::showRecentFiles() {
+    m_recent->clear();
+    const QStringList paths = Settings().value(recentFilesKey).toStringList();
+    for (const QString& path : paths) {
+        // An ampersand in the name is no mnemonic.
+        const QString name = QDir::toNativeSeparators(path).replace(QLatin1Char('&'), QLatin1String("&&"));
+        m_recent->addAction(name, this, [this, path] { openRecent(path); });
+    }
+    m_recent->addSeparator();
+    QAction* clear = m_recent->addAction(tr("&Clear list"), this, [this] {
+        Settings().remove(recentFilesKey);
+        showRecentFiles();
+    });
+    clear->setToolTip(tr("Forget these names; the files stay"));
+    m_recent->menuAction()->setVisible(!paths.isEmpty());
+}
+
+void FileMenu::openRecent(const QString& path) {
+    if (QFileInfo::exists(path)) {
+        if (mayDiscard()) openFile(path);
+        return;
+    }
+    if (m_questions.confirm(
+            m_window, tr("This file is no longer there."),
+            tr("%1\nIt may be on a drive that is not connected. Shall it be taken off the list?")
+                .arg(QDir::toNativeSeparators(path)),
+            tr("Take it off")))
+        forget(path);
+}
+
+void FileMenu::remember(const QString& path) {
+    Settings settings;
+    QStringList paths = settings.value(recentFilesKey).toStringList();
+    paths.removeAll(path);
+    paths.prepend(path);
+    settings.setValue(recentFilesKey, paths.mid(0, recentLimit));
+    showRecentFiles();
+}
+
+void FileMenu::forget(const QString& path) {
+    Settings settings;
+    QStringList paths = settings.value(recentFilesKey).toStringList();
+    paths.removeAll(path);
+    settings.setValue(recentFilesKey, paths);
+    showRecentFiles();
+}
+
+bool FileMenu::openFile(const QString& path) {
+    if (!succeeded(tr("The scenario cannot be opened."), m_document.open(path))) return false;
+    remember(QFileInfo(path).absoluteFilePath());
+    return true;
+}
+
+void FileMenu::take(const QStringList& paths) {
+    const QString refusal = tr("This cannot be taken.");
+    if (paths.size() > 1) {
+        succeeded(refusal, tr("%1 files were dropped; drop one at a time.").arg(paths.size()));
+    } else if (isScenarioName(paths.first()) || (isCsv(paths.first()) && isResult(paths.first()))) {
+        if (mayDiscard()) openFile(paths.first());
+    } else if (isCsv(paths.first())) {
+        succeeded(tr("The hammer blow cannot be taken from this file."), m_document.useTable(paths.first()));
+    } else {
+        succeeded(refusal, tr("%1\nDrop a scenario (.yaml), a file of a run (.csv, .json), or the "
+                              "CSV file of a hammer blow.")
+                               .arg(QDir::toNativeSeparators(paths.first())));
+    }
+}
+
+bool FileMenu::mayDiscard() {
+    if (!m_document.isModified()) return true;
+    switch (m_questions.unsavedChanges(m_window, m_document.displayName())) {
+        case Questions::Unsaved::save:
+            return save();
+        case Questions::Unsaved::discard:
+            return true;
+        case Questions::Unsaved::cancel:
+            return false;
+    }
+    return false;
+}
+
+bool FileMenu::save() {
+    const QString path = m_document.path();
+    if (path.isEmpty()) return saveAs();
+    if (m_watch.savingNeedsConsent() &&
+        !m_questions.confirm(
+            m_window, tr("The file has been changed by another program."),
+            tr("%1\nSaving writes over what that program has written.").arg(QDir::toNativeSeparators(path)),
+            tr("Overwrite")))
+        return false;
+    return saveTo(path);
+}
+
+bool FileMenu::saveAs() {
+    QString path = m_questions.fileToSave(m_window, m_document.suggestedPath());
+    if (path.isEmpty()) return false;
+    if (isScenarioName(path)) return saveTo(path);
+    // The dialog has asked about the name as it was given.
+    path += QStringLiteral(".yaml");
+    if (QFileInfo::exists(path) && !m_questions.confirm(m_window, tr("A file of this name exists already."),
+                                                        QDir::toNativeSeparators(path), tr("Overwrite")))
+        return false;
+    return saveTo(path);
+}
+
+bool FileMenu::saveTo(const QString& path) {
+    if (!succeeded(tr("The scenario has not been saved."), m_document.save(path))) return false;
+    m_watch.check();
+    remember(m_document.path());
+    return true;
+}
+
+bool FileMenu::succeeded(const QString& what, const QString& problem) {
+    if (!problem.isEmpty()) m_questions.tell(m_window, Questions::Tone::failure, what, problem);
+    return problem.isEmpty();
+}
+
+}  // namespace drillwave

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The File menu: new, open, examples, save, recent files, quit, with the question about unsaved changes.
+#pragma once
+
+#include <QMenu>
+
+#include "core/file/examples.h"
+#include "ui/document/document.h"
+#include "ui/document/file_watch.h"
+#include "ui/questions/questions.h"
+
+namespace drillwave {
+
+class FileMenu : public QMenu {
+    Q_OBJECT
+
+  public:
+    /// Document, questions and watch must outlive the menu. `exports` becomes a part of it.
+    FileMenu(Document& document, Questions& questions, FileWatch& watch, QMenu* exports, QWidget* window);
+
+    /// Opens a scenario file, or the scenario of a result, in place of the present one, unsaved or not; tells
+    /// why if it cannot. True when opened.
+    bool openFile(const QString& path);
+    /// Takes what was dropped onto the window: a scenario, the CSV file of a result, or that of a hammer
+    /// blow.
+    void take(const QStringList& paths);
+    /// Whether the present scenario may be replaced or closed: saved, unchanged or given up.
+    bool mayDiscard();
+    bool save();
+    bool saveAs();
+
+  signals:
+    void exampleOpened(const drillwave::Example& example);
+
+  private:
+    void addFileActions(QMenu* exports);
+    void addExamples();
+    void addRecentFiles();
+    void openExample(const Example& example);
+    void openRecent(const QString& path);
+    void remember(const QString& path);
+    void forget(const QString& path);
+    void showRecentFiles();
+    bool saveTo(const QString& path);
+    /// Whether there is no problem; tells of one.
+    bool succeeded(const QString& what, const QString& problem);
+
+    Document& m_document;
+    Questions& m_questions;
+    FileWatch& m_watch;
+    QWidget* m_window;
+    QMenu* m_recent = nullptr;
+};
+
+}  // namespace drillwave

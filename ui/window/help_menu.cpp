@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/help_menu.h"
+
+#include "core/model/version.h"
+
+namespace drillwave {
+
+HelpMenu::HelpMenu(Questions& questions, QWidget* window)
+    : QMenu(tr("&Help"), window), m_questions(questions), m_window(window) {
+    addAction(tr("&Mouse and keys"), QKeySequence(Qt::Key_F1), this, &HelpMenu::showMouseAndKeys);
+    addAction(tr("&About Drillwave"), this, &HelpMenu::showAbout);
+}
+
+void HelpMenu::showMouseAndKeys() {
+    m_questions.tell(
+        m_window, Questions::Tone::information, tr("Mouse and keys"),
+        tr("Plots\n"
+           "Wheel: zoom at the pointer; over an axis, that axis only\n"
+           "Drag: move; Shift+drag or right button: zoom to a box\n"
+           "Double-click or Home: fit; Backspace or Alt+Left: zoom back\n"
+           "Click on a legend entry: hide or show the curve\n"
+           "A, B: cursors at the pointer; T: time cursor; Ctrl+Left, Ctrl+Right: move the last one\n"
+           "Arrows: move; + and −: zoom; right click or Shift+F10: menu\n"
+           "\n"
+           "Wave picture\n"
+           "Drag the dashed line (section) and the solid line (time), or Ctrl+arrows; Space: play\n"
+           "\n"
+           "Fields\n"
+           "Type a number with any unit: 38 mm, 1.5 in; Up, Down or the wheel: step; Alt+Down: unit"));
+}
+
+void HelpMenu::showAbout() {
+    m_questions.tell(m_window, Questions::Tone::information,
+                     tr("Drillwave %1").arg(QLatin1String(versionText)),
+                     tr("Percussive rock drilling: waves in the rod, the impact on the rock, the rebound.\n"
+                        "Free software under the GNU General Public License, version 3 or later."));
+}
+
+}  // namespace drillwave

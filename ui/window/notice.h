@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A strip above the pages that says something without being in the way.
+#pragma once
+
+#include <QFrame>
+
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+
+namespace drillwave {
+
+/// Hidden until it has something to say; goes away by its last button. The text can be selected.
+class Notice : public QFrame {
+    Q_OBJECT
+
+  public:
+    enum class Tone { information, warning };
+
+    explicit Notice(Tone tone, QWidget* parent = nullptr);
+
+    /// A button in front of the one that dismisses.
+    QPushButton* addButton(const QString& text, const QString& toolTip);
+    void say(const QString& text);
+    /// Says something else, shown or hidden as it is.
+    void setText(const QString& text);
+    QString text() const;
+
+  signals:
+    /// The user has sent it away.
+    void dismissed();
+
+  private:
+    QHBoxLayout* m_layout;
+    QLabel* m_text;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Windows where they can be seen.
+#pragma once
+
+class QWidget;
+
+namespace drillwave {
+
+/// Moves a window that was placed on a screen which is not there any more, so that its title can be grasped,
+/// and makes it no larger than the screen it is on.
+void keepOnScreen(QWidget& window);
+
+/// Makes a window no larger than its screen, frame and all, and moves it so that all of it is there.
+void fitOnScreen(QWidget& window);
+
+}  // namespace drillwave

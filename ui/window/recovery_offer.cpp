@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/recovery_offer.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QLocale>
+
+#include "ui/document/lost_changes.h"
+
+namespace drillwave {
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("drillwave::RecoveryOffer", text);
+}
+
+QString detailsOf(const UnsavedScenario& scenario) {
+    const QString when = QLocale().toString(scenario.time, QLocale::ShortFormat);
+    const QString text = tr("The program ended unexpectedly; the last change is of %1.").arg(when);
+    if (scenario.origin.isEmpty()) return text;
+    return text + QLatin1Char('\n') +
+           tr("They were made to %1, which is not touched.").arg(QDir::toNativeSeparators(scenario.origin));
+}
+
+void setAside(LostChanges& lost, const QString& problem, Questions& questions, QWidget* window) {
+    const QString kept = QDir::toNativeSeparators(lost.setAside());
+    questions.tell(window, Questions::Tone::failure,
+                   tr("Unsaved changes of an earlier run cannot be restored."),
+                   tr("%1\nThe file is kept as %2 and will not be offered again.").arg(problem, kept));
+}
+
+}  // namespace
+
+void offerLostChanges(const QString& folder, Document& document, Recovery& recovery, Questions& questions,
+                      QWidget* window) {
+    for (LostChanges& lost : findLostChanges(folder)) {
+        const UnsavedScenario& scenario = lost.scenario();
+        if (!lost.problem().isEmpty()) {
+            setAside(lost, lost.problem(), questions, window);
+            continue;
+        }
+        const auto answer = questions.recover(window, scenario.name, detailsOf(scenario));
+        if (answer == Questions::Recovery::discard) lost.discard();
+        if (answer != Questions::Recovery::restore) continue;
+        const QString problem = document.restore(scenario.text, scenario.origin);
+        if (!problem.isEmpty()) {
+            setAside(lost, problem, questions, window);
+            continue;
+        }
+        // Only when they are safe again.
+        recovery.writeNow();
+        if (QFile::exists(recovery.file())) lost.discard();
+        return;
+    }
+}
+
+}  // namespace drillwave

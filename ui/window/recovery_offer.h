@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Offers the unsaved changes of an earlier run that ended unexpectedly.
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/document/recovery.h"
+#include "ui/questions/questions.h"
+
+namespace drillwave {
+
+/// Asks about the lost changes in the folder, the last ones first, until some are restored into the document;
+/// what is not answered stays for the next start. Restored changes are without a path, so that saving asks
+/// where to. Files that cannot be used are told of and set aside.
+void offerLostChanges(const QString& folder, Document& document, Recovery& recovery, Questions& questions,
+                      QWidget* window);
+
+}  // namespace drillwave
