@@ -4,6 +4,7 @@
 
 #include "core/blow/feed_verdict.h"
 #include "core/blow/result_alerts.h"
+#include "core/model/alerts.h"
 
 using namespace drillwave;
 
@@ -94,5 +95,4 @@ class TestFeedVerdict : public QObject {
 };
 
 QTEST_GUILESS_MAIN(TestFeedVerdict)
-#include "core/model/alerts.h"
 #include "tst_feed_verdict.moc"

@@ -7,6 +7,7 @@
 
 #include "core/blow/impact_summary.h"
 #include "core/blow/result_alerts.h"
+#include "core/model/alerts.h"
 #include "core/wave/closed/closed_form.h"
 #include "core/wave/exact/exact_solver.h"
 
@@ -299,5 +300,4 @@ void TestImpactSummary::aRodIsWarnedOfTensionAboveItsFatigueStrength() {
 }
 
 QTEST_GUILESS_MAIN(TestImpactSummary)
-#include "core/model/alerts.h"
 #include "tst_impact_summary.moc"

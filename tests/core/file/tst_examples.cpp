@@ -8,6 +8,7 @@
 #include "core/blow/impact_summary.h"
 #include "core/file/examples.h"
 #include "core/file/scenario_file.h"
+#include "core/model/alerts.h"
 #include "core/wave/exact/exact_solver.h"
 
 using namespace drillwave;
@@ -95,5 +96,4 @@ void TestExamples::theDefaultIsTheT38Case() {
 }
 
 QTEST_GUILESS_MAIN(TestExamples)
-#include "core/model/alerts.h"
 #include "tst_examples.moc"

@@ -6,6 +6,7 @@
 
 #include "core/file/preset_file.h"
 #include "core/file/yaml_tree.h"
+#include "core/model/alerts.h"
 
 using namespace drillwave;
 
@@ -236,5 +237,4 @@ void TestPresetFile::aMissingFileIsReported() {
 }
 
 QTEST_GUILESS_MAIN(TestPresetFile)
-#include "core/model/alerts.h"
 #include "tst_preset_file.moc"

@@ -11,6 +11,7 @@
 #include "core/file/scenario_file.h"
 #include "core/file/scenario_text.h"
 #include "core/model/parameter.h"
+#include "core/model/parameter_text.h"
 #include "core/model/scales.h"
 
 using namespace drillwave;
@@ -577,5 +578,4 @@ void TestScenarioFile::theUsersLocaleChangesNothing() {
 }
 
 QTEST_APPLESS_MAIN(TestScenarioFile)
-#include "core/model/parameter_text.h"
 #include "tst_scenario_file.moc"

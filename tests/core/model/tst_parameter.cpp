@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/model/parameter.h"
+#include "core/model/parameter_text.h"
 #include "core/model/scales.h"
 #include "core/model/validation.h"
 #include "core/text/nearest_name.h"
@@ -359,5 +360,4 @@ void TestParameter::whatDoesNotReadBackIsRefused() {
 }
 
 QTEST_APPLESS_MAIN(TestParameter)
-#include "core/model/parameter_text.h"
 #include "tst_parameter.moc"

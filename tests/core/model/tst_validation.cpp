@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/alerts.h"
 #include "core/model/parameter.h"
+#include "core/model/parameter_text.h"
 #include "core/model/pulse_force.h"
 #include "core/model/validation.h"
 
@@ -239,6 +241,4 @@ void TestValidation::aHammerThatNobodyGaveIsRemarkedOn() {
 }
 
 QTEST_APPLESS_MAIN(TestValidation)
-#include "core/model/alerts.h"
-#include "core/model/parameter_text.h"
 #include "tst_validation.moc"

@@ -7,6 +7,7 @@
 #include "core/model/scales.h"
 #include "core/wave/exact/exact_solver.h"
 #include "ui/export/plot_export.h"
+#include "ui/plot/plot_rendering.h"
 #include "ui/plot/plot_style.h"
 
 using namespace drillwave;
@@ -144,4 +145,3 @@ void TestPlotExport::failuresAreToldInOneLine() {
 
 QTEST_MAIN(TestPlotExport)
 #include "tst_plot_export.moc"
-#include "ui/plot/plot_rendering.h"

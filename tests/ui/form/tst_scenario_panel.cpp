@@ -9,6 +9,7 @@
 #include "core/model/scales.h"
 #include "tests/support/panel_fixture.h"
 #include "ui/form/pulse_curve.h"
+#include "ui/text/shown_text.h"
 
 using namespace drillwave;
 
@@ -342,4 +343,3 @@ void TestScenarioPanel::undoTakesBackFiveHundredRandomEdits() {
 
 QTEST_MAIN(TestScenarioPanel)
 #include "tst_scenario_panel.moc"
-#include "ui/text/shown_text.h"

@@ -5,6 +5,7 @@
 #include <QTableView>
 #include <QTest>
 
+#include "core/model/alerts.h"
 #include "core/wave/exact/exact_solver.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/number_text.h"
@@ -231,5 +232,4 @@ class TestResultPanel : public QObject {
 };
 
 QTEST_MAIN(TestResultPanel)
-#include "core/model/alerts.h"
 #include "tst_result_panel.moc"

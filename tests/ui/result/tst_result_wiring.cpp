@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/model/alerts.h"
 #include "ui/form/scenario_panel.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
@@ -58,5 +59,4 @@ class TestResultWiring : public QObject {
 };
 
 QTEST_MAIN(TestResultWiring)
-#include "core/model/alerts.h"
 #include "tst_result_wiring.moc"

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/model/parameter.h"
+#include "core/model/parameter_text.h"
 #include "core/study/rows/sweep_check.h"
 #include "core/text/csv.h"
 #include "core/wave/exact/exact_solver.h"
@@ -261,5 +262,4 @@ void TestSweep::impossibleSweepsAreRefused() {
 }
 
 QTEST_GUILESS_MAIN(TestSweep)
-#include "core/model/parameter_text.h"
 #include "tst_sweep.moc"

@@ -5,6 +5,7 @@
 #include "core/file/examples.h"
 #include "core/file/scenario_file.h"
 #include "core/model/parameter.h"
+#include "core/model/parameter_text.h"
 #include "core/model/scales.h"
 #include "core/wave/exact/exact_solver.h"
 #include "ui/pages/rock/rock_plot.h"
@@ -195,5 +196,4 @@ void TestRockPlot::withoutAPathTheReasonIsShown() {
 }
 
 QTEST_MAIN(TestRockPlot)
-#include "core/model/parameter_text.h"
 #include "tst_rock_plot.moc"
