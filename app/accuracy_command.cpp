@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <charconv>
 
-#include "app/accuracy_report.h"
 #include "app/command.h"
 #include "app/interruption.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
 #include "core/file/result_scenario.h"
+#include "core/report/accuracy_json.h"
+#include "core/report/accuracy_text.h"
 #include "core/report/blow_csv.h"
 #include "core/text/decimal_text.h"
 
@@ -81,7 +82,7 @@ ExitCode runAccuracy(const Arguments& arguments) {
     if (inFolder)
         writeFolder(directory, {{{csvName, QByteArray::fromStdString(csv)}}, {}}, overwrite, interruption);
     writeFile("-",
-              arguments.has("json") ? accuracyJson(document.scenario, scenario, accuracy).toStdString()
+              arguments.has("json") ? accuracyJson(document.scenario, scenario, accuracy)
                                     : accuracyText(document.scenario, accuracy),
               Overwrite::allowed);
     return ExitCode::done;

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "app/blow_text.h"
-#include "app/report_text.h"
 #include "core/blow/impact_summary.h"
 #include "core/blow/thrust.h"
 #include "core/model/alerts.h"
+#include "core/report/report_text.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {

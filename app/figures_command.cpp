@@ -4,9 +4,9 @@
 #include <cstdio>
 
 #include "app/command.h"
-#include "app/figures_page.h"
 #include "app/interruption.h"
 #include "app/output_folder.h"
+#include "core/report/figures_page.h"
 #include "core/study/paper/figures.h"
 #include "ui/export/figure_plot.h"
 

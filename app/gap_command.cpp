@@ -3,7 +3,6 @@
 #include <chrono>
 
 #include "app/command.h"
-#include "app/gap_report.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/progress_bar.h"
@@ -11,6 +10,8 @@
 #include "core/file/result_scenario.h"
 #include "core/model/scales.h"
 #include "core/report/blow_csv.h"
+#include "core/report/gap_json.h"
+#include "core/report/gap_text.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
@@ -113,8 +114,7 @@ ExitCode runGap(const Arguments& arguments) {
                            path + ": could not be solved at all gaps: " + report.curve.reason);
     if (csvPath) writeFile(*csvPath, scenarioHeader(report.scenarioText) + gapCsv(report, units), overwrite);
     if (csvPath == "-") return ExitCode::done;
-    writeFile("-", arguments.has("json") ? gapJson(report).toStdString() : gapText(report),
-              Overwrite::allowed);
+    writeFile("-", arguments.has("json") ? gapJson(report) : gapText(report), Overwrite::allowed);
     return ExitCode::done;
 }
 

@@ -4,12 +4,12 @@
 #include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/progress_bar.h"
-#include "app/report_text.h"
 #include "app/scenario_argument.h"
-#include "app/thrust_report.h"
 #include "core/blow/thrust.h"
 #include "core/file/result_scenario.h"
 #include "core/report/blow_csv.h"
+#include "core/report/report_text.h"
+#include "core/report/thrust_report.h"
 
 namespace drillwave {
 
@@ -69,8 +69,7 @@ ExitCode runThrust(const Arguments& arguments) {
                            path + ": could not be solved: " + report.study.reason);
     if (csvPath) writeFile(*csvPath, scenarioHeader(report.scenarioText) + thrustCsv(report), overwrite);
     if (csvPath == "-") return ExitCode::done;
-    writeFile("-", arguments.has("json") ? thrustJson(report).toStdString() : thrustText(report),
-              Overwrite::allowed);
+    writeFile("-", arguments.has("json") ? thrustJson(report) : thrustText(report), Overwrite::allowed);
     return ExitCode::done;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/report_text.h"
+#include "core/report/report_text.h"
 
 #include <algorithm>
 

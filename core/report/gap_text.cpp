@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report for people.
+#include "core/report/gap_text.h"
+
 #include <algorithm>
 
-#include "app/gap_report.h"
-#include "app/report_text.h"
 #include "core/model/scales.h"
+#include "core/report/report_text.h"
 
 namespace drillwave {
 
@@ -130,15 +130,6 @@ double largestError(const GapStatistics& statistics) {
 }
 
 }  // namespace
-
-std::string GapReport::periodRemark() const {
-    if (!curve.dependsOnGap)
-        return "The reference case does not depend on the gap: it only shifts the time of contact.";
-    if (curve.periodStart == 0) return {};
-    return "The hammer still pushes when its first reflection is back: results have a period in the gap only "
-           "from a gap of " +
-           rounded(curve.periodStart) + " d0 on, and the statistics are over the period that begins there.";
-}
 
 std::string gapText(const GapReport& report) {
     GapTable table(report.scenario);

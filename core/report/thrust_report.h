@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The thrust as the thrust command tells it.
+// The thrust that blows need with all that is reported about it: text, JSON, CSV.
 #pragma once
 
-#include <QByteArray>
 #include <optional>
 #include <string>
 
@@ -27,7 +26,7 @@ struct ThrustReport {
 std::string thrustText(const ThrustReport& report);
 
 /// One JSON object, SI.
-QByteArray thrustJson(const ThrustReport& report);
+std::string thrustJson(const ThrustReport& report);
 
 /// The thrust f I0 (1+e) of each case against frequency: one row for each, in the unit in which it was typed
 /// and N. Requires `frequencies`.

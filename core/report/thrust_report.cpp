@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/thrust_report.h"
+#include "core/report/thrust_report.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-
-#include "app/report_text.h"
 #include "core/model/scales.h"
 #include "core/model/version.h"
+#include "core/report/json_value.h"
+#include "core/report/report_text.h"
 #include "core/text/row_text.h"
-#include "ui/export/json_value.h"
 
 namespace drillwave {
 
@@ -101,28 +97,20 @@ std::string verdict(const ThrustReport& report) {
     return text;
 }
 
-QJsonValue orNull(const std::optional<double>& value) {
-    return value ? QJsonValue(*value) : QJsonValue(QJsonValue::Null);
+JsonObject needJson(const ThrustNeed& need) {
+    return {{"cor", need.cor.value},  {"cor_error", need.cor.error},
+            {"thrust", need.thrust},  {"thrust_undamped", need.thrustUndamped},
+            {"margin", need.margin},  {"frequency_limit", need.frequencyLimit},
+            {"feed", name(need.feed)}};
 }
 
-QJsonObject needJson(const ThrustNeed& need) {
-    return {{"cor", need.cor.value},
-            {"cor_error", need.cor.error},
-            {"thrust", need.thrust},
-            {"thrust_undamped", need.thrustUndamped},
-            {"margin", orNull(need.margin)},
-            {"frequency_limit", orNull(need.frequencyLimit)},
-            {"feed", jsonText(name(need.feed))}};
-}
-
-QJsonArray frequenciesJson(const ThrustReport& report) {
-    QJsonArray array;
+JsonArray frequenciesJson(const ThrustReport& report) {
+    JsonArray array;
     for (std::uint64_t i = 0; i < report.frequencies->count; ++i) {
         const double frequency = report.frequencies->value(i);
-        QJsonObject row{{"blow_frequency", frequency}};
-        for (const ThrustCase which : allCases)
-            row[jsonText(name(which))] = report.thrustAt(frequency, which);
-        array.append(row);
+        JsonObject row{{"blow_frequency", frequency}};
+        for (const ThrustCase which : allCases) row[name(which)] = report.thrustAt(frequency, which);
+        array.emplace_back(row);
     }
     return array;
 }
@@ -143,33 +131,33 @@ std::string thrustText(const ThrustReport& report) {
     return text + "\n" + verdict(report);
 }
 
-QByteArray thrustJson(const ThrustReport& report) {
+std::string thrustJson(const ThrustReport& report) {
     const Drill& drill = report.scenario.drill;
-    QJsonObject needs;
-    for (const ThrustCase which : allCases) needs[jsonText(name(which))] = needJson(report.study.need(which));
-    QJsonObject object{
+    JsonObject needs;
+    for (const ThrustCase which : allCases) needs[name(which)] = needJson(report.study.need(which));
+    JsonObject object{
         {"version", versionText},
-        {"title", jsonText(report.scenario.title)},
-        {"scenario", jsonText(report.scenarioText)},
-        {"units", QJsonObject{{"thrust", unitJson(Quantity::force)},
-                              {"installed_thrust", unitJson(Quantity::force)},
-                              {"impulse", unitJson(Quantity::impulse)},
-                              {"frequency_limit", unitJson(Quantity::frequency)},
-                              {"blow_frequency", unitJson(Quantity::frequency)}}},
+        {"title", report.scenario.title},
+        {"scenario", report.scenarioText},
+        {"units", JsonObject{{"thrust", unitJson(Quantity::force)},
+                             {"installed_thrust", unitJson(Quantity::force)},
+                             {"impulse", unitJson(Quantity::impulse)},
+                             {"frequency_limit", unitJson(Quantity::frequency)},
+                             {"blow_frequency", unitJson(Quantity::frequency)}}},
         {"groups", groupsJson(groupsOf(report.scenario))},
         {"blow_frequency", *drill.blowFrequency},
         {"impulse", pulseImpulse(report.scenario)},
-        {"installed_thrust", orNull(drill.thrust)},
+        {"installed_thrust", drill.thrust},
         {"thrust_balance", report.study.verdict.balance},
         {"needs", needs},
-        {"share_of_gaps_held", orNull(report.study.shareFull)},
-        {"thrust_margin", orNull(report.study.margin())},
-        {"feed", jsonText(name(report.study.verdict.feed))},
-        {"advice", jsonText(feedAdvice(report.study.verdict.feed))},
-        {"verdict", jsonText(feedSentence(report.study.verdict))},
+        {"share_of_gaps_held", report.study.shareFull},
+        {"thrust_margin", report.study.margin()},
+        {"feed", name(report.study.verdict.feed)},
+        {"advice", feedAdvice(report.study.verdict.feed)},
+        {"verdict", feedSentence(report.study.verdict)},
     };
     if (report.frequencies) object["frequencies"] = frequenciesJson(report);
-    return QJsonDocument(object).toJson(QJsonDocument::Indented);
+    return Json(object).text();
 }
 
 std::string thrustCsv(const ThrustReport& report) {

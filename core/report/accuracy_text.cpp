@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report for people, and the CSV.
+#include "core/report/accuracy_text.h"
+
 #include <charconv>
 #include <cmath>
 #include <vector>
 
-#include "app/accuracy_columns.h"
-#include "app/accuracy_report.h"
-#include "app/report_text.h"
-#include "core/text/csv.h"
+#include "core/report/accuracy_columns.h"
+#include "core/report/report_text.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -136,25 +135,6 @@ std::string accuracyText(const Scenario& scenario, const Accuracy& accuracy) {
         text += "  Over the whole ladder the error of e falls with the number of segments to the power of " +
                 shown(accuracy.latticeOrder, NumberStyle::order) + ".\n";
     return text + checks(accuracy);
-}
-
-std::string accuracyCsv(const Accuracy& accuracy) {
-    std::string csv = "method,waves,segments,outcome,reason,cor";
-    for (const AccuracyColumn& column : accuracyColumns) csv += "," + std::string(column.key);
-    csv += "\n";
-    for (const AccuracyRow& row : accuracy.rows) {
-        const bool solved = row.outcome == Outcome::rebounded;
-        const auto number = [&](double value) {
-            return solved && std::isfinite(value) ? formatNumber(value) : std::string();
-        };
-        csv += std::string(name(row.choice.method)) + "," + std::string(wavesName(row)) + ",";
-        if (row.choice.method == Method::lattice) csv += std::to_string(row.choice.lattice.segments);
-        csv += std::string(solved ? ",rebounded," : ",not_solved,") + csvCell(row.reason) + "," +
-               number(row.cor);
-        for (const AccuracyColumn& column : accuracyColumns) csv += "," + number(column.value(row));
-        csv += "\n";
-    }
-    return csv;
 }
 
 }  // namespace drillwave

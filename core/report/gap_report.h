@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The statistics over the gap as the gap command tells them.
+// The statistics over the gap with all that is reported about them.
 #pragma once
 
-#include <QByteArray>
 #include <optional>
 #include <string>
 
 #include "core/model/scenario.h"
 #include "core/study/gap/gap_statistics.h"
-#include "core/study/rows/output_column.h"
 
 namespace drillwave {
 
@@ -24,14 +22,5 @@ struct GapReport {
     /// What the reader should know about the period, empty when it begins at no gap.
     std::string periodRemark() const;
 };
-
-/// A table for people, forces and gaps in the units of a dimensional scenario.
-std::string gapText(const GapReport& report);
-
-/// One JSON object, dimensionless, with the scales that lead to SI.
-QByteArray gapJson(const GapReport& report);
-
-/// The curve: gap and all outputs, kinks included. SI needs a dimensional scenario.
-std::string gapCsv(const GapReport& report, OutputUnits units);
 
 }  // namespace drillwave

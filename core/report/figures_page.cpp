@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/figures_page.h"
+#include "core/report/figures_page.h"
 
 #include <algorithm>
 
-#include "app/report_text.h"
 #include "core/model/version.h"
+#include "core/report/report_text.h"
 
 namespace drillwave {
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The checks of stiff and extreme cases told to people and programs.
+#pragma once
+
+#include <string>
+
+#include "core/study/proof/stability.h"
+
+namespace drillwave {
+
+/// A line for each kind of case, the worst value of each measure with its mark and where it is, and a line
+/// for each case that failed.
+std::string stabilityText(const StabilityReport& report);
+
+/// One JSON object with all cases; null where a check does not apply.
+std::string stabilityJson(const StabilityReport& report);
+
+/// One row for each case; empty cells where a check does not apply.
+std::string stabilityCsv(const StabilityReport& report);
+
+}  // namespace drillwave
