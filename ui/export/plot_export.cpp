@@ -35,12 +35,12 @@ BlowPictures drawBlowPlots(const Scenario& scenario, const Impact& impact, const
     blowPlot.setLocale(QLocale::c());
     BlowPlots blow(&blowPlot);
     blow.setStyle(style);
-    blow.show(blowCurves(impact, pulseForceOf(scenario), shown, 0.5, Tail::cut));
+    blow.present(blowCurves(impact, pulseForceOf(scenario), shown, 0.5, Tail::cut));
     QCustomPlot rockPlot;
     rockPlot.setLocale(QLocale::c());
     RockPlot rock(&rockPlot);
     rock.setStyle(style);
-    rock.show(rockCurve(impact, groupsOf(scenario), shown));
+    rock.present(rockCurve(impact, groupsOf(scenario), shown));
 
     struct Figure {
         const char* name;

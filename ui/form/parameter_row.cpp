@@ -90,13 +90,13 @@ void ParameterRow::showProblem(const QString& problem) {
     m_message->setVisible(!problem.isEmpty() && m_field->isVisibleTo(m_field->parentWidget()));
 }
 
-void ParameterRow::show(const Scenario& scenario) {
+void ParameterRow::present(const Scenario& scenario) {
     const bool applies = m_parameter.applies(scenario);
     setVisible(applies);
     if (!applies) return;
     const std::optional<double> si = m_parameter.value(scenario);
     m_field->setValue(si);
-    m_slider->show(si.value_or(m_parameter.plausible.low));
+    m_slider->present(si.value_or(m_parameter.plausible.low));
     const QString meaning = fromView(m_parameter.meaning);
     m_slider->setToolTip(m_slider->beyond() == 0
                              ? meaning

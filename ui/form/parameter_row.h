@@ -29,7 +29,7 @@ class ParameterRow : public QObject {
     int unitWidth() const { return m_field->unitButton() ? m_field->unitButton()->sizeHint().width() : 0; }
 
     /// Shows the parameter's value in the scenario, or hides the row where it does not apply.
-    void show(const Scenario& scenario);
+    void present(const Scenario& scenario);
 
   signals:
     /// The user changed the value (SI), by the field or the slider.

@@ -37,7 +37,7 @@ PresetBox::PresetBox(PresetKind kind, const QString& part, Document& document, P
     addItem(tr("custom"));
 }
 
-void PresetBox::show(const Scenario& scenario) {
+void PresetBox::present(const Scenario& scenario) {
     const bool physical = scenario.form == ScenarioForm::dimensional;
     const Preset* preset = m_library.matching(m_kind, scenario);
     QString help = tr("The values are those of no preset. Choose one to start from its values.");
@@ -134,7 +134,7 @@ void PresetBox::take(const Preset& preset) {
         m_questions.tell(window(), Questions::Tone::failure,
                          tr("This preset does not fit the rest of the scenario."), problem);
     // The same values again leave the document as it is, the box too.
-    show(m_document.scenario());
+    present(m_document.scenario());
 }
 
 }  // namespace drillwave

@@ -24,7 +24,7 @@ class PresetBox : public ChoiceBox {
 
     /// Shows the name of the preset that the scenario agrees with, or "custom", and where its values are
     /// from.
-    void show(const Scenario& scenario);
+    void present(const Scenario& scenario);
     void showPopup() override;
     /// The menu as it would open now.
     QMenu* menu();

@@ -49,7 +49,7 @@ PulsePreview::PulsePreview(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void PulsePreview::show(const Scenario& scenario) {
+void PulsePreview::present(const Scenario& scenario) {
     const PulseForce force = pulseForceOf(scenario);
     const UnitSystem system = naturalUnits(scenario);
     const Scales scales = scalesOf(scenario);

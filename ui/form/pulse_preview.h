@@ -16,7 +16,7 @@ class PulsePreview : public QWidget {
   public:
     explicit PulsePreview(QWidget* parent = nullptr);
 
-    void show(const Scenario& scenario);
+    void present(const Scenario& scenario);
     /// The drawing in words: "rectangular, 200 µs, 255 kN".
     QString words() const { return m_words; }
 

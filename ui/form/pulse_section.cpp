@@ -78,9 +78,9 @@ void PulseSection::addTable(QGridLayout* grid, QWidget* parent) {
     connect(m_reload, &QPushButton::clicked, this, [this] { tellIfFailed(m_document.reloadTable()); });
 }
 
-void PulseSection::show(const Scenario& scenario) {
+void PulseSection::present(const Scenario& scenario) {
     showShape();
-    m_preview->show(scenario);
+    m_preview->present(scenario);
     m_table->setVisible(scenario.pulse.shape == PulseShape::table);
     if (scenario.pulse.shape == PulseShape::table) showTable(scenario);
 }

@@ -21,7 +21,7 @@ class PulseSection : public QObject {
     /// Fills the lowest rows of `grid`. Document and questions must outlive it.
     PulseSection(Document& document, Questions& questions, QGridLayout* grid, QWidget* parent);
 
-    void show(const Scenario& scenario);
+    void present(const Scenario& scenario);
 
   private:
     void addShape(QGridLayout* grid, QWidget* parent);

@@ -37,7 +37,7 @@ double QuantitySlider::valueAt(int position) const {
     return m_range.low * std::pow(m_range.high / m_range.low, share);
 }
 
-void QuantitySlider::show(double si) {
+void QuantitySlider::present(double si) {
     m_beyond = si < m_range.low ? -1 : si > m_range.high ? 1 : 0;
     update();
     if (isSliderDown()) return;  // the hand decides, not the rounded value

@@ -104,7 +104,7 @@ void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTit
     // A slider that was held stands where the hand was, which may not be what the document took.
     connect(row, &ParameterRow::editsEnded, this, [this, row] {
         ++m_gesture;
-        row->show(m_document.scenario());
+        row->present(m_document.scenario());
     });
 }
 
@@ -128,9 +128,9 @@ void ScenarioPanel::showScenario() {
     const QString title = QString::fromStdString(scenario.title);
     if (m_title->text() != title) m_title->setText(title);
     showPresets();
-    m_pulse->show(scenario);
+    m_pulse->present(scenario);
     for (const Section& section : std::as_const(m_sections)) {
-        for (ParameterRow* row : section.rows) row->show(scenario);
+        for (ParameterRow* row : section.rows) row->present(scenario);
         const bool used = std::ranges::any_of(
             section.rows, [&](const ParameterRow* row) { return row->parameter().applies(scenario); });
         section.box->setVisible(used || section.box->objectName() == QLatin1String("pulse"));
@@ -138,7 +138,7 @@ void ScenarioPanel::showScenario() {
 }
 
 void ScenarioPanel::showPresets() {
-    for (PresetBox* box : std::as_const(m_presetBoxes)) box->show(m_document.scenario());
+    for (PresetBox* box : std::as_const(m_presetBoxes)) box->present(m_document.scenario());
 }
 
 void ScenarioPanel::goTo(const QString& key) {

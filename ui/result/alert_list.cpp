@@ -33,7 +33,7 @@ AlertList::AlertList(QWidget* parent) : QWidget(parent) {
     connect(&m_rest, &QTimer::timeout, this, [this] { setMinimumHeight(0); });
 }
 
-void AlertList::show(const QString& problem, const std::vector<Alert>& alerts) {
+void AlertList::present(const QString& problem, const std::vector<Alert>& alerts) {
     QStringList texts;
     if (!problem.isEmpty()) texts.append(problem);
     for (const Alert& alert : alerts) texts.append(QString::fromStdString(alert.text));

@@ -22,7 +22,7 @@ class AlertList : public QWidget {
     explicit AlertList(QWidget* parent = nullptr);
 
     /// Shows why there is no solution (when not empty) before the remarks on the scenario.
-    void show(const QString& problem, const std::vector<Alert>& alerts);
+    void present(const QString& problem, const std::vector<Alert>& alerts);
     /// The texts shown.
     QStringList texts() const { return m_texts; }
 

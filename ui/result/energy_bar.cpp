@@ -80,7 +80,7 @@ EnergyBar::EnergyBar(QWidget* parent) : QWidget(parent) {
     describe();
 }
 
-void EnergyBar::show(const EnergyLedger& ledger) {
+void EnergyBar::present(const EnergyLedger& ledger) {
     for (const EnergyPart part : energyParts) m_shares[index(part)] = energyShare(ledger, part);
     const double sum = std::accumulate(m_shares.begin(), m_shares.end(), 0.0);
     if (!(sum > 0)) return clear();

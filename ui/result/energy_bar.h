@@ -26,7 +26,7 @@ class EnergyBar : public QWidget {
   public:
     explicit EnergyBar(QWidget* parent = nullptr);
 
-    void show(const EnergyLedger& ledger);
+    void present(const EnergyLedger& ledger);
     void clear();
     /// What is written in a part; empty where it does not fit.
     QString labelOf(EnergyPart part) const;

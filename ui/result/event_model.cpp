@@ -26,7 +26,7 @@ QString eventText(ContactEvent kind) {
 
 }  // namespace
 
-void EventModel::show(const SolvedBlowPtr& blow) {
+void EventModel::present(const SolvedBlowPtr& blow) {
     beginResetModel();
     m_blow = blow;
     endResetModel();

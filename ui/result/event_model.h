@@ -16,7 +16,7 @@ class EventModel : public QAbstractTableModel {
   public:
     using QAbstractTableModel::QAbstractTableModel;
 
-    void show(const SolvedBlowPtr& blow);
+    void present(const SolvedBlowPtr& blow);
     /// Global time t/t0 of the event in a row.
     double timeAt(int row) const;
     /// The first event at a global time t/t0, if there is one.

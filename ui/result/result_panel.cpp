@@ -342,7 +342,7 @@ void ResultPanel::copy() const {
     QGuiApplication::clipboard()->setText(text());
 }
 
-void ResultPanel::show(const SolvedBlowPtr& blow) {
+void ResultPanel::present(const SolvedBlowPtr& blow) {
     const bool solved = blow->problem.isEmpty();
     const QString nothing = QStringLiteral("–");
     m_cor->setText(solved ? numberText(blow->summary.cor, 4, QLocale()) : nothing);
@@ -362,12 +362,12 @@ void ResultPanel::show(const SolvedBlowPtr& blow) {
     // Without frequency and feed force there is nothing to say about the thrust.
     for (const Row& row : std::as_const(m_rows))
         row.section->setVisible(!solved || filled.contains(row.section));
-    m_alerts->show(blow->problem, blow->alerts);
+    m_alerts->present(blow->problem, blow->alerts);
     if (solved)
-        m_energy->show(blow->summary.energy);
+        m_energy->present(blow->summary.energy);
     else
         m_energy->clear();
-    m_eventModel->show(blow);
+    m_eventModel->present(blow);
     markEvent();
 }
 

@@ -25,7 +25,7 @@ class ResultPanel : public QScrollArea {
   public:
     explicit ResultPanel(QWidget* parent = nullptr);
 
-    void show(const SolvedBlowPtr& blow);
+    void present(const SolvedBlowPtr& blow);
     /// Marks the event at the time cursor t/t0, if there is one.
     void setTime(std::optional<double> time);
     /// Marks all that is shown as not of the present input, and what is copied too.

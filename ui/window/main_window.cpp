@@ -276,7 +276,7 @@ void MainWindow::solve() {
 
 void MainWindow::present(const SolvedBlowPtr& blow) {
     m_shown = blow;
-    m_resultPanel->show(blow);
+    m_resultPanel->present(blow);
     currentPage().setResult(blow);
     presentUnits();
     if (blow->request.number == m_asked)

@@ -65,30 +65,30 @@ class TestResultPanel : public QObject {
         ResultPanel panel;
         panel.resize(300, 900);
         panel.setAttribute(Qt::WA_DontShowOnScreen);
-        static_cast<QWidget&>(panel).show();
+        panel.show();
         auto* bar = panel.findChild<EnergyBar*>();
         QVERIFY(bar);
         QVERIFY(bar->accessibleName().contains("no result"));
-        panel.show(withShares(0.6, 0.3, 0.1));
+        panel.present(withShares(0.6, 0.3, 0.1));
         QCOMPARE(bar->accessibleName().replace(QChar(QChar::Nbsp), ' '),
                  QString("Energy: rock 60 %, rebound 30 %, waves 10 %"));
         QCOMPARE(panel.findChildren<EnergySwatch*>().size(), 3);
         QVERIFY(bar->labelOf(EnergyPart::rock).contains("60"));
         // A share that no word fits into stays in the list below.
-        panel.show(withShares(0.98, 0.01, 0.01));
+        panel.present(withShares(0.98, 0.01, 0.01));
         QCOMPARE(bar->labelOf(EnergyPart::waves), QString());
         QCOMPARE(valueOf(panel, "Energy: left in waves"), QString("1 %"));
     }
 
     void sharesThatRoundingMakesNegativeAreNotDrawn() {
         EnergyBar bar;
-        bar.show({-1e-17, 0.7, 0.3, 0});
+        bar.present({-1e-17, 0.7, 0.3, 0});
         QCOMPARE(bar.accessibleName().replace(QChar(QChar::Nbsp), ' '),
                  QString("Energy: rebound 70 %, waves 30 %"));
         bar.resize(200, 24);
         QVERIFY(!bar.grab().isNull());
         ResultPanel panel;
-        panel.show(withShares(-1e-15, 0.7, 0.3));
+        panel.present(withShares(-1e-15, 0.7, 0.3));
         QCOMPARE(valueOf(panel, "Energy: into the rock"), QString("0 %"));
     }
 
@@ -103,12 +103,12 @@ class TestResultPanel : public QObject {
         ResultPanel panel;
         Scenario scenario;
         const SolvedBlowPtr blow = solved(scenario, UnitSystem::si);
-        panel.show(blow);
+        panel.present(blow);
         const double area = std::acos(-1.0) * 0.038 * 0.038 / 4;
         const double stress = blow->rodForces.compression.size * 255e3 / area / 1e6;
         QCOMPARE(valueOf(panel, "Stress in the rod: compression, blow"),
                  QString::number(stress, 'g', 4) + " MPa");
-        panel.show(solved(scenario));
+        panel.present(solved(scenario));
         QVERIFY(valueOf(panel, "Stress in the rod: tension, after").endsWith(" F₀"));
     }
 
@@ -127,19 +127,19 @@ class TestResultPanel : public QObject {
         QFETCH(QString, feed);
         const double needed = solved(drillOf(1))->feed->fullRate;
         ResultPanel panel;
-        panel.show(solved(drillOf(share * needed)));
+        panel.present(solved(drillOf(share * needed)));
         QCOMPARE(valueOf(panel, "Thrust: feed"), feed);
         const QString percent =
             QString("(%1%2 %)").arg(share > 1 ? "+" : "−").arg(std::round(100 * std::abs(share - 1)));
         QVERIFY2(valueOf(panel, "Thrust: margin").endsWith(percent), qPrintable(panel.text()));
         // Without a drill there is nothing to say.
-        panel.show(solved(scenarioOf(0.5, 1, 10, 0)));
+        panel.present(solved(scenarioOf(0.5, 1, 10, 0)));
         QVERIFY(!panel.text().contains("Thrust"));
     }
 
     void allNumbersAreCopiedAsText() {
         ResultPanel panel;
-        panel.show(solved(scenarioOf(0.5, 1, 10, 0)));
+        panel.present(solved(scenarioOf(0.5, 1, 10, 0)));
         QCOMPARE(panel.actions().size(), 1);
         panel.actions().first()->trigger();
         const QString text = QGuiApplication::clipboard()->text();
@@ -151,12 +151,12 @@ class TestResultPanel : public QObject {
     void noValueIsWiderThanItsColumn() {
         ResultPanel panel;
         panel.setAttribute(Qt::WA_DontShowOnScreen);
-        static_cast<QWidget&>(panel).show();
+        panel.show();
         panel.resize(panel.minimumSizeHint());
         for (const SolvedBlowPtr& blow :
              {solved(scenarioOf(0.5, 0.1, 10, 0)), solved(scenarioOf(1e-7, 1e-3, 3, 12345.678)),
               solved(scenarioOf(1e9, 1e-6, 1000, 0)), solved(drillOf(50e3), UnitSystem::si)}) {
-            panel.show(blow);
+            panel.present(blow);
             QCoreApplication::processEvents();
             for (const QLabel* label : panel.findChildren<QLabel*>()) {
                 if (label->wordWrap() || label->isHidden()) continue;
@@ -171,7 +171,7 @@ class TestResultPanel : public QObject {
     void anEventMovesTheTimeCursorAndIsMarkedByIt() {
         ResultPanel panel;
         const SolvedBlowPtr blow = solved(scenarioOf(0.5, 0.1, 10, 0.3));
-        panel.show(blow);
+        panel.present(blow);
         QTableView& table = eventsOf(panel);
         QVERIFY(table.model()->rowCount() > 2);
         QSignalSpy chosen(&panel, &ResultPanel::timeChosen);
@@ -185,7 +185,7 @@ class TestResultPanel : public QObject {
         panel.setTime(blow->impact.events[2].time + 0.01);
         QVERIFY(!table.selectionModel()->hasSelection());
         panel.setTime(blow->impact.events[0].time);
-        panel.show(solved(scenarioOf(0.5, 0.1, 10, 0.3)));  // the same blow, solved anew
+        panel.present(solved(scenarioOf(0.5, 0.1, 10, 0.3)));  // the same blow, solved anew
         QVERIFY(table.selectionModel()->isRowSelected(0, {}));
         panel.setTime(std::nullopt);
         QVERIFY(!table.selectionModel()->hasSelection());
@@ -202,7 +202,7 @@ class TestResultPanel : public QObject {
         blow->impact.events.clear();
         for (int i = 0; i < 200'000; ++i) blow->impact.events.push_back({ContactEvent::contact, 0.5 * i});
         ResultPanel panel;
-        panel.show(blow);
+        panel.present(blow);
         for (const int row : {0, 77, 123'456, 199'999}) {
             panel.setTime(0.5 * row);
             QCOMPARE(eventsOf(panel).currentIndex().row(), row);
@@ -213,20 +213,20 @@ class TestResultPanel : public QObject {
         AlertList list;
         list.setAttribute(Qt::WA_DontShowOnScreen);
         list.resize(200, 300);
-        static_cast<QWidget&>(list).show();
+        list.show();
         const Alert warning{AlertLevel::warning, "code", "delta", "One thing and <another>."};
-        list.show({}, {warning, warning});
+        list.present({}, {warning, warning});
         QCoreApplication::processEvents();
         const QList<QLabel*> labels = list.findChildren<QLabel*>();
         QCOMPARE(labels.size(), 2);
         QVERIFY(labels[0]->accessibleName().endsWith("One thing and <another>."));
         const int height = list.height();
-        list.show({}, {});
+        list.present({}, {});
         QCOMPARE(list.findChildren<QLabel*>(), labels);
         QVERIFY(labels[1]->isHidden());
         QVERIFY(list.minimumHeight() >= height);  // what is below stands still
         QTRY_COMPARE(list.minimumHeight(), 0);    // until values rest
-        list.show(QStringLiteral("out of rock"), {});
+        list.present(QStringLiteral("out of rock"), {});
         QCOMPARE(list.texts(), QStringList{"out of rock"});
     }
 };

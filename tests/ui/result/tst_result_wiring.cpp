@@ -30,7 +30,7 @@ class TestResultWiring : public QObject {
         window.show();
         window.activateWindow();
         const Alert alert{AlertLevel::warning, "outside_plausible_range", "bit_rock.gap", "Too far."};
-        window.resultPanel().alerts()->show({}, {alert});
+        window.resultPanel().alerts()->present({}, {alert});
         QLabel* label = nullptr;
         for (QLabel* each : window.resultPanel().alerts()->findChildren<QLabel*>())
             if (each->text().contains("href=\"bit_rock.gap\"")) label = each;

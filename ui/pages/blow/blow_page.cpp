@@ -125,7 +125,7 @@ void BlowPage::setResult(const SolvedBlowPtr& blow) {
     m_blow = blow;
     if (blow->curves) {
         carryCursors();
-        m_plots->show(*blow->curves);
+        m_plots->present(*blow->curves);
         setMeanings();
     } else if (!blow->problem.isEmpty()) {
         m_plots->showNothing(tr("Nothing to show: %1").arg(blow->problem));

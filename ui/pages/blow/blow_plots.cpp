@@ -137,7 +137,7 @@ void BlowPlots::linkTimeAxes() {
     }
 }
 
-void BlowPlots::show(const BlowCurves& curves) {
+void BlowPlots::present(const BlowCurves& curves) {
     const bool unitsChanged = !sameUnits(m_curves.units, curves.units);
     m_curves = curves;
     if (unitsChanged) setGhost(nullptr);

@@ -22,7 +22,7 @@ class BlowPlots : public QObject {
     explicit BlowPlots(QCustomPlot* plot);
 
     /// Shows the curves; the view stays where it is unless it was fitted or the units changed.
-    void show(const BlowCurves& curves);
+    void present(const BlowCurves& curves);
     /// The curves of another blow faintly behind, in no legend; nullptr takes them away.
     void setGhost(const BlowCurves* before);
     /// No curves, and `message` in their place (why there are none).

@@ -50,7 +50,7 @@ void RockPage::addNeeds(SolveRequest& request) const {
 
 void RockPage::setResult(const SolvedBlowPtr& blow) {
     if (blow->rock) {
-        m_rock->show(*blow->rock);
+        m_rock->present(*blow->rock);
         CurveMeaning meaning;
         meaning.xUnit = blow->units.penetration.unit;
         meaning.yUnit = blow->units.force.unit;

@@ -100,7 +100,7 @@ void RockPlot::addDropLines() {
     }
 }
 
-void RockPlot::show(const RockCurve& curve) {
+void RockPlot::present(const RockCurve& curve) {
     const bool unitsChanged = !sameUnits(m_curve.units, curve.units);
     if (unitsChanged) setGhost(nullptr);
     m_curve = curve;

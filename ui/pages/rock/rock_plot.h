@@ -25,7 +25,7 @@ class RockPlot : public QObject {
     explicit RockPlot(QCustomPlot* plot);
 
     /// Shows the curve; the view stays where it is unless it was fitted or the units changed.
-    void show(const RockCurve& curve);
+    void present(const RockCurve& curve);
     /// No curve, and `message` in its place (why there is none).
     void showNothing(const QString& message);
     /// The path of another blow faintly behind; nullptr takes it away.

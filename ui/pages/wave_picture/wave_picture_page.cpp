@@ -139,7 +139,7 @@ void WavePicturePage::addNeeds(SolveRequest& request) const {
 
 void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
     if (blow->picture)
-        m_picture->show(blow);
+        m_picture->present(blow);
     else if (!blow->problem.isEmpty())
         m_picture->showNothing(tr("Nothing to show: %1").arg(blow->problem));
     else

@@ -76,7 +76,7 @@ WavePictureNeed WavePicturePlot::need() const {
     return need;
 }
 
-void WavePicturePlot::show(const SolvedBlowPtr& blow) {
+void WavePicturePlot::present(const SolvedBlowPtr& blow) {
     m_blow = blow;
     if (blow->request.picture == m_announced) m_announced.reset();
     for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_picture, m_fronts, m_contacts})

@@ -23,7 +23,7 @@ class WavePicturePlot : public QObject {
     /// What has to be computed to show the present view at the present size.
     WavePictureNeed need() const;
     /// Shows a blow with a picture; the view stays where it is unless it was fitted.
-    void show(const SolvedBlowPtr& blow);
+    void present(const SolvedBlowPtr& blow);
     /// No picture, and `message` in its place (why there is none).
     void showNothing(const QString& message);
     /// What is on show, or nullptr.

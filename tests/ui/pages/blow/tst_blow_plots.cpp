@@ -84,7 +84,7 @@ void TestBlowPlots::init() {
     m_plots = new BlowPlots(m_widget.get());
     m_widget->followPalette([this](const PlotStyle& style) { m_plots->setStyle(style); });
     m_widget->resize(700, 800);
-    m_plots->show(curvesFor(0.5));
+    m_plots->present(curvesFor(0.5));
     m_widget->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_widget.get()));
     m_widget->replot();
@@ -138,10 +138,10 @@ void TestBlowPlots::theWheelOverAnAxisZoomsThatAxisAlone() {
 
 void TestBlowPlots::aZoomedViewStaysWhileTheResultChanges() {
     timeAxis(0)->setRange(10, 20);
-    m_plots->show(curvesFor(0.6));
+    m_plots->present(curvesFor(0.6));
     QCOMPARE(timeAxis(0)->range(), QCPRange(10, 20));
     m_plots->fit();
-    m_plots->show(curvesFor(50));
+    m_plots->present(curvesFor(50));
     // Fitted again, the view follows: a stiff rock gives a larger force.
     QVERIFY(valueAxis(1)->range().upper > 1.9);
     QCOMPARE(timeAxis(0)->range().lower, 0.0);
@@ -209,7 +209,7 @@ void TestBlowPlots::withoutCurvesTheReasonIsShown() {
     m_plots->showNothing(QStringLiteral("no rod"));
     QCOMPARE(m_plots->textSummary(), QStringLiteral("no rod"));
     for (int i = 0; i < m_widget->graphCount(); ++i) QVERIFY(m_widget->graph(i)->data()->isEmpty());
-    m_plots->show(curvesFor(0.5));
+    m_plots->present(curvesFor(0.5));
     QVERIFY(m_plots->textSummary().contains(QStringLiteral("Impact force")));
 }
 
@@ -238,20 +238,20 @@ void TestBlowPlots::theClosedFormIsThereOnlyWhereItHolds() {
         return found;
     };
     QCOMPARE(inLegends(), 1);
-    m_plots->show(curvesFor(0.5, 0.5));
+    m_plots->present(curvesFor(0.5, 0.5));
     QCOMPARE(inLegends(), 0);
     QVERIFY(m_plots->closedFormGraph()->data()->isEmpty());
-    m_plots->show(curvesFor(0.6));
+    m_plots->present(curvesFor(0.6));
     QCOMPARE(inLegends(), 1);
-    m_plots->show(curvesFor(1e-3));  // the reflections overlap
+    m_plots->present(curvesFor(1e-3));  // the reflections overlap
     QCOMPARE(inLegends(), 0);
 }
 
 void TestBlowPlots::aHiddenClosedFormStaysHidden() {
     m_plots->closedFormGraph()->setVisible(false);
-    m_plots->show(curvesFor(0.6));
-    m_plots->show(curvesFor(0.6, 0.5));
-    m_plots->show(curvesFor(0.6));
+    m_plots->present(curvesFor(0.6));
+    m_plots->present(curvesFor(0.6, 0.5));
+    m_plots->present(curvesFor(0.6));
     QVERIFY(!m_plots->closedFormGraph()->visible());
 }
 
@@ -259,9 +259,9 @@ void TestBlowPlots::aGhostStaysBehindInNoLegend() {
     int entries = 0;
     for (QCPLegend* legend : legends()) entries += legend->itemCount();
     const BlowCurves before = curvesFor(0.5, 0.5);
-    m_plots->show(before);
+    m_plots->present(before);
     m_plots->setGhost(&before);
-    m_plots->show(curvesFor(50, 0.5));
+    m_plots->present(curvesFor(50, 0.5));
     int drawn = 0;
     for (int i = 0; i < m_widget->graphCount(); ++i) {
         const QCPGraph* graph = m_widget->graph(i);
@@ -276,7 +276,7 @@ void TestBlowPlots::aGhostStaysBehindInNoLegend() {
     QCOMPARE(entries, 1);  // the closed form of the elastic rock shown before
     // The data are shared with the blow they come from, and both stay in view.
     QCOMPARE(m_widget->graph(8)->data().get(), before.waves[0].get());
-    m_plots->show(curvesFor(0.01, 0.5));
+    m_plots->present(curvesFor(0.01, 0.5));
     QVERIFY(valueAxis(1)->range().upper > largestValue(*before.force));
     m_plots->setGhost(nullptr);
     QCOMPARE(m_widget->graphCount(), 8);
@@ -289,13 +289,13 @@ void TestBlowPlots::aGhostInOtherUnitsGoes() {
     QCOMPARE(m_widget->graphCount(), 15);
     BlowCurves shown = curvesFor(0.5);
     shown.units.force = {3, QStringLiteral("kN"), false};
-    m_plots->show(shown);
+    m_plots->present(shown);
     QCOMPARE(m_widget->graphCount(), 8);
     // Another factor of the same unit is another blow in the same units.
     m_plots->setGhost(&shown);
     timeAxis(0)->setRange(10, 20);
     shown.units.force.factor = 4;
-    m_plots->show(shown);
+    m_plots->present(shown);
     QCOMPARE(m_widget->graphCount(), 15);
     QCOMPARE(timeAxis(0)->range(), QCPRange(10, 20));
 }
@@ -303,10 +303,10 @@ void TestBlowPlots::aGhostInOtherUnitsGoes() {
 void TestBlowPlots::aSectionIsNamedAsExactlyAsItWasChosen() {
     BlowCurves curves = curvesFor(0.5);
     curves.section = 0.125;
-    m_plots->show(curves);
+    m_plots->present(curves);
     QVERIFY(m_plots->textSummary().contains(QStringLiteral("x/L = 0.125")));
     curves.section = 0.25;
-    m_plots->show(curves);
+    m_plots->present(curves);
     QVERIFY(m_plots->textSummary().contains(QStringLiteral("x/L = 0.25:")));
 }
 

@@ -147,13 +147,13 @@ void TestRockPlot::aPointOfThePathBelongsToItsTime() {
 }
 
 void TestRockPlot::anElasticRockKeepsNothing() {
-    m_plot->show(solved({0.5, 1, 10, 0}).curve);
+    m_plot->present(solved({0.5, 1, 10, 0}).curve);
     QVERIFY(m_plot->textSummary().contains(QStringLiteral("no energy left in the rock")));
     QCOMPARE(labels().size(), 2);  // neither an unloading line of its own nor a residual penetration
 }
 
 void TestRockPlot::numbersAreNamedInThePlot() {
-    m_plot->show(solved({0.5, 0.1, 10, 0}).curve);
+    m_plot->present(solved({0.5, 0.1, 10, 0}).curve);
     const QString all = labels().join(QLatin1Char('|'));
     for (const char* text : {"Fm = ", "Um = ", "Ur = ", "k = 0.5", "k/γ = 5", "d₀", "F₀"})
         QVERIFY2(all.contains(QString::fromUtf8(text)), qPrintable(all));
@@ -162,12 +162,12 @@ void TestRockPlot::numbersAreNamedInThePlot() {
 }
 
 void TestRockPlot::aZoomedViewStaysWhileTheResultChanges() {
-    m_plot->show(solved({0.5, 0.1, 10, 0}).curve);
+    m_plot->present(solved({0.5, 0.1, 10, 0}).curve);
     const double before = m_widget->yAxis->range().upper;
-    m_plot->show(solved({5, 0.1, 10, 0}).curve);
+    m_plot->present(solved({5, 0.1, 10, 0}).curve);
     QVERIFY(m_widget->yAxis->range().upper > 1.2 * before);  // fitted, it follows
     m_widget->xAxis->setRange(0.1, 0.2);
-    m_plot->show(solved({0.5, 0.1, 10, 0}).curve);
+    m_plot->present(solved({0.5, 0.1, 10, 0}).curve);
     QCOMPARE(m_widget->xAxis->range(), QCPRange(0.1, 0.2));
     m_plot->fit();
     QVERIFY(std::abs(m_widget->yAxis->range().upper - before) < 1e-12);
@@ -175,11 +175,11 @@ void TestRockPlot::aZoomedViewStaysWhileTheResultChanges() {
 
 void TestRockPlot::ghostAndPathAreBothInView() {
     const RockCurve before = solved({5, 0.1, 10, 0}).curve;
-    m_plot->show(before);
+    m_plot->present(before);
     m_plot->setGhost(&before);
     QCOMPARE(m_widget->legend->itemCount(), 1);
     QCOMPARE(m_widget->plottableCount(), 2);
-    m_plot->show(solved({0.5, 0.1, 10, 0}).curve);
+    m_plot->present(solved({0.5, 0.1, 10, 0}).curve);
     QVERIFY(m_widget->yAxis->range().upper > before.peakForce);
     m_plot->setGhost(nullptr);
     QCOMPARE(m_widget->plottableCount(), 1);
@@ -187,11 +187,11 @@ void TestRockPlot::ghostAndPathAreBothInView() {
 }
 
 void TestRockPlot::withoutAPathTheReasonIsShown() {
-    m_plot->show(solved({0.5, 0.1, 10, 0}).curve);
+    m_plot->present(solved({0.5, 0.1, 10, 0}).curve);
     m_plot->showNothing(QStringLiteral("no rock"));
     QCOMPARE(m_plot->textSummary(), QStringLiteral("no rock"));
     QCOMPARE(labels(), QStringList{QStringLiteral("no rock")});
-    m_plot->show(solved({0.5, 0.1, 10, 0}).curve);
+    m_plot->present(solved({0.5, 0.1, 10, 0}).curve);
     QVERIFY(!labels().contains(QStringLiteral("no rock")));
 }
 
