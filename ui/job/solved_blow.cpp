@@ -30,14 +30,7 @@ void solve(SolvedBlow& blow, ExactSolver& solver) {
     for (const std::vector<Alert>& remarks : {resultAlerts(blow.request.scenario, blow.summary),
                                               stressAlerts(blow.request.scenario, blow.rodForces)})
         blow.alerts.insert(blow.alerts.end(), remarks.begin(), remarks.end());
-    if (blow.request.section) {
-        blow.curves = blowCurves(blow.impact, blow.pulse, blow.units, *blow.request.section);
-        blow.curves->closedForm = closedFormCurve(blow.pulse, blow.groups, blow.units, blow.curves->timeEnd);
-    }
-    if (blow.request.rock) blow.rock = rockCurve(blow.impact, blow.groups, blow.units);
-    if (blow.request.picture)
-        blow.picture =
-            wavePicture(blow.impact, blow.pulse, blow.request.scenario, blow.units, *blow.request.picture);
+    for (const PreparePage& prepare : blow.request.pages) blow.pages.push_back(prepare(blow));
 }
 
 }  // namespace

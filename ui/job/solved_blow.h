@@ -17,20 +17,16 @@
 #include "core/model/validation.h"
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/field/rod_forces.h"
-#include "ui/pages/blow/blow_curves.h"
-#include "ui/pages/rock/rock_curve.h"
-#include "ui/pages/wave_picture/wave_picture.h"
+#include "ui/job/page_data.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {
 
-/// What is wanted. Pages that can be seen add what they need; the rest is not computed.
+/// What is wanted. Pages that can be seen tell how their data are made; the others' are not.
 struct SolveRequest {
     Scenario scenario;
     UnitSystem units = UnitSystem::dimensionless;
-    std::optional<double> section;  ///< x/L of the waves to be plotted, when the curves are wanted
-    bool rock = false;              ///< whether the path in the force–penetration plane is wanted
-    std::optional<WavePictureNeed> picture;
+    std::vector<PreparePage> pages;
     std::uint64_t number = 0;   ///< counts what was asked: tells the answer to the last question
     std::stop_token stop = {};  ///< ends the work early, with a problem for an answer
 };
@@ -49,10 +45,16 @@ struct SolvedBlow {
     RodForces rodForces;
     std::optional<FeedVerdict> feed;  ///< when a blow frequency is given
     std::vector<Alert> alerts;
-    double runTime = 0;  ///< of the solve alone [s]
-    std::optional<BlowCurves> curves;
-    std::optional<RockCurve> rock;
-    std::optional<WavePicture> picture;
+    double runTime = 0;           ///< of the solve alone [s]
+    std::vector<PageData> pages;  ///< one for each of the request's
+
+    /// What a page has asked for; nullptr when it has not, or there is no blow.
+    template <class Value>
+    const Value* page() const {
+        for (const PageData& data : pages)
+            if (const Value* value = data.as<Value>()) return value;
+        return nullptr;
+    }
 };
 using SolvedBlowPtr = std::shared_ptr<const SolvedBlow>;
 

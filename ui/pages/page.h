@@ -19,9 +19,9 @@ class Page : public QWidget {
 
     /// Name on the tab.
     virtual QString title() const = 0;
-    /// Adds to a request what this page needs; called only while the page can be seen.
-    virtual void addNeeds(SolveRequest& request) const = 0;
-    /// Shows an answer to such a request.
+    /// How what this page needs now is made from a blow; asked for only while the page can be seen.
+    virtual PreparePage prepare() const = 0;
+    /// Shows an answer to a request for it, or for other pages.
     virtual void setResult(const SolvedBlowPtr& blow) = 0;
     /// Brings everything into view.
     virtual void fit() = 0;

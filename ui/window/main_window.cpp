@@ -265,7 +265,7 @@ SolveRequest MainWindow::request() {
     request.scenario = m_document.scenario();
     const bool hasSi = naturalUnits(request.scenario) == UnitSystem::si;
     request.units = hasSi ? m_units : UnitSystem::dimensionless;
-    currentPage().addNeeds(request);
+    request.pages = {currentPage().prepare()};
     return request;
 }
 

@@ -79,7 +79,8 @@ class TestSolveJob : public QObject {
     void aLongSolutionThatNobodyReplacesGetsItsAnswer();
     void aJobEndsInTheMiddleOfALongSolution();
     void answersAreThoseOfTheExactSolver();
-    void aRequestForCurvesGetsCurves();
+    void aPageGetsItsDataAndNoOthers();
+    void whatAPageThrowsBecomesTheProblem();
     void anInvalidScenarioIsAProblem();
 };
 
@@ -267,17 +268,36 @@ void TestSolveJob::answersAreThoseOfTheExactSolver() {
     QCOMPARE(blow->problem, QString());
     // Paper, Fig. 4 (a): β = 0.5, γ = 1, τ = 10, δ = 0; the value of the reference solver, to its 1e-13.
     QVERIFY(std::abs(blow->summary.cor - 1.4010824845070556) < 1e-13);
-    QVERIFY(!blow->curves);
+    QVERIFY(blow->pages.empty());
 }
 
-void TestSolveJob::aRequestForCurvesGetsCurves() {
+void TestSolveJob::aPageGetsItsDataAndNoOthers() {
+    struct Rebound {
+        double cor;
+        std::thread::id madeOn;
+    };
+    struct OtherPage {};
+    SolveJob job;
+    SolvedBlowPtr answer;
+    connect(&job, &SolveJob::solved, this, [&](const SolvedBlowPtr& blow) { answer = blow; });
+    SolveRequest request = requestFor(0.5);
+    request.pages = {[](const SolvedBlow& blow) {
+        return PageData::of(Rebound{blow.summary.cor, std::this_thread::get_id()});
+    }};
+    job.submit(request);
+    QTRY_VERIFY(answer);
+    const auto* rebound = answer->page<Rebound>();
+    QVERIFY(rebound);
+    QCOMPARE(rebound->cor, answer->summary.cor);
+    QVERIFY(rebound->madeOn != std::this_thread::get_id());
+    QVERIFY(!answer->page<OtherPage>());
+}
+
+void TestSolveJob::whatAPageThrowsBecomesTheProblem() {
     SolveJob job;
     SolveRequest request = requestFor(0.5);
-    request.section = 0.25;
-    const SolvedBlowPtr blow = job.solveNow(request);
-    QVERIFY(blow->curves);
-    QCOMPARE(blow->curves->section, 0.25);
-    QVERIFY(!blow->curves->force->isEmpty());
+    request.pages = {[](const SolvedBlow&) -> PageData { throw std::runtime_error("nothing to draw"); }};
+    QCOMPARE(job.solveNow(request)->problem, QStringLiteral("nothing to draw"));
 }
 
 void TestSolveJob::anInvalidScenarioIsAProblem() {

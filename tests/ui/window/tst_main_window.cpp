@@ -342,7 +342,7 @@ void TestMainWindow::aDimensionlessScenarioHasNoSi() {
 
 void TestMainWindow::theSectionOfTheWavesCanBeMoved() {
     window().blowPage().findChild<QDoubleSpinBox*>(QStringLiteral("section"))->setValue(0.25);
-    QTRY_COMPARE(window().shown()->curves->section, 0.25);
+    QTRY_COMPARE(window().shown()->page<BlowCurves>()->section, 0.25);
 }
 
 void TestMainWindow::theShapeOfThePulseChangesItsRows() {

@@ -50,7 +50,7 @@ CurveMeaning forceLike(const ShownUnits& units, std::function<double(double)> va
 CurveMeaning waveMeaning(const SolvedBlowPtr& blow, int number) {
     const double roundTrip = blow->impact.roundTrip;
     const bool forward = number % 2 == 0;
-    const double section = blow->curves->section;
+    const double section = blow->page<BlowCurves>()->section;
     const double begin = number / 2 * roundTrip;
     // From the global time to that at the front end: a wave to +x has still to get there.
     const double shift = -blow->impact.frontArrival + (forward ? 1 : -1) * (1 - section) * roundTrip / 2;
@@ -81,8 +81,9 @@ BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
     meanings.closedForm = forceLike(units, {}, {});
     meanings.impulse =
         momentumLike(units, [blow, arrival](double t) { return impactImpulse(blow->impact, t - arrival); });
-    meanings.momentum = momentumLike(
-        units, [blow](double t) { return blowInstant(*blow, blow->curves->section, t).momentum; });
+    meanings.momentum = momentumLike(units, [blow](double t) {
+        return blowInstant(*blow, blow->page<BlowCurves>()->section, t).momentum;
+    });
     return meanings;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "ui/job/solved_blow.h"
+#include "ui/pages/blow/blow_curves.h"
 #include "ui/plot/curve_meaning.h"
 
 namespace drillwave {

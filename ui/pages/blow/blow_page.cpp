@@ -83,8 +83,12 @@ QHBoxLayout* BlowPage::makeBar() {
     return bar;
 }
 
-void BlowPage::addNeeds(SolveRequest& request) const {
-    request.section = m_observation.section();
+PreparePage BlowPage::prepare() const {
+    return [section = m_observation.section()](const SolvedBlow& blow) {
+        BlowCurves curves = blowCurves(blow.impact, blow.pulse, blow.units, section);
+        curves.closedForm = closedFormCurve(blow.pulse, blow.groups, blow.units, curves.timeEnd);
+        return PageData::of(std::move(curves));
+    };
 }
 
 // Shown with three decimals, kept with all.
@@ -123,9 +127,9 @@ void BlowPage::showInstant() {
 
 void BlowPage::setResult(const SolvedBlowPtr& blow) {
     m_blow = blow;
-    if (blow->curves) {
+    if (const auto* curves = blow->page<BlowCurves>()) {
         carryCursors();
-        m_plots->present(*blow->curves);
+        m_plots->present(*curves);
         setMeanings();
     } else if (!blow->problem.isEmpty()) {
         m_plots->showNothing(tr("Nothing to show: %1").arg(blow->problem));
@@ -158,7 +162,7 @@ void BlowPage::setMeanings() {
 }
 
 void BlowPage::setGhost(const SolvedBlowPtr& before) {
-    m_plots->setGhost(before && before->curves ? &*before->curves : nullptr);
+    m_plots->setGhost(before ? before->page<BlowCurves>() : nullptr);
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 

@@ -21,7 +21,7 @@ class BlowPage : public Page {
     explicit BlowPage(Observation& observation, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Blow"); }
-    void addNeeds(SolveRequest& request) const override;
+    PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;
     void fit() override;

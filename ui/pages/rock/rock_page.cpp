@@ -44,13 +44,14 @@ RockPage::RockPage(Observation& observation, QWidget* parent)
     showTime();
 }
 
-void RockPage::addNeeds(SolveRequest& request) const {
-    request.rock = true;
+PreparePage RockPage::prepare() const {
+    return
+        [](const SolvedBlow& blow) { return PageData::of(rockCurve(blow.impact, blow.groups, blow.units)); };
 }
 
 void RockPage::setResult(const SolvedBlowPtr& blow) {
-    if (blow->rock) {
-        m_rock->present(*blow->rock);
+    if (const auto* curve = blow->page<RockCurve>()) {
+        m_rock->present(*curve);
         CurveMeaning meaning;
         meaning.xUnit = blow->units.penetration.unit;
         meaning.yUnit = blow->units.force.unit;
@@ -67,27 +68,26 @@ void RockPage::setResult(const SolvedBlowPtr& blow) {
 }
 
 void RockPage::showTime() {
-    const bool known = m_blow && m_blow->rock && m_observation.time();
-    if (!known) {
+    const auto* curve = m_blow ? m_blow->page<RockCurve>() : nullptr;
+    if (!curve || !m_observation.time()) {
         m_rock->setPoint({});
         m_instant->setText(tr("No time chosen: click an event, or place the time cursor in Blow."));
         return;
     }
-    const RockCurve& curve = *m_blow->rock;
-    const QPointF point = rockPoint(curve, *m_observation.time() * curve.units.time.factor);
+    const QPointF point = rockPoint(*curve, *m_observation.time() * curve->units.time.factor);
     m_rock->setPoint(point);
     const QLocale locale;
     const auto shown = [&locale](double value, const ShownUnit& unit) {
         return numberText(value, 4, locale) + QChar(QChar::Nbsp) + unit.unit;
     };
     m_instant->setText(tr("t = %1 · U = %2 · F = %3")
-                           .arg(quantityText(*m_observation.time(), curve.units.time, locale),
-                                shown(point.x(), curve.units.penetration),
-                                shown(point.y(), curve.units.force)));
+                           .arg(quantityText(*m_observation.time(), curve->units.time, locale),
+                                shown(point.x(), curve->units.penetration),
+                                shown(point.y(), curve->units.force)));
 }
 
 void RockPage::setGhost(const SolvedBlowPtr& before) {
-    m_rock->setGhost(before && before->rock ? &*before->rock : nullptr);
+    m_rock->setGhost(before ? before->page<RockCurve>() : nullptr);
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 

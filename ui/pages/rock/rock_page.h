@@ -19,7 +19,7 @@ class RockPage : public Page {
     explicit RockPage(Observation& observation, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Rock"); }
-    void addNeeds(SolveRequest& request) const override;
+    PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;
     void fit() override;

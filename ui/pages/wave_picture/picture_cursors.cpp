@@ -70,12 +70,12 @@ void PictureCursors::redraw() {
 }
 
 double PictureCursors::sectionPixel() const {
-    const double factor = m_picture->shown() ? m_picture->shown()->picture->units.position.factor : 1;
+    const double factor = m_picture->picture() ? m_picture->picture()->units.position.factor : 1;
     return m_plot->xAxis->coordToPixel(m_section * factor);
 }
 
 double PictureCursors::timePixel() const {
-    const double factor = m_picture->shown() ? m_picture->shown()->picture->units.time.factor : 1;
+    const double factor = m_picture->picture() ? m_picture->picture()->units.time.factor : 1;
     return m_plot->yAxis->coordToPixel(m_time * factor);
 }
 
@@ -100,7 +100,7 @@ void PictureCursors::place() {
     m_sectionLine.label->setPositionAlignment((leftward ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
     m_sectionLine.label->position->setCoords(x + (leftward ? -4 : 4), rect.top() + 4);
     m_timeLine.label->setText(tr("t = %1").arg(
-        timeText(m_time, m_picture->timeInView(), m_picture->shown()->picture->units.time, locale)));
+        timeText(m_time, m_picture->timeInView(), m_picture->picture()->units.time, locale)));
     const bool below = y < rect.top() + 24;
     m_timeLine.label->setPositionAlignment(Qt::AlignRight | (below ? Qt::AlignTop : Qt::AlignBottom));
     m_timeLine.label->position->setCoords(rect.right() - 4, y + (below ? 4 : -4));
@@ -114,7 +114,7 @@ PictureCursors::Line PictureCursors::lineAt(const QPointF& pixel) const {
 }
 
 void PictureCursors::moveTo(const QPointF& pixel) {
-    const PictureUnits& units = m_picture->shown()->picture->units;
+    const PictureUnits& units = m_picture->picture()->units;
     const QRectF rect = m_plot->axisRect()->rect();
     if (m_dragged == Line::section) {
         const double x = std::clamp(pixel.x(), rect.left(), rect.right() + 1);

@@ -78,9 +78,9 @@ void RodStrip::compute() {
 
 QString RodStrip::stateText() const {
     if (!m_blow) return {};
-    const PictureUnits& units = m_blow->picture->units;
+    const PictureUnits& units = picture().units;
     const ShownUnit& depth = m_blow->units.penetration;
-    const BitState bit = bitState(m_blow->impact, m_blow->picture->contacts, m_blow->groups.delta, m_time);
+    const BitState bit = bitState(m_blow->impact, picture().contacts, m_blow->groups.delta, m_time);
     const auto text = [this](double value, const ShownUnit& unit) {
         return quantityText(value, unit, locale());
     };
@@ -95,7 +95,7 @@ QString RodStrip::stateText() const {
         most = std::max(most, value);
     }
     return tr("t = %1 · %2 · stress %3 … %4")
-        .arg(timeText(m_time, m_blow->picture->interesting, units.time, locale()), state,
+        .arg(timeText(m_time, picture().interesting, units.time, locale()), state,
              text(double(least), units.stress), text(double(most), units.stress));
 }
 
@@ -116,7 +116,7 @@ void RodStrip::paintEvent(QPaintEvent*) {
 void RodStrip::paintRod(QPainter& painter, const QRect& rod) const {
     if (!m_force.empty()) {
         QImage line(static_cast<int>(m_force.size()), 1, QImage::Format_RGB32);
-        const double scale = 1 / m_blow->picture->forceLimit;
+        const double scale = 1 / picture().forceLimit;
         std::transform(m_force.begin(), m_force.end(), reinterpret_cast<QRgb*>(line.scanLine(0)),
                        [&](float value) { return m_colours.colour(value * scale); });
         painter.drawImage(rod, line);
@@ -140,7 +140,7 @@ void RodStrip::paintHammer(QPainter& painter, const QRect& rod) const {
 }
 
 void RodStrip::paintRock(QPainter& painter, const QRect& rod) const {
-    const BitState bit = bitState(m_blow->impact, m_blow->picture->contacts, m_blow->groups.delta, m_time);
+    const BitState bit = bitState(m_blow->impact, picture().contacts, m_blow->groups.delta, m_time);
     const QColor line = palette().color(QPalette::Text);
     painter.setPen(line);
     painter.setBrush(palette().color(QPalette::Mid));

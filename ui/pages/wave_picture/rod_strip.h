@@ -6,6 +6,7 @@
 
 #include "ui/job/solved_blow.h"
 #include "ui/pages/wave_picture/colour_scale.h"
+#include "ui/pages/wave_picture/wave_picture.h"
 
 namespace drillwave {
 
@@ -36,6 +37,7 @@ class RodStrip : public QWidget {
     void changeEvent(QEvent* event) override;
 
   private:
+    const WavePicture& picture() const { return *m_blow->page<WavePicture>(); }
     void compute();
     QRect rodRect() const;
     void paintRod(QPainter& painter, const QRect& rod) const;

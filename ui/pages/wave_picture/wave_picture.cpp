@@ -82,6 +82,7 @@ TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse) {
 WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,
                         const ShownUnits& units, const WavePictureNeed& need) {
     WavePicture picture;
+    picture.need = need;
     picture.units = pictureUnits(scenario, units);
     picture.interesting = interestingTime(impact, pulse);
     picture.forceLimit = largestMagnitude(impact, WaveField::force, picture.interesting);

@@ -47,6 +47,7 @@ PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units);
 
 /// Never changed once made; dimensionless but for `units`.
 struct WavePicture {
+    WavePictureNeed need;  ///< that it meets
     PictureUnits units;
     WaveRaster raster;
     TimeSpan interesting;   ///< from the blow to its last separation, within a sane number of round trips

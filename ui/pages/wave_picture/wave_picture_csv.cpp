@@ -32,7 +32,7 @@ std::string header(const QStringList& names, char separator) {
 
 QByteArray wavePictureCsv(const SolvedBlow& blow, WaveField field, const PictureWindow& window,
                           const QStringList& names, char separator) {
-    const PictureUnits& units = blow.picture->units;
+    const PictureUnits& units = blow.page<WavePicture>()->units;
     const double left = std::clamp(window.xiBegin, 0.0, 1.0);
     const double right = std::clamp(window.xiEnd, left, 1.0);
     std::string text = header(names, separator);

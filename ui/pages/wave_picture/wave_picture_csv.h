@@ -6,6 +6,7 @@
 #include <QString>
 
 #include "ui/job/solved_blow.h"
+#include "ui/pages/wave_picture/wave_picture.h"
 
 namespace drillwave {
 

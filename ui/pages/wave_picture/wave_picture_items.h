@@ -8,6 +8,7 @@
 
 #include "ui/job/solved_blow.h"
 #include "ui/pages/wave_picture/colour_scale.h"
+#include "ui/pages/wave_picture/wave_picture.h"
 #include "ui/plot/plot_style.h"
 
 namespace drillwave {
@@ -26,7 +27,7 @@ class WavePictureItem : public QCPAbstractItem {
     double selectTest(const QPointF&, bool, QVariant* = nullptr) const override { return -1; }
 
   protected:
-    const WavePicture& picture() const { return *m_blow->picture; }
+    const WavePicture& picture() const { return *m_blow->page<WavePicture>(); }
     /// What the axes show, in x/L and t/t0.
     RasterGrid view() const;
     /// A place in the plot [px].

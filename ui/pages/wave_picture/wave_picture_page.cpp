@@ -133,12 +133,14 @@ void WavePicturePage::wire() {
         widget->installEventFilter(this);
 }
 
-void WavePicturePage::addNeeds(SolveRequest& request) const {
-    request.picture = m_picture->need();
+PreparePage WavePicturePage::prepare() const {
+    return [need = m_picture->need()](const SolvedBlow& blow) {
+        return PageData::of(wavePicture(blow.impact, blow.pulse, blow.request.scenario, blow.units, need));
+    };
 }
 
 void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
-    if (blow->picture)
+    if (blow->page<WavePicture>())
         m_picture->present(blow);
     else if (!blow->problem.isEmpty())
         m_picture->showNothing(tr("Nothing to show: %1").arg(blow->problem));
@@ -165,10 +167,10 @@ void WavePicturePage::showSection(double section) {
 // While nobody has chosen a time: when the blow is on its way to the bit.
 double WavePicturePage::timeShown() const {
     if (const std::optional<double> time = m_observation.time()) return *time;
-    const SolvedBlowPtr& blow = m_picture->shown();
-    if (!blow) return 0;
-    const double begin = blow->picture->interesting.begin;
-    return begin > 0 ? begin : 0.7 * blow->impact.frontArrival;
+    const WavePicture* picture = m_picture->picture();
+    if (!picture) return 0;
+    const double begin = picture->interesting.begin;
+    return begin > 0 ? begin : 0.7 * m_picture->shown()->impact.frontArrival;
 }
 
 void WavePicturePage::showTime() {
@@ -180,10 +182,10 @@ void WavePicturePage::showTime() {
 }
 
 void WavePicturePage::showSpan() {
-    const SolvedBlowPtr& blow = m_picture->shown();
-    if (!blow) return;
+    const WavePicture* picture = m_picture->picture();
+    if (!picture) return;
     m_playBar->setSpan(m_picture->timeInView(),
-                       blow->picture->units.time.dimensionless ? 0 : blow->scales.time);
+                       picture->units.time.dimensionless ? 0 : m_picture->shown()->scales.time);
 }
 
 // The rod below lies in line with the picture above while the whole of it is in view.

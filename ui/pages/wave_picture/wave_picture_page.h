@@ -27,7 +27,7 @@ class WavePicturePage : public Page {
     explicit WavePicturePage(Observation& observation, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Wave picture"); }
-    void addNeeds(SolveRequest& request) const override;
+    PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void fit() override;
 

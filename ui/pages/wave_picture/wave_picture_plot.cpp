@@ -40,8 +40,8 @@ WavePicturePlot::WavePicturePlot(QCustomPlot* plot)
 }
 
 void WavePicturePlot::addItems() {
-    m_picture = new WaveFieldItem(m_plot);
-    m_picture->setLayer(QStringLiteral("background"));
+    m_waves = new WaveFieldItem(m_plot);
+    m_waves->setLayer(QStringLiteral("background"));
     m_fronts = new WaveFrontsItem(m_plot);
     m_contacts = new ContactBarsItem(m_plot);
     m_message = new PlotMessage(m_plot);
@@ -60,7 +60,7 @@ void WavePicturePlot::checkNeed() {
     m_checking = false;
     if (!m_blow) return;
     const WavePictureNeed now = need();
-    if (now == m_blow->request.picture || now == m_announced) return;
+    if (now == picture()->need || now == m_announced) return;
     m_announced = now;
     emit needChanged();
 }
@@ -78,12 +78,12 @@ WavePictureNeed WavePicturePlot::need() const {
 
 void WavePicturePlot::present(const SolvedBlowPtr& blow) {
     m_blow = blow;
-    if (blow->request.picture == m_announced) m_announced.reset();
-    for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_picture, m_fronts, m_contacts})
+    if (blow->page<WavePicture>()->need == m_announced) m_announced.reset();
+    for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_waves, m_fronts, m_contacts})
         item->setBlow(blow);
     m_message->hide();
     m_bar->setVisible(true);
-    if (m_fitted) m_time = blow->picture->interesting;
+    if (m_fitted) m_time = blow->page<WavePicture>()->interesting;
     setRanges();
     setLabels();
     summarize();
@@ -91,7 +91,7 @@ void WavePicturePlot::present(const SolvedBlowPtr& blow) {
 
 void WavePicturePlot::showNothing(const QString& message) {
     m_blow.reset();
-    for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_picture, m_fronts, m_contacts})
+    for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_waves, m_fronts, m_contacts})
         item->setBlow(nullptr);
     m_message->show(message);
     m_bar->setVisible(false);
@@ -100,7 +100,7 @@ void WavePicturePlot::showNothing(const QString& message) {
 
 // Views are kept dimensionless: units may change below them.
 void WavePicturePlot::setRanges() {
-    const PictureUnits& units = m_blow->picture->units;
+    const PictureUnits& units = picture()->units;
     const QScopedValueRollback<bool> setting(m_settingRanges, true);
     m_plot->xAxis->setRange(m_xiBegin * units.position.factor, m_xiEnd * units.position.factor);
     m_plot->yAxis->setRange(m_time.begin * units.time.factor, m_time.end * units.time.factor);
@@ -109,7 +109,7 @@ void WavePicturePlot::setRanges() {
 
 void WavePicturePlot::takeRanges() {
     if (m_settingRanges || !m_blow) return;
-    const PictureUnits& units = m_blow->picture->units;
+    const PictureUnits& units = picture()->units;
     const QCPRange x = m_plot->xAxis->range().bounded(0, units.position.factor);
     const QCPRange y = m_plot->yAxis->range();
     m_xiBegin = std::max(0.0, x.lower / units.position.factor);
@@ -130,7 +130,7 @@ void WavePicturePlot::setFrontsShown(bool shown) {
 }
 
 void WavePicturePlot::setLabels() {
-    const WavePicture& picture = *m_blow->picture;
+    const WavePicture& picture = *this->picture();
     const ShownUnit& unit = picture.units.of(picture.raster.field);
     m_plot->xAxis->setLabel(picture.units.position.axisLabel(tr("position x from the struck end")));
     m_plot->yAxis->setLabel(picture.units.time.axisLabel(tr("time t")));
@@ -140,7 +140,7 @@ void WavePicturePlot::setLabels() {
 
 QByteArray WavePicturePlot::csv(char separator) const {
     if (!m_blow) return {};
-    return wavePictureCsv(*m_blow, m_blow->picture->raster.field, {m_xiBegin, m_xiEnd, m_time},
+    return wavePictureCsv(*m_blow, picture()->raster.field, {m_xiBegin, m_xiEnd, m_time},
                           {m_plot->xAxis->label(), m_plot->yAxis->label(), m_bar->label()}, separator);
 }
 
@@ -155,7 +155,7 @@ void WavePicturePlot::setStyle(const PlotStyle& style) {
         axis->setSubTickLength(0, axis->tickLabels() ? 2 : 0);
     }
     m_bar->setGradient(ColourScale::forBackground(style.background).gradient());
-    for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_picture, m_fronts, m_contacts})
+    for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_waves, m_fronts, m_contacts})
         item->setStyle(style);
     m_message->setStyle(style);
 }
@@ -165,13 +165,13 @@ void WavePicturePlot::fit() {
     m_xiBegin = 0;
     m_xiEnd = 1;
     if (!m_blow) return;
-    m_time = m_blow->picture->interesting;
+    m_time = picture()->interesting;
     setRanges();
 }
 
 QString WavePicturePlot::readout(const QPointF& pixel) const {
     if (!m_blow || !m_plot->axisRect()->rect().contains(pixel.toPoint())) return {};
-    const WavePicture& picture = *m_blow->picture;
+    const WavePicture& picture = *this->picture();
     const PictureUnits& units = picture.units;
     const double xi = m_plot->xAxis->pixelToCoord(pixel.x()) / units.position.factor;
     const double t = m_plot->yAxis->pixelToCoord(pixel.y()) / units.time.factor;
@@ -184,7 +184,7 @@ QString WavePicturePlot::readout(const QPointF& pixel) const {
 }
 
 void WavePicturePlot::summarize() {
-    const WavePicture& picture = *m_blow->picture;
+    const WavePicture& picture = *this->picture();
     const QLocale locale = m_plot->locale();
     const ShownUnit& time = picture.units.time;
     QStringList contacts;

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "ui/pages/wave_picture/wave_picture_items.h"
-
 #include "ui/plot/plot_message.h"
 
 namespace drillwave {
@@ -22,12 +21,14 @@ class WavePicturePlot : public QObject {
 
     /// What has to be computed to show the present view at the present size.
     WavePictureNeed need() const;
-    /// Shows a blow with a picture; the view stays where it is unless it was fitted.
+    /// Shows a blow that comes with a picture; the view stays where it is unless it was fitted.
     void present(const SolvedBlowPtr& blow);
     /// No picture, and `message` in its place (why there is none).
     void showNothing(const QString& message);
     /// What is on show, or nullptr.
     const SolvedBlowPtr& shown() const { return m_blow; }
+    /// Its picture, or nullptr.
+    const WavePicture* picture() const { return m_blow ? m_blow->page<WavePicture>() : nullptr; }
 
     void setField(WaveField field);
     WaveField field() const { return m_field; }
@@ -62,7 +63,7 @@ class WavePicturePlot : public QObject {
 
     QCustomPlot* m_plot;
     QCPColorScale* m_bar;
-    WaveFieldItem* m_picture;
+    WaveFieldItem* m_waves;
     WaveFrontsItem* m_fronts;
     ContactBarsItem* m_contacts;
     PlotMessage* m_message;

@@ -23,7 +23,7 @@ SolvedBlowPtr solved(const BlowPage& page, const Scenario& scenario, UnitSystem 
     SolveRequest request;
     request.scenario = scenario;
     request.units = units;
-    page.addNeeds(request);
+    request.pages = {page.prepare()};
     ExactSolver solver;
     return solveBlow(request, solver);
 }
@@ -188,7 +188,7 @@ void TestBlowPage::cursorsReadExactImpulses() {
     QCOMPARE(blow->problem, QString());
     m_page->setResult(blow);
     PlotWidget& plot = *m_page->plot();
-    const double end = blow->curves->timeEnd;
+    const double end = blow->page<BlowCurves>()->timeEnd;
     plot.placeCursor(PlotCursor::a, 0);
     plot.placeCursor(PlotCursor::b, end);
     plot.setReadGraph(m_page->plots()->forceGraph());
@@ -217,7 +217,7 @@ void TestBlowPage::whatIsReadOutlivesTheBlow() {
     SolvedBlowPtr blow = solved(*m_page, Scenario(), UnitSystem::si);
     const BlowMeanings meanings = blowMeanings(blow);
     const double impulse = blow->summary.impulse * blow->units.impulse.factor;
-    const double end = 2 * blow->curves->timeEnd;
+    const double end = 2 * blow->page<BlowCurves>()->timeEnd;
     const std::weak_ptr<const SolvedBlow> watched = blow;
     blow.reset();
     QVERIFY(!watched.expired());
@@ -243,7 +243,8 @@ void TestBlowPage::aHeldSliderLeavesAGhostUntilItIsReleased() {
     }
     QVERIFY(window.shown() != before);
     QCOMPARE(window.blowPage().plot()->graphCount(), curves + 7);
-    QCOMPARE(window.blowPage().plot()->graph(curves)->data().get(), before->curves->waves[0].get());
+    QCOMPARE(window.blowPage().plot()->graph(curves)->data().get(),
+             before->page<BlowCurves>()->waves[0].get());
     slider->setSliderDown(false);
     QCOMPARE(window.blowPage().plot()->graphCount(), curves);
 }

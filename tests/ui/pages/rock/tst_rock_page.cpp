@@ -49,7 +49,7 @@ SolvedBlowPtr TestRockPage::solved(double stiffness) const {
     SolveRequest request;
     request.scenario.bitRock.stiffness = stiffness;
     request.units = UnitSystem::si;
-    m_page->addNeeds(request);
+    request.pages = {m_page->prepare()};
     ExactSolver solver;
     return solveBlow(request, solver);
 }
@@ -64,11 +64,11 @@ QCPItemTracer* TestRockPage::point() const {
 void TestRockPage::askedForThePathTheWorkerBuildsIt() {
     SolveRequest request;
     ExactSolver solver;
-    QVERIFY(!solveBlow(request, solver)->rock);
-    m_page->addNeeds(request);
+    QVERIFY(!solveBlow(request, solver)->page<RockCurve>());
+    request.pages = {m_page->prepare()};
     const SolvedBlowPtr blow = solveBlow(request, solver);
-    QVERIFY(blow->rock);
-    QVERIFY(!blow->curves);  // nothing of what other pages show
+    QVERIFY(blow->page<RockCurve>());
+    QCOMPARE(blow->pages.size(), std::size_t{1});  // nothing of what other pages show
 }
 
 void TestRockPage::thePathIsThereForEyesAndEars() {
@@ -88,7 +88,7 @@ void TestRockPage::theTimeCursorMovesThePointAlongThePath() {
     QCOMPARE(blow->impact.events.at(1).kind, ContactEvent::unloading);
     m_observation->setTime(unloading);
     QVERIFY(point()->visible());
-    const QPointF peak = rockPoint(*blow->rock, unloading * blow->units.time.factor);
+    const QPointF peak = rockPoint(*blow->page<RockCurve>(), unloading * blow->units.time.factor);
     QCOMPARE(point()->position->coords(), peak);
     QVERIFY(instant().contains(QStringLiteral("U = ")) && instant().contains(QStringLiteral(" mm")));
     const QString before = instant();
@@ -124,7 +124,6 @@ void TestRockPage::anAnswerToAnotherPageChangesNothing() {
     m_page->setResult(solved());
     const QString before = m_page->plot()->accessibleDescription();
     SolveRequest request;
-    request.section = 0.5;
     ExactSolver solver;
     m_page->setResult(solveBlow(request, solver));
     QCOMPARE(m_page->plot()->accessibleDescription(), before);

@@ -66,7 +66,7 @@ class WavePicturePageTest : public QObject {
   private:
     void open(const Scenario& scenario);
     bool settled() const;
-    RasterGrid gridShown() const { return m_page->picture()->shown()->picture->raster.grid; }
+    RasterGrid gridShown() const { return m_page->picture()->picture()->raster.grid; }
 
     QTemporaryDir m_folder;
     ScriptedAnswers m_answers;
@@ -115,7 +115,7 @@ void WavePicturePageTest::open(const Scenario& scenario) {
     SolveRequest request;
     request.scenario = scenario;
     request.units = m_units;
-    m_page->addNeeds(request);
+    request.pages = {m_page->prepare()};
     m_job->submit(request);
 }
 
@@ -123,11 +123,12 @@ void WavePicturePageTest::open(const Scenario& scenario) {
 bool WavePicturePageTest::settled() const {
     const SolvedBlowPtr& blow = m_page->picture()->shown();
     if (!blow || m_job->isBusy()) return false;
-    return blow->request.picture == m_page->picture()->need() && blow->request.scenario == m_scenario;
+    return blow->page<WavePicture>()->need == m_page->picture()->need() &&
+           blow->request.scenario == m_scenario;
 }
 
 void WavePicturePageTest::showsTheBlowAtThePixelsOfTheScreen() {
-    const WavePicture& picture = *m_page->picture()->shown()->picture;
+    const WavePicture& picture = *m_page->picture()->picture();
     const QSize axes = m_page->plot()->axisRect()->size();
     QCOMPARE(picture.raster.grid.columns, axes.width());
     QCOMPARE(picture.raster.grid.rows, axes.height());
@@ -160,11 +161,11 @@ void WavePicturePageTest::asksForNothingWhileHidden() {
     QVERIFY(QTest::qWaitForWindowActive(&window));
     QTRY_VERIFY(!window.job().isBusy());
     pages->setCurrentWidget(&window.blowPage());
-    QTRY_VERIFY(window.shown()->request.section);
-    QVERIFY(!window.shown()->picture);
+    QTRY_VERIFY(window.shown()->page<BlowCurves>());
+    QVERIFY(!window.shown()->page<WavePicture>());
     pages->setCurrentWidget(page);
-    QTRY_VERIFY(window.shown()->picture);
-    QTRY_COMPARE(window.shown()->picture->raster.grid.columns, page->picture()->need().columns);
+    QTRY_VERIFY(window.shown()->page<WavePicture>());
+    QTRY_COMPARE(window.shown()->page<WavePicture>()->raster.grid.columns, page->picture()->need().columns);
 }
 
 void WavePicturePageTest::zoomingBringsANewPictureOfWhatIsInView() {
@@ -178,7 +179,7 @@ void WavePicturePageTest::zoomingBringsANewPictureOfWhatIsInView() {
         QVERIFY(std::abs(grid.xiBegin - (1 - size / 10)) < 1e-12);
         QVERIFY(std::abs(grid.timeEnd - (10 + size / 2)) < 1e-12);
         QCOMPARE(grid.columns, m_page->plot()->axisRect()->width());
-        const WavePicture& picture = *m_page->picture()->shown()->picture;
+        const WavePicture& picture = *m_page->picture()->picture();
         for (int i = 0; i < 50; ++i) {
             const int column = (i * 37) % grid.columns, row = (i * 53) % grid.rows;
             const double xi = grid.xi(column), t = grid.time(row);
@@ -241,10 +242,10 @@ void WavePicturePageTest::forceAndVelocityCanBeChosen() {
     field->setCurrentIndex(1);
     QTRY_VERIFY(settled());
     const SolvedBlowPtr blow = m_page->picture()->shown();
-    QCOMPARE(blow->picture->raster.field, WaveField::velocity);
+    QCOMPARE(blow->page<WavePicture>()->raster.field, WaveField::velocity);
     const RasterGrid grid = gridShown();
     const double xi = grid.xi(100), t = grid.time(40);
-    QCOMPARE(blow->picture->raster.values[grid.index(100, 40)],
+    QCOMPARE(blow->page<WavePicture>()->raster.values[grid.index(100, 40)],
              static_cast<float>(negativeWave(blow->impact, xi, t) - positiveWave(blow->impact, xi, t)));
     auto* fronts = m_page->findChild<QCheckBox*>(QStringLiteral("fronts"));
     fronts->click();
@@ -447,7 +448,7 @@ void WavePicturePageTest::extremeScenesGiveAPictureOrTheReason() {
         return;
     }
     QTRY_VERIFY(settled());
-    const WavePicture& picture = *m_page->picture()->shown()->picture;
+    const WavePicture& picture = *m_page->picture()->picture();
     const Impact& impact = m_page->picture()->shown()->impact;
     // The first contact is in view, and the view is not so long that nothing can be seen in it.
     QVERIFY(picture.interesting.begin < impact.firstContactTime || impact.frontArrival == 0);
@@ -467,8 +468,10 @@ void WavePicturePageTest::unitsChangeBelowTheView() {
     QCOMPARE(m_page->plot()->xAxis->range().upper, blow->scales.length);
     // A wave of F0 moves the particles with F0/Z and stresses with F0/A.
     const RodProperties rod = propertiesOf(Scenario().rod);
-    QVERIFY(std::abs(blow->picture->units.velocity.factor * rod.impedance / blow->scales.force - 1) < 1e-12);
-    QVERIFY(std::abs(blow->picture->units.stress.factor * 1e6 * rod.area / blow->scales.force - 1) < 1e-12);
+    QVERIFY(std::abs(blow->page<WavePicture>()->units.velocity.factor * rod.impedance / blow->scales.force -
+                     1) < 1e-12);
+    QVERIFY(std::abs(blow->page<WavePicture>()->units.stress.factor * 1e6 * rod.area / blow->scales.force -
+                     1) < 1e-12);
     m_page->plot()->yAxis->setRange(0.2, 0.4);
     m_page->plot()->replot();
     QTRY_VERIFY(settled());
@@ -479,7 +482,7 @@ void WavePicturePageTest::unitsChangeBelowTheView() {
     QCOMPARE(m_page->picture()->timeInView(), view);
     QCOMPARE(m_page->plot()->yAxis->range().lower, view.begin);
     // v0 = I0/m = F0/(Zτ): the unit of velocities.
-    QCOMPARE(m_page->picture()->shown()->picture->units.velocity.factor, blow->groups.tau);
+    QCOMPARE(m_page->picture()->picture()->units.velocity.factor, blow->groups.tau);
 }
 
 QTEST_MAIN(WavePicturePageTest)
