@@ -6,9 +6,6 @@
 #include <cmath>
 
 #include "app/blow_text.h"
-#include "core/blow/impact_summary.h"
-#include "core/blow/thrust.h"
-#include "core/model/alerts.h"
 #include "core/report/report_text.h"
 #include "core/text/decimal_text.h"
 
@@ -72,14 +69,15 @@ double share(double fraction) {
     return std::abs(fraction) < 1e-12 ? 0 : fraction;
 }
 
-std::string resultText(const BlowReport& report, const ImpactSummary& summary) {
-    const Scales scales = scalesOf(report.scenario);
+std::string resultText(const Blow& blow) {
+    const ImpactSummary& summary = blow.summary;
+    const Scales& scales = blow.scales;
     const double work = summary.workRatio * scales.energy;
-    ResultRows rows(report.scenario);
-    rows.addText("restitution e", rounded(summary.cor, 12) +
-                                      (report.choice.method == Method::lattice ? "  (error estimated as "
-                                                                               : "  (error below ") +
-                                      boundText(summary.corError) + ")");
+    ResultRows rows(blow.scenario);
+    rows.addText("restitution e",
+                 rounded(summary.cor, 12) +
+                     (blow.method.method == Method::lattice ? "  (error estimated as " : "  (error below ") +
+                     boundText(summary.corError) + ")");
     rows.add("impulse 1 + e", summary.impulse, "I0", scales.impulse, Quantity::impulse);
     rows.add("peak force", summary.peakForce, "F0", scales.force, Quantity::force);
     rows.add("largest penetration", summary.maxPenetration, "d0", scales.penetration, Quantity::length);
@@ -93,11 +91,11 @@ std::string resultText(const BlowReport& report, const ImpactSummary& summary) {
     rows.add("  in waves", share(summary.energy.residualWaveEnergy), "W", work, Quantity::energy);
     rows.addText("balance errors", rounded(summary.momentumResidual, 2) + " of I0, " +
                                        rounded(summary.energy.residual, 2) + " of W");
-    if (const std::optional<double> thrust = thrustNeeded(report.scenario, summary.cor)) {
-        const std::optional<double> installed = report.scenario.drill.thrust;
+    if (blow.feed) {
+        const std::optional<double>& installed = blow.feed->installed;
         rows.addText(
             "thrust needed",
-            inHandyUnit(*thrust, Quantity::force) +
+            inHandyUnit(blow.feed->fullRate, Quantity::force) +
                 (installed ? ", installed " + inHandyUnit(*installed, Quantity::force) : std::string()));
     }
     return rows.text();
@@ -111,18 +109,17 @@ std::string methodText(const MethodChoice& choice) {
 
 }  // namespace
 
-std::string reportText(const BlowReport& report) {
-    const Groups groups = groupsOf(report.scenario);
-    const Impact& impact = report.impact;
-    std::string text = headingOf(report.scenario) + "\n";
-    text += resultText(report, summarize(impact, groups));
-    text += "\n  method " + methodText(report.choice) + ", " + std::to_string(impact.contacts) +
+std::string reportText(const Blow& blow) {
+    const Impact& impact = blow.impact;
+    std::string text = headingOf(blow.scenario) + "\n";
+    text += resultText(blow);
+    text += "\n  method " + methodText(blow.method) + ", " + std::to_string(impact.contacts) +
             (impact.contacts == 1 ? " contact, " : " contacts, ") + std::to_string(impact.pieces) +
-            (report.choice.method == Method::lattice ? " steps" : " pieces") + ", solved in " +
-            inHandyUnit(report.runTime, Quantity::time) + "\n";
-    for (const Alert& alert : report.alerts()) {
+            (blow.method.method == Method::lattice ? " steps" : " pieces") + ", solved in " +
+            inHandyUnit(blow.runTime, Quantity::time) + "\n";
+    for (const Alert& alert : blow.alerts) {
         // The line of e says it already, as an estimate.
-        if (report.choice.method == Method::lattice && alert.code == "reduced_accuracy") continue;
+        if (blow.method.method == Method::lattice && alert.code == "reduced_accuracy") continue;
         text += std::string("  ") + (alert.level == AlertLevel::warning ? "warning: " : "note: ") +
                 alert.text + "\n";
     }

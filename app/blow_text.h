@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "ui/export/blow_report.h"
+#include "core/blow/blow.h"
 
 namespace drillwave {
 
-/// A summary for people, rounded to six digits. Requires a solved impact.
-std::string reportText(const BlowReport& report);
+/// A summary for people, rounded to six digits. Requires a solved blow.
+std::string reportText(const Blow& blow);
 
 }  // namespace drillwave

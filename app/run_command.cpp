@@ -2,7 +2,6 @@
 // drillwave run FILE
 #include <QStringList>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 
 #include "app/blow_text.h"
@@ -12,9 +11,9 @@
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
-#include "core/blow/result_alerts.h"
 #include "core/file/result_scenario.h"
 #include "core/text/decimal_text.h"
+#include "ui/export/blow_report.h"
 #include "ui/export/plot_export.h"
 #include "ui/export/run_files.h"
 #include "ui/plot/plot_rendering.h"
@@ -71,23 +70,15 @@ void prepare(const RunFiles& files, const std::string& path, const ScenarioDocum
 
 /// Solves, and times the solve alone: where it is quick, a second time, because the first one pays for fresh
 /// memory.
-BlowReport solve(const Scenario& scenario, Detail detail, const MethodChoice& choice,
-                 const std::stop_token& stop) {
-    using Clock = std::chrono::steady_clock;
+Blow solve(const Scenario& scenario, const MethodChoice& choice, Detail detail, const std::stop_token& stop) {
     constexpr double quick = 1e-3;
-    BlowReport report{.scenario = scenario, .impact = {}, .runTime = 0, .choice = choice};
-    const PulseForce pulse = pulseForceOf(scenario);
-    const Groups groups = groupsOf(scenario);
     MethodSolver solver;
-    const auto timedSolve = [&] {
-        const auto start = Clock::now();
-        report.impact = solver.solve(pulse, groups, detail, choice, stop);
-        report.runTime = std::chrono::duration<double>(Clock::now() - start).count();
+    const auto solveOnce = [&] {
+        return solveBlow(scenario, choice, detail, stop, Stresses::asNeeded, solver);
     };
     const ElapsedTime elapsed;
-    timedSolve();
-    if (report.runTime < quick) timedSolve();
-    return report;
+    Blow blow = solveOnce();
+    return blow.runTime < quick ? solveOnce() : blow;
 }
 
 void writeFiles(const RunFiles& files, const SolvedRun& run, const Interruption& interruption) {
@@ -97,9 +88,7 @@ void writeFiles(const RunFiles& files, const SolvedRun& run, const Interruption&
 }
 
 void print(const SolvedRun& run, const RunFiles& files, bool json) {
-    const BlowReport& report = run.report;
-    std::string text =
-        json ? reportJson(report, completeScenarioText(run.document)).toStdString() : reportText(report);
+    std::string text = json ? reportJson(run.blow, run.scenarioText).toStdString() : reportText(run.blow);
     if (!json && !files.directory.empty()) text += "  files in " + files.directory + "\n";
     writeFile("-", text, Overwrite::allowed);
 }
@@ -117,21 +106,21 @@ ExitCode runBlow(const Arguments& arguments) {
                            "--si: " + path + " is given by its dimensionless groups and has no SI units");
     prepare(files, path, document);
 
-    // The largest stress in the rod needs the waves.
-    const bool needsWaves = !files.directory.empty() || hasStrength(document.scenario.rod);
-    const Detail detail = needsWaves ? Detail::histories : Detail::summary;
+    const bool writesFiles = !files.directory.empty();
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
-    const SolvedRun run{.document = document,
-                        .report = solve(document.scenario, detail, choice, interruption.token()),
-                        .units = files.units.value_or(customaryUnits(document.scenario))};
+    SolvedRun run{.blow = solve(document.scenario, choice, writesFiles ? Detail::histories : Detail::summary,
+                                interruption.token()),
+                  .scenarioText = {},
+                  .units = files.units.value_or(customaryUnits(document.scenario))};
     interruption.check();
-    if (run.report.impact.outcome != Outcome::rebounded) {
+    if (json || writesFiles) run.scenarioText = completeScenarioText(document);
+    if (!run.blow.isSolved()) {
         if (json) print(run, {}, json);
         throw CommandError(ExitCode::unsolvedOrFailed,
-                           path + ": could not be solved: " + run.report.impact.reason);
+                           path + ": could not be solved: " + run.blow.impact.reason);
     }
-    if (!files.directory.empty()) writeFiles(files, run, interruption);
+    if (writesFiles) writeFiles(files, run, interruption);
     print(run, files, json);
     return ExitCode::done;
 }

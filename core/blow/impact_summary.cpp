@@ -8,17 +8,6 @@ namespace drillwave {
 
 namespace {
 
-/// Fractions of the hammer work W; energies of `impact` are in I0²/(Z t0).
-EnergyLedger ledgerOf(const Impact& impact, const Groups& groups) {
-    const double work = impact.hammerWork;
-    // m v²/2 with p = e I0 and m = ZT is e²/(2τ) in I0²/(Z t0).
-    const double rebound = impact.cor * impact.cor / (2 * groups.tau);
-    return {.rockWork = impact.rockWork / work,
-            .reboundEnergy = rebound / work,
-            .residualWaveEnergy = (impact.finalEnergy - rebound) / work,
-            .residual = (impact.rockWork + impact.finalEnergy - work) / work};
-}
-
 double one(const Scales&) {
     return 1;
 }
@@ -88,7 +77,14 @@ ImpactSummary summarize(const Impact& impact, const Groups& groups) {
             .momentumResidual = 1 - impact.impulse - impact.finalMomentum,  // [paper (10)]
             .corError = impact.corError,
             .growth = impact.growth,
-            .contacts = impact.contacts};
+            .contacts = impact.contacts,
+            .rodForces = {}};
+}
+
+ImpactSummary summarize(const Impact& impact, const Groups& groups, const PulseForce& pulse) {
+    ImpactSummary summary = summarize(impact, groups);
+    if (!impact.incident.empty()) summary.rodForces = largestRodForces(impact, pulse);
+    return summary;
 }
 
 std::span<const Output> outputs() {

@@ -2,23 +2,19 @@
 // The numbers of files §4 for one solved blow, dimensionless and in SI, with their names.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
+#include "core/blow/energy_ledger.h"
+#include "core/model/pulse_force.h"
 #include "core/model/scales.h"
 #include "core/model/scenario.h"
 #include "core/text/units.h"
+#include "core/wave/field/rod_forces.h"
 #include "core/wave/impact.h"
 
 namespace drillwave {
-
-/// The energy ledger: where the work of the hammer went, as fractions of W; together 1 + residual.
-struct EnergyLedger {
-    double rockWork = 0;
-    double reboundEnergy = 0;
-    double residualWaveEnergy = 0;
-    double residual = 0;
-};
 
 /// Everything of files §4, dimensionless.
 struct ImpactSummary {
@@ -34,13 +30,17 @@ struct ImpactSummary {
     EnergyLedger energy;
     double momentumResidual = 0;  ///< of I0
     double corError = 0;
-    double growth = 1;  ///< Impact::growth
-    int contacts = 0;   ///< separate contacts
+    double growth = 1;                   ///< Impact::growth
+    int contacts = 0;                    ///< separate contacts
+    std::optional<RodForces> rodForces;  ///< [F0] where the waves were kept
 };
 
 /// Of an impact solved with Detail::summary or more. From one solved with Detail::cor only `cor`, `impulse`
 /// and `corError` mean anything.
 ImpactSummary summarize(const Impact& impact, const Groups& groups);
+
+/// The same with the largest forces in the rod where the impact was solved with Detail::histories.
+ImpactSummary summarize(const Impact& impact, const Groups& groups, const PulseForce& pulse);
 
 /// One named output: JSON key, CSV column and --outputs name.
 struct Output {

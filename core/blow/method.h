@@ -50,7 +50,7 @@ class MethodSolver {
     static constexpr long defaultMostPieces = 30'000'000;
 
     /// Groups as for ExactSolver::solve(). A blow that the method refuses is not solved, with the reason.
-    /// Only the lattice, which may take long, looks at `stop`.
+    /// The closed form, which takes no time, does not look at `stop`.
     Impact solve(const PulseForce& pulse, const Groups& groups, Detail detail,
                  const MethodChoice& choice = {}, const std::stop_token& stop = {});
 

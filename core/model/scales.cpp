@@ -89,6 +89,7 @@ Scales scalesOf(const Scenario& scenario) {
     scales.time = pulseDuration(scenario);
     scales.impulse = pulseImpulse(scenario);
     scales.force = scales.impulse / scales.time;
+    scales.stress = scales.force / rod.area;
     scales.velocity = scales.impulse / rod.mass;
     scales.penetration = 2 * scales.impulse / rod.impedance;  // [paper (3)]
     scales.stiffness = rod.impedance / scales.time;

@@ -11,6 +11,7 @@ struct Scales {
     double time = 1;         ///< t0 [s]
     double impulse = 1;      ///< I0 [N s]
     double force = 1;        ///< F0 = I0/t0 [N]
+    double stress = 1;       ///< F0/A [Pa]
     double velocity = 1;     ///< v0 = I0/m [m/s]
     double penetration = 1;  ///< d0 = 2 I0/Z [m] [paper (3)]
     double stiffness = 1;    ///< k0 = Z/t0 [N/m]

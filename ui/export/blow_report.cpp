@@ -5,10 +5,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "core/blow/impact_summary.h"
-#include "core/blow/result_alerts.h"
 #include "core/blow/thrust.h"
-#include "core/model/alerts.h"
 #include "core/model/version.h"
 #include "core/report/blow_csv.h"
 #include "ui/export/json_value.h"
@@ -18,22 +15,19 @@ namespace drillwave {
 namespace {
 
 /// Every output times its scale; null where there is no result.
-QJsonObject outputsJson(const BlowReport& report, const Scales& scales) {
-    const bool solved = report.impact.outcome == Outcome::rebounded;
-    const ImpactSummary summary =
-        solved ? summarize(report.impact, groupsOf(report.scenario)) : ImpactSummary{};
+QJsonObject outputsJson(const Blow& blow, const Scales& scales) {
     QJsonObject object;
     for (const Output& output : outputs())
-        object[jsonText(output.name)] =
-            solved ? QJsonValue(output.value(summary) * output.scale(scales)) : QJsonValue(QJsonValue::Null);
+        object[jsonText(output.name)] = blow.isSolved()
+                                            ? QJsonValue(output.value(blow.summary) * output.scale(scales))
+                                            : QJsonValue(QJsonValue::Null);
     return object;
 }
 
-QJsonObject siJson(const BlowReport& report) {
-    QJsonObject object = outputsJson(report, scalesOf(report.scenario));
-    const bool solved = report.impact.outcome == Outcome::rebounded;
-    if (const std::optional<double> thrust = thrustNeeded(report.scenario, report.impact.cor))
-        object["thrust"] = solved ? QJsonValue(*thrust) : QJsonValue(QJsonValue::Null);
+QJsonObject siJson(const Blow& blow) {
+    QJsonObject object = outputsJson(blow, blow.scales);
+    if (thrustProblem(blow.scenario).empty())
+        object["thrust"] = blow.isSolved() ? QJsonValue(blow.feed->fullRate) : QJsonValue(QJsonValue::Null);
     return object;
 }
 
@@ -67,38 +61,26 @@ QJsonArray alertsJson(const std::vector<Alert>& alerts) {
 
 }  // namespace
 
-std::vector<Alert> BlowReport::alerts() const {
-    std::vector<Alert> all = alertsFor(scenario);
-    if (impact.outcome != Outcome::rebounded) return all;
-    for (Alert& alert : resultAlerts(scenario, summarize(impact, groupsOf(scenario))))
-        all.push_back(std::move(alert));
-    if (hasStrength(scenario.rod) && !impact.incident.empty())
-        for (Alert& alert : stressAlerts(scenario, largestRodForces(impact, pulseForceOf(scenario))))
-            all.push_back(std::move(alert));
-    return all;
-}
-
-QByteArray reportJson(const BlowReport& report, const std::string& scenarioText) {
-    const Impact& impact = report.impact;
-    const bool solved = impact.outcome == Outcome::rebounded;
+QByteArray reportJson(const Blow& blow, const std::string& scenarioText) {
+    const Impact& impact = blow.impact;
     QJsonObject object{
         {"version", versionText},
-        {"title", jsonText(report.scenario.title)},
-        {"method", jsonText(name(report.choice.method))},
-        {"outcome", solved ? "rebounded" : "not_solved"},
-        {"run_time", report.runTime},
-        {"groups", groupsJson(groupsOf(report.scenario))},
-        {"dimensionless", outputsJson(report, Scales{})},
+        {"title", jsonText(blow.scenario.title)},
+        {"method", jsonText(name(blow.method.method))},
+        {"outcome", blow.isSolved() ? "rebounded" : "not_solved"},
+        {"run_time", blow.runTime},
+        {"groups", groupsJson(blow.groups)},
+        {"dimensionless", outputsJson(blow, Scales{})},
         {"events", eventsJson(impact)},
         {"contacts", impact.contacts},
         {"pieces", static_cast<qint64>(impact.pieces)},
-        {"alerts", alertsJson(report.alerts())},
+        {"alerts", alertsJson(blow.alerts)},
     };
-    if (report.choice.method == Method::lattice) object["segments"] = report.choice.lattice.segments;
-    if (!solved) object["reason"] = jsonText(impact.reason);
+    if (blow.method.method == Method::lattice) object["segments"] = blow.method.lattice.segments;
+    if (!blow.isSolved()) object["reason"] = jsonText(impact.reason);
     object["scenario"] = jsonText(scenarioText);
-    if (report.scenario.form == ScenarioForm::dimensional) {
-        const QJsonObject si = siJson(report);
+    if (blow.scenario.form == ScenarioForm::dimensional) {
+        const QJsonObject si = siJson(blow);
         object["si"] = si;
         object["units"] = unitsJson(si);
     }

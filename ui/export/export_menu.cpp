@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QKeyEvent>
 
+#include "core/file/result_scenario.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/plot_export.h"
 #include "ui/plot/plot_rendering.h"
@@ -84,26 +85,25 @@ void ExportMenu::saveFile(const QString& title, const QString& ending, const Mak
     const QString path = m_questions.fileToExport(m_window, title, suggestion(ending), csvFilter());
     if (path.isEmpty()) return;
     withRun(QFileInfo(path).fileName(),
-            [this, path, make](const SolvedRun& run) { write(path, [&] { return make(run); }); });
+            [this, path, make](const SolvedRun& run) { finish(path, writeWholeFile(path, make(run))); });
 }
 
 bool ExportMenu::isUnsolved() {
     const SolvedBlowPtr blow = m_sources.blow();
-    return blow && !solvedRun();
+    if (!blow || blow->problem.isEmpty()) return false;
+    fail(tr("The blow could not be solved: %1").arg(blow->problem));
+    return true;
 }
 
 void ExportMenu::withRun(const QString& what, const UseRun& use) {
     m_sources.whenSolved(what, [this, use] {
-        if (const std::optional<SolvedRun> run = solvedRun()) use(*run);
+        if (isUnsolved()) return;
+        try {
+            use(solvedRun());
+        } catch (const ScenarioError& error) {
+            fail(QString::fromUtf8(error.what()));
+        }
     });
-}
-
-void ExportMenu::write(const QString& path, const std::function<QByteArray()>& make) {
-    try {
-        finish(path, writeWholeFile(path, make()));
-    } catch (const ScenarioError& error) {
-        fail(QString::fromUtf8(error.what()));
-    }
 }
 
 void ExportMenu::saveEverything() {
@@ -122,13 +122,9 @@ void ExportMenu::saveEverything() {
 }
 
 void ExportMenu::writeFolder(const QString& folder, SolvedRun run, ExistingFiles existing) {
-    run.units = customaryUnits(run.report.scenario);
+    run.units = customaryUnits(run.blow.scenario);
     const WaitCursor wait;
-    try {
-        finish(folder, writeRunFolder(folder, run, plotFormats(), existing).problem);
-    } catch (const ScenarioError& error) {
-        fail(QString::fromUtf8(error.what()));
-    }
+    finish(folder, writeRunFolder(folder, run, plotFormats(), existing).problem);
 }
 
 void ExportMenu::savePicture() {
@@ -165,19 +161,11 @@ void ExportMenu::saveData() {
              [this](const SolvedRun& run) { return runHeader(run) + m_sources.plot()->csv(); });
 }
 
-std::optional<SolvedRun> ExportMenu::solvedRun() {
+SolvedRun ExportMenu::solvedRun() const {
     const SolvedBlowPtr blow = m_sources.blow();
-    if (!blow->problem.isEmpty()) {
-        fail(tr("The blow could not be solved: %1").arg(blow->problem));
-        return std::nullopt;
-    }
-    return SolvedRun{
-        .document = m_document.contents(),
-        .report = {.scenario = m_document.scenario(),
-                   .impact = blow->impact,
-                   .runTime = blow->runTime,
-                   .choice = {}},
-        .units = blow->request.units == UnitSystem::si ? OutputUnits::si : OutputUnits::dimensionless};
+    return {.blow = *blow,
+            .scenarioText = completeScenarioText(m_document.contents()),
+            .units = blow->request.units == UnitSystem::si ? OutputUnits::si : OutputUnits::dimensionless};
 }
 
 QString ExportMenu::suggestion(const QString& ending) const {

@@ -61,9 +61,9 @@ class ExportMenu : public QMenu {
     bool isUnsolved();
     /// Hands the blow over when there is one; `what` waits for it.
     void withRun(const QString& what, const UseRun& use);
-    void write(const QString& path, const std::function<QByteArray()>& make);
-    /// The blow as it is written; nothing, with the reason told, where it could not be solved.
-    std::optional<SolvedRun> solvedRun();
+    /// The solved blow as it is written. Throws ScenarioError where the scenario with the points of its table
+    /// is too large for a file.
+    SolvedRun solvedRun() const;
     QString suggestion(const QString& ending) const;
     void finish(const QString& path, const QString& problem);
     void fail(const QString& problem);

@@ -6,11 +6,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/file/result_scenario.h"
-#include "core/model/pulse_force.h"
-#include "core/model/scales.h"
 #include "core/report/blow_csv.h"
 #include "core/report/result_remarks.h"
+#include "ui/export/blow_report.h"
 #include "ui/export/plot_export.h"
 #include "ui/plot/plot_rendering.h"
 
@@ -40,26 +38,22 @@ OutputUnits customaryUnits(const Scenario& scenario) {
 }
 
 QByteArray runHeader(const SolvedRun& run) {
-    return QByteArray::fromStdString(
-        scenarioHeader(completeScenarioText(run.document), describe(run.report.choice)));
+    return QByteArray::fromStdString(scenarioHeader(run.scenarioText, describe(run.blow.method)));
 }
 
 QByteArray historiesFile(const SolvedRun& run) {
-    const Scenario& scenario = run.report.scenario;
-    return QByteArray::fromStdString(scenarioHeader(completeScenarioText(run.document),
-                                                    describe(run.report.choice), historyColumns(run.units)) +
-                                     historiesCsv(run.report.impact, pulseForceOf(scenario),
-                                                  groupsOf(scenario), run.units, scalesOf(scenario)));
+    const Blow& blow = run.blow;
+    return QByteArray::fromStdString(
+        scenarioHeader(run.scenarioText, describe(blow.method), historyColumns(run.units)) +
+        historiesCsv(blow.impact, blow.pulse, blow.groups, run.units, blow.scales));
 }
 
 QByteArray eventsFile(const SolvedRun& run) {
-    return runHeader(run) +
-           QByteArray::fromStdString(eventsCsv(run.report.impact, run.units, scalesOf(run.report.scenario)));
+    return runHeader(run) + QByteArray::fromStdString(eventsCsv(run.blow.impact, run.units, run.blow.scales));
 }
 
 QByteArray scenarioFile(const SolvedRun& run) {
-    return QByteArray::fromStdString(remarksText(".", describe(run.report.choice)) +
-                                     completeScenarioText(run.document));
+    return QByteArray::fromStdString(remarksText(".", describe(run.blow.method)) + run.scenarioText);
 }
 
 QStringList runFileNames(const QStringList& plotFormats) {
@@ -87,12 +81,12 @@ FolderEnd writeRunFolder(const QString& folder, const SolvedRun& run, const QStr
                       {historiesName, historiesFile(run)},
                       {eventsName, eventsFile(run)}};
     if (!plotFormats.isEmpty()) {
-        BlowPictures pictures = drawBlowPlots(run.report.scenario, run.report.impact, plotFormats, stop);
+        BlowPictures pictures = drawBlowPlots(run.blow.scenario, run.blow.impact, plotFormats, stop);
         if (stop.stop_requested()) return {FolderEnd::Kind::stopped, {}};
         if (!pictures.problem.isEmpty()) return {FolderEnd::Kind::failed, pictures.problem};
         std::ranges::move(pictures.files, std::back_inserter(contents.files));
     }
-    contents.files.push_back({summaryName, reportJson(run.report, completeScenarioText(run.document))});
+    contents.files.push_back({summaryName, reportJson(run.blow, run.scenarioText)});
     return writeWholeFolder(folder, contents, existing, stop);
 }
 

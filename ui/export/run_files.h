@@ -6,18 +6,18 @@
 #include <QString>
 #include <QStringList>
 #include <stop_token>
+#include <string>
 
-#include "core/file/scenario_file.h"
+#include "core/blow/blow.h"
 #include "core/study/rows/output_column.h"
-#include "ui/export/blow_report.h"
 #include "ui/export/whole_folder.h"
 
 namespace drillwave {
 
-/// A blow as solved, with the file its scenario came from. The report's scenario is the document's.
+/// A blow with what its files say beside it.
 struct SolvedRun {
-    ScenarioDocument document;
-    BlowReport report;  ///< solved with Detail::histories
+    Blow blow;                 ///< solved with Detail::histories
+    std::string scenarioText;  ///< gives its scenario again (completeScenarioText())
     OutputUnits units = OutputUnits::dimensionless;
 };
 
@@ -25,8 +25,7 @@ struct SolvedRun {
 /// units.
 OutputUnits customaryUnits(const Scenario& scenario);
 
-/// The lines at the top of every CSV file: the whole scenario and how it was solved. Throws ScenarioError
-/// where the scenario with the points of its table is too large for a file, as do the next two.
+/// The lines at the top of every CSV file: the whole scenario and how it was solved.
 QByteArray runHeader(const SolvedRun& run);
 
 /// histories.csv: the header with the whole scenario, then the curves.
@@ -47,8 +46,7 @@ QStringList runFilesThere(const QString& folder, const QStringList& plotFormats)
 /// Writes the files of a run into a folder, whole or not at all (writeWholeFolder()); plots need a
 /// QApplication. Plots that an earlier run left there in formats not asked for would show another blow and
 /// are removed. A folder with a summary.json is complete. The same run gives the same bytes wherever it is
-/// written from, but for `run_time` in summary.json and the creation date in PDF. Throws ScenarioError where
-/// the scenario with the points of its table is too large for a file.
+/// written from, but for `run_time` in summary.json and the creation date in PDF.
 FolderEnd writeRunFolder(const QString& folder, const SolvedRun& run, const QStringList& plotFormats,
                          ExistingFiles existing, const std::stop_token& stop = {});
 

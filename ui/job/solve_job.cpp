@@ -20,7 +20,7 @@ SolvedBlowPtr answered(const SolveJob::Solve& solve, const SolveRequest& request
 
 SolveJob::Solve exactly() {
     // One solver keeps its workspace from blow to blow: the job never runs two at a time.
-    auto solver = std::make_shared<ExactSolver>();
+    auto solver = std::make_shared<MethodSolver>();
     return [solver](const SolveRequest& request) { return solveBlow(request, *solver); };
 }
 

@@ -9,14 +9,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/blow/feed_verdict.h"
-#include "core/blow/impact_summary.h"
-#include "core/model/alerts.h"
-#include "core/model/pulse_force.h"
-#include "core/model/scales.h"
-#include "core/model/validation.h"
-#include "core/wave/exact/exact_solver.h"
-#include "core/wave/field/rod_forces.h"
+#include "core/blow/blow.h"
 #include "ui/job/page_data.h"
 #include "ui/text/shown_units.h"
 
@@ -31,21 +24,12 @@ struct SolveRequest {
     std::stop_token stop = {};  ///< ends the work early, with a problem for an answer
 };
 
-/// The answer, never changed once made. `problem` is empty when the blow was solved; otherwise it says in a
-/// sentence why not, and the numbers are not to be used.
-struct SolvedBlow {
+/// The answer, never changed once made: the blow, and what the pages asked for. `problem` is empty when the
+/// blow was solved; otherwise it says in a sentence why not, and the numbers are not to be used.
+struct SolvedBlow : Blow {
     SolveRequest request;
     QString problem;
-    Groups groups;
-    Scales scales;
     ShownUnits units;
-    PulseForce pulse;
-    Impact impact;
-    ImpactSummary summary;
-    RodForces rodForces;
-    std::optional<FeedVerdict> feed;  ///< when a blow frequency is given
-    std::vector<Alert> alerts;
-    double runTime = 0;           ///< of the solve alone [s]
     std::vector<PageData> pages;  ///< one for each of the request's
 
     /// What a page has asked for; nullptr when it has not, or there is no blow.
@@ -59,7 +43,7 @@ struct SolvedBlow {
 using SolvedBlowPtr = std::shared_ptr<const SolvedBlow>;
 
 /// Solves and prepares what was asked for. Never throws: whatever goes wrong is the answer's `problem`.
-SolvedBlowPtr solveBlow(const SolveRequest& request, ExactSolver& solver) noexcept;
+SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexcept;
 
 /// An answer that only says why there is none.
 SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem);

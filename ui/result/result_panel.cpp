@@ -52,9 +52,7 @@ QString workText(const SolvedBlow& blow) {
 
 QString stressText(const SolvedBlow& blow, double force) {
     if (blow.request.units == UnitSystem::dimensionless) return shown(force, blow.units.force);
-    const double area = propertiesOf(blow.request.scenario.rod).area;
-    return quantityText(force * blow.scales.force / area, ShownUnit{1e-6, QStringLiteral("MPa"), false},
-                        QLocale());
+    return quantityText(force * blow.scales.stress, ShownUnit{1e-6, QStringLiteral("MPa"), false}, QLocale());
 }
 
 // Where in the rod, and when: below the stress, in a line of its own.
@@ -165,19 +163,20 @@ void ResultPanel::addStress() {
     const QString after = tr(
         "Largest %1 stress of the waves that are left after the blow and run on; nothing damps them in the "
         "model, a real rod does");
-    addNumbers(tr("Stress in the rod"),
-               {{tr("compression, blow"), during.arg(tr("compressive")),
-                 [](const SolvedBlow& b) { return stressText(b, b.rodForces.compression.size); }},
-                {{}, where, [](const SolvedBlow& b) { return placeText(b, b.rodForces.compression); }},
-                {tr("tension, blow"), during.arg(tr("tensile")),
-                 [](const SolvedBlow& b) { return stressText(b, b.rodForces.tension.size); }},
-                {{}, where, [](const SolvedBlow& b) { return placeText(b, b.rodForces.tension); }},
-                {tr("compression, after"), after.arg(tr("compressive")),
-                 [](const SolvedBlow& b) { return stressText(b, b.rodForces.compressionAfter.size); }},
-                {{}, where, [](const SolvedBlow& b) { return placeText(b, b.rodForces.compressionAfter); }},
-                {tr("tension, after"), after.arg(tr("tensile")),
-                 [](const SolvedBlow& b) { return stressText(b, b.rodForces.tensionAfter.size); }},
-                {{}, where, [](const SolvedBlow& b) { return placeText(b, b.rodForces.tensionAfter); }}});
+    addNumbers(
+        tr("Stress in the rod"),
+        {{tr("compression, blow"), during.arg(tr("compressive")),
+          [](const SolvedBlow& b) { return stressText(b, b.summary.rodForces->compression.size); }},
+         {{}, where, [](const SolvedBlow& b) { return placeText(b, b.summary.rodForces->compression); }},
+         {tr("tension, blow"), during.arg(tr("tensile")),
+          [](const SolvedBlow& b) { return stressText(b, b.summary.rodForces->tension.size); }},
+         {{}, where, [](const SolvedBlow& b) { return placeText(b, b.summary.rodForces->tension); }},
+         {tr("compression, after"), after.arg(tr("compressive")),
+          [](const SolvedBlow& b) { return stressText(b, b.summary.rodForces->compressionAfter.size); }},
+         {{}, where, [](const SolvedBlow& b) { return placeText(b, b.summary.rodForces->compressionAfter); }},
+         {tr("tension, after"), after.arg(tr("tensile")),
+          [](const SolvedBlow& b) { return stressText(b, b.summary.rodForces->tensionAfter.size); }},
+         {{}, where, [](const SolvedBlow& b) { return placeText(b, b.summary.rodForces->tensionAfter); }}});
 }
 
 void ResultPanel::addThrust() {

@@ -211,7 +211,8 @@ void TestImpactSummary::severalContactsAreCounted() {
     const ImpactSummary summary = summaryOf(scenario);
     QVERIFY(summary.contacts > 1);
     const std::string text = textOf(resultAlerts(scenario, summary), "several_contacts");
-    QVERIFY2(text.find(" " + std::to_string(summary.contacts) + " times") != std::string::npos, text.c_str());
+    const QString times = QString(" %1 times").arg(summary.contacts);
+    QVERIFY2(QString::fromStdString(text).contains(times), text.c_str());
     const Scenario once = scenarioOf({PulseShape::rectangular, {0.5, 1, 10, 0}});
     QCOMPARE(textOf(resultAlerts(once, summaryOf(once)), "several_contacts"), std::string());
 }

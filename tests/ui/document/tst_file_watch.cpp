@@ -80,7 +80,7 @@ void TestFileWatch::init() {
     m_path = m_folder->filePath(QStringLiteral("mine.yaml"));
     rewrite(m_path, scenarioBytes("3.66 m"));
     m_answers = {};
-    auto solver = std::make_shared<ExactSolver>();
+    auto solver = std::make_shared<MethodSolver>();
     m_window = std::make_unique<MainWindow>(
         std::make_unique<ScriptedQuestions>(m_answers),
         [solver](const SolveRequest& request) { return solveBlow(request, *solver); });

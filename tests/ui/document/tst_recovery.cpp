@@ -19,7 +19,7 @@ using namespace drillwave;
 namespace {
 
 SolveJob::Solve exactSolve() {
-    auto solver = std::make_shared<ExactSolver>();
+    auto solver = std::make_shared<MethodSolver>();
     return [solver](const SolveRequest& request) { return solveBlow(request, *solver); };
 }
 

@@ -92,7 +92,7 @@ void TestExportMenu::init() {
     m_folder = std::make_unique<QTemporaryDir>();
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, path("settings"));
     m_answers = {};
-    auto solver = std::make_shared<ExactSolver>();
+    auto solver = std::make_shared<MethodSolver>();
     makeWindow([solver](const SolveRequest& request) { return solveBlow(request, *solver); });
 }
 

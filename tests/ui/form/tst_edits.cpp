@@ -100,7 +100,7 @@ void TestEdits::init() {
 }
 
 void TestEdits::makeWindow() {
-    auto solver = std::make_shared<ExactSolver>();
+    auto solver = std::make_shared<MethodSolver>();
     m_window = std::make_unique<MainWindow>(
         std::make_unique<ScriptedQuestions>(m_answers),
         [solver](const SolveRequest& request) { return solveBlow(request, *solver); });

@@ -57,7 +57,7 @@ class TestStaleResult : public QObject {
         m_gate = std::make_shared<Gate>();
         m_window = std::make_unique<MainWindow>(
             std::make_unique<ScriptedQuestions>(m_answers),
-            [gate = m_gate, solver = std::make_shared<ExactSolver>()](const SolveRequest& request) {
+            [gate = m_gate, solver = std::make_shared<MethodSolver>()](const SolveRequest& request) {
                 gate->wait(request.stop);
                 return solveBlow(request, *solver);
             });

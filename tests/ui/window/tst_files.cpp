@@ -98,7 +98,7 @@ void TestFiles::cleanup() {
 
 void TestFiles::makeWindow() {
     m_window.reset();
-    auto solver = std::make_shared<ExactSolver>();
+    auto solver = std::make_shared<MethodSolver>();
     m_window = std::make_unique<MainWindow>(
         std::make_unique<ScriptedQuestions>(m_answers),
         [solver](const SolveRequest& request) { return solveBlow(request, *solver); });

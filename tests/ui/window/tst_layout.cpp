@@ -71,7 +71,7 @@ void TestLayout::everythingCanBeReadAndReached() {
     QFETCH(QSize, size);
     QFETCH(bool, dark);
     QApplication::setPalette(dark ? darkPalette() : lightPalette());
-    auto solver = std::make_shared<ExactSolver>();
+    auto solver = std::make_shared<MethodSolver>();
     MainWindow window(std::make_unique<ScriptedQuestions>(m_answers),
                       [solver](const SolveRequest& request) { return solveBlow(request, *solver); });
     openExample(window, example);

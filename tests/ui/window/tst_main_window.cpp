@@ -32,7 +32,7 @@ using namespace drillwave;
 namespace {
 
 SolveJob::Solve exactSolve() {
-    auto solver = std::make_shared<ExactSolver>();
+    auto solver = std::make_shared<MethodSolver>();
     return [solver](const SolveRequest& request) { return solveBlow(request, *solver); };
 }
 
@@ -232,7 +232,7 @@ void TestMainWindow::aFailingSolversTextReachesTheAlerts() {
 }
 
 void TestMainWindow::aSlowSolverNeverHoldsTheWindowUp() {
-    auto solver = std::make_shared<ExactSolver>();
+    auto solver = std::make_shared<MethodSolver>();
     std::atomic<int> calls = 0;
     makeWindow([solver, &calls](const SolveRequest& request) {
         ++calls;

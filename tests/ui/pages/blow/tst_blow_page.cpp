@@ -24,7 +24,7 @@ SolvedBlowPtr solved(const BlowPage& page, const Scenario& scenario, UnitSystem 
     request.scenario = scenario;
     request.units = units;
     request.pages = {page.prepare()};
-    ExactSolver solver;
+    MethodSolver solver;
     return solveBlow(request, solver);
 }
 
@@ -228,7 +228,7 @@ void TestBlowPage::whatIsReadOutlivesTheBlow() {
 void TestBlowPage::aHeldSliderLeavesAGhostUntilItIsReleased() {
     ScriptedAnswers answers;
     MainWindow window(std::make_unique<ScriptedQuestions>(answers), [](const SolveRequest& request) {
-        ExactSolver solver;
+        MethodSolver solver;
         return solveBlow(request, solver);
     });
     window.show();

@@ -50,7 +50,7 @@ SolvedBlowPtr TestRockPage::solved(double stiffness) const {
     request.scenario.bitRock.stiffness = stiffness;
     request.units = UnitSystem::si;
     request.pages = {m_page->prepare()};
-    ExactSolver solver;
+    MethodSolver solver;
     return solveBlow(request, solver);
 }
 
@@ -63,7 +63,7 @@ QCPItemTracer* TestRockPage::point() const {
 
 void TestRockPage::askedForThePathTheWorkerBuildsIt() {
     SolveRequest request;
-    ExactSolver solver;
+    MethodSolver solver;
     QVERIFY(!solveBlow(request, solver)->page<RockCurve>());
     request.pages = {m_page->prepare()};
     const SolvedBlowPtr blow = solveBlow(request, solver);
@@ -124,7 +124,7 @@ void TestRockPage::anAnswerToAnotherPageChangesNothing() {
     m_page->setResult(solved());
     const QString before = m_page->plot()->accessibleDescription();
     SolveRequest request;
-    ExactSolver solver;
+    MethodSolver solver;
     m_page->setResult(solveBlow(request, solver));
     QCOMPARE(m_page->plot()->accessibleDescription(), before);
 }

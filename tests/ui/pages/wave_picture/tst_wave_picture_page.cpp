@@ -150,7 +150,7 @@ void WavePicturePageTest::showsTheBlowAtThePixelsOfTheScreen() {
 
 void WavePicturePageTest::asksForNothingWhileHidden() {
     MainWindow window(std::make_unique<ScriptedQuestions>(m_answers),
-                      [solver = std::make_shared<ExactSolver>()](const SolveRequest& request) {
+                      [solver = std::make_shared<MethodSolver>()](const SolveRequest& request) {
                           return solveBlow(request, *solver);
                       });
     auto* pages = window.findChild<QTabWidget*>();

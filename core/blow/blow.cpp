@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/blow/blow.h"
+
+#include <cassert>
+#include <chrono>
+
+#include "core/blow/result_alerts.h"
+#include "core/model/validation.h"
+
+namespace drillwave {
+
+namespace {
+
+void append(std::vector<Alert>& alerts, const std::vector<Alert>& more) {
+    alerts.insert(alerts.end(), more.begin(), more.end());
+}
+
+void solveTimed(Blow& blow, Detail detail, const std::stop_token& stop, MethodSolver& solver) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    blow.impact = solver.solve(blow.pulse, blow.groups, detail, blow.method, stop);
+    blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// What follows from the solution.
+void conclude(Blow& blow) {
+    blow.summary = summarize(blow.impact, blow.groups, blow.pulse);
+    blow.feed = judgeFeed(blow.scenario, blow.impact.cor);
+    append(blow.alerts, resultAlerts(blow.scenario, blow.summary));
+    if (blow.summary.rodForces) append(blow.alerts, stressAlerts(blow.scenario, *blow.summary.rodForces));
+}
+
+}  // namespace
+
+Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
+               const std::stop_token& stop, Stresses stresses) {
+    MethodSolver solver;
+    return solveBlow(scenario, method, detail, stop, stresses, solver);
+}
+
+Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
+               const std::stop_token& stop, Stresses stresses, MethodSolver& solver) {
+    assert(validate(scenario).empty());
+    Blow blow;
+    blow.scenario = scenario;
+    blow.method = method;
+    blow.groups = groupsOf(scenario);
+    blow.scales = scalesOf(scenario);
+    blow.pulse = pulseForceOf(scenario);
+    blow.alerts = alertsFor(scenario);
+    const bool keepsWaves = stresses == Stresses::wanted || hasStrength(scenario.rod);
+    solveTimed(blow, keepsWaves ? Detail::histories : detail, stop, solver);
+    if (!blow.isSolved() && keepsWaves && detail != Detail::histories) solveTimed(blow, detail, stop, solver);
+    if (blow.isSolved()) conclude(blow);
+    return blow;
+}
+
+}  // namespace drillwave

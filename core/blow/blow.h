@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A blow: a scenario, how it was solved, and all that follows from its solution.
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/blow/feed_verdict.h"
+#include "core/blow/impact_summary.h"
+#include "core/blow/method.h"
+#include "core/model/alerts.h"
+#include "core/model/pulse_force.h"
+#include "core/model/scales.h"
+#include "core/model/scenario.h"
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// One blow with everything that is shown, written or reported about it.
+struct Blow {
+    Scenario scenario;
+    MethodChoice method;
+    Groups groups;
+    Scales scales;  ///< back to SI; all 1 in a dimensionless scenario
+    PulseForce pulse;
+    Impact impact;          ///< its `reason` says why there is no result
+    ImpactSummary summary;  ///< not to be used where there is no result, nor is `feed`
+    std::optional<FeedVerdict>
+        feed;                   ///< where thrustProblem() is empty: the thrust needed, and the installed
+    std::vector<Alert> alerts;  ///< of the scenario and, behind them, of the result
+    double runTime = 0;         ///< of the solve alone [s]
+
+    bool isSolved() const { return impact.outcome == Outcome::rebounded; }
+};
+
+/// Whether the largest forces in the rod are wanted of a blow, which take Detail::histories.
+enum class Stresses {
+    asNeeded,  ///< for its alerts, where the rod has a strength
+    wanted,    ///< wherever they can be had
+};
+
+/// Solves a valid scenario with `detail` or more. A blow whose waves are too many to be kept is solved
+/// without its stresses unless `detail` is Detail::histories. A stop leaves it unsolved.
+Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
+               const std::stop_token& stop = {}, Stresses stresses = Stresses::asNeeded);
+
+/// The same with a solver that keeps its workspace from blow to blow.
+Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
+               const std::stop_token& stop, Stresses stresses, MethodSolver& solver);
+
+}  // namespace drillwave

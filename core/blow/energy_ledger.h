@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the work of the hammer went.
+#pragma once
+
+#include "core/model/scenario.h"
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// Shares of the hammer work W; the first three together are 1 + residual.
+struct EnergyLedger {
+    double rockWork = 0;            ///< left in the rock [W]
+    double reboundEnergy = 0;       ///< of the rod moving back as a whole [W]
+    double residualWaveEnergy = 0;  ///< of the waves left in the rod [W]
+    double residual = 0;            ///< error of the balance [W]
+    bool operator==(const EnergyLedger&) const = default;
+};
+
+/// Of an impact solved with Detail::summary or more.
+EnergyLedger ledgerOf(const Impact& impact, const Groups& groups);
+
+}  // namespace drillwave
