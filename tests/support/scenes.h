@@ -2,6 +2,7 @@
 // Scenes for the tests of the solvers: solved blows, the reference table, random scenarios.
 #pragma once
 
+#include <QTest>
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -76,6 +77,12 @@ struct Domain {
 inline constexpr Domain engineeringDomain{1e-3, 1e3, 0.01, 0.05, 1000, 100};
 inline constexpr Domain extremeDomain{1e-7, 1e9, 1e-6, 0.05, 1000, 1000};
 
+/// Long blows on rods shorter than them take up to a million wave pieces: too slow for thousands of scenes.
+inline bool isQuick(const Scene& scene, const PulseForce& pulse) {
+    if (scene.groups.tau < 1.5 && pulse.end > 1) return false;
+    return scene.groups.beta > 1e-5 || scene.groups.gamma > 0.3;
+}
+
 /// Random scenes of every shape, the same sequence on every machine: γ = 1 and nearly 1, integral gaps and
 /// commensurate transit times occur often.
 class RandomScenes {
@@ -113,6 +120,40 @@ class RandomScenes {
         return scene;
     }
 
+    /// The next scene that is quick to solve.
+    Scene nextQuick() {
+        for (;;)
+            if (const Scene scene = next(); isQuick(scene, pulseOf(scene))) return scene;
+    }
+
+    /// Solves n quick scenes by solver(scene) and calls check(scene, impact) for those that are solved, until a
+    /// check fails. The test fails, too, when a smaller share than this is solved: checks that were not made
+    /// say nothing.
+    template <typename Solver, typename Check>
+    void forEachSolved(int n, const Solver& solver, const Check& check, double leastShare = 0.8) {
+        int solved = 0;
+        std::string refused;
+        for (int i = 0; i < n; ++i) {
+            const Scene scene = nextQuick();
+            const Impact impact = solver(scene);
+            if (impact.outcome != Outcome::rebounded) {
+                refused = describe(scene) + ": " + impact.reason;
+                continue;
+            }
+            ++solved;
+            check(scene, impact);
+            if (QTest::currentTestFailed()) return;
+        }
+        QVERIFY2(solved >= leastShare * n,
+                 (std::to_string(solved) + " of " + std::to_string(n) + " solved; not " + refused).c_str());
+    }
+
+    /// By the exact solver, which must solve every one of them.
+    template <typename Check>
+    void forEachSolved(int n, Detail detail, const Check& check) {
+        forEachSolved(n, [detail](const Scene& scene) { return solve(scene, detail); }, check, 1);
+    }
+
   private:
     unsigned below(unsigned n) { return static_cast<unsigned>(m_random() % n); }
     double fraction() { return static_cast<double>(m_random() >> 11) * 0x1p-53; }
@@ -121,11 +162,5 @@ class RandomScenes {
     Domain m_domain;
     std::mt19937_64 m_random;
 };
-
-/// Long blows on rods shorter than them take up to a million wave pieces: too slow for thousands of scenes.
-inline bool isQuick(const Scene& scene, const PulseForce& pulse) {
-    if (scene.groups.tau < 1.5 && pulse.end > 1) return false;
-    return scene.groups.beta > 1e-5 || scene.groups.gamma > 0.3;
-}
 
 }  // namespace drillwave::test

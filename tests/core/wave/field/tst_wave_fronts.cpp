@@ -38,11 +38,7 @@ class WaveFrontsTest : public QObject {
 
     void contactsAreTheTimesFromTouchingToSeparation() {
         RandomScenes scenes(engineeringDomain, 3);
-        for (int n = 0; n < 300; ++n) {
-            const Scene scene = scenes.next();
-            if (!isQuick(scene, pulseOf(scene))) continue;
-            const Impact impact = solve(scene, Detail::summary);
-            if (impact.outcome != Outcome::rebounded) continue;
+        scenes.forEachSolved(200, Detail::summary, [](const Scene& scene, const Impact& impact) {
             const auto contacts = contactIntervals(impact);
             QCOMPARE(static_cast<int>(contacts.size()), impact.contacts);
             double sum = 0;
@@ -54,7 +50,7 @@ class WaveFrontsTest : public QObject {
             QVERIFY2(std::abs(sum - impact.contactDuration) <= 1e-9 * impact.separationTime,
                      describe(scene).c_str());
             QCOMPARE(contacts.back().end, impact.separationTime);
-        }
+        });
     }
 };
 

@@ -32,11 +32,7 @@ class WaveRasterTest : public QObject {
         RandomScenes scenes(engineeringDomain, 7);
         std::mt19937_64 random(7);
         std::uniform_real_distribution<double> share(0, 1);
-        for (int n = 0; n < 200; ++n) {
-            const Scene scene = scenes.next();
-            if (!isQuick(scene, pulseOf(scene))) continue;
-            const Impact impact = solve(scene, Detail::histories);
-            if (impact.outcome != Outcome::rebounded) continue;
+        scenes.forEachSolved(140, Detail::histories, [&](const Scene& scene, const Impact& impact) {
             HistoryReader reader(impact);
             const double end = impact.separationTime + 3 * impact.roundTrip;
             for (int i = 0; i < 300; ++i) {
@@ -53,16 +49,12 @@ class WaveRasterTest : public QObject {
                 QCOMPARE(reader.incident(std::nextafter(s, 0.0)),
                          incidentWave(impact, std::nextafter(s, 0.0)));
             }
-        }
+        });
     }
 
     void everyCellHoldsTheFieldAtItsCentre() {
         RandomScenes scenes(engineeringDomain, 11);
-        for (int n = 0; n < 60; ++n) {
-            const Scene scene = scenes.next();
-            if (!isQuick(scene, pulseOf(scene))) continue;
-            const Impact impact = solve(scene, Detail::histories);
-            if (impact.outcome != Outcome::rebounded) continue;
+        scenes.forEachSolved(40, Detail::histories, [](const Scene& scene, const Impact& impact) {
             const RasterGrid grid{
                 0, 1, 37, -0.2 * impact.roundTrip, impact.separationTime + 2.3 * impact.roundTrip, 41};
             for (const WaveField field : {WaveField::force, WaveField::velocity}) {
@@ -74,7 +66,7 @@ class WaveRasterTest : public QObject {
                                 static_cast<float>(expected(impact, field, grid.xi(column), grid.time(row))),
                             describe(scene).c_str());
             }
-        }
+        });
     }
 
     void jumpsStaySharpHoweverDeepOneLooks() {
