@@ -11,17 +11,12 @@
 #include "core/model/scales.h"
 #include "core/model/validation.h"
 #include "core/text/nearest_name.h"
+#include "tests/support/scenario.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
-
-Scenario dimensionless(PulseShape shape = PulseShape::rectangular) {
-    Scenario scenario;
-    scenario.form = ScenarioForm::dimensionless;
-    scenario.pulse.shape = shape;
-    return scenario;
-}
 
 Scenario dimensional(PulseShape shape) {
     Scenario scenario;

@@ -8,43 +8,38 @@
 
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
+#include "tests/support/scenario.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
 
-Scenario withShape(PulseShape shape) {
-    Scenario scenario;
-    scenario.form = ScenarioForm::dimensionless;
-    scenario.pulse.shape = shape;
-    return scenario;
-}
-
 Scenario trapezoid(double rise, double fall) {
-    Scenario scenario = withShape(PulseShape::trapezoid);
+    Scenario scenario = dimensionless(PulseShape::trapezoid);
     scenario.pulse.rise = rise;
     scenario.pulse.fall = fall;
     return scenario;
 }
 
 Scenario piston(double ratio) {
-    Scenario scenario = withShape(PulseShape::piston);
+    Scenario scenario = dimensionless(PulseShape::piston);
     scenario.pulse.piston.impedanceRatio = ratio;
     return scenario;
 }
 
 Scenario table(std::vector<TablePoint> points) {
-    Scenario scenario = withShape(PulseShape::table);
+    Scenario scenario = dimensionless(PulseShape::table);
     scenario.pulse.tablePoints = std::move(points);
     return scenario;
 }
 
 /// Every shape, and the awkward corners of those with parameters.
 std::vector<Scenario> variety() {
-    std::vector<Scenario> all{withShape(PulseShape::rectangular),
-                              withShape(PulseShape::triangular),
-                              withShape(PulseShape::halfSine),
-                              withShape(PulseShape::exponential),
+    std::vector<Scenario> all{dimensionless(PulseShape::rectangular),
+                              dimensionless(PulseShape::triangular),
+                              dimensionless(PulseShape::halfSine),
+                              dimensionless(PulseShape::exponential),
                               trapezoid(0.2, 0.3),
                               trapezoid(0, 0),
                               trapezoid(0, 1),
@@ -176,11 +171,11 @@ void TestPulseForce::theShapesHaveTheirKnownHeights_data() {
 void TestPulseForce::theShapesHaveTheirKnownHeights() {
     QFETCH(double, peak);
     QFETCH(PulseShape, shape);
-    QVERIFY(std::abs(pulseForceOf(withShape(shape)).peak / peak - 1) < 1e-15);
+    QVERIFY(std::abs(pulseForceOf(dimensionless(shape)).peak / peak - 1) < 1e-15);
 }
 
 void TestPulseForce::aTriangleIsATrapezoidWithoutPlateau() {
-    const PulseForce triangle = pulseForceOf(withShape(PulseShape::triangular));
+    const PulseForce triangle = pulseForceOf(dimensionless(PulseShape::triangular));
     const PulseForce same = pulseForceOf(trapezoid(0.5, 0.5));
     QVERIFY(triangle.segments == same.segments);
     QCOMPARE(triangle.segments.size(), std::size_t{2});
@@ -188,7 +183,7 @@ void TestPulseForce::aTriangleIsATrapezoidWithoutPlateau() {
 }
 
 void TestPulseForce::theExponentialIsCutWhereNothingIsLeft() {
-    const PulseForce force = pulseForceOf(withShape(PulseShape::exponential));
+    const PulseForce force = pulseForceOf(dimensionless(PulseShape::exponential));
     QVERIFY(std::exp(-force.end) < 1e-20);
     QVERIFY(std::abs(force(1) - std::exp(-1)) < 1e-15);
     QVERIFY(std::abs(force.impulseUntil(1) - (1 - std::exp(-1))) < 1e-15);
@@ -212,7 +207,7 @@ void TestPulseForce::thePistonsStaircaseIsGeometric() {
 }
 
 void TestPulseForce::aPistonNoStifferThanTheRodGivesOneStep() {
-    const PulseForce rectangle = pulseForceOf(withShape(PulseShape::rectangular));
+    const PulseForce rectangle = pulseForceOf(dimensionless(PulseShape::rectangular));
     for (const double ratio : {1e-9, 0.5, 1.0}) {
         const PulseForce force = pulseForceOf(piston(ratio));
         QVERIFY(force.segments == rectangle.segments);
@@ -224,7 +219,7 @@ void TestPulseForce::aPistonNoStifferThanTheRodGivesOneStep() {
 void TestPulseForce::aVeryStiffPistonApproachesTheExponential() {
     const double ratio = 2000;
     const PulseForce steps = pulseForceOf(piston(ratio));
-    const PulseForce smooth = pulseForceOf(withShape(PulseShape::exponential));
+    const PulseForce smooth = pulseForceOf(dimensionless(PulseShape::exponential));
     // At whole steps the impulses differ by the curvature of a step, 1/q².
     for (const double t : {0.1, 1.0, 3.0})
         QVERIFY(std::abs(steps.impulseUntil(t * ratio / 2) - smooth.impulseUntil(t)) < 1 / (ratio * ratio));
@@ -251,7 +246,7 @@ void TestPulseForce::aTableDoesNotDependOnItsUnits() {
 }
 
 void TestPulseForce::theReferenceCaseHasNoForce() {
-    const PulseForce force = pulseForceOf(withShape(PulseShape::rigidBody));
+    const PulseForce force = pulseForceOf(dimensionless(PulseShape::rigidBody));
     QVERIFY(force.isRigidBody());
     QVERIFY(force.segments.empty());
     QCOMPARE(force.peak, 0.0);

@@ -10,17 +10,12 @@
 #include "core/model/parameter_text.h"
 #include "core/model/pulse_force.h"
 #include "core/model/validation.h"
+#include "tests/support/scenario.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
-
-Scenario dimensionless(PulseShape shape) {
-    Scenario scenario;
-    scenario.form = ScenarioForm::dimensionless;
-    scenario.pulse.shape = shape;
-    return scenario;
-}
 
 Scenario withTable(std::vector<TablePoint> points) {
     Scenario scenario = dimensionless(PulseShape::table);

@@ -14,11 +14,7 @@ using namespace drillwave;
 namespace {
 
 PulseForce pulseOf(PulseShape shape) {
-    Scenario scenario;
-    scenario.form = ScenarioForm::dimensionless;
-    scenario.pulse.shape = shape;
-    scenario.pulse.piston.impedanceRatio = 2;
-    return pulseForceOf(scenario);
+    return pulseForceOf(shape, 2);
 }
 
 double cor(PulseShape shape, Groups groups, double gap) {

@@ -15,13 +15,6 @@ using namespace drillwave;
 
 namespace {
 
-PulseForce pulseOf(PulseShape shape) {
-    Scenario scenario;
-    scenario.form = ScenarioForm::dimensionless;
-    scenario.pulse.shape = shape;
-    return pulseForceOf(scenario);
-}
-
 const Groups fig8{0.5, 1, 10, 0};  // paper, Fig. 8, elastic
 
 /// e at the middles of `count` cells of gap from `start`, one period or more.
@@ -73,7 +66,7 @@ class TestGapStatistics : public QObject {
 
 // theory §7: computed with 33 digits, the last digit rounded.
 void TestGapStatistics::theExtremesOfThePapersFigure8AreFound() {
-    const GapStatistics s = statisticsOf(pulseOf(PulseShape::rectangular), fig8, Detail::summary);
+    const GapStatistics s = statisticsOf(pulseForceOf(PulseShape::rectangular), fig8, Detail::summary);
     const GapOutputStatistics& e = s.of(GapOutput::cor);
     QVERIFY(std::abs(e.least.value.value - 0.8419988) < 5.1e-8);
     QVERIFY(std::abs(e.least.gap.value - 0.52711) < 5.1e-6);
@@ -87,7 +80,7 @@ void TestGapStatistics::theExtremesOfThePapersFigure8AreFound() {
 
 // Against the solver near the places found: nothing lies beyond the extremes by more than the error.
 void TestGapStatistics::theErrorsStatedHold() {
-    const PulseForce pulse = pulseOf(PulseShape::rectangular);
+    const PulseForce pulse = pulseForceOf(PulseShape::rectangular);
     const GapStatistics s = statisticsOf(pulse, fig8, Detail::summary);
     const GapExtreme& least = s.of(GapOutput::cor).least;
     QVERIFY(least.value.error < 1e-9 && least.gap.error < 1e-5);
@@ -104,14 +97,14 @@ void TestGapStatistics::theErrorsStatedHold() {
 }
 
 void TestGapStatistics::theMaximumAtNoGapIsACuspAndTheMinimumIsNot() {
-    const GapStatistics s = statisticsOf(pulseOf(PulseShape::rectangular), fig8, Detail::summary);
+    const GapStatistics s = statisticsOf(pulseForceOf(PulseShape::rectangular), fig8, Detail::summary);
     QVERIFY(s.of(GapOutput::cor).largest.kind == GapExtreme::Kind::kink);
     QVERIFY(s.of(GapOutput::cor).least.kind == GapExtreme::Kind::smooth);
     QCOMPARE(s.kinks.size(), std::size_t{1});
     QCOMPARE(s.kinks.front().gap, 1.0);
     // One-sided differences; the curvature is of the order of 1.
     const double h = 1e-6;
-    const PulseForce pulse = pulseOf(PulseShape::rectangular);
+    const PulseForce pulse = pulseForceOf(PulseShape::rectangular);
     const auto e = [&](double gap) { return grid(pulse, fig8, gap, 0, 1).front(); };
     QVERIFY(std::abs(s.kinks.front().slopeAfter - (e(h) - e(0)) / h) < 1e-4);
     QVERIFY(std::abs(s.kinks.front().slopeBefore - (e(1) - e(1 - h)) / h) < 1e-4);
@@ -133,7 +126,7 @@ void TestGapStatistics::meanQuantilesAndShareAgreeWithManySingleBlows() {
     QFETCH(int, shape);
     QFETCH(double, gamma);
     QFETCH(double, tau);
-    const PulseForce pulse = pulseOf(static_cast<PulseShape>(shape));
+    const PulseForce pulse = pulseForceOf(static_cast<PulseShape>(shape));
     const Groups groups{0.5, gamma, tau, 0};
     const GapStatistics s = statisticsOf(pulse, groups, Detail::cor);
     const int count = 20000;
@@ -159,8 +152,8 @@ void TestGapStatistics::quantilesLieBetweenTheExtremesInOrder() {
     for (const double beta : {0.05, 0.5, 4.0})
         for (const double gamma : {0.1, 0.6, 1.0}) {
             const NormalGap normal{0.4, 0.3};
-            const GapStatistics s =
-                statisticsOf(pulseOf(PulseShape::halfSine), {beta, gamma, 4, 0}, Detail::summary, normal);
+            const GapStatistics s = statisticsOf(pulseForceOf(PulseShape::halfSine), {beta, gamma, 4, 0},
+                                                 Detail::summary, normal);
             for (const GapOutputStatistics& output : s.outputs)
                 for (const GapSpread& spread : {output.uniform, *output.normal}) {
                     // rounding, where an output is the same everywhere
@@ -179,7 +172,8 @@ void TestGapStatistics::quantilesLieBetweenTheExtremesInOrder() {
 
 void TestGapStatistics::theShareFollowsFromTheCrossings() {
     for (const double beta : {0.2, 0.5, 2.0}) {
-        const GapStatistics s = statisticsOf(pulseOf(PulseShape::rectangular), {beta, 1, 10, 0}, Detail::cor);
+        const GapStatistics s =
+            statisticsOf(pulseForceOf(PulseShape::rectangular), {beta, 1, 10, 0}, Detail::cor);
         QVERIFY(!s.crossings.empty() && s.crossings.size() % 2 == 0);  // e is periodic
         // From 0 to 1; above 1 at the ends if the first crossing falls.
         double share = s.crossings.front().rising ? 0 : 1;
@@ -205,7 +199,7 @@ void TestGapStatistics::aScatteredGapAgreesWithASumOverBlows() {
     QFETCH(double, mean);
     QFETCH(double, deviation);
     const NormalGap normal{mean, deviation};
-    const PulseForce pulse = pulseOf(PulseShape::rectangular);
+    const PulseForce pulse = pulseForceOf(PulseShape::rectangular);
     const Groups groups{0.5, 1, tau, 0};
     const GapStatistics s = statisticsOf(pulse, groups, Detail::cor, normal);
     const double start = std::max(0.0, mean - 8 * deviation), length = mean + 8 * deviation - start;
@@ -237,7 +231,7 @@ void TestGapStatistics::aScatteredGapAgreesWithASumOverBlows() {
 }
 
 void TestGapStatistics::aNarrowScatterIsTheBlowAtItsMean() {
-    const PulseForce pulse = pulseOf(PulseShape::rectangular);
+    const PulseForce pulse = pulseForceOf(PulseShape::rectangular);
     const double e = grid(pulse, fig8, 0.3, 0, 1).front();
     const GapStatistics s = statisticsOf(pulse, fig8, Detail::cor, NormalGap{0.3, 1e-6});
     const GapSpread& spread = *s.of(GapOutput::cor).normal;
@@ -251,7 +245,7 @@ void TestGapStatistics::aNarrowScatterIsTheBlowAtItsMean() {
 
 void TestGapStatistics::aWideScatterFarOutIsAUniformGap() {
     const GapStatistics s =
-        statisticsOf(pulseOf(PulseShape::rectangular), fig8, Detail::cor, NormalGap{500, 20});
+        statisticsOf(pulseForceOf(PulseShape::rectangular), fig8, Detail::cor, NormalGap{500, 20});
     const GapOutputStatistics& e = s.of(GapOutput::cor);
     // Folded at so many periods a normal density is even to exp(−2π²·400).
     QVERIFY(std::abs(e.normal->mean.value - e.uniform.mean.value) < 1e-12);
@@ -260,7 +254,7 @@ void TestGapStatistics::aWideScatterFarOutIsAUniformGap() {
 }
 
 void TestGapStatistics::aScatterFartherOutByPeriodsIsTheSame() {
-    const PulseForce pulse = pulseOf(PulseShape::rectangular);
+    const PulseForce pulse = pulseForceOf(PulseShape::rectangular);
     const GapStatistics a = statisticsOf(pulse, fig8, Detail::cor, NormalGap{3.3, 0.2});
     const GapStatistics b = statisticsOf(pulse, fig8, Detail::cor, NormalGap{70.3, 0.2});
     // 70.3 has lost two digits of 0.3.
@@ -270,7 +264,7 @@ void TestGapStatistics::aScatterFartherOutByPeriodsIsTheSame() {
 }
 
 void TestGapStatistics::theReferenceCaseIsTheSameEverywhere() {
-    const PulseForce pulse = pulseOf(PulseShape::rigidBody);
+    const PulseForce pulse = pulseForceOf(PulseShape::rigidBody);
     const GapStatistics s = statisticsOf(pulse, {0.5, 0.1, 3, 0}, Detail::summary, NormalGap{0.2, 0.1});
     const double e = grid(pulse, {0.5, 0.1, 3, 0}, 0, 0, 1).front();
     const GapOutputStatistics& output = s.of(GapOutput::cor);
@@ -284,13 +278,14 @@ void TestGapStatistics::theReferenceCaseIsTheSameEverywhere() {
 }
 
 void TestGapStatistics::anElasticSpringKeepsNothingAtAnyGap() {
-    const GapStatistics s = statisticsOf(pulseOf(PulseShape::triangular), {0.7, 1, 3, 0}, Detail::summary);
+    const GapStatistics s =
+        statisticsOf(pulseForceOf(PulseShape::triangular), {0.7, 1, 3, 0}, Detail::summary);
     QVERIFY(std::abs(s.of(GapOutput::efficiency).largest.value.value) < 1e-11);
     QVERIFY(s.of(GapOutput::efficiency).largest.kind == GapExtreme::Kind::everywhere);
 }
 
 void TestGapStatistics::theLargestCorCountsGapsBeforeThePeriod() {
-    const PulseForce pulse = pulseOf(PulseShape::rectangular);
+    const PulseForce pulse = pulseForceOf(PulseShape::rectangular);
     const Groups groups{5, 0.05, 0.1, 0};
     const double start = gapPeriodStart(pulse, groups);
     const double before = std::ranges::max(grid(pulse, groups, 0, start, 2000));
@@ -303,7 +298,7 @@ void TestGapStatistics::theLargestCorCountsGapsBeforeThePeriod() {
 // A blow that leaves the rod almost at rest: it drifts for any number of periods, and what follows changes
 // with each. The work is bounded, and the errors say what that costs.
 void TestGapStatistics::aRodThatIsNearlyStoppedHasHonestErrors() {
-    const PulseForce pulse = pulseOf(PulseShape::exponential);
+    const PulseForce pulse = pulseForceOf(PulseShape::exponential);
     const Groups groups{5, 1, 0.2, 0};
     const NormalGap normal{0.06, 0.02};
     const GapCurve curve = gapCurve(pulse, groups, 0, Detail::cor);

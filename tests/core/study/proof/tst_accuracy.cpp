@@ -4,6 +4,7 @@
 
 #include "core/study/proof/accuracy.h"
 #include "core/study/proof/force_difference.h"
+#include "tests/support/scenario.h"
 #include "tests/support/scenes.h"
 
 using namespace drillwave;
@@ -11,16 +12,8 @@ using namespace drillwave::test;
 
 namespace {
 
-Scenario scenarioOf(const Scene& scene) {
-    Scenario scenario;
-    scenario.form = ScenarioForm::dimensionless;
-    scenario.groups = scene.groups;
-    scenario.pulse.shape = scene.shape;
-    return scenario;
-}
-
-const Scene elastic{PulseShape::rectangular, {0.5, 1, 10, 0}};
-const Scene bilinear{PulseShape::rectangular, {0.5, 0.1, 10, 0}};
+const Scenario elastic = dimensionless(PulseShape::rectangular, {0.5, 1, 10, 0});
+const Scenario bilinear = dimensionless(PulseShape::rectangular, {0.5, 0.1, 10, 0});
 
 }  // namespace
 
@@ -30,7 +23,7 @@ class TestAccuracy : public QObject {
   private slots:
     void errorsAreThoseOfTheTwoPublishedBlows() {
         const std::vector<int> ladder{250, 500, 1000};
-        const Accuracy found = measureAccuracy(scenarioOf(elastic), ladder);
+        const Accuracy found = measureAccuracy(elastic, ladder);
         QCOMPARE(found.rows.size(), std::size_t(8));
         QVERIFY(!found.isStopped);
         const AccuracyRow& exact = found.rows[0];
@@ -53,7 +46,7 @@ class TestAccuracy : public QObject {
         QVERIFY(found.rows[7].time.least > found.rows[4].time.least);
         QVERIFY(found.rows[4].time.least > exact.time.least);
 
-        const Accuracy inelastic = measureAccuracy(scenarioOf(bilinear), ladder);
+        const Accuracy inelastic = measureAccuracy(bilinear, ladder);
         QCOMPARE(inelastic.rows.size(), std::size_t(7));  // no closed form
         // theory §6: about 1e-5 at 1 000 segments
         QVERIFY(inelastic.rows[3].corError > 3e-6 && inelastic.rows[3].corError < 3e-5);
@@ -62,7 +55,7 @@ class TestAccuracy : public QObject {
     }
 
     void speedsAreRelativeToThePapersChoice() {
-        const Accuracy found = measureAccuracy(scenarioOf(elastic), {100, paperSegments});
+        const Accuracy found = measureAccuracy(elastic, {100, paperSegments});
         const AccuracyRow& paper = found.rows.back();
         QVERIFY(paper.choice.lattice.waves == LatticeWaves::moved && paper.speed == 1);
         for (const AccuracyRow& row : found.rows)
@@ -70,13 +63,13 @@ class TestAccuracy : public QObject {
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
         QVERIFY2(found.rows[0].speed > 5e4, qPrintable(QString::number(found.rows[0].speed)));
 #endif
-        const Accuracy without = measureAccuracy(scenarioOf(elastic), {100});
+        const Accuracy without = measureAccuracy(elastic, {100});
         QVERIFY(std::isnan(without.rows[0].speed) && std::isnan(without.latticeOrder));
     }
 
     void rowsThatCannotBeSolvedSayWhy() {
         const Accuracy found =
-            measureAccuracy(scenarioOf({PulseShape::halfSine, {5, 0.05, 10, 0}}), {100, 1000});
+            measureAccuracy(dimensionless(PulseShape::halfSine, {5, 0.05, 10, 0}), {100, 1000});
         QCOMPARE(found.rows.size(), std::size_t(5));
         for (const AccuracyRow& row : found.rows) {
             const bool isTooCoarse =
@@ -89,7 +82,7 @@ class TestAccuracy : public QObject {
 
     void progressGrowsToTheEnd() {
         std::vector<double> told;
-        measureAccuracy(scenarioOf(bilinear), {100, 200}, {}, [&](double done) { told.push_back(done); });
+        measureAccuracy(bilinear, {100, 200}, {}, [&](double done) { told.push_back(done); });
         QVERIFY(told.size() > 40);
         QVERIFY(std::ranges::is_sorted(told) && told.front() > 0);
         QVERIFY(told.back() > 0.999 && told.back() < 1.001);
@@ -98,10 +91,9 @@ class TestAccuracy : public QObject {
     void aStopLeavesRowsOut() {
         std::stop_source source;
         int calls = 0;
-        const Accuracy found =
-            measureAccuracy(scenarioOf(bilinear), latticeLadder(), source.get_token(), [&](double) {
-                if (++calls == 15) source.request_stop();
-            });
+        const Accuracy found = measureAccuracy(bilinear, latticeLadder(), source.get_token(), [&](double) {
+            if (++calls == 15) source.request_stop();
+        });
         QVERIFY(found.isStopped && calls == 15);
         QCOMPARE(found.rows.size(), std::size_t(2));
     }

@@ -9,17 +9,14 @@
 #include "core/study/rows/sweep_check.h"
 #include "core/text/csv.h"
 #include "core/wave/exact/exact_solver.h"
+#include "tests/support/scenario.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
 
-Scenario dimensionless() {
-    Scenario scenario;
-    scenario.form = ScenarioForm::dimensionless;
-    scenario.groups = {.beta = 0.5, .gamma = 0.1, .tau = 3, .delta = 0.2};
-    return scenario;
-}
+const Scenario blowInGroups = dimensionless(PulseShape::rectangular, {0.5, 0.1, 3, 0.2});
 
 Scenario drilling() {
     Scenario scenario;
@@ -105,7 +102,7 @@ class TestSweep : public QObject {
 
 void TestSweep::everyRowIsTheCaseItSays_data() {
     QTest::addColumn<Sweep>("sweep");
-    const Scenario groups = dimensionless();
+    const Scenario groups = blowInGroups;
     const Scenario rod = drilling();
     QTest::newRow("groups") << sweepOf(
         groups, {"beta=0.1:5:4:log", "gamma=0.1,1", "tau=0.4,3", "delta=0:1.5:4"}, "cor");
@@ -136,8 +133,7 @@ void TestSweep::everyRowIsTheCaseItSays() {
 }
 
 void TestSweep::laterAxesRunFastest() {
-    const std::string csv =
-        csvOf(sweepOf(dimensionless(), {"beta=1,2", "gamma=0.5,1", "delta=0,3"}, "cor"), 1);
+    const std::string csv = csvOf(sweepOf(blowInGroups, {"beta=1,2", "gamma=0.5,1", "delta=0,3"}, "cor"), 1);
     QStringList points;
     for (const auto& row : rowsOf(csv))
         points << QString::fromStdString(row[0] + " " + row[1] + " " + row[2]);
@@ -156,7 +152,7 @@ void TestSweep::theBytesDoNotDependOnTheNumberOfThreads() {
 }
 
 void TestSweep::shardsPutTogetherAreTheWhole() {
-    Sweep sweep = sweepOf(dimensionless(), {"beta=0.1:10:37:log", "delta=0:1:41"}, "cor");
+    Sweep sweep = sweepOf(blowInGroups, {"beta=0.1:10:37:log", "delta=0:1:41"}, "cor");
     const std::string whole = csvOf(sweep, 2);
     std::string parts;
     for (std::uint64_t index = 1; index <= 5; ++index) {
@@ -193,8 +189,7 @@ void TestSweep::thrustFollowsTheFrequencyOfTheRow() {
 void TestSweep::unsolvedPointsAreEmptyAndCounted() {
     // At β = 1e-300 the contact lasts for 1e150 round trips: beyond every limit of work.
     RowCounts counts;
-    const Rows rows =
-        rowsOf(csvOf(sweepOf(dimensionless(), {"beta=1,1e-300,2"}, "cor,peak_force"), 2, &counts));
+    const Rows rows = rowsOf(csvOf(sweepOf(blowInGroups, {"beta=1,1e-300,2"}, "cor,peak_force"), 2, &counts));
     QCOMPARE(counts.rows, std::uint64_t{3});
     QCOMPARE(counts.failed, std::uint64_t{1});
     QCOMPARE(rows[2], (std::vector<std::string>{"1e-300", "", ""}));
@@ -203,7 +198,7 @@ void TestSweep::unsolvedPointsAreEmptyAndCounted() {
 
 void TestSweep::aStopEndsTheSweep() {
     // 1e12 points would take weeks.
-    const Sweep sweep = sweepOf(dimensionless(), {"beta=0.1:10:1000000", "delta=0:1:1000000"}, "cor");
+    const Sweep sweep = sweepOf(blowInGroups, {"beta=0.1:10:1000000", "delta=0:1:1000000"}, "cor");
     std::stop_source source;
     const RowCounts counts = runSweep(
         sweep, 2, source.get_token(), [](std::string_view) { return true; },
@@ -215,7 +210,7 @@ void TestSweep::aStopEndsTheSweep() {
 }
 
 void TestSweep::aWriterThatFailsEndsTheSweep() {
-    const Sweep sweep = sweepOf(dimensionless(), {"beta=0.1:10:1000000", "delta=0:1:1000000"}, "cor");
+    const Sweep sweep = sweepOf(blowInGroups, {"beta=0.1:10:1000000", "delta=0:1:1000000"}, "cor");
     int calls = 0;
     const RowCounts counts = runSweep(
         sweep, 2, {}, [&](std::string_view) { return ++calls < 4; }, [](const RowCounts&) {});
@@ -226,7 +221,7 @@ void TestSweep::aWriterThatFailsEndsTheSweep() {
 void TestSweep::impossibleSweepsAreRefused_data() {
     QTest::addColumn<Sweep>("sweep");
     QTest::addColumn<QString>("reason");
-    const Scenario groups = dimensionless();
+    const Scenario groups = blowInGroups;
     const Scenario rod = drilling();
     QTest::newRow("one parameter twice")
         << sweepOf(groups, {"beta=1,2", "beta=3,4"}, "cor") << "beta and beta";

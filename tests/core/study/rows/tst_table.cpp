@@ -9,17 +9,12 @@
 #include "core/study/rows/table_header.h"
 #include "core/text/csv.h"
 #include "core/wave/exact/exact_solver.h"
+#include "tests/support/scenario.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
-
-Scenario dimensionless() {
-    Scenario scenario;
-    scenario.form = ScenarioForm::dimensionless;
-    scenario.groups = {.beta = 0.5, .gamma = 1, .tau = 10, .delta = 0};
-    return scenario;
-}
 
 Table tableOf(const Scenario& base, const char* outputs = "cor") {
     return {.base = base,
