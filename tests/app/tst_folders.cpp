@@ -175,9 +175,7 @@ void TestFolders::aSignalDuringAStudyLeavesNoFolder() {
     QProcess process;
     process.start(QStringLiteral(DRILLWAVE_PROGRAM), words + QStringList{"-o", place.filePath("new/out")});
     QVERIFY(process.waitForStarted());
-    // Main thread and signal watcher: the work has begun.
-    const QDir threads(QString("/proc/%1/task").arg(process.processId()));
-    QTRY_VERIFY(threads.entryList(QDir::Dirs | QDir::NoDotAndDotDot).size() >= 2);
+    QVERIFY(waitForThreads(process, 2));
     ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
     QVERIFY(process.waitForFinished(60000));
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);

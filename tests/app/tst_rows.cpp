@@ -250,9 +250,7 @@ void TestRows::anInterruptionLeavesNoFile() {
                   {"sweep", example("paper_fig4a"), "--vary", "beta=0.1:10:1000000", "delta=0:1:100000",
                    "-j2", "-o", folder.filePath("out.csv")});
     QVERIFY(process.waitForStarted());
-    // Main thread, signal watcher and two workers: the work has begun.
-    const QDir threads(QString("/proc/%1/task").arg(process.processId()));
-    QTRY_VERIFY(threads.entryList(QDir::Dirs | QDir::NoDotAndDotDot).size() >= 4);
+    QVERIFY(waitForThreads(process, 4));  // with two workers
     ::kill(static_cast<pid_t>(process.processId()), SIGINT);
     QVERIFY(process.waitForFinished(10000));
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);

@@ -229,7 +229,7 @@ void TestStudies::anInterruptedStudyLeavesNothing() {
     process.start(QStringLiteral(DRILLWAVE_PROGRAM),
                   {"gap", example("paper_fig4b"), "--set", "beta=1e-8", "-o", folder.filePath("gap.csv")});
     QVERIFY(process.waitForStarted());
-    QTest::qWait(1000);  // until the handler is in place
+    QVERIFY(waitForThreads(process, 2));
     ::kill(static_cast<pid_t>(process.processId()), SIGINT);
     QVERIFY(process.waitForFinished(30000));
     QCOMPARE(process.exitCode(), 130);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/program.h"
 
+#include <QDeadlineTimer>
+#include <QDir>
 #include <QFile>
 #include <QJsonDocument>
 #include <QProcess>
+#include <QThread>
 
 namespace drillwave::test {
 
@@ -24,6 +27,13 @@ const QJsonObject json(const QStringList& words) {
     const Finished finished = run(words + QStringList{"--json"});
     if (finished.exitCode != 0) qFatal("%s", finished.error.constData());
     return QJsonDocument::fromJson(finished.out).object();
+}
+
+bool waitForThreads(const QProcess& process, int least) {
+    const QDir threads(QStringLiteral("/proc/%1/task").arg(process.processId()));
+    for (QDeadlineTimer minute(60000); !minute.hasExpired(); QThread::msleep(2))
+        if (threads.entryList(QDir::Dirs | QDir::NoDotAndDotDot).size() >= least) return true;
+    return false;
 }
 
 QString example(const QString& name) {

@@ -4,6 +4,7 @@
 
 #include <QByteArray>
 #include <QJsonObject>
+#include <QProcess>
 #include <QProcessEnvironment>
 #include <QString>
 #include <QStringList>
@@ -22,6 +23,10 @@ Finished run(const QStringList& words,
 
 /// What `words --json` prints; the test ends where that fails. Constant, so that its [] reads and never adds.
 const QJsonObject json(const QStringList& words);
+
+/// Waits until a started program runs so many threads: with two, the one that waits for signals is there and
+/// the work begins; further ones work. False when that takes over a minute.
+bool waitForThreads(const QProcess& process, int least);
 
 /// Path of a file of resources/examples.
 QString example(const QString& name);

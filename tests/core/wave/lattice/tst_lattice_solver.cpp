@@ -2,9 +2,6 @@
 // The paper's algorithm as a second solver: its order, its two variants, its estimate, its refusals.
 #include <QtTest>
 
-#include <chrono>
-#include <thread>
-
 #include "core/wave/lattice/lattice_solver.h"
 #include "tests/support/scenes.h"
 
@@ -239,23 +236,19 @@ class TestLatticeSolver : public QObject {
     }
 
     void aLongSolveStopsAtOnce() {
-        using Clock = std::chrono::steady_clock;
         for (const LatticeWaves waves : {LatticeWaves::moved, LatticeWaves::ring}) {
             std::stop_source source;
-            Clock::time_point asked;
-            const std::jthread stopper([&] {
-                std::this_thread::sleep_for(std::chrono::milliseconds(20));
-                asked = Clock::now();
-                source.request_stop();
-            });
-            // 1e5 round trips in contact
+            source.request_stop();
+            // 1e5 round trips in contact: 2e8 steps
             const Scene scene{PulseShape::rectangular, {1e-10, 1, 10, 0}};
             LatticeSolver solver;
             const Impact impact = solver.solve(pulseOf(scene), scene.groups, Detail::cor,
                                                {.segments = 1000, .waves = waves}, source.get_token());
-            QVERIFY(Clock::now() - asked < std::chrono::milliseconds(100));
             QCOMPARE(impact.outcome, Outcome::notSolved);
             QCOMPARE(impact.reason, std::string("stopped"));
+            // a million steps of a ring take milliseconds, and each of them moves a thousand waves and more
+            const long mostSteps = waves == LatticeWaves::ring ? 1'000'000 + 100'000 : 1'100;
+            QVERIFY2(impact.pieces <= mostSteps, std::to_string(impact.pieces).c_str());
         }
     }
 };
