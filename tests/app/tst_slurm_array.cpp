@@ -30,7 +30,7 @@ int runTask(int task, int tasks, QStringList words, const QString& parts) {
 
 }  // namespace
 
-class SlurmArrayTest : public QObject {
+class TestSlurmArray : public QObject {
     Q_OBJECT
 
   private slots:
@@ -64,5 +64,5 @@ class SlurmArrayTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(SlurmArrayTest)
+QTEST_GUILESS_MAIN(TestSlurmArray)
 #include "tst_slurm_array.moc"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Piecewise polynomials: values, jumps, integrals, and what is cut off.
 #include <QtTest>
 
 #include "core/numeric/piecewise.h"
 
 using namespace drillwave;
 
-class PiecewiseTest : public QObject {
+class TestPiecewise : public QObject {
     Q_OBJECT
 
   private slots:
@@ -41,5 +42,5 @@ class PiecewiseTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(PiecewiseTest)
+QTEST_GUILESS_MAIN(TestPiecewise)
 #include "tst_piecewise.moc"

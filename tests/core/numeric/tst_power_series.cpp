@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Power series on a piece of time, and their first zero, against polynomials whose roots are known.
 #include <QtTest>
 
 #include "core/wave/exact/first_zero.h"
@@ -19,7 +20,7 @@ Zero<double> zeroOf(std::initializer_list<double> c, double end = 1) {
 
 }  // namespace
 
-class PowerSeriesTest : public QObject {
+class TestPowerSeries : public QObject {
     Q_OBJECT
 
   private slots:
@@ -105,5 +106,5 @@ class PowerSeriesTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(PowerSeriesTest)
+QTEST_GUILESS_MAIN(TestPowerSeries)
 #include "tst_power_series.moc"

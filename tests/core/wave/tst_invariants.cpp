@@ -7,7 +7,7 @@
 using namespace drillwave;
 using namespace drillwave::test;
 
-class InvariantsTest : public QObject {
+class TestInvariants : public QObject {
     Q_OBJECT
 
   private slots:
@@ -74,5 +74,5 @@ class InvariantsTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(InvariantsTest)
+QTEST_GUILESS_MAIN(TestInvariants)
 #include "tst_invariants.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The document being edited: edits and their names, undo, opening, saving, and the tables it reads.
 #include <sys/resource.h>
 #include <QFile>
 #include <QSignalSpy>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Plots of a blow as files: what is in them, in which size, and the same bytes every time.
 #include <QImage>
 #include <QTest>
 #include <QXmlStreamReader>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A field for a number with a unit: what may be typed, what is kept, and what it says of mistakes.
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Solving beside the window: the last request wins, others are stopped, and the end is clean.
 #include <QEventLoop>
 #include <QSignalSpy>
 #include <QTest>

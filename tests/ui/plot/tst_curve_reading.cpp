@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Values, slopes, means and integrals read off a curve.
 #include <QTest>
 #include <cmath>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Mouse, keys, cursors, legend and drawings of a plot.
 #include <QAction>
 #include <QClipboard>
 #include <QComboBox>

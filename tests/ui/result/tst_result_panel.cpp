@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The result panel: energy, stresses, thrust, events, alerts.
 #include <QClipboard>
 #include <QLabel>
 #include <QSignalSpy>

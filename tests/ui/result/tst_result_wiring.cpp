@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What leads from the result panel to the rest of the window, and back.
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTableView>
@@ -13,7 +14,6 @@
 
 using namespace drillwave;
 
-// What leads from the result panel to the rest of the window, and back.
 class TestResultWiring : public QObject {
     Q_OBJECT
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers for people: as many digits as they need.
 #include <QTest>
 #include <limits>
 

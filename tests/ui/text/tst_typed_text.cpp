@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers as people type them, whatever the comma.
 #include <QTest>
 
 #include "ui/text/typed_text.h"

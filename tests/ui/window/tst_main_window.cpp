@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The window as a whole: what its parts do together.
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>

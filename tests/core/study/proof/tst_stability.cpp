@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The checks of the stability study: they reach the ends of the domain, and find what is wrong.
 #include <QtTest>
 #include <set>
 
@@ -20,7 +21,7 @@ void ignoreProgress(std::uint64_t) {}
 
 }  // namespace
 
-class StabilityTest : public QObject {
+class TestStability : public QObject {
     Q_OBJECT
 
   private slots:
@@ -104,5 +105,5 @@ class StabilityTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(StabilityTest)
+QTEST_GUILESS_MAIN(TestStability)
 #include "tst_stability.moc"

@@ -52,7 +52,7 @@ const Scene noDigits{PulseShape::piston, {4.3, 0.07, 0.1, 0}, 15};
 
 }  // namespace
 
-class ChatterTest : public QObject {
+class TestChatter : public QObject {
     Q_OBJECT
 
   private slots:
@@ -120,5 +120,5 @@ class ChatterTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(ChatterTest)
+QTEST_GUILESS_MAIN(TestChatter)
 #include "tst_chatter.moc"

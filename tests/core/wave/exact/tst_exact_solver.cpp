@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The exact solver against reference cases, closed forms, identities, long double and the equations.
 #include <QtTest>
 
 #include "core/wave/exact/contact_march.h"
@@ -64,7 +65,7 @@ double worstViolation(const Impact& impact, const PulseForce& pulse) {
 
 }  // namespace
 
-class ExactSolverTest : public QObject {
+class TestExactSolver : public QObject {
     Q_OBJECT
 
   private slots:
@@ -376,5 +377,5 @@ class ExactSolverTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(ExactSolverTest)
+QTEST_GUILESS_MAIN(TestExactSolver)
 #include "tst_exact_solver.moc"

@@ -60,7 +60,7 @@ bool isSolved(const Impact& impact) {
 
 }  // namespace
 
-class ShortRodsTest : public QObject {
+class TestShortRods : public QObject {
     Q_OBJECT
 
   private slots:
@@ -150,5 +150,5 @@ class ShortRodsTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(ShortRodsTest)
+QTEST_GUILESS_MAIN(TestShortRods)
 #include "tst_short_rods.moc"

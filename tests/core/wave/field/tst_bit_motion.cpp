@@ -21,7 +21,7 @@ const std::vector<Scene> scenes{{PulseShape::rectangular, {0.5, 0.1, 10, 0}},
 
 }  // namespace
 
-class BitMotionTest : public QObject {
+class TestBitMotion : public QObject {
     Q_OBJECT
 
   private slots:
@@ -78,5 +78,5 @@ class BitMotionTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(BitMotionTest)
+QTEST_GUILESS_MAIN(TestBitMotion)
 #include "tst_bit_motion.moc"

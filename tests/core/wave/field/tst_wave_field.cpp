@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Waves anywhere in the rod, from what the front end has recorded.
 #include <QtTest>
 
 #include "core/wave/field/wave_field.h"
@@ -7,7 +8,7 @@
 using namespace drillwave;
 using namespace drillwave::test;
 
-class WaveFieldTest : public QObject {
+class TestWaveField : public QObject {
     Q_OBJECT
 
   private slots:
@@ -157,5 +158,5 @@ class WaveFieldTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(WaveFieldTest)
+QTEST_GUILESS_MAIN(TestWaveField)
 #include "tst_wave_field.moc"

@@ -8,7 +8,7 @@
 using namespace drillwave;
 using namespace drillwave::test;
 
-class WaveFrontsTest : public QObject {
+class TestWaveFronts : public QObject {
     Q_OBJECT
 
   private slots:
@@ -54,5 +54,5 @@ class WaveFrontsTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(WaveFrontsTest)
+QTEST_GUILESS_MAIN(TestWaveFronts)
 #include "tst_wave_fronts.moc"

@@ -24,7 +24,7 @@ const Scene figure4a{PulseShape::rectangular, {0.5, 1, 10, 0}};
 
 }  // namespace
 
-class WaveRasterTest : public QObject {
+class TestWaveRaster : public QObject {
     Q_OBJECT
 
   private slots:
@@ -152,5 +152,5 @@ class WaveRasterTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(WaveRasterTest)
+QTEST_GUILESS_MAIN(TestWaveRaster)
 #include "tst_wave_raster.moc"

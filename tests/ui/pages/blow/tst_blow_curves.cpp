@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The curves of a blow: their numbers, their jumps, their ends.
 #include <QTest>
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The page Blow: section, time cursor, readings, ghosts.
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSettings>

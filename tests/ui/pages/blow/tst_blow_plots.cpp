@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The plots of the page Blow: views, linked axes, colours, closed form, ghosts.
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The page Rock: its path, the point of the time cursor, the reason where there is none.
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The plot of force against penetration: its area, its marks, its work.
 #include <QTest>
 #include <cmath>
 

@@ -27,7 +27,7 @@ double lightness(QRgb colour) {
 
 }  // namespace
 
-class ColourScaleTest : public QObject {
+class TestColourScale : public QObject {
     Q_OBJECT
 
   private slots:
@@ -83,5 +83,5 @@ class ColourScaleTest : public QObject {
     }
 };
 
-QTEST_MAIN(ColourScaleTest)
+QTEST_MAIN(TestColourScale)
 #include "tst_colour_scale.moc"

@@ -34,7 +34,7 @@ Scenario dimensionless(PulseShape shape, const Groups& groups) {
 
 }  // namespace
 
-class WavePicturePageTest : public QObject {
+class TestWavePicturePage : public QObject {
     Q_OBJECT
 
   private slots:
@@ -78,13 +78,13 @@ class WavePicturePageTest : public QObject {
     int m_asked = 0;
 };
 
-void WavePicturePageTest::initTestCase() {
+void TestWavePicturePage::initTestCase() {
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
 }
 
 // The page with a job of its own, as in the window.
-void WavePicturePageTest::init() {
+void TestWavePicturePage::init() {
     QLocale::setDefault(QLocale::c());
     Settings().clear();
     m_asked = 0;
@@ -105,12 +105,12 @@ void WavePicturePageTest::init() {
     QTRY_VERIFY(settled());
 }
 
-void WavePicturePageTest::cleanup() {
+void TestWavePicturePage::cleanup() {
     m_job.reset();
     m_page.reset();
 }
 
-void WavePicturePageTest::open(const Scenario& scenario) {
+void TestWavePicturePage::open(const Scenario& scenario) {
     m_scenario = scenario;
     SolveRequest request;
     request.scenario = scenario;
@@ -120,14 +120,14 @@ void WavePicturePageTest::open(const Scenario& scenario) {
 }
 
 // What is on show is what the view needs.
-bool WavePicturePageTest::settled() const {
+bool TestWavePicturePage::settled() const {
     const SolvedBlowPtr& blow = m_page->picture()->shown();
     if (!blow || m_job->isBusy()) return false;
     return blow->page<WavePicture>()->need == m_page->picture()->need() &&
            blow->request.scenario == m_scenario;
 }
 
-void WavePicturePageTest::showsTheBlowAtThePixelsOfTheScreen() {
+void TestWavePicturePage::showsTheBlowAtThePixelsOfTheScreen() {
     const WavePicture& picture = *m_page->picture()->picture();
     const QSize axes = m_page->plot()->axisRect()->size();
     QCOMPARE(picture.raster.grid.columns, axes.width());
@@ -148,7 +148,7 @@ void WavePicturePageTest::showsTheBlowAtThePixelsOfTheScreen() {
     QVERIFY(!m_page->plot()->accessibleDescription().isEmpty());
 }
 
-void WavePicturePageTest::asksForNothingWhileHidden() {
+void TestWavePicturePage::asksForNothingWhileHidden() {
     MainWindow window(std::make_unique<ScriptedQuestions>(m_answers),
                       [solver = std::make_shared<MethodSolver>()](const SolveRequest& request) {
                           return solveBlow(request, *solver);
@@ -168,7 +168,7 @@ void WavePicturePageTest::asksForNothingWhileHidden() {
     QTRY_COMPARE(window.shown()->page<WavePicture>()->raster.grid.columns, page->picture()->need().columns);
 }
 
-void WavePicturePageTest::zoomingBringsANewPictureOfWhatIsInView() {
+void TestWavePicturePage::zoomingBringsANewPictureOfWhatIsInView() {
     // The corner where the blow's front meets the bit.
     for (const double size : {1.0, 1e-3, 1e-6}) {
         m_page->plot()->xAxis->setRange(1 - size / 10, 1);
@@ -194,7 +194,7 @@ void WavePicturePageTest::zoomingBringsANewPictureOfWhatIsInView() {
     QCOMPARE(gridShown().xiBegin, 0.0);
 }
 
-void WavePicturePageTest::aStrongZoomScalesOnlyThePartOfTheOldPictureInView() {
+void TestWavePicturePage::aStrongZoomScalesOnlyThePartOfTheOldPictureInView() {
     // Scaled to such a view, the whole picture would be millions of screens wide: Qt crashed on that.
     for (const double size : {1e-5, 1e-9, 1e-13}) {
         m_page->plot()->xAxis->setRange(0.4, 0.4 + size);
@@ -209,7 +209,7 @@ void WavePicturePageTest::aStrongZoomScalesOnlyThePartOfTheOldPictureInView() {
     QTRY_VERIFY(settled());
 }
 
-void WavePicturePageTest::theOldPictureStaysUntilTheNewOneIsThere() {
+void TestWavePicturePage::theOldPictureStaysUntilTheNewOneIsThere() {
     const SolvedBlowPtr before = m_page->picture()->shown();
     m_page->plot()->yAxis->setRange(2, 6);
     m_page->plot()->replot();
@@ -223,7 +223,7 @@ void WavePicturePageTest::theOldPictureStaysUntilTheNewOneIsThere() {
     QCOMPARE(m_page->plot()->yAxis->range().upper, 6.0);
 }
 
-void WavePicturePageTest::fittedItFollowsTheBlow() {
+void TestWavePicturePage::fittedItFollowsTheBlow() {
     open(dimensionless(PulseShape::halfSine, {0.5, 0.5, 3, 0}));
     QTRY_VERIFY(settled());
     const double end = m_page->picture()->shown()->impact.separationTime + 6;
@@ -237,7 +237,7 @@ void WavePicturePageTest::fittedItFollowsTheBlow() {
     QCOMPARE(m_page->plot()->yAxis->range().upper, 2.0);
 }
 
-void WavePicturePageTest::forceAndVelocityCanBeChosen() {
+void TestWavePicturePage::forceAndVelocityCanBeChosen() {
     auto* field = m_page->findChild<QComboBox*>(QStringLiteral("field"));
     field->setCurrentIndex(1);
     QTRY_VERIFY(settled());
@@ -252,7 +252,7 @@ void WavePicturePageTest::forceAndVelocityCanBeChosen() {
     QCOMPARE(m_page->picture()->frontsShown(), fronts->isChecked());
 }
 
-void WavePicturePageTest::choicesAreRemembered() {
+void TestWavePicturePage::choicesAreRemembered() {
     m_page->findChild<QComboBox*>(QStringLiteral("field"))->setCurrentIndex(1);
     m_page->findChild<QCheckBox*>(QStringLiteral("fronts"))->setChecked(false);
     m_page->findChild<QComboBox*>(QStringLiteral("speed"))->setCurrentIndex(0);
@@ -262,7 +262,7 @@ void WavePicturePageTest::choicesAreRemembered() {
     QCOMPARE(next.playBar()->secondsForSpan(), 2.0);
 }
 
-void WavePicturePageTest::draggingTheSectionMovesTheBlowsSection() {
+void TestWavePicturePage::draggingTheSectionMovesTheBlowsSection() {
     BlowPage blow(*m_observation);
     PlotWidget* plot = m_page->plot();
     const QRect axes = plot->axisRect()->rect();
@@ -282,7 +282,7 @@ void WavePicturePageTest::draggingTheSectionMovesTheBlowsSection() {
     QVERIFY(std::abs(m_observation->section() - 0.25) < 0.01);
 }
 
-void WavePicturePageTest::theTimeCursorIsShared() {
+void TestWavePicturePage::theTimeCursorIsShared() {
     m_observation->setTime(12.5);
     QCOMPARE(m_page->rodStrip()->time(), 12.5);
     PlotWidget* plot = m_page->plot();
@@ -299,7 +299,7 @@ void WavePicturePageTest::theTimeCursorIsShared() {
     QVERIFY(std::abs(*m_observation->time() - plot->yAxis->range().upper / 4) < 1e-9);
 }
 
-void WavePicturePageTest::keysMoveBothLines() {
+void TestWavePicturePage::keysMoveBothLines() {
     m_observation->setTime(10);
     m_page->plot()->setFocus();
     QTest::keyClick(m_page->plot(), Qt::Key_Right, Qt::ControlModifier);
@@ -312,7 +312,7 @@ void WavePicturePageTest::keysMoveBothLines() {
     QVERIFY(std::abs(*m_observation->time() - 10) < 1e-12);
 }
 
-void WavePicturePageTest::playingAdvancesTheTimeAndStopsWhenHidden() {
+void TestWavePicturePage::playingAdvancesTheTimeAndStopsWhenHidden() {
     PlayBar& bar = *m_page->playBar();
     m_observation->setTime(1);
     const int asked = m_asked;
@@ -334,7 +334,7 @@ void WavePicturePageTest::playingAdvancesTheTimeAndStopsWhenHidden() {
     QTRY_VERIFY(!bar.isPlaying());
 }
 
-void WavePicturePageTest::playingEndsWithTheViewOrLoops() {
+void TestWavePicturePage::playingEndsWithTheViewOrLoops() {
     PlayBar& bar = *m_page->playBar();
     auto* loop = m_page->findChild<QAbstractButton*>(QStringLiteral("loop"));
     const double end = m_page->picture()->timeInView().end;
@@ -352,7 +352,7 @@ void WavePicturePageTest::playingEndsWithTheViewOrLoops() {
     QVERIFY(bar.isPlaying());
 }
 
-void WavePicturePageTest::theSpaceBarPlays() {
+void TestWavePicturePage::theSpaceBarPlays() {
     for (QWidget* widget :
          {static_cast<QWidget*>(m_page->plot()), m_page->findChild<QWidget*>(QStringLiteral("timeSlider")),
           m_page->findChild<QWidget*>(QStringLiteral("play"))}) {
@@ -364,7 +364,7 @@ void WavePicturePageTest::theSpaceBarPlays() {
     }
 }
 
-void WavePicturePageTest::thePointersPlaceIsRead() {
+void TestWavePicturePage::thePointersPlaceIsRead() {
     PlotWidget* plot = m_page->plot();
     plot->replot();  // so that the axes are where the view has put them
     // Between the fronts, where the blow compresses with F0.
@@ -373,7 +373,7 @@ void WavePicturePageTest::thePointersPlaceIsRead() {
     QVERIFY2(text.contains(QStringLiteral("N = −1")), qPrintable(text));
 }
 
-void WavePicturePageTest::theDataAreTheFieldInView() {
+void TestWavePicturePage::theDataAreTheFieldInView() {
     PlotWidget* plot = m_page->plot();
     plot->xAxis->setRange(0.25, 0.5);
     plot->yAxis->setRange(3, 4);
@@ -391,7 +391,7 @@ void WavePicturePageTest::theDataAreTheFieldInView() {
 }
 
 // A picture has no curves, and its numbers are data all the same.
-void WavePicturePageTest::theMenuOffersTheDataOfThePicture() {
+void TestWavePicturePage::theMenuOffersTheDataOfThePicture() {
     const std::unique_ptr<QMenu> menu(m_page->plot()->makeMenu({100, 100}));
     int offered = 0;
     for (const QAction* action : menu->actions())
@@ -402,7 +402,7 @@ void WavePicturePageTest::theMenuOffersTheDataOfThePicture() {
     QCOMPARE(offered, 2);
 }
 
-void WavePicturePageTest::theStripTellsTheStateOfTheBit() {
+void TestWavePicturePage::theStripTellsTheStateOfTheBit() {
     m_observation->setTime(5);
     QVERIFY(m_page->rodStrip()->stateText().contains(QStringLiteral("bit at the rock, no force")));
     m_observation->setTime(10.5);
@@ -411,7 +411,7 @@ void WavePicturePageTest::theStripTellsTheStateOfTheBit() {
     QVERIFY(!m_page->rodStrip()->grab().isNull());
 }
 
-void WavePicturePageTest::extremeScenesGiveAPictureOrTheReason_data() {
+void TestWavePicturePage::extremeScenesGiveAPictureOrTheReason_data() {
     QTest::addColumn<int>("shape");
     QTest::addColumn<double>("beta");
     QTest::addColumn<double>("gamma");
@@ -433,7 +433,7 @@ void WavePicturePageTest::extremeScenesGiveAPictureOrTheReason_data() {
     row("beyond solving", PulseShape::rectangular, {1e-300, 1, 0.05, 0});
 }
 
-void WavePicturePageTest::extremeScenesGiveAPictureOrTheReason() {
+void TestWavePicturePage::extremeScenesGiveAPictureOrTheReason() {
     QFETCH(int, shape);
     QFETCH(double, beta);
     QFETCH(double, gamma);
@@ -459,7 +459,7 @@ void WavePicturePageTest::extremeScenesGiveAPictureOrTheReason() {
     QVERIFY(!m_page->grab().isNull());
 }
 
-void WavePicturePageTest::unitsChangeBelowTheView() {
+void TestWavePicturePage::unitsChangeBelowTheView() {
     m_units = UnitSystem::si;
     open(Scenario());
     QTRY_VERIFY(settled());
@@ -485,5 +485,5 @@ void WavePicturePageTest::unitsChangeBelowTheView() {
     QCOMPARE(m_page->picture()->picture()->units.velocity.factor, blow->groups.tau);
 }
 
-QTEST_MAIN(WavePicturePageTest)
+QTEST_MAIN(TestWavePicturePage)
 #include "tst_wave_picture_page.moc"
