@@ -60,14 +60,17 @@ Interruption::Interruption() {
         }
         if (byte == interrupted) m_source.request_stop();
     };
+    // Before the watcher, so that whoever sees its thread may send a signal; until it reads, the pipe keeps
+    // the byte.
+    handleOnce(SIGINT, onSignal);
+    handleOnce(SIGTERM, onSignal);
     try {
         m_watcher = std::jthread(watch);
     } catch (const std::system_error& error) {
+        exitOnInterruption();
         throw CommandError(ExitCode::internalError, "no thread can be started: " + error.code().message() +
                                                         "; raise the limit of processes or memory (ulimit)");
     }
-    handleOnce(SIGINT, onSignal);
-    handleOnce(SIGTERM, onSignal);
 }
 
 Interruption::~Interruption() {
