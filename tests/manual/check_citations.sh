@@ -13,11 +13,14 @@ manual=resources/manual
 work=$(mktemp -d) || exit 2
 trap 'rm -rf "$work"' EXIT
 
-for page in theory files commands; do
+pages="theory files commands tutorial evidence"
+for page in $pages; do
     if [ ! -s "$manual/$page.md" ]; then
         echo "$manual/$page.md: is missing"
         exit 1
     fi
+done
+for page in $pages; do
     # "§3.1" of "### §3.1 Everything else"
     sed -n "s/^##* \(§[0-9.]*\) .*/$page \1/p" "$manual/$page.md"
 done | sed 's/\.$//' >"$work/there"
@@ -40,7 +43,7 @@ citations() {
     tr '\n' '\0' <"$work/files" | xargs -0 grep -Hno "$1" /dev/null
 }
 {
-    citations '\(theory\|files\|commands\) §[0-9][0-9.]*' | sed 's/\.$//'
+    citations '\(theory\|files\|commands\|tutorial\|evidence\) §[0-9][0-9.]*' | sed 's/\.$//'
     citations '\[paper ([0-9]*)\]'
     citations '(T[0-9][0-9]*)'
 } >"$work/cited"

@@ -7,8 +7,7 @@ root=${1:?check_finds_wrong.sh ROOT}
 checks=$(cd "$(dirname "$0")" && pwd)
 copy=$(mktemp -d) || exit 2
 trap 'rm -rf "$copy"' EXIT
-mkdir "$copy/resources"
-(cd "$root" && cp -R core ui app tests CONTRIBUTING.md "$copy" && cp -R resources/manual "$copy/resources") || exit 2
+(cd "$root" && cp -R core ui app tests packaging resources README.md CONTRIBUTING.md "$copy") || exit 2
 failed=0
 
 # refuses CHECK EXPECTED: the check must fail on the copy and say so.
@@ -38,9 +37,23 @@ Theory, section 7|core/wrong.h:1:
 END
 rm "$copy/core/wrong.h"
 
+cp "$copy/README.md" "$copy/readme"
+while IFS='|' read -r code expected; do
+    printf '\nType `%s`.\n' "$code" | cat "$copy/readme" - >"$copy/README.md"
+    refuses check_commands.sh "$expected"
+done <<'END'
+drillwave solve t38_medium_rock|README.md: names drillwave solve
+ctest -R tst_nothing|README.md: names tst_nothing
+packaging/nothing --all|README.md: names packaging/nothing
+END
+mv "$copy/readme" "$copy/README.md"
+
 edit() {
     sed "$2" "$copy/$1" >"$copy/edited" && mv "$copy/edited" "$copy/$1"
 }
+mv "$copy/resources/manual/files.md" "$copy/files"
+refuses check_citations.sh "files.md: is missing"
+mv "$copy/files" "$copy/resources/manual/files.md"
 edit resources/manual/theory.md '/\[paper (14)\]   *(T/d'
 refuses check_citations.sh "cites [paper (14)]"
 edit resources/manual/files.md 's/`bit_rock.stiffness`//; s/peak_force//'
