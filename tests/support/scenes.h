@@ -126,9 +126,9 @@ class RandomScenes {
             if (const Scene scene = next(); isQuick(scene, pulseOf(scene))) return scene;
     }
 
-    /// Solves n quick scenes by solver(scene) and calls check(scene, impact) for those that are solved, until a
-    /// check fails. The test fails, too, when a smaller share than this is solved: checks that were not made
-    /// say nothing.
+    /// Solves n quick scenes by solver(scene) and calls check(scene, impact) for those that are solved, until
+    /// a check fails. The test fails, too, when a smaller share than this is solved: checks that were not
+    /// made say nothing.
     template <typename Solver, typename Check>
     void forEachSolved(int n, const Solver& solver, const Check& check, double leastShare = 0.8) {
         int solved = 0;
@@ -151,7 +151,8 @@ class RandomScenes {
     /// By the exact solver, which must solve every one of them.
     template <typename Check>
     void forEachSolved(int n, Detail detail, const Check& check) {
-        forEachSolved(n, [detail](const Scene& scene) { return solve(scene, detail); }, check, 1);
+        forEachSolved(
+            n, [detail](const Scene& scene) { return solve(scene, detail); }, check, 1);
     }
 
   private:
