@@ -154,7 +154,7 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
     if (!problems.empty())
         throw CommandError(unknownKey ? ExitCode::usage : ExitCode::invalidScenario, problems,
                            CommandError::Begin::withOption);
-    for (const Problem& problem : validate(scenario))
+    for (const InputProblem& problem : validate(scenario))
         problems.push_back(inputName(path) + " with --set: " + problem.text);
     if (!problems.empty()) throw CommandError(ExitCode::invalidScenario, problems);
     return input;

@@ -30,7 +30,7 @@ std::vector<Preset> parsePresets(std::string_view text, const std::string& sourc
                tree.problem.text);
     PresetReader reader(text);
     std::vector<Preset> presets = reader.read(tree.root);
-    std::vector<Problem> problems = reader.takeProblems();
+    std::vector<InputProblem> problems = reader.takeProblems();
     if (!problems.empty()) throw ScenarioError(Kind::invalid, source, std::move(problems));
     return presets;
 }

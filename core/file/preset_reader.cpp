@@ -191,7 +191,7 @@ void PresetReader::requireKeys(const Preset& preset, const YamlEntries& entries,
 /// Values each of which may be while all of them together may not.
 void PresetReader::checkPhysics(const YamlNode& item, const Section& section) {
     if (!m_reader.problems().empty()) return;
-    for (Problem& problem : validate(m_reader.scenario())) {
+    for (InputProblem& problem : validate(m_reader.scenario())) {
         const TextPosition at =
             m_reader.problems().position(m_reader.placeOf(problem.key).value_or(item.offset));
         problem.line = at.line;

@@ -19,7 +19,7 @@ class PresetReader {
 
     /// Good for nothing if there are problems.
     std::vector<Preset> read(const YamlNode& root);
-    std::vector<Problem> takeProblems() { return m_reader.problems().take(); }
+    std::vector<InputProblem> takeProblems() { return m_reader.problems().take(); }
 
   private:
     struct Section;

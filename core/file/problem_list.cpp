@@ -28,7 +28,7 @@ void ProblemList::reportKey(std::size_t offset, std::string_view key, std::strin
     report({std::string(key), shortened(key) + " (" + std::string(reason) + ")", at.line, at.column});
 }
 
-void ProblemList::report(Problem problem) {
+void ProblemList::report(InputProblem problem) {
     m_keys.insert(problem.key);
     if (m_problems.size() < maximumProblems)
         m_problems.push_back(std::move(problem));
@@ -36,11 +36,11 @@ void ProblemList::report(Problem problem) {
         ++m_leftOut;
 }
 
-std::vector<Problem> ProblemList::take() {
-    const auto place = [](const Problem& p) { return std::tuple(!p.source.empty(), p.line, p.column); };
+std::vector<InputProblem> ProblemList::take() {
+    const auto place = [](const InputProblem& p) { return std::tuple(!p.source.empty(), p.line, p.column); };
     std::ranges::stable_sort(m_problems, {}, place);
     if (m_leftOut > 0) {
-        const Problem& last = m_problems.back();
+        const InputProblem& last = m_problems.back();
         m_problems.push_back(
             {"", "and " + std::to_string(m_leftOut) + " more problems", last.line, last.column});
     }

@@ -24,7 +24,7 @@ class ProblemList {
     /// "key (reason)" at a byte of the text.
     void reportKey(std::size_t offset, std::string_view key, std::string_view reason);
     /// A problem as it is, its place being known already.
-    void report(Problem problem);
+    void report(InputProblem problem);
 
     bool empty() const { return m_problems.empty(); }
     /// Line and column of a byte of the text.
@@ -32,11 +32,11 @@ class ProblemList {
     /// Whether something was reported about that key.
     bool concerns(std::string_view key) const { return m_keys.contains(std::string(key)); }
     /// The problems by line and column; the last one tells how many were left out.
-    std::vector<Problem> take();
+    std::vector<InputProblem> take();
 
   private:
     std::string_view m_text;
-    std::vector<Problem> m_problems;
+    std::vector<InputProblem> m_problems;
     std::set<std::string> m_keys;
     std::size_t m_leftOut = 0;
 };

@@ -106,7 +106,7 @@ bool readTableFile(SectionReader& reader, const YamlEntry& entry, const TableSou
     const bool alone = reader.problems().empty();
     PulseTable table = readPulseTable(path, path, reader.scenario().form);
     const bool unreadable = table.unreadable && alone;
-    for (Problem& problem : table.problems) {
+    for (InputProblem& problem : table.problems) {
         if (problem.line == 0)
             reader.problems().reportValue(entry.place(), "pulse.file", file, problem.text);
         else

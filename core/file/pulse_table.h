@@ -13,7 +13,7 @@ namespace drillwave {
 /// The points of the file, or what is wrong with it.
 struct PulseTable {
     std::vector<TablePoint> points;
-    std::vector<Problem> problems;  ///< with `source` and line
+    std::vector<InputProblem> problems;  ///< with `source` and line
     bool unreadable = false;        ///< the file could not be opened or is no text
 };
 

@@ -10,16 +10,16 @@
 namespace drillwave {
 namespace {
 
-std::string placed(const Problem& problem, const std::string& source) {
+std::string placed(const InputProblem& problem, const std::string& source) {
     std::string place = problem.source.empty() ? source : problem.source;
     if (problem.line > 0) place += (place.empty() ? "line " : ":") + std::to_string(problem.line);
     if (problem.line > 0 && problem.column > 0) place += ":" + std::to_string(problem.column);
     return place.empty() ? problem.text : place + ": " + problem.text;
 }
 
-std::string joinedLines(const std::vector<Problem>& problems, const std::string& source) {
+std::string joinedLines(const std::vector<InputProblem>& problems, const std::string& source) {
     std::string text;
-    for (const Problem& problem : problems) text += (text.empty() ? "" : "\n") + placed(problem, source);
+    for (const InputProblem& problem : problems) text += (text.empty() ? "" : "\n") + placed(problem, source);
     return text;
 }
 
@@ -42,7 +42,7 @@ std::string_view leadingComments(std::string_view text) {
 
 }  // namespace
 
-ScenarioError::ScenarioError(Kind kind, std::string source, std::vector<Problem> problems)
+ScenarioError::ScenarioError(Kind kind, std::string source, std::vector<InputProblem> problems)
     : std::runtime_error(joinedLines(problems, source)),
       m_kind(kind),
       m_source(std::move(source)),
@@ -50,7 +50,7 @@ ScenarioError::ScenarioError(Kind kind, std::string source, std::vector<Problem>
 
 std::vector<std::string> ScenarioError::lines() const {
     std::vector<std::string> lines;
-    for (const Problem& problem : m_problems) lines.push_back(placed(problem, m_source));
+    for (const InputProblem& problem : m_problems) lines.push_back(placed(problem, m_source));
     return lines;
 }
 

@@ -19,17 +19,17 @@ class ScenarioError : public std::runtime_error {
         unreadable,  ///< the file cannot be opened, is too large, not text, or not YAML (exit code 3)
         invalid,     ///< it was read but is not a valid scenario (exit code 5)
     };
-    ScenarioError(Kind kind, std::string source, std::vector<Problem> problems);
+    ScenarioError(Kind kind, std::string source, std::vector<InputProblem> problems);
 
     Kind kind() const { return m_kind; }
-    const std::vector<Problem>& problems() const { return m_problems; }
+    const std::vector<InputProblem>& problems() const { return m_problems; }
     /// "file:line:column: text" for each problem.
     std::vector<std::string> lines() const;
 
   private:
     Kind m_kind;
     std::string m_source;
-    std::vector<Problem> m_problems;
+    std::vector<InputProblem> m_problems;
 };
 
 /// A scenario together with the text it came from, so that saving keeps comments, order and units.

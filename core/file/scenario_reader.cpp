@@ -90,7 +90,7 @@ void readDrill(SectionReader& reader, const YamlEntries& file) {
 
 /// Whether a finding of validate() is about values that were read: a default that stands in for a bad or
 /// missing value must raise no alarm.
-bool isAboutTheFile(SectionReader& reader, const Problem& problem) {
+bool isAboutTheFile(SectionReader& reader, const InputProblem& problem) {
     const auto read = [&](std::string_view key) {
         return reader.placeOf(key).has_value() && !reader.problems().concerns(key);
     };
@@ -109,7 +109,7 @@ std::string_view originOf(std::string_view key) {
 
 void checkWhole(SectionReader& reader) {
     const bool clean = reader.problems().empty();
-    for (Problem& problem : validate(reader.scenario())) {
+    for (InputProblem& problem : validate(reader.scenario())) {
         if (!clean && !isAboutTheFile(reader, problem)) continue;
         const std::optional<std::size_t> place =
             reader.placeOf(reader.dimensional() ? originOf(problem.key) : problem.key);
@@ -139,7 +139,7 @@ bool readSections(SectionReader& reader, const YamlNode& root, const TableSource
     return unreadable;
 }
 
-ReadScenario unreadableText(Problem problem) {
+ReadScenario unreadableText(InputProblem problem) {
     ReadScenario result;
     result.unreadable = true;
     result.problems.push_back(std::move(problem));

@@ -22,7 +22,7 @@ inline constexpr std::size_t maximumScenarioBytes = std::size_t{1} << 20;
 /// A scenario, valid if there are no problems.
 struct ReadScenario {
     Scenario scenario;
-    std::vector<Problem> problems;
+    std::vector<InputProblem> problems;
     bool unreadable = false;  ///< what is wrong is that the text, or a file it names, cannot be read
 };
 

@@ -15,13 +15,13 @@ std::string valueText(const Parameter& parameter, double value) {
     return formatQuantity(value, parameter.quantity, parameter.displayUnit());
 }
 
-void report(std::vector<Problem>& problems, std::string_view key, std::string_view value,
+void report(std::vector<InputProblem>& problems, std::string_view key, std::string_view value,
             std::string_view reason) {
     const std::string equals = value.empty() ? " " : " = " + std::string(value) + " ";
     problems.push_back({std::string(key), std::string(key) + equals + "(" + std::string(reason) + ")"});
 }
 
-void checkRanges(const Scenario& scenario, std::vector<Problem>& problems) {
+void checkRanges(const Scenario& scenario, std::vector<InputProblem>& problems) {
     for (const Parameter& parameter : parameters()) {
         if (!isGiven(parameter, scenario)) continue;
         const std::optional<double> value = parameter.value(scenario);
@@ -30,7 +30,7 @@ void checkRanges(const Scenario& scenario, std::vector<Problem>& problems) {
     }
 }
 
-void checkBore(const Scenario& scenario, std::vector<Problem>& problems) {
+void checkBore(const Scenario& scenario, std::vector<InputProblem>& problems) {
     const Rod& rod = scenario.rod;
     if (scenario.form == ScenarioForm::dimensionless || rod.area || !(rod.bore >= rod.diameter)) return;
     const Parameter& bore = *findParameter("rod.bore");
@@ -38,7 +38,7 @@ void checkBore(const Scenario& scenario, std::vector<Problem>& problems) {
            "must be less than the diameter of " + valueText(bore, rod.diameter));
 }
 
-void checkTrapezoid(const Pulse& pulse, std::vector<Problem>& problems) {
+void checkTrapezoid(const Pulse& pulse, std::vector<InputProblem>& problems) {
     if (pulse.shape != PulseShape::trapezoid || !(pulse.rise + pulse.fall > 1)) return;
     // 0.7 + 0.3 may be a rounding error above 1: accept it, the plateau is then empty.
     if (pulse.rise + pulse.fall <= 1 + 1e-12) return;
@@ -46,13 +46,13 @@ void checkTrapezoid(const Pulse& pulse, std::vector<Problem>& problems) {
            "rise and fall together must not exceed 1, they are " + formatNumber(pulse.rise + pulse.fall));
 }
 
-void checkTable(const Scenario& scenario, std::vector<Problem>& problems) {
+void checkTable(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (scenario.pulse.shape != PulseShape::table) return;
     const std::string reason = pointProblem(scenario.pulse.tablePoints).reason;
     if (!reason.empty()) report(problems, "pulse.points", "", reason);
 }
 
-void checkPiston(const Scenario& scenario, std::vector<Problem>& problems) {
+void checkPiston(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (scenario.pulse.shape != PulseShape::piston) return;
     const double ratio = pistonImpedanceRatio(scenario);
     if (pistonStepCount(ratio) <= maximumPulseSegments) return;
@@ -68,7 +68,7 @@ bool isPositiveAndFinite(double value) {
 }
 
 /// The bit closes the gap by one d0 in each round trip.
-void checkFirstContact(const Groups& groups, const std::string& follows, std::vector<Problem>& problems) {
+void checkFirstContact(const Groups& groups, const std::string& follows, std::vector<InputProblem>& problems) {
     constexpr double latest = 1e12;  // neighbouring doubles are 1e-4 t0 apart there
     const double firstContact = groups.tau * (1 + 2 * groups.delta);
     if (firstContact <= latest) return;
@@ -81,7 +81,7 @@ void checkFirstContact(const Groups& groups, const std::string& follows, std::ve
 }
 
 /// Each value may be fine and the conversion still overflow or vanish.
-void checkGroups(const Scenario& scenario, std::vector<Problem>& problems) {
+void checkGroups(const Scenario& scenario, std::vector<InputProblem>& problems) {
     const Scales scales = scalesOf(scenario);
     for (const double scale : {scales.time, scales.impulse, scales.force, scales.velocity, scales.penetration,
                                scales.stiffness, scales.energy}) {
@@ -123,8 +123,8 @@ PointProblem pointProblem(const std::vector<TablePoint>& points) {
     return {};
 }
 
-std::vector<Problem> validate(const Scenario& scenario) {
-    std::vector<Problem> problems;
+std::vector<InputProblem> validate(const Scenario& scenario) {
+    std::vector<InputProblem> problems;
     checkRanges(scenario, problems);
     checkBore(scenario, problems);
     checkTrapezoid(scenario.pulse, problems);

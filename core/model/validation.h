@@ -11,19 +11,19 @@
 namespace drillwave {
 
 /// One thing wrong with a scenario. Line and column are 1-based, 0 when it did not come from a file.
-struct Problem {
+struct InputProblem {
     std::string key;   ///< "bit_rock.gamma", may be empty
     std::string text;  ///< "bit_rock.gamma = 1.3 (must be in (0, 1])"
     int line = 0;
     int column = 0;
     std::string source = {};  ///< the file it is in, where that is not the scenario file (a pulse table)
-    bool operator==(const Problem&) const = default;
+    bool operator==(const InputProblem&) const = default;
 };
 
 /// Every hard-range violation and inconsistency (rise + fall > 1, bore ≥ diameter, table times not
 /// increasing, groups not finite or zero after conversion), physical parameters first. Empty when the
 /// scenario can be solved.
-std::vector<Problem> validate(const Scenario& scenario);
+std::vector<InputProblem> validate(const Scenario& scenario);
 
 /// The first reason why points are no hammer force, and the point (from 0) that it is about.
 struct PointProblem {

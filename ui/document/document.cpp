@@ -104,7 +104,7 @@ QString Document::whyNot(const Parameter& parameter, double si) const {
     if (!outside.empty()) return QString::fromStdString(outside);
     Scenario changed = m_scenario;
     parameter.assign(changed, si);
-    const std::vector<Problem> problems = validate(changed);
+    const std::vector<InputProblem> problems = validate(changed);
     return problems.empty() ? QString() : QString::fromStdString(problems.front().text);
 }
 
@@ -230,7 +230,7 @@ void Document::markUnsaved() {
 
 QString Document::applyPreset(const Preset& preset) {
     Scenario changed = withPreset(m_scenario, preset);
-    std::vector<Problem> problems = validate(changed);
+    std::vector<InputProblem> problems = validate(changed);
     if (!problems.empty())
         return lines(ScenarioError(ScenarioError::Kind::invalid, preset.name, std::move(problems)));
     if (changed != m_scenario) emit presetTaken();
@@ -259,7 +259,7 @@ QString Document::tablePath() const {
 
 QString Document::takeTable(const QString& path, const std::string& name, const QString& step) {
     PulseTable table = readPulseTable(nativePath(path), nativePath(path), m_scenario.form);
-    std::vector<Problem> problems = std::move(table.problems);
+    std::vector<InputProblem> problems = std::move(table.problems);
     Scenario changed = m_scenario;
     changed.pulse.shape = PulseShape::table;
     changed.pulse.tablePoints = std::move(table.points);

@@ -24,7 +24,7 @@ SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexc
     auto blow = std::make_shared<SolvedBlow>();
     try {
         blow->request = request;
-        const std::vector<Problem> problems = validate(request.scenario);
+        const std::vector<InputProblem> problems = validate(request.scenario);
         if (!problems.empty()) return failedBlow(request, QString::fromStdString(problems.front().text));
         static_cast<Blow&>(*blow) =
             solveBlow(request.scenario, {}, Detail::histories, request.stop, Stresses::wanted, solver);

@@ -99,7 +99,7 @@ void checkCorners(const Sweep& sweep, std::vector<std::string>& problems) {
             problems.push_back("at " + pointText(sweep.axes, point) + ": " +
                                std::string(sweep.axes[a].key()) + " " + lost);
         }
-        for (const Problem& problem : validate(scenario)) {
+        for (const InputProblem& problem : validate(scenario)) {
             if (!isNew(problem.key)) continue;
             problems.push_back("at " + pointText(sweep.axes, point) + ": " + problem.text);
         }

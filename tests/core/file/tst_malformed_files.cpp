@@ -305,7 +305,7 @@ void TestMalformedFiles::malformedFilesAreRefusedWithTheirPlace() {
         QFAIL("the file was accepted");
     } catch (const ScenarioError& error) {
         QVERIFY2(error.kind() == kind, error.what());
-        const auto isExpected = [&](const Problem& problem) {
+        const auto isExpected = [&](const InputProblem& problem) {
             return problem.line == line && QString::fromStdString(problem.text).contains(message);
         };
         QVERIFY2(std::ranges::any_of(error.problems(), isExpected), error.what());

@@ -524,7 +524,7 @@ void TestScenarioFile::everyNewScenarioReadsBackTheSame() {
         if (scenario.rod.bore >= scenario.rod.diameter) scenario.rod.bore = 0;
         if (scenario.pulse.rise + scenario.pulse.fall > 1)
             scenario.pulse.rise = scenario.pulse.fall = 1.0 / 3;
-        const std::vector<Problem> problems = validate(scenario);
+        const std::vector<InputProblem> problems = validate(scenario);
         QVERIFY2(problems.empty(), problems.empty() ? "" : problems.front().text.c_str());
         const std::string text = writeScenario({scenario, "", ""});
         QVERIFY2(parsed(text).scenario == withoutUnusedValues(scenario), text.c_str());

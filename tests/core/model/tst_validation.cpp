@@ -28,7 +28,7 @@ bool hasAlert(const Scenario& scenario, std::string_view code) {
 }
 
 QString onlyProblem(const Scenario& scenario) {
-    const std::vector<Problem> problems = validate(scenario);
+    const std::vector<InputProblem> problems = validate(scenario);
     return problems.size() == 1 ? QString::fromStdString(problems.front().text)
                                 : QString("%1 problems").arg(problems.size());
 }
@@ -74,9 +74,9 @@ void TestValidation::everyProblemIsFoundAtOnce() {
     scenario.pulse.fall = 0.7;
     scenario.bitRock.gamma = 1.3;
     scenario.drill.thrust = std::nan("");
-    const std::vector<Problem> problems = validate(scenario);
+    const std::vector<InputProblem> problems = validate(scenario);
     QStringList keys;
-    for (const Problem& problem : problems) keys << QString::fromStdString(problem.key);
+    for (const InputProblem& problem : problems) keys << QString::fromStdString(problem.key);
     QCOMPARE(keys, QStringList({"rod.length", "bit_rock.gamma", "drill.thrust", "rod.bore", "pulse.fall"}));
     QCOMPARE(QString::fromStdString(problems[0].text), QString("rod.length = -1 m (must be greater than 0)"));
     QCOMPARE(QString::fromStdString(problems[1].text), QString("bit_rock.gamma = 1.3 (must be in (0, 1])"));
@@ -91,9 +91,9 @@ void TestValidation::everyHardRangeIsHeld() {
                 for (const double wrong : {parameter.hard.low - 1, std::nan(""), HUGE_VAL}) {
                     Scenario scenario = base;
                     parameter.assign(scenario, wrong);
-                    const std::vector<Problem> problems = validate(scenario);
+                    const std::vector<InputProblem> problems = validate(scenario);
                     const bool found = std::ranges::any_of(
-                        problems, [&](const Problem& p) { return p.key == parameter.key; });
+                        problems, [&](const InputProblem& p) { return p.key == parameter.key; });
                     QVERIFY2(found, std::string(parameter.key).c_str());
                 }
             }

@@ -121,7 +121,7 @@ void TestMonkey::makeWindow() {
 // What must hold between any two events.
 QString TestMonkey::wrongNow() const {
     Document& document = m_window->document();
-    const std::vector<Problem> problems = validate(document.scenario());
+    const std::vector<InputProblem> problems = validate(document.scenario());
     if (!problems.empty())
         return QStringLiteral("the scenario is invalid: ") + QString::fromStdString(problems.front().text);
     const QUndoStack& stack = document.undoStack();
