@@ -62,11 +62,10 @@ GapCurve followGap(const Scenario& scenario, const std::optional<NormalGap>& nor
     constexpr double parts = 1000;
     ProgressBar bar(static_cast<std::uint64_t>(parts));
     const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
-    const PulseForce pulse = pulseForceOf(scenario);
-    const Groups groups = groupsOf(scenario);
-    const double period = gapPeriodStart(pulse, groups);
+    const Problem problem = problemOf(scenario);
+    const double period = gapPeriodStart(problem);
     const double start = normal ? std::min(lowestGap(*normal), period) : period;
-    GapCurve curve = gapCurve(pulse, groups, start, Detail::summary, interruption.token(), progress);
+    GapCurve curve = gapCurve(problem, start, Detail::summary, interruption.token(), progress);
     interruption.check();
     return curve;
 }

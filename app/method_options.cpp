@@ -2,7 +2,6 @@
 #include "app/method_options.h"
 
 #include "app/command_error.h"
-#include "core/model/scales.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
@@ -34,7 +33,7 @@ MethodChoice methodChoice(const Arguments& arguments, const std::optional<Method
 }
 
 void checkMethodApplies(const MethodChoice& choice, const Scenario& scenario, const std::string& path) {
-    const std::string refusal = methodRefusal(choice.method, pulseForceOf(scenario), groupsOf(scenario));
+    const std::string refusal = methodRefusal(choice.method, problemOf(scenario));
     if (!refusal.empty())
         throw CommandError(ExitCode::usage,
                            "--method " + std::string(name(choice.method)) + ": " + path + ": " + refusal);

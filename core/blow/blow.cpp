@@ -18,13 +18,15 @@ void append(std::vector<Alert>& alerts, const std::vector<Alert>& more) {
 void solveTimed(Blow& blow, Detail detail, const std::stop_token& stop, MethodSolver& solver) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    blow.impact = solver.solve(blow.pulse, blow.groups, detail, blow.method, stop);
+    blow.impact = solver.solve(blow.solved, detail, blow.method, stop);
     blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 /// What follows from the solution.
 void conclude(Blow& blow) {
-    blow.summary = summarize(blow.impact, blow.groups, blow.pulse);
+    blow.summary = summarize(blow.impact, blow.solved);
+    if (!blow.impact.incident.empty())
+        blow.summary.rodForces = largestRodForces(blow.impact, blow.solved.hammer);
     blow.feed = judgeFeed(blow.scenario, blow.impact.cor);
     append(blow.alerts, resultAlerts(blow.scenario, blow.summary));
     if (blow.summary.rodForces) append(blow.alerts, stressAlerts(blow.scenario, *blow.summary.rodForces));
@@ -46,7 +48,7 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
     blow.method = method;
     blow.groups = groupsOf(scenario);
     blow.scales = scalesOf(scenario);
-    blow.pulse = pulseForceOf(scenario);
+    blow.solved = problemOf(scenario);
     blow.alerts = alertsFor(scenario);
     const bool keepsWaves = stresses == Stresses::wanted || hasStrength(scenario.rod);
     solveTimed(blow, keepsWaves ? Detail::histories : detail, stop, solver);

@@ -10,10 +10,10 @@
 #include "core/blow/impact_summary.h"
 #include "core/blow/method.h"
 #include "core/model/alerts.h"
-#include "core/model/pulse_force.h"
 #include "core/model/scales.h"
 #include "core/model/scenario.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -23,7 +23,7 @@ struct Blow {
     MethodChoice method;
     Groups groups;
     Scales scales;  ///< back to SI; all 1 in a dimensionless scenario
-    PulseForce pulse;
+    Problem solved;
     Impact impact;          ///< its `reason` says why there is no result
     ImpactSummary summary;  ///< not to be used where there is no result, nor is `feed`
     std::optional<FeedVerdict>

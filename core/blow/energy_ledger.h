@@ -2,8 +2,8 @@
 // Where the work of the hammer went.
 #pragma once
 
-#include "core/model/scenario.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -17,6 +17,6 @@ struct EnergyLedger {
 };
 
 /// Of an impact solved with Detail::summary or more.
-EnergyLedger ledgerOf(const Impact& impact, const Groups& groups);
+EnergyLedger ledgerOf(const Impact& impact, const Problem& problem);
 
 }  // namespace drillwave

@@ -61,30 +61,24 @@ constexpr auto outputTable = std::to_array<Output>({
 
 }  // namespace
 
-ImpactSummary summarize(const Impact& impact, const Groups& groups) {
+ImpactSummary summarize(const Impact& impact, const Problem& problem) {
     // Um = Fm/k; F0/k0 is half of d0.
-    const double maxPenetration = impact.peakForce / (2 * groups.beta);
+    const double maxPenetration = impact.peakForce / (2 * problem.law.beta);
     return {.cor = impact.cor,
             .impulse = impact.impulse,
             .peakForce = impact.peakForce,
             .maxPenetration = maxPenetration,
-            .residualPenetration = (1 - groups.gamma) * maxPenetration,
+            .residualPenetration = (1 - problem.law.gamma) * maxPenetration,
             .firstContactTime = impact.firstContactTime,
             .separationTime = impact.separationTime,
             .contactDuration = impact.contactDuration,
-            .workRatio = impact.hammerWork * 2 * groups.tau,  // [paper (2)]
-            .energy = ledgerOf(impact, groups),
+            .workRatio = impact.hammerWork * 2 * problem.transitTime,  // [paper (2)]
+            .energy = ledgerOf(impact, problem),
             .momentumResidual = 1 - impact.impulse - impact.finalMomentum,  // [paper (10)]
             .corError = impact.corError,
             .growth = impact.growth,
             .contacts = impact.contacts,
             .rodForces = {}};
-}
-
-ImpactSummary summarize(const Impact& impact, const Groups& groups, const PulseForce& pulse) {
-    ImpactSummary summary = summarize(impact, groups);
-    if (!impact.incident.empty()) summary.rodForces = largestRodForces(impact, pulse);
-    return summary;
 }
 
 std::span<const Output> outputs() {

@@ -7,12 +7,11 @@
 #include <string_view>
 
 #include "core/blow/energy_ledger.h"
-#include "core/model/pulse_force.h"
 #include "core/model/scales.h"
-#include "core/model/scenario.h"
 #include "core/text/units.h"
 #include "core/wave/field/rod_forces.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -32,15 +31,12 @@ struct ImpactSummary {
     double corError = 0;
     double growth = 1;                   ///< Impact::growth
     int contacts = 0;                    ///< separate contacts
-    std::optional<RodForces> rodForces;  ///< [F0] where the waves were kept
+    std::optional<RodForces> rodForces;  ///< [F0] where they were asked for; solveBlow() does
 };
 
 /// Of an impact solved with Detail::summary or more. From one solved with Detail::cor only `cor`, `impulse`
 /// and `corError` mean anything.
-ImpactSummary summarize(const Impact& impact, const Groups& groups);
-
-/// The same with the largest forces in the rod where the impact was solved with Detail::histories.
-ImpactSummary summarize(const Impact& impact, const Groups& groups, const PulseForce& pulse);
+ImpactSummary summarize(const Impact& impact, const Problem& problem);
 
 /// One named output: JSON key, CSV column and --outputs name.
 struct Output {

@@ -35,20 +35,20 @@ std::string describe(const MethodChoice& choice) {
     return text;
 }
 
-std::string methodRefusal(Method method, const PulseForce& pulse, const Groups& groups) {
-    return method == Method::closedForm ? closedFormRefusal(pulse, groups) : std::string();
+std::string methodRefusal(Method method, const Problem& problem) {
+    return method == Method::closedForm ? closedFormRefusal(problem) : std::string();
 }
 
-Impact MethodSolver::solve(const PulseForce& pulse, const Groups& groups, Detail detail,
-                           const MethodChoice& choice, const std::stop_token& stop) {
+Impact MethodSolver::solve(const Problem& problem, Detail detail, const MethodChoice& choice,
+                           const std::stop_token& stop) {
     switch (choice.method) {
         case Method::exact:
-            return m_exact.solve(pulse, groups, detail, stop);
+            return m_exact.solve(problem, detail, stop);
         case Method::lattice:
             if (!m_lattice) m_lattice.emplace();
-            return m_lattice->solve(pulse, groups, detail, choice.lattice, stop);
+            return m_lattice->solve(problem, detail, choice.lattice, stop);
         case Method::closedForm:
-            return solveClosedForm(pulse, groups, detail);
+            return solveClosedForm(problem, detail);
     }
     return {};
 }

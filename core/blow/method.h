@@ -8,11 +8,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/impact.h"
 #include "core/wave/lattice/lattice_solver.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -40,7 +39,7 @@ struct MethodChoice {
 std::string describe(const MethodChoice& choice);
 
 /// Why a method says nothing about a blow that others can solve; empty when it does.
-std::string methodRefusal(Method method, const PulseForce& pulse, const Groups& groups);
+std::string methodRefusal(Method method, const Problem& problem);
 
 /// Solves one blow after another by any method, keeping the workspace. One solver per thread.
 class MethodSolver {
@@ -49,10 +48,10 @@ class MethodSolver {
     explicit MethodSolver(long mostPieces = defaultMostPieces) : m_exact(mostPieces) {}
     static constexpr long defaultMostPieces = 30'000'000;
 
-    /// Groups as for ExactSolver::solve(). A blow that the method refuses is not solved, with the reason.
-    /// The closed form, which takes no time, does not look at `stop`.
-    Impact solve(const PulseForce& pulse, const Groups& groups, Detail detail,
-                 const MethodChoice& choice = {}, const std::stop_token& stop = {});
+    /// The problem is as for ExactSolver::solve(). A blow that the method refuses is not solved, with the
+    /// reason. The closed form, which takes no time, does not look at `stop`.
+    Impact solve(const Problem& problem, Detail detail, const MethodChoice& choice = {},
+                 const std::stop_token& stop = {});
 
   private:
     ExactSolver m_exact;

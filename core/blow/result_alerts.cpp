@@ -6,7 +6,6 @@
 
 #include "core/blow/feed_verdict.h"
 #include "core/model/alerts.h"
-#include "core/model/pulse_force.h"
 #include "core/model/scales.h"
 #include "core/text/decimal_text.h"
 #include "core/text/handy_text.h"
@@ -49,25 +48,26 @@ struct Obstacle {
     std::string parameter;
 };
 
-std::optional<Obstacle> closedFormObstacle(const PulseForce& pulse, const Groups& groups) {
-    if (groups.tau < 0.5)
-        return Obstacle{
-            "the blow is longer than a round trip in the rod (tau = " + fourDigits(groups.tau) + " < 0.5)",
-            "tau"};
-    if (!closedFormRefusal(pulse, groups).empty())
-        return Obstacle{"the bit meets the rock in the middle of a wave (delta = " +
-                            fourDigits(groups.delta) + " is not a whole number)",
+std::optional<Obstacle> closedFormObstacle(const Problem& problem) {
+    if (problem.transitTime < 0.5)
+        return Obstacle{"the blow is longer than a round trip in the rod (tau = " +
+                            fourDigits(problem.transitTime) + " < 0.5)",
+                        "tau"};
+    if (!closedFormRefusal(problem).empty())
+        return Obstacle{"the bit meets the rock in the middle of a wave (delta = " + fourDigits(problem.gap) +
+                            " is not a whole number)",
                         "delta"};
-    if (overlapIsSmall(groups.beta, groups.tau)) return std::nullopt;
+    if (overlapIsSmall(problem.law.beta, problem.transitTime)) return std::nullopt;
     return Obstacle{"the bit is still on the rock when the next reflection arrives", "beta"};
 }
 
 void addClosedForm(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    const Groups groups = groupsOf(scenario);
-    if (scenario.pulse.shape != PulseShape::rectangular || groups.gamma != 1) return;
-    const std::optional<Obstacle> obstacle = closedFormObstacle(pulseForceOf(scenario), groups);
+    if (scenario.pulse.shape != PulseShape::rectangular) return;
+    const Problem problem = problemOf(scenario);
+    if (problem.law.gamma != 1) return;
+    const std::optional<Obstacle> obstacle = closedFormObstacle(problem);
     if (!obstacle) return;
-    const double closed = closedFormRestitution(groups.beta);
+    const double closed = closedFormRestitution(problem.law.beta);
     alerts.push_back({AlertLevel::information, "closed_form_invalid", obstacle->parameter,
                       "The closed form for elastic rock does not hold, because " + obstacle->reason +
                           ": its e = " + fourDigits(closed) + " is off by " +

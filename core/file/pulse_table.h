@@ -14,7 +14,7 @@ namespace drillwave {
 struct PulseTable {
     std::vector<TablePoint> points;
     std::vector<InputProblem> problems;  ///< with `source` and line
-    bool unreadable = false;        ///< the file could not be opened or is no text
+    bool unreadable = false;             ///< the file could not be opened or is no text
 };
 
 /// Reads "time [us],force [kN]" (units as in the header; "time,force" in a dimensionless scenario). `path` is

@@ -68,7 +68,8 @@ bool isPositiveAndFinite(double value) {
 }
 
 /// The bit closes the gap by one d0 in each round trip.
-void checkFirstContact(const Groups& groups, const std::string& follows, std::vector<InputProblem>& problems) {
+void checkFirstContact(const Groups& groups, const std::string& follows,
+                       std::vector<InputProblem>& problems) {
     constexpr double latest = 1e12;  // neighbouring doubles are 1e-4 t0 apart there
     const double firstContact = groups.tau * (1 + 2 * groups.delta);
     if (firstContact <= latest) return;

@@ -29,22 +29,21 @@ std::string historyHeading(OutputUnits units) {
 /// Where the bit is, from the first time to the last.
 class FrontEnd {
   public:
-    FrontEnd(const Impact& impact, const PulseForce& pulse, const Groups& groups)
-        : m_impact(impact), m_groups(groups), m_firstGap(pulse.isRigidBody() ? 0 : groups.delta) {}
+    FrontEnd(const Impact& impact, const Problem& problem) : m_impact(impact), m_problem(problem) {}
 
     /// [d0] Of the law of the rock while it pushes, where the displacement of the bit would have its digits
     /// cancelled by those of a much longer way.
     double penetration(double time, double force) {
         m_largestForce = std::max(m_largestForce, force);
         if (force > 0)
-            return (m_largestForce - m_groups.gamma * (m_largestForce - force)) / (2 * m_groups.beta);
-        return bitDisplacement(m_impact, time) - m_firstGap;
+            return (m_largestForce - m_problem.law.gamma * (m_largestForce - force)) /
+                   (2 * m_problem.law.beta);
+        return bitDisplacement(m_impact, time) - m_problem.firstGap();
     }
 
   private:
     const Impact& m_impact;
-    const Groups& m_groups;
-    double m_firstGap;
+    const Problem& m_problem;
     double m_largestForce = 0;
 };
 
@@ -86,15 +85,16 @@ std::string scenarioFromHeader(std::string_view csv) {
     return scenario;
 }
 
-std::string historiesCsv(const Impact& impact, const PulseForce& pulse, const Groups& groups,
-                         OutputUnits units, const Scales& scales) {
+std::string historiesCsv(const Impact& impact, const Problem& problem, OutputUnits units,
+                         const Scales& scales) {
     const Scales scale = units == OutputUnits::si ? scales : Scales{};
     const SampledHistory history = sampleHistory(impact);
     std::string csv = historyHeading(units);
-    FrontEnd front(impact, pulse, groups);
+    FrontEnd front(impact, problem);
     for (std::size_t i = 0; i < history.time.size(); ++i) {
         const double force = history.force[i], incident = history.incident[i];
-        const double received = pulse.isRigidBody() ? 1 : pulse.impulseUntil(history.time[i]);
+        const double received =
+            problem.hammer.isRigidBody() ? 1 : problem.hammer.impulseUntil(history.time[i]);
         const double cells[] = {history.time[i] * scale.time,
                                 force * scale.force,
                                 history.impulse[i] * scale.impulse,

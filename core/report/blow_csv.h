@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/model/pulse_force.h"
 #include "core/model/scales.h"
 #include "core/study/rows/output_column.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -28,8 +28,8 @@ std::string scenarioFromHeader(std::string_view csv);
 /// Penetration is that of the bit below the first surface of the rock, negative while it is above. `scales`
 /// of the scenario turn the columns into SI; without, forces are in F0, times in t0, lengths in d0,
 /// velocities in d0/t0. Requires an impact solved with Detail::histories.
-std::string historiesCsv(const Impact& impact, const PulseForce& pulse, const Groups& groups,
-                         OutputUnits units, const Scales& scales);
+std::string historiesCsv(const Impact& impact, const Problem& problem, OutputUnits units,
+                         const Scales& scales);
 
 /// Signs and units of these columns in one line, for the header of the file.
 std::string historyColumns(OutputUnits units);

@@ -4,10 +4,10 @@
 #include <cstring>
 #include <string>
 
-#include "core/model/pulse_force.h"
 #include "core/numeric/run_time.h"
 #include "core/text/units.h"
 #include "core/wave/exact/exact_solver.h"
+#include "core/wave/problem.h"
 
 using namespace drillwave;
 
@@ -40,10 +40,10 @@ struct Measured {
 };
 
 Measured measure(const Scene& scene) {
-    const PulseForce pulse = pulseForceOf(scene.shape, 2);
+    const Problem problem = problemOf(pulseForceOf(scene.shape, 2), scene.groups);
     ExactSolver solver;
     Measured measured;
-    const auto work = [&] { measured.pieces = solver.solve(pulse, scene.groups, Detail::cor).pieces; };
+    const auto work = [&] { measured.pieces = solver.solve(problem, Detail::cor).pieces; };
     work();  // warm
     measured.time = measureRunTime(work, 0, {}, [] {});
     return measured;

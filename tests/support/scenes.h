@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "core/model/pulse_force.h"
 #include "core/text/csv.h"
 #include "core/text/units.h"
 #include "core/wave/exact/exact_solver.h"
+#include "core/wave/problem.h"
 
 namespace drillwave::test {
 
@@ -24,13 +24,13 @@ struct Scene {
     double impedanceRatio = 2;  ///< of a piston
 };
 
-inline PulseForce pulseOf(const Scene& scene) {
-    return pulseForceOf(scene.shape, scene.impedanceRatio);
+inline Problem problemOf(const Scene& scene) {
+    return problemOf(pulseForceOf(scene.shape, scene.impedanceRatio), scene.groups);
 }
 
 inline Impact solve(const Scene& scene, Detail detail = Detail::cor) {
     ExactSolver solver;
-    return solver.solve(pulseOf(scene), scene.groups, detail);
+    return solver.solve(problemOf(scene), detail);
 }
 
 inline double cor(PulseShape shape, double beta, double gamma, double tau, double delta) {
@@ -78,9 +78,9 @@ inline constexpr Domain engineeringDomain{1e-3, 1e3, 0.01, 0.05, 1000, 100};
 inline constexpr Domain extremeDomain{1e-7, 1e9, 1e-6, 0.05, 1000, 1000};
 
 /// Long blows on rods shorter than them take up to a million wave pieces: too slow for thousands of scenes.
-inline bool isQuick(const Scene& scene, const PulseForce& pulse) {
-    if (scene.groups.tau < 1.5 && pulse.end > 1) return false;
-    return scene.groups.beta > 1e-5 || scene.groups.gamma > 0.3;
+inline bool isQuick(const Problem& problem) {
+    if (problem.transitTime < 1.5 && problem.hammer.end > 1) return false;
+    return problem.law.beta > 1e-5 || problem.law.gamma > 0.3;
 }
 
 /// Random scenes of every shape, the same sequence on every machine: γ = 1 and nearly 1, integral gaps and
@@ -123,7 +123,7 @@ class RandomScenes {
     /// The next scene that is quick to solve.
     Scene nextQuick() {
         for (;;)
-            if (const Scene scene = next(); isQuick(scene, pulseOf(scene))) return scene;
+            if (const Scene scene = next(); isQuick(problemOf(scene))) return scene;
     }
 
     /// Solves n quick scenes by solver(scene) and calls check(scene, impact) for those that are solved, until

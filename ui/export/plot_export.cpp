@@ -29,18 +29,19 @@ BlowPictures drawBlowPlots(const Scenario& scenario, const Impact& impact, const
     BlowPictures pictures{.files = {}, .problem = obstacle(impact, formats)};
     if (!pictures.problem.isEmpty()) return pictures;
 
+    const Problem problem = problemOf(scenario);
     const ShownUnits shown = shownUnits(naturalUnits(scenario), scalesOf(scenario));
     const PlotStyle style = PlotStyle::forPaper();
     QCustomPlot blowPlot;
     blowPlot.setLocale(QLocale::c());
     BlowPlots blow(&blowPlot);
     blow.setStyle(style);
-    blow.present(blowCurves(impact, pulseForceOf(scenario), shown, 0.5, Tail::cut));
+    blow.present(blowCurves(impact, problem.hammer, shown, 0.5, Tail::cut));
     QCustomPlot rockPlot;
     rockPlot.setLocale(QLocale::c());
     RockPlot rock(&rockPlot);
     rock.setStyle(style);
-    rock.present(rockCurve(impact, groupsOf(scenario), shown));
+    rock.present(rockCurve(impact, problem, shown));
 
     struct Figure {
         const char* name;

@@ -45,7 +45,7 @@ QByteArray historiesFile(const SolvedRun& run) {
     const Blow& blow = run.blow;
     return QByteArray::fromStdString(
         scenarioHeader(run.scenarioText, describe(blow.method), historyColumns(run.units)) +
-        historiesCsv(blow.impact, blow.pulse, blow.groups, run.units, blow.scales));
+        historiesCsv(blow.impact, blow.solved, run.units, blow.scales));
 }
 
 QByteArray eventsFile(const SolvedRun& run) {

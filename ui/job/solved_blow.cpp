@@ -8,7 +8,7 @@
 namespace drillwave {
 namespace {
 
-QString problemOf(const Blow& blow) {
+QString whyUnsolved(const Blow& blow) {
     if (blow.isSolved()) return {};
     if (blow.impact.reason.empty()) return QStringLiteral("The blow could not be solved.");
     return QString::fromStdString(blow.impact.reason);
@@ -29,7 +29,7 @@ SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexc
         static_cast<Blow&>(*blow) =
             solveBlow(request.scenario, {}, Detail::histories, request.stop, Stresses::wanted, solver);
         blow->units = shownUnits(request.units, blow->scales);
-        blow->problem = problemOf(*blow);
+        blow->problem = whyUnsolved(*blow);
         if (blow->isSolved()) preparePages(*blow);
     } catch (const std::exception& error) {
         return failedBlow(request, QString::fromUtf8(error.what()));

@@ -48,9 +48,8 @@ using Errors = std::array<double, gapOutputCount>;
 
 class Builder {
   public:
-    Builder(const PulseForce& pulse, const Groups& groups, Detail detail, std::stop_token stop,
-            const GapProgress& progress)
-        : m_pulse(pulse), m_groups(groups), m_detail(detail), m_stop(std::move(stop)), m_progress(progress) {}
+    Builder(const Problem& problem, Detail detail, std::stop_token stop, const GapProgress& progress)
+        : m_problem(problem), m_detail(detail), m_stop(std::move(stop)), m_progress(progress) {}
 
     GapCurve build(double start);
 
@@ -82,8 +81,7 @@ class Builder {
     bool isHopeless() const { return m_failures >= mostFailuresOfCell || m_failedPieces >= mostFailedPieces; }
     bool mayWork() const { return m_curve.solves < m_solveLimit; }
 
-    const PulseForce& m_pulse;
-    Groups m_groups;
+    Problem m_problem;  ///< with the gap that is being solved
     Detail m_detail;
     std::stop_token m_stop;
     const GapProgress& m_progress;
@@ -101,8 +99,8 @@ Sample Builder::solve(double gap) {
     Sample sample;
     sample.gap = gap;
     if (m_stop.stop_requested()) return sample;
-    m_groups.delta = gap;
-    const Impact impact = m_solver.solve(m_pulse, m_groups, m_detail, m_stop);
+    m_problem.gap = gap;
+    const Impact impact = m_solver.solve(m_problem, m_detail, m_stop);
     ++m_curve.solves;
     if (impact.outcome != Outcome::rebounded) {
         ++m_failures;
@@ -119,9 +117,9 @@ Sample Builder::solve(double gap) {
         sample.order = static_cast<std::uint64_t>(impact.contacts);
         return sample;
     }
-    const ImpactSummary summary = summarize(impact, m_groups);
+    const ImpactSummary summary = summarize(impact, m_problem);
     sample.values = {summary.cor, summary.peakForce, summary.energy.rockWork};
-    sample.order = eventOrder(impact, m_pulse);
+    sample.order = eventOrder(impact, m_problem.hammer);
     m_scale[1] = std::max(m_scale[1], summary.peakForce);
     return sample;
 }
@@ -269,8 +267,8 @@ std::vector<double> Builder::firstCuts() const {
     std::vector<double> cuts;
     for (double period = m_curve.start; period < m_curve.end; ++period) {
         for (int i = 0; i < cellsOfPeriod; ++i) cuts.push_back(period + double(i) / cellsOfPeriod);
-        if (m_pulse.segments.size() <= mostHammerCuts)
-            for (const PulseSegment& segment : m_pulse.segments)
+        if (m_problem.hammer.segments.size() <= mostHammerCuts)
+            for (const PulseSegment& segment : m_problem.hammer.segments)
                 cuts.push_back(period + segment.impulseBefore);
     }
     cuts.push_back(m_curve.end);
@@ -282,7 +280,7 @@ std::vector<double> Builder::firstCuts() const {
 }
 
 GapCurve Builder::build(double start) {
-    m_curve.periodStart = gapPeriodStart(m_pulse, m_groups);
+    m_curve.periodStart = gapPeriodStart(m_problem);
     if (!std::isfinite(m_curve.periodStart)) {
         m_curve.reason = "the hammer still pushes when its wave has returned more often than is followed";
         return std::move(m_curve);
@@ -290,7 +288,7 @@ GapCurve Builder::build(double start) {
     m_curve.start = std::min(std::floor(start), m_curve.periodStart);
     m_curve.end = m_curve.periodStart + 1;
     m_curve.outputCount = m_detail == Detail::cor ? 1 : gapOutputCount;
-    if (m_pulse.isRigidBody()) {
+    if (m_problem.hammer.isRigidBody()) {
         m_curve.dependsOnGap = false;
         const Sample only = solve(m_curve.start);
         Sample atEnd = only;
@@ -319,7 +317,8 @@ GapCurve Builder::build(double start) {
 
 }  // namespace
 
-double gapPeriodStart(const PulseForce& pulse, const Groups& groups) {
+double gapPeriodStart(const Problem& problem) {
+    const PulseForce& pulse = problem.hammer;
     if (pulse.isRigidBody()) return 0;
     // What is still to come of a pulse with a long tail when it makes no difference any more.
     const auto left = [&](double t) { return 1 - pulse.impulseUntil(t) - negligibleImpulse; };
@@ -327,21 +326,20 @@ double gapPeriodStart(const PulseForce& pulse, const Groups& groups) {
     // The free front end has moved G(s) d0 at time s, G(s) = A(s) + G(s − 2τ), A the impulse of the hammer
     // until then. After a contact at s everything happens as after one at s + 2τ, if the hammer has ended by
     // then.
-    const double roundTrip = 2 * groups.tau;
+    const double roundTrip = 2 * problem.transitTime;
     if (end / roundTrip > maximumGapPeriodStart) return std::numeric_limits<double>::infinity();
     double moved = 0;
     for (double s = end - roundTrip; s > 0; s -= roundTrip) moved += pulse.impulseUntil(s);
     return std::ceil(moved);
 }
 
-GapCurve gapCurve(const PulseForce& pulse, const Groups& groups, double start, Detail detail,
-                  std::stop_token stop, const GapProgress& progress) {
-    return Builder(pulse, groups, detail, std::move(stop), progress).build(start);
+GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop_token stop,
+                  const GapProgress& progress) {
+    return Builder(problem, detail, std::move(stop), progress).build(start);
 }
 
-GapCurve gapCurve(const PulseForce& pulse, const Groups& groups, Detail detail, std::stop_token stop,
-                  const GapProgress& progress) {
-    return gapCurve(pulse, groups, gapPeriodStart(pulse, groups), detail, std::move(stop), progress);
+GapCurve gapCurve(const Problem& problem, Detail detail, std::stop_token stop, const GapProgress& progress) {
+    return gapCurve(problem, gapPeriodStart(problem), detail, std::move(stop), progress);
 }
 
 double GapCurve::value(GapOutput output, double gap) const {

@@ -9,10 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
 #include "core/numeric/chebyshev.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -26,7 +25,7 @@ inline constexpr double maximumGapPeriodStart = 10'000;
 /// The gap δ = d/d0 from which on results have period 1 in it: 0 where the hammer has ended before the first
 /// reflection is back, else the next whole number beyond which every contact is late enough (theory §4);
 /// infinite beyond maximumGapPeriodStart. A tail of 1e-13 of the impulse is taken as none.
-double gapPeriodStart(const PulseForce& pulse, const Groups& groups);
+double gapPeriodStart(const Problem& problem);
 
 /// A stretch of gap over which results are smooth.
 struct GapPiece {
@@ -64,15 +63,15 @@ struct GapCurve {
 /// Told now and then which share of the work is done, 0 … 1.
 using GapProgress = std::function<void(double)>;
 
-/// Interpolates what `detail` asks for (cor: e alone; summary: all outputs) over [start, periodStart + 1), δ
-/// of `groups` being replaced. Pieces end where the order of events changes, found by bracketing to 1e-12,
-/// and are halved until polynomials through the solver's values agree with it: to 1e-10 in e and in the
-/// efficiency, and relatively in the peak force. 0 ≤ start ≤ periodStart.
-GapCurve gapCurve(const PulseForce& pulse, const Groups& groups, double start, Detail detail,
-                  std::stop_token stop = {}, const GapProgress& progress = {});
+/// Interpolates what `detail` asks for (cor: e alone; summary: all outputs) over [start, periodStart + 1),
+/// the gap of `problem` being replaced. Pieces end where the order of events changes, found by bracketing to
+/// 1e-12, and are halved until polynomials through the solver's values agree with it: to 1e-10 in e and in
+/// the efficiency, and relatively in the peak force. 0 ≤ start ≤ periodStart.
+GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop_token stop = {},
+                  const GapProgress& progress = {});
 
 /// Over one period.
-GapCurve gapCurve(const PulseForce& pulse, const Groups& groups, Detail detail, std::stop_token stop = {},
+GapCurve gapCurve(const Problem& problem, Detail detail, std::stop_token stop = {},
                   const GapProgress& progress = {});
 
 /// Gaps at which to draw the curve: the ends of its pieces, but for slivers, and no more than 1/500 apart.

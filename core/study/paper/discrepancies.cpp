@@ -36,7 +36,7 @@ double corAtBeta(double beta, double gamma = 1, double tau = paperElastic.tau) {
 double workRatio(double tau) {
     Groups groups = paperElastic;
     groups.tau = tau;
-    return summarize(solvePaperCase(groups, Detail::summary), groups).workRatio;
+    return summarize(solvePaperCase(groups, Detail::summary), paperProblem(groups)).workRatio;
 }
 
 /// d0 = 2 I0/Z of a rod of 1 m with c = 5000 m/s that arrives with 1 m/s [mm].
@@ -114,7 +114,7 @@ void addFigure7(List& list) {
 GapStatistics elasticGap(double tau) {
     Groups groups = paperElastic;
     groups.tau = tau;
-    return gapStatistics(gapCurve(paperPulse(), groups, Detail::cor));
+    return gapStatistics(gapCurve(paperProblem(groups), Detail::cor));
 }
 
 double corAtGap(double gap) {

@@ -93,7 +93,7 @@ FigurePanel blowPanel(const char* name, const char* title, const Groups& groups)
                       .curves = {{.key = "impact_force", .label = "impact force F", .x = {}, .y = {}},
                                  {.key = "impulse", .label = "impulse of F", .x = {}, .y = {}, .colour = 1},
                                  {.key = "momentum", .label = "momentum p", .x = {}, .y = {}, .colour = 2}}};
-    const PulseForce pulse = paperPulse();
+    const PulseForce pulse = paperProblem(groups).hammer;
     const auto add = [&](double time, double force, double impulse) {
         const double values[] = {force, impulse, pulse.impulseUntil(time) - impulse};
         for (std::size_t i = 0; i < panel.curves.size(); ++i) {
@@ -157,7 +157,7 @@ double corAtBeta(double beta, double gamma) {
 
 FigureCurve alongGap(const char* key, const char* label, const Groups& groups,
                      const std::vector<double>& gaps, int colour) {
-    const GapCurve cor = gapCurve(paperPulse(), groups, Detail::cor);
+    const GapCurve cor = gapCurve(paperProblem(groups), Detail::cor);
     return curve(key, label, gaps, [&](double gap) { return cor.value(GapOutput::cor, gap); },
                  {Line::solid, colour});
 }

@@ -17,15 +17,12 @@ double corOf(const Impact& impact) {
 
 }  // namespace
 
-PulseForce paperPulse(PulseShape shape) {
-    Scenario scenario;
-    scenario.form = ScenarioForm::dimensionless;
-    scenario.pulse.shape = shape;
-    return pulseForceOf(scenario);
+Problem paperProblem(const Groups& groups, PulseShape shape) {
+    return problemOf(pulseForceOf(shape), groups);
 }
 
 Impact solvePaperCase(const Groups& groups, Detail detail, PulseShape shape) {
-    return ExactSolver().solve(paperPulse(shape), groups, detail);
+    return ExactSolver().solve(paperProblem(groups, shape), detail);
 }
 
 double paperCor(const Groups& groups) {

@@ -4,9 +4,8 @@
 
 #include <functional>
 
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -18,8 +17,8 @@ inline constexpr Groups paperBilinear{0.5, 0.1, 10, 0};
 inline constexpr double paperLeastBeta = 0.1;
 inline constexpr double paperMostBeta = 10;
 
-/// The rectangular blow, or the rod that arrives without waves, in dimensionless form.
-PulseForce paperPulse(PulseShape shape = PulseShape::rectangular);
+/// The rectangular blow, or the rod that arrives without waves.
+Problem paperProblem(const Groups& groups, PulseShape shape = PulseShape::rectangular);
 
 /// Solves one of them exactly.
 Impact solvePaperCase(const Groups& groups, Detail detail, PulseShape shape = PulseShape::rectangular);

@@ -22,10 +22,9 @@ MethodChoice lattice(int segments, LatticeWaves waves) {
 }
 
 /// What is to be measured, in order.
-std::vector<MethodChoice> plan(const PulseForce& pulse, const Groups& groups,
-                               const std::vector<int>& ladder) {
+std::vector<MethodChoice> plan(const Problem& problem, const std::vector<int>& ladder) {
     std::vector<MethodChoice> choices{{.method = Method::exact, .lattice = {}}};
-    if (methodRefusal(Method::closedForm, pulse, groups).empty())
+    if (methodRefusal(Method::closedForm, problem).empty())
         choices.push_back({.method = Method::closedForm, .lattice = {}});
     for (const LatticeWaves waves : {LatticeWaves::ring, LatticeWaves::moved})
         for (const int segments : ladder) choices.push_back(lattice(segments, waves));
@@ -45,16 +44,17 @@ double cost(const MethodChoice& choice) {
 class Study {
   public:
     Study(const Scenario& scenario, const std::stop_token& stop, const AccuracyProgress& progress)
-        : m_pulse(pulseForceOf(scenario)), m_groups(groupsOf(scenario)), m_stop(stop), m_progress(progress) {}
+        : m_problem(problemOf(scenario)), m_stop(stop), m_progress(progress) {
+        m_result.groups = groupsOf(scenario);
+    }
 
     Accuracy run(const std::vector<int>& ladder) {
-        m_result.groups = m_groups;
-        m_result.exact = m_solver.solve(m_pulse, m_groups, Detail::histories, {}, m_stop);
+        m_result.exact = m_solver.solve(m_problem, Detail::histories, {}, m_stop);
         m_result.isStopped = m_stop.stop_requested();
         if (m_result.exact.outcome != Outcome::rebounded) return std::move(m_result);
         solveExtended();
-        m_result.residuals = equationResiduals(m_result.exact, m_pulse, m_groups);
-        const std::vector<MethodChoice> choices = plan(m_pulse, m_groups, ladder);
+        m_result.residuals = equationResiduals(m_result.exact, m_problem);
+        const std::vector<MethodChoice> choices = plan(m_problem, ladder);
         for (const MethodChoice& choice : choices) m_total += cost(choice);
         for (const MethodChoice& choice : choices) {
             if (m_stop.stop_requested()) break;
@@ -69,7 +69,7 @@ class Study {
   private:
     void solveExtended() {
         const double start = threadSeconds();
-        m_result.extended = solveInExtendedPrecision(m_pulse, m_groups, Detail::histories, m_stop);
+        m_result.extended = solveInExtendedPrecision(m_problem, Detail::histories, m_stop);
         m_result.extendedTime = threadSeconds() - start;
         m_result.extendedDigits = std::numeric_limits<long double>::digits;
     }
@@ -78,7 +78,7 @@ class Study {
         AccuracyRow row;
         row.choice = choice;
         const double start = threadSeconds();
-        const Impact impact = m_solver.solve(m_pulse, m_groups, Detail::histories, choice, m_stop);
+        const Impact impact = m_solver.solve(m_problem, Detail::histories, choice, m_stop);
         const double warmUp = threadSeconds() - start;
         row.outcome = impact.outcome;
         row.reason = impact.reason;
@@ -112,15 +112,13 @@ class Study {
         if (row.choice.method != Method::lattice) return impact.corError;
         MethodChoice choice = lattice(row.choice.lattice.segments, LatticeWaves::ring);
         choice.lattice.estimate = ErrorEstimate::fromOtherLattices;
-        const Impact ring = m_solver.solve(m_pulse, m_groups, Detail::cor, choice, m_stop);
+        const Impact ring = m_solver.solve(m_problem, Detail::cor, choice, m_stop);
         return ring.outcome == Outcome::rebounded ? ring.corError : unknown;
     }
 
     void measure(AccuracyRow& row, double warmUp) {
         double runs = 0;
-        const auto solve = [&] {
-            m_sink = m_solver.solve(m_pulse, m_groups, Detail::cor, row.choice, m_stop).cor;
-        };
+        const auto solve = [&] { m_sink = m_solver.solve(m_problem, Detail::cor, row.choice, m_stop).cor; };
         const auto onRun = [&] {
             runs += 1;
             if (m_progress)
@@ -178,8 +176,7 @@ class Study {
         return -((x - x.mean()) * (y - y.mean())).sum() / (x - x.mean()).square().sum();
     }
 
-    PulseForce m_pulse;
-    Groups m_groups;
+    Problem m_problem;
     std::stop_token m_stop;
     const AccuracyProgress& m_progress;
     MethodSolver m_solver;

@@ -29,13 +29,13 @@ double derivative(const PiecewisePolynomial& f, const Piece& piece, double x) {
 /// Follows the front end along the recording, and the rock with its one number of memory.
 class Checker {
   public:
-    Checker(const Impact& impact, const PulseForce& pulse, const Groups& groups)
+    Checker(const Impact& impact, const Problem& problem)
         : m_impact(impact),
-          m_pulse(pulse),
-          m_beta(groups.beta),
-          m_unloading(groups.beta / groups.gamma),
-          m_weight(1 / (1 + groups.beta / groups.gamma)),
-          m_gap(pulse.isRigidBody() ? 0 : 2 * groups.delta) {
+          m_hammer(problem.hammer),
+          m_beta(problem.law.beta),
+          m_unloading(problem.law.beta / problem.law.gamma),
+          m_weight(1 / (1 + problem.law.beta / problem.law.gamma)),
+          m_gap(2 * problem.firstGap()) {
         m_penetration = -m_gap;
     }
 
@@ -114,13 +114,13 @@ class Checker {
         // recording too.
         const double before = incident.start + x - m_impact.roundTrip;
         const double expected =
-            m_pulse(s + x) + (before < 0 ? incidentWave(m_impact, before)
-                                         : m_impact.incident(before) - m_impact.force(before));
+            m_hammer(s + x) + (before < 0 ? incidentWave(m_impact, before)
+                                          : m_impact.incident(before) - m_impact.force(before));
         m_found.wave = std::max(m_found.wave, m_weight * std::abs(g - expected));
     }
 
     const Impact& m_impact;
-    const PulseForce& m_pulse;
+    const PulseForce& m_hammer;
     double m_beta, m_unloading, m_weight, m_gap;
     EquationResiduals m_found;
     CompensatedSum<double> m_penetration;  ///< U at the beginning of the piece; negative: a gap
@@ -131,8 +131,8 @@ class Checker {
 
 }  // namespace
 
-EquationResiduals equationResiduals(const Impact& impact, const PulseForce& pulse, const Groups& groups) {
-    Checker checker(impact, pulse, groups);
+EquationResiduals equationResiduals(const Impact& impact, const Problem& problem) {
+    Checker checker(impact, problem);
     const auto incident = impact.incident.pieces();
     const auto force = impact.force.pieces();
     for (std::size_t i = 0; i < incident.size(); ++i) checker.check(incident[i], force[i]);

@@ -2,9 +2,8 @@
 // How well a recorded blow satisfies the equations themselves, found without the code that solved it.
 #pragma once
 
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -24,6 +23,6 @@ struct EquationResiduals {
 
 /// Of an impact of smooth pieces solved with Detail::histories. An event that was missed or invented shows as
 /// a residual of the size of its effect.
-EquationResiduals equationResiduals(const Impact& impact, const PulseForce& pulse, const Groups& groups);
+EquationResiduals equationResiduals(const Impact& impact, const Problem& problem);
 
 }  // namespace drillwave

@@ -2,6 +2,7 @@
 #include "core/study/proof/stability.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -57,10 +58,10 @@ double reachOf(const Impact& impact) {
     return reach;
 }
 
-void checkHistories(StabilityRow& row, const PulseForce& pulse, ExactSolver& solver,
+void checkHistories(StabilityRow& row, const Problem& problem, ExactSolver& solver,
                     const std::stop_token& stop) {
     if (row.pieces > mostRecorded) return;
-    const Impact impact = solver.solve(pulse, row.stabilityCase.groups, Detail::histories, stop);
+    const Impact impact = solver.solve(problem, Detail::histories, stop);
     row.leastForce = leastForceOf(impact);
     require(row, *row.leastForce >= -marks.pull, "the rock pulls: F/Fmax", *row.leastForce);
     row.reach = reachOf(impact);
@@ -68,19 +69,19 @@ void checkHistories(StabilityRow& row, const PulseForce& pulse, ExactSolver& sol
             "not at its end: the front end returns by", *row.reach);
 }
 
-void checkContinuity(StabilityRow& row, const PulseForce& pulse, ExactSolver& solver,
+void checkContinuity(StabilityRow& row, const Problem& problem, ExactSolver& solver,
                      const std::stop_token& stop) {
-    const Groups& at = row.stabilityCase.groups;
     const double near = 1e-10;
     // The stated error covers input moved by 16 roundings: what hangs on the last digits hangs more on this,
     // if not in proportion.
     const double movedBy = 16 * std::numeric_limits<double>::epsilon();
-    const Groups neighbours[] = {{at.beta * (1 + near), at.gamma, at.tau, at.delta},
-                                 {at.beta, at.gamma * (1 - near), at.tau, at.delta},
-                                 {at.beta, at.gamma, at.tau * (1 + near), at.delta},
-                                 {at.beta, at.gamma, at.tau, at.delta + near}};
-    for (const Groups& groups : neighbours) {
-        const Impact impact = solver.solve(pulse, groups, Detail::cor, stop);
+    std::array<Problem, 4> neighbours{problem, problem, problem, problem};
+    neighbours[0].law.beta *= 1 + near;
+    neighbours[1].law.gamma *= 1 - near;
+    neighbours[2].transitTime *= 1 + near;
+    neighbours[3].gap += near;
+    for (const Problem& neighbour : neighbours) {
+        const Impact impact = solver.solve(neighbour, Detail::cor, stop);
         const double change =
             impact.outcome == Outcome::rebounded ? std::abs(impact.cor - row.cor) : INFINITY;
         row.change = std::max(row.change, change);
@@ -90,11 +91,11 @@ void checkContinuity(StabilityRow& row, const PulseForce& pulse, ExactSolver& so
 }
 
 /// Rigid rock: e → 1 once the blow ends before it returns. Soft rock, reference case: e → √γ.
-void checkLimits(StabilityRow& row, const PulseForce& pulse) {
+void checkLimits(StabilityRow& row, const Problem& problem) {
     const Groups& g = row.stabilityCase.groups;
-    if (g.beta >= 1e5 && pulse.end <= 2 * g.tau)
+    if (g.beta >= 1e5 && problem.hammer.end <= 2 * g.tau)
         row.limitDistance = std::abs(row.cor - 1) * std::sqrt(g.beta) / 10;
-    if (pulse.isRigidBody() && g.beta * g.tau <= 1e-3)
+    if (problem.hammer.isRigidBody() && g.beta * g.tau <= 1e-3)
         row.limitDistance =
             std::abs(row.cor - std::sqrt(g.gamma)) / (10 * std::sqrt(g.beta * g.tau / g.gamma));
     if (row.limitDistance)
@@ -102,13 +103,13 @@ void checkLimits(StabilityRow& row, const PulseForce& pulse) {
 }
 
 /// The lattice shares no code with the exact solver; it is asked where its steps resolve the contact.
-void checkLattice(StabilityRow& row, const PulseForce& pulse, LatticeSolver& lattice,
+void checkLattice(StabilityRow& row, const Problem& problem, LatticeSolver& lattice,
                   const std::stop_token& stop) {
     const Groups& g = row.stabilityCase.groups;
     const double step = g.tau / latticeSegments;
-    const bool resolved = g.beta / g.gamma * step < 0.05 && step < 0.01 && pulse.end < 20 * g.tau;
+    const bool resolved = g.beta / g.gamma * step < 0.05 && step < 0.01 && problem.hammer.end < 20 * g.tau;
     if (!resolved || g.beta * g.tau < 1e-3 || g.delta > 100) return;
-    const Impact impact = lattice.solve(pulse, g, Detail::cor, {.segments = latticeSegments}, stop);
+    const Impact impact = lattice.solve(problem, Detail::cor, {.segments = latticeSegments}, stop);
     if (impact.outcome != Outcome::rebounded || !(impact.corError > 0)) return;
     row.latticeDistance = std::abs(impact.cor - row.cor) / (impact.corError + row.corError);
     require(row, *row.latticeDistance <= marks.lattice,
@@ -116,9 +117,9 @@ void checkLattice(StabilityRow& row, const PulseForce& pulse, LatticeSolver& lat
 }
 
 /// The stated error, against more digits, which have an error of their own.
-void checkBound(StabilityRow& row, const PulseForce& pulse, const std::stop_token& stop) {
+void checkBound(StabilityRow& row, const Problem& problem, const std::stop_token& stop) {
     if (row.pieces > mostExtended) return;
-    const Impact extended = solveInExtendedPrecision(pulse, row.stabilityCase.groups, Detail::cor, stop);
+    const Impact extended = solveInExtendedPrecision(problem, Detail::cor, stop);
     if (extended.outcome != Outcome::rebounded) return;
     row.boundDistance = std::abs(extended.cor - row.cor) / (row.corError + extended.corError);
     require(row, *row.boundDistance <= marks.bound, "the stated error is exceeded by a factor",
@@ -129,9 +130,9 @@ StabilityRow check(const StabilityCase& stabilityCase, ExactSolver& solver, Latt
                    const std::stop_token& stop) {
     StabilityRow row;
     row.stabilityCase = stabilityCase;
-    const PulseForce pulse = pulseOf(stabilityCase);
+    const Problem problem = problemOf(stabilityCase);
     const auto start = std::chrono::steady_clock::now();
-    const Impact impact = solver.solve(pulse, stabilityCase.groups, Detail::summary, stop);
+    const Impact impact = solver.solve(problem, Detail::summary, stop);
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     row.outcome = impact.outcome;
     row.reason = impact.reason;
@@ -140,11 +141,11 @@ StabilityRow check(const StabilityCase& stabilityCase, ExactSolver& solver, Latt
     row.cor = impact.cor;
     row.corError = impact.corError;
     checkBalances(row, impact);
-    checkHistories(row, pulse, solver, stop);
-    checkContinuity(row, pulse, solver, stop);
-    checkLimits(row, pulse);
-    checkLattice(row, pulse, lattice, stop);
-    checkBound(row, pulse, stop);
+    checkHistories(row, problem, solver, stop);
+    checkContinuity(row, problem, solver, stop);
+    checkLimits(row, problem);
+    checkLattice(row, problem, lattice, stop);
+    checkBound(row, problem, stop);
     return row;
 }
 

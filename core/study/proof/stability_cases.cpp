@@ -170,9 +170,11 @@ PulseForce tableForce() {
 
 }  // namespace
 
-PulseForce pulseOf(const StabilityCase& stabilityCase) {
-    if (stabilityCase.shape == PulseShape::table) return tableForce();
-    return pulseForceOf(stabilityCase.shape, stabilityCase.impedanceRatio);
+Problem problemOf(const StabilityCase& stabilityCase) {
+    return problemOf(stabilityCase.shape == PulseShape::table
+                         ? tableForce()
+                         : pulseForceOf(stabilityCase.shape, stabilityCase.impedanceRatio),
+                     stabilityCase.groups);
 }
 
 std::vector<StabilityCase> stabilityCases() {

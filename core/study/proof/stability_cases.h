@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -19,8 +18,8 @@ struct StabilityCase {
     bool operator==(const StabilityCase&) const = default;
 };
 
-/// The hammer blow of a case.
-PulseForce pulseOf(const StabilityCase& stabilityCase);
+/// What is to be solved in a case.
+Problem problemOf(const StabilityCase& stabilityCase);
 
 /// The published cases; the known traps (forceless contact, tangential events, equal and nearly equal rates,
 /// many reflections, stiff layers, gaps that close with a front, a hammer that pushes during several

@@ -2,6 +2,7 @@
 #include "core/study/rows/case_solver.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/text/row_text.h"
 
@@ -15,13 +16,13 @@ CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice
       m_solver(workLimit) {}
 
 std::string CaseSolver::solve(const Scenario& scenario, std::string& row, const std::stop_token& stop) {
-    const Groups groups = groupsOf(scenario);
-    const Impact impact = m_solver.solve(m_pulse, groups, m_detail, m_method, stop);
+    m_problem = problemOf(std::move(m_problem.hammer), groupsOf(scenario));
+    const Impact impact = m_solver.solve(m_problem, m_detail, m_method, stop);
     if (impact.outcome != Outcome::rebounded) {
         row.append(m_columns.size(), ',');
         return impact.reason;
     }
-    const ImpactSummary summary = summarize(impact, groups);
+    const ImpactSummary summary = summarize(impact, m_problem);
     const Scales scales = m_inSi ? scalesOf(scenario) : Scales{};
     for (const OutputColumn& column : m_columns) {
         row += ',';

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/blow/method.h"
-#include "core/model/pulse_force.h"
 #include "core/study/rows/output_column.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -19,7 +19,7 @@ class CaseSolver {
     CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit);
 
     /// Must be called before solve() whenever the hammer blow may have changed.
-    void setPulse(const Scenario& scenario) { m_pulse = pulseForceOf(scenario); }
+    void setPulse(const Scenario& scenario) { m_problem.hammer = pulseForceOf(scenario); }
 
     /// Appends ",value" for each column, "," alone where there is no number. Returns why the case could not
     /// be solved (all cells are empty then), or an empty string.
@@ -31,7 +31,7 @@ class CaseSolver {
     bool m_inSi;
     MethodChoice m_method;
     MethodSolver m_solver;
-    PulseForce m_pulse;
+    Problem m_problem;
 };
 
 }  // namespace drillwave

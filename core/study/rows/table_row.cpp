@@ -47,7 +47,8 @@ TableRowAssigner::TableRowAssigner(const Scenario& base, const std::string& sour
 std::vector<std::string> TableRowAssigner::assign(const TableRow& row) {
     std::vector<std::string> problems = assignCells(row);
     if (!problems.empty()) return problems;
-    for (const InputProblem& problem : validate(m_scenario)) problems.push_back(place(row) + ": " + problem.text);
+    for (const InputProblem& problem : validate(m_scenario))
+        problems.push_back(place(row) + ": " + problem.text);
     return problems;
 }
 

@@ -36,17 +36,16 @@ struct Curves {
     GapCurve elastic;  ///< γ = 1, from no gap on
 };
 
-Curves curvesOf(const PulseForce& pulse, const Groups& groups, const std::stop_token& stop,
-                const GapProgress& progress) {
+Curves curvesOf(const Problem& problem, const std::stop_token& stop, const GapProgress& progress) {
     const auto half = [&](double before) {
         return [&progress, before](double done) {
             if (progress) progress(before + done / 2);
         };
     };
-    Groups elastic = groups;
-    elastic.gamma = 1;
-    return {gapCurve(pulse, groups, Detail::cor, stop, half(0)),
-            gapCurve(pulse, elastic, 0, Detail::cor, stop, half(0.5))};
+    Problem elastic = problem;
+    elastic.law.gamma = 1;
+    return {gapCurve(problem, Detail::cor, stop, half(0)),
+            gapCurve(elastic, 0, Detail::cor, stop, half(0.5))};
 }
 
 }  // namespace
@@ -62,16 +61,15 @@ const ThrustNeed& ThrustStudy::largestNeed() const {
 }
 
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress) {
-    const PulseForce pulse = pulseForceOf(scenario);
-    const Groups groups = groupsOf(scenario);
+    const Problem problem = problemOf(scenario);
     ThrustStudy study;
-    const Impact impact = ExactSolver().solve(pulse, groups, Detail::cor, stop);
+    const Impact impact = ExactSolver().solve(problem, Detail::cor, stop);
     if (impact.outcome != Outcome::rebounded) {
         study.stopped = stop.stop_requested();
         study.reason = impact.reason;
         return study;
     }
-    const Curves curves = curvesOf(pulse, groups, stop, progress);
+    const Curves curves = curvesOf(problem, stop, progress);
     study.stopped = curves.rock.stopped || curves.elastic.stopped;
     for (const GapCurve* curve : {&curves.rock, &curves.elastic})
         if (!curve->isComplete()) study.reason = curve->reason;

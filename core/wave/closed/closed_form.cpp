@@ -101,9 +101,9 @@ RoundTrip reflected(const RoundTrip& trip) {
 }
 
 /// Histories, and the sums over them.
-void record(const Groups& groups, Detail detail, Impact& impact) {
-    const double beta = groups.beta;
-    const double periods = std::round(groups.delta);
+void record(const Problem& problem, Detail detail, Impact& impact) {
+    const double beta = problem.law.beta;
+    const double periods = std::round(problem.gap);
     const bool keep = detail == Detail::histories;
     DecayPieces pieces(beta, keep ? &impact : nullptr);
     const auto append = [&](const RoundTrip& trip) {
@@ -164,27 +164,28 @@ bool overlapIsSmall(double beta, double tau) {
     return endsInTime && 2 * largestPush(beta) < 2 + secondPulseImpulse(beta) - 3 * left;
 }
 
-std::string closedFormRefusal(const PulseForce& pulse, const Groups& groups) {
+std::string closedFormRefusal(const Problem& problem) {
     constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
     std::string found;
     const auto add = [&](const std::string& text) { found += (found.empty() ? "" : ", ") + text; };
-    if (pulse.shape != PulseShape::rectangular) add("pulse.shape = " + std::string(name(pulse.shape)));
-    if (groups.gamma != 1) add("gamma = " + formatNumber(groups.gamma));
-    if (std::abs(groups.delta - std::round(groups.delta)) > rounding * std::max(1.0, groups.delta))
-        add("delta = " + formatNumber(groups.delta));
-    if (groups.tau < 0.5) add("tau = " + formatNumber(groups.tau));
+    if (problem.hammer.shape != PulseShape::rectangular)
+        add("pulse.shape = " + std::string(name(problem.hammer.shape)));
+    if (problem.law.gamma != 1) add("gamma = " + formatNumber(problem.law.gamma));
+    if (std::abs(problem.gap - std::round(problem.gap)) > rounding * std::max(1.0, problem.gap))
+        add("delta = " + formatNumber(problem.gap));
+    if (problem.transitTime < 0.5) add("tau = " + formatNumber(problem.transitTime));
     if (found.empty()) return found;
     return "the closed form is for a rectangular pulse, gamma = 1, a whole number as delta and tau >= 0.5, "
            "not " +
            found + "; use the exact method or the lattice";
 }
 
-Impact solveClosedForm(const PulseForce& pulse, const Groups& groups, Detail detail) {
+Impact solveClosedForm(const Problem& problem, Detail detail) {
     Impact impact;
-    impact.reason = closedFormRefusal(pulse, groups);
+    impact.reason = closedFormRefusal(problem);
     if (!impact.reason.empty()) return impact;
-    const double beta = groups.beta;
-    if (!overlapIsSmall(beta, groups.tau)) {
+    const double beta = problem.law.beta;
+    if (!overlapIsSmall(beta, problem.transitTime)) {
         impact.reason =
             "the reflections overlap, which the closed form neglects: the contact is not over when the third "
             "wave arrives; use the exact method or the lattice";
@@ -193,16 +194,17 @@ Impact solveClosedForm(const PulseForce& pulse, const Groups& groups, Detail det
     impact.outcome = Outcome::rebounded;
     impact.cor = closedFormRestitution(beta);
     impact.impulse = 1 + impact.cor;
-    impact.corError = neglectedOverlap(beta, groups.tau) + 8 * std::numeric_limits<double>::epsilon();
+    impact.corError =
+        neglectedOverlap(beta, problem.transitTime) + 8 * std::numeric_limits<double>::epsilon();
     impact.pieces = 4;
     impact.contacts = 1;
     if (detail == Detail::cor) return impact;
 
-    impact.frontArrival = groups.tau;
-    impact.roundTrip = 2 * groups.tau;
+    impact.frontArrival = problem.transitTime;
+    impact.roundTrip = 2 * problem.transitTime;
     impact.peakForce = 2 * saturation(beta);  // of the first pulse; the second is never as high
-    const double periods = std::round(groups.delta);
-    const double loading = groups.tau + periods * impact.roundTrip;
+    const double periods = std::round(problem.gap);
+    const double loading = problem.transitTime + periods * impact.roundTrip;
     // A gap of whole δ closes with the end of a wave, and nothing happens until the next one.
     impact.firstContactTime = periods > 0 ? loading - impact.roundTrip + 1 : loading;
     impact.separationTime = loading + impact.roundTrip + secondPulseEnd(beta);
@@ -210,7 +212,7 @@ Impact solveClosedForm(const PulseForce& pulse, const Groups& groups, Detail det
     impact.hammerWork = 1;
     impact.events = {{ContactEvent::contact, impact.firstContactTime},
                      {ContactEvent::separation, impact.separationTime}};
-    record(groups, detail, impact);
+    record(problem, detail, impact);
     return impact;
 }
 

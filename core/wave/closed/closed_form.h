@@ -4,9 +4,8 @@
 
 #include <string>
 
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -39,11 +38,11 @@ bool overlapIsSmall(double beta, double tau);
 
 /// Why the closed form says nothing about this blow: γ ≠ 1, a gap that is no whole δ, another pulse, or a
 /// pulse longer than a round trip. Empty when it does.
-std::string closedFormRefusal(const PulseForce& pulse, const Groups& groups);
+std::string closedFormRefusal(const Problem& problem);
 
 /// The closed form as an impact like that of the other solvers. `corError` is the neglected overlap; the
 /// histories are those of the paper, each pulse alone, so that the balances of momentum and energy are out by
 /// the overlap. Not solved, with the reason, where it is refused or the overlap is not small.
-Impact solveClosedForm(const PulseForce& pulse, const Groups& groups, Detail detail = Detail::cor);
+Impact solveClosedForm(const Problem& problem, Detail detail = Detail::cor);
 
 }  // namespace drillwave

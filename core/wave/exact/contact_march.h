@@ -9,11 +9,10 @@
 #include <stop_token>
 
 #include "core/contact/contact_rates.h"
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
 #include "core/wave/exact/input_move.h"
 #include "core/wave/exact/wave_queue.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -38,8 +37,7 @@ class ContactMarch {
 
     /// Solves into `impact`. False when the basis cannot represent this blow to full accuracy.
     /// More pieces than permitted, and a stop, end as Outcome::notSolved.
-    bool solve(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact,
-               const MarchLimits& limits = {});
+    bool solve(const Problem& problem, Detail detail, Impact& impact, const MarchLimits& limits = {});
 
   private:
     enum class Phase {
@@ -72,7 +70,7 @@ class ContactMarch {
     static constexpr std::size_t mostWaiting = 400'000;
     static constexpr long mostRecordedPieces = 4'000'000;  ///< some 600 MB of histories
 
-    void begin(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact);
+    void begin(const Problem& problem, Detail detail, Impact& impact);
     bool isSliver(const Piece& piece);
     void nextArrival();
     void advanceApart();
@@ -163,12 +161,12 @@ class ContactMarch {
 };
 
 template <class Basis>
-bool ContactMarch<Basis>::solve(const PulseForce& pulse, const Groups& groups, Detail detail, Impact& impact,
+bool ContactMarch<Basis>::solve(const Problem& problem, Detail detail, Impact& impact,
                                 const MarchLimits& limits) {
     m_limits = limits;
     m_mostPieces = detail == Detail::histories ? std::min(limits.pieces, mostRecordedPieces) : limits.pieces;
     m_nextLook = std::min(m_mostPieces, piecesBetweenLooks);
-    begin(pulse, groups, detail, impact);
+    begin(problem, detail, impact);
     for (;;) {
         const bool hammerEnded = m_hammerPiece >= m_pulse->segments.size();
         if (m_phase == Phase::apart && hammerEnded && m_incident.length <= 0) {
@@ -187,20 +185,19 @@ bool ContactMarch<Basis>::solve(const PulseForce& pulse, const Groups& groups, D
 }
 
 template <class Basis>
-void ContactMarch<Basis>::begin(const PulseForce& pulse, const Groups& groups, Detail detail,
-                                Impact& impact) {
-    m_pulse = &pulse;
+void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& impact) {
+    m_pulse = &problem.hammer;
     m_impact = &impact;
     m_detail = detail;
     const auto moved = [](double value, int units) {
         return Real(value) * (1 + Real(units) * std::numeric_limits<Real>::epsilon());
     };
-    const Real beta = moved(groups.beta, m_limits.move.beta);
-    m_rates = {std::min(beta, fastestRate), std::min(beta / Real(groups.gamma), fastestRate)};
-    m_elasticRock = groups.gamma == 1;
-    const Real transit = moved(groups.tau, m_limits.move.tau);
+    const Real beta = moved(problem.law.beta, m_limits.move.beta);
+    m_rates = {std::min(beta, fastestRate), std::min(beta / Real(problem.law.gamma), fastestRate)};
+    m_elasticRock = problem.law.gamma == 1;
+    const Real transit = moved(problem.transitTime, m_limits.move.tau);
     m_roundTrip = 2 * transit;
-    m_arrival = pulse.isRigidBody() ? Real(0) : transit;
+    m_arrival = problem.hammer.isRigidBody() ? Real(0) : transit;
     m_s = 0;
     m_hammerTime = 0;
     m_hammerPiece = 0;
@@ -209,8 +206,8 @@ void ContactMarch<Basis>::begin(const PulseForce& pulse, const Groups& groups, D
     m_phase = Phase::apart;
     // Free flight advances by 2 in each period once the hammer has ended: whole periods of the gap beyond
     // that are kept apart, exactly.
-    const double gap = pulse.isRigidBody() ? 0 : groups.delta;  // the reference case begins in contact
-    const double hammerPeriods = std::ceil(pulse.end / (2 * groups.tau)) + 2;
+    const double gap = problem.firstGap();
+    const double hammerPeriods = std::ceil(problem.hammer.end / (2 * problem.transitTime)) + 2;
     const double whole = std::floor(gap);
     m_periodsAhead = Real(std::max(0.0, whole - hammerPeriods));
     m_gap = 2 * (Real(std::min(whole, hammerPeriods)) + Real(gap - whole));
@@ -221,14 +218,15 @@ void ContactMarch<Basis>::begin(const PulseForce& pulse, const Groups& groups, D
     m_growth = 1;
     m_waves.clear();
     m_incident = Piece::zero(0);
-    m_basis.begin(pulse, groups, m_rates);
-    if (pulse.isRigidBody())
+    m_basis.begin(problem, m_rates);
+    if (problem.hammer.isRigidBody())
         m_waves.pushBack(m_basis.constant(m_roundTrip, 1 / m_roundTrip));
     else
         m_waves.pushBack(Piece::zero(m_roundTrip));
     impact.frontArrival = double(m_arrival);
     impact.roundTrip = double(m_roundTrip);
-    if (pulse.isRigidBody()) impact.hammerWork = double(1 / m_roundTrip);  // ½ m v0²: the rod arrives with it
+    if (problem.hammer.isRigidBody())
+        impact.hammerWork = double(1 / m_roundTrip);  // ½ m v0²: the rod arrives with it
 }
 
 }  // namespace drillwave

@@ -15,10 +15,8 @@ struct ExactSolver::Workspace {
     ContactMarch<ExponentialBasis> closed;
     ContactMarch<SeriesBasis<double>> series;
 
-    void march(const PulseForce& pulse, const Groups& groups, Detail detail, const MarchLimits& limits,
-               Impact& impact);
-    [[gnu::cold]] void widen(const PulseForce& pulse, const Groups& groups, MarchLimits limits,
-                             Impact& impact);
+    void march(const Problem& problem, Detail detail, const MarchLimits& limits, Impact& impact);
+    [[gnu::cold]] void widen(const Problem& problem, MarchLimits limits, Impact& impact);
 };
 
 namespace {
@@ -33,23 +31,22 @@ bool isSolved(const Impact& impact) {
 }  // namespace
 
 /// One march into a new `impact`: in closed form where that suits and comes to its end, else in series.
-void ExactSolver::Workspace::march(const PulseForce& pulse, const Groups& groups, Detail detail,
-                                   const MarchLimits& limits, Impact& impact) {
-    if (ExponentialBasis::suits(pulse, groups)) {
+void ExactSolver::Workspace::march(const Problem& problem, Detail detail, const MarchLimits& limits,
+                                   Impact& impact) {
+    if (ExponentialBasis::suits(problem)) {
         MarchLimits few = limits;
         few.pieces = std::min(limits.pieces, mostClosedPieces);
-        if (closed.solve(pulse, groups, detail, impact, few) && isSolved(impact)) return;
+        if (closed.solve(problem, detail, impact, few) && isSolved(impact)) return;
         impact = Impact{};
     }
-    series.solve(pulse, groups, detail, impact, limits);
+    series.solve(problem, detail, impact, limits);
 }
 
-void ExactSolver::Workspace::widen(const PulseForce& pulse, const Groups& groups, MarchLimits limits,
-                                   Impact& impact) {
+void ExactSolver::Workspace::widen(const Problem& problem, MarchLimits limits, Impact& impact) {
     widenByMovedInput(impact, [&](const InputMove& move) {
         limits.move = move;
         Impact moved;
-        march(pulse, groups, Detail::cor, limits, moved);
+        march(problem, Detail::cor, limits, moved);
         return moved;
     });
 }
@@ -60,16 +57,15 @@ ExactSolver::~ExactSolver() = default;
 ExactSolver::ExactSolver(ExactSolver&&) noexcept = default;
 ExactSolver& ExactSolver::operator=(ExactSolver&&) noexcept = default;
 
-Impact ExactSolver::solve(const PulseForce& pulse, const Groups& groups, Detail detail,
-                          const std::stop_token& stop) {
+Impact ExactSolver::solve(const Problem& problem, Detail detail, const std::stop_token& stop) {
     Impact impact;  // the only one returned: a move of it would be seen in sweeps
-    if (pulse.isRigidBody() && isSoftReference(groups)) {
-        impact = softReference(groups, detail);
+    if (problem.hammer.isRigidBody() && isSoftReference(problem)) {
+        impact = softReference(problem, detail);
         return impact;
     }
-    m_workspace->march(pulse, groups, detail, {.pieces = m_mostPieces, .stop = &stop}, impact);
+    m_workspace->march(problem, detail, {.pieces = m_mostPieces, .stop = &stop}, impact);
     if (!isSolved(impact)) return impact;
-    if (impact.growth > coveredGrowth) m_workspace->widen(pulse, groups, {m_mostPieces, &stop}, impact);
+    if (impact.growth > coveredGrowth) m_workspace->widen(problem, {m_mostPieces, &stop}, impact);
     if (!std::isfinite(impact.cor + impact.corError)) {
         impact.outcome = Outcome::notSolved;
         impact.reason = "its numbers are beyond the range of double precision";

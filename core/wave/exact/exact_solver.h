@@ -5,9 +5,8 @@
 #include <memory>
 #include <stop_token>
 
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -34,10 +33,9 @@ class ExactSolver {
     ExactSolver(ExactSolver&&) noexcept;
     ExactSolver& operator=(ExactSolver&&) noexcept;
 
-    /// Solves `pulse` on the rod and rock of `groups` (β > 0, 0 < γ ≤ 1, τ > 0, δ ≥ 0, all finite). A stop
+    /// Solves a problem (β > 0, 0 < γ ≤ 1, τ > 0, δ ≥ 0, all finite). A stop
     /// ends it within milliseconds as notSolved.
-    Impact solve(const PulseForce& pulse, const Groups& groups, Detail detail = Detail::cor,
-                 const std::stop_token& stop = {});
+    Impact solve(const Problem& problem, Detail detail = Detail::cor, const std::stop_token& stop = {});
 
   private:
     struct Workspace;

@@ -80,20 +80,22 @@ Local localOf(const DecayTerms& f, double y, double decay) {
 
 }  // namespace
 
-bool ExponentialBasis::suits(const PulseForce& pulse, const Groups& groups) {
-    if (groups.beta / groups.gamma > 1e14) return false;
-    if (groups.gamma > 0.7 && groups.gamma < 1) return false;
-    if (groups.beta * groups.tau < 1.5 || groups.beta < 0.02) return false;
-    if (pulse.segments.size() > 12) return false;
-    for (const PulseSegment& segment : pulse.segments)
+bool ExponentialBasis::suits(const Problem& problem) {
+    if (problem.law.beta / problem.law.gamma > 1e14) return false;
+    if (problem.law.gamma > 0.7 && problem.law.gamma < 1) return false;
+    if (problem.law.beta * problem.transitTime < 1.5 || problem.law.beta < 0.02) return false;
+    if (problem.hammer.segments.size() > 12) return false;
+    for (const PulseSegment& segment : problem.hammer.segments)
         if (segment.kind != PulseSegment::Kind::linear) return false;
     return true;
 }
 
-void ExponentialBasis::begin(const PulseForce& pulse, const Groups& groups, ContactRates<double> rates) {
+void ExponentialBasis::begin(const Problem& problem, ContactRates<double> rates) {
     m_failed = false;
     m_rates = rates;
-    m_scale = std::max(pulse.peak, groups.tau < 0.5 || pulse.isRigidBody() ? 1 / (2 * groups.tau) : 0.0);
+    m_scale = std::max(problem.hammer.peak, problem.transitTime < 0.5 || problem.hammer.isRigidBody()
+                                                ? 1 / (2 * problem.transitTime)
+                                                : 0.0);
     m_negligible = std::ldexp(m_scale, -62);
 }
 

@@ -2,11 +2,10 @@
 // Contact solved in closed form, one piece from front to front however long: fast where reflections are few.
 #pragma once
 
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
 #include "core/wave/exact/exponential_sum.h"
 #include "core/wave/exact/first_zero.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -30,9 +29,9 @@ class ExponentialBasis {
     };
 
     /// Whether it is worth trying: few reflections, rates apart, pulse of linear pieces.
-    static bool suits(const PulseForce& pulse, const Groups& groups);
+    static bool suits(const Problem& problem);
 
-    void begin(const PulseForce& pulse, const Groups& groups, ContactRates<double> rates);
+    void begin(const Problem& problem, ContactRates<double> rates);
     bool failed() const { return m_failed; }
     /// Events that repeat without progress in time hang on rounding here.
     void stall() { m_failed = true; }

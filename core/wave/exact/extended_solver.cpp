@@ -8,12 +8,11 @@
 
 namespace drillwave {
 
-Impact solveInExtendedPrecision(const PulseForce& pulse, const Groups& groups, Detail detail,
-                                const std::stop_token& stop) {
+Impact solveInExtendedPrecision(const Problem& problem, Detail detail, const std::stop_token& stop) {
     const auto march = std::make_unique<ContactMarch<SeriesBasis<long double>>>();
     const auto solve = [&](Detail wanted, const InputMove& move) {
         Impact impact;
-        march->solve(pulse, groups, wanted, impact, {.stop = &stop, .move = move});
+        march->solve(problem, wanted, impact, {.stop = &stop, .move = move});
         return impact;
     };
     Impact impact = solve(detail, {});

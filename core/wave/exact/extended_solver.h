@@ -4,9 +4,8 @@
 
 #include <stop_token>
 
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -17,7 +16,7 @@ namespace drillwave {
 /// The difference to ExactSolver shows the rounding and truncation of the latter, and what its closed
 /// exponential pieces get wrong where it uses them. It does not show a mistake in the order or kind of
 /// events: both march with the same code (ContactMarch). equationResiduals() does.
-Impact solveInExtendedPrecision(const PulseForce& pulse, const Groups& groups, Detail detail = Detail::cor,
+Impact solveInExtendedPrecision(const Problem& problem, Detail detail = Detail::cor,
                                 const std::stop_token& stop = {});
 
 }  // namespace drillwave

@@ -3,13 +3,12 @@
 #pragma once
 
 #include "core/contact/contact_rates.h"
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
 #include "core/numeric/compensated_sum.h"
 #include "core/numeric/power_series.h"
 #include "core/wave/exact/first_zero.h"
 #include "core/wave/exact/series_joiner.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -34,11 +33,11 @@ class SeriesBasis {
         Real size = 0;        ///< Σ|coefficients|: what rounding is relative to
     };
 
-    void begin(const PulseForce& pulse, const Groups& groups, ContactRates<Real> rates) {
+    void begin(const Problem& problem, ContactRates<Real> rates) {
         m_undecided = false;
-        m_scale = std::max(Real(pulse.peak), 1 / (2 * Real(groups.tau)));
-        if (!pulse.isRigidBody() && groups.tau >= 0.5) m_scale = Real(pulse.peak);
-        m_joiner.begin(groups, rates.elastic);
+        m_scale = std::max(Real(problem.hammer.peak), 1 / (2 * Real(problem.transitTime)));
+        if (!problem.hammer.isRigidBody() && problem.transitTime >= 0.5) m_scale = Real(problem.hammer.peak);
+        m_joiner.begin(problem, rates.elastic);
         m_negligible = std::ldexp(m_scale, std::numeric_limits<Real>::digits == 53 ? -62 : -80);
     }
     /// How many pieces a round trip may have before joining them is worth the effort.

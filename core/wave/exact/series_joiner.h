@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/scenario.h"
 #include "core/numeric/power_series.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -22,12 +22,12 @@ class SeriesJoiner {
     using Piece = PowerSeries<Real>;
 
     /// `fastest` is the larger rate of the contact, β/γ.
-    void begin(const Groups& groups, Real fastest) {
+    void begin(const Problem& problem, Real fastest) {
         m_fastest = fastest;
-        m_softForce = Real(std::sqrt(groups.beta / groups.tau));
-        m_relativePeak = Real(std::sqrt(groups.beta * groups.tau));
+        m_softForce = Real(std::sqrt(problem.law.beta / problem.transitTime));
+        m_relativePeak = Real(std::sqrt(problem.law.beta * problem.transitTime));
         // of the order of the round trips in contact: the more there are, the more each may err
-        const double trips = 1.6 / std::sqrt(groups.beta * groups.tau);
+        const double trips = 1.6 / std::sqrt(problem.law.beta * problem.transitTime);
         const Real precision =
             std::numeric_limits<Real>::epsilon() / Real(std::numeric_limits<double>::epsilon());
         m_tolerance = Real(1e-17) * Real(std::max(1.0, trips / 100)) * precision;

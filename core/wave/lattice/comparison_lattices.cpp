@@ -43,12 +43,13 @@ int nearWithPhase(int segments, int radius, double tau, double phase, double tol
 
 }  // namespace
 
-std::vector<int> comparisonLattices(const PulseForce& pulse, double tau, int segments) {
+std::vector<int> comparisonLattices(const Problem& problem, int segments) {
     // Ratios without a pattern: corners of the law fall on any fractions.
     constexpr double shares[wanted] = {0.4127, 0.7291, 0.5503, 0.4619, 0.6413, 0.5099, 0.6867, 0.5923};
     constexpr double exact = 1e-6, rough = 1.0 / 32;
     const int radius = segments / 40;
-    const bool jumps = hasJumps(pulse);
+    const double tau = problem.transitTime;
+    const bool jumps = hasJumps(problem.hammer);
     const bool isAligned = jumps && phaseDistance(segments, tau, 0) <= exact;
     std::vector<int> spread, aligned;
     for (int i = 0; i < wanted; ++i) {

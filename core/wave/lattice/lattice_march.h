@@ -9,13 +9,12 @@
 #include <string>
 
 #include "core/contact/contact_law.h"
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
 #include "core/numeric/compensated_sum.h"
 #include "core/text/units.h"
 #include "core/wave/exact/hammer_cells.h"
 #include "core/wave/impact.h"
 #include "core/wave/lattice/step_history.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -24,8 +23,8 @@ template <class Waves>
 class LatticeMarch {
   public:
     /// Solves into `impact`, whose corError it leaves alone.
-    void solve(const PulseForce& pulse, const Groups& groups, int segments, Detail detail,
-               const std::stop_token& stop, Impact& impact);
+    void solve(const Problem& problem, int segments, Detail detail, const std::stop_token& stop,
+               Impact& impact);
 
     /// Rounding of the impulse, of order one, in the last solve.
     double roundingError() const { return roundingAfter(m_step); }
@@ -40,8 +39,8 @@ class LatticeMarch {
     /// An impulse that a contact shorter than a step may have unnoticed: it is of rounding errors.
     static constexpr double negligibleImpulse = 1e-12;
 
-    void begin(const PulseForce& pulse, const Groups& groups, int segments, Detail detail, Impact& impact);
-    bool isFeasible(const PulseForce& pulse, const Groups& groups, int segments);
+    void begin(const Problem& problem, int segments, Detail detail, Impact& impact);
+    bool isFeasible(const Problem& problem, int segments);
     void reachFrontEnd(int segments, const std::stop_token& stop);
     void step();
     void noteChanges(double impulseBefore);
@@ -95,11 +94,11 @@ class LatticeMarch {
 };
 
 template <class Waves>
-void LatticeMarch<Waves>::solve(const PulseForce& pulse, const Groups& groups, int segments, Detail detail,
+void LatticeMarch<Waves>::solve(const Problem& problem, int segments, Detail detail,
                                 const std::stop_token& stop, Impact& impact) {
-    begin(pulse, groups, segments, detail, impact);
-    if (!isFeasible(pulse, groups, segments)) return;
-    if (!pulse.isRigidBody()) reachFrontEnd(segments, stop);
+    begin(problem, segments, detail, impact);
+    if (!isFeasible(problem, segments)) return;
+    if (!problem.hammer.isRigidBody()) reachFrontEnd(segments, stop);
     while (!m_over) {
         step();
         countWork(stop);
@@ -109,17 +108,16 @@ void LatticeMarch<Waves>::solve(const PulseForce& pulse, const Groups& groups, i
 }
 
 template <class Waves>
-void LatticeMarch<Waves>::begin(const PulseForce& pulse, const Groups& groups, int segments, Detail detail,
-                                Impact& impact) {
-    const bool isRigidBody = pulse.isRigidBody();
-    const double uniform = isRigidBody ? 1 / (2 * groups.tau) : 0;
+void LatticeMarch<Waves>::begin(const Problem& problem, int segments, Detail detail, Impact& impact) {
+    const bool isRigidBody = problem.hammer.isRigidBody();
+    const double uniform = isRigidBody ? 1 / (2 * problem.transitTime) : 0;
     m_impact = &impact;
     m_detail = detail;
     m_over = false;
-    m_duration = groups.tau / segments;
-    m_arrival = isRigidBody ? 0 : groups.tau;
+    m_duration = problem.transitTime / segments;
+    m_arrival = isRigidBody ? 0 : problem.transitTime;
     m_skipped = 0;
-    m_negligible = std::ldexp(std::max(pulse.peak, 1 / (2 * groups.tau)), -62);
+    m_negligible = std::ldexp(std::max(problem.hammer.peak, 1 / (2 * problem.transitTime)), -62);
     m_step = 0;
     m_period = 2L * segments;
     m_movesPerStep = Waves::movesPerStep(segments);
@@ -131,33 +129,35 @@ void LatticeMarch<Waves>::begin(const PulseForce& pulse, const Groups& groups, i
     m_freeMomentum = m_freeEnergy = m_farthest = 0;
     // Free flight advances by 2 in each period once the hammer has ended: whole periods of the gap beyond
     // that are kept apart, exactly.
-    const double hammerPeriods = std::ceil(pulse.end / (2 * groups.tau)) + 2;
-    m_periodsAhead = std::max(0.0, std::floor(groups.delta) - hammerPeriods);
-    const double gap = isRigidBody ? 0 : 2 * (groups.delta - m_periodsAhead);
-    m_law = ContactLaw(groups.beta, groups.gamma, m_duration, gap, m_negligible);
-    m_hammer = HammerCells(pulse, m_duration);
+    const double hammerPeriods = std::ceil(problem.hammer.end / (2 * problem.transitTime)) + 2;
+    m_periodsAhead = std::max(0.0, std::floor(problem.gap) - hammerPeriods);
+    const double gap = isRigidBody ? 0 : 2 * (problem.gap - m_periodsAhead);
+    m_law = ContactLaw(problem.law.beta, problem.law.gamma, m_duration, gap, m_negligible);
+    m_hammer = HammerCells(problem.hammer, m_duration);
     m_history.begin(m_duration);
     impact.frontArrival = m_arrival;
-    impact.roundTrip = 2 * groups.tau;
+    impact.roundTrip = 2 * problem.transitTime;
     impact.hammerWork = uniform;  // ½ m v0²: the rod arrives with it
 }
 
 /// Whether the steps are short enough for the rock and few enough for the hammer.
 template <class Waves>
-bool LatticeMarch<Waves>::isFeasible(const PulseForce& pulse, const Groups& groups, int segments) {
-    const double steepest = groups.beta / groups.gamma * m_duration;
+bool LatticeMarch<Waves>::isFeasible(const Problem& problem, int segments) {
+    const double steepest = problem.law.beta / problem.law.gamma * m_duration;
     if (!(steepest <= 2)) {
         fail("a step of the lattice is too long for the rock: (beta/gamma) tau/N = " +
              formatNumber(steepest) + " must not exceed 2; it takes at least " +
-             formatNumber(std::ceil(groups.beta / groups.gamma * groups.tau / 2)) + " segments");
+             formatNumber(std::ceil(problem.law.beta / problem.law.gamma * problem.transitTime / 2)) +
+             " segments");
         return false;
     }
-    if (!(pulse.end / m_duration + double(m_period) < mostSteps)) {
+    if (!(problem.hammer.end / m_duration + double(m_period) < mostSteps)) {
         fail("the lattice would need more than the permitted number of steps; use fewer than " +
              formatNumber(segments) + " segments, or the exact method");
         return false;
     }
-    m_waves.begin(segments, pulse.isRigidBody() ? 1 / (2 * groups.tau) : 0, pulse, m_duration);
+    m_waves.begin(segments, problem.hammer.isRigidBody() ? 1 / (2 * problem.transitTime) : 0, problem.hammer,
+                  m_duration);
     return true;
 }
 

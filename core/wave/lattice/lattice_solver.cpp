@@ -44,24 +44,24 @@ double spread(double cor, int segments, const std::vector<int>& others, SolveCor
 
 }  // namespace
 
-Impact LatticeSolver::solve(const PulseForce& pulse, const Groups& groups, Detail detail,
-                            const LatticeOptions& options, const std::stop_token& stop) {
+Impact LatticeSolver::solve(const Problem& problem, Detail detail, const LatticeOptions& options,
+                            const std::stop_token& stop) {
     Impact impact;
     auto& [moved, ring] = *m_workspace;
     if (options.waves == LatticeWaves::moved)
-        moved.solve(pulse, groups, options.segments, detail, stop, impact);
+        moved.solve(problem, options.segments, detail, stop, impact);
     else
-        ring.solve(pulse, groups, options.segments, detail, stop, impact);
+        ring.solve(problem, options.segments, detail, stop, impact);
     impact.corError = std::nan("");
     if (impact.outcome != Outcome::rebounded || options.estimate == ErrorEstimate::none) return impact;
 
     const auto corOf = [&](int segments) {
         Impact other;
-        ring.solve(pulse, groups, segments, Detail::cor, stop, other);
+        ring.solve(problem, segments, Detail::cor, stop, other);
         return other.outcome == Outcome::rebounded ? other.cor : std::nan("");
     };
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * (1 + std::sqrt(impact.pieces));
-    const std::vector<int> others = comparisonLattices(pulse, groups.tau, options.segments);
+    const std::vector<int> others = comparisonLattices(problem, options.segments);
     impact.corError = 2 * spread(impact.cor, options.segments, others, corOf) + rounding;
     if (std::isnan(impact.corError)) {
         impact.outcome = Outcome::notSolved;

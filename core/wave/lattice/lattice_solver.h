@@ -5,9 +5,8 @@
 #include <memory>
 #include <stop_token>
 
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -54,8 +53,8 @@ class LatticeSolver {
     LatticeSolver(LatticeSolver&&) noexcept;
     LatticeSolver& operator=(LatticeSolver&&) noexcept;
 
-    /// Groups as for ExactSolver::solve(). Checks `stop` at least every few milliseconds.
-    Impact solve(const PulseForce& pulse, const Groups& groups, Detail detail, const LatticeOptions& options,
+    /// The problem is as for ExactSolver::solve(). Checks `stop` at least every few milliseconds.
+    Impact solve(const Problem& problem, Detail detail, const LatticeOptions& options,
                  const std::stop_token& stop = {});
 
   private:

@@ -55,17 +55,17 @@ void TestBlow::itsPartsAreThoseOfTheSolverAndTheSummary() {
     const Scenario scenario = overloadedDrill();
     const Blow blow = solveBlow(scenario, {}, Detail::histories);
     QVERIFY(blow.isSolved());
-    const Groups groups = groupsOf(scenario);
-    const PulseForce pulse = pulseForceOf(scenario);
-    const Impact impact = ExactSolver().solve(pulse, groups, Detail::histories);
+    const Problem problem = problemOf(scenario);
+    const Impact impact = ExactSolver().solve(problem, Detail::histories);
     QCOMPARE(blow.scenario, scenario);
-    QCOMPARE(blow.groups, groups);
+    QCOMPARE(blow.groups, groupsOf(scenario));
+    QVERIFY(blow.solved == problem);
     QCOMPARE(blow.scales, scalesOf(scenario));
     QCOMPARE(blow.impact.cor, impact.cor);
     QCOMPARE(blow.impact.events, impact.events);
     QCOMPARE(blow.summary.peakForce, impact.peakForce);
-    QCOMPARE(blow.summary.energy, ledgerOf(impact, groups));
-    QCOMPARE(*blow.summary.rodForces, largestRodForces(impact, pulse));
+    QCOMPARE(blow.summary.energy, ledgerOf(impact, problem));
+    QCOMPARE(*blow.summary.rodForces, largestRodForces(impact, problem.hammer));
     QCOMPARE(*blow.feed, *judgeFeed(scenario, impact.cor));
     // [paper (9)], by hand
     QVERIFY(std::abs(blow.feed->fullRate / (50 * scenario.pulse.impulse * (1 + impact.cor)) - 1) < 1e-15);

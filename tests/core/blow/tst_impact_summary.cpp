@@ -29,8 +29,8 @@ Scenario scenarioOf(const Case& wanted) {
 }
 
 ImpactSummary summaryOf(const Scenario& scenario) {
-    const Groups groups = groupsOf(scenario);
-    return summarize(ExactSolver().solve(pulseForceOf(scenario), groups, Detail::summary), groups);
+    const Problem problem = problemOf(scenario);
+    return summarize(ExactSolver().solve(problem, Detail::summary), problem);
 }
 
 /// The text of the alert of that code; empty when there is none.
@@ -173,11 +173,10 @@ void TestImpactSummary::everyOutputIsFoundByItsName() {
 
 void TestImpactSummary::corNeedsNoMoreThanCorDetail() {
     const Scenario scenario = scenarioOf({PulseShape::rectangular, {0.5, 0.1, 10, 0.2}});
-    const Groups groups = groupsOf(scenario);
+    const Problem problem = problemOf(scenario);
     ExactSolver solver;
-    const ImpactSummary quick = summarize(solver.solve(pulseForceOf(scenario), groups, Detail::cor), groups);
-    const ImpactSummary full =
-        summarize(solver.solve(pulseForceOf(scenario), groups, Detail::summary), groups);
+    const ImpactSummary quick = summarize(solver.solve(problem, Detail::cor), problem);
+    const ImpactSummary full = summarize(solver.solve(problem, Detail::summary), problem);
     for (const Output& output : outputs())
         if (output.detail == Detail::cor && output.name != "cor_error")
             // Levels of detail may take different ways through the solver, within its accuracy.

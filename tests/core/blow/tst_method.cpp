@@ -24,29 +24,28 @@ class TestMethod : public QObject {
 
     void everyMethodIsTheSolverOfItsName() {
         const Scene scene{PulseShape::rectangular, {0.5, 1, 10, 0}};
-        const PulseForce pulse = pulseOf(scene);
+        const Problem problem = problemOf(scene);
         MethodSolver solver;
         LatticeSolver lattice;
         const LatticeOptions options{.segments = 500};
         // twice, because the workspace is kept
         for (int i = 0; i < 2; ++i) {
-            QCOMPARE(solver.solve(pulse, scene.groups, Detail::cor).cor, solve(scene).cor);
-            QCOMPARE(solver.solve(pulse, scene.groups, Detail::cor, {Method::lattice, options}).cor,
-                     lattice.solve(pulse, scene.groups, Detail::cor, options).cor);
-            QCOMPARE(solver.solve(pulse, scene.groups, Detail::cor, {Method::closedForm, {}}).cor,
+            QCOMPARE(solver.solve(problem, Detail::cor).cor, solve(scene).cor);
+            QCOMPARE(solver.solve(problem, Detail::cor, {Method::lattice, options}).cor,
+                     lattice.solve(problem, Detail::cor, options).cor);
+            QCOMPARE(solver.solve(problem, Detail::cor, {Method::closedForm, {}}).cor,
                      closedFormRestitution(0.5));
         }
     }
 
     void onlyTheClosedFormRefusesBlows() {
         const Scene scene{PulseShape::rectangular, {0.5, 0.1, 10, 0}};
-        const PulseForce pulse = pulseOf(scene);
-        QCOMPARE(methodRefusal(Method::exact, pulse, scene.groups), std::string());
-        QCOMPARE(methodRefusal(Method::lattice, pulse, scene.groups), std::string());
-        const std::string refusal = methodRefusal(Method::closedForm, pulse, scene.groups);
+        const Problem problem = problemOf(scene);
+        QCOMPARE(methodRefusal(Method::exact, problem), std::string());
+        QCOMPARE(methodRefusal(Method::lattice, problem), std::string());
+        const std::string refusal = methodRefusal(Method::closedForm, problem);
         QVERIFY(!refusal.empty());
-        const Impact impact =
-            MethodSolver().solve(pulse, scene.groups, Detail::cor, {Method::closedForm, {}});
+        const Impact impact = MethodSolver().solve(problem, Detail::cor, {Method::closedForm, {}});
         QCOMPARE(impact.outcome, Outcome::notSolved);
         QCOMPARE(impact.reason, refusal);
     }

@@ -86,7 +86,7 @@ void TestExamples::thePaperScenesGiveTheKnownRestitution() {
     QFETCH(QString, name);
     QFETCH(double, cor);
     const Scenario scenario = parseScenario(findExample(name.toStdString())->text, "example").scenario;
-    const double found = ExactSolver().solve(pulseForceOf(scenario), groupsOf(scenario)).cor;
+    const double found = ExactSolver().solve(problemOf(scenario)).cor;
     QVERIFY2(std::abs(found - cor) <= 1e-13, qPrintable(QString::number(found, 'g', 17)));
 }
 

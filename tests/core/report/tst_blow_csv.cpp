@@ -20,16 +20,15 @@ namespace {
 
 struct Solved {
     Scenario scenario;
-    PulseForce pulse;
+    Problem problem;
     Scales scales;
     Impact impact;
 };
 
 Solved solved(const char* example) {
     const Scenario scenario = parseScenario(findExample(example)->text, example).scenario;
-    const PulseForce pulse = pulseForceOf(scenario);
-    return {scenario, pulse, scalesOf(scenario),
-            ExactSolver().solve(pulse, groupsOf(scenario), Detail::histories)};
+    const Problem problem = problemOf(scenario);
+    return {scenario, problem, scalesOf(scenario), ExactSolver().solve(problem, Detail::histories)};
 }
 
 struct Columns {
@@ -74,8 +73,8 @@ class TestBlowCsv : public QObject {
 
 void TestBlowCsv::historiesBeginAtRestAndEndWithTheRebound() {
     const Solved blow = solved("paper_fig4b");
-    const Columns csv = columnsOf(historiesCsv(blow.impact, blow.pulse, groupsOf(blow.scenario),
-                                               OutputUnits::dimensionless, blow.scales));
+    const Columns csv =
+        columnsOf(historiesCsv(blow.impact, blow.problem, OutputUnits::dimensionless, blow.scales));
     QCOMPARE(csv.header, (std::vector<std::string>{"time", "impact_force", "impulse", "momentum",
                                                    "incident_wave", "penetration", "front_velocity"}));
     // τ = 10: the first wave front arrives long after the pulse is over.
@@ -87,8 +86,7 @@ void TestBlowCsv::historiesBeginAtRestAndEndWithTheRebound() {
 
 void TestBlowCsv::theForceIntegratesToTheImpulse() {
     const Solved blow = solved("t38_medium_rock");
-    const Columns csv = columnsOf(
-        historiesCsv(blow.impact, blow.pulse, groupsOf(blow.scenario), OutputUnits::si, blow.scales));
+    const Columns csv = columnsOf(historiesCsv(blow.impact, blow.problem, OutputUnits::si, blow.scales));
     double impulse = 0;
     for (std::size_t i = 1; i < csv.rows.size(); ++i) {
         QVERIFY(csv.rows[i][0] >= csv.rows[i - 1][0]);
@@ -101,8 +99,8 @@ void TestBlowCsv::theForceIntegratesToTheImpulse() {
 
 void TestBlowCsv::theReferenceCaseHasItsMomentumFromTheStart() {
     const Solved blow = solved("reference_case");
-    const Columns csv = columnsOf(historiesCsv(blow.impact, blow.pulse, groupsOf(blow.scenario),
-                                               OutputUnits::dimensionless, blow.scales));
+    const Columns csv =
+        columnsOf(historiesCsv(blow.impact, blow.problem, OutputUnits::dimensionless, blow.scales));
     QCOMPARE(csv.rows.front()[0], 0.0);
     QCOMPARE(csv.rows.front()[3], 1.0);
     QVERIFY(std::abs(csv.rows.back()[3] + blow.impact.cor) < 1e-12);
@@ -111,8 +109,8 @@ void TestBlowCsv::theReferenceCaseHasItsMomentumFromTheStart() {
 // Waves in the plots have tension positive; in the file the incident wave had the other sign.
 void TestBlowCsv::theIncidentWaveIsCompressionAndNegative() {
     const Solved blow = solved("paper_fig4b");
-    const Columns csv = columnsOf(historiesCsv(blow.impact, blow.pulse, groupsOf(blow.scenario),
-                                               OutputUnits::dimensionless, blow.scales));
+    const Columns csv =
+        columnsOf(historiesCsv(blow.impact, blow.problem, OutputUnits::dimensionless, blow.scales));
     // A rectangular blow pushes with F0: the first wave that arrives is a compression of that size.
     QCOMPARE(csv.rows.front()[4], -1.0);
     QCOMPARE(csv.rows.front()[4], positiveWave(blow.impact, 1, csv.rows.front()[0]));
@@ -124,8 +122,8 @@ void TestBlowCsv::thePenetrationIsThatOfTheLawOfTheRock() {
     const Solved blow = solved("paper_fig4b");
     const Groups groups = groupsOf(blow.scenario);
     const Columns csv =
-        columnsOf(historiesCsv(blow.impact, blow.pulse, groups, OutputUnits::dimensionless, blow.scales));
-    const ImpactSummary summary = summarize(blow.impact, groups);
+        columnsOf(historiesCsv(blow.impact, blow.problem, OutputUnits::dimensionless, blow.scales));
+    const ImpactSummary summary = summarize(blow.impact, blow.problem);
     double deepest = 0, largest = 0, wayOff = 0;
     for (const std::vector<double>& row : csv.rows) {
         largest = std::max(largest, row[1]);
@@ -146,8 +144,8 @@ void TestBlowCsv::thePenetrationIsThatOfTheLawOfTheRock() {
 void TestBlowCsv::theFrontVelocityIsTheRateOfThePenetration() {
     for (const char* example : {"t38_medium_rock", "reference_case", "paper_fig8_minimum"}) {
         const Solved blow = solved(example);
-        const Columns csv = columnsOf(historiesCsv(blow.impact, blow.pulse, groupsOf(blow.scenario),
-                                                   OutputUnits::dimensionless, blow.scales));
+        const Columns csv =
+            columnsOf(historiesCsv(blow.impact, blow.problem, OutputUnits::dimensionless, blow.scales));
         double way = 0;
         for (std::size_t i = 1; i < csv.rows.size(); ++i)
             way += (csv.rows[i][0] - csv.rows[i - 1][0]) * (csv.rows[i][6] + csv.rows[i - 1][6]) / 2;
@@ -166,10 +164,9 @@ void TestBlowCsv::theColumnsAreExplained() {
 
 void TestBlowCsv::siColumnsAreScaledAndNamed() {
     const Solved blow = solved("t38_medium_rock");
-    const Columns plain = columnsOf(historiesCsv(blow.impact, blow.pulse, groupsOf(blow.scenario),
-                                                 OutputUnits::dimensionless, blow.scales));
-    const Columns si = columnsOf(
-        historiesCsv(blow.impact, blow.pulse, groupsOf(blow.scenario), OutputUnits::si, blow.scales));
+    const Columns plain =
+        columnsOf(historiesCsv(blow.impact, blow.problem, OutputUnits::dimensionless, blow.scales));
+    const Columns si = columnsOf(historiesCsv(blow.impact, blow.problem, OutputUnits::si, blow.scales));
     QCOMPARE(si.header,
              (std::vector<std::string>{"time [s]", "impact_force [N]", "impulse [N s]", "momentum [N s]",
                                        "incident_wave [N]", "penetration [m]", "front_velocity [m/s]"}));

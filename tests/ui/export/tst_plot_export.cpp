@@ -16,7 +16,7 @@ using namespace drillwave;
 namespace {
 
 Impact solved(const Scenario& scenario, Detail detail = Detail::histories) {
-    return ExactSolver().solve(pulseForceOf(scenario), groupsOf(scenario), detail);
+    return ExactSolver().solve(problemOf(scenario), detail);
 }
 
 // The one of that name; empty when there is none.

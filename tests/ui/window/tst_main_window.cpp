@@ -161,11 +161,11 @@ void TestMainWindow::typingABetaMovesStiffnessAndResult() {
     type(field("beta"), QStringLiteral("0.25"));
     QTRY_VERIFY(cor() != before);
     settle();
-    QCOMPARE(window().shown()->groups.beta, 0.25);
+    QCOMPARE(window().shown()->solved.law.beta, 0.25);
     QVERIFY(*field("bit_rock.stiffness").value() < stiffness);
     ExactSolver solver;
     const Scenario& scenario = window().document().scenario();
-    QCOMPARE(cor(), solver.solve(pulseForceOf(scenario), groupsOf(scenario)).cor);
+    QCOMPARE(cor(), solver.solve(problemOf(scenario)).cor);
     QVERIFY(window().isWindowModified());
     QVERIFY(
         window().findChild<QStatusBar*>()->findChild<QLabel*>()->text().contains(QStringLiteral("e = 0.")));
@@ -245,7 +245,7 @@ void TestMainWindow::aSlowSolverNeverHoldsTheWindowUp() {
     // All fifty were taken at once; the first and the last are solved.
     settle();
     QCOMPARE(calls.load(), 2);
-    QCOMPARE(window().shown()->groups.beta, 1.0);
+    QCOMPARE(window().shown()->solved.law.beta, 1.0);
     m_window.reset();
 }
 

@@ -8,7 +8,7 @@ namespace drillwave {
 BlowInstant blowInstant(const SolvedBlow& blow, double section, double time) {
     const Impact& impact = blow.impact;
     const double s = time - impact.frontArrival;
-    const double given = blow.pulse.isRigidBody() ? 1 : blow.pulse.impulseUntil(time);
+    const double given = blow.solved.hammer.isRigidBody() ? 1 : blow.solved.hammer.impulseUntil(time);
     const double taken = impactImpulse(impact, s);
     return {.normalForce = positiveWave(impact, section, time) + negativeWave(impact, section, time),
             .impactForce = impactForce(impact, s),

@@ -85,8 +85,8 @@ QHBoxLayout* BlowPage::makeBar() {
 
 PreparePage BlowPage::prepare() const {
     return [section = m_observation.section()](const SolvedBlow& blow) {
-        BlowCurves curves = blowCurves(blow.impact, blow.pulse, blow.units, section);
-        curves.closedForm = closedFormCurve(blow.pulse, blow.groups, blow.units, curves.timeEnd);
+        BlowCurves curves = blowCurves(blow.impact, blow.solved.hammer, blow.units, section);
+        curves.closedForm = closedFormCurve(blow.solved, blow.units, curves.timeEnd);
         return PageData::of(std::move(curves));
     };
 }

@@ -6,9 +6,9 @@
 
 namespace drillwave {
 
-std::optional<ClosedFormCurve> closedFormCurve(const PulseForce& pulse, const Groups& groups,
-                                               const ShownUnits& units, double timeEnd) {
-    const Impact impact = solveClosedForm(pulse, groups, Detail::histories);
+std::optional<ClosedFormCurve> closedFormCurve(const Problem& problem, const ShownUnits& units,
+                                               double timeEnd) {
+    const Impact impact = solveClosedForm(problem, Detail::histories);
     if (impact.outcome != Outcome::rebounded) return {};
     const SampledHistory history = sampleHistory(impact);
     return ClosedFormCurve{

@@ -4,8 +4,7 @@
 
 #include <optional>
 
-#include "core/model/pulse_force.h"
-#include "core/model/scenario.h"
+#include "core/wave/problem.h"
 #include "ui/plot/graph_data.h"
 
 namespace drillwave {
@@ -18,7 +17,7 @@ struct ClosedFormCurve {
 
 /// Nothing where the closed form does not hold (core/wave/closed/closed_form.h). `timeEnd` in shown units is
 /// where the curves beside it end.
-std::optional<ClosedFormCurve> closedFormCurve(const PulseForce& pulse, const Groups& groups,
-                                               const ShownUnits& units, double timeEnd);
+std::optional<ClosedFormCurve> closedFormCurve(const Problem& problem, const ShownUnits& units,
+                                               double timeEnd);
 
 }  // namespace drillwave

@@ -11,7 +11,7 @@
 namespace drillwave {
 namespace {
 
-QSharedPointer<QCPCurveDataContainer> pathOf(const Impact& impact, const Groups& groups,
+QSharedPointer<QCPCurveDataContainer> pathOf(const Impact& impact, const Problem& problem,
                                              const ShownUnits& units) {
     const SampledHistory history = sampleHistory(impact);
     QVector<QCPCurveData> points{QCPCurveData(impact.frontArrival * units.time.factor, 0, 0)};
@@ -20,7 +20,7 @@ QSharedPointer<QCPCurveDataContainer> pathOf(const Impact& impact, const Groups&
     for (std::size_t i = 0; i < history.force.size(); ++i) {
         const double force = history.force[i];
         largest = std::max(largest, force);
-        const double penetration = (largest - groups.gamma * (largest - force)) / (2 * groups.beta);
+        const double penetration = (largest - problem.law.gamma * (largest - force)) / (2 * problem.law.beta);
         const double x = penetration * units.penetration.factor;
         const double y = force * units.force.factor;
         if (std::isfinite(x) && std::isfinite(y))
@@ -69,18 +69,18 @@ QSharedPointer<QCPCurveDataContainer> outlineOf(const QSharedPointer<QCPCurveDat
 
 }  // namespace
 
-RockCurve rockCurve(const Impact& impact, const Groups& groups, const ShownUnits& units) {
-    const ImpactSummary summary = summarize(impact, groups);
+RockCurve rockCurve(const Impact& impact, const Problem& problem, const ShownUnits& units) {
+    const ImpactSummary summary = summarize(impact, problem);
     const double peakForce = summary.peakForce * units.force.factor;
-    const auto path = pathOf(impact, groups, units);
+    const auto path = pathOf(impact, problem, units);
     return {.units = units,
             .path = path,
             .outline = outlineOf(path, peakForce),
             .peakForce = peakForce,
             .maxPenetration = summary.maxPenetration * units.penetration.factor,
             .residualPenetration = summary.residualPenetration * units.penetration.factor,
-            .loading = groups.beta * units.stiffness.factor,
-            .unloading = groups.beta / groups.gamma * units.stiffness.factor,
+            .loading = problem.law.beta * units.stiffness.factor,
+            .unloading = problem.law.beta / problem.law.gamma * units.stiffness.factor,
             .energy = summary.energy.rockWork * summary.workRatio * units.energy.factor,
             .energyShare = summary.energy.rockWork};
 }

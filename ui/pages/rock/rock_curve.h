@@ -7,8 +7,8 @@
 #include <QPointF>
 #include <QSharedPointer>
 
-#include "core/model/scenario.h"
 #include "core/wave/impact.h"
+#include "core/wave/problem.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {
@@ -30,7 +30,7 @@ struct RockCurve {
 
 /// Requires an impact solved with Detail::histories. The penetration follows from the force by the bilinear
 /// law alone: U/d0 = (Fm − γ(Fm − F))/(2β), Fm the largest force so far. While apart it is what stays.
-RockCurve rockCurve(const Impact& impact, const Groups& groups, const ShownUnits& units);
+RockCurve rockCurve(const Impact& impact, const Problem& problem, const ShownUnits& units);
 
 /// Penetration and force at a global time in shown units; at either end of the path before and behind it.
 QPointF rockPoint(const RockCurve& curve, double time);

@@ -46,7 +46,7 @@ RockPage::RockPage(Observation& observation, QWidget* parent)
 
 PreparePage RockPage::prepare() const {
     return
-        [](const SolvedBlow& blow) { return PageData::of(rockCurve(blow.impact, blow.groups, blow.units)); };
+        [](const SolvedBlow& blow) { return PageData::of(rockCurve(blow.impact, blow.solved, blow.units)); };
 }
 
 void RockPage::setResult(const SolvedBlowPtr& blow) {

@@ -80,7 +80,7 @@ QString RodStrip::stateText() const {
     if (!m_blow) return {};
     const PictureUnits& units = picture().units;
     const ShownUnit& depth = m_blow->units.penetration;
-    const BitState bit = bitState(m_blow->impact, picture().contacts, m_blow->groups.delta, m_time);
+    const BitState bit = bitState(m_blow->impact, picture().contacts, m_blow->solved.gap, m_time);
     const auto text = [this](double value, const ShownUnit& unit) {
         return quantityText(value, unit, locale());
     };
@@ -128,7 +128,7 @@ void RodStrip::paintRod(QPainter& painter, const QRect& rod) const {
 
 // It touches the rod while it pushes.
 void RodStrip::paintHammer(QPainter& painter, const QRect& rod) const {
-    const PulseForce& pulse = m_blow->pulse;
+    const PulseForce& pulse = m_blow->solved.hammer;
     if (pulse.isRigidBody()) return;
     const double force = pulse(m_time) / pulse.peak;
     const int away = force > 0 || m_time < 0 ? 0 : 6;
@@ -140,7 +140,7 @@ void RodStrip::paintHammer(QPainter& painter, const QRect& rod) const {
 }
 
 void RodStrip::paintRock(QPainter& painter, const QRect& rod) const {
-    const BitState bit = bitState(m_blow->impact, picture().contacts, m_blow->groups.delta, m_time);
+    const BitState bit = bitState(m_blow->impact, picture().contacts, m_blow->solved.gap, m_time);
     const QColor line = palette().color(QPalette::Text);
     painter.setPen(line);
     painter.setBrush(palette().color(QPalette::Mid));

@@ -135,7 +135,8 @@ void WavePicturePage::wire() {
 
 PreparePage WavePicturePage::prepare() const {
     return [need = m_picture->need()](const SolvedBlow& blow) {
-        return PageData::of(wavePicture(blow.impact, blow.pulse, blow.request.scenario, blow.units, need));
+        return PageData::of(
+            wavePicture(blow.impact, blow.solved.hammer, blow.request.scenario, blow.units, need));
     };
 }
 

@@ -13,13 +13,13 @@ using namespace drillwave;
 
 namespace {
 
-PulseForce pulseOf(PulseShape shape) {
-    return pulseForceOf(shape, 2);
+Problem problemOf(PulseShape shape, const Groups& groups) {
+    return problemOf(pulseForceOf(shape, 2), groups);
 }
 
 double cor(PulseShape shape, Groups groups, double gap) {
     groups.delta = gap;
-    return ExactSolver().solve(pulseOf(shape), groups).cor;
+    return ExactSolver().solve(problemOf(shape, groups)).cor;
 }
 
 }  // namespace
@@ -65,9 +65,8 @@ void TestGapCurve::theCurveIsWhatTheSolverSaysAtEveryGap() {
     QFETCH(double, beta);
     QFETCH(double, gamma);
     QFETCH(double, tau);
-    const PulseForce pulse = pulseOf(static_cast<PulseShape>(shape));
-    Groups groups{beta, gamma, tau, 0};
-    const GapCurve curve = gapCurve(pulse, groups, Detail::summary);
+    Problem problem = problemOf(static_cast<PulseShape>(shape), {beta, gamma, tau, 0});
+    const GapCurve curve = gapCurve(problem, Detail::summary);
     QVERIFY(curve.usable());
     QCOMPARE(curve.unsolved, 0.0);
     QVERIFY2(curve.solves < 10000, QByteArray::number(curve.solves));
@@ -84,31 +83,29 @@ void TestGapCurve::theCurveIsWhatTheSolverSaysAtEveryGap() {
     for (int i = 0; i < 400; ++i) {
         const double near = std::pow(10, exponent(random));
         const double share = i % 2 == 0 ? place(random) : i % 4 == 1 ? near : 1 - near;
-        groups.delta = curve.periodStart + share;
-        const ImpactSummary s = summarize(solver.solve(pulse, groups, Detail::summary), groups);
+        problem.gap = curve.periodStart + share;
+        const ImpactSummary s = summarize(solver.solve(problem, Detail::summary), problem);
         // 1e-10 is what the curve promises, of the size of the output.
-        QVERIFY2(std::abs(curve.value(GapOutput::cor, groups.delta) - s.cor) < 1e-10 + 8 * s.corError,
-                 QByteArray::number(groups.delta, 'g', 17));
-        QVERIFY(std::abs(curve.value(GapOutput::peakForce, groups.delta) - s.peakForce) <
-                4e-10 * s.peakForce);
-        QVERIFY(std::abs(curve.value(GapOutput::efficiency, groups.delta) - s.energy.rockWork) < 1e-10);
+        QVERIFY2(std::abs(curve.value(GapOutput::cor, problem.gap) - s.cor) < 1e-10 + 8 * s.corError,
+                 QByteArray::number(problem.gap, 'g', 17));
+        QVERIFY(std::abs(curve.value(GapOutput::peakForce, problem.gap) - s.peakForce) < 4e-10 * s.peakForce);
+        QVERIFY(std::abs(curve.value(GapOutput::efficiency, problem.gap) - s.energy.rockWork) < 1e-10);
     }
 }
 
 void TestGapCurve::theCorAloneIsTheSameCurve() {
-    const PulseForce pulse = pulseOf(PulseShape::rectangular);
-    const Groups groups{0.5, 0.1, 10, 0};
-    const GapCurve full = gapCurve(pulse, groups, Detail::summary),
-                   quick = gapCurve(pulse, groups, Detail::cor);
+    const Problem problem = problemOf(PulseShape::rectangular, {0.5, 0.1, 10, 0});
+    const GapCurve full = gapCurve(problem, Detail::summary), quick = gapCurve(problem, Detail::cor);
     for (double gap = 0; gap < 1; gap += 0.00137)
         QVERIFY(std::abs(full.value(GapOutput::cor, gap) - quick.value(GapOutput::cor, gap)) < 2e-10);
 }
 
 void TestGapCurve::theSecondContactSetsInAtABorder() {
-    const PulseForce pulse = pulseOf(PulseShape::rectangular);
-    const GapCurve curve = gapCurve(pulse, {0.5, 1, 10, 0}, Detail::summary);
+    const GapCurve curve = gapCurve(problemOf(PulseShape::rectangular, {0.5, 1, 10, 0}), Detail::summary);
     ExactSolver solver;
-    const auto contacts = [&](double gap) { return solver.solve(pulse, {0.5, 1, 10, gap}).contacts; };
+    const auto contacts = [&](double gap) {
+        return solver.solve(problemOf(PulseShape::rectangular, {0.5, 1, 10, gap})).contacts;
+    };
     // Bisection in the test: between no second contact at 0.45 and one at 0.475.
     double without = 0.45, with = 0.475;
     while (with - without > 1e-13) {
@@ -143,7 +140,7 @@ void TestGapCurve::thePeriodBeginsOnceTheHammerHasEnded() {
     QFETCH(double, start);
     const auto pulse = static_cast<PulseShape>(shape);
     // The sum in floating point may fall just above a whole number, which is the safe side.
-    const double found = gapPeriodStart(pulseOf(pulse), {0.5, 0.1, tau, 0});
+    const double found = gapPeriodStart(problemOf(pulse, {0.5, 0.1, tau, 0}));
     QVERIFY(found == start || (found == start + 1 && tau == 0.1));
     for (double gap = found; gap < found + 1; gap += 0.0313)
         for (const double gamma : {1.0, 0.1}) {
@@ -155,7 +152,7 @@ void TestGapCurve::thePeriodBeginsOnceTheHammerHasEnded() {
 
 // theory §4: β = 0.5, γ = 1, τ = 0.3.
 void TestGapCurve::earlierGapsAreNotPeriodic() {
-    const GapCurve curve = gapCurve(pulseOf(PulseShape::rectangular), {0.5, 1, 0.3, 0}, 0, Detail::cor);
+    const GapCurve curve = gapCurve(problemOf(PulseShape::rectangular, {0.5, 1, 0.3, 0}), 0, Detail::cor);
     QCOMPARE(curve.start, 0.0);
     QCOMPARE(curve.periodStart, 1.0);
     QVERIFY(std::abs(curve.value(GapOutput::cor, 0) - 0.95667) < 5e-6);
@@ -166,14 +163,14 @@ void TestGapCurve::earlierGapsAreNotPeriodic() {
 }
 
 void TestGapCurve::theReferenceCaseIsOneBlow() {
-    const GapCurve curve = gapCurve(pulseOf(PulseShape::rigidBody), {0.5, 0.1, 3, 0.7}, Detail::summary);
+    const GapCurve curve = gapCurve(problemOf(PulseShape::rigidBody, {0.5, 0.1, 3, 0.7}), Detail::summary);
     QVERIFY(!curve.dependsOnGap);
     QCOMPARE(curve.solves, std::uint64_t{1});
     QCOMPARE(curve.value(GapOutput::cor, 0.4), cor(PulseShape::rigidBody, {0.5, 0.1, 3, 0}, 0));
 }
 
 void TestGapCurve::aHammerThatPushesForEverIsRefused() {
-    const GapCurve curve = gapCurve(pulseOf(PulseShape::rectangular), {0.5, 0.1, 1e-7, 0}, Detail::cor);
+    const GapCurve curve = gapCurve(problemOf(PulseShape::rectangular, {0.5, 0.1, 1e-7, 0}), Detail::cor);
     QVERIFY(!curve.usable());
     QVERIFY(!curve.reason.empty());
 }
@@ -183,7 +180,7 @@ void TestGapCurve::aStopEndsTheWork() {
     const auto progress = [&](double share) {
         if (share > 0.3) stop.request_stop();
     };
-    const GapCurve curve = gapCurve(pulseOf(PulseShape::rectangular), {0.5, 0.1, 10, 0}, Detail::summary,
+    const GapCurve curve = gapCurve(problemOf(PulseShape::rectangular, {0.5, 0.1, 10, 0}), Detail::summary,
                                     stop.get_token(), progress);
     QVERIFY(curve.stopped && !curve.usable());
     QVERIFY(curve.pieces.back().end < 0.6);

@@ -15,24 +15,29 @@ using namespace drillwave;
 
 namespace {
 
-const Groups fig8{0.5, 1, 10, 0};  // paper, Fig. 8, elastic
+Problem problemOf(PulseShape shape, const Groups& groups) {
+    return problemOf(pulseForceOf(shape), groups);
+}
+
+// paper, Fig. 8, elastic
+const Problem fig8 = problemOf(PulseShape::rectangular, {0.5, 1, 10, 0});
 
 /// e at the middles of `count` cells of gap from `start`, one period or more.
-std::vector<double> grid(const PulseForce& pulse, Groups groups, double start, double length, int count) {
+std::vector<double> grid(Problem problem, double start, double length, int count) {
     ExactSolver solver;
     std::vector<double> values;
     for (int i = 0; i < count; ++i) {
-        groups.delta = start + length * (i + 0.5) / count;
-        values.push_back(solver.solve(pulse, groups).cor);
+        problem.gap = start + length * (i + 0.5) / count;
+        values.push_back(solver.solve(problem).cor);
     }
     return values;
 }
 
-GapStatistics statisticsOf(const PulseForce& pulse, const Groups& groups, Detail detail,
+GapStatistics statisticsOf(const Problem& problem, Detail detail,
                            const std::optional<NormalGap>& normal = {}) {
-    double start = gapPeriodStart(pulse, groups);
+    double start = gapPeriodStart(problem);
     if (normal) start = std::min(start, lowestGap(*normal));
-    return gapStatistics(gapCurve(pulse, groups, start, detail), normal);
+    return gapStatistics(gapCurve(problem, start, detail), normal);
 }
 
 double density(double x, const NormalGap& normal) {
@@ -66,7 +71,7 @@ class TestGapStatistics : public QObject {
 
 // theory §7: computed with 33 digits, the last digit rounded.
 void TestGapStatistics::theExtremesOfThePapersFigure8AreFound() {
-    const GapStatistics s = statisticsOf(pulseForceOf(PulseShape::rectangular), fig8, Detail::summary);
+    const GapStatistics s = statisticsOf(fig8, Detail::summary);
     const GapOutputStatistics& e = s.of(GapOutput::cor);
     QVERIFY(std::abs(e.least.value.value - 0.8419988) < 5.1e-8);
     QVERIFY(std::abs(e.least.gap.value - 0.52711) < 5.1e-6);
@@ -80,32 +85,30 @@ void TestGapStatistics::theExtremesOfThePapersFigure8AreFound() {
 
 // Against the solver near the places found: nothing lies beyond the extremes by more than the error.
 void TestGapStatistics::theErrorsStatedHold() {
-    const PulseForce pulse = pulseForceOf(PulseShape::rectangular);
-    const GapStatistics s = statisticsOf(pulse, fig8, Detail::summary);
+    const GapStatistics s = statisticsOf(fig8, Detail::summary);
     const GapExtreme& least = s.of(GapOutput::cor).least;
     QVERIFY(least.value.error < 1e-9 && least.gap.error < 1e-5);
     const double width = 10 * least.gap.error;
-    for (const double e : grid(pulse, fig8, least.gap.value - width, 2 * width, 1000))
+    for (const double e : grid(fig8, least.gap.value - width, 2 * width, 1000))
         QVERIFY(e >= least.value.value - least.value.error);
     for (const GapCrossing& crossing : s.crossings) {
         QVERIFY(crossing.gap.error < 1e-9);
         const double margin = crossing.gap.error + 1e-13;
-        const double before = grid(pulse, fig8, crossing.gap.value - margin, 0, 1).front();
-        const double after = grid(pulse, fig8, crossing.gap.value + margin, 0, 1).front();
+        const double before = grid(fig8, crossing.gap.value - margin, 0, 1).front();
+        const double after = grid(fig8, crossing.gap.value + margin, 0, 1).front();
         QVERIFY((before < 1) == crossing.rising && (after > 1) == crossing.rising);
     }
 }
 
 void TestGapStatistics::theMaximumAtNoGapIsACuspAndTheMinimumIsNot() {
-    const GapStatistics s = statisticsOf(pulseForceOf(PulseShape::rectangular), fig8, Detail::summary);
+    const GapStatistics s = statisticsOf(fig8, Detail::summary);
     QVERIFY(s.of(GapOutput::cor).largest.kind == GapExtreme::Kind::kink);
     QVERIFY(s.of(GapOutput::cor).least.kind == GapExtreme::Kind::smooth);
     QCOMPARE(s.kinks.size(), std::size_t{1});
     QCOMPARE(s.kinks.front().gap, 1.0);
     // One-sided differences; the curvature is of the order of 1.
     const double h = 1e-6;
-    const PulseForce pulse = pulseForceOf(PulseShape::rectangular);
-    const auto e = [&](double gap) { return grid(pulse, fig8, gap, 0, 1).front(); };
+    const auto e = [&](double gap) { return grid(fig8, gap, 0, 1).front(); };
     QVERIFY(std::abs(s.kinks.front().slopeAfter - (e(h) - e(0)) / h) < 1e-4);
     QVERIFY(std::abs(s.kinks.front().slopeBefore - (e(1) - e(1 - h)) / h) < 1e-4);
     // The larger of two force peaks changes here: a kink of the peak force that is no event.
@@ -126,11 +129,10 @@ void TestGapStatistics::meanQuantilesAndShareAgreeWithManySingleBlows() {
     QFETCH(int, shape);
     QFETCH(double, gamma);
     QFETCH(double, tau);
-    const PulseForce pulse = pulseForceOf(static_cast<PulseShape>(shape));
-    const Groups groups{0.5, gamma, tau, 0};
-    const GapStatistics s = statisticsOf(pulse, groups, Detail::cor);
+    const Problem problem = problemOf(static_cast<PulseShape>(shape), {0.5, gamma, tau, 0});
+    const GapStatistics s = statisticsOf(problem, Detail::cor);
     const int count = 20000;
-    std::vector<double> values = grid(pulse, groups, gapPeriodStart(pulse, groups), 1, count);
+    std::vector<double> values = grid(problem, gapPeriodStart(problem), 1, count);
     double sum = 0, above = 0;
     for (const double e : values) {
         sum += e;
@@ -152,8 +154,8 @@ void TestGapStatistics::quantilesLieBetweenTheExtremesInOrder() {
     for (const double beta : {0.05, 0.5, 4.0})
         for (const double gamma : {0.1, 0.6, 1.0}) {
             const NormalGap normal{0.4, 0.3};
-            const GapStatistics s = statisticsOf(pulseForceOf(PulseShape::halfSine), {beta, gamma, 4, 0},
-                                                 Detail::summary, normal);
+            const GapStatistics s =
+                statisticsOf(problemOf(PulseShape::halfSine, {beta, gamma, 4, 0}), Detail::summary, normal);
             for (const GapOutputStatistics& output : s.outputs)
                 for (const GapSpread& spread : {output.uniform, *output.normal}) {
                     // rounding, where an output is the same everywhere
@@ -173,7 +175,7 @@ void TestGapStatistics::quantilesLieBetweenTheExtremesInOrder() {
 void TestGapStatistics::theShareFollowsFromTheCrossings() {
     for (const double beta : {0.2, 0.5, 2.0}) {
         const GapStatistics s =
-            statisticsOf(pulseForceOf(PulseShape::rectangular), {beta, 1, 10, 0}, Detail::cor);
+            statisticsOf(problemOf(PulseShape::rectangular, {beta, 1, 10, 0}), Detail::cor);
         QVERIFY(!s.crossings.empty() && s.crossings.size() % 2 == 0);  // e is periodic
         // From 0 to 1; above 1 at the ends if the first crossing falls.
         double share = s.crossings.front().rising ? 0 : 1;
@@ -199,12 +201,11 @@ void TestGapStatistics::aScatteredGapAgreesWithASumOverBlows() {
     QFETCH(double, mean);
     QFETCH(double, deviation);
     const NormalGap normal{mean, deviation};
-    const PulseForce pulse = pulseForceOf(PulseShape::rectangular);
-    const Groups groups{0.5, 1, tau, 0};
-    const GapStatistics s = statisticsOf(pulse, groups, Detail::cor, normal);
+    const Problem problem = problemOf(PulseShape::rectangular, {0.5, 1, tau, 0});
+    const GapStatistics s = statisticsOf(problem, Detail::cor, normal);
     const double start = std::max(0.0, mean - 8 * deviation), length = mean + 8 * deviation - start;
     const int count = 40000;
-    const std::vector<double> values = grid(pulse, groups, start, length, count);
+    const std::vector<double> values = grid(problem, start, length, count);
     double sum = 0, weights = 0, above = 0;
     std::vector<std::pair<double, double>> weighted;
     for (int i = 0; i < count; ++i) {
@@ -231,21 +232,19 @@ void TestGapStatistics::aScatteredGapAgreesWithASumOverBlows() {
 }
 
 void TestGapStatistics::aNarrowScatterIsTheBlowAtItsMean() {
-    const PulseForce pulse = pulseForceOf(PulseShape::rectangular);
-    const double e = grid(pulse, fig8, 0.3, 0, 1).front();
-    const GapStatistics s = statisticsOf(pulse, fig8, Detail::cor, NormalGap{0.3, 1e-6});
+    const double e = grid(fig8, 0.3, 0, 1).front();
+    const GapStatistics s = statisticsOf(fig8, Detail::cor, NormalGap{0.3, 1e-6});
     const GapSpread& spread = *s.of(GapOutput::cor).normal;
     QVERIFY(std::abs(spread.mean.value - e) < 1e-10);  // curvature · deviation²/2
     QVERIFY(std::abs(spread.quantiles[1].value - e) < 1e-9);
     // The slope of e times 1.6449 standard deviations.
-    const double slope = (grid(pulse, fig8, 0.3 + 1e-5, 0, 1).front() - e) / 1e-5;
+    const double slope = (grid(fig8, 0.3 + 1e-5, 0, 1).front() - e) / 1e-5;
     QVERIFY(std::abs(spread.quantiles[2].value - e - std::abs(slope) * 1.6448536e-6) < 1e-10);
     QCOMPARE(s.normalShareAboveOne->value, 1.0);
 }
 
 void TestGapStatistics::aWideScatterFarOutIsAUniformGap() {
-    const GapStatistics s =
-        statisticsOf(pulseForceOf(PulseShape::rectangular), fig8, Detail::cor, NormalGap{500, 20});
+    const GapStatistics s = statisticsOf(fig8, Detail::cor, NormalGap{500, 20});
     const GapOutputStatistics& e = s.of(GapOutput::cor);
     // Folded at so many periods a normal density is even to exp(−2π²·400).
     QVERIFY(std::abs(e.normal->mean.value - e.uniform.mean.value) < 1e-12);
@@ -254,9 +253,8 @@ void TestGapStatistics::aWideScatterFarOutIsAUniformGap() {
 }
 
 void TestGapStatistics::aScatterFartherOutByPeriodsIsTheSame() {
-    const PulseForce pulse = pulseForceOf(PulseShape::rectangular);
-    const GapStatistics a = statisticsOf(pulse, fig8, Detail::cor, NormalGap{3.3, 0.2});
-    const GapStatistics b = statisticsOf(pulse, fig8, Detail::cor, NormalGap{70.3, 0.2});
+    const GapStatistics a = statisticsOf(fig8, Detail::cor, NormalGap{3.3, 0.2});
+    const GapStatistics b = statisticsOf(fig8, Detail::cor, NormalGap{70.3, 0.2});
     // 70.3 has lost two digits of 0.3.
     QVERIFY(std::abs(a.of(GapOutput::cor).normal->mean.value - b.of(GapOutput::cor).normal->mean.value) <
             1e-13);
@@ -264,9 +262,9 @@ void TestGapStatistics::aScatterFartherOutByPeriodsIsTheSame() {
 }
 
 void TestGapStatistics::theReferenceCaseIsTheSameEverywhere() {
-    const PulseForce pulse = pulseForceOf(PulseShape::rigidBody);
-    const GapStatistics s = statisticsOf(pulse, {0.5, 0.1, 3, 0}, Detail::summary, NormalGap{0.2, 0.1});
-    const double e = grid(pulse, {0.5, 0.1, 3, 0}, 0, 0, 1).front();
+    const Problem problem = problemOf(PulseShape::rigidBody, {0.5, 0.1, 3, 0});
+    const GapStatistics s = statisticsOf(problem, Detail::summary, NormalGap{0.2, 0.1});
+    const double e = grid(problem, 0, 0, 1).front();
     const GapOutputStatistics& output = s.of(GapOutput::cor);
     QVERIFY(output.least.kind == GapExtreme::Kind::everywhere);
     for (const GapSpread& spread : {output.uniform, *output.normal}) {
@@ -278,36 +276,33 @@ void TestGapStatistics::theReferenceCaseIsTheSameEverywhere() {
 }
 
 void TestGapStatistics::anElasticSpringKeepsNothingAtAnyGap() {
-    const GapStatistics s =
-        statisticsOf(pulseForceOf(PulseShape::triangular), {0.7, 1, 3, 0}, Detail::summary);
+    const GapStatistics s = statisticsOf(problemOf(PulseShape::triangular, {0.7, 1, 3, 0}), Detail::summary);
     QVERIFY(std::abs(s.of(GapOutput::efficiency).largest.value.value) < 1e-11);
     QVERIFY(s.of(GapOutput::efficiency).largest.kind == GapExtreme::Kind::everywhere);
 }
 
 void TestGapStatistics::theLargestCorCountsGapsBeforeThePeriod() {
-    const PulseForce pulse = pulseForceOf(PulseShape::rectangular);
-    const Groups groups{5, 0.05, 0.1, 0};
-    const double start = gapPeriodStart(pulse, groups);
-    const double before = std::ranges::max(grid(pulse, groups, 0, start, 2000));
-    const double period = std::ranges::max(grid(pulse, groups, start, 1, 1000));
+    const Problem problem = problemOf(PulseShape::rectangular, {5, 0.05, 0.1, 0});
+    const double start = gapPeriodStart(problem);
+    const double before = std::ranges::max(grid(problem, 0, start, 2000));
+    const double period = std::ranges::max(grid(problem, start, 1, 1000));
     QVERIFY(before > period + 0.01);  // or this would show nothing
-    const double largest = largestCor(gapCurve(pulse, groups, 0, Detail::cor)).value;
+    const double largest = largestCor(gapCurve(problem, 0, Detail::cor)).value;
     QVERIFY(largest >= before - 1e-11 && largest < before + 1e-3);  // the grid just misses the top
 }
 
 // A blow that leaves the rod almost at rest: it drifts for any number of periods, and what follows changes
 // with each. The work is bounded, and the errors say what that costs.
 void TestGapStatistics::aRodThatIsNearlyStoppedHasHonestErrors() {
-    const PulseForce pulse = pulseForceOf(PulseShape::exponential);
-    const Groups groups{5, 1, 0.2, 0};
+    const Problem problem = problemOf(PulseShape::exponential, {5, 1, 0.2, 0});
     const NormalGap normal{0.06, 0.02};
-    const GapCurve curve = gapCurve(pulse, groups, 0, Detail::cor);
+    const GapCurve curve = gapCurve(problem, 0, Detail::cor);
     QVERIFY(curve.solves < 100000);
     const GapSpread spread = *gapStatistics(curve, normal).of(GapOutput::cor).normal;
     QVERIFY(spread.mean.error > 1e-6);
     double sum = 0, weights = 0;
     const int count = 20000;
-    const std::vector<double> values = grid(pulse, groups, 0, 0.22, count);
+    const std::vector<double> values = grid(problem, 0, 0.22, count);
     for (int i = 0; i < count; ++i) {
         const double weight = density(0.22 * (i + 0.5) / count, normal);
         sum += weight * values[static_cast<std::size_t>(i)];

@@ -12,7 +12,7 @@ using namespace drillwave::test;
 namespace {
 
 EquationResiduals residuals(const Scene& solved, const Scene& claimed) {
-    return equationResiduals(solve(solved, Detail::histories), pulseOf(claimed), claimed.groups);
+    return equationResiduals(solve(solved, Detail::histories), problemOf(claimed));
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ class TestEquationResiduals : public QObject {
         QVERIFY2(found.law < 1e-13, qPrintable(QString::number(found.law)));
         QVERIFY2(found.rate < 1e-13, qPrintable(QString::number(found.rate)));
         const Impact exact = solve(scene);
-        const Impact extended = solveInExtendedPrecision(pulseOf(scene), scene.groups);
+        const Impact extended = solveInExtendedPrecision(problemOf(scene));
         QVERIFY(std::abs(exact.cor - extended.cor) <= exact.corError);
     }
 

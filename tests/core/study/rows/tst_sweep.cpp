@@ -76,8 +76,8 @@ ImpactSummary solvedAlone(const Scenario& base, const std::vector<std::string>& 
     for (const int wanted : {0, 1, 2})
         for (std::size_t a = 0; a < axes; ++a)
             if (rank(header[a]) == wanted) setCell(scenario, header[a], cells[a]);
-    const Groups groups = groupsOf(scenario);
-    return summarize(ExactSolver().solve(pulseForceOf(scenario), groups, Detail::summary), groups);
+    const Problem problem = problemOf(scenario);
+    return summarize(ExactSolver().solve(problem, Detail::summary), problem);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ std::string csvOf(const Table& table, const std::string& cases, int jobs = 2, Ro
 }
 
 double corOf(const Scenario& scenario) {
-    return ExactSolver().solve(pulseForceOf(scenario), groupsOf(scenario)).cor;
+    return ExactSolver().solve(problemOf(scenario)).cor;
 }
 
 std::vector<double> lastColumn(const std::string& csv) {

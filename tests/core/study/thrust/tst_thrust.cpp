@@ -73,7 +73,7 @@ void TestThrust::theCasesAreThoseOfTheTheory() {
     QVERIFY(std::abs(study.need(ThrustCase::scenario).cor.value - 0.40671074387478970) < 1e-12);
     QCOMPARE(study.need(ThrustCase::rigidRock).cor.value, 1.0);
     QVERIFY(std::abs(study.need(ThrustCase::elasticWorst).cor.value - 1.4010824845070556) < 1e-10);
-    const GapCurve curve = gapCurve(pulseForceOf(drill()), groupsOf(drill()), Detail::cor);
+    const GapCurve curve = gapCurve(problemOf(drill()), Detail::cor);
     QCOMPARE(study.need(ThrustCase::gapQuantile).cor.value,
              gapStatistics(curve).of(GapOutput::cor).uniform.quantiles[2].value);
     for (const ThrustNeed& need : study.needs) {

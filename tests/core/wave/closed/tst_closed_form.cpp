@@ -21,7 +21,7 @@ double integral(Function f, double from, double to, int halves = 2000) {
 }
 
 Impact closedForm(const Groups& groups, Detail detail = Detail::cor) {
-    return solveClosedForm(pulseOf({PulseShape::rectangular, groups}), groups, detail);
+    return solveClosedForm(problemOf(pulseForceOf(PulseShape::rectangular), groups), detail);
 }
 
 const std::vector<double> stiffnesses{0.01, 0.1, 0.3, 0.5, 1, 1.2564312, 1.2564313, 2, 10, 300};
@@ -91,7 +91,7 @@ class TestClosedForm : public QObject {
                     continue;
                 }
                 ++checked;
-                const Impact expected = exact.solve(pulseOf({PulseShape::rectangular, groups}), groups);
+                const Impact expected = exact.solve(problemOf(pulseForceOf(PulseShape::rectangular), groups));
                 const double excess = found.cor - expected.cor;
                 const double rounding = 1e-14 + expected.corError;
                 QVERIFY(excess >= -rounding && excess <= found.corError + rounding);
@@ -151,7 +151,7 @@ class TestClosedForm : public QObject {
     void otherBlowsAreRefused() {
         QFETCH(Scene, scene);
         QFETCH(QString, named);
-        const Impact impact = solveClosedForm(pulseOf(scene), scene.groups);
+        const Impact impact = solveClosedForm(problemOf(scene));
         QCOMPARE(impact.outcome, Outcome::notSolved);
         QVERIFY2(QString::fromStdString(impact.reason).contains(named), impact.reason.c_str());
     }

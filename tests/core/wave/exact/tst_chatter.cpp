@@ -66,7 +66,7 @@ class TestChatter : public QObject {
     }
 
     void longDoubleKnowsThatItDoesNotKnowBetter() {
-        const Impact extended = solveInExtendedPrecision(pulseOf(noDigits), noDigits.groups);
+        const Impact extended = solveInExtendedPrecision(problemOf(noDigits));
         QCOMPARE(extended.outcome, Outcome::rebounded);
         QVERIFY(extended.corError > 1e-6);
         QVERIFY(std::abs(extended.cor - solve(noDigits).cor) <= extended.corError + solve(noDigits).corError);
@@ -80,7 +80,7 @@ class TestChatter : public QObject {
         QVERIFY(impact.growth <= coveredGrowth);
         ContactMarch<SeriesBasis<double>> once;
         Impact march;
-        once.solve(pulseOf(scene), scene.groups, Detail::cor, march);
+        once.solve(problemOf(scene), Detail::cor, march);
         QCOMPARE(impact.corError, march.corError);
     }
 
@@ -91,14 +91,14 @@ class TestChatter : public QObject {
         int notSolved = 0;  // over the permitted work: τ near 0.05 with q near 20
         for (int i = 0; i < blowsToTry(); ++i) {
             const Scene scene = blows.next();
-            const PulseForce pulse = pulseOf(scene);
-            const Impact impact = solver.solve(pulse, scene.groups);
+            const Problem problem = problemOf(scene);
+            const Impact impact = solver.solve(problem);
             if (impact.outcome != Outcome::rebounded) {
                 ++notSolved;
                 continue;
             }
             if (impact.pieces > 200'000 && blowsToTry() < 1000) continue;  // seconds in long double
-            const Impact exact = solveInExtendedPrecision(pulse, scene.groups);
+            const Impact exact = solveInExtendedPrecision(problem);
             if (exact.outcome != Outcome::rebounded) continue;
             const int kind = classOf(impact.contacts);
             ++tried[kind];

@@ -201,7 +201,7 @@ class TestExactSolver : public QObject {
         RandomScenes scenes({0.02, 1e3, 0.01, 0.2, 100, 10}, 7);
         scenes.forEachSolved(200, Detail::cor, [&](const Scene& scene, const Impact& chosen) {
             Impact impact;
-            series.solve(pulseOf(scene), scene.groups, Detail::cor, impact);
+            series.solve(problemOf(scene), Detail::cor, impact);
             QVERIFY2(close(chosen.cor, impact.cor, chosen.corError + impact.corError),
                      describe(scene).c_str());
         });
@@ -214,7 +214,7 @@ class TestExactSolver : public QObject {
         std::vector<double> ratios;
         scenes.forEachSolved(1000, Detail::cor, [&](const Scene& scene, const Impact& impact) {
             Impact exact;
-            extended.solve(pulseOf(scene), scene.groups, Detail::cor, exact);
+            extended.solve(problemOf(scene), Detail::cor, exact);
             const double error = std::abs(impact.cor - exact.cor);
             QVERIFY2(error <= 1e-12, describe(scene).c_str());
             ++compared;
@@ -232,7 +232,7 @@ class TestExactSolver : public QObject {
         int compared = 0;
         scenes.forEachSolved(700, Detail::cor, [&](const Scene& scene, const Impact& impact) {
             Impact exact;
-            extended.solve(pulseOf(scene), scene.groups, Detail::cor, exact);
+            extended.solve(problemOf(scene), Detail::cor, exact);
             if (exact.outcome != Outcome::rebounded) return;
             QVERIFY2(std::abs(impact.cor - exact.cor) <= 1e-9, describe(scene).c_str());
             ++compared;
@@ -252,7 +252,7 @@ class TestExactSolver : public QObject {
             const double joined =
                 impact.pieces > 32 ? 2e-9 * std::sqrt(scene.groups.beta / scene.groups.tau) : 0;
             const double tolerance = joined + 1e-12 + 1e-14 * (1 + steepness) * (1 + impact.incident.end());
-            QVERIFY2(worstViolation(impact, pulseOf(scene)) < tolerance, describe(scene).c_str());
+            QVERIFY2(worstViolation(impact, problemOf(scene).hammer) < tolerance, describe(scene).c_str());
         });
         QVERIFY2(checked > 100, std::to_string(checked).c_str());
     }
@@ -304,7 +304,8 @@ class TestExactSolver : public QObject {
             for (const double softness : {1e-4, 1e-6}) {
                 const Groups groups{softness * gamma / 0.5, gamma, 0.5, 0};
                 const Impact march = solve({PulseShape::rigidBody, groups}, Detail::summary);
-                const Impact expansion = softReference(groups, Detail::summary);
+                const Impact expansion =
+                    softReference(problemOf(Scene{PulseShape::rigidBody, groups}), Detail::summary);
                 QVERIFY(close(expansion.cor, march.cor, expansion.corError + march.corError));
                 const double second = softness * std::sqrt(softness);  // the order left out, relative
                 QVERIFY(close(expansion.peakForce / march.peakForce, 1, second + 1e-11));
@@ -352,24 +353,25 @@ class TestExactSolver : public QObject {
     void aStopEndsASolutionThatTakesSeconds() {
         const Scene endless{PulseShape::rectangular, {1e-300, 0.1, 10, 0}};
         ExactSolver solver;
-        const Impact whole = solver.solve(pulseOf(endless), endless.groups);
+        const Impact whole = solver.solve(problemOf(endless));
         QVERIFY(whole.pieces > 1'000'000);
         std::stop_source source;
         source.request_stop();
         for (const Detail detail : {Detail::cor, Detail::histories}) {
-            const Impact stopped = solver.solve(pulseOf(endless), endless.groups, detail, source.get_token());
+            const Impact stopped = solver.solve(problemOf(endless), detail, source.get_token());
             QCOMPARE(stopped.outcome, Outcome::notSolved);
             QCOMPARE(stopped.reason, std::string("stopped"));
             QVERIFY(stopped.pieces < 20'000);  // a millisecond
         }
         QCOMPARE(cor(PulseShape::rectangular, 0.5, 1, 10, 0),
-                 solver.solve(pulseOf({}), {0.5, 1, 10, 0}).cor);  // and leaves the solver as good as new
+                 solver.solve(problemOf(Scene{PulseShape::rectangular, {0.5, 1, 10, 0}}))
+                     .cor);  // and leaves the solver as good as new
     }
 
     void workBeyondTheLimitIsReportedAsNotSolved() {
         const Scene scene{PulseShape::rectangular, {1e-6, 0.1, 0.6, 0}};
         ExactSolver solver(1000);
-        const Impact impact = solver.solve(pulseOf(scene), scene.groups);
+        const Impact impact = solver.solve(problemOf(scene));
         QCOMPARE(impact.outcome, Outcome::notSolved);
         QVERIFY(!impact.reason.empty());
         QVERIFY(impact.pieces < 2000);

@@ -26,7 +26,7 @@ class TestHammerCells : public QObject {
     void impulseIsKeptByStepsThatDoNotDivideThePulse() {
         QFETCH(int, shape);
         QFETCH(double, step);
-        const PulseForce pulse = pulseOf({static_cast<PulseShape>(shape), {}});
+        const PulseForce pulse = pulseForceOf(static_cast<PulseShape>(shape), 2);
         HammerCells cells(pulse, step);
         CompensatedSum<double> sum;
         double most = 0;
@@ -49,7 +49,7 @@ class TestHammerCells : public QObject {
 
     void aConstantForceIsExactlyConstant() {
         // noise of a difference of impulses would make a rock at rest load and unload
-        const PulseForce pulse = pulseOf({PulseShape::rectangular, {}});
+        const PulseForce pulse = pulseForceOf(PulseShape::rectangular);
         HammerCells cells(pulse, 0.001);
         for (int i = 0; i < 1000; ++i) QCOMPARE(cells.next(), 1.0);
         QCOMPARE(cells.next(), 0.0);
@@ -57,7 +57,7 @@ class TestHammerCells : public QObject {
     }
 
     void nothingActsInTheReferenceCase() {
-        HammerCells cells(pulseOf({PulseShape::rigidBody, {}}), 0.1);
+        HammerCells cells(pulseForceOf(PulseShape::rigidBody), 0.1);
         QVERIFY(cells.ended());
         QCOMPARE(cells.next(), 0.0);
     }

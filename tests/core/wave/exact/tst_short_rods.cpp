@@ -31,7 +31,7 @@ class ShortRods {
             g.gamma = m_random() % 3 == 0 ? 1 : logarithmic(0.01, 0.7);
             g.delta = gap();
             if (scene.shape == PulseShape::rigidBody) g.delta = 0;
-            if (ExponentialBasis::suits(pulseOf(scene), g)) return scene;
+            if (ExponentialBasis::suits(problemOf(scene))) return scene;
         }
     }
 
@@ -84,13 +84,12 @@ class TestShortRods : public QObject {
         int inClosedForm = 0, otherContacts = 0;
         for (int i = 0; i < 20'000; ++i) {
             const Scene scene = rods.next();
-            const PulseForce pulse = pulseOf(scene);
+            const Problem problem = problemOf(scene);
             Impact closed, series;
             const bool ended =
-                closedMarch.solve(pulse, scene.groups, Detail::cor, closed, {.pieces = 2000}) &&
-                isSolved(closed);
-            seriesMarch.solve(pulse, scene.groups, Detail::cor, series);
-            const Impact chosen = solver.solve(pulse, scene.groups);
+                closedMarch.solve(problem, Detail::cor, closed, {.pieces = 2000}) && isSolved(closed);
+            seriesMarch.solve(problem, Detail::cor, series);
+            const Impact chosen = solver.solve(problem);
             QVERIFY2(!isSolved(series) || isSolved(chosen), describe(scene).c_str());
             QVERIFY2(std::abs(chosen.cor - series.cor) <= chosen.corError + series.corError,
                      describe(scene).c_str());
@@ -111,12 +110,12 @@ class TestShortRods : public QObject {
         int checked = 0;
         for (int i = 0; i < 1000; ++i) {
             const Scene scene = rods.next();
-            const PulseForce pulse = pulseOf(scene);
+            const Problem problem = problemOf(scene);
             Impact impact;
-            if (!march.solve(pulse, scene.groups, Detail::histories, impact, {.pieces = 2000})) continue;
+            if (!march.solve(problem, Detail::histories, impact, {.pieces = 2000})) continue;
             if (!isSolved(impact)) continue;
             ++checked;
-            const EquationResiduals found = equationResiduals(impact, pulse, scene.groups);
+            const EquationResiduals found = equationResiduals(impact, problem);
             // forces reach 1/(2τ) here; rounding in a few hundred pieces
             const double tolerance = 1e-12 / scene.groups.tau;
             QVERIFY2(found.wave < tolerance,

@@ -31,7 +31,7 @@ class TestBitMotion : public QObject {
             const auto contacts = contactIntervals(impact);
             const BitState state = bitState(impact, contacts, scene.groups.delta, impact.separationTime);
             QVERIFY(state.touching);
-            const double residual = summarize(impact, scene.groups).residualPenetration;
+            const double residual = summarize(impact, problemOf(scene)).residualPenetration;
             QVERIFY2(std::abs(state.penetration - residual) < 1e-12 * (1 + scene.groups.delta),
                      describe(scene).c_str());
         }

@@ -12,7 +12,7 @@ using namespace drillwave::test;
 namespace {
 
 RodForces forcesOf(const Scene& scene) {
-    return largestRodForces(solve(scene, Detail::histories), pulseOf(scene));
+    return largestRodForces(solve(scene, Detail::histories), problemOf(scene).hammer);
 }
 
 /// Compressive force at a place and time.
@@ -78,7 +78,7 @@ class TestRodForces : public QObject {
     void everySectionAndTimeStaysBelow() {
         QFETCH(Scene, scene);
         const Impact impact = solve(scene, Detail::histories);
-        const RodForces found = largestRodForces(impact, pulseOf(scene));
+        const RodForces found = largestRodForces(impact, problemOf(scene).hammer);
         const double tolerance = 2e-4 * impact.peakForce + 1e-12;
         const double blowEnd = impact.separationTime + impact.roundTrip / 2;
         const double end = timeOfRecorded(impact, impact.incident.end()) + 2 * impact.roundTrip;
@@ -100,7 +100,7 @@ class TestRodForces : public QObject {
             QVERIFY(force.time <= blowEnd + 1e-9);
         for (const RodForce& force : {found.compressionAfter, found.tensionAfter})
             QVERIFY(force.size == 0 || force.time >= blowEnd - 1e-9);
-        QVERIFY(found.compression.size >= pulseOf(scene).peak);  // at the struck end
+        QVERIFY(found.compression.size >= problemOf(scene).hammer.peak);  // at the struck end
         // and the place and time that are told do have it
         QVERIFY(std::abs(nearby(impact, 1, found.compression) - found.compression.size) <= tolerance);
         QVERIFY(std::abs(nearby(impact, -1, found.tension) - found.tension.size) <= tolerance);

@@ -70,8 +70,8 @@ class TestWaveField : public QObject {
     // them would fill gigabytes.
     void aMillionPiecesGetNoMoreChordsThanCanBeSeen() {
         ExactSolver solver;
-        const Impact impact =
-            solver.solve(pulseForceOf(PulseShape::piston, 126), {45.7, 0.1, 5.08, 0}, Detail::histories);
+        const Impact impact = solver.solve(
+            problemOf(pulseForceOf(PulseShape::piston, 126), {45.7, 0.1, 5.08, 0}), Detail::histories);
         const std::size_t pieces = impact.incident.pieces().size();
         QVERIFY2(pieces > 500'000, qPrintable(QString::number(pieces)));
         const SampledHistory history = sampleHistory(impact);

@@ -16,7 +16,7 @@ constexpr LatticeOptions withoutEstimate(int segments, LatticeWaves waves = Latt
 
 Impact solveLattice(const Scene& scene, const LatticeOptions& options, Detail detail = Detail::summary) {
     LatticeSolver solver;
-    return solver.solve(pulseOf(scene), scene.groups, detail, options);
+    return solver.solve(problemOf(scene), detail, options);
 }
 
 /// Error in e at N segments.
@@ -114,10 +114,10 @@ class TestLatticeSolver : public QObject {
         std::vector<double> tightness;
         int contacts = 0, inelastic = 0;
         const auto solveFinely = [&](const Scene& scene) {
-            return lattice.solve(pulseOf(scene), scene.groups, Detail::cor, {.segments = 4000});
+            return lattice.solve(problemOf(scene), Detail::cor, {.segments = 4000});
         };
         scenes.forEachSolved(250, solveFinely, [&](const Scene& scene, const Impact& found) {
-            const Impact expected = exact.solve(pulseOf(scene), scene.groups, Detail::cor);
+            const Impact expected = exact.solve(problemOf(scene), Detail::cor);
             const double error = std::abs(found.cor - expected.cor);
             QVERIFY2(error <= found.corError + expected.corError, describe(scene).c_str());
             tightness.push_back(error / found.corError);
@@ -135,8 +135,8 @@ class TestLatticeSolver : public QObject {
         LatticeSolver lattice;
         int solved = 0;
         for (const ReferenceCase& expected : referenceCases()) {
-            const Impact found = lattice.solve(pulseOf(expected.scene), expected.scene.groups,
-                                               Detail::summary, {.segments = 2000});
+            const Impact found =
+                lattice.solve(problemOf(expected.scene), Detail::summary, {.segments = 2000});
             if (found.outcome != Outcome::rebounded) continue;
             ++solved;
             const std::string where = describe(expected.scene);
@@ -242,7 +242,7 @@ class TestLatticeSolver : public QObject {
             // 1e5 round trips in contact: 2e8 steps
             const Scene scene{PulseShape::rectangular, {1e-10, 1, 10, 0}};
             LatticeSolver solver;
-            const Impact impact = solver.solve(pulseOf(scene), scene.groups, Detail::cor,
+            const Impact impact = solver.solve(problemOf(scene), Detail::cor,
                                                {.segments = 1000, .waves = waves}, source.get_token());
             QCOMPARE(impact.outcome, Outcome::notSolved);
             QCOMPARE(impact.reason, std::string("stopped"));

@@ -15,7 +15,7 @@ namespace {
 
 struct Solved {
     Scenario scenario;
-    PulseForce pulse;
+    Problem problem;
     Impact impact;
 };
 
@@ -24,13 +24,13 @@ Solved solved(Groups groups, PulseShape shape = PulseShape::rectangular) {
     blow.scenario.form = ScenarioForm::dimensionless;
     blow.scenario.groups = groups;
     blow.scenario.pulse.shape = shape;
-    blow.pulse = pulseForceOf(blow.scenario);
-    blow.impact = ExactSolver().solve(blow.pulse, groups, Detail::histories);
+    blow.problem = problemOf(blow.scenario);
+    blow.impact = ExactSolver().solve(blow.problem, Detail::histories);
     return blow;
 }
 
 BlowCurves curvesOf(const Solved& blow, double section = 0.5) {
-    return blowCurves(blow.impact, blow.pulse, shownUnits(UnitSystem::dimensionless, {}), section);
+    return blowCurves(blow.impact, blow.problem.hammer, shownUnits(UnitSystem::dimensionless, {}), section);
 }
 
 double largest(const GraphData& data) {
@@ -111,10 +111,10 @@ void TestBlowCurves::aWaveEndsBeforeTheJumpOfTheNext() {
 
 void TestBlowCurves::curvesScaleWithTheirUnits() {
     Scenario scenario;  // the default rod, in SI
-    const PulseForce pulse = pulseForceOf(scenario);
-    const Impact impact = ExactSolver().solve(pulse, groupsOf(scenario), Detail::histories);
+    const Problem problem = problemOf(scenario);
+    const Impact impact = ExactSolver().solve(problem, Detail::histories);
     const Scales scales = scalesOf(scenario);
-    const BlowCurves curves = blowCurves(impact, pulse, shownUnits(UnitSystem::si, scales), 0.5);
+    const BlowCurves curves = blowCurves(impact, problem.hammer, shownUnits(UnitSystem::si, scales), 0.5);
     QCOMPARE(curves.units.force.unit, QStringLiteral("kN"));
     QCOMPARE(curves.units.time.unit, QStringLiteral("ms"));
     QVERIFY(std::abs(largest(curves.force) / (impact.peakForce * scales.force / 1000) - 1) < 1e-3);
@@ -132,8 +132,8 @@ void TestBlowCurves::everyPointIsFinite() {
 void TestBlowCurves::aCutTailEndsOnTheCurve() {
     const Solved blow = solved({0.5, 0.3, 0.4, 0}, PulseShape::exponential);
     const ShownUnits units = shownUnits(UnitSystem::dimensionless, {});
-    const BlowCurves kept = blowCurves(blow.impact, blow.pulse, units, 0.5);
-    const BlowCurves cut = blowCurves(blow.impact, blow.pulse, units, 0.5, Tail::cut);
+    const BlowCurves kept = blowCurves(blow.impact, blow.problem.hammer, units, 0.5);
+    const BlowCurves cut = blowCurves(blow.impact, blow.problem.hammer, units, 0.5, Tail::cut);
     QVERIFY((kept.momentum->constEnd() - 1)->key > kept.timeEnd);
     QCOMPARE((cut.momentum->constEnd() - 1)->key, cut.timeEnd);
     QVERIFY(std::abs(last(cut.momentum) - valueAt(kept.momentum, cut.timeEnd)) < 1e-12);
@@ -142,7 +142,7 @@ void TestBlowCurves::aCutTailEndsOnTheCurve() {
 void TestBlowCurves::theRockCurveEnclosesTheRockWork() {
     const Groups groups{0.5, 0.1, 10, 0};
     const Solved blow = solved(groups);
-    const RockCurve curve = rockCurve(blow.impact, groups, shownUnits(UnitSystem::dimensionless, {}));
+    const RockCurve curve = rockCurve(blow.impact, blow.problem, shownUnits(UnitSystem::dimensionless, {}));
     double area = 0;  // ∫F dU by the trapezium rule, exact on straight lines
     for (auto point = curve.path->constBegin() + 1; point != curve.path->constEnd(); ++point)
         area += (point->value + (point - 1)->value) / 2 * (point->key - (point - 1)->key);

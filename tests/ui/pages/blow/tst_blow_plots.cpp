@@ -17,11 +17,11 @@ BlowCurves curvesFor(double beta, double gamma = 1) {
     scenario.form = ScenarioForm::dimensionless;
     scenario.groups.beta = beta;
     scenario.groups.gamma = gamma;
-    const PulseForce pulse = pulseForceOf(scenario);
-    const Impact impact = ExactSolver().solve(pulse, scenario.groups, Detail::histories);
+    const Problem problem = problemOf(scenario);
+    const Impact impact = ExactSolver().solve(problem, Detail::histories);
     const ShownUnits units = shownUnits(UnitSystem::dimensionless, {});
-    BlowCurves curves = blowCurves(impact, pulse, units, 0.5);
-    curves.closedForm = closedFormCurve(pulse, scenario.groups, units, curves.timeEnd);
+    BlowCurves curves = blowCurves(impact, problem.hammer, units, 0.5);
+    curves.closedForm = closedFormCurve(problem, units, curves.timeEnd);
     return curves;
 }
 

@@ -17,15 +17,15 @@ using namespace drillwave;
 namespace {
 
 struct Solved {
-    Groups groups;
+    Problem problem;
     Impact impact;
     RockCurve curve;
 };
 
 Solved solved(const Groups& groups) {
-    Solved blow{
-        groups, ExactSolver().solve(pulseForceOf(PulseShape::rectangular), groups, Detail::histories), {}};
-    blow.curve = rockCurve(blow.impact, groups, shownUnits(UnitSystem::dimensionless, {}));
+    const Problem problem = problemOf(pulseForceOf(PulseShape::rectangular), groups);
+    Solved blow{problem, ExactSolver().solve(problem, Detail::histories), {}};
+    blow.curve = rockCurve(blow.impact, problem, shownUnits(UnitSystem::dimensionless, {}));
     return blow;
 }
 
@@ -89,9 +89,9 @@ void TestRockPlot::theEnergyIsTheEnclosedArea() {
 
 void TestRockPlot::theEnergyIsThatOfTheUnitsShown() {
     const Scenario scenario;  // the default rod, in SI
-    const Impact impact = ExactSolver().solve(pulseForceOf(scenario), groupsOf(scenario), Detail::histories);
+    const Impact impact = ExactSolver().solve(problemOf(scenario), Detail::histories);
     const RockCurve curve =
-        rockCurve(impact, groupsOf(scenario), shownUnits(UnitSystem::si, scalesOf(scenario)));
+        rockCurve(impact, problemOf(scenario), shownUnits(UnitSystem::si, scalesOf(scenario)));
     QCOMPARE(curve.units.force.unit, QStringLiteral("kN"));
     QCOMPARE(curve.units.penetration.unit, QStringLiteral("mm"));
     QCOMPARE(curve.units.energy.unit, QStringLiteral("J"));  // = kN mm
@@ -122,9 +122,9 @@ void TestRockPlot::theMarksAreTheNumbersOfTheBlow() {
 void TestRockPlot::manyReflectionsAreDrawnWithBoundedWork() {
     Scenario scenario = parseScenario(findExample("t51_soft_rock")->text, "").scenario;
     QCOMPARE(assignText(scenario, "rod.area", "10 mm^2"), std::string());
-    const Impact impact = ExactSolver().solve(pulseForceOf(scenario), groupsOf(scenario), Detail::histories);
+    const Impact impact = ExactSolver().solve(problemOf(scenario), Detail::histories);
     const RockCurve curve =
-        rockCurve(impact, groupsOf(scenario), shownUnits(UnitSystem::si, scalesOf(scenario)));
+        rockCurve(impact, problemOf(scenario), shownUnits(UnitSystem::si, scalesOf(scenario)));
     QVERIFY2(curve.path->size() > 20000, qPrintable(QString::number(curve.path->size())));
     QVERIFY2(curve.outline->size() <= 20000, qPrintable(QString::number(curve.outline->size())));
     double force = 0;

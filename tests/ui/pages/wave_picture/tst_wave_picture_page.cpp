@@ -482,7 +482,7 @@ void TestWavePicturePage::unitsChangeBelowTheView() {
     QCOMPARE(m_page->picture()->timeInView(), view);
     QCOMPARE(m_page->plot()->yAxis->range().lower, view.begin);
     // v0 = I0/m = F0/(Zτ): the unit of velocities.
-    QCOMPARE(m_page->picture()->picture()->units.velocity.factor, blow->groups.tau);
+    QCOMPARE(m_page->picture()->picture()->units.velocity.factor, blow->solved.transitTime);
 }
 
 QTEST_MAIN(TestWavePicturePage)
