@@ -6,6 +6,7 @@
 #include "core/report/result_remarks.h"
 #include "core/text/row_text.h"
 #include "core/wave/field/bit_motion.h"
+#include "core/wave/field/rod_state.h"
 #include "core/wave/field/wave_field.h"
 
 namespace drillwave {
@@ -94,11 +95,10 @@ std::string historiesCsv(const Impact& impact, const PulseForce& pulse, const Gr
     FrontEnd front(impact, pulse, groups);
     for (std::size_t i = 0; i < history.time.size(); ++i) {
         const double force = history.force[i], incident = history.incident[i];
-        const double received = pulse.isRigidBody() ? 1 : pulse.impulseUntil(history.time[i]);
         const double cells[] = {history.time[i] * scale.time,
                                 force * scale.force,
                                 history.impulse[i] * scale.impulse,
-                                (received - history.impulse[i]) * scale.impulse,
+                                rodMomentum(pulse, history.time[i], history.impulse[i]) * scale.impulse,
                                 (incident == 0 ? 0 : -incident) * scale.force,
                                 front.penetration(history.time[i], force) * scale.penetration,
                                 (incident - force / 2) * (scale.penetration / scale.time)};
