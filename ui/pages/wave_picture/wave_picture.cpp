@@ -43,12 +43,11 @@ PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units) {
                 units.force};
     }
     const Scales scales = scalesOf(scenario);
-    const RodProperties rod = propertiesOf(scenario.rod);
     return {{scales.length, QStringLiteral("m"), false},
             units.time,
             units.force,
-            {scales.force / rod.impedance, QStringLiteral("m/s"), false},
-            {scales.force / rod.area * 1e-6, QStringLiteral("MPa"), false}};
+            {scales.particleVelocity, QStringLiteral("m/s"), false},
+            {scales.stress * 1e-6, QStringLiteral("MPa"), false}};
 }
 
 QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QLocale& locale) {
