@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/contact/bilinear_law.h"
 #include "core/report/result_remarks.h"
 #include "core/text/row_text.h"
 #include "core/wave/field/bit_motion.h"
@@ -31,22 +32,20 @@ std::string historyHeading(OutputUnits units) {
 class FrontEnd {
   public:
     FrontEnd(const Impact& impact, const PulseForce& pulse, const Groups& groups)
-        : m_impact(impact), m_groups(groups), m_firstGap(pulse.isRigidBody() ? 0 : groups.delta) {}
+        : m_impact(impact), m_rock(groups), m_firstGap(pulse.isRigidBody() ? 0 : groups.delta) {}
 
     /// [d0] Of the law of the rock while it pushes, where the displacement of the bit would have its digits
     /// cancelled by those of a much longer way.
     double penetration(double time, double force) {
-        m_largestForce = std::max(m_largestForce, force);
-        if (force > 0)
-            return (m_largestForce - m_groups.gamma * (m_largestForce - force)) / (2 * m_groups.beta);
+        m_rock.remember(force);
+        if (force > 0) return m_rock.penetration(force) * lawUnitOfPenetration;
         return bitDisplacement(m_impact, time) - m_firstGap;
     }
 
   private:
     const Impact& m_impact;
-    const Groups& m_groups;
+    BilinearLaw<> m_rock;
     double m_firstGap;
-    double m_largestForce = 0;
 };
 
 /// The first line of a text, which is removed from it.

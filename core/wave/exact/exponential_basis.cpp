@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/exact/exponential_basis.h"
 
+#include "core/contact/bilinear_law.h"
 #include "core/wave/exact/exponential_stretches.h"
 
 namespace drillwave {
@@ -81,7 +82,7 @@ Local localOf(const DecayTerms& f, double y, double decay) {
 }  // namespace
 
 bool ExponentialBasis::suits(const PulseForce& pulse, const Groups& groups) {
-    if (groups.beta / groups.gamma > 1e14) return false;
+    if (BilinearLaw<>(groups).slopes().elastic > 1e14) return false;
     if (groups.gamma > 0.7 && groups.gamma < 1) return false;
     if (groups.beta * groups.tau < 1.5 || groups.beta < 0.02) return false;
     if (pulse.segments.size() > 12) return false;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/blow/impact_summary.h"
+#include "core/contact/bilinear_law.h"
 #include "core/wave/field/wave_field.h"
 
 namespace drillwave {
@@ -16,11 +17,11 @@ QSharedPointer<QCPCurveDataContainer> pathOf(const Impact& impact, const Groups&
     const SampledHistory history = sampleHistory(impact);
     QVector<QCPCurveData> points{QCPCurveData(impact.frontArrival * units.time.factor, 0, 0)};
     points.reserve(static_cast<qsizetype>(history.force.size()) + 1);
-    double largest = 0;
+    BilinearLaw<> rock(groups);
     for (std::size_t i = 0; i < history.force.size(); ++i) {
         const double force = history.force[i];
-        largest = std::max(largest, force);
-        const double penetration = (largest - groups.gamma * (largest - force)) / (2 * groups.beta);
+        rock.remember(force);
+        const double penetration = rock.penetration(force) * lawUnitOfPenetration;
         const double x = penetration * units.penetration.factor;
         const double y = force * units.force.factor;
         if (std::isfinite(x) && std::isfinite(y))
@@ -73,14 +74,15 @@ RockCurve rockCurve(const Impact& impact, const Groups& groups, const ShownUnits
     const ImpactSummary summary = summarize(impact, groups);
     const double peakForce = summary.peakForce * units.force.factor;
     const auto path = pathOf(impact, groups, units);
+    const auto slopes = BilinearLaw<>(groups).slopes();
     return {.units = units,
             .path = path,
             .outline = outlineOf(path, peakForce),
             .peakForce = peakForce,
             .maxPenetration = summary.maxPenetration * units.penetration.factor,
             .residualPenetration = summary.residualPenetration * units.penetration.factor,
-            .loading = groups.beta * units.stiffness.factor,
-            .unloading = groups.beta / groups.gamma * units.stiffness.factor,
+            .loading = slopes.primary * units.stiffness.factor,
+            .unloading = slopes.elastic * units.stiffness.factor,
             .energy = summary.energy.rockWork * summary.workRatio * units.energy.factor,
             .energyShare = summary.energy.rockWork};
 }
