@@ -2,6 +2,7 @@
 #include "core/model/pulse_force.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -168,6 +169,7 @@ double PulseForce::impulseUntil(double t) const {
 }
 
 PulseForce pulseForceOf(PulseShape shape, double impedanceRatio) {
+    assert(shape != PulseShape::table && impedanceRatio > 0);
     Scenario scenario;
     scenario.form = ScenarioForm::dimensionless;
     scenario.pulse.shape = shape;

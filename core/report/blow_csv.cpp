@@ -2,6 +2,7 @@
 #include "core/report/blow_csv.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/contact/bilinear_law.h"
 #include "core/report/result_remarks.h"
@@ -88,6 +89,7 @@ std::string scenarioFromHeader(std::string_view csv) {
 
 std::string historiesCsv(const Impact& impact, const PulseForce& pulse, const Groups& groups,
                          OutputUnits units, const Scales& scales) {
+    assert(impact.hasHistories());
     const Scales scale = units == OutputUnits::si ? scales : Scales{};
     const SampledHistory history = sampleHistory(impact);
     std::string csv = historyHeading(units);

@@ -2,6 +2,7 @@
 #include "core/study/gap/gap_curve.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -336,6 +337,7 @@ double gapPeriodStart(const PulseForce& pulse, const Groups& groups) {
 
 GapCurve gapCurve(const PulseForce& pulse, const Groups& groups, double start, Detail detail,
                   std::stop_token stop, const GapProgress& progress) {
+    assert(start >= 0 && start <= gapPeriodStart(pulse, groups));
     return Builder(pulse, groups, detail, std::move(stop), progress).build(start);
 }
 
@@ -345,11 +347,13 @@ GapCurve gapCurve(const PulseForce& pulse, const Groups& groups, Detail detail, 
 }
 
 double GapCurve::value(GapOutput output, double gap) const {
+    assert(usable() && gap >= start && static_cast<std::size_t>(output) < outputCount);
     if (gap >= end) gap = periodStart + (gap - std::floor(gap));
     const auto next = std::ranges::upper_bound(pieces, gap, {}, &GapPiece::start);
     auto found = next == pieces.begin() ? next : std::prev(next);
     while (!found->solved && found != pieces.begin()) --found;  // the end of the piece before
     const GapPiece& piece = *found;
+    assert(piece.solved);
     return piece.outputs[static_cast<std::size_t>(output)](gap);
 }
 

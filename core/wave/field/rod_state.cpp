@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/field/rod_state.h"
 
+#include <cassert>
+
 #include "core/wave/field/wave_field.h"
 
 namespace drillwave {
@@ -15,6 +17,7 @@ double rodMomentum(const Impact& impact, const PulseForce& pulse, double t) {
 }
 
 RodState rodState(const Impact& impact, const PulseForce& pulse, double xi, double t) {
+    assert(impact.hasHistories());
     const double s = t - impact.frontArrival;
     const double taken = impactImpulse(impact, s);
     return {.normalForce = positiveWave(impact, xi, t) + negativeWave(impact, xi, t),
