@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/contact/bilinear_law.h"
+
 namespace drillwave {
 
 namespace {
@@ -62,13 +64,13 @@ constexpr auto outputTable = std::to_array<Output>({
 }  // namespace
 
 ImpactSummary summarize(const Impact& impact, const Problem& problem) {
-    // Um = Fm/k; F0/k0 is half of d0.
-    const double maxPenetration = impact.peakForce / (2 * problem.law.beta);
+    BilinearLaw<> rock(problem.law);
+    rock.remember(impact.peakForce);
     return {.cor = impact.cor,
             .impulse = impact.impulse,
             .peakForce = impact.peakForce,
-            .maxPenetration = maxPenetration,
-            .residualPenetration = (1 - problem.law.gamma) * maxPenetration,
+            .maxPenetration = rock.largestPenetration() * lawUnitOfPenetration,  // (T4)
+            .residualPenetration = rock.residualPenetration() * lawUnitOfPenetration,
             .firstContactTime = impact.firstContactTime,
             .separationTime = impact.separationTime,
             .contactDuration = impact.contactDuration,

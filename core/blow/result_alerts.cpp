@@ -115,7 +115,7 @@ struct Load {
 std::optional<Alert> overload(const Scenario& scenario, const Load& load, double limit,
                               const std::string& code, const std::string& parameter,
                               const std::string& consequence) {
-    const double stress = load.force.size * scalesOf(scenario).force / propertiesOf(scenario.rod).area;
+    const double stress = load.force.size * scalesOf(scenario).stress;
     if (stress <= limit) return std::nullopt;
     const std::string text =
         consequence + ": " + load.kind + " reaches " + inHandyUnit(stress, Quantity::stress, 4) + ", " +

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file/scenario_file.h"
 
+#include <cassert>
+
 #include "core/file/scenario_patch.h"
 #include "core/file/scenario_reader.h"
 #include "core/file/scenario_text.h"
+#include "core/model/validation.h"
 #include "core/report/result_remarks.h"
 #include "core/text/text_input.h"
 
@@ -74,6 +77,7 @@ ScenarioDocument parseScenario(std::string_view text, const std::string& source)
 }
 
 std::string writeScenario(const ScenarioDocument& document) {
+    assert(validate(document.scenario).empty());
     const Scenario scenario = withoutUnusedValues(document.scenario);
     if (!document.text.empty()) {
         if (says(document.text, scenario, document.source)) return document.text;

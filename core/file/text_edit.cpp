@@ -2,6 +2,7 @@
 #include "core/file/text_edit.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace drillwave {
 
@@ -10,10 +11,10 @@ std::string edited(std::string_view text, std::vector<TextEdit> edits) {
     std::string result;
     std::size_t at = 0;
     for (const TextEdit& edit : edits) {
-        const std::size_t offset = std::max(edit.offset, at);
-        result += text.substr(at, offset - at);
+        assert(edit.offset >= at);
+        result += text.substr(at, edit.offset - at);
         result += edit.replacement;
-        at = std::max(offset, edit.offset + edit.length);
+        at = edit.offset + edit.length;
     }
     return result + std::string(text.substr(at));
 }

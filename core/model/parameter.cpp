@@ -255,6 +255,7 @@ std::string rangeProblem(const Parameter& parameter, double value) {
 }
 
 std::string readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted) {
+    assert(parameter.applies(scenario));
     constexpr double rounding = 1e-12;
     const double kept = parameter.value(scenario).value_or(std::nan(""));
     if (std::abs(kept - wanted) <= rounding * std::abs(wanted)) return {};

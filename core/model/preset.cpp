@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/preset.h"
 
+#include <cassert>
+
 namespace drillwave {
 
 Scenario withPreset(Scenario scenario, const Preset& preset) {
+    assert(scenario.form == ScenarioForm::dimensional);
     if (preset.shape) {
         scenario.pulse.shape = *preset.shape;
         scenario.pulse.piston.youngsModulus.reset();

@@ -2,6 +2,7 @@
 #include "core/model/pulse_force.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -28,18 +29,6 @@ double impulseOf(const PulseSegment& segment, double x) {
         }
         case Kind::exponential:
             return -segment.value * std::expm1(-x);
-    }
-    return 0;
-}
-
-double valueOf(const PulseSegment& segment, double x) {
-    switch (segment.kind) {
-        case Kind::linear:
-            return segment.value + segment.slope * x;
-        case Kind::sine:
-            return segment.value * std::sin(std::numbers::pi * (segment.start + x));
-        case Kind::exponential:
-            return segment.value * std::exp(-x);
     }
     return 0;
 }
@@ -152,11 +141,23 @@ PulseForce pulseForceOf(const Scenario& scenario) {
     return force;
 }
 
+double PulseSegment::valueAt(double x) const {
+    switch (kind) {
+        case Kind::linear:
+            return value + slope * x;
+        case Kind::sine:
+            return value * std::sin(std::numbers::pi * (start + x));
+        case Kind::exponential:
+            return value * std::exp(-x);
+    }
+    return 0;
+}
+
 double PulseForce::operator()(double t) const {
     if (segments.empty() || !(t >= 0) || t >= end) return 0;
     const auto next = std::ranges::upper_bound(segments, t, {}, &PulseSegment::start);
     const PulseSegment& segment = *std::prev(next);
-    return std::max(0.0, valueOf(segment, t - segment.start));
+    return std::max(0.0, segment.valueAt(t - segment.start));
 }
 
 double PulseForce::impulseUntil(double t) const {
@@ -168,6 +169,7 @@ double PulseForce::impulseUntil(double t) const {
 }
 
 PulseForce pulseForceOf(PulseShape shape, double impedanceRatio) {
+    assert(shape != PulseShape::table && impedanceRatio > 0);
     Scenario scenario;
     scenario.form = ScenarioForm::dimensionless;
     scenario.pulse.shape = shape;

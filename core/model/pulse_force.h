@@ -21,6 +21,8 @@ struct PulseSegment {
     double slope = 0;
     double impulseBefore = 0;  ///< ∫Fa from 0 to start, 0 … 1
     bool operator==(const PulseSegment&) const = default;
+
+    double valueAt(double x) const;  ///< Fa/F0 at the local time x of this piece
 };
 
 /// Fa/F0 ≥ 0 with ∫ = 1 over all segments, contiguous from 0. Empty for the reference case.

@@ -95,6 +95,7 @@ Scales scalesOf(const Scenario& scenario) {
     scales.stiffness = rod.impedance / scales.time;
     scales.energy = scales.impulse * scales.velocity / 2;
     scales.length = scenario.rod.length;
+    scales.particleVelocity = scales.force / rod.impedance;
     return scales;
 }
 

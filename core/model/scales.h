@@ -8,15 +8,16 @@ namespace drillwave {
 
 /// Characteristic quantities (paper, section 5.1; theory §2), SI. Dimensionless × scale = SI.
 struct Scales {
-    double time = 1;         ///< t0 [s]
-    double impulse = 1;      ///< I0 [N s]
-    double force = 1;        ///< F0 = I0/t0 [N]
-    double stress = 1;       ///< F0/A [Pa]
-    double velocity = 1;     ///< v0 = I0/m [m/s]
-    double penetration = 1;  ///< d0 = 2 I0/Z [m] [paper (3)]
-    double stiffness = 1;    ///< k0 = Z/t0 [N/m]
-    double energy = 1;       ///< W0 = m v0²/2 [J]
-    double length = 1;       ///< L [m]
+    double time = 1;              ///< t0 [s]
+    double impulse = 1;           ///< I0 [N s]
+    double force = 1;             ///< F0 = I0/t0 [N]
+    double stress = 1;            ///< F0/A [Pa]
+    double velocity = 1;          ///< v0 = I0/m [m/s]
+    double particleVelocity = 1;  ///< F0/Z [m/s], of a wave of the force F0; τ v0
+    double penetration = 1;       ///< d0 = 2 I0/Z [m] [paper (3)]
+    double stiffness = 1;         ///< k0 = Z/t0 [N/m]
+    double energy = 1;            ///< W0 = m v0²/2 [J]
+    double length = 1;            ///< L [m]
     bool operator==(const Scales&) const = default;
 };
 

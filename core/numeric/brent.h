@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,6 +16,7 @@ namespace drillwave {
 /// Brent, Algorithms for Minimization without Derivatives, 1973, chapter 4).
 template <class Function>
 double brentRoot(const Function& f, double a, double fa, double b, double fb) {
+    assert(!(fa > 0 && fb > 0) && !(fa < 0 && fb < 0));
     double c = a, fc = fa, d = b - a, e = d;
     for (int i = 0; i < 200; ++i) {
         if ((fb > 0) == (fc > 0)) {

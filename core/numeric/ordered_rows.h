@@ -2,6 +2,7 @@
 // Chunks of rows worked on by several threads and handed over in their order, in bounded memory.
 #pragma once
 
+#include <cassert>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -33,6 +34,7 @@ enum class RowsEnd {
 /// the run and leaves this function. Where the system has fewer threads left, those do all the work.
 template <typename Chunk, typename Fill, typename MakeWorker, typename Deliver>
 RowsEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker makeWorker, Deliver deliver) {
+    assert(jobs >= 1);
     struct Place {
         Chunk chunk;
         bool done = false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -88,6 +89,7 @@ struct PowerSeries {
 
     /// ∫ f·g over [0, x]; both must have the same scale.
     static Real productIntegral(const PowerSeries& f, const PowerSeries& g, Real x) {
+        assert(f.scale == g.scale);
         const Real u = x / f.scale;
         Real sum = 0;
         for (int n = f.count + g.count - 2; n >= 0; --n) {

@@ -2,10 +2,13 @@
 #include "core/report/blow_csv.h"
 
 #include <algorithm>
+#include <cassert>
 
+#include "core/contact/bilinear_law.h"
 #include "core/report/result_remarks.h"
 #include "core/text/row_text.h"
 #include "core/wave/field/bit_motion.h"
+#include "core/wave/field/rod_state.h"
 #include "core/wave/field/wave_field.h"
 
 namespace drillwave {
@@ -29,22 +32,21 @@ std::string historyHeading(OutputUnits units) {
 /// Where the bit is, from the first time to the last.
 class FrontEnd {
   public:
-    FrontEnd(const Impact& impact, const Problem& problem) : m_impact(impact), m_problem(problem) {}
+    FrontEnd(const Impact& impact, const Problem& problem)
+        : m_impact(impact), m_rock(problem.law), m_firstGap(problem.firstGap()) {}
 
     /// [d0] Of the law of the rock while it pushes, where the displacement of the bit would have its digits
     /// cancelled by those of a much longer way.
     double penetration(double time, double force) {
-        m_largestForce = std::max(m_largestForce, force);
-        if (force > 0)
-            return (m_largestForce - m_problem.law.gamma * (m_largestForce - force)) /
-                   (2 * m_problem.law.beta);
-        return bitDisplacement(m_impact, time) - m_problem.firstGap();
+        m_rock.remember(force);
+        if (force > 0) return m_rock.penetration(force) * lawUnitOfPenetration;
+        return bitDisplacement(m_impact, time) - m_firstGap;
     }
 
   private:
     const Impact& m_impact;
-    const Problem& m_problem;
-    double m_largestForce = 0;
+    BilinearLaw<> m_rock;
+    double m_firstGap;
 };
 
 /// The first line of a text, which is removed from it.
@@ -87,21 +89,21 @@ std::string scenarioFromHeader(std::string_view csv) {
 
 std::string historiesCsv(const Impact& impact, const Problem& problem, OutputUnits units,
                          const Scales& scales) {
+    assert(impact.hasHistories());
     const Scales scale = units == OutputUnits::si ? scales : Scales{};
     const SampledHistory history = sampleHistory(impact);
     std::string csv = historyHeading(units);
     FrontEnd front(impact, problem);
     for (std::size_t i = 0; i < history.time.size(); ++i) {
         const double force = history.force[i], incident = history.incident[i];
-        const double received =
-            problem.hammer.isRigidBody() ? 1 : problem.hammer.impulseUntil(history.time[i]);
-        const double cells[] = {history.time[i] * scale.time,
-                                force * scale.force,
-                                history.impulse[i] * scale.impulse,
-                                (received - history.impulse[i]) * scale.impulse,
-                                (incident == 0 ? 0 : -incident) * scale.force,
-                                front.penetration(history.time[i], force) * scale.penetration,
-                                (incident - force / 2) * (scale.penetration / scale.time)};
+        const double cells[] = {
+            history.time[i] * scale.time,
+            force * scale.force,
+            history.impulse[i] * scale.impulse,
+            rodMomentum(problem.hammer, history.time[i], history.impulse[i]) * scale.impulse,
+            (incident == 0 ? 0 : -incident) * scale.force,
+            front.penetration(history.time[i], force) * scale.penetration,
+            (incident - force / 2) * (scale.penetration / scale.time)};
         for (const double& cell : cells) {
             if (&cell != cells) csv += ',';
             appendNumber(csv, cell);

@@ -77,6 +77,9 @@ struct Impact {
     // How much work it was
     long pieces = 0;   ///< smooth pieces solved (steps for the lattice)
     int contacts = 0;  ///< separate contacts
+
+    bool hasEvents() const { return contacts == 0 || !events.empty(); }  ///< of Detail::summary or above
+    bool hasHistories() const { return !incident.pieces().empty(); }     ///< of Detail::histories
 };
 
 }  // namespace drillwave

@@ -26,7 +26,7 @@ write_all() {
     for name in $("$program" examples | awk '{ print $1 }'); do
         say "$name.run" run "$name"
         "$program" run "$name" --json >"$name.run.json"
-        say "$name.folder" run "$name" -o "$name" --plots png,svg,pdf
+        say "$name.folder" run "$name" -o "$name.blow" --plots png,svg,pdf
         say "$name.lattice" run "$name" --method lattice --segments 2000
         say "$name.sweep" sweep "$name" --vary gamma=0.05:1:8 --vary delta=0:3:40 --outputs all
         say "$name.thrust" thrust "$name" --set drill.blow_frequency=45Hz

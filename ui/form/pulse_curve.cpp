@@ -2,42 +2,21 @@
 #include "ui/form/pulse_curve.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/model/visible_pulse.h"
 
 namespace drillwave {
 namespace {
 
-constexpr double exponentialEnd = 5;      // e^−5: below one percent
-constexpr double negligibleShare = 0.02;  // of the peak, where a staircase may be cut
 constexpr int curvedSteps = 40;
 constexpr std::size_t most = 1000;  // segments drawn one by one
-
-double shownEnd(const PulseForce& force) {
-    if (force.shape == PulseShape::exponential) return exponentialEnd;
-    if (force.shape != PulseShape::piston) return force.end;
-    const auto small = std::ranges::find_if(
-        force.segments, [&](const PulseSegment& step) { return step.value < negligibleShare * force.peak; });
-    return small == force.segments.end() ? force.end : small->start;
-}
-
-double valueAt(const PulseSegment& segment, double x) {
-    switch (segment.kind) {
-        case PulseSegment::Kind::linear:
-            return segment.value + segment.slope * x;
-        case PulseSegment::Kind::sine:
-            return segment.value * std::sin(M_PI * (segment.start + x));
-        case PulseSegment::Kind::exponential:
-            return segment.value * std::exp(-x);
-    }
-    return 0;
-}
 
 void append(QPolygonF& points, const PulseSegment& segment, double end, double peak) {
     const double length = std::min(segment.length, end - segment.start);
     const int steps = segment.kind == PulseSegment::Kind::linear ? 1 : curvedSteps;
     for (int i = 0; i <= steps; ++i) {
         const double x = length * i / steps;
-        points.append({segment.start + x, valueAt(segment, x) / peak});
+        points.append({segment.start + x, segment.valueAt(x) / peak});
     }
 }
 
@@ -62,7 +41,7 @@ QPolygonF thinned(const QPolygonF& points) {
 
 PulseCurve::PulseCurve(const PulseForce& force) {
     if (force.segments.empty()) return;
-    end = shownEnd(force);
+    end = visibleForceEnd(force);
     for (const PulseSegment& segment : force.segments)
         if (segment.start < end) append(points, segment, end, force.peak);
     points = thinned(points);

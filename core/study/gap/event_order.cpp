@@ -2,6 +2,7 @@
 #include "core/study/gap/event_order.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -41,6 +42,7 @@ std::uint64_t roundTripsBetween(double from, double to, double roundTrip) {
 }  // namespace
 
 std::uint64_t eventOrder(const Impact& impact, const PulseForce& pulse) {
+    assert(impact.hasEvents());
     std::vector<double> sources;  // of fronts
     for (const PulseSegment& segment : pulse.segments) {
         if (sources.size() == mostHammerPieces) break;

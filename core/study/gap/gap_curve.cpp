@@ -2,6 +2,7 @@
 #include "core/study/gap/gap_curve.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -335,6 +336,7 @@ double gapPeriodStart(const Problem& problem) {
 
 GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop_token stop,
                   const GapProgress& progress) {
+    assert(start >= 0 && start <= gapPeriodStart(problem));
     return Builder(problem, detail, std::move(stop), progress).build(start);
 }
 
@@ -343,11 +345,13 @@ GapCurve gapCurve(const Problem& problem, Detail detail, std::stop_token stop, c
 }
 
 double GapCurve::value(GapOutput output, double gap) const {
+    assert(usable() && gap >= start && static_cast<std::size_t>(output) < outputCount);
     if (gap >= end) gap = periodStart + (gap - std::floor(gap));
     const auto next = std::ranges::upper_bound(pieces, gap, {}, &GapPiece::start);
     auto found = next == pieces.begin() ? next : std::prev(next);
     while (!found->solved && found != pieces.begin()) --found;  // the end of the piece before
     const GapPiece& piece = *found;
+    assert(piece.solved);
     return piece.outputs[static_cast<std::size_t>(output)](gap);
 }
 

@@ -2,6 +2,7 @@
 #include "core/study/gap/gap_distribution.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -31,6 +32,9 @@ GapDistribution GapDistribution::uniform(const GapCurve& curve) {
 }
 
 GapDistribution GapDistribution::normal(const GapCurve& curve, const NormalGap& normal) {
+    assert(normal.mean >= 0 && normal.deviation >= NormalGap::leastDeviation &&
+           normal.deviation <= NormalGap::mostDeviation);
+    assert(curve.start <= lowestGap(normal));
     GapDistribution distribution(curve, normal);
     distribution.m_uniform = false;
     distribution.m_total = between(-normal.mean / normal.deviation, INFINITY);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/gap/gap_segments.h"
 
+#include <cassert>
+
 #include "core/numeric/brent.h"
 
 namespace drillwave {
 
 double GapSegment::gapOf(double wanted) const {
+    assert(wanted >= lower() && wanted <= upper());
     if (wanted == first) return start;
     if (wanted == last) return end;
     return brentRoot([&](double gap) { return value(gap) - wanted; }, start, first - wanted, end,

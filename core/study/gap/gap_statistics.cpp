@@ -2,6 +2,7 @@
 #include "core/study/gap/gap_statistics.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -211,6 +212,7 @@ Segments inPeriod(const std::vector<GapSegment>& segments, const GapCurve& curve
 }  // namespace
 
 GapStatistics gapStatistics(const GapCurve& curve, const std::optional<NormalGap>& normal) {
+    assert(curve.usable());
     GapStatistics statistics;
     statistics.kinks = kinksOf(curve);
     const GapDistribution alike = GapDistribution::uniform(curve);

@@ -8,6 +8,7 @@
 #include "core/study/gap/gap_curve.h"
 #include "core/study/paper/paper_case.h"
 #include "core/wave/closed/closed_form.h"
+#include "core/wave/field/rod_state.h"
 #include "core/wave/field/wave_field.h"
 
 namespace drillwave {
@@ -95,7 +96,7 @@ FigurePanel blowPanel(const char* name, const char* title, const Groups& groups)
                                  {.key = "momentum", .label = "momentum p", .x = {}, .y = {}, .colour = 2}}};
     const PulseForce pulse = paperProblem(groups).hammer;
     const auto add = [&](double time, double force, double impulse) {
-        const double values[] = {force, impulse, pulse.impulseUntil(time) - impulse};
+        const double values[] = {force, impulse, rodMomentum(pulse, time, impulse)};
         for (std::size_t i = 0; i < panel.curves.size(); ++i) {
             panel.curves[i].x.push_back(time);
             panel.curves[i].y.push_back(values[i]);

@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
 #include "core/model/scales.h"
+#include "core/model/validation.h"
 #include "core/study/proof/force_difference.h"
 #include "core/wave/exact/extended_solver.h"
 
@@ -193,6 +195,7 @@ std::vector<int> latticeLadder() {
 
 Accuracy measureAccuracy(const Scenario& scenario, const std::vector<int>& ladder,
                          const std::stop_token& stop, const AccuracyProgress& progress) {
+    assert(validate(scenario).empty() && std::ranges::is_sorted(ladder));
     return Study(scenario, stop, progress).run(ladder);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -132,6 +133,7 @@ class Checker {
 }  // namespace
 
 EquationResiduals equationResiduals(const Impact& impact, const Problem& problem) {
+    assert(impact.hasHistories());
     Checker checker(impact, problem);
     const auto incident = impact.incident.pieces();
     const auto force = impact.force.pieces();

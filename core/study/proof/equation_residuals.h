@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How well a recorded blow satisfies the equations themselves, found without the code that solved it.
+// How well a recorded blow satisfies the equations themselves, found without the code that solved it: the law
+// of the rock is written again here, on purpose, and asks nothing of core/contact.
 #pragma once
 
 #include "core/wave/impact.h"

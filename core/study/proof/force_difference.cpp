@@ -2,6 +2,7 @@
 #include "core/study/proof/force_difference.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/wave/field/wave_field.h"
@@ -25,6 +26,7 @@ double largestAt(double fraction, const Impact& impact, const Impact& reference)
 }  // namespace
 
 ForceDifference forceDifference(const Impact& impact, const Impact& reference) {
+    assert(impact.hasHistories() && reference.hasHistories());
     ForceDifference difference;
     difference.inMiddles = largestAt(0.5, impact, reference);
     difference.largest = std::max({difference.inMiddles, largestAt(0, impact, reference),

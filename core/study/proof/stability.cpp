@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/contact/bilinear_law.h"
 #include "core/numeric/ordered_rows.h"
 #include "core/text/units.h"
 #include "core/wave/exact/exact_solver.h"
@@ -107,7 +108,8 @@ void checkLattice(StabilityRow& row, const Problem& problem, LatticeSolver& latt
                   const std::stop_token& stop) {
     const Groups& g = row.stabilityCase.groups;
     const double step = g.tau / latticeSegments;
-    const bool resolved = g.beta / g.gamma * step < 0.05 && step < 0.01 && problem.hammer.end < 20 * g.tau;
+    const bool resolved = BilinearLaw<>(problem.law).slopes().elastic * step < 0.05 && step < 0.01 &&
+                          problem.hammer.end < 20 * g.tau;
     if (!resolved || g.beta * g.tau < 1e-3 || g.delta > 100) return;
     const Impact impact = lattice.solve(problem, Detail::cor, {.segments = latticeSegments}, stop);
     if (impact.outcome != Outcome::rebounded || !(impact.corError > 0)) return;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "core/contact/bilinear_law.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -110,7 +111,7 @@ void addProducts(std::vector<StabilityCase>& cases) {
                         const Groups groups{beta, gamma, tau, delta};
                         if (shape == PulseShape::rigidBody && delta > 0) continue;
                         // every layer of a long blow on a short stiff rod is resolved: minutes for the grid
-                        if (isLong(shape) && tau < 0.5 && beta / gamma > 1e3) continue;
+                        if (isLong(shape) && tau < 0.5 && groups.beta / groups.gamma > 1e3) continue;
                         cases.push_back({"product of extremes", shape, 2, groups});
                     }
 }

@@ -2,8 +2,10 @@
 #include "core/study/thrust/thrust_study.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
+#include "core/blow/thrust.h"
 #include "core/model/scales.h"
 #include "core/wave/exact/exact_solver.h"
 
@@ -61,6 +63,7 @@ const ThrustNeed& ThrustStudy::largestNeed() const {
 }
 
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress) {
+    assert(thrustProblem(scenario).empty());
     const Problem problem = problemOf(scenario);
     ThrustStudy study;
     const Impact impact = ExactSolver().solve(problem, Detail::cor, stop);

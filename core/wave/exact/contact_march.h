@@ -8,7 +8,9 @@
 #include <limits>
 #include <stop_token>
 
-#include "core/contact/contact_rates.h"
+#include "core/contact/bilinear_law.h"
+#include "core/model/pulse_force.h"
+#include "core/model/scenario.h"
 #include "core/wave/exact/input_move.h"
 #include "core/wave/exact/wave_queue.h"
 #include "core/wave/impact.h"
@@ -40,11 +42,6 @@ class ContactMarch {
     bool solve(const Problem& problem, Detail detail, Impact& impact, const MarchLimits& limits = {});
 
   private:
-    enum class Phase {
-        apart,    ///< no contact force; a zero gap with nothing arriving is the forceless contact
-        primary,  ///< on the primary line, rate β
-        elastic,  ///< below the largest force so far, rate β/γ
-    };
     enum class Progress { goesOn, finished };
     enum class Ending { none, separation, unloading, primaryLoading };
     struct Stretch {
@@ -134,24 +131,22 @@ class ContactMarch {
     long m_nextLook = 0;  ///< how many pieces may pass before lookForEnd()
     Detail m_detail = Detail::cor;
 
-    ContactRates<Real> m_rates;
+    BilinearLaw<Real> m_law{1, 1};  ///< with the memory of the rock
     Real m_roundTrip = 0;
     Real m_arrival = 0;                ///< global time of s = 0
     typename Basis::Sum m_s;           ///< time at the front end
     typename Basis::Sum m_hammerTime;  ///< how far the hammer force has been used
     std::size_t m_hammerPiece = 0;
-    bool m_elasticRock = false;
     bool m_everTouched = false;
     bool m_touching = false;  ///< apart, but by zero: forceless contact
     bool m_justUnloaded = false;
-    int m_eventsOnTheSpot = 0;  ///< events in a row without progress in time
-    Phase m_phase = Phase::apart;
-    Real m_periodsAhead = 0;       ///< periods of free flight still to come before `m_gap` counts
-    Real m_gap = 0;                ///< distance still to close, displacement unit I0/Z
-    Real m_opened = 0;             ///< largest gap since the last separation
-    double m_separatedBefore = 0;  ///< time of the separation before the last one
+    int m_eventsOnTheSpot = 0;                ///< events in a row without progress in time
+    ContactLine m_line = ContactLine::apart;  ///< apart, with a zero gap: also forceless contact
+    Real m_periodsAhead = 0;                  ///< periods of free flight still to come before `m_gap` counts
+    Real m_gap = 0;                           ///< distance still to close, displacement unit I0/Z
+    Real m_opened = 0;                        ///< largest gap since the last separation
+    double m_separatedBefore = 0;             ///< time of the separation before the last one
     Real m_force = 0;
-    Real m_peak = 0;          ///< largest force so far: the memory of the rock
     Real m_closingSpeed = 0;  ///< of the bit at the last contact, force unit; 0 for the first contact
     Real m_contactForce = 0;  ///< largest force since then, at the ends of pieces
     Real m_growth = 1;        ///< Impact::growth
@@ -169,12 +164,12 @@ bool ContactMarch<Basis>::solve(const Problem& problem, Detail detail, Impact& i
     begin(problem, detail, impact);
     for (;;) {
         const bool hammerEnded = m_hammerPiece >= m_pulse->segments.size();
-        if (m_phase == Phase::apart && hammerEnded && m_incident.length <= 0) {
+        if (m_line == ContactLine::apart && hammerEnded && m_incident.length <= 0) {
             if (flyFree() == Progress::goesOn) continue;
             return !m_basis.failed() || undecided();
         }
         if (m_incident.length <= 0) nextArrival();
-        if (m_phase == Phase::apart)
+        if (m_line == ContactLine::apart)
             advanceApart();
         else
             advanceContact();
@@ -193,8 +188,7 @@ void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& i
         return Real(value) * (1 + Real(units) * std::numeric_limits<Real>::epsilon());
     };
     const Real beta = moved(problem.law.beta, m_limits.move.beta);
-    m_rates = {std::min(beta, fastestRate), std::min(beta / Real(problem.law.gamma), fastestRate)};
-    m_elasticRock = problem.law.gamma == 1;
+    m_law = BilinearLaw<Real>(beta, Real(problem.law.gamma)).limitedTo(fastestRate);
     const Real transit = moved(problem.transitTime, m_limits.move.tau);
     m_roundTrip = 2 * transit;
     m_arrival = problem.hammer.isRigidBody() ? Real(0) : transit;
@@ -203,7 +197,7 @@ void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& i
     m_hammerPiece = 0;
     m_everTouched = m_touching = m_justUnloaded = false;
     m_eventsOnTheSpot = 0;
-    m_phase = Phase::apart;
+    m_line = ContactLine::apart;
     // Free flight advances by 2 in each period once the hammer has ended: whole periods of the gap beyond
     // that are kept apart, exactly.
     const double gap = problem.firstGap();
@@ -211,14 +205,14 @@ void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& i
     const double whole = std::floor(gap);
     m_periodsAhead = Real(std::max(0.0, whole - hammerPeriods));
     m_gap = 2 * (Real(std::min(whole, hammerPeriods)) + Real(gap - whole));
-    m_force = m_peak = 0;
+    m_force = 0;
     m_contactTime = 0;
     m_impulse = 0;
     m_error = 0;
     m_growth = 1;
     m_waves.clear();
     m_incident = Piece::zero(0);
-    m_basis.begin(problem, m_rates);
+    m_basis.begin(problem, m_law.slopes());
     if (problem.hammer.isRigidBody())
         m_waves.pushBack(m_basis.constant(m_roundTrip, 1 / m_roundTrip));
     else

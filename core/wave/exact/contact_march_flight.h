@@ -102,7 +102,7 @@ void ContactMarch<Basis>::finish() {
 template <class Basis>
 void ContactMarch<Basis>::summarise() {
     Impact& impact = *m_impact;
-    impact.peakForce = double(m_peak);
+    impact.peakForce = double(m_law.largestForce());
     impact.contactDuration = double(m_contactTime);
     if (m_touching) impact.separationTime = double(m_arrival + m_s);
     Real momentum = 0, energy = 0;

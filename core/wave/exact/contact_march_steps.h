@@ -61,7 +61,7 @@ void ContactMarch<Basis>::closeGap(const Piece& arriving, Real length) {
     const bool wasClosed = m_everTouched && m_opened <= closedGap;
     m_gap = 0;
     m_force = 0;
-    m_phase = m_elasticRock || m_peak == 0 ? Phase::primary : Phase::elastic;
+    m_line = m_law.lineAtContact();
     if (!m_touching && wasClosed) {
         rejoin();
     } else if (!m_touching) {
@@ -153,12 +153,13 @@ typename ContactMarch<Basis>::Stretch ContactMarch<Basis>::firstEvent(Response& 
         if (zero.found && (stretch.ending == Ending::none || zero.u < stretch.length))
             stretch = {zero.u, ending};
     };
-    if (m_phase == Phase::primary && !m_elasticRock) {
+    if (m_law.isOneWay(m_line)) {
         endsAt(m_basis.driveVanishes(response), Ending::unloading);
     } else {
         endsAt(m_basis.forceVanishes(response), Ending::separation);
-        if (!m_elasticRock)
-            endsAt(m_basis.forceReaches(response, m_peak, m_justUnloaded), Ending::primaryLoading);
+        if (!m_law.isElastic())
+            endsAt(m_basis.forceReaches(response, m_law.largestForce(), m_justUnloaded),
+                   Ending::primaryLoading);
     }
     if (stretch.length > 0) {
         m_eventsOnTheSpot = 0;
@@ -167,7 +168,7 @@ typename ContactMarch<Basis>::Stretch ContactMarch<Basis>::firstEvent(Response& 
     if (++m_eventsOnTheSpot > 1) m_basis.stall();
     if (m_eventsOnTheSpot > repeatedEvents && stretch.ending != Ending::separation && mayStay(response)) {
         stretch = {response.length, Ending::none};
-        if (m_phase == Phase::primary) m_peak = std::max(m_peak, response.force.value(response.length));
+        if (m_line == ContactLine::primary) m_law.remember(response.force.value(response.length));
         m_eventsOnTheSpot = repeatedEvents;  // a plateau of many pieces is one spot
     }
     return stretch;
@@ -179,8 +180,9 @@ template <class Basis>
 bool ContactMarch<Basis>::mayStay(const Response& response) {
     if (m_eventsOnTheSpot > mostEventsOnTheSpot) return true;
     const Real end = response.force.value(response.length);
-    const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * m_peak;
-    return m_phase == Phase::primary ? end >= m_force - rounding : end <= m_peak + rounding;
+    const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * m_law.largestForce();
+    return m_line == ContactLine::primary ? end >= m_force - rounding
+                                          : end <= m_law.largestForce() + rounding;
 }
 
 /// Contact over the piece now arriving, up to the first event or its end.
@@ -188,13 +190,12 @@ template <class Basis>
 void ContactMarch<Basis>::advanceContact() {
     if (m_incident.isZero() && m_force <= m_basis.negligibleForce()) {
         m_force = 0;  // forceless contact: what is left of an exponential is rounding
-        m_phase = Phase::apart;
+        m_line = ContactLine::apart;
         m_touching = true;
         m_gap = 0;
         return;
     }
-    const Real rate = m_phase == Phase::primary ? m_rates.primary : m_rates.elastic;
-    Response& response = m_basis.respond(m_incident, rate, m_force);
+    Response& response = m_basis.respond(m_incident, m_law.slope(m_line), m_force);
     if (m_basis.failed()) return;
     const auto [length, ending] = firstEvent(response);
     if (m_basis.failed()) return;
@@ -205,7 +206,7 @@ void ContactMarch<Basis>::advanceContact() {
     if (m_detail != Detail::cor) {
         m_impact->rockWork +=
             double(m_basis.productIntegral(response.force, m_basis.drive(response), length));
-        if (m_elasticRock) m_peak = std::max(m_peak, m_basis.largest(response, length));
+        if (m_law.isElastic()) m_law.remember(m_basis.largest(response, length));
     }
     m_force = std::max(response.force.value(length), Real(0));  // below it: rounding
     m_contactForce = std::max(m_contactForce, m_force);
@@ -226,18 +227,19 @@ void ContactMarch<Basis>::changeBranch(Ending ending, Real length) {
         case Ending::separation:
             m_force = 0;
             m_gap = 0;
-            m_phase = Phase::apart;
+            m_line = ContactLine::apart;
             separate();
             break;
         case Ending::unloading:
-            m_force = m_peak = std::max(m_force, m_peak);
-            m_phase = Phase::elastic;
+            m_law.remember(m_force);
+            m_force = std::max(m_force, m_law.largestForce());
+            m_line = ContactLine::elastic;
             m_justUnloaded = length > 0;  // at a jump of g, F' is negative at once
             note(ContactEvent::unloading);
             break;
         case Ending::primaryLoading:
-            m_force = m_peak;
-            m_phase = Phase::primary;
+            m_force = m_law.largestForce();
+            m_line = ContactLine::primary;
             note(ContactEvent::primaryLoading);
             break;
     }

@@ -1,12 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/exact/exponential_basis.h"
 
+#include "core/contact/bilinear_law.h"
 #include "core/wave/exact/exponential_stretches.h"
 
 namespace drillwave {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// Where a blow is left to power series from the start. Elsewhere the basis may still fail and be replaced,
+// but mostly it solves what series solve, several times as fast; the numbers are where that ends.
+
+/// β/γ: one decade below what ContactMarch takes for a layer without thickness.
+constexpr double largestRate = 1e14;
+
+/// γ < 1: terms of the other rate are divided by 1 − γ at every reflection. From 0.9 on none is solved.
+constexpr double largestGamma = 0.7;
+
+/// βτ: contact lasts about 1.6/√(βτ) round trips, and each needs another of the few terms. Below, a growing
+/// share fails, and what is solved takes longer than series.
+constexpr double leastContactDecay = 1.5;
+
+/// β: rounding persists for the 1/β that the force takes to decay, and e errs by as much.
+constexpr double leastBeta = 0.02;
+
+/// Each is a piece that all reflections repeat: with more, series are as fast.
+constexpr std::size_t mostSegments = 12;
+
+/// A sum of terms so much larger than any wave force cancels, and loses as many digits.
+constexpr double mostCancellation = 64;
+
+/// Of the roundings that could be seen: terms of less are dropped.
+constexpr int negligibleExponent = -62;
+
+// A zero is near beyond doubt where the function falls, is hardly bent on the way to it, and no exponential
+// of it changes much: then Halley's method converges.
+constexpr double nearInDecays = 0.25;
+constexpr double nearInBend = 0.4;
+
+/// A last step so small, in units of the fastest change, leaves an error of its third power: rounding.
+constexpr double lastHalleyStep = 1e-5;
 
 /// F' + aF = 2a g for the terms of the same rate: F_{m+1} = 2 g_m; F_0 is left to the initial condition.
 bool resonant(const DecayTerms& g, DecayTerms& force) {
@@ -81,10 +115,11 @@ Local localOf(const DecayTerms& f, double y, double decay) {
 }  // namespace
 
 bool ExponentialBasis::suits(const Problem& problem) {
-    if (problem.law.beta / problem.law.gamma > 1e14) return false;
-    if (problem.law.gamma > 0.7 && problem.law.gamma < 1) return false;
-    if (problem.law.beta * problem.transitTime < 1.5 || problem.law.beta < 0.02) return false;
-    if (problem.hammer.segments.size() > 12) return false;
+    if (BilinearLaw<>(problem.law).slopes().elastic > largestRate) return false;
+    if (problem.law.gamma > largestGamma && problem.law.gamma < 1) return false;
+    if (problem.law.beta * problem.transitTime < leastContactDecay || problem.law.beta < leastBeta)
+        return false;
+    if (problem.hammer.segments.size() > mostSegments) return false;
     for (const PulseSegment& segment : problem.hammer.segments)
         if (segment.kind != PulseSegment::Kind::linear) return false;
     return true;
@@ -96,7 +131,7 @@ void ExponentialBasis::begin(const Problem& problem, ContactRates<double> rates)
     m_scale = std::max(problem.hammer.peak, problem.transitTime < 0.5 || problem.hammer.isRigidBody()
                                                 ? 1 / (2 * problem.transitTime)
                                                 : 0.0);
-    m_negligible = std::ldexp(m_scale, -62);
+    m_negligible = std::ldexp(m_scale, negligibleExponent);
 }
 
 ExponentialSum ExponentialBasis::constant(double length, double value) const {
@@ -147,7 +182,7 @@ ExponentialBasis::Response& ExponentialBasis::respond(const Piece& g, double rat
     r.force.primaryDecay = r.incident.primaryDecay;
     r.force.elasticDecay = r.incident.elasticDecay;
     r.size = r.force.magnitude();
-    if (r.size > 64 * m_scale) {
+    if (r.size > mostCancellation * m_scale) {
         m_failed = true;
         return r;
     }
@@ -225,7 +260,8 @@ Zero<double> ExponentialBasis::firstZero(const Piece& f, double c2, double end, 
             const double root = std::sqrt(s.slope * s.slope - 2 * s.leastCurvature * s.value);
             h = s.slope > 0 ? (s.slope + root) / -s.leastCurvature : 2 * s.value / (root - s.slope);
         }
-        const bool near = s.slope < 0 && h * s.fastest < 0.25 && h * std::abs(s.curvature) < -0.4 * s.slope;
+        const bool near =
+            s.slope < 0 && h * s.fastest < nearInDecays && h * std::abs(s.curvature) < -nearInBend * s.slope;
         if (near) return closeIn(f, c2, x, s, end, x + 2 * h);
         x += std::max(h, 4 * epsilon * x);
         if (!(x <= end)) return {};
@@ -244,8 +280,7 @@ Zero<double> ExponentialBasis::closeIn(const Piece& f, double c2, double x, Samp
         x += h;
         if (!(x >= first && x <= latest)) break;
         const double quickest = std::max(s.fastest, std::abs(s.curvature / s.slope));
-        if (std::abs(h) * quickest < 1e-5)
-            return zeroUpTo(end, x);  // the error is of third order: below rounding
+        if (std::abs(h) * quickest < lastHalleyStep) return zeroUpTo(end, x);
         s = sample(f, c2, x);
     }
     m_failed = true;

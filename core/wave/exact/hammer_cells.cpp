@@ -2,12 +2,15 @@
 #include "core/wave/exact/hammer_cells.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace drillwave {
 
 HammerCells::HammerCells(const PulseForce& pulse, double step)
-    : m_pulse(&pulse), m_step(step), m_ended(pulse.segments.empty()) {}
+    : m_pulse(&pulse), m_step(step), m_ended(pulse.segments.empty()) {
+    assert(step > 0);
+}
 
 double HammerCells::segmentEnd() const {
     const PulseSegment& segment = m_pulse->segments[m_segment];

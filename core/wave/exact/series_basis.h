@@ -38,7 +38,7 @@ class SeriesBasis {
         m_scale = std::max(Real(problem.hammer.peak), 1 / (2 * Real(problem.transitTime)));
         if (!problem.hammer.isRigidBody() && problem.transitTime >= 0.5) m_scale = Real(problem.hammer.peak);
         m_joiner.begin(problem, rates.elastic);
-        m_negligible = std::ldexp(m_scale, std::numeric_limits<Real>::digits == 53 ? -62 : -80);
+        m_negligible = std::ldexp(m_scale, negligibleExponent);
     }
     /// How many pieces a round trip may have before joining them is worth the effort.
     static constexpr std::size_t manyPieces = 32;
@@ -62,9 +62,9 @@ class SeriesBasis {
             case PulseSegment::Kind::linear:
                 return left;
             case PulseSegment::Kind::sine:
-                return left > Real(0.5) ? Real(0.5) : left;
+                return std::min(left, longestSine);
             case PulseSegment::Kind::exponential:
-                return left > 2 ? Real(2) : left;
+                return std::min(left, longestDecay);
         }
         return left;
     }
@@ -116,8 +116,8 @@ class SeriesBasis {
         r.isSlow = false;
         const Real alpha = rate * g.length;
         Real length = g.length;
-        if (alpha > Real(2)) {
-            if (alpha >= Real(16 + 4 * g.count) && slowSolution(r, alpha, force)) return r;
+        if (alpha > layer) {
+            if (isStiff(alpha, g) && slowSolution(r, alpha, force)) return r;
             length = layerLength(g, rate, alpha);
         }
         for (;;) {
@@ -212,6 +212,24 @@ class SeriesBasis {
     }
 
   private:
+    /// Terms below that power of two of the largest wave force are dropped: 2^-10 and less of a rounding.
+    static constexpr int negligibleExponent = std::numeric_limits<Real>::digits == 53 ? -62 : -80;
+    /// So much larger, the last coefficient would be of the order of a rounding.
+    static constexpr Real seenByRounding = 1024;
+    /// Coefficients that add up to so much more than any wave force cancel, and lose as many digits.
+    static constexpr Real mostCancellation = 256;
+
+    // Series over longer pieces would need more coefficients than there are, or cancel.
+    static constexpr Real longestSine = 0.5;  ///< of the half sine, t0
+    static constexpr Real longestDecay = 2;   ///< of an exponential, t0
+    static constexpr Real layer = 2;          ///< aℓ of a piece of contact
+    static constexpr Real widestLayer = 6;  ///< aℓ where the layer is faint: e^6 cancels three digits of it
+    static constexpr Real lastOrder = Piece::capacity - 2;
+
+    /// Whether aℓ is so large that F may follow the slow solution 2g − F'/a: each term of that is then small
+    /// beside the one before, k/(aℓ) < 1/4 for all k up to the degree of g.
+    static bool isStiff(Real alpha, const Piece& g) { return alpha >= Real(16 + 4 * g.count); }
+
     static Real inverse(int k) {
         static const auto table = [] {
             std::array<Real, Piece::capacity + 2> t{};
@@ -258,12 +276,13 @@ class SeriesBasis {
         return true;
     }
 
-    /// How much of a long piece to take: aℓ = 2 in general, more where only a faint layer remains.
+    /// How much of a long piece to take: aℓ = 2 in general, more where only a faint layer remains, of which
+    /// the series may leave out a larger share: (aℓ)^n/n! of it, n being the last order.
     Real layerLength(const Piece& g, Real rate, Real alpha) const {
-        if (alpha < Real(16 + 4 * g.count)) return g.length / std::ceil(alpha / 2);
-        const Real layer = std::max(m_layer / m_scale, std::numeric_limits<Real>::epsilon());
-        const Real wide = 2 * std::exp2(-std::log2(layer) / 28);
-        return std::min(g.length, std::clamp(wide, Real(2), Real(6)) / rate);
+        if (!isStiff(alpha, g)) return g.length / std::ceil(alpha / layer);
+        const Real faint = std::max(m_layer / m_scale, std::numeric_limits<Real>::epsilon());
+        const Real wide = layer * std::exp2(-std::log2(faint) / lastOrder);
+        return std::min(g.length, std::clamp(wide, layer, widestLayer) / rate);
     }
 
     /// The recurrence F_{k+1} = α (2g_k − F_k)/(k+1). False where the series does not converge in its
@@ -296,9 +315,9 @@ class SeriesBasis {
         out[k] = gLast - f[k];
         r.force.count = r.drive.count = r.reflected.count = k + 1;
         r.size = size;
-        const Real unresolved = 1024 * m_negligible;
+        const Real unresolved = seenByRounding * m_negligible;
         const bool converged = !full || (std::abs(f[k]) <= unresolved && std::abs(gLast) <= unresolved);
-        return (converged && size <= 256 * m_scale) || g.length * m_scale < m_negligible;
+        return (converged && size <= mostCancellation * m_scale) || g.length * m_scale < m_negligible;
     }
 
     bool m_undecided = false;  ///< a search for an event ended without an answer

@@ -26,12 +26,12 @@ class SeriesJoiner {
         m_fastest = fastest;
         m_softForce = Real(std::sqrt(problem.law.beta / problem.transitTime));
         m_relativePeak = Real(std::sqrt(problem.law.beta * problem.transitTime));
-        // of the order of the round trips in contact: the more there are, the more each may err
-        const double trips = 1.6 / std::sqrt(problem.law.beta * problem.transitTime);
+        const double trips =
+            1.6 / std::sqrt(problem.law.beta * problem.transitTime);  // about those in contact
         const Real precision =
             std::numeric_limits<Real>::epsilon() / Real(std::numeric_limits<double>::epsilon());
-        m_tolerance = Real(1e-17) * Real(std::max(1.0, trips / 100)) * precision;
-        m_mostDeviation = Real(1e-9) * precision;
+        m_tolerance = Real(mostEffect) * Real(std::max(1.0, trips / manyTrips)) * precision;
+        m_mostDeviation = Real(mostDeviation) * precision;
         m_worst = 0;
     }
 
@@ -42,7 +42,7 @@ class SeriesJoiner {
     bool join(Piece& last, const Piece& next, Real& error) {
         const Real whole = last.length + next.length;
         const Real weight = whole * m_fastest;
-        if (weight > Real(0.5)) return false;             // a layer of a stiff contact
+        if (weight > Real(layer)) return false;
         const bool forward = last.length >= next.length;  // the longer piece is extended over the shorter
         Piece longer = forward ? last : next;
         Piece shorter = forward ? next : last;
@@ -70,6 +70,16 @@ class SeriesJoiner {
     }
 
   private:
+    /// Of one joint on the impulse of order one, in double precision: a twentieth of its rounding.
+    static constexpr double mostEffect = 1e-17;
+    /// From so many round trips in contact on each joint may err in proportion: kinks are as many as trips.
+    static constexpr double manyTrips = 100;
+    /// Of the wave relative to the force on soft rock: more would move events, which the effect on the
+    /// impulse of a single joint does not show.
+    static constexpr double mostDeviation = 1e-9;
+    /// aℓ: a longer piece has a layer of a stiff contact in it, which no other series follows.
+    static constexpr double layer = 0.5;
+
     /// A jump between constants, the commonest reason not to join, seen at once.
     static Real jump(const Piece& last, const Piece& next) {
         return last.count <= 1 && next.count <= 1 ? std::abs(last.startValue() - next.startValue()) : Real(0);

@@ -2,12 +2,14 @@
 #include "core/wave/field/bit_motion.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/wave/field/wave_field.h"
 
 namespace drillwave {
 
 double bitDisplacement(const Impact& impact, double t) {
+    assert(impact.hasHistories());
     const double s = t - impact.frontArrival;
     return incidentImpulse(impact, s) - impactImpulse(impact, s) / 2;
 }

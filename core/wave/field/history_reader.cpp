@@ -2,12 +2,15 @@
 #include "core/wave/field/history_reader.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/wave/field/recorded_time.h"
 
 namespace drillwave {
 
-HistoryReader::HistoryReader(const Impact& impact) : m_impact(impact), m_before(waveBeforeArrival(impact)) {}
+HistoryReader::HistoryReader(const Impact& impact) : m_impact(impact), m_before(waveBeforeArrival(impact)) {
+    assert(impact.hasHistories());
+}
 
 double HistoryReader::incident(double s) {
     if (s < 0) return m_before;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/field/wave_fronts.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace drillwave {
@@ -35,6 +36,7 @@ std::vector<double> pulseFronts(const PulseForce& pulse) {
 }
 
 std::vector<ContactInterval> contactIntervals(const Impact& impact) {
+    assert(impact.hasEvents());
     std::vector<ContactInterval> intervals;
     bool touching = false;
     for (const ImpactEvent& event : impact.events) {

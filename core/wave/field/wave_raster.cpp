@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/field/wave_raster.h"
 
+#include <cassert>
 #include <limits>
 
 #include "core/wave/field/history_reader.h"
@@ -9,6 +10,7 @@
 namespace drillwave {
 
 WaveRaster waveRaster(const Impact& impact, WaveField field, const RasterGrid& grid) {
+    assert(impact.hasHistories() && grid.columns >= 0 && grid.rows >= 0);
     WaveRaster raster{field, grid, {}, 0};
     raster.values.resize(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
     // Np = −g(t − ξτ) and Nn = −r(t − (2 − ξ)τ), with times at the front end.

@@ -8,7 +8,9 @@
 #include <stop_token>
 #include <string>
 
-#include "core/contact/contact_law.h"
+#include "core/contact/step_law.h"
+#include "core/model/pulse_force.h"
+#include "core/model/scenario.h"
 #include "core/numeric/compensated_sum.h"
 #include "core/text/units.h"
 #include "core/wave/exact/hammer_cells.h"
@@ -68,7 +70,7 @@ class LatticeMarch {
 
     Waves m_waves;
     HammerCells m_hammer;  ///< as it arrives at the front end
-    ContactLaw m_law{1, 1, 1, 0, 0};
+    StepLaw m_law{BilinearLaw<>(1, 1), 1, 0, 0};
     StepHistory m_history;
     Impact* m_impact = nullptr;
     Detail m_detail = Detail::cor;
@@ -132,7 +134,7 @@ void LatticeMarch<Waves>::begin(const Problem& problem, int segments, Detail det
     const double hammerPeriods = std::ceil(problem.hammer.end / (2 * problem.transitTime)) + 2;
     m_periodsAhead = std::max(0.0, std::floor(problem.gap) - hammerPeriods);
     const double gap = isRigidBody ? 0 : 2 * (problem.gap - m_periodsAhead);
-    m_law = ContactLaw(problem.law.beta, problem.law.gamma, m_duration, gap, m_negligible);
+    m_law = StepLaw(BilinearLaw<>(problem.law), m_duration, gap, m_negligible);
     m_hammer = HammerCells(problem.hammer, m_duration);
     m_history.begin(m_duration);
     impact.frontArrival = m_arrival;
@@ -143,11 +145,11 @@ void LatticeMarch<Waves>::begin(const Problem& problem, int segments, Detail det
 /// Whether the steps are short enough for the rock and few enough for the hammer.
 template <class Waves>
 bool LatticeMarch<Waves>::isFeasible(const Problem& problem, int segments) {
-    const double steepest = problem.law.beta / problem.law.gamma * m_duration;
+    const double steepest = BilinearLaw<>(problem.law).slopes().elastic * m_duration;
     if (!(steepest <= 2)) {
         fail("a step of the lattice is too long for the rock: (beta/gamma) tau/N = " +
              formatNumber(steepest) + " must not exceed 2; it takes at least " +
-             formatNumber(std::ceil(problem.law.beta / problem.law.gamma * problem.transitTime / 2)) +
+             formatNumber(std::ceil(BilinearLaw<>(problem.law).slopes().elastic * problem.transitTime / 2)) +
              " segments");
         return false;
     }
@@ -186,8 +188,8 @@ void LatticeMarch<Waves>::step() {
         m_rockPowers += force * (2 * g - force);
         if (m_detail == Detail::histories) m_history.add(g, force, *m_impact);
     }
-    if (m_law.changes() != ContactLaw::none) noteChanges(impulseBefore);
-    if (force == 0 && m_law.changes() == ContactLaw::none && m_hammer.ended() && (m_law.isApart() || g == 0))
+    if (m_law.changes() != StepLaw::none) noteChanges(impulseBefore);
+    if (force == 0 && m_law.changes() == StepLaw::none && m_hammer.ended() && (m_law.isApart() || g == 0))
         flyFree(g);
     else
         m_freeSteps = 0;
@@ -196,16 +198,16 @@ void LatticeMarch<Waves>::step() {
 template <class Waves>
 void LatticeMarch<Waves>::noteChanges(double impulseBefore) {
     const unsigned changes = m_law.changes();
-    if (changes & ContactLaw::contact) {
+    if (changes & StepLaw::contact) {
         m_contactStart = timeAt(m_law.contactFraction());
         m_impulseAtContact = impulseBefore;
         if (m_impact->contacts++ == 0) m_impact->firstContactTime = m_contactStart;
         note(ContactEvent::contact, m_contactStart);
     }
-    if (changes & ContactLaw::unloading) note(ContactEvent::unloading, timeAt(0));
-    if (changes & ContactLaw::primaryLoading)
+    if (changes & StepLaw::unloading) note(ContactEvent::unloading, timeAt(0));
+    if (changes & StepLaw::primaryLoading)
         note(ContactEvent::primaryLoading, timeAt(m_law.primaryFraction()));
-    if (changes & ContactLaw::separation) {
+    if (changes & StepLaw::separation) {
         const double time = timeAt(m_law.separationFraction());
         m_impact->contactDuration += time - m_contactStart;
         m_impact->separationTime = time;

@@ -33,7 +33,7 @@ inline constexpr int maximumSegments = 1'000'000;
 /// Solves one blow after another on a rod of equal segments, time step Δ = τ/L, keeping its memory.
 ///
 /// The hammer force enters by its means over the steps; the impact force is constant in each step and does
-/// exactly the work of the bilinear law (ContactLaw). It stops on the same proof as ExactSolver: a whole
+/// exactly the work of the bilinear law (StepLaw). It stops on the same proof as ExactSolver: a whole
 /// period without contact and momentum not towards the rock; free flights of many periods are skipped.
 ///
 /// The result: `cor` has an error that falls with Δ² where γ = 1 or fronts fall on ends of steps, between Δ

@@ -87,6 +87,9 @@ void TestScales::scalesFollowTheirDefinitions() {
     compareClosely(scales.stiffness, rod.impedance / 200e-6);
     compareClosely(scales.energy, rod.mass * scales.velocity * scales.velocity / 2);
     QCOMPARE(scales.length, 3.66);
+    compareClosely(scales.stress, 255e3 / rod.area);
+    // I0 = m v0 in a pulse of length t0 is F0/Z = τ v0 in the rod of length τ t0
+    compareClosely(scales.particleVelocity, groupsOf(scenario).tau * scales.velocity);
 }
 
 // The paper, section 5.1: d0 = 0.4 mm for L = 1 m, c = 5000 m/s, v0 = 1 m/s.

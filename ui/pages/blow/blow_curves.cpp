@@ -2,9 +2,10 @@
 #include "ui/pages/blow/blow_curves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
+#include "core/model/visible_pulse.h"
+#include "core/wave/field/rod_state.h"
 #include "core/wave/field/wave_field.h"
 
 namespace drillwave {
@@ -17,52 +18,21 @@ GraphData waveData(const SampledCurve& wave, const ShownUnits& units) {
     return graphData(points);
 }
 
-// How far into a segment a share of its samples lies, as a fraction of its length or, where the force decays,
-// of its impulse.
-double localTime(const PulseSegment& segment, double share) {
-    if (segment.kind != PulseSegment::Kind::exponential) return segment.length * share;
-    return share < 1 ? std::min(-std::log1p(-share), segment.length) : segment.length;
-}
-
-// Times at which the impulse of the hammer is sampled: its curve is smooth inside a segment.
-std::vector<double> pulseTimes(const PulseForce& pulse) {
-    constexpr int samplesPerSegment = 48;
-    std::vector<double> times{0};
-    for (const PulseSegment& segment : pulse.segments) {
-        const bool straight = segment.kind == PulseSegment::Kind::linear && segment.slope == 0;
-        const int samples = straight ? 1 : samplesPerSegment;
-        for (int i = 1; i <= samples; ++i)
-            times.push_back(segment.start + localTime(segment, static_cast<double>(i) / samples));
-    }
-    return times;
-}
-
 QVector<QCPGraphData> momentumPoints(const Impact& impact, const PulseForce& pulse,
                                      const std::vector<double>& history, const ShownUnits& units) {
-    std::vector<double> times = pulseTimes(pulse);
+    std::vector<double> times = impulseTimes(pulse);
     times.insert(times.end(), history.begin(), history.end());
     std::sort(times.begin(), times.end());
     times.erase(std::unique(times.begin(), times.end()), times.end());
     QVector<QCPGraphData> points;
     points.reserve(static_cast<qsizetype>(times.size()) + 1);
-    for (double t : times) {
-        const double given = pulse.isRigidBody() ? 1 : pulse.impulseUntil(t);
-        const double taken = impactImpulse(impact, t - impact.frontArrival);
-        appendFinite(points, t * units.time.factor, (given - taken) * units.impulse.factor);
-    }
+    for (double t : times)
+        appendFinite(points, t * units.time.factor, rodMomentum(impact, pulse, t) * units.impulse.factor);
     return points;
 }
 
-// The tail of an exponential blow or of a staircase is long, and nothing can be seen in it.
-double visibleEnd(const PulseForce& pulse) {
-    constexpr double visible = 0.97;
-    for (const double time : pulseTimes(pulse))
-        if (pulse.impulseUntil(time) >= visible) return time;
-    return pulse.end;
-}
-
 double interestingEnd(const Impact& impact, const PulseForce& pulse, const std::vector<SectionWave>& waves) {
-    double end = std::max(1.1 * impact.separationTime, visibleEnd(pulse));
+    double end = std::max(1.1 * impact.separationTime, visibleImpulseEnd(pulse));
     for (const SectionWave& wave : waves)
         if (!wave.curve.time.empty()) end = std::max(end, wave.curve.time.back());
     return end;

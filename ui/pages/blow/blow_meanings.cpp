@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/wave/field/rod_state.h"
 #include "core/wave/field/wave_field.h"
-#include "ui/pages/blow/blow_instant.h"
 
 namespace drillwave {
 namespace {
@@ -81,9 +81,8 @@ BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
     meanings.closedForm = forceLike(units, {}, {});
     meanings.impulse =
         momentumLike(units, [blow, arrival](double t) { return impactImpulse(blow->impact, t - arrival); });
-    meanings.momentum = momentumLike(units, [blow](double t) {
-        return blowInstant(*blow, blow->page<BlowCurves>()->section, t).momentum;
-    });
+    meanings.momentum =
+        momentumLike(units, [blow](double t) { return rodMomentum(blow->impact, blow->pulse, t); });
     return meanings;
 }
 

@@ -8,7 +8,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "ui/pages/blow/blow_instant.h"
+#include "core/wave/field/rod_state.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/text/number_text.h"
 
@@ -114,7 +114,7 @@ void BlowPage::showInstant() {
     m_instant->setVisible(known);
     m_plot->setTimeCursor(known ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
     if (!known) return;
-    const BlowInstant instant = blowInstant(*m_blow, m_observation.section(), *time);
+    const RodState instant = rodState(m_blow->impact, m_blow->pulse, m_observation.section(), *time);
     const ShownUnits& units = m_blow->units;
     const QLocale locale;
     m_instant->setText(tr("t = %1 · N = %2 · F = %3 · I = %4 · p = %5")

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/blow/impact_summary.h"
+#include "core/contact/bilinear_law.h"
 #include "core/wave/field/wave_field.h"
 
 namespace drillwave {
@@ -16,11 +17,11 @@ QSharedPointer<QCPCurveDataContainer> pathOf(const Impact& impact, const Problem
     const SampledHistory history = sampleHistory(impact);
     QVector<QCPCurveData> points{QCPCurveData(impact.frontArrival * units.time.factor, 0, 0)};
     points.reserve(static_cast<qsizetype>(history.force.size()) + 1);
-    double largest = 0;
+    BilinearLaw<> rock(problem.law);
     for (std::size_t i = 0; i < history.force.size(); ++i) {
         const double force = history.force[i];
-        largest = std::max(largest, force);
-        const double penetration = (largest - problem.law.gamma * (largest - force)) / (2 * problem.law.beta);
+        rock.remember(force);
+        const double penetration = rock.penetration(force) * lawUnitOfPenetration;
         const double x = penetration * units.penetration.factor;
         const double y = force * units.force.factor;
         if (std::isfinite(x) && std::isfinite(y))
@@ -73,14 +74,15 @@ RockCurve rockCurve(const Impact& impact, const Problem& problem, const ShownUni
     const ImpactSummary summary = summarize(impact, problem);
     const double peakForce = summary.peakForce * units.force.factor;
     const auto path = pathOf(impact, problem, units);
+    const auto slopes = BilinearLaw<>(problem.law).slopes();
     return {.units = units,
             .path = path,
             .outline = outlineOf(path, peakForce),
             .peakForce = peakForce,
             .maxPenetration = summary.maxPenetration * units.penetration.factor,
             .residualPenetration = summary.residualPenetration * units.penetration.factor,
-            .loading = problem.law.beta * units.stiffness.factor,
-            .unloading = problem.law.beta / problem.law.gamma * units.stiffness.factor,
+            .loading = slopes.primary * units.stiffness.factor,
+            .unloading = slopes.elastic * units.stiffness.factor,
             .energy = summary.energy.rockWork * summary.workRatio * units.energy.factor,
             .energyShare = summary.energy.rockWork};
 }

@@ -28,8 +28,8 @@ struct RockCurve {
     double energyShare = 0;          ///< of the hammer work
 };
 
-/// Requires an impact solved with Detail::histories. The penetration follows from the force by the bilinear
-/// law alone: U/d0 = (Fm − γ(Fm − F))/(2β), Fm the largest force so far. While apart it is what stays.
+/// Requires an impact solved with Detail::histories. The penetration follows from the force by the law of
+/// the rock alone, BilinearLaw::penetration(). While apart it is what stays.
 RockCurve rockCurve(const Impact& impact, const Problem& problem, const ShownUnits& units);
 
 /// Penetration and force at a global time in shown units; at either end of the path before and behind it.

@@ -5,23 +5,13 @@
 #include <cmath>
 
 #include "core/model/scales.h"
+#include "core/model/visible_pulse.h"
 
 namespace drillwave {
 namespace {
 
 constexpr double mostFlightShown = 6;  // round trips before the first contact that are shown from the start
 constexpr double mostRoundTrips = 12;
-
-// The tail of a fading blow is long, and nothing can be seen in it.
-double visibleEnd(const PulseForce& pulse) {
-    constexpr double visible = 0.97;
-    for (const PulseSegment& segment : pulse.segments)
-        if (segment.kind == PulseSegment::Kind::exponential)
-            return segment.start - std::log1p(-visible);
-        else if (pulse.impulseUntil(segment.start + segment.length) >= visible)
-            return segment.start + segment.length;
-    return pulse.end;
-}
 
 // Looked up on a grid of its own, so that the colours stay while one zooms; waves that meet only long after
 // the blow would make all others pale.
@@ -53,12 +43,11 @@ PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units) {
                 units.force};
     }
     const Scales scales = scalesOf(scenario);
-    const RodProperties rod = propertiesOf(scenario.rod);
     return {{scales.length, QStringLiteral("m"), false},
             units.time,
             units.force,
-            {scales.force / rod.impedance, QStringLiteral("m/s"), false},
-            {scales.force / rod.area * 1e-6, QStringLiteral("MPa"), false}};
+            {scales.particleVelocity, QStringLiteral("m/s"), false},
+            {scales.stress * 1e-6, QStringLiteral("MPa"), false}};
 }
 
 QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QLocale& locale) {
@@ -75,7 +64,8 @@ TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse) {
     const double roundTrip = impact.roundTrip;
     const bool longFlight = impact.firstContactTime > mostFlightShown * roundTrip;
     const double begin = longFlight ? impact.firstContactTime - 1.5 * roundTrip : 0;
-    const double end = std::max({impact.separationTime, visibleEnd(pulse), impact.frontArrival}) + roundTrip;
+    const double end =
+        std::max({impact.separationTime, visibleWavesEnd(pulse), impact.frontArrival}) + roundTrip;
     return {begin, std::min(end, begin + mostRoundTrips * roundTrip)};
 }
 

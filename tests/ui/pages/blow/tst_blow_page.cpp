@@ -11,7 +11,6 @@
 #include "tests/support/scripted_questions.h"
 #include "ui/form/quantity_slider.h"
 #include "ui/form/scenario_panel.h"
-#include "ui/pages/blow/blow_instant.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/window/main_window.h"
@@ -48,7 +47,6 @@ class TestBlowPage : public QObject {
     void aSectionOfManyDigitsIsKept();
     void thePlaceIsGivenInMetresWhereThereIsALength();
     void theInstantOfTheTimeCursorIsRead();
-    void anInstantAddsUp();
     void anUnsolvedBlowSaysWhy();
     void theTimeCursorIsShared();
     void cursorsStayInTheirPlaceInOtherUnits();
@@ -119,16 +117,6 @@ void TestBlowPage::theInstantOfTheTimeCursorIsRead() {
     QCOMPARE(text, QStringLiteral("t = 5.5 t₀ · N = −1 F₀ · F = 0 F₀ · I = 0 I₀ · p = 1 I₀"));
     m_page->setResult(failedBlow({}, QStringLiteral("no more")));
     QVERIFY(!label("instant")->isVisible());
-}
-
-void TestBlowPage::anInstantAddsUp() {
-    const SolvedBlowPtr blow = solved(*m_page, dimensionless({0.5, 0.3, 3, 0.2}), UnitSystem::dimensionless);
-    for (const double t : {0.4, 3.7, 9.1, 500.25}) {
-        const BlowInstant atBit = blowInstant(*blow, 1, t);
-        QVERIFY(std::abs(atBit.normalForce + atBit.impactForce) < 1e-14);
-        QVERIFY(std::abs(atBit.impulse + atBit.momentum - blow->solved.hammer.impulseUntil(t)) < 1e-14);
-    }
-    QVERIFY(std::abs(blowInstant(*blow, 0.5, 500).momentum + blow->summary.cor) < 1e-13);
 }
 
 void TestBlowPage::anUnsolvedBlowSaysWhy() {

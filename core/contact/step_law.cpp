@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/contact_law.h"
+#include "core/contact/step_law.h"
+
+#include <cassert>
 
 namespace drillwave {
 
@@ -11,6 +13,7 @@ double positiveRoot(double A, double b, double c) {
     return b > 0 ? -2 * c / (b + root) : (root - b) / (2 * A);
 }
 
+/// q of (T33) on a line of that slope.
 double weight(double rate, double step) {
     return rate * step / 2 / (1 + rate * step / 2);
 }
@@ -55,18 +58,18 @@ class Way {
 
 }  // namespace
 
-ContactLaw::ContactLaw(double beta, double gamma, double step, double gap, double negligible)
-    : m_beta(beta),
-      m_unloadingRate(beta / gamma),
+StepLaw::StepLaw(const BilinearLaw<>& law, double step, double gap, double negligible)
+    : m_law(law),
       m_step(step),
-      m_loading(weight(beta, step)),
-      m_unloading(weight(beta / gamma, step)),
+      m_loading(weight(law.slopes().primary, step)),
+      m_unloading(weight(law.slopes().elastic, step)),
       m_negligible(negligible),
-      m_isElastic(gamma == 1),
-      m_gap(gap) {}
+      m_gap(gap) {
+    assert(step > 0 && gap >= 0 && negligible >= 0);
+}
 
 /// Across the gap, up to the largest force so far, and on along the primary line.
-double ContactLaw::load(double g) {
+double StepLaw::load(double g) {
     Way way(g, m_step, m_force);
     bool onTheWay = true;
     double contactAt = 0, primaryAt = 0;
@@ -77,12 +80,12 @@ double ContactLaw::load(double g) {
         m_touches = true;
         m_gap = 0;
     }
-    if (onTheWay && !m_isElastic && m_force < m_peak) {
-        onTheWay = way.passes((m_peak - m_force) / m_unloadingRate, m_unloadingRate);
+    if (onTheWay && !m_law.isElastic() && m_force < peak()) {
+        onTheWay = way.passes(m_law.elasticWay(peak() - m_force), m_law.slopes().elastic);
         if (onTheWay) m_changes |= primaryLoading;
         primaryAt = way.advance();
     }
-    if (onTheWay) way.follow(m_beta);
+    if (onTheWay) way.follow(m_law.slopes().primary);
     if (way.advance() > 0) {
         m_contactFraction = contactAt / way.advance();
         m_primaryFraction = primaryAt / way.advance();
@@ -90,15 +93,15 @@ double ContactLaw::load(double g) {
         m_contactFraction = m_primaryFraction = 1;
     }
     m_force = way.endForce();
-    m_peak = std::fmax(m_peak, m_force);
+    m_law.remember(m_force);
     return way.meanForce();
 }
 
 /// Down the unloading line, whose work w = f²/(2a) is given back, and away: (2g + y/Δ) y = w, y = −dU.
-double ContactLaw::separate(double g) {
+double StepLaw::separate(double g) {
     m_changes |= separation;
-    const double toZero = m_force / m_unloadingRate;
-    const double work = m_force * toZero / 2;
+    const double toZero = m_law.elasticWay(m_force);
+    const double work = m_law.givenBack(m_force);
     const double away = positiveRoot(1 / m_step, 2 * g, -work);
     m_separationFraction = away > 0 ? std::fmin(1, toZero / away) : 0;
     m_touches = false;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bilinear law of bit and rock over steps of constant force and velocity (paper, section 5.3; theory §6).
+// The law of bit and rock over steps of constant force and velocity (paper, section 5.3; theory §6).
 #pragma once
 
 #include <cmath>
 #include <limits>
 
+#include "core/contact/bilinear_law.h"
+
 namespace drillwave {
 
-/// Gap, force and memory of the bit–rock contact, advanced step by step.
+/// Gap, force and memory of a contact under the bilinear law, advanced step by step.
 ///
 /// In each step the force F is constant while the front end advances by dU = (2g − F)Δ, with F such that F·dU
 /// is the work of the law over that increment (T32),
@@ -18,7 +20,7 @@ namespace drillwave {
 /// q = (aΔ/2)/(1 + aΔ/2) (T33), where f is the force at the beginning of the step; it approaches the end of
 /// the line without overshoot for aΔ ≤ 2. Along corners it is the root of a quadratic equation; it exists and
 /// is the only one because the mean force of the law grows with the increment and 2g − dU/Δ falls.
-class ContactLaw {
+class StepLaw {
   public:
     /// What happened in a step: the corners that it passed, as bits.
     enum Change : unsigned {
@@ -29,9 +31,9 @@ class ContactLaw {
         separation = 8,      ///< the force vanished
     };
 
-    /// β > 0, 0 < γ ≤ 1, step Δ > 0 in t0, gap ≥ 0 in I0/Z; `negligible` is the force taken for zero when
-    /// nothing arrives any more.
-    ContactLaw(double beta, double gamma, double step, double gap, double negligible);
+    /// Step Δ > 0 in t0, gap ≥ 0 in I0/Z; `negligible` ≥ 0 is the force taken for zero when nothing arrives
+    /// any more.
+    StepLaw(const BilinearLaw<>& law, double step, double gap, double negligible);
 
     /// Advances by one step in which the mean incident wave is g. Returns F ≥ 0.
     double advance(double g) {
@@ -55,9 +57,9 @@ class ContactLaw {
 
     /// Not in contact; contact by exactly zero force is one.
     bool isApart() const { return !m_touches; }
-    double gap() const { return m_gap; }      ///< still to close, I0/Z
-    double force() const { return m_force; }  ///< at the end of the last step
-    double peak() const { return m_peak; }    ///< largest force so far: the memory of the rock
+    double gap() const { return m_gap; }                  ///< still to close, I0/Z
+    double force() const { return m_force; }              ///< at the end of the last step
+    double peak() const { return m_law.largestForce(); }  ///< Fm
     /// Closes the gap of parts that are apart to what free flight leaves of it.
     void setGap(double gap) { m_gap = gap; }
 
@@ -65,18 +67,18 @@ class ContactLaw {
     static constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
 
     double advanceLoading(double g, double drive) {
-        const bool onPrimary = m_isElastic || m_force >= m_peak;
+        const bool onPrimary = m_law.isElastic() || m_force >= peak();
         const double force = m_force + drive * (onPrimary ? m_loading : m_unloading);
         const double end = 2 * force - m_force;
         if (onPrimary)
-            m_peak = std::fmax(m_peak, end);
-        else if (end > m_peak)
+            m_law.remember(end);
+        else if (end > peak())
             return load(g);
         m_force = end;
         return force;
     }
     double advanceUnloading(double g, double drive) {
-        if (!m_isElastic && m_force > 0 && m_force >= m_peak) m_changes = unloading;
+        if (!m_law.isElastic() && m_force > 0 && m_force >= peak()) m_changes = unloading;
         const double force = m_force + drive * m_unloading;
         const double end = 2 * force - m_force;
         if (end < 0 || m_force == 0) return separate(g);
@@ -90,17 +92,14 @@ class ContactLaw {
     double load(double g);
     double separate(double g);
 
-    double m_beta;
-    double m_unloadingRate;  ///< β/γ
+    BilinearLaw<> m_law;
     double m_step;
     double m_loading;    ///< q of the primary line
     double m_unloading;  ///< q below the largest force
     double m_negligible;
-    bool m_isElastic;  ///< γ = 1: one line, no memory
     bool m_touches = false;
     double m_gap;
     double m_force = 0;
-    double m_peak = 0;
     unsigned m_changes = none;
     double m_contactFraction = 0, m_primaryFraction = 0, m_separationFraction = 0;
 };

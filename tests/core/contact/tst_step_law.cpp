@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "core/contact/contact_law.h"
+#include "core/contact/step_law.h"
 
 using namespace drillwave;
 
@@ -37,7 +37,7 @@ struct Rock {
 
 }  // namespace
 
-class TestContactLaw : public QObject {
+class TestStepLaw : public QObject {
     Q_OBJECT
 
   private slots:
@@ -58,7 +58,7 @@ class TestContactLaw : public QObject {
         QFETCH(double, step);
         std::mt19937_64 random(3);
         std::uniform_real_distribution<double> between(-1, 1);
-        ContactLaw law(beta, gamma, step, 0.1, 1e-19);
+        StepLaw law(BilinearLaw<>(beta, gamma), step, 0.1, 1e-19);
         Rock rock{beta, gamma};
         double U = -0.1;
         int corners = 0, several = 0;
@@ -77,7 +77,7 @@ class TestContactLaw : public QObject {
             QVERIFY2(std::abs(force * dU - work) < tolerance * step, qPrintable(QString::number(i)));
             QVERIFY(std::abs(law.force() - rock.force(U)) < tolerance * (1 + std::abs(U)));
             const unsigned changes = law.changes();
-            corners += changes != ContactLaw::none;
+            corners += changes != StepLaw::none;
             several += (changes & (changes - 1)) != 0;
             if (U < -0.3) {  // bring it back
                 while (law.isApart()) {
@@ -86,7 +86,7 @@ class TestContactLaw : public QObject {
                     QVERIFY(std::abs(back * way - rock.work(U, U + way)) < tolerance * step);
                     U += way;
                     rock.remember(U);
-                    several += law.changes() == (ContactLaw::contact | ContactLaw::primaryLoading);
+                    several += law.changes() == (StepLaw::contact | StepLaw::primaryLoading);
                 }
             }
         }
@@ -96,13 +96,13 @@ class TestContactLaw : public QObject {
 
     void aStepMayCloseTheGapAndReachThePrimaryLine() {
         // first contact up to F = 0.5, apart by 0.2, and back with a wave that is strong enough for both
-        ContactLaw law(1, 0.5, 0.9, 0, 1e-19);
+        StepLaw law(BilinearLaw<>(1, 0.5), 0.9, 0, 1e-19);
         law.advance(0.4);
         const double peak = law.peak();
         while (!law.isApart()) law.advance(-1);
         const double gap = law.gap();
         law.advance(5);
-        QCOMPARE(law.changes(), unsigned(ContactLaw::contact | ContactLaw::primaryLoading));
+        QCOMPARE(law.changes(), unsigned(StepLaw::contact | StepLaw::primaryLoading));
         QVERIFY(law.force() > peak && law.peak() == law.force());
         QVERIFY(law.contactFraction() > 0 && law.contactFraction() < law.primaryFraction() &&
                 law.primaryFraction() < 1);
@@ -112,24 +112,24 @@ class TestContactLaw : public QObject {
     }
 
     void unloadingBeginsWhereTheWaveTurns() {
-        ContactLaw law(0.5, 0.1, 0.01, 0, 1e-19);
+        StepLaw law(BilinearLaw<>(0.5, 0.1), 0.01, 0, 1e-19);
         for (int i = 0; i < 100; ++i) law.advance(1);
-        QCOMPARE(law.changes(), unsigned(ContactLaw::none));
+        QCOMPARE(law.changes(), unsigned(StepLaw::none));
         const double peak = law.force();
         law.advance(0);
-        QCOMPARE(law.changes(), unsigned(ContactLaw::unloading));
+        QCOMPARE(law.changes(), unsigned(StepLaw::unloading));
         QCOMPARE(law.peak(), peak);
         // the force at the end of the step is on the line of slope β/γ through (Um, Fm)
         const double force = (law.force() + peak) / 2;
         QVERIFY(std::abs(law.force() - (peak - 0.5 / 0.1 * force * 0.01)) < 1e-15);
         law.advance(0);
-        QCOMPARE(law.changes(), unsigned(ContactLaw::none));
+        QCOMPARE(law.changes(), unsigned(StepLaw::none));
     }
 
     void aForceThatDecaysNeitherOvershootsNorSeparates() {
         // theory §6: aΔ = 2 is the limit, at which the force vanishes within one step
         for (const double step : {0.05, 1.0, 1.999}) {
-            ContactLaw law(0.5, 0.5, step, 0, 1e-19);
+            StepLaw law(BilinearLaw<>(0.5, 0.5), step, 0, 1e-19);
             law.advance(1);
             double before = law.force();
             for (int i = 0; i < 10000 && law.force() > 0; ++i) {
@@ -144,15 +144,15 @@ class TestContactLaw : public QObject {
 
     void aSteadyWaveCausesNoEvents() {
         // F = 2g within rounding: neither loading nor unloading
-        ContactLaw law(1e3, 0.5, 1e-3, 0, 1e-19);
+        StepLaw law(BilinearLaw<>(1e3, 0.5), 1e-3, 0, 1e-19);
         for (int i = 0; i < 200; ++i) law.advance(1);
         for (int i = 0; i < 10000; ++i) {
             law.advance(1 + 1e-16 * (i % 3 - 1));
-            QCOMPARE(law.changes(), unsigned(ContactLaw::none));
+            QCOMPARE(law.changes(), unsigned(StepLaw::none));
         }
         QVERIFY(std::abs(law.force() - 2) < 1e-14);
     }
 };
 
-QTEST_GUILESS_MAIN(TestContactLaw)
-#include "tst_contact_law.moc"
+QTEST_GUILESS_MAIN(TestStepLaw)
+#include "tst_step_law.moc"
