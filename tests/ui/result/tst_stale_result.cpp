@@ -18,6 +18,7 @@
 #include "ui/export/export_menu.h"
 #include "ui/job/solve_status.h"
 #include "ui/pages/blow/blow_page.h"
+#include "ui/plot/plot_menu.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/result/result_panel.h"
 #include "ui/result/stale_veil.h"
@@ -236,7 +237,7 @@ class TestStaleResult : public QObject {
 
     void theMenuOfAPlotCopiesNoOldCurves() {
         const auto copyEnabled = [this] {
-            const std::unique_ptr<QMenu> menu(m_window->blowPage().plot()->makeMenu({100, 100}));
+            const std::unique_ptr<QMenu> menu(new PlotMenu(*m_window->blowPage().plot(), {100, 100}));
             int enabled = 0;
             for (const QAction* action : menu->actions())
                 enabled += action->text().startsWith(QStringLiteral("Copy")) && action->isEnabled();

@@ -455,14 +455,14 @@ void TestMainWindow::keysAimAtThePlotBelowThePointer() {
     auto* button = window().blowPage().findChild<QPushButton*>();
     button->setFocus();
     QTest::keyClick(button, Qt::Key_A);
-    QVERIFY(plot.cursorPosition(PlotCursor::a));
+    QVERIFY(plot.reader().position(PlotCursor::a));
     // Text is typed where the focus is.
     auto* title = window().scenarioPanel().findChild<QLineEdit*>(QStringLiteral("title"));
     title->setFocus();
     title->clear();
     QTest::keyClicks(title, QStringLiteral("b"));
     QCOMPARE(title->text(), QStringLiteral("b"));
-    QVERIFY(!plot.cursorPosition(PlotCursor::b));
+    QVERIFY(!plot.reader().position(PlotCursor::b));
     // The wheel takes the focus, so that Backspace brings the view back.
     QWheelEvent wheel(middle, plot.mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
                       Qt::NoScrollPhase, false);

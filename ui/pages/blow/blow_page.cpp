@@ -112,7 +112,8 @@ void BlowPage::showInstant() {
     const std::optional<double> time = m_observation.time();
     const bool known = time && m_blow && m_blow->problem.isEmpty();
     m_instant->setVisible(known);
-    m_plot->setTimeCursor(known ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
+    m_plot->reader().place(PlotCursor::time,
+                           known ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
     if (!known) return;
     const BlowInstant instant = blowInstant(*m_blow, m_observation.section(), *time);
     const ShownUnits& units = m_blow->units;
@@ -145,8 +146,8 @@ void BlowPage::carryCursors() {
     const ShownUnit& unit = m_blow->units.time;
     if (unit.unit != m_cursorUnit.unit) {
         for (const PlotCursor cursor : {PlotCursor::a, PlotCursor::b})
-            if (const std::optional<double> x = m_plot->cursorPosition(cursor))
-                m_plot->placeCursor(cursor, *x / m_cursorUnit.factor * unit.factor);
+            if (const std::optional<double> x = m_plot->reader().position(cursor))
+                m_plot->reader().place(cursor, *x / m_cursorUnit.factor * unit.factor);
     }
     m_cursorUnit = unit;
 }

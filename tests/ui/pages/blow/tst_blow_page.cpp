@@ -141,31 +141,31 @@ void TestBlowPage::theTimeCursorIsShared() {
     m_page->setResult(blow);
     m_observation->setTime(4.0);
     const double shown = 4 * blow->units.time.factor;
-    QCOMPARE(m_page->plot()->cursorPosition(PlotCursor::time), std::optional(shown));
+    QCOMPARE(m_page->plot()->reader().position(PlotCursor::time), std::optional(shown));
     emit m_page->plot()->timeCursorDragged(5 * blow->units.time.factor);
     QVERIFY(std::abs(*m_observation->time() - 5) < 1e-12);
     // The same time in other units.
     const SolvedBlowPtr other = solved(*m_page, Scenario(), UnitSystem::dimensionless);
     m_page->setResult(other);
-    QVERIFY(std::abs(*m_page->plot()->cursorPosition(PlotCursor::time) - 5) < 1e-12);
+    QVERIFY(std::abs(*m_page->plot()->reader().position(PlotCursor::time) - 5) < 1e-12);
     m_observation->setTime({});
-    QVERIFY(!m_page->plot()->cursorPosition(PlotCursor::time));
+    QVERIFY(!m_page->plot()->reader().position(PlotCursor::time));
 }
 
 void TestBlowPage::cursorsStayInTheirPlaceInOtherUnits() {
     const SolvedBlowPtr blow = solved(*m_page, Scenario(), UnitSystem::si);
     m_page->setResult(blow);
     PlotWidget& plot = *m_page->plot();
-    plot.placeCursor(PlotCursor::b, 3 * blow->units.time.factor);
+    plot.reader().place(PlotCursor::b, 3 * blow->units.time.factor);
     m_page->setResult(solved(*m_page, Scenario(), UnitSystem::dimensionless));
-    QVERIFY(!plot.cursorPosition(PlotCursor::a));
-    QVERIFY(std::abs(*plot.cursorPosition(PlotCursor::b) - 3) < 1e-12);
+    QVERIFY(!plot.reader().position(PlotCursor::a));
+    QVERIFY(std::abs(*plot.reader().position(PlotCursor::b) - 3) < 1e-12);
     // A longer blow in the same units moves nothing.
     m_page->setResult(blow);
     Scenario longer;
     longer.pulse.duration *= 1.5;
     m_page->setResult(solved(*m_page, longer, UnitSystem::si));
-    QVERIFY(std::abs(*plot.cursorPosition(PlotCursor::b) - 3 * blow->units.time.factor) < 1e-12);
+    QVERIFY(std::abs(*plot.reader().position(PlotCursor::b) - 3 * blow->units.time.factor) < 1e-12);
 }
 
 void TestBlowPage::cursorsReadExactImpulses_data() {
@@ -190,28 +190,28 @@ void TestBlowPage::cursorsReadExactImpulses() {
     m_page->setResult(blow);
     PlotWidget& plot = *m_page->plot();
     const double end = blow->page<BlowCurves>()->timeEnd;
-    plot.placeCursor(PlotCursor::a, 0);
-    plot.placeCursor(PlotCursor::b, end);
-    plot.setReadGraph(m_page->plots()->forceGraph());
+    plot.reader().place(PlotCursor::a, 0);
+    plot.reader().place(PlotCursor::b, end);
+    plot.reader().setGraph(m_page->plots()->forceGraph());
     const double unit = blow->units.impulse.factor;
     const double impulse = blow->summary.impulse * unit;
-    QVERIFY(std::abs(plot.cursorReading()->integral / impulse - 1) < 1e-9);
-    QVERIFY(plot.cursorText().contains(si ? QStringLiteral("N s") : QStringLiteral("I₀")));
-    QVERIFY(std::abs(plot.cursorReading()->mean * end -
+    QVERIFY(std::abs(plot.reader().reading()->integral / impulse - 1) < 1e-9);
+    QVERIFY(plot.reader().text().contains(si ? QStringLiteral("N s") : QStringLiteral("I₀")));
+    QVERIFY(std::abs(plot.reader().reading()->mean * end -
                      impulse / unit * blow->units.force.factor * blow->units.time.factor) <
-            1e-9 * plot.cursorReading()->mean * end);
-    plot.setReadGraph(m_page->plots()->waveGraph(0));  // the blow itself, compressive
-    QVERIFY(std::abs(plot.cursorReading()->integral / -unit - 1) < 1e-9);
-    plot.setReadGraph(m_page->plots()->impulseGraph());
-    QVERIFY(std::abs(plot.cursorReading()->yB / impulse - 1) < 1e-12);
-    plot.setReadGraph(m_page->plots()->momentumGraph());
-    QVERIFY(std::abs(plot.cursorReading()->yB / (-blow->summary.cor * unit) - 1) < 1e-9);
+            1e-9 * plot.reader().reading()->mean * end);
+    plot.reader().setGraph(m_page->plots()->waveGraph(0));  // the blow itself, compressive
+    QVERIFY(std::abs(plot.reader().reading()->integral / -unit - 1) < 1e-9);
+    plot.reader().setGraph(m_page->plots()->impulseGraph());
+    QVERIFY(std::abs(plot.reader().reading()->yB / impulse - 1) < 1e-12);
+    plot.reader().setGraph(m_page->plots()->momentumGraph());
+    QVERIFY(std::abs(plot.reader().reading()->yB / (-blow->summary.cor * unit) - 1) < 1e-9);
     // Between the cursors in the middle of the rising force the curve itself is read, not its chords.
     const double arrival = blow->summary.firstContactTime;
-    plot.placeCursor(PlotCursor::a, (arrival + 0.31) * blow->units.time.factor);
-    plot.setReadGraph(m_page->plots()->forceGraph());
+    plot.reader().place(PlotCursor::a, (arrival + 0.31) * blow->units.time.factor);
+    plot.reader().setGraph(m_page->plots()->forceGraph());
     const double force = impactForce(blow->impact, arrival + 0.31 - blow->impact.frontArrival);
-    QVERIFY(std::abs(plot.cursorReading()->yA / (force * blow->units.force.factor) - 1) < 1e-9);
+    QVERIFY(std::abs(plot.reader().reading()->yA / (force * blow->units.force.factor) - 1) < 1e-9);
 }
 
 void TestBlowPage::whatIsReadOutlivesTheBlow() {

@@ -17,6 +17,7 @@
 #include "ui/pages/wave_picture/play_bar.h"
 #include "ui/pages/wave_picture/rod_strip.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
+#include "ui/plot/plot_menu.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
 
@@ -392,7 +393,7 @@ void TestWavePicturePage::theDataAreTheFieldInView() {
 
 // A picture has no curves, and its numbers are data all the same.
 void TestWavePicturePage::theMenuOffersTheDataOfThePicture() {
-    const std::unique_ptr<QMenu> menu(m_page->plot()->makeMenu({100, 100}));
+    const std::unique_ptr<QMenu> menu(new PlotMenu(*m_page->plot(), {100, 100}));
     int offered = 0;
     for (const QAction* action : menu->actions())
         if (QString(action->text()).remove(QLatin1Char('&')).contains(QStringLiteral(" data"))) {
