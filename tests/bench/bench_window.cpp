@@ -12,7 +12,7 @@
 
 #include "ui/form/quantity_field.h"
 #include "ui/form/scenario_panel.h"
-#include "ui/pages/page.h"
+#include "ui/pages/plot_page.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
@@ -63,7 +63,7 @@ void settle(MainWindow& window) {
 }
 
 void measurePage(MainWindow& window, const QString& name, int repeats) {
-    auto* page = static_cast<Page*>(window.findChild<QTabWidget*>()->currentWidget());
+    auto* page = static_cast<PlotPage*>(window.findChild<QTabWidget*>()->currentWidget());
     PaintWatch watch(window);
     page->plot()->installEventFilter(&watch);
     auto* field = window.scenarioPanel().findChild<QuantityField*>(QStringLiteral("gamma"));

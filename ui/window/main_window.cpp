@@ -24,7 +24,6 @@
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/rock/rock_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
-#include "ui/plot/plot_widget.h"
 #include "ui/result/result_panel.h"
 #include "ui/result/stale_veil.h"
 #include "ui/text/number_text.h"
@@ -128,9 +127,9 @@ void MainWindow::addDocks() {
 
 void MainWindow::addPage(Page* page) {
     m_pages->addTab(page, page->title());
-    connect(page->plot(), &PlotWidget::savePictureRequested, this, [this] { m_exportMenu->savePicture(); });
-    connect(page->plot(), &PlotWidget::saveDataRequested, this, [this] { m_exportMenu->saveData(); });
-    connect(m_solveStatus, &SolveStatus::currentChanged, page->plot(), &PlotWidget::setCurrent);
+    connect(page, &Page::exportRequested, this,
+            [this](const PageExport& wanted) { m_exportMenu->save(wanted); });
+    connect(m_solveStatus, &SolveStatus::currentChanged, page, &Page::setCurrent);
     connect(page, &Page::needsChanged, this, [this, page] {
         if (page == m_pages->currentWidget()) solve();
     });
@@ -140,9 +139,9 @@ void MainWindow::addMenus() {
     m_exportMenu = new ExportMenu(
         m_document, *m_questions,
         {[this] { return m_solveStatus->isCurrent() ? m_shown : nullptr; },
-         [this] { return currentPage().plot(); },
          [this](const QString& what, auto then) { m_solveStatus->whenCurrent(what, std::move(then)); }},
         this);
+    m_exportMenu->setExports(currentPage().exports());
     m_fileMenu = new FileMenu(m_document, *m_questions, m_watch, m_exportMenu, this);
     menuBar()->addMenu(m_fileMenu);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -203,6 +202,7 @@ void MainWindow::wire() {
             [this] { m_exampleNote->setChanged(m_document.scenario() != m_document.source().scenario); });
     connect(m_pages, &QTabWidget::currentChanged, this, [this] {
         m_solveStatus->callOff(tr("another page was chosen meanwhile."));
+        m_exportMenu->setExports(currentPage().exports());
         solve();
     });
     connect(&m_document, &Document::replaced, m_exampleNote, &ExampleNote::forget);

@@ -67,6 +67,7 @@ class TestExportMenu : public QObject {
     void thePictureGoesToTheClipboard();
     void theDataOfThePlotBeginWithTheScenario();
     void thePlotsOwnMenuExportsToo();
+    void theMenuOffersWhatThePageDoes();
     void theDialogRefusesPicturesThatAreTooLarge();
     void choicesOfPicturesAreRemembered();
 
@@ -75,6 +76,8 @@ class TestExportMenu : public QObject {
     void makeWindow(SolveJob::Solve solve);
     QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
     void edit(double metres) { window().document().assign(*findParameter("rod.length"), metres, 1); }
+    PageExport numbers() { return window().blowPage().exports().first(); }
+    PageExport picture() { return window().blowPage().exports().last(); }
     // Exports wait for the result of the present input.
     void settle() { QTRY_VERIFY(window().solveStatus().isCurrent()); }
 
@@ -183,7 +186,7 @@ void TestExportMenu::aBlowThatIsNotSolvedIsNotExported() {
     window().exportMenu().saveHistories();
     window().exportMenu().saveEvents();
     window().exportMenu().saveEverything();
-    window().exportMenu().saveData();
+    window().exportMenu().save(numbers());
     QCOMPARE(m_answers.told.size(), 4);
     for (const QString& told : m_answers.told) QVERIFY(told.contains(QStringLiteral("melted")));
     QVERIFY(QDir(m_folder->path()).entryList({QStringLiteral("h.csv"), QStringLiteral("out")}).isEmpty());
@@ -205,8 +208,8 @@ void TestExportMenu::failuresAreTold() {
     m_answers.picture = PictureChoice{};
     window().exportMenu().saveHistories();
     window().exportMenu().saveEvents();
-    window().exportMenu().savePicture();
-    window().exportMenu().saveData();
+    window().exportMenu().save(picture());
+    window().exportMenu().save(numbers());
     QCOMPARE(m_answers.told.size(), 4);
     for (const QString& told : m_answers.told)
         QVERIFY2(told.contains(QStringLiteral("h.csv")), qPrintable(told));
@@ -222,7 +225,7 @@ void TestExportMenu::thePictureHasItsSizeAndIsWhiteInTheDark() {
     window().blowPage().plot()->setPalette(dark);
     m_answers.exportTo = path("p.png");
     m_answers.picture = PictureChoice{QStringLiteral("png"), {120, 80}, 254};
-    window().exportMenu().savePicture();
+    window().exportMenu().save(picture());
     QCOMPARE(m_answers.told, QStringList());
     const QImage image(path("p.png"));
     QVERIFY(std::abs(image.width() - 1200) <=
@@ -233,21 +236,21 @@ void TestExportMenu::thePictureHasItsSizeAndIsWhiteInTheDark() {
     for (const char* format : {"svg", "pdf"}) {
         m_answers.exportTo = m_folder->filePath(QStringLiteral("p.") + QLatin1String(format));
         m_answers.picture->format = QLatin1String(format);
-        window().exportMenu().savePicture();
+        window().exportMenu().save(picture());
         QVERIFY(bytesOf(m_answers.exportTo).size() > 2000);
     }
 }
 
 void TestExportMenu::thePictureGoesToTheClipboard() {
     QGuiApplication::clipboard()->clear();
-    window().exportMenu().copyPicture();
+    window().exportMenu().findChild<QAction*>(QStringLiteral("copyPicture"))->trigger();
     QVERIFY(QGuiApplication::clipboard()->mimeData()->hasImage());
     QCOMPARE(QGuiApplication::clipboard()->image().pixelColor(0, 0), QColor(Qt::white));
 }
 
 void TestExportMenu::theDataOfThePlotBeginWithTheScenario() {
     m_answers.exportTo = path("d.csv");
-    window().exportMenu().saveData();
+    window().exportMenu().save(numbers());
     QCOMPARE(m_answers.told, QStringList());
     QVERIFY(loadResultScenario(path("d.csv").toStdString()).scenario == window().document().scenario());
     QVERIFY(bytesOf(path("d.csv")).count('\n') > 100);
@@ -261,6 +264,42 @@ void TestExportMenu::thePlotsOwnMenuExportsToo() {
     m_answers.picture = PictureChoice{QStringLiteral("svg"), {120, 80}, 200};
     emit window().blowPage().plot()->savePictureRequested();
     QVERIFY(QFile::exists(path("p.svg")));
+}
+
+void TestExportMenu::theMenuOffersWhatThePageDoes() {
+    ExportMenu& menu = window().exportMenu();
+    const auto lines = [&menu] {
+        QStringList texts;
+        for (const QAction* action : menu.actions())
+            texts << (action->isSeparator() ? QStringLiteral("-") : QString(action->text()).remove(u'&'));
+        return texts;
+    };
+    const QStringList usual{QStringLiteral("Histories…"),
+                            QStringLiteral("Events…"),
+                            QStringLiteral("Data of this plot…"),
+                            QStringLiteral("-"),
+                            QStringLiteral("Picture of this plot…"),
+                            QStringLiteral("Copy picture"),
+                            QStringLiteral("-"),
+                            QStringLiteral("Everything into a folder…")};
+    QCOMPARE(lines(), usual);
+    auto* copy = menu.findChild<QAction*>(QStringLiteral("copyPicture"));
+    // A page of two tables and no plot.
+    PageExport table;
+    table.csv = [] { return QByteArray("a,b\n1,2\n"); };
+    table.title = QStringLiteral("Needs…");
+    PageExport other = table;
+    other.title = QStringLiteral("Gaps…");
+    menu.setExports({table, other});
+    QCOMPARE(lines().mid(2, 3),
+             (QStringList{QStringLiteral("Needs…"), QStringLiteral("Gaps…"), QStringLiteral("-")}));
+    QVERIFY(!copy->isEnabled());
+    m_answers.exportTo = path("t.csv");
+    menu.actions().at(3)->trigger();
+    QVERIFY(bytesOf(path("t.csv")).endsWith("a,b\n1,2\n"));
+    menu.setExports({numbers(), picture()});
+    QCOMPARE(lines(), usual);
+    QVERIFY(copy->isEnabled());
 }
 
 void TestExportMenu::theDialogRefusesPicturesThatAreTooLarge() {
@@ -287,7 +326,7 @@ void TestExportMenu::choicesOfPicturesAreRemembered() {
     QCOMPARE(rememberedPictureChoice(1.5).size.height, 120.0);
     m_answers.exportTo = path("p.svg");
     m_answers.picture = PictureChoice{QStringLiteral("svg"), {100, 70}, 150};
-    window().exportMenu().savePicture();
+    window().exportMenu().save(picture());
     const PictureChoice again = rememberedPictureChoice(1.5);
     QCOMPARE(again.format, QStringLiteral("svg"));
     QCOMPARE(again.size.width, 100.0);

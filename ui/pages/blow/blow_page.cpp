@@ -10,18 +10,19 @@
 
 #include "ui/pages/blow/blow_instant.h"
 #include "ui/pages/blow/blow_meanings.h"
+#include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
 
 BlowPage::BlowPage(Observation& observation, QWidget* parent)
-    : Page(parent),
+    : PlotPage(parent),
       m_observation(observation),
       m_hint(new QLabel(this)),
       m_section(new QDoubleSpinBox(this)),
       m_place(new QLabel(this)),
       m_instant(new QLabel(this)),
-      m_plot(new PlotWidget(this)),
+      m_plot(makePlot()),
       m_plots(new BlowPlots(m_plot)) {
     setUpSection();
     m_instant->setObjectName(QStringLiteral("instant"));
@@ -72,7 +73,7 @@ QHBoxLayout* BlowPage::makeBar() {
     auto* fitButton = new QPushButton(tr("Fit"), this);
     fitButton->setToolTip(tr("Bring all curves into view (double-click in the plots)"));
     fitButton->setMinimumWidth(50);
-    connect(fitButton, &QPushButton::clicked, this, &BlowPage::fit);
+    connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 6, 8, 0);
     bar->addWidget(label);
@@ -168,13 +169,8 @@ void BlowPage::setGhost(const SolvedBlowPtr& before) {
 }
 
 void BlowPage::resizeEvent(QResizeEvent* event) {
-    Page::resizeEvent(event);
+    PlotPage::resizeEvent(event);
     m_hint->setText(width() > 720 ? tr("wheel zooms · drag moves · double-click fits") : QString());
-}
-
-void BlowPage::fit() {
-    m_plot->fit();
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 }  // namespace drillwave

@@ -14,6 +14,7 @@
 #include "ui/pages/blow/blow_instant.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_page.h"
+#include "ui/plot/plot_widget.h"
 #include "ui/window/main_window.h"
 
 using namespace drillwave;

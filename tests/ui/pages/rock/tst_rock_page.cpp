@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 
 #include "ui/pages/rock/rock_page.h"
+#include "ui/plot/plot_widget.h"
 
 using namespace drillwave;
 

@@ -18,6 +18,7 @@
 #include "ui/pages/wave_picture/rod_strip.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/plot/plot_menu.h"
+#include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
 
