@@ -10,6 +10,7 @@
 #include "core/file/examples.h"
 #include "tests/support/child_process.h"
 #include "tests/support/scripted_questions.h"
+#include "tests/support/window_parts.h"
 #include "ui/document/lost_changes.h"
 #include "ui/document/recovery.h"
 #include "ui/window/main_window.h"

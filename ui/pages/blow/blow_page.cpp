@@ -10,6 +10,7 @@
 
 #include "ui/pages/blow/blow_instant.h"
 #include "ui/pages/blow/blow_meanings.h"
+#include "ui/pages/blow/blow_plots.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "ui/job/observation.h"
-#include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/plot_page.h"
 
 class QDoubleSpinBox;
@@ -11,6 +10,8 @@ class QHBoxLayout;
 class QLabel;
 
 namespace drillwave {
+
+class BlowPlots;
 
 class BlowPage : public PlotPage {
     Q_OBJECT

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/pages/rock/rock_plot.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
 

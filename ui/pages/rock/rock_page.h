@@ -4,11 +4,12 @@
 
 #include "ui/job/observation.h"
 #include "ui/pages/plot_page.h"
-#include "ui/pages/rock/rock_plot.h"
 
 class QLabel;
 
 namespace drillwave {
+
+class RockPlot;
 
 class RockPage : public PlotPage {
     Q_OBJECT

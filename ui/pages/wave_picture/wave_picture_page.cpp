@@ -11,8 +11,10 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ui/pages/wave_picture/picture_cursors.h"
 #include "ui/pages/wave_picture/play_bar.h"
 #include "ui/pages/wave_picture/rod_strip.h"
+#include "ui/pages/wave_picture/wave_picture_plot.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
 

@@ -4,8 +4,6 @@
 
 #include "ui/job/observation.h"
 #include "ui/pages/plot_page.h"
-#include "ui/pages/wave_picture/picture_cursors.h"
-#include "ui/pages/wave_picture/wave_picture_plot.h"
 
 class QCheckBox;
 class QComboBox;
@@ -15,8 +13,10 @@ class QLabel;
 
 namespace drillwave {
 
+class PictureCursors;
 class PlayBar;
 class RodStrip;
+class WavePicturePlot;
 
 class WavePicturePage : public PlotPage {
     Q_OBJECT

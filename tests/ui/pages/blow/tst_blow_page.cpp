@@ -9,11 +9,14 @@
 
 #include "core/wave/field/wave_field.h"
 #include "tests/support/scripted_questions.h"
+#include "tests/support/window_parts.h"
 #include "ui/form/quantity_slider.h"
 #include "ui/form/scenario_panel.h"
+#include "ui/job/solve_job.h"
 #include "ui/pages/blow/blow_instant.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_page.h"
+#include "ui/pages/blow/blow_plots.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/window/main_window.h"
 
@@ -235,20 +238,20 @@ void TestBlowPage::aHeldSliderLeavesAGhostUntilItIsReleased() {
     });
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
-    const int curves = window.blowPage().plot()->graphCount();
-    auto* slider = window.scenarioPanel().findChild<QuantitySlider*>(QStringLiteral("beta.slider"));
+    const int curves = part<BlowPage>(window).plot()->graphCount();
+    auto* slider = part<ScenarioPanel>(window).findChild<QuantitySlider*>(QStringLiteral("beta.slider"));
     const SolvedBlowPtr before = window.shown();
     slider->setSliderDown(true);
     for (const int position : {300, 500, 700}) {
         slider->setValue(position);
-        QTRY_VERIFY(!window.job().isBusy());
+        QTRY_VERIFY(!part<SolveJob>(window).isBusy());
     }
     QVERIFY(window.shown() != before);
-    QCOMPARE(window.blowPage().plot()->graphCount(), curves + 7);
-    QCOMPARE(window.blowPage().plot()->graph(curves)->data().get(),
+    QCOMPARE(part<BlowPage>(window).plot()->graphCount(), curves + 7);
+    QCOMPARE(part<BlowPage>(window).plot()->graph(curves)->data().get(),
              before->page<BlowCurves>()->waves[0].get());
     slider->setSliderDown(false);
-    QCOMPARE(window.blowPage().plot()->graphCount(), curves);
+    QCOMPARE(part<BlowPage>(window).plot()->graphCount(), curves);
 }
 
 QTEST_MAIN(TestBlowPage)

@@ -13,10 +13,15 @@
 
 #include "core/wave/field/wave_field.h"
 #include "tests/support/scripted_questions.h"
+#include "tests/support/window_parts.h"
+#include "ui/job/solve_job.h"
+#include "ui/pages/blow/blow_curves.h"
 #include "ui/pages/blow/blow_page.h"
+#include "ui/pages/wave_picture/picture_cursors.h"
 #include "ui/pages/wave_picture/play_bar.h"
 #include "ui/pages/wave_picture/rod_strip.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
+#include "ui/pages/wave_picture/wave_picture_plot.h"
 #include "ui/plot/plot_menu.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
@@ -161,8 +166,8 @@ void TestWavePicturePage::asksForNothingWhileHidden() {
     QCOMPARE(pages->tabText(pages->indexOf(page)), QStringLiteral("Wave picture"));
     window.show();
     QVERIFY(QTest::qWaitForWindowActive(&window));
-    QTRY_VERIFY(!window.job().isBusy());
-    pages->setCurrentWidget(&window.blowPage());
+    QTRY_VERIFY(!part<SolveJob>(window).isBusy());
+    pages->setCurrentWidget(&part<BlowPage>(window));
     QTRY_VERIFY(window.shown()->page<BlowCurves>());
     QVERIFY(!window.shown()->page<WavePicture>());
     pages->setCurrentWidget(page);
