@@ -131,7 +131,8 @@ void TestFileWatch::touchingAndSavingAreNoChanges() {
     QVERIFY(part<FileMenu>(window()).save());
     edit(6);
     QVERIFY(part<FileMenu>(window()).save());
-    QTest::qWait(600);  // longer than the watch settles
+    QSignalSpy agrees(&part<FileWatch>(window()), &FileWatch::agrees);
+    QTRY_VERIFY(!agrees.isEmpty());  // it has looked
     QVERIFY(!notice().isVisible());
     QCOMPARE(m_answers.confirmed, QStringList());
 }
@@ -174,8 +175,9 @@ void TestFileWatch::savingOverAChangedFileAsksFirst() {
 }
 
 void TestFileWatch::anotherFileInTheFolderIsNoChange() {
+    QSignalSpy agrees(&part<FileWatch>(window()), &FileWatch::agrees);
     rewrite(m_folder->filePath(QStringLiteral("other.yaml")), "anything");
-    QTest::qWait(600);
+    QTRY_VERIFY(!agrees.isEmpty());  // it has looked
     QVERIFY(!notice().isVisible());
 }
 
