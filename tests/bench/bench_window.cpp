@@ -10,9 +10,11 @@
 #include <chrono>
 #include <cstdio>
 
+#include "tests/support/window_parts.h"
 #include "ui/form/quantity_field.h"
 #include "ui/form/scenario_panel.h"
-#include "ui/pages/page.h"
+#include "ui/job/solve_job.h"
+#include "ui/pages/plot_page.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
@@ -59,14 +61,14 @@ double millisecondsToPixels(QuantityField& field, Qt::Key key, PaintWatch& watch
 
 void settle(MainWindow& window) {
     do QTest::qWait(50);
-    while (window.job().isBusy());
+    while (part<SolveJob>(window).isBusy());
 }
 
 void measurePage(MainWindow& window, const QString& name, int repeats) {
-    auto* page = static_cast<Page*>(window.findChild<QTabWidget*>()->currentWidget());
+    auto* page = static_cast<PlotPage*>(window.findChild<QTabWidget*>()->currentWidget());
     PaintWatch watch(window);
     page->plot()->installEventFilter(&watch);
-    auto* field = window.scenarioPanel().findChild<QuantityField*>(QStringLiteral("gamma"));
+    auto* field = part<ScenarioPanel>(window).findChild<QuantityField*>(QStringLiteral("gamma"));
     field->setFocus();
     field->findChild<QLineEdit*>()->setCursorPosition(9);
     std::vector<double> times;

@@ -10,6 +10,8 @@
 #include <cstdio>
 
 #include "tests/support/themes.h"
+#include "tests/support/window_parts.h"
+#include "ui/job/solve_job.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
 
@@ -22,7 +24,7 @@ const QSize sizes[] = {{1000, 650}, {1440, 900}, {1920, 1080}};
 // Also what is shown late, such as a finer raster for the size on screen.
 void settle(MainWindow& window) {
     do QTest::qWait(200);
-    while (window.job().isBusy());
+    while (part<SolveJob>(window).isBusy());
 }
 
 bool drawPages(MainWindow& window, const QDir& folder, const char* theme, int scale) {

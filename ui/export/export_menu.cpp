@@ -5,12 +5,12 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QKeyEvent>
+#include <algorithm>
 
 #include "core/file/result_scenario.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/plot_export.h"
 #include "ui/plot/plot_rendering.h"
-#include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
 
 namespace drillwave {
@@ -41,25 +41,48 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
       m_window(window) {
     setToolTipsVisible(true);
     qApp->installEventFilter(this);
-    const auto add = [this](const QString& text, const QKeySequence& keys, const QString& toolTip,
-                            void (ExportMenu::*save)()) {
-        addAction(text, keys, this, save)->setToolTip(toolTip);
-    };
     add(tr("&Histories…"), {},
         tr("Forces, impulse, momentum, penetration and velocity at the bit over time, as CSV"),
-        &ExportMenu::saveHistories);
+        [this] { saveHistories(); });
     add(tr("&Events…"), {}, tr("Contacts, reversals and separations with their times, as CSV"),
-        &ExportMenu::saveEvents);
-    add(tr("&Data of this plot…"), {}, tr("The curves that the plot shows, as CSV"), &ExportMenu::saveData);
-    addSeparator();
-    add(tr("&Picture of this plot…"), QKeySequence(Qt::CTRL | Qt::Key_P),
-        tr("As it is zoomed, as PNG, SVG or PDF"), &ExportMenu::savePicture);
-    add(tr("&Copy picture"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
-        tr("As it is zoomed, to paste into a report"), &ExportMenu::copyPicture);
+        [this] { saveEvents(); });
+    m_afterNumbers = addSeparator();
+    m_afterPictures = add(tr("&Copy picture"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
+                          tr("As it is zoomed, to paste into a report"), [this] { copyPicture(); });
+    m_afterPictures->setObjectName(QStringLiteral("copyPicture"));
     addSeparator();
     add(tr("Everything into a &folder…"), QKeySequence(Qt::CTRL | Qt::Key_E),
         tr("Scenario, summary, histories, events and plots, as `drillwave run -o` writes them"),
-        &ExportMenu::saveEverything);
+        [this] { saveEverything(); });
+}
+
+QAction* ExportMenu::add(const QString& text, const QKeySequence& keys, const QString& toolTip,
+                         const std::function<void()>& then, QAction* before) {
+    auto* action = new QAction(text, this);
+    action->setShortcut(keys);
+    action->setToolTip(toolTip);
+    connect(action, &QAction::triggered, this, then);
+    insertAction(before, action);
+    return action;
+}
+
+void ExportMenu::setExports(const QList<PageExport>& exports) {
+    qDeleteAll(std::exchange(m_actions, {}));
+    m_exports = exports;
+    bool hasPicture = false;
+    for (const PageExport& offered : exports) {
+        const bool first = offered.picture && !std::exchange(hasPicture, true);
+        m_actions.append(add(
+            offered.title, first ? QKeySequence(Qt::CTRL | Qt::Key_P) : QKeySequence(), offered.toolTip,
+            [this, offered] { save(offered); }, offered.picture ? m_afterPictures : m_afterNumbers));
+    }
+    m_afterPictures->setEnabled(hasPicture);
+}
+
+void ExportMenu::save(const PageExport& wanted) {
+    if (wanted.picture) return savePicture(wanted);
+    saveFile(tr("Save the data of the plot"), wanted.fileStem + QStringLiteral(".csv"),
+             [wanted](const SolvedRun& run) { return runHeader(run) + wanted.csv(); });
 }
 
 bool ExportMenu::eventFilter(QObject* watched, QEvent* event) {
@@ -127,38 +150,37 @@ void ExportMenu::writeFolder(const QString& folder, SolvedRun run, ExistingFiles
     finish(folder, writeRunFolder(folder, run, plotFormats(), existing).problem);
 }
 
-void ExportMenu::savePicture() {
-    PlotWidget* plot = m_sources.plot();
-    const PictureChoice before = rememberedPictureChoice(double(plot->width()) / plot->height());
+void ExportMenu::savePicture(const PageExport& wanted) {
+    const PictureChoice before = rememberedPictureChoice(wanted.picture->aspectRatio());
     const std::optional<PictureChoice> choice = m_questions.picture(m_window, before);
     if (!choice) return;
     remember(*choice);
     const QString ending = QStringLiteral(".") + choice->format;
     const QString filter = choice->format.toUpper() + QStringLiteral(" (*") + ending + QLatin1Char(')');
-    const QString path =
-        m_questions.fileToExport(m_window, tr("Save the picture"), suggestion(ending), filter);
+    const QString path = m_questions.fileToExport(m_window, tr("Save the picture"),
+                                                  suggestion(wanted.fileStem + ending), filter);
     if (path.isEmpty()) return;
-    m_sources.whenSolved(QFileInfo(path).fileName(), [this, path, choice] { writePicture(path, *choice); });
+    m_sources.whenSolved(QFileInfo(path).fileName(),
+                         [this, path, wanted, choice] { writePicture(path, wanted, *choice); });
 }
 
-void ExportMenu::writePicture(const QString& path, const PictureChoice& choice) {
+void ExportMenu::writePicture(const QString& path, const PageExport& wanted, const PictureChoice& choice) {
     const WaitCursor wait;
     const QString title = QString::fromStdString(m_document.scenario().title);
-    const QByteArray bytes = m_sources.plot()->drawing(choice.format, choice.size, choice.dpi, title);
+    const QByteArray bytes = wanted.picture->file(choice, title);
     if (bytes.isEmpty()) return fail(tr("%1: not written, the plot could not be drawn").arg(path));
     finish(path, writeWholeFile(path, bytes));
 }
 
+// The first one: what Ctrl+P saves.
 void ExportMenu::copyPicture() {
-    m_sources.whenSolved(tr("The picture"), [this] {
-        m_sources.plot()->copyPicture();
+    const auto first =
+        std::ranges::find_if(m_exports, [](const auto& each) { return each.picture.has_value(); });
+    if (first == m_exports.end()) return;
+    m_sources.whenSolved(tr("The picture"), [this, copy = first->picture->copy] {
+        copy();
         emit exported(tr("The picture is in the clipboard."));
     });
-}
-
-void ExportMenu::saveData() {
-    saveFile(tr("Save the data of the plot"), QStringLiteral("_plot.csv"),
-             [this](const SolvedRun& run) { return runHeader(run) + m_sources.plot()->csv(); });
 }
 
 SolvedRun ExportMenu::solvedRun() const {

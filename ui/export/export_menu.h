@@ -9,11 +9,10 @@
 #include "ui/export/run_files.h"
 #include "ui/export/whole_folder.h"
 #include "ui/job/solved_blow.h"
+#include "ui/pages/page_export.h"
 #include "ui/questions/questions.h"
 
 namespace drillwave {
-
-class PlotWidget;
 
 class ExportMenu : public QMenu {
     Q_OBJECT
@@ -23,7 +22,6 @@ class ExportMenu : public QMenu {
     struct Sources {
         /// Of the document's scenario as it is now, solved or not; nullptr while that is on its way.
         std::function<SolvedBlowPtr()> blow;
-        std::function<PlotWidget*()> plot;  ///< of the page that is shown
         /// Calls `then` when blow() is there and shown: at once, or later, or never when that is called off.
         /// `what` names what waits.
         std::function<void(const QString& what, std::function<void()> then)> whenSolved;
@@ -32,16 +30,15 @@ class ExportMenu : public QMenu {
     /// Document and questions must outlive the menu.
     ExportMenu(Document& document, Questions& questions, Sources sources, QWidget* window);
 
+    /// What the page on show offers; from now on in the menu.
+    void setExports(const QList<PageExport>& exports);
+    /// One of them, the numbers behind the scenario.
+    void save(const PageExport& wanted);
     /// The curves and the events of the blow, in the units that are shown.
     void saveHistories();
     void saveEvents();
     /// The files that `drillwave run FILE -o FOLDER --plots png,svg,pdf` writes; see writeRunFolder().
     void saveEverything();
-    /// The plot of the page as it is zoomed, on white.
-    void savePicture();
-    void copyPicture();
-    /// The data of the curves that the plot shows, behind the scenario.
-    void saveData();
 
   signals:
     /// Something has been written: where, in one line.
@@ -54,9 +51,13 @@ class ExportMenu : public QMenu {
   private:
     using MakeFile = std::function<QByteArray(const SolvedRun&)>;
     using UseRun = std::function<void(const SolvedRun&)>;
+    QAction* add(const QString& text, const QKeySequence& keys, const QString& toolTip,
+                 const std::function<void()>& then, QAction* before = nullptr);
+    void savePicture(const PageExport& wanted);
+    void copyPicture();
     void saveFile(const QString& title, const QString& ending, const MakeFile& make);
     void writeFolder(const QString& folder, SolvedRun run, ExistingFiles existing);
-    void writePicture(const QString& path, const PictureChoice& choice);
+    void writePicture(const QString& path, const PageExport& wanted, const PictureChoice& choice);
     /// Whether it is known, and told, that there is nothing to be written.
     bool isUnsolved();
     /// Hands the blow over when there is one; `what` waits for it.
@@ -72,6 +73,10 @@ class ExportMenu : public QMenu {
     Questions& m_questions;
     Sources m_sources;
     QWidget* m_window;
+    QList<PageExport> m_exports;
+    QList<QAction*> m_actions;  // of m_exports
+    QAction* m_afterNumbers = nullptr;
+    QAction* m_afterPictures = nullptr;
 };
 
 }  // namespace drillwave

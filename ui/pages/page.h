@@ -5,10 +5,9 @@
 #include <QWidget>
 
 #include "ui/job/solved_blow.h"
+#include "ui/pages/page_export.h"
 
 namespace drillwave {
-
-class PlotWidget;
 
 /// A page asks for what it shows while it can be seen, and computes nothing otherwise.
 class Page : public QWidget {
@@ -25,14 +24,18 @@ class Page : public QWidget {
     virtual void setResult(const SolvedBlowPtr& blow) = 0;
     /// Brings everything into view.
     virtual void fit() = 0;
-    /// The plot that is zoomed, copied and exported.
-    virtual PlotWidget* plot() const = 0;
+    /// What of it can be written to files, in the order of a menu.
+    virtual QList<PageExport> exports() const = 0;
+    /// Whether what it shows answers the present input: what does not is not copied.
+    virtual void setCurrent(bool current) = 0;
     /// A blow to stay faintly behind the results while a value is dragged; nullptr when the drag has ended.
     virtual void setGhost(const SolvedBlowPtr& /*before*/) {}
 
   signals:
     /// The page needs something else now than in the last request.
     void needsChanged();
+    /// The user wants one of the exports.
+    void exportRequested(const drillwave::PageExport& wanted);
 };
 
 }  // namespace drillwave

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/graph_data.h"
 
+#include <qcustomplot.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -2,18 +2,20 @@
 // Sampled histories as ready plot data.
 #pragma once
 
-#include <qcustomplot.h>
-
 #include <QSharedPointer>
 #include <QVector>
 #include <vector>
 
 #include "ui/text/shown_units.h"
 
+class QCPGraphData;
+template <class DataType>
+class QCPDataContainer;
+
 namespace drillwave {
 
 /// Shared, never changed once built: handing it to a graph costs nothing however long it is.
-using GraphData = QSharedPointer<QCPGraphDataContainer>;
+using GraphData = QSharedPointer<QCPDataContainer<QCPGraphData>>;
 
 /// Whether curves go on behind the end of what is interesting, to be panned to, or end there, for formats
 /// that do not clip.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/plot/legend_entries.h"
+#include "ui/text/number_text.h"
 
 namespace drillwave {
 namespace {
@@ -81,6 +82,15 @@ std::optional<CurvePoint> nearestCurvePoint(const QCustomPlot& plot, QPointF pix
         if (auto* path = qobject_cast<QCPCurve*>(curve)) lookAtPath(search, *path);
     }
     return search.found;
+}
+
+QString pointText(const CurvePoint& point, const CurveMeaning& meaning, const QLocale& locale) {
+    const auto quantity = [&locale](double value, const QString& unit) {
+        const QString number = numberText(value, 6, locale);
+        return unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit;
+    };
+    return point.curve->name() + QLatin1Char('\n') + QStringLiteral("x = ") +
+           quantity(point.x, meaning.xUnit) + QStringLiteral("\ny = ") + quantity(point.y, meaning.yUnit);
 }
 
 void HoverMark::addItems() {

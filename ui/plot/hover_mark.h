@@ -4,11 +4,12 @@
 
 #include <qcustomplot.h>
 
+#include <QLocale>
 #include <QPointer>
 #include <QString>
-#include <functional>
 #include <optional>
 
+#include "ui/plot/curve_meaning.h"
 #include "ui/plot/plot_style.h"
 
 namespace drillwave {
@@ -24,6 +25,9 @@ struct CurvePoint {
 /// The point of a visible named curve nearest to a point of the plot, within `tolerance` pixels. Looks only
 /// at the points of graphs beside the pointer, so long curves cost no more than short ones.
 std::optional<CurvePoint> nearestCurvePoint(const QCustomPlot& plot, QPointF pixel, double tolerance);
+
+/// Its curve and its numbers, in words.
+QString pointText(const CurvePoint& point, const CurveMeaning& meaning, const QLocale& locale);
 
 /// A ring and a label on the layer "overlay".
 class HoverMark {

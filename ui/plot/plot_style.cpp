@@ -76,6 +76,15 @@ QPen PlotStyle::linePen(int index) const {
     return pen;
 }
 
+QPen PlotStyle::ghostPen(int index) const {
+    QColor color = lines[index % lineKinds];
+    color.setAlpha(170);
+    QPen pen(color, 1);
+    pen.setDashPattern({3, 2});
+    pen.setCapStyle(Qt::FlatCap);
+    return pen;
+}
+
 QBrush PlotStyle::areaBrush(int index) const {
     QColor color = lines[index % lineKinds];
     color.setAlpha(36);
@@ -101,6 +110,12 @@ void PlotStyle::applyTo(QCPLegend& legend) const {
 void PlotStyle::applyTo(QCPTextElement& title) const {
     title.setFont(font);
     title.setTextColor(text);
+}
+
+QCPLayer* ghostLayer(QCustomPlot& plot) {
+    const QString name = QStringLiteral("ghost");
+    if (!plot.layer(name)) plot.addLayer(name, plot.layer(QStringLiteral("main")), QCustomPlot::limBelow);
+    return plot.layer(name);
 }
 
 }  // namespace drillwave

@@ -8,8 +8,10 @@
 #include <QPen>
 
 class QCPAxisRect;
+class QCPLayer;
 class QCPLegend;
 class QCPTextElement;
+class QCustomPlot;
 
 namespace drillwave {
 
@@ -33,6 +35,8 @@ struct PlotStyle {
 
     /// Pen of the index-th curve of a plot: colour and dash pattern both differ (nothing by colour alone).
     QPen linePen(int index) const;
+    /// The same of an earlier result, which stays faintly behind: thin, translucent and dotted.
+    QPen ghostPen(int index) const;
     /// A translucent version of a line's colour, for areas.
     QBrush areaBrush(int index) const;
 
@@ -40,5 +44,8 @@ struct PlotStyle {
     void applyTo(QCPLegend& legend) const;
     void applyTo(QCPTextElement& title) const;
 };
+
+/// The layer below the curves, for those of an earlier result; made when there is none.
+QCPLayer* ghostLayer(QCustomPlot& plot);
 
 }  // namespace drillwave

@@ -2,35 +2,35 @@
 #include "ui/plot/plot_widget.h"
 
 #include <QClipboard>
-#include <QEvent>
+#include <QContextMenuEvent>
 #include <QGuiApplication>
 #include <QMetaMethod>
 #include <QMimeData>
+#include <QPainter>
 #include <QWindow>
-#include <limits>
 
 #include "ui/plot/axis_view.h"
-#include "ui/plot/cursor_bar.h"
 #include "ui/plot/legend_entries.h"
-#include "ui/text/number_text.h"
+#include "ui/plot/plot_keys.h"
+#include "ui/plot/plot_menu.h"
 
 namespace drillwave {
 
 PlotWidget::PlotWidget(QWidget* parent)
-    : QCustomPlot(parent), m_cursors(*this), m_hover(*this), m_history(*this), m_bar(new CursorBar(this)) {
+    : QCustomPlot(parent),
+      m_reader(*this, m_meanings),
+      m_hover(*this),
+      m_view(*this),
+      m_mover(*this),
+      m_mouse(*this),
+      m_keys(new PlotKeys(*this)) {
     // Antialiased lines of two pixels are drawn an order of magnitude faster this way.
     setPlottingHint(QCP::phFastPolylines, true);
     setFocusPolicy(Qt::StrongFocus);
-    m_bar->hide();
     connect(this, &QCustomPlot::beforeReplot, this, &PlotWidget::prepareReplot);
-    connect(this, &QCustomPlot::afterReplot, this, &PlotWidget::readCursors);
-    connect(selectionRect(), &QCPSelectionRect::accepted, this, &PlotWidget::zoomToBox);
-    connect(m_bar, &CursorBar::curveChosen, this, &PlotWidget::setReadGraph);
-    connect(m_bar, &CursorBar::closed, this, [this] {
-        placeCursor(PlotCursor::a, {});
-        placeCursor(PlotCursor::b, {});
-        setFocus();
-    });
+    connect(selectionRect(), &QCPSelectionRect::accepted, this,
+            [this](const QRect& box) { m_view.zoomTo(box); });
+    connect(&m_reader, &CurveReader::closed, this, [this] { setFocus(); });
 }
 
 // The curves die with the base class, after the meanings they would take along.
@@ -51,7 +51,7 @@ void PlotWidget::restyle() {
 
 void PlotWidget::applyStyle(const PlotStyle& style) {
     if (m_restyle) m_restyle(style);
-    m_cursors.setStyle(style);
+    m_reader.setStyle(style);
     m_hover.setStyle(style);
     QColor band = style.lines[0];
     selectionRect()->setPen(QPen(band, 1, Qt::DashLine));
@@ -85,29 +85,9 @@ void PlotWidget::prepareReplot() {
             if (axis->visible() && axis->tickLabels()) setTickDigits(*axis);
 }
 
-// The bar takes its height from the plot, as much as its words need at this width.
-void PlotWidget::placeBar() {
-    const bool shown = cursorPosition(PlotCursor::a) || cursorPosition(PlotCursor::b);
-    const int wanted =
-        m_bar->hasHeightForWidth() ? m_bar->heightForWidth(width()) : m_bar->sizeHint().height();
-    // It grows for longer words but does not shrink for shorter ones: a drag shall not shake the curves.
-    const int present = m_bar->isVisibleTo(this) && m_bar->width() == width() ? m_bar->height() : 0;
-    const int barHeight = shown ? std::min(std::max(wanted, present), height() / 3) : 0;
-    m_bar->setVisible(shown);
-    m_bar->setGeometry(0, height() - barHeight, width(), barHeight);
-    const QRect plotArea(0, 0, width(), height() - barHeight);
-    if (viewport() == plotArea) return;
-    setViewport(plotArea);
-    replot(rpQueuedReplot);
-}
-
 void PlotWidget::resizeEvent(QResizeEvent* event) {
     QCustomPlot::resizeEvent(event);
-    placeBar();
-}
-
-void PlotWidget::replotOverlay() {
-    layer(QStringLiteral("overlay"))->replot();
+    m_reader.placeBar();
 }
 
 void PlotWidget::setMeaning(const QCPAbstractPlottable* curve, CurveMeaning meaning) {
@@ -116,71 +96,10 @@ void PlotWidget::setMeaning(const QCPAbstractPlottable* curve, CurveMeaning mean
     m_meanings.insert(curve, std::move(meaning));
 }
 
-void PlotWidget::placeCursor(PlotCursor cursor, std::optional<double> x) {
-    if (cursorPosition(cursor) == x) return;
-    m_cursors.place(cursor, x);
-    if (cursor != PlotCursor::time) readCursors();
-    replotOverlay();
-}
-
-QCPGraph* PlotWidget::readGraph() const {
-    if (m_readGraph && m_readGraph->realVisibility()) return m_readGraph;
-    for (QCPAbstractPlottable* curve : visibleCurves(*this))
-        if (auto* graph = qobject_cast<QCPGraph*>(curve)) return graph;
-    return nullptr;
-}
-
-void PlotWidget::setReadGraph(QCPGraph* graph) {
-    m_readGraph = graph;
-    readCursors();
-}
-
-std::optional<CursorReading> PlotWidget::cursorReading() const {
-    const std::optional<double> a = cursorPosition(PlotCursor::a);
-    const std::optional<double> b = cursorPosition(PlotCursor::b);
-    const QCPGraph* graph = readGraph();
-    if (!a || !b || !graph) return std::nullopt;
-    return readCurve(*graph->data(), m_meanings.value(graph), *a, *b);
-}
-
-void PlotWidget::readCursors() {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    const std::optional<double> a = cursorPosition(PlotCursor::a);
-    const std::optional<double> b = cursorPosition(PlotCursor::b);
-    if (a || b) {
-        QList<QCPGraph*> graphs;
-        for (QCPAbstractPlottable* curve : visibleCurves(*this))
-            if (auto* graph = qobject_cast<QCPGraph*>(curve)) graphs.append(graph);
-        const QCPGraph* graph = readGraph();
-        m_bar->setCurves(graphs, graph);
-        const CurveMeaning meaning = m_meanings.value(graph);
-        CursorReading reading{a.value_or(none), b.value_or(none), none, none, none, none, none};
-        if (graph) {
-            const CursorReading read =
-                readCurve(*graph->data(), meaning, a.value_or(b.value_or(0)), b.value_or(a.value_or(0)));
-            reading = read;
-            reading.a = a.value_or(none);
-            reading.b = b.value_or(none);
-        }
-        m_bar->setText(readingText(reading, meaning, locale()));
-    }
-    placeBar();
-    emit cursorsRead();
-}
-
-QString PlotWidget::cursorText() const {
-    return m_bar->isVisibleTo(this) ? m_bar->text() : QString();
-}
-
-QString PlotWidget::pointText(const CurvePoint& point) const {
-    const CurveMeaning meaning = m_meanings.value(point.curve);
-    const QString gap{QChar(QChar::Nbsp)};
-    const auto quantity = [&](double value, const QString& unit) {
-        const QString number = numberText(value, 6, locale());
-        return unit.isEmpty() ? number : number + gap + unit;
-    };
-    return point.curve->name() + QLatin1Char('\n') + QStringLiteral("x = ") +
-           quantity(point.x, meaning.xUnit) + QStringLiteral("\ny = ") + quantity(point.y, meaning.yUnit);
+void PlotWidget::markPoint(const std::optional<CurvePoint>& point) {
+    const CurveMeaning meaning = point ? m_meanings.value(point->curve) : CurveMeaning();
+    if (m_hover.show(point, point ? pointText(*point, meaning, locale()) : QString()))
+        layer(QStringLiteral("overlay"))->replot();
 }
 
 void PlotWidget::setCurveVisible(QCPAbstractPlottable* curve, bool visible) {
@@ -189,29 +108,15 @@ void PlotWidget::setCurveVisible(QCPAbstractPlottable* curve, bool visible) {
 }
 
 void PlotWidget::setAxisScale(QCPAxis* axis, QCPAxis::ScaleType scale) {
-    m_history.remember();
-    QList<QCPAxis*> axes{axis};
-    const QList<QCPAxisRect*> stacked = m_cursors.rects();
-    if (axis->orientation() == Qt::Horizontal && stacked.contains(axis->axisRect())) {
-        axes.clear();
-        for (const QCPAxisRect* rect : stacked) axes.append(rect->axis(axis->axisType()));
-    }
-    for (QCPAxis* changed : axes) setScale(*changed, scale);
+    m_view.setScale(axis, scale, m_reader.cursors().rects());
     if (scale == QCPAxis::stLinear) emit fitRequested();
     replot(rpQueuedReplot);
 }
 
 void PlotWidget::fit() {
-    m_history.remember();
+    m_view.remember();
     emit fitRequested();
-    for (const QCPAxisRect* rect : axisRects())
-        for (const auto type : {QCPAxis::atBottom, QCPAxis::atLeft})
-            if (QCPAxis* axis = rect->axis(type)) fitLogarithmic(*axis);
-    replot(rpQueuedReplot);
-}
-
-void PlotWidget::zoomBack() {
-    m_history.goBack();
+    m_view.fitLogarithms();
     replot(rpQueuedReplot);
 }
 
@@ -251,6 +156,10 @@ QByteArray PlotWidget::dataText(char separator) const {
     return m_dataText ? m_dataText(separator) : plotCsv(*this, m_meanings, separator);
 }
 
+bool PlotWidget::hasData() const {
+    return m_dataText || !visibleCurves(*this).isEmpty();
+}
+
 void PlotWidget::copyData() {
     auto* content = new QMimeData;
     content->setText(QString::fromUtf8(dataText('\t')));
@@ -260,6 +169,78 @@ void PlotWidget::copyData() {
 
 bool PlotWidget::offersTime() const {
     return isSignalConnected(QMetaMethod::fromSignal(&PlotWidget::timeCursorDragged));
+}
+
+void PlotWidget::openMenu(std::optional<QPoint> at) {
+    const QCPAxisRect* used = m_view.activeRect();
+    const QPoint point = at ? *at : used ? used->center() : rect().center();
+    (new PlotMenu(*this, point))->popup(mapToGlobal(point));
+}
+
+void PlotWidget::contextMenuEvent(QContextMenuEvent* event) {
+    event->accept();
+    // The right button opens it on release, when it has not drawn a box.
+    if (event->reason() != QContextMenuEvent::Mouse) openMenu();
+}
+
+void PlotWidget::wheelEvent(QWheelEvent* event) {
+    emit mouseWheel(event);
+    event->accept();
+    m_mouse.wheel(*event);
+}
+
+void PlotWidget::mousePressEvent(QMouseEvent* event) {
+    m_mouse.beforePress(*event);
+    QCustomPlot::mousePressEvent(event);
+    m_mouse.press(*event);
+}
+
+void PlotWidget::mouseMoveEvent(QMouseEvent* event) {
+    QCustomPlot::mouseMoveEvent(event);
+    m_mouse.move(*event);
+}
+
+void PlotWidget::mouseReleaseEvent(QMouseEvent* event) {
+    QCustomPlot::mouseReleaseEvent(event);
+    m_mouse.release(*event);
+}
+
+void PlotWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+    QCustomPlot::mouseDoubleClickEvent(event);
+    m_mouse.doubleClick(*event);
+}
+
+void PlotWidget::enterEvent(QEnterEvent* event) {
+    QCustomPlot::enterEvent(event);
+    m_keys->followPointer(true);
+}
+
+void PlotWidget::leaveEvent(QEvent* event) {
+    QCustomPlot::leaveEvent(event);
+    m_keys->followPointer(false);
+    markPoint(std::nullopt);
+}
+
+void PlotWidget::keyPressEvent(QKeyEvent* event) {
+    if (!m_keys->press(*event)) QCustomPlot::keyPressEvent(event);
+}
+
+void PlotWidget::focusInEvent(QFocusEvent* event) {
+    QCustomPlot::focusInEvent(event);
+    update();
+}
+
+void PlotWidget::focusOutEvent(QFocusEvent* event) {
+    QCustomPlot::focusOutEvent(event);
+    update();
+}
+
+void PlotWidget::paintEvent(QPaintEvent* event) {
+    QCustomPlot::paintEvent(event);
+    if (!hasFocus()) return;
+    QPainter painter(this);
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+    painter.drawRect(viewport().adjusted(1, 1, -1, -1));
 }
 
 }  // namespace drillwave

@@ -5,23 +5,22 @@
 #include <qcustomplot.h>
 
 #include <QByteArray>
-#include <QHash>
-#include <QPointer>
 #include <functional>
 #include <optional>
 
+#include "ui/plot/cursor_mover.h"
 #include "ui/plot/curve_meaning.h"
-#include "ui/plot/curve_reading.h"
+#include "ui/plot/curve_reader.h"
 #include "ui/plot/hover_mark.h"
 #include "ui/plot/plot_csv.h"
-#include "ui/plot/plot_cursors.h"
+#include "ui/plot/plot_mouse.h"
 #include "ui/plot/plot_rendering.h"
 #include "ui/plot/plot_style.h"
-#include "ui/plot/view_history.h"
+#include "ui/plot/plot_view.h"
 
 namespace drillwave {
 
-class CursorBar;
+class PlotKeys;
 
 /// Mouse: the wheel zooms at the pointer (over an axis only that axis), dragging pans, dragging with Shift or
 /// with the right button zooms to a box, a double-click fits, the back button goes back, a click on a legend
@@ -50,27 +49,20 @@ class PlotWidget : public QCustomPlot {
     /// What a curve of this plot stands for: units for all that is read from it, and where there are such the
     /// exact functions behind its points. Set it again with every result; forgotten with the curve.
     void setMeaning(const QCPAbstractPlottable* curve, CurveMeaning meaning);
-    /// The curve has data of its own: reads it again at the cursors. Replots do that by themselves.
-    void readCursors();
-
-    /// Puts cursor A, B or the time to x, or takes it away; emits nothing but cursorsRead().
-    void placeCursor(PlotCursor cursor, std::optional<double> x);
-    void setTimeCursor(std::optional<double> x) { placeCursor(PlotCursor::time, x); }
-    std::optional<double> cursorPosition(PlotCursor cursor) const { return m_cursors.position(cursor); }
-    /// The graph read at A and B: as chosen, else the first that is visible; nullptr without any.
-    QCPGraph* readGraph() const;
-    void setReadGraph(QCPGraph* graph);
-    /// What cursors A and B say about readGraph(); nothing unless both are placed.
-    std::optional<CursorReading> cursorReading() const;
-    /// The strip below the plot, in words; empty while neither A nor B is placed.
-    QString cursorText() const;
+    /// The cursors, and what they read.
+    CurveReader& reader() { return m_reader; }
+    CursorMover& mover() { return m_mover; }
+    PlotView& view() { return m_view; }
+    /// Whether the page follows the time cursor: it has connected timeCursorDragged().
+    bool offersTime() const;
+    /// Marks a point of a curve and reads it in words, or nothing.
+    void markPoint(const std::optional<CurvePoint>& point);
     /// What is marked at the pointer, in words; empty when nothing is.
     QString hoverText() const { return m_hover.text(); }
 
     void setCurveVisible(QCPAbstractPlottable* curve, bool visible);
     /// Linear or logarithmic; a horizontal axis together with those of all stacked plots.
     void setAxisScale(QCPAxis* axis, QCPAxis::ScaleType scale);
-    bool canZoomBack() const { return m_history.canGoBack(); }
 
     /// The present view drawn for paper, black on white, numbers as in files, with cursors where they are
     /// placed; `format` is one of plotFormats(), `dpi` counts for PNG. See renderPlot().
@@ -80,21 +72,22 @@ class PlotWidget : public QCustomPlot {
     Millimetres sizeOnPaper() const;
     /// The data of the plot as CSV; see plotCsv().
     QByteArray csv() const { return dataText(','); }
+    bool hasData() const;
     /// For a plot whose data are not curves: its text with a separator between cells, as plotCsv() gives it.
     void setDataText(DataText text) { m_dataText = std::move(text); }
 
     /// Whether what is shown answers the present input; the menu copies and saves nothing else.
     void setCurrent(bool current) { m_current = current; }
+    bool isCurrent() const { return m_current; }
 
-    /// The context menu for a point of the plot, built anew; it deletes itself when it is closed.
-    QMenu* makeMenu(QPoint at);
+    /// The context menu for a point of the plot; without one for the middle of the axes used last.
+    void openMenu(std::optional<QPoint> at = {});
 
     QSize minimumSizeHint() const override { return {300, 240}; }
 
   public slots:
-    /// Keeps the view for zoomBack() and asks the page to fit.
+    /// Keeps the view to go back to and asks the page to fit.
     void fit();
-    void zoomBack();
     void copyPicture();
     void copyData();
 
@@ -103,8 +96,6 @@ class PlotWidget : public QCustomPlot {
     void fitRequested();
     /// The user moves the time cursor; it is there already. A page that connects this offers the cursor.
     void timeCursorDragged(double x);
-    /// Cursor A or B, the curve or its data have changed; see cursorReading().
-    void cursorsRead();
     void savePictureRequested();
     void saveDataRequested();
 
@@ -117,7 +108,6 @@ class PlotWidget : public QCustomPlot {
     void focusOutEvent(QFocusEvent* event) override;
     void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
@@ -127,65 +117,22 @@ class PlotWidget : public QCustomPlot {
     void mouseDoubleClickEvent(QMouseEvent* event) override;
 
   private:
-    // What the mouse does between press and release.
-    enum class Gesture { none, pan, box, cursor };
-    struct PannedAxis {
-        QPointer<QCPAxis> axis;
-        QCPRange start;
-    };
-
     QByteArray dataText(char separator) const;
     void restyle();
     void applyStyle(const PlotStyle& style);
     void followScreen();
     void prepareReplot();
-    void placeBar();
-    void replotOverlay();
-
-    QList<QCPAxis*> axesAt(QPointF point) const;
-    QCPAxisRect* activeRect() const;
-    void beginPan(QPointF point);
-    void pan(QPointF to);
-    void zoomToBox(const QRect& box);
-    QCPAxisRect* cursorRect() const;
-    void dragCursor(PlotCursor cursor, double pixel);
-    void click(QPoint point);
-    void hover(QPointF point);
-    void showPointer(Qt::CursorShape shape);
-    bool cursorKey(const QKeyEvent& event);
-    bool viewKey(const QKeyEvent& event);
-    void panByKey(int key);
-    void zoomByKey(double factor);
-    void placeCursorByUser(PlotCursor cursor, std::optional<QPoint> at);
-    void moveLastCursor(double pixels);
-    void takeCursor(PlotCursor cursor, double x);
-    void openMenu(QPoint at);
-    void addCopyAndSave(QMenu& menu);
-    void addView(QMenu& menu, QPoint at);
-    void addCursors(QMenu& menu, QPoint at);
-    void addCurves(QMenu& menu);
-    void addScale(QMenu& menu, QCPAxis* axis, const QString& text);
-    bool offersTime() const;
-    QString pointText(const CurvePoint& point) const;
 
     Restyle m_restyle;
-    CurveMeanings m_meanings;
     DataText m_dataText;
-    PlotCursors m_cursors;
-    HoverMark m_hover;
-    ViewHistory m_history;
-    CursorBar* m_bar;
-    QPointer<QCPGraph> m_readGraph;
     bool m_current = true;
-
-    Gesture m_gesture = Gesture::none;
-    QPointF m_pressed;
-    QVector<PannedAxis> m_panned;
-    Qt::CursorShape m_pointer = Qt::ArrowCursor;
-    bool m_panning = false;  // moved already, not only pressed
-    PlotCursor m_grabbed = PlotCursor::a;
-    PlotCursor m_lastCursor = PlotCursor::a;
-    QPointer<QCPAxisRect> m_lastRect;  // clicked last: the one that keys zoom
+    CurveMeanings m_meanings;
+    CurveReader m_reader;
+    HoverMark m_hover;
+    PlotView m_view;
+    CursorMover m_mover;
+    PlotMouse m_mouse;
+    PlotKeys* m_keys;
 };
 
 }  // namespace drillwave

@@ -5,12 +5,14 @@
 #include <QPushButton>
 #include <QSaveFile>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
 #include "core/file/examples.h"
 #include "tests/support/scripted_questions.h"
+#include "tests/support/window_parts.h"
 #include "ui/window/file_menu.h"
 #include "ui/window/file_notice.h"
 #include "ui/window/main_window.h"
@@ -61,7 +63,7 @@ class TestFileWatch : public QObject {
 
   private:
     MainWindow& window() { return *m_window; }
-    FileNotice& notice() { return m_window->fileNotice(); }
+    FileNotice& notice() { return part<FileNotice>(*m_window); }
     double length() const { return m_window->document().scenario().rod.length; }
     void edit(double metres) { window().document().assign(*findParameter("rod.length"), metres, 1); }
     void click(const char* button) { notice().findChild<QPushButton*>(QLatin1String(button))->click(); }
@@ -126,10 +128,11 @@ void TestFileWatch::aFileThatComesBackIsNoChange() {
 void TestFileWatch::touchingAndSavingAreNoChanges() {
     rewrite(m_path, scenarioBytes("3.66 m"));
     edit(5);
-    QVERIFY(window().fileMenu().save());
+    QVERIFY(part<FileMenu>(window()).save());
     edit(6);
-    QVERIFY(window().fileMenu().save());
-    QTest::qWait(600);  // longer than the watch settles
+    QVERIFY(part<FileMenu>(window()).save());
+    QSignalSpy agrees(&part<FileWatch>(window()), &FileWatch::agrees);
+    QTRY_VERIFY(!agrees.isEmpty());  // it has looked
     QVERIFY(!notice().isVisible());
     QCOMPARE(m_answers.confirmed, QStringList());
 }
@@ -139,7 +142,7 @@ void TestFileWatch::aDeletedFileIsToldAndSavedAgain() {
     QTRY_VERIFY(notice().isVisible());
     QVERIFY(!notice().findChild<QPushButton*>(QStringLiteral("reload"))->isVisible());
     QVERIFY(window().isWindowModified());  // closing must ask: it is in no file any more
-    QVERIFY(window().fileMenu().save());
+    QVERIFY(part<FileMenu>(window()).save());
     QCOMPARE(bytesOf(m_path), scenarioBytes("3.66 m"));
     QVERIFY(!notice().isVisible());
     QVERIFY(!window().isWindowModified());
@@ -153,7 +156,7 @@ void TestFileWatch::keepingMineIsNotAskedAboutAgain() {
     click("keep");
     QVERIFY(!notice().isVisible());
     QVERIFY(window().isWindowModified());
-    QVERIFY(window().fileMenu().save());
+    QVERIFY(part<FileMenu>(window()).save());
     QCOMPARE(m_answers.confirmed, QStringList());
     QCOMPARE(bytesOf(m_path), scenarioBytes("3.66 m"));
 }
@@ -162,18 +165,19 @@ void TestFileWatch::savingOverAChangedFileAsksFirst() {
     edit(5);
     rewrite(m_path, scenarioBytes("7 m"));
     // Before any notice: the watch may be late, the question must not be.
-    QVERIFY(!window().fileMenu().save());
+    QVERIFY(!part<FileMenu>(window()).save());
     QCOMPARE(m_answers.confirmed.size(), 1);
     QCOMPARE(bytesOf(m_path), scenarioBytes("7 m"));
     QVERIFY(window().isWindowModified());
     m_answers.confirm = true;
-    QVERIFY(window().fileMenu().save());
+    QVERIFY(part<FileMenu>(window()).save());
     QVERIFY(bytesOf(m_path).contains("length: 5 m"));
 }
 
 void TestFileWatch::anotherFileInTheFolderIsNoChange() {
+    QSignalSpy agrees(&part<FileWatch>(window()), &FileWatch::agrees);
     rewrite(m_folder->filePath(QStringLiteral("other.yaml")), "anything");
-    QTest::qWait(600);
+    QTRY_VERIFY(!agrees.isEmpty());  // it has looked
     QVERIFY(!notice().isVisible());
 }
 

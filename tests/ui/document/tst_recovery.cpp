@@ -10,6 +10,7 @@
 #include "core/file/examples.h"
 #include "tests/support/child_process.h"
 #include "tests/support/scripted_questions.h"
+#include "tests/support/window_parts.h"
 #include "ui/document/lost_changes.h"
 #include "ui/document/recovery.h"
 #include "ui/window/main_window.h"
@@ -242,7 +243,8 @@ void TestRecovery::aFolderThatCannotBeWrittenIsToldOfOnce() {
     setLength(window->document(), 5);
     QTRY_COMPARE(m_answers.told.size(), 1);
     setLength(window->document(), 6);
-    QTest::qWait(1200);
+    part<Recovery>(*window).writeNow();
+    QCoreApplication::processEvents();
     QCOMPARE(m_answers.told.size(), 1);
     QCOMPARE(window->document().scenario().rod.length, 6.0);
 }

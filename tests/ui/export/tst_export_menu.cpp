@@ -20,6 +20,7 @@
 #include "core/file/result_scenario.h"
 #include "tests/support/program.h"
 #include "tests/support/scripted_questions.h"
+#include "tests/support/window_parts.h"
 #include "ui/export/export_menu.h"
 #include "ui/export/plot_export.h"
 #include "ui/job/solve_status.h"
@@ -27,6 +28,7 @@
 #include "ui/plot/plot_widget.h"
 #include "ui/questions/picture_dialog.h"
 #include "ui/window/main_window.h"
+#include "ui/window/units_choice.h"
 
 using namespace drillwave;
 
@@ -67,6 +69,7 @@ class TestExportMenu : public QObject {
     void thePictureGoesToTheClipboard();
     void theDataOfThePlotBeginWithTheScenario();
     void thePlotsOwnMenuExportsToo();
+    void theMenuOffersWhatThePageDoes();
     void theDialogRefusesPicturesThatAreTooLarge();
     void choicesOfPicturesAreRemembered();
 
@@ -75,8 +78,10 @@ class TestExportMenu : public QObject {
     void makeWindow(SolveJob::Solve solve);
     QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
     void edit(double metres) { window().document().assign(*findParameter("rod.length"), metres, 1); }
+    PageExport numbers() { return part<BlowPage>(window()).exports().first(); }
+    PageExport picture() { return part<BlowPage>(window()).exports().last(); }
     // Exports wait for the result of the present input.
-    void settle() { QTRY_VERIFY(window().solveStatus().isCurrent()); }
+    void settle() { QTRY_VERIFY(part<SolveStatus>(window()).isCurrent()); }
 
     std::unique_ptr<QTemporaryDir> m_folder;
     ScriptedAnswers m_answers;
@@ -123,7 +128,7 @@ void TestExportMenu::everythingIsWhatTheCommandLineWrites() {
         words << QStringLiteral("--set") << QStringLiteral("rod.length=4.5 m");
     }
     m_answers.folder = path("window");
-    window().exportMenu().saveEverything();
+    part<ExportMenu>(window()).saveEverything();
     settle();
     QCOMPARE(m_answers.told, QStringList());
     words << QStringLiteral("-o") << path("command") << QStringLiteral("--plots")
@@ -141,16 +146,16 @@ void TestExportMenu::everythingIsWhatTheCommandLineWrites() {
 
 void TestExportMenu::filesInTheFolderAreOverwrittenOnlyOnRequest() {
     m_answers.folder = path("out");
-    window().exportMenu().saveEverything();
+    part<ExportMenu>(window()).saveEverything();
     QCOMPARE(m_answers.confirmed, QStringList());
     const QByteArray before = bytesOf(path("out/histories.csv"));
     edit(5);
-    window().exportMenu().saveEverything();
+    part<ExportMenu>(window()).saveEverything();
     QCOMPARE(m_answers.confirmed.size(), 1);
     QVERIFY(m_answers.confirmed.first().contains(QStringLiteral("histories.csv")));
     QCOMPARE(bytesOf(path("out/histories.csv")), before);
     m_answers.confirm = true;
-    window().exportMenu().saveEverything();
+    part<ExportMenu>(window()).saveEverything();
     settle();
     QVERIFY(bytesOf(path("out/histories.csv")).contains("length: 5 m"));
 }
@@ -158,18 +163,18 @@ void TestExportMenu::filesInTheFolderAreOverwrittenOnlyOnRequest() {
 void TestExportMenu::historiesHoldTheUnsavedScenarioInTheShownUnits() {
     edit(5);
     m_answers.exportTo = path("h.csv");
-    QSignalSpy exported(&window().exportMenu(), &ExportMenu::exported);
-    window().exportMenu().saveHistories();
+    QSignalSpy exported(&part<ExportMenu>(window()), &ExportMenu::exported);
+    part<ExportMenu>(window()).saveHistories();
     QTRY_COMPARE(exported.size(), 1);
     QVERIFY(bytesOf(path("h.csv")).contains("\ntime [s],impact_force [N],"));
     // The blow on the screen was that of the rod before the edit.
     const ScenarioDocument again = loadResultScenario(path("h.csv").toStdString());
     QVERIFY(again.scenario == window().document().scenario());
-    window().setUnits(UnitSystem::dimensionless);
+    part<UnitsChoice>(window()).choose(UnitSystem::dimensionless);
     settle();
     QCOMPARE(window().shown()->request.units, UnitSystem::dimensionless);
     m_answers.exportTo = path("e.csv");
-    window().exportMenu().saveEvents();
+    part<ExportMenu>(window()).saveEvents();
     QVERIFY(bytesOf(path("e.csv")).contains("\nkind,time\ncontact,"));
     QCOMPARE(m_answers.told, QStringList());
 }
@@ -180,10 +185,10 @@ void TestExportMenu::aBlowThatIsNotSolvedIsNotExported() {
     });
     m_answers.exportTo = path("h.csv");
     m_answers.folder = path("out");
-    window().exportMenu().saveHistories();
-    window().exportMenu().saveEvents();
-    window().exportMenu().saveEverything();
-    window().exportMenu().saveData();
+    part<ExportMenu>(window()).saveHistories();
+    part<ExportMenu>(window()).saveEvents();
+    part<ExportMenu>(window()).saveEverything();
+    part<ExportMenu>(window()).save(numbers());
     QCOMPARE(m_answers.told.size(), 4);
     for (const QString& told : m_answers.told) QVERIFY(told.contains(QStringLiteral("melted")));
     QVERIFY(QDir(m_folder->path()).entryList({QStringLiteral("h.csv"), QStringLiteral("out")}).isEmpty());
@@ -203,15 +208,15 @@ void TestExportMenu::failuresAreTold() {
     QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("folder/h.csv")));
     m_answers.exportTo = m_folder->filePath(place + QStringLiteral("/h.csv"));
     m_answers.picture = PictureChoice{};
-    window().exportMenu().saveHistories();
-    window().exportMenu().saveEvents();
-    window().exportMenu().savePicture();
-    window().exportMenu().saveData();
+    part<ExportMenu>(window()).saveHistories();
+    part<ExportMenu>(window()).saveEvents();
+    part<ExportMenu>(window()).save(picture());
+    part<ExportMenu>(window()).save(numbers());
     QCOMPARE(m_answers.told.size(), 4);
     for (const QString& told : m_answers.told)
         QVERIFY2(told.contains(QStringLiteral("h.csv")), qPrintable(told));
     m_answers.folder = path("file");
-    window().exportMenu().saveEverything();
+    part<ExportMenu>(window()).saveEverything();
     QCOMPARE(m_answers.told.size(), 5);
 }
 
@@ -219,10 +224,10 @@ void TestExportMenu::thePictureHasItsSizeAndIsWhiteInTheDark() {
     QPalette dark;
     dark.setColor(QPalette::Base, QColor(30, 30, 30));
     dark.setColor(QPalette::Text, Qt::white);
-    window().blowPage().plot()->setPalette(dark);
+    part<BlowPage>(window()).plot()->setPalette(dark);
     m_answers.exportTo = path("p.png");
     m_answers.picture = PictureChoice{QStringLiteral("png"), {120, 80}, 254};
-    window().exportMenu().savePicture();
+    part<ExportMenu>(window()).save(picture());
     QCOMPARE(m_answers.told, QStringList());
     const QImage image(path("p.png"));
     QVERIFY(std::abs(image.width() - 1200) <=
@@ -233,21 +238,21 @@ void TestExportMenu::thePictureHasItsSizeAndIsWhiteInTheDark() {
     for (const char* format : {"svg", "pdf"}) {
         m_answers.exportTo = m_folder->filePath(QStringLiteral("p.") + QLatin1String(format));
         m_answers.picture->format = QLatin1String(format);
-        window().exportMenu().savePicture();
+        part<ExportMenu>(window()).save(picture());
         QVERIFY(bytesOf(m_answers.exportTo).size() > 2000);
     }
 }
 
 void TestExportMenu::thePictureGoesToTheClipboard() {
     QGuiApplication::clipboard()->clear();
-    window().exportMenu().copyPicture();
+    part<ExportMenu>(window()).findChild<QAction*>(QStringLiteral("copyPicture"))->trigger();
     QVERIFY(QGuiApplication::clipboard()->mimeData()->hasImage());
     QCOMPARE(QGuiApplication::clipboard()->image().pixelColor(0, 0), QColor(Qt::white));
 }
 
 void TestExportMenu::theDataOfThePlotBeginWithTheScenario() {
     m_answers.exportTo = path("d.csv");
-    window().exportMenu().saveData();
+    part<ExportMenu>(window()).save(numbers());
     QCOMPARE(m_answers.told, QStringList());
     QVERIFY(loadResultScenario(path("d.csv").toStdString()).scenario == window().document().scenario());
     QVERIFY(bytesOf(path("d.csv")).count('\n') > 100);
@@ -255,12 +260,48 @@ void TestExportMenu::theDataOfThePlotBeginWithTheScenario() {
 
 void TestExportMenu::thePlotsOwnMenuExportsToo() {
     m_answers.exportTo = path("d.csv");
-    emit window().blowPage().plot()->saveDataRequested();
+    emit part<BlowPage>(window()).plot()->saveDataRequested();
     QVERIFY(QFile::exists(path("d.csv")));
     m_answers.exportTo = path("p.svg");
     m_answers.picture = PictureChoice{QStringLiteral("svg"), {120, 80}, 200};
-    emit window().blowPage().plot()->savePictureRequested();
+    emit part<BlowPage>(window()).plot()->savePictureRequested();
     QVERIFY(QFile::exists(path("p.svg")));
+}
+
+void TestExportMenu::theMenuOffersWhatThePageDoes() {
+    ExportMenu& menu = part<ExportMenu>(window());
+    const auto lines = [&menu] {
+        QStringList texts;
+        for (const QAction* action : menu.actions())
+            texts << (action->isSeparator() ? QStringLiteral("-") : QString(action->text()).remove(u'&'));
+        return texts;
+    };
+    const QStringList usual{QStringLiteral("Histories…"),
+                            QStringLiteral("Events…"),
+                            QStringLiteral("Data of this plot…"),
+                            QStringLiteral("-"),
+                            QStringLiteral("Picture of this plot…"),
+                            QStringLiteral("Copy picture"),
+                            QStringLiteral("-"),
+                            QStringLiteral("Everything into a folder…")};
+    QCOMPARE(lines(), usual);
+    auto* copy = menu.findChild<QAction*>(QStringLiteral("copyPicture"));
+    // A page of two tables and no plot.
+    PageExport table;
+    table.csv = [] { return QByteArray("a,b\n1,2\n"); };
+    table.title = QStringLiteral("Needs…");
+    PageExport other = table;
+    other.title = QStringLiteral("Gaps…");
+    menu.setExports({table, other});
+    QCOMPARE(lines().mid(2, 3),
+             (QStringList{QStringLiteral("Needs…"), QStringLiteral("Gaps…"), QStringLiteral("-")}));
+    QVERIFY(!copy->isEnabled());
+    m_answers.exportTo = path("t.csv");
+    menu.actions().at(3)->trigger();
+    QVERIFY(bytesOf(path("t.csv")).endsWith("a,b\n1,2\n"));
+    menu.setExports({numbers(), picture()});
+    QCOMPARE(lines(), usual);
+    QVERIFY(copy->isEnabled());
 }
 
 void TestExportMenu::theDialogRefusesPicturesThatAreTooLarge() {
@@ -287,7 +328,7 @@ void TestExportMenu::choicesOfPicturesAreRemembered() {
     QCOMPARE(rememberedPictureChoice(1.5).size.height, 120.0);
     m_answers.exportTo = path("p.svg");
     m_answers.picture = PictureChoice{QStringLiteral("svg"), {100, 70}, 150};
-    window().exportMenu().savePicture();
+    part<ExportMenu>(window()).save(picture());
     const PictureChoice again = rememberedPictureChoice(1.5);
     QCOMPARE(again.format, QStringLiteral("svg"));
     QCOMPARE(again.size.width, 100.0);

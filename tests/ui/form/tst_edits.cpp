@@ -16,8 +16,10 @@
 
 #include "core/file/examples.h"
 #include "tests/support/scripted_questions.h"
+#include "tests/support/window_parts.h"
 #include "ui/form/quantity_slider.h"
 #include "ui/form/scenario_panel.h"
+#include "ui/job/solve_job.h"
 #include "ui/text/settings.h"
 #include "ui/window/file_menu.h"
 #include "ui/window/main_window.h"
@@ -110,13 +112,13 @@ void TestEdits::makeWindow() {
 
 QList<QuantityField*> TestEdits::fields() const {
     QList<QuantityField*> shown;
-    for (QuantityField* each : m_window->scenarioPanel().findChildren<QuantityField*>())
+    for (QuantityField* each : part<ScenarioPanel>(*m_window).findChildren<QuantityField*>())
         if (each->isVisible()) shown.append(each);
     return shown;
 }
 
 QuantityField& TestEdits::field(const char* key) const {
-    return *m_window->scenarioPanel().findChild<QuantityField*>(QLatin1String(key));
+    return *part<ScenarioPanel>(*m_window).findChild<QuantityField*>(QLatin1String(key));
 }
 
 void TestEdits::typeSomething(QRandomGenerator& random) {
@@ -130,7 +132,7 @@ void TestEdits::typeSomething(QRandomGenerator& random) {
 
 void TestEdits::dragSomething(QRandomGenerator& random) {
     QList<QuantitySlider*> sliders;
-    for (QuantitySlider* each : m_window->scenarioPanel().findChildren<QuantitySlider*>())
+    for (QuantitySlider* each : part<ScenarioPanel>(*m_window).findChildren<QuantitySlider*>())
         if (each->isVisible()) sliders.append(each);
     QuantitySlider& slider = *sliders[random.bounded(int(sliders.size()))];
     slider.setSliderDown(true);
@@ -139,7 +141,7 @@ void TestEdits::dragSomething(QRandomGenerator& random) {
 }
 
 void TestEdits::chooseSomeShape(QRandomGenerator& random) {
-    auto* shape = m_window->scenarioPanel().findChild<QComboBox*>(QStringLiteral("pulse.shape"));
+    auto* shape = part<ScenarioPanel>(*m_window).findChild<QComboBox*>(QStringLiteral("pulse.shape"));
     shape->setCurrentIndex(random.bounded(shape->count()));
     emit shape->activated(shape->currentIndex());
 }
@@ -189,7 +191,7 @@ void TestEdits::fiveHundredEditsUndoneGiveTheSameBytes() {
     QVERIFY(!m_window->isWindowModified());
     while (document.undoStack().canRedo()) document.undoStack().redo();
     QCOMPARE(document.text(), after);
-    QTRY_VERIFY_WITH_TIMEOUT(!m_window->job().isBusy(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(*m_window).isBusy(), 30000);
     QCOMPARE(m_window->shown()->request.scenario, document.scenario());
 }
 
@@ -219,12 +221,12 @@ void TestEdits::unitsSwitchedAHundredTimesLeaveEveryValueAsItIs() {
 void TestEdits::theWheelOverAFieldWithoutFocusScrollsThePanel() {
     m_window->resize(1000, 500);
     QCoreApplication::processEvents();
-    QScrollBar* bar = m_window->scenarioPanel().verticalScrollBar();
+    QScrollBar* bar = part<ScenarioPanel>(*m_window).verticalScrollBar();
     QVERIFY(bar->maximum() > 0);
     field("beta").setFocus();
     const Scenario before = m_window->document().scenario();
-    auto* shape = m_window->scenarioPanel().findChild<QWidget*>(QStringLiteral("pulse.shape"));
-    auto* slider = m_window->scenarioPanel().findChild<QWidget*>(QStringLiteral("rod.length.slider"));
+    auto* shape = part<ScenarioPanel>(*m_window).findChild<QWidget*>(QStringLiteral("pulse.shape"));
+    auto* slider = part<ScenarioPanel>(*m_window).findChild<QWidget*>(QStringLiteral("rod.length.slider"));
     for (QWidget* passed : {static_cast<QWidget*>(&field("rod.length")), slider, shape}) {
         bar->setValue(0);
         turnWheel(*passed);
@@ -238,10 +240,10 @@ void TestEdits::theWheelOverAFocusedFieldChangesItsValue() {
     QCoreApplication::processEvents();
     field("beta").setFocus();
     const double before = *field("beta").value();
-    const int scrolled = m_window->scenarioPanel().verticalScrollBar()->value();
+    const int scrolled = part<ScenarioPanel>(*m_window).verticalScrollBar()->value();
     turnWheel(field("beta"));
     QVERIFY(*field("beta").value() < before);
-    QCOMPARE(m_window->scenarioPanel().verticalScrollBar()->value(), scrolled);
+    QCOMPARE(part<ScenarioPanel>(*m_window).verticalScrollBar()->value(), scrolled);
 }
 
 void TestEdits::aDecimalMarkMeansWhatTheUserMeant_data() {
@@ -281,7 +283,7 @@ void TestEdits::aDecimalMarkMeansWhatTheUserMeant() {
     QTest::keyClick(&field("rod.length"), Qt::Key_Return);
     QCOMPARE(m_window->document().scenario().rod.length, 3.2);
     m_answers.save = m_folder.filePath(QStringLiteral("typed.yaml"));
-    QVERIFY(m_window->fileMenu().saveAs());
+    QVERIFY(part<FileMenu>(*m_window).saveAs());
     QCOMPARE(bytesOf(m_answers.save), wanted);
 }
 

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plot/plot_menu.h"
 #include "ui/plot/plot_widget.h"
 
 using namespace drillwave;
@@ -116,7 +117,7 @@ struct Scene {
         QTest::mouseClick(&plot, Qt::LeftButton, {}, legends[legend]->item(entry)->rect().center());
     }
     QAction* action(const QString& text) {
-        menu.reset(plot.makeMenu(upper->center()));
+        menu = std::make_unique<PlotMenu>(plot, upper->center());
         for (QAction* action : menu->findChildren<QAction*>())
             if (action->text().remove(QLatin1Char('&')).startsWith(text)) return action;
         return nullptr;
@@ -178,14 +179,14 @@ void TestPlotWidget::init() {
 }
 
 void TestPlotWidget::aBurstOfTheWheelIsOneStepBack() {
-    QVERIFY(!m->plot.canZoomBack());
+    QVERIFY(!m->plot.view().canGoBack());
     for (int i = 0; i < 5; ++i) m->wheel(m->upper->center(), 1);
     QVERIFY(m->x(m->upper)->range().size() < 5);
     QCOMPARE(m->x(m->lower)->range(), m->x(m->upper)->range());
-    m->plot.zoomBack();
+    m->plot.view().goBack();
     QCOMPARE(m->x(m->upper)->range(), QCPRange(0, 10));
     QCOMPARE(m->y(m->upper)->range(), QCPRange(-10, 110));
-    QVERIFY(!m->plot.canZoomBack());
+    QVERIFY(!m->plot.view().canGoBack());
 }
 
 void TestPlotWidget::draggingPansAndTheBackButtonGoesBack() {
@@ -255,11 +256,11 @@ void TestPlotWidget::noWheelEverBreaksTheRange() {
 // Milliseconds ago: the numbers of that view mean something else now.
 void TestPlotWidget::viewsInOtherUnitsAreForgotten() {
     m->wheel(m->upper->center(), 1);
-    QVERIFY(m->plot.canZoomBack());
+    QVERIFY(m->plot.view().canGoBack());
     m->x(m->lower)->setLabel(QStringLiteral("time t / t₀"));
-    QVERIFY(!m->plot.canZoomBack());
+    QVERIFY(!m->plot.view().canGoBack());
     const QCPRange range = m->x(m->upper)->range();
-    m->plot.zoomBack();
+    m->plot.view().goBack();
     QCOMPARE(m->x(m->upper)->range(), range);
 }
 
@@ -295,7 +296,7 @@ void TestPlotWidget::logarithmicAxesNeedPositiveValues() {
     m->plot.replot();
     m->wheel(m->upper->center(), 3);
     QVERIFY(m->y(m->upper)->range().lower > 0);
-    m->menu.reset(m->plot.makeMenu(m->lower->center()));
+    m->menu = std::make_unique<PlotMenu>(m->plot, m->lower->center());
     for (const QAction* action : m->menu->actions()) {
         if (!action->text().contains(QStringLiteral("vertical"))) continue;
         QVERIFY(!action->isEnabled());
@@ -311,19 +312,19 @@ void TestPlotWidget::stackedTimeAxesTurnLogarithmicTogether() {
     QCOMPARE(m->x(m->upper)->scaleType(), QCPAxis::stLogarithmic);
     QCOMPARE(m->x(m->lower)->scaleType(), QCPAxis::stLogarithmic);
     QCOMPARE(m->x(m->lower)->range(), m->x(m->upper)->range());
-    m->plot.zoomBack();
+    m->plot.view().goBack();
     QCOMPARE(m->x(m->lower)->scaleType(), QCPAxis::stLinear);
     QCOMPARE(m->x(m->upper)->range(), QCPRange(0, 10));
 }
 
 void TestPlotWidget::cursorsArePlacedByKeysAndReadTheFirstCurve() {
-    QVERIFY(!m->plot.cursorReading());
+    QVERIFY(!m->plot.reader().reading());
     QTest::keyClick(&m->plot, Qt::Key_A);
-    QVERIFY(near(*m->plot.cursorPosition(PlotCursor::a), 5, 0.02));
-    m->plot.placeCursor(PlotCursor::a, 2);
+    QVERIFY(near(*m->plot.reader().position(PlotCursor::a), 5, 0.02));
+    m->plot.reader().place(PlotCursor::a, 2);
     QTest::keyClick(&m->plot, Qt::Key_B);
-    m->plot.placeCursor(PlotCursor::b, 8);
-    const CursorReading reading = *m->plot.cursorReading();
+    m->plot.reader().place(PlotCursor::b, 8);
+    const CursorReading reading = *m->plot.reader().reading();
     QCOMPARE(reading.yA, 4.0);
     QCOMPARE(reading.yB, 64.0);
     QCOMPARE(reading.slope, 10.0);
@@ -331,43 +332,43 @@ void TestPlotWidget::cursorsArePlacedByKeysAndReadTheFirstCurve() {
     QVERIFY(near(reading.integral, (512 - 8) / 3.0 + 6 * 0.01 / 6, 1e-9));
     QVERIFY(near(reading.mean, reading.integral / 6, 1e-12));
     QTest::keyClick(&m->plot, Qt::Key_Right, Qt::ControlModifier);
-    QVERIFY(*m->plot.cursorPosition(PlotCursor::b) > 8);
+    QVERIFY(*m->plot.reader().position(PlotCursor::b) > 8);
 }
 
 void TestPlotWidget::cursorsAreDraggedWithoutDrawingTheCurvesAgain() {
-    m->plot.placeCursor(PlotCursor::a, 2);
-    m->plot.placeCursor(PlotCursor::b, 8);
+    m->plot.reader().place(PlotCursor::a, 2);
+    m->plot.reader().place(PlotCursor::b, 8);
     m->hover(m->at(5, 25));  // the first mark of all is made then
     // With numbers as long as they get, so that the strip has grown already.
-    m->plot.placeCursor(PlotCursor::a, 2.34567);
-    m->plot.placeCursor(PlotCursor::b, 7.98765);
+    m->plot.reader().place(PlotCursor::a, 2.34567);
+    m->plot.reader().place(PlotCursor::b, 7.98765);
     QTest::qWait(20);
     QSignalSpy replots(&m->plot, &QCustomPlot::afterReplot);
-    QSignalSpy read(&m->plot, &PlotWidget::cursorsRead);
+    QSignalSpy read(&m->plot.reader(), &CurveReader::changed);
     // Grabbed in the lower plot, three pixels beside the line.
     m->drag(Qt::LeftButton, {}, m->at(7.98765, 3, true) + QPoint(3, 0), m->at(6, 3, true));
     m->hover(m->at(3, 9));
     QVERIFY(!m->plot.hoverText().isEmpty());
     QCoreApplication::processEvents();
-    QVERIFY(near(*m->plot.cursorPosition(PlotCursor::b), 6, 0.02));
+    QVERIFY(near(*m->plot.reader().position(PlotCursor::b), 6, 0.02));
     QCOMPARE(m->x(m->upper)->range(), QCPRange(0, 10));
     QCOMPARE(replots.count(), 0);
     QVERIFY(read.count() >= 1);
 }
 
 void TestPlotWidget::aClickOnACurveHasItRead() {
-    m->plot.placeCursor(PlotCursor::a, 1);
-    m->plot.placeCursor(PlotCursor::b, 5);
+    m->plot.reader().place(PlotCursor::a, 1);
+    m->plot.reader().place(PlotCursor::b, 5);
     m->plot.replot();
-    QCOMPARE(m->plot.readGraph(), m->parabola);
+    QCOMPARE(m->plot.reader().graph(), m->parabola);
     QTest::mouseClick(&m->plot, Qt::LeftButton, {}, m->at(7, 3, true));
-    QCOMPARE(m->plot.readGraph(), m->step);
-    QCOMPARE(m->plot.cursorReading()->integral, 3.0 + 3.0);
+    QCOMPARE(m->plot.reader().graph(), m->step);
+    QCOMPARE(m->plot.reader().reading()->integral, 3.0 + 3.0);
     auto* choice = m->plot.findChild<QComboBox*>(QStringLiteral("readCurve"));
     QCOMPARE(choice->currentText(), QStringLiteral("step"));
     m->plot.setCurveVisible(m->step, false);
     m->plot.replot();
-    QCOMPARE(m->plot.readGraph(), m->parabola);
+    QCOMPARE(m->plot.reader().graph(), m->parabola);
     QCOMPARE(choice->count(), 2);
 }
 
@@ -376,48 +377,49 @@ void TestPlotWidget::exactIntegralsComeFromTheMeaning() {
     meaning.integral = [](double a, double b) { return (b * b * b - a * a * a) / 3; };
     meaning.integralFactor = 1e-3;
     m->plot.setMeaning(m->parabola, meaning);
-    m->plot.placeCursor(PlotCursor::a, 0);
-    m->plot.placeCursor(PlotCursor::b, 9);
-    QCOMPARE(m->plot.cursorReading()->integral, 0.243);
+    m->plot.reader().place(PlotCursor::a, 0);
+    m->plot.reader().place(PlotCursor::b, 9);
+    QCOMPARE(m->plot.reader().reading()->integral, 0.243);
 }
 
 void TestPlotWidget::theStripSaysWhatItReads() {
-    m->plot.setReadGraph(m->step);
-    m->plot.placeCursor(PlotCursor::a, 1);
-    m->plot.placeCursor(PlotCursor::b, 5.5);
-    const QString text = m->plot.cursorText().replace(QChar(QChar::Nbsp), QLatin1Char(' '));
+    m->plot.reader().setGraph(m->step);
+    m->plot.reader().place(PlotCursor::a, 1);
+    m->plot.reader().place(PlotCursor::b, 5.5);
+    const QString text = m->plot.reader().text().replace(QChar(QChar::Nbsp), QLatin1Char(' '));
     QCOMPARE(text, QStringLiteral("A: 1 ms · y(A) 1 kN · B: 5.5 ms · y(B) 3 kN · Δx 4.5 ms · Δy 2 kN · "
                                   "slope 0.444444 kN/ms · mean 1.66667 kN · integral 7.5 N s"));
     auto* label = m->plot.findChild<QLabel*>(QStringLiteral("cursorReadout"));
-    QVERIFY(label->accessibleName().contains(m->plot.cursorText()));
+    QVERIFY(label->accessibleName().contains(m->plot.reader().text()));
     QVERIFY(label->isVisible());
     // The strip covers nothing of the plot.
     QVERIFY(m->plot.viewport().bottom() < label->mapTo(&m->plot, QPoint()).y());
 }
 
 void TestPlotWidget::newDataAreReadAtTheSameCursors() {
-    m->plot.placeCursor(PlotCursor::a, 0);
-    m->plot.placeCursor(PlotCursor::b, 10);
+    m->plot.reader().place(PlotCursor::a, 0);
+    m->plot.reader().place(PlotCursor::b, 10);
     m->parabola->setData({0, 10}, {5, 5}, true);
     m->plot.replot();
-    QVERIFY(m->plot.cursorText().contains(QStringLiteral("mean") + QChar(QChar::Nbsp) + QStringLiteral("5")));
+    QVERIFY(
+        m->plot.reader().text().contains(QStringLiteral("mean") + QChar(QChar::Nbsp) + QStringLiteral("5")));
 }
 
 void TestPlotWidget::cursorsGoAwayWithTheirStrip() {
     const QRect whole = m->plot.viewport();
-    m->plot.placeCursor(PlotCursor::a, 1);
+    m->plot.reader().place(PlotCursor::a, 1);
     QVERIFY(m->plot.viewport().height() < whole.height());
     m->action(QStringLiteral("Remove cursors"))->trigger();
-    QVERIFY(!m->plot.cursorPosition(PlotCursor::a));
+    QVERIFY(!m->plot.reader().position(PlotCursor::a));
     QCOMPARE(m->plot.viewport(), whole);
-    QCOMPARE(m->plot.cursorText(), QString());
+    QCOMPARE(m->plot.reader().text(), QString());
 }
 
 void TestPlotWidget::theTimeCursorIsDraggedAndTold() {
     QVERIFY(!m->action(QStringLiteral("Time cursor")));
     QSignalSpy told(&m->plot, &PlotWidget::timeCursorDragged);
     QVERIFY(m->action(QStringLiteral("Time cursor")));
-    m->plot.setTimeCursor(4);
+    m->plot.reader().place(PlotCursor::time, 4);
     QCOMPARE(told.count(), 0);
     m->drag(Qt::LeftButton, {}, m->at(4, 80), m->at(7, 80));
     QVERIFY(told.count() >= 1);
@@ -499,7 +501,7 @@ void TestPlotWidget::drawingsShowThePresentView() {
     QVERIFY(hidden != whole);
     QVERIFY(whole.contains(">step<"));
     QVERIFY(!hidden.contains(">step<"));
-    m->plot.placeCursor(PlotCursor::a, 4);
+    m->plot.reader().place(PlotCursor::a, 4);
     QVERIFY(m->plot.drawing(QStringLiteral("svg"), {120, 90}) != hidden);
 }
 

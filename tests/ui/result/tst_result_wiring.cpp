@@ -7,7 +7,9 @@
 #include <QTest>
 
 #include "core/model/alerts.h"
+#include "tests/support/window_parts.h"
 #include "ui/form/scenario_panel.h"
+#include "ui/job/observation.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
@@ -30,28 +32,28 @@ class TestResultWiring : public QObject {
         window.show();
         window.activateWindow();
         const Alert alert{AlertLevel::warning, "outside_plausible_range", "bit_rock.gap", "Too far."};
-        window.resultPanel().alerts()->present({}, {alert});
+        part<ResultPanel>(window).alerts()->present({}, {alert});
         QLabel* label = nullptr;
-        for (QLabel* each : window.resultPanel().alerts()->findChildren<QLabel*>())
+        for (QLabel* each : part<ResultPanel>(window).alerts()->findChildren<QLabel*>())
             if (each->text().contains("href=\"bit_rock.gap\"")) label = each;
         QVERIFY(label);
-        for (SectionBox* box : window.scenarioPanel().findChildren<SectionBox*>()) box->setOpen(false);
-        QSignalSpy chosen(&window.resultPanel(), &ResultPanel::parameterChosen);
+        for (SectionBox* box : part<ScenarioPanel>(window).findChildren<SectionBox*>()) box->setOpen(false);
+        QSignalSpy chosen(&part<ResultPanel>(window), &ResultPanel::parameterChosen);
         emit label->linkActivated(QStringLiteral("bit_rock.gap"));
         QCOMPARE(chosen.count(), 1);
-        QWidget* field = window.scenarioPanel().findChild<QWidget*>(QStringLiteral("bit_rock.gap"));
+        QWidget* field = part<ScenarioPanel>(window).findChild<QWidget*>(QStringLiteral("bit_rock.gap"));
         QVERIFY(field->isVisibleTo(&window));
         QCOMPARE(window.focusWidget() == field || field->isAncestorOf(window.focusWidget()), true);
     }
 
     void theTimeCursorOfTheWindowMarksTheEvent() {
         MainWindow window;
-        QTableView& events = *window.resultPanel().findChild<QTableView*>();
+        QTableView& events = *part<ResultPanel>(window).findChild<QTableView*>();
         const double time = window.shown()->impact.events.at(1).time;
-        window.observation().setTime(time);
+        part<Observation>(window).setTime(time);
         QCOMPARE(events.currentIndex().row(), 1);
         events.setCurrentIndex(events.model()->index(0, 0));
-        QCOMPARE(*window.observation().time(), window.shown()->impact.events.at(0).time);
+        QCOMPARE(*part<Observation>(window).time(), window.shown()->impact.events.at(0).time);
     }
 
   private:

@@ -15,9 +15,12 @@
 #include "core/file/result_scenario.h"
 #include "tests/support/scripted_questions.h"
 #include "tests/support/themes.h"
+#include "tests/support/window_parts.h"
 #include "ui/export/export_menu.h"
+#include "ui/job/solve_job.h"
 #include "ui/job/solve_status.h"
 #include "ui/pages/blow/blow_page.h"
+#include "ui/plot/plot_menu.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/result/result_panel.h"
 #include "ui/result/stale_veil.h"
@@ -63,7 +66,7 @@ class TestStaleResult : public QObject {
             });
         m_window->show();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-        QTRY_VERIFY(status().isCurrent() && !m_window->job().isBusy());
+        QTRY_VERIFY(status().isCurrent() && !part<SolveJob>(*m_window).isBusy());
         status().setPatience(0ms);
     }
 
@@ -103,7 +106,7 @@ class TestStaleResult : public QObject {
         QFETCH(bool, dark);
         QApplication::setPalette(dark ? darkPalette() : lightPalette());
         QTRY_VERIFY(status().isCurrent());
-        for (QWidget* each : {static_cast<QWidget*>(&panel()), m_window->blowPage().parentWidget()}) {
+        for (QWidget* each : {static_cast<QWidget*>(&panel()), part<BlowPage>(*m_window).parentWidget()}) {
             const int clear = spread(each->grab().toImage());
             m_gate->open = false;
             edit(each == &panel() ? 4 : 5);
@@ -131,9 +134,9 @@ class TestStaleResult : public QObject {
         edit(4);
         edit(5);
         QTRY_VERIFY(status().isMarked());
-        QSignalSpy solved(&m_window->job(), &SolveJob::solved);
+        QSignalSpy solved(&part<SolveJob>(*m_window), &SolveJob::solved);
         m_gate->passes.release();
-        QTRY_VERIFY(solved.size() == 1 || !m_window->job().isBusy());
+        QTRY_VERIFY(solved.size() == 1 || !part<SolveJob>(*m_window).isBusy());
         QVERIFY(status().isMarked() && !status().isCurrent());
         m_gate->open = true;
         QTRY_VERIFY(status().isCurrent());
@@ -145,7 +148,7 @@ class TestStaleResult : public QObject {
         edit(4);
         QTRY_VERIFY(status().isMarked());
         QTest::mouseClick(status().button(), Qt::LeftButton);
-        QTRY_VERIFY(!m_window->job().isBusy());
+        QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy());
         QVERIFY(status().isMarked() && !status().isCurrent());
         QVERIFY(status().text().startsWith(QStringLiteral("stopped")));
         QCOMPARE(status().button()->text(), QStringLiteral("Solve"));
@@ -160,7 +163,7 @@ class TestStaleResult : public QObject {
         m_gate->open = false;
         edit(4);
         m_answers.exportTo = m_folder.filePath(QStringLiteral("late.csv"));
-        m_window->exportMenu().saveHistories();  // and returns, whatever the solver does
+        part<ExportMenu>(*m_window).saveHistories();  // and returns, whatever the solver does
         QVERIFY(!QFile::exists(m_answers.exportTo));
         QVERIFY2(status().text().contains(QStringLiteral("late.csv waits")), qPrintable(status().text()));
         QVERIFY(status().button()->isVisible());
@@ -182,12 +185,12 @@ class TestStaleResult : public QObject {
         m_answers.folder = m_folder.filePath(QStringLiteral("folder"));
         m_answers.picture = PictureChoice{QStringLiteral("png"), {120, 80}, 100};
         edit(4);
-        ExportMenu& menu = m_window->exportMenu();
-        void (ExportMenu::*const exports[])() = {&ExportMenu::saveHistories, &ExportMenu::saveEvents,
-                                                 &ExportMenu::saveData,      &ExportMenu::savePicture,
-                                                 &ExportMenu::copyPicture,   &ExportMenu::saveEverything};
+        ExportMenu& menu = part<ExportMenu>(*m_window);
+        QList<QAction*> exports = menu.actions();
+        exports.removeIf([](const QAction* action) { return action->isSeparator(); });
+        QCOMPARE(exports.size(), 6);
         QSignalSpy exported(&menu, &ExportMenu::exported);
-        (menu.*exports[which])();
+        exports.at(which)->trigger();
         QVERIFY(status().isWaiting());
         QCOMPARE(exported.size(), 0);
         m_gate->open = true;
@@ -199,7 +202,7 @@ class TestStaleResult : public QObject {
         m_gate->open = false;
         edit(4);
         m_answers.exportTo = m_folder.filePath(QStringLiteral("never.csv"));
-        m_window->exportMenu().saveHistories();
+        part<ExportMenu>(*m_window).saveHistories();
         QTest::mouseClick(status().button(), Qt::LeftButton);
         QVERIFY(
             m_window->statusBar()->currentMessage().contains(QStringLiteral("never.csv was not written")));
@@ -213,7 +216,7 @@ class TestStaleResult : public QObject {
         m_gate->open = false;
         edit(4);
         m_answers.exportTo = m_folder.filePath(QStringLiteral("changed.csv"));
-        m_window->exportMenu().saveHistories();
+        part<ExportMenu>(*m_window).saveHistories();
         edit(5);
         QVERIFY(!status().isWaiting());
         m_gate->open = true;
@@ -226,17 +229,17 @@ class TestStaleResult : public QObject {
         edit(4);
         QTRY_VERIFY(status().isMarked());
         QTest::mouseClick(status().button(), Qt::LeftButton);
-        QTRY_VERIFY(!m_window->job().isBusy());
+        QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy());
         m_gate->open = true;
         m_answers.exportTo = m_folder.filePath(QStringLiteral("again.csv"));
-        m_window->exportMenu().saveHistories();
+        part<ExportMenu>(*m_window).saveHistories();
         QTRY_VERIFY(QFile::exists(m_answers.exportTo));
         QCOMPARE(loadResultScenario(m_answers.exportTo.toStdString()).scenario.rod.length, 4.0);
     }
 
     void theMenuOfAPlotCopiesNoOldCurves() {
         const auto copyEnabled = [this] {
-            const std::unique_ptr<QMenu> menu(m_window->blowPage().plot()->makeMenu({100, 100}));
+            const std::unique_ptr<QMenu> menu(new PlotMenu(*part<BlowPage>(*m_window).plot(), {100, 100}));
             int enabled = 0;
             for (const QAction* action : menu->actions())
                 enabled += action->text().startsWith(QStringLiteral("Copy")) && action->isEnabled();
@@ -252,8 +255,8 @@ class TestStaleResult : public QObject {
     }
 
   private:
-    SolveStatus& status() { return m_window->solveStatus(); }
-    ResultPanel& panel() { return m_window->resultPanel(); }
+    SolveStatus& status() { return part<SolveStatus>(*m_window); }
+    ResultPanel& panel() { return part<ResultPanel>(*m_window); }
     void edit(double metres) {
         m_window->document().assign(*findParameter("rod.length"), metres, ++m_gesture);
     }

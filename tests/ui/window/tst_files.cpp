@@ -13,10 +13,12 @@
 
 #include "core/file/examples.h"
 #include "tests/support/scripted_questions.h"
+#include "tests/support/window_parts.h"
 #include "ui/text/settings.h"
 #include "ui/window/example_note.h"
 #include "ui/window/file_menu.h"
 #include "ui/window/main_window.h"
+#include "ui/window/units_choice.h"
 
 using namespace drillwave;
 
@@ -113,7 +115,7 @@ QString TestFiles::put(const char* name, const QByteArray& bytes) const {
 }
 
 QMenu* TestFiles::menu(const QString& title) const {
-    for (QMenu* menu : m_window->fileMenu().findChildren<QMenu*>())
+    for (QMenu* menu : part<FileMenu>(*m_window).findChildren<QMenu*>())
         if (menu->title().remove(QLatin1Char('&')) == title) return menu;
     return nullptr;
 }
@@ -126,7 +128,7 @@ QStringList TestFiles::recentFiles() const {
 }
 
 void TestFiles::openingAsksForTheFileFirstAndThenAboutTheChanges() {
-    QAction* open = actionOf(window().fileMenu(), QStringLiteral("Open…"));
+    QAction* open = actionOf(part<FileMenu>(window()), QStringLiteral("Open…"));
     edit(5);
     open->trigger();  // no file was chosen, so there is nothing to ask
     QCOMPARE(m_answers.unsavedAsked, 0);
@@ -149,9 +151,9 @@ void TestFiles::everyWayToAnotherScenarioAsksAboutChanges() {
     m_answers.open = other;
     int asked = 0;
     const auto refused = [&] { return m_answers.unsavedAsked == ++asked && length() == 5; };
-    actionOf(window().fileMenu(), QStringLiteral("New"))->trigger();
+    actionOf(part<FileMenu>(window()), QStringLiteral("New"))->trigger();
     QVERIFY(refused());
-    actionOf(window().fileMenu(), QStringLiteral("Open…"))->trigger();
+    actionOf(part<FileMenu>(window()), QStringLiteral("Open…"))->trigger();
     QVERIFY(refused());
     menu(QStringLiteral("Examples"))->actions().first()->trigger();
     QVERIFY(refused());
@@ -193,7 +195,7 @@ void TestFiles::aDroppedResultIsOpenedWithoutAPath() {
     QCOMPARE(window().document().path(), QString());
     m_answers.save = path("events.yaml");
     edit(8);
-    QVERIFY(window().fileMenu().save());
+    QVERIFY(part<FileMenu>(window()).save());
     QFile after(file);
     QVERIFY(after.open(QIODevice::ReadOnly));
     QCOMPARE(after.readAll(), result);
@@ -231,46 +233,48 @@ void TestFiles::everyExampleExplainsItself() {
     QCOMPARE(menu(QStringLiteral("Examples"))->actions().size(), qsizetype(builtInExamples().size()));
     for (size_t i = 0; i < builtInExamples().size(); ++i) {
         menu(QStringLiteral("Examples"))->actions()[qsizetype(i)]->trigger();
-        QVERIFY(window().exampleNote().isVisible());
-        QCOMPARE(window().exampleNote().text(), QString::fromStdString(builtInExamples()[i].explanation));
-        QVERIFY(window().exampleNote().findChild<QLabel*>(QStringLiteral("text"))->textInteractionFlags() &
-                Qt::TextSelectableByMouse);
+        QVERIFY(part<ExampleNote>(window()).isVisible());
+        QCOMPARE(part<ExampleNote>(window()).text(),
+                 QString::fromStdString(builtInExamples()[i].explanation));
+        QVERIFY(
+            part<ExampleNote>(window()).findChild<QLabel*>(QStringLiteral("text"))->textInteractionFlags() &
+            Qt::TextSelectableByMouse);
     }
     QVERIFY(window().openFile(put("other.yaml", exampleBytes())));
-    QVERIFY(!window().exampleNote().isVisible());
-    QVERIFY(!window().exampleNote().action()->isEnabled());
+    QVERIFY(!part<ExampleNote>(window()).isVisible());
+    QVERIFY(!part<ExampleNote>(window()).action()->isEnabled());
 }
 
 void TestFiles::theExplanationCanBeDismissedAndComesBackByTheMenu() {
     menu(QStringLiteral("Examples"))->actions().first()->trigger();
-    window().exampleNote().findChild<QToolButton*>(QStringLiteral("dismiss"))->click();
-    QVERIFY(!window().exampleNote().isVisible());
-    window().exampleNote().action()->trigger();
-    QVERIFY(window().exampleNote().isVisible());
-    window().exampleNote().action()->trigger();
-    QVERIFY(!window().exampleNote().isVisible());
+    part<ExampleNote>(window()).findChild<QToolButton*>(QStringLiteral("dismiss"))->click();
+    QVERIFY(!part<ExampleNote>(window()).isVisible());
+    part<ExampleNote>(window()).action()->trigger();
+    QVERIFY(part<ExampleNote>(window()).isVisible());
+    part<ExampleNote>(window()).action()->trigger();
+    QVERIFY(!part<ExampleNote>(window()).isVisible());
 }
 
 void TestFiles::theFirstExplanationStaysAwayOnceDismissed() {
-    QVERIFY(window().exampleNote().isVisible());
-    window().exampleNote().findChild<QToolButton*>(QStringLiteral("dismiss"))->click();
+    QVERIFY(part<ExampleNote>(window()).isVisible());
+    part<ExampleNote>(window()).findChild<QToolButton*>(QStringLiteral("dismiss"))->click();
     makeWindow();
-    QVERIFY(!window().exampleNote().isVisible());
-    QVERIFY(window().exampleNote().action()->isEnabled());
+    QVERIFY(!part<ExampleNote>(window()).isVisible());
+    QVERIFY(part<ExampleNote>(window()).action()->isEnabled());
     menu(QStringLiteral("Examples"))->actions().first()->trigger();
-    QVERIFY(window().exampleNote().isVisible());
+    QVERIFY(part<ExampleNote>(window()).isVisible());
 }
 
 void TestFiles::savingAsAddsTheSuffix() {
     m_answers.save = path("T38.v2");
-    QVERIFY(window().fileMenu().saveAs());
+    QVERIFY(part<FileMenu>(window()).saveAs());
     QCOMPARE(window().document().path(), path("T38.v2.yaml"));
     QCOMPARE(m_answers.confirmed, QStringList());
     // The dialog has asked about another name.
-    QVERIFY(!window().fileMenu().saveAs());
+    QVERIFY(!part<FileMenu>(window()).saveAs());
     QCOMPARE(m_answers.confirmed.size(), 1);
     m_answers.save = path("plain.YML");
-    QVERIFY(window().fileMenu().saveAs());
+    QVERIFY(part<FileMenu>(window()).saveAs());
     QCOMPARE(window().document().path(), path("plain.YML"));
 }
 
@@ -297,7 +301,7 @@ void TestFiles::pageUnitsAndPlaceAreRemembered() {
     auto* pages = window().findChild<QTabWidget*>();
     const int last = pages->count() - 1;
     pages->setCurrentIndex(last);
-    window().setUnits(UnitSystem::dimensionless);
+    part<UnitsChoice>(window()).choose(UnitSystem::dimensionless);
     window().resize(1100, 700);
     const int height = window().height();
     QVERIFY(window().close());
@@ -317,7 +321,7 @@ void TestFiles::aWindowOffTheScreenComesBack() {
 
 void TestFiles::aResetForgetsChoicesButNotFiles() {
     QVERIFY(window().openFile(put("a.yaml", exampleBytes())));
-    window().setUnits(UnitSystem::dimensionless);
+    part<UnitsChoice>(window()).choose(UnitSystem::dimensionless);
     QVERIFY(window().close());
     const QStringList presets{QStringLiteral("mine.yaml")};
     Settings().setValue(presetFilesKey, presets);

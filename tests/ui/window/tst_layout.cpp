@@ -9,7 +9,9 @@
 #include "core/file/examples.h"
 #include "tests/support/scripted_questions.h"
 #include "tests/support/themes.h"
+#include "tests/support/window_parts.h"
 #include "tests/ui/window/layout_check.h"
+#include "ui/job/solve_job.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
 
@@ -85,7 +87,7 @@ void TestLayout::everythingCanBeReadAndReached() {
         problems.append(QStringLiteral("wants %1 × %2").arg(window.width()).arg(window.height()));
     for (int page = 0; page < pages->count(); ++page) {
         pages->setCurrentIndex(page);
-        QTRY_VERIFY(!window.job().isBusy());
+        QTRY_VERIFY(!part<SolveJob>(window).isBusy());
         QCoreApplication::processEvents();
         const QStringList found =
             clippedTexts(window) + overlaps(window) + namelessControls(window) + faintTexts(window);

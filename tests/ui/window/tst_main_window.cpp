@@ -18,9 +18,12 @@
 #include "core/file/preset_file.h"
 #include "core/model/scales.h"
 #include "tests/support/scripted_questions.h"
+#include "tests/support/window_parts.h"
 #include "ui/export/export_menu.h"
 #include "ui/form/scenario_panel.h"
+#include "ui/job/solve_job.h"
 #include "ui/pages/blow/blow_page.h"
+#include "ui/pages/blow/blow_plots.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
@@ -91,11 +94,11 @@ class TestMainWindow : public QObject {
   private:
     MainWindow& window() { return *m_window; }
     QuantityField& field(const char* key) {
-        return *m_window->scenarioPanel().findChild<QuantityField*>(QLatin1String(key));
+        return *part<ScenarioPanel>(*m_window).findChild<QuantityField*>(QLatin1String(key));
     }
     double cor() const { return m_window->shown()->summary.cor; }
     void makeWindow(SolveJob::Solve solve);
-    void settle() { QTRY_VERIFY(!m_window->job().isBusy()); }
+    void settle() { QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy()); }
 
     QTemporaryDir m_folder;
     ScriptedAnswers m_answers;
@@ -130,11 +133,11 @@ void TestMainWindow::opensWithASolvedBlow() {
     // Solved before it is shown: no empty frame.
     QCOMPARE(fresh.shown()->problem, QString());
     QVERIFY(fresh.shown()->summary.cor > 0);
-    QVERIFY(!fresh.blowPage().plot()->graph(0)->data()->isEmpty());
-    QCOMPARE(fresh.blowPage().plot()->axisRectCount(), 4);
+    QVERIFY(!part<BlowPage>(fresh).plot()->graph(0)->data()->isEmpty());
+    QCOMPARE(part<BlowPage>(fresh).plot()->axisRectCount(), 4);
     QVERIFY(fresh.windowTitle().startsWith(QString::fromStdString(defaultExample().title)));
     QVERIFY(!fresh.isWindowModified());
-    QVERIFY(fresh.resultPanel()
+    QVERIFY(part<ResultPanel>(fresh)
                 .findChild<QLabel*>(QStringLiteral("cor"))
                 ->text()
                 .startsWith(QStringLiteral("0.")));
@@ -142,7 +145,7 @@ void TestMainWindow::opensWithASolvedBlow() {
 
 void TestMainWindow::everyRowHasANameAndAnExplanation() {
     int rows = 0;
-    for (const QuantityField* each : window().scenarioPanel().findChildren<QuantityField*>()) {
+    for (const QuantityField* each : part<ScenarioPanel>(window()).findChildren<QuantityField*>()) {
         const Parameter* parameter = findParameter(each->objectName().toStdString());
         QVERIFY(parameter);
         QVERIFY(each->accessibleName().contains(QLatin1Char(':')));
@@ -150,7 +153,7 @@ void TestMainWindow::everyRowHasANameAndAnExplanation() {
         ++rows;
     }
     QCOMPARE(rows, int(parameters().size()));
-    for (const QLabel* label : window().resultPanel().findChildren<QLabel*>())
+    for (const QLabel* label : part<ResultPanel>(window()).findChildren<QLabel*>())
         if (label->textInteractionFlags() & Qt::TextSelectableByKeyboard)
             QVERIFY(!label->accessibleName().isEmpty());
 }
@@ -179,7 +182,7 @@ void TestMainWindow::movingTheStiffnessMovesBeta() {
 
 void TestMainWindow::aDragIsOneStepAndUndoRestoresTheBytes() {
     const QByteArray before = window().document().text();
-    auto* slider = window().scenarioPanel().findChild<QuantitySlider*>(QStringLiteral("beta.slider"));
+    auto* slider = part<ScenarioPanel>(window()).findChild<QuantitySlider*>(QStringLiteral("beta.slider"));
     slider->setSliderDown(true);
     for (int position = 300; position <= 700; position += 10) slider->setValue(position);
     slider->setSliderDown(false);
@@ -200,7 +203,7 @@ void TestMainWindow::wrongTextIsExplainedBelowItsRow() {
     type(field("gamma"), QStringLiteral("1.3"));
     settle();
     QCOMPARE(cor(), before);
-    const QList<QLabel*> labels = window().scenarioPanel().findChildren<QLabel*>();
+    const QList<QLabel*> labels = part<ScenarioPanel>(window()).findChildren<QLabel*>();
     QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
         return label->isVisible() && label->text().contains(QStringLiteral("must be in (0, 1]"));
     }));
@@ -214,8 +217,7 @@ void TestMainWindow::theLocalesCommaIsTyped() {
     QCOMPARE(field("rod.length").findChild<QLineEdit*>()->text(), QStringLiteral("4,27"));
     QVERIFY(window().document().text().contains("length: 4.27 m"));
     settle();
-    QVERIFY(window()
-                .resultPanel()
+    QVERIFY(part<ResultPanel>(window())
                 .findChild<QLabel*>(QStringLiteral("cor"))
                 ->text()
                 .startsWith(QStringLiteral("0,")));
@@ -225,11 +227,13 @@ void TestMainWindow::aFailingSolversTextReachesTheAlerts() {
     makeWindow([](const SolveRequest& request) {
         return failedBlow(request, QStringLiteral("The rod has melted."));
     });
-    QCOMPARE(window().resultPanel().alerts()->texts(), QStringList{QStringLiteral("The rod has melted.")});
-    QCOMPARE(window().resultPanel().findChild<QLabel*>(QStringLiteral("cor"))->text(), QStringLiteral("–"));
-    QVERIFY(window().blowPage().plots()->textSummary().contains(QStringLiteral("melted")));
+    QCOMPARE(part<ResultPanel>(window()).alerts()->texts(),
+             QStringList{QStringLiteral("The rod has melted.")});
+    QCOMPARE(part<ResultPanel>(window()).findChild<QLabel*>(QStringLiteral("cor"))->text(),
+             QStringLiteral("–"));
+    QVERIFY(part<BlowPage>(window()).plots()->textSummary().contains(QStringLiteral("melted")));
     makeWindow([](const SolveRequest&) -> SolvedBlowPtr { throw std::runtime_error("out of rock"); });
-    QCOMPARE(window().resultPanel().alerts()->texts(), QStringList{QStringLiteral("out of rock")});
+    QCOMPARE(part<ResultPanel>(window()).alerts()->texts(), QStringList{QStringLiteral("out of rock")});
 }
 
 void TestMainWindow::aSlowSolverNeverHoldsTheWindowUp() {
@@ -252,7 +256,7 @@ void TestMainWindow::aSlowSolverNeverHoldsTheWindowUp() {
 void TestMainWindow::savingIntoAnUnwritableFolderIsReportedAndNothingLost() {
     type(field("rod.length"), QStringLiteral("5"));
     m_answers.save = m_folder.filePath(QStringLiteral("missing/a.yaml"));
-    QVERIFY(!window().fileMenu().save());
+    QVERIFY(!part<FileMenu>(window()).save());
     QCOMPARE(m_answers.told.size(), 1);
     QVERIFY2(m_answers.told.first().contains(QStringLiteral("a.yaml")), qPrintable(m_answers.told.first()));
     QVERIFY(window().isWindowModified());
@@ -264,11 +268,11 @@ void TestMainWindow::savedFilesAreRememberedAndReopened() {
     const QString path = m_folder.filePath(QStringLiteral("mine.yaml"));
     type(field("rod.length"), QStringLiteral("5"));
     m_answers.save = path;
-    QVERIFY(window().fileMenu().save());
+    QVERIFY(part<FileMenu>(window()).save());
     QVERIFY(!window().isWindowModified());
     QCOMPARE(bytesOf(path), window().document().text());
     makeWindow(exactSolve());
-    const QList<QMenu*> menus = window().fileMenu().findChildren<QMenu*>();
+    const QList<QMenu*> menus = part<FileMenu>(window()).findChildren<QMenu*>();
     QVERIFY(std::ranges::any_of(menus, [&](const QMenu* menu) {
         return !menu->actions().isEmpty() &&
                menu->actions().first()->text().endsWith(QStringLiteral("mine.yaml"));
@@ -309,8 +313,7 @@ void TestMainWindow::closingAsksAboutUnsavedChanges() {
 }
 
 void TestMainWindow::unitsOfResultsCanBeSwitched() {
-    QVERIFY(window()
-                .blowPage()
+    QVERIFY(part<BlowPage>(window())
                 .plots()
                 ->axisRect(1)
                 ->axis(QCPAxis::atLeft)
@@ -319,8 +322,7 @@ void TestMainWindow::unitsOfResultsCanBeSwitched() {
     for (QRadioButton* button : window().findChildren<QRadioButton*>())
         if (button->text() == QStringLiteral("dimensionless")) button->click();
     settle();
-    QTRY_VERIFY(window()
-                    .blowPage()
+    QTRY_VERIFY(part<BlowPage>(window())
                     .plots()
                     ->axisRect(1)
                     ->axis(QCPAxis::atLeft)
@@ -342,12 +344,12 @@ void TestMainWindow::aDimensionlessScenarioHasNoSi() {
 }
 
 void TestMainWindow::theSectionOfTheWavesCanBeMoved() {
-    window().blowPage().findChild<QDoubleSpinBox*>(QStringLiteral("section"))->setValue(0.25);
+    part<BlowPage>(window()).findChild<QDoubleSpinBox*>(QStringLiteral("section"))->setValue(0.25);
     QTRY_COMPARE(window().shown()->page<BlowCurves>()->section, 0.25);
 }
 
 void TestMainWindow::theShapeOfThePulseChangesItsRows() {
-    auto* shape = window().scenarioPanel().findChild<QComboBox*>(QStringLiteral("pulse.shape"));
+    auto* shape = part<ScenarioPanel>(window()).findChild<QComboBox*>(QStringLiteral("pulse.shape"));
     QCOMPARE(shape->findText(QStringLiteral("table")), -1);  // there are no points
     QVERIFY(!field("pulse.rise").isVisible());
     shape->setCurrentIndex(shape->findText(QStringLiteral("trapezoid")));
@@ -415,23 +417,23 @@ void TestMainWindow::aChosenUnitIsKept() {
 }
 
 void TestMainWindow::aPresetLeavesAGhostUntilTheNextChange() {
-    const int graphs = window().blowPage().plot()->graphCount();
+    const int graphs = part<BlowPage>(window()).plot()->graphCount();
     const auto hard = std::ranges::find(builtInPresets(), std::string("hard rock"), &Preset::name);
     QCOMPARE(window().document().applyPreset(*hard), QString());
     settle();
-    QVERIFY(window().blowPage().plot()->graphCount() > graphs);
+    QVERIFY(part<BlowPage>(window()).plot()->graphCount() > graphs);
     window().document().assign(*findParameter("rod.length"), 4, 1);
     settle();
-    QCOMPARE(window().blowPage().plot()->graphCount(), graphs);
+    QCOMPARE(part<BlowPage>(window()).plot()->graphCount(), graphs);
 }
 
 void TestMainWindow::theNoteOfAnExampleDoesNotOutliveItsValues() {
-    const QString explanation = window().exampleNote().text();
+    const QString explanation = part<ExampleNote>(window()).text();
     QCOMPARE(explanation, QString::fromStdString(defaultExample().explanation));
     window().document().assign(*findParameter("rod.length"), 4, 1);
-    QVERIFY(window().exampleNote().text().startsWith(QStringLiteral("You have changed this example")));
+    QVERIFY(part<ExampleNote>(window()).text().startsWith(QStringLiteral("You have changed this example")));
     window().document().undoStack().undo();
-    QCOMPARE(window().exampleNote().text(), explanation);
+    QCOMPARE(part<ExampleNote>(window()).text(), explanation);
 }
 
 void TestMainWindow::aNarrowWindowStacksItsPanels() {
@@ -448,21 +450,21 @@ void TestMainWindow::aNarrowWindowStacksItsPanels() {
 }
 
 void TestMainWindow::keysAimAtThePlotBelowThePointer() {
-    PlotWidget& plot = *window().blowPage().plot();
+    PlotWidget& plot = *part<BlowPage>(window()).plot();
     const QPointF middle = plot.axisRect(0)->center();
     QEnterEvent enter(middle, middle, plot.mapToGlobal(middle));
     QCoreApplication::sendEvent(&plot, &enter);
-    auto* button = window().blowPage().findChild<QPushButton*>();
+    auto* button = part<BlowPage>(window()).findChild<QPushButton*>();
     button->setFocus();
     QTest::keyClick(button, Qt::Key_A);
-    QVERIFY(plot.cursorPosition(PlotCursor::a));
+    QVERIFY(plot.reader().position(PlotCursor::a));
     // Text is typed where the focus is.
-    auto* title = window().scenarioPanel().findChild<QLineEdit*>(QStringLiteral("title"));
+    auto* title = part<ScenarioPanel>(window()).findChild<QLineEdit*>(QStringLiteral("title"));
     title->setFocus();
     title->clear();
     QTest::keyClicks(title, QStringLiteral("b"));
     QCOMPARE(title->text(), QStringLiteral("b"));
-    QVERIFY(!plot.cursorPosition(PlotCursor::b));
+    QVERIFY(!plot.reader().position(PlotCursor::b));
     // The wheel takes the focus, so that Backspace brings the view back.
     QWheelEvent wheel(middle, plot.mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
                       Qt::NoScrollPhase, false);
@@ -480,7 +482,7 @@ void TestMainWindow::theReasonOfAnUnsolvedCaseStaysInThePlot() {
         return failedBlow(request,
                           QString("The histories need more than 4 million wave pieces. ").repeated(5));
     });
-    PlotWidget& plot = *window().blowPage().plot();
+    PlotWidget& plot = *part<BlowPage>(window()).plot();
     plot.replot();
     const QCPItemText* message = nullptr;
     for (int i = 0; i < plot.itemCount(); ++i)
@@ -503,7 +505,7 @@ void TestMainWindow::aWindowCanGoWhileAFieldIsEdited_data() {
 // be there.
 void TestMainWindow::aWindowCanGoWhileAFieldIsEdited() {
     QFETCH(QString, name);
-    auto* edited = window().scenarioPanel().findChild<QWidget*>(name);
+    auto* edited = part<ScenarioPanel>(window()).findChild<QWidget*>(name);
     edited->setFocus();
     QVERIFY(edited->hasFocus());
     QTest::keyClicks(edited, QStringLiteral("1"));

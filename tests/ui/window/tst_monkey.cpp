@@ -14,7 +14,9 @@
 #include "core/file/pulse_table.h"
 #include "core/file/scenario_file.h"
 #include "core/model/scales.h"
+#include "tests/support/window_parts.h"
 #include "tests/ui/window/monkey.h"
+#include "ui/job/solve_job.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
@@ -145,7 +147,7 @@ QString TestMonkey::wrongNow() const {
 
 // What must hold when nothing is on its way any more.
 QString TestMonkey::wrongWhenSettled() {
-    if (!QTest::qWaitFor([this] { return !m_window->job().isBusy(); }, 30000))
+    if (!QTest::qWaitFor([this] { return !part<SolveJob>(*m_window).isBusy(); }, 30000))
         return QStringLiteral("the job does not settle");
     QCoreApplication::processEvents();
     const Scenario& scenario = m_window->document().scenario();

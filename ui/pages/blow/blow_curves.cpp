@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/blow/blow_curves.h"
 
+#include <qcustomplot.h>
+
 #include <algorithm>
 #include <vector>
 

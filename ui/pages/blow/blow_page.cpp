@@ -10,18 +10,20 @@
 
 #include "core/wave/field/rod_state.h"
 #include "ui/pages/blow/blow_meanings.h"
+#include "ui/pages/blow/blow_plots.h"
+#include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
 
 BlowPage::BlowPage(Observation& observation, QWidget* parent)
-    : Page(parent),
+    : PlotPage(parent),
       m_observation(observation),
       m_hint(new QLabel(this)),
       m_section(new QDoubleSpinBox(this)),
       m_place(new QLabel(this)),
       m_instant(new QLabel(this)),
-      m_plot(new PlotWidget(this)),
+      m_plot(makePlot()),
       m_plots(new BlowPlots(m_plot)) {
     setUpSection();
     m_instant->setObjectName(QStringLiteral("instant"));
@@ -72,7 +74,7 @@ QHBoxLayout* BlowPage::makeBar() {
     auto* fitButton = new QPushButton(tr("Fit"), this);
     fitButton->setToolTip(tr("Bring all curves into view (double-click in the plots)"));
     fitButton->setMinimumWidth(50);
-    connect(fitButton, &QPushButton::clicked, this, &BlowPage::fit);
+    connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 6, 8, 0);
     bar->addWidget(label);
@@ -112,7 +114,8 @@ void BlowPage::showInstant() {
     const std::optional<double> time = m_observation.time();
     const bool known = time && m_blow && m_blow->problem.isEmpty();
     m_instant->setVisible(known);
-    m_plot->setTimeCursor(known ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
+    m_plot->reader().place(PlotCursor::time,
+                           known ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
     if (!known) return;
     const RodState instant = rodState(m_blow->impact, m_blow->pulse, m_observation.section(), *time);
     const ShownUnits& units = m_blow->units;
@@ -145,8 +148,8 @@ void BlowPage::carryCursors() {
     const ShownUnit& unit = m_blow->units.time;
     if (unit.unit != m_cursorUnit.unit) {
         for (const PlotCursor cursor : {PlotCursor::a, PlotCursor::b})
-            if (const std::optional<double> x = m_plot->cursorPosition(cursor))
-                m_plot->placeCursor(cursor, *x / m_cursorUnit.factor * unit.factor);
+            if (const std::optional<double> x = m_plot->reader().position(cursor))
+                m_plot->reader().place(cursor, *x / m_cursorUnit.factor * unit.factor);
     }
     m_cursorUnit = unit;
 }
@@ -167,13 +170,8 @@ void BlowPage::setGhost(const SolvedBlowPtr& before) {
 }
 
 void BlowPage::resizeEvent(QResizeEvent* event) {
-    Page::resizeEvent(event);
+    PlotPage::resizeEvent(event);
     m_hint->setText(width() > 720 ? tr("wheel zooms · drag moves · double-click fits") : QString());
-}
-
-void BlowPage::fit() {
-    m_plot->fit();
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 }  // namespace drillwave

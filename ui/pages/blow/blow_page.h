@@ -3,9 +3,7 @@
 #pragma once
 
 #include "ui/job/observation.h"
-#include "ui/pages/blow/blow_plots.h"
-#include "ui/pages/page.h"
-#include "ui/plot/plot_widget.h"
+#include "ui/pages/plot_page.h"
 
 class QDoubleSpinBox;
 class QHBoxLayout;
@@ -13,7 +11,9 @@ class QLabel;
 
 namespace drillwave {
 
-class BlowPage : public Page {
+class BlowPlots;
+
+class BlowPage : public PlotPage {
     Q_OBJECT
 
   public:
@@ -24,9 +24,7 @@ class BlowPage : public Page {
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;
-    void fit() override;
 
-    PlotWidget* plot() const override { return m_plot; }
     BlowPlots* plots() const { return m_plots; }
 
   protected:

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/blow/blow_plots.h"
 
-#include <QScopedValueRollback>
 #include <cmath>
 #include <limits>
 
-#include "ui/plot/ghost_style.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -63,7 +61,7 @@ void setData(QCPGraph& graph, const GraphData& data) {
 
 }  // namespace
 
-BlowPlots::BlowPlots(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
+BlowPlots::BlowPlots(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
     plot->setAutoAddPlottableToLegend(false);
     plot->plotLayout()->clear();
     plot->plotLayout()->setRowSpacing(0);
@@ -129,11 +127,9 @@ void BlowPlots::linkTimeAxes() {
         QCPAxis* axis = from.rect->axis(QCPAxis::atBottom);
         connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this,
                 [this](const QCPRange& range) {
-                    m_fitted = m_fitting;
                     for (const Plot& to : m_plots) to.rect->axis(QCPAxis::atBottom)->setRange(range);
                 });
-        connect(from.rect->axis(QCPAxis::atLeft), qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this,
-                [this] { m_fitted = m_fitting; });
+        for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(from.rect->axis(side));
     }
 }
 
@@ -151,7 +147,7 @@ void BlowPlots::present(const BlowCurves& curves) {
     m_timeEnd = curves.timeEnd > 0 ? curves.timeEnd : 1;
     setLabels();
     summarize();
-    if (m_fitted || unitsChanged) fit();
+    if (m_view->isFitted() || unitsChanged) fit();
 }
 
 // Where it does not hold there is nothing to be hidden or shown either.
@@ -178,7 +174,7 @@ void BlowPlots::setGhost(const BlowCurves* before) {
         addGhost(momentumOfRod, 0, before->momentum);
         m_ghostEnd = before->timeEnd;
     }
-    if (m_fitted) fit();
+    if (m_view->isFitted()) fit();
 }
 
 void BlowPlots::addGhost(std::size_t index, int kind, const GraphData& data) {
@@ -186,7 +182,7 @@ void BlowPlots::addGhost(std::size_t index, int kind, const GraphData& data) {
     QCPGraph* ghost = m_plot->addGraph(plot.rect->axis(QCPAxis::atBottom), plot.rect->axis(QCPAxis::atLeft));
     ghost->setLayer(ghostLayer(*m_plot));
     ghost->setSelectable(QCP::stNone);
-    ghost->setPen(ghostPen(m_style, kind));
+    ghost->setPen(m_style.ghostPen(kind));
     setData(*ghost, data);
     plot.ghosts.append(ghost);
 }
@@ -241,18 +237,18 @@ void BlowPlots::setStyle(const PlotStyle& style) {
         style.applyTo(*plot.legend);
         style.applyTo(*plot.title);
         for (int i = 0; i < plot.graphs.size(); ++i) plot.graphs[i]->setPen(style.linePen(i));
-        for (int i = 0; i < plot.ghosts.size(); ++i) plot.ghosts[i]->setPen(ghostPen(style, i));
+        for (int i = 0; i < plot.ghosts.size(); ++i) plot.ghosts[i]->setPen(style.ghostPen(i));
     }
     if (m_curves.force) setLabels();  // files have another locale
     m_message->setStyle(style);
 }
 
 void BlowPlots::fit() {
-    const QScopedValueRollback<bool> fitting(m_fitting, true);
-    m_fitted = true;
-    m_plots[waves].rect->axis(QCPAxis::atBottom)->setRange(0, std::max(m_timeEnd, m_ghostEnd));
-    for (const Plot& plot : m_plots)
-        plot.rect->axis(QCPAxis::atLeft)->setRange(valueRange(plot.graphs + plot.ghosts));
+    m_view->fit([this] {
+        m_plots[waves].rect->axis(QCPAxis::atBottom)->setRange(0, std::max(m_timeEnd, m_ghostEnd));
+        for (const Plot& plot : m_plots)
+            plot.rect->axis(QCPAxis::atLeft)->setRange(valueRange(plot.graphs + plot.ghosts));
+    });
 }
 
 }  // namespace drillwave

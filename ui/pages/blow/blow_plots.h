@@ -7,6 +7,7 @@
 #include <array>
 
 #include "ui/pages/blow/blow_curves.h"
+#include "ui/plot/fitted_view.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_style.h"
 
@@ -63,8 +64,7 @@ class BlowPlots : public QObject {
     BlowCurves m_curves;
     double m_timeEnd = 1;
     double m_ghostEnd = 0;
-    bool m_fitted = true;  // until the user zooms or pans
-    bool m_fitting = false;
+    FittedView* m_view;
     QString m_summary;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/rock/rock_curve.h"
 
+#include <qcustomplot.h>
+
 #include <QVector>
 #include <algorithm>
 #include <cmath>
@@ -12,8 +14,7 @@
 namespace drillwave {
 namespace {
 
-QSharedPointer<QCPCurveDataContainer> pathOf(const Impact& impact, const Problem& problem,
-                                             const ShownUnits& units) {
+RockCurve::Path pathOf(const Impact& impact, const Problem& problem, const ShownUnits& units) {
     const SampledHistory history = sampleHistory(impact);
     QVector<QCPCurveData> points{QCPCurveData(impact.frontArrival * units.time.factor, 0, 0)};
     points.reserve(static_cast<qsizetype>(history.force.size()) + 1);
@@ -34,8 +35,7 @@ QSharedPointer<QCPCurveDataContainer> pathOf(const Impact& impact, const Problem
 
 // A blow of a million reflections runs up and down its lines a million times: to fill between them would take
 // minutes. Where unloading lines lie closer than can be seen, the one that goes deepest stands for them.
-QSharedPointer<QCPCurveDataContainer> outlineOf(const QSharedPointer<QCPCurveDataContainer>& path,
-                                                double peakForce) {
+RockCurve::Path outlineOf(const QSharedPointer<QCPCurveDataContainer>& path, double peakForce) {
     constexpr int pointsDrawnAtOnce = 20000;
     constexpr double linesTold = 4000;
     if (path->size() <= pointsDrawnAtOnce) return path;

@@ -2,8 +2,6 @@
 // The path of a blow in the force–penetration plane and the numbers that mark it.
 #pragma once
 
-#include <qcustomplot.h>
-
 #include <QPointF>
 #include <QSharedPointer>
 
@@ -11,14 +9,20 @@
 #include "core/wave/problem.h"
 #include "ui/text/shown_units.h"
 
+class QCPCurveData;
+template <class DataType>
+class QCPDataContainer;
+
 namespace drillwave {
 
 /// All in the units of `units`; built away from the window's thread, never changed once built.
 struct RockCurve {
+    using Path = QSharedPointer<QCPDataContainer<QCPCurveData>>;
+
     ShownUnits units;
-    QSharedPointer<QCPCurveDataContainer> path;  ///< penetration, force; the parameter t is the global time
+    Path path;  ///< penetration, force; the parameter t is the global time
     /// The path as it is drawn and filled: the same, but of a bounded number of points.
-    QSharedPointer<QCPCurveDataContainer> outline;
+    Path outline;
     double peakForce = 0;            ///< Fm
     double maxPenetration = 0;       ///< Um
     double residualPenetration = 0;  ///< Ur

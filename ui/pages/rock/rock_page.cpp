@@ -6,15 +6,17 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/pages/rock/rock_plot.h"
+#include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
 
 RockPage::RockPage(Observation& observation, QWidget* parent)
-    : Page(parent),
+    : PlotPage(parent),
       m_observation(observation),
       m_instant(new QLabel(this)),
-      m_plot(new PlotWidget(this)),
+      m_plot(makePlot()),
       m_rock(new RockPlot(m_plot)) {
     m_instant->setObjectName(QStringLiteral("instant"));
     m_instant->setWordWrap(true);
@@ -40,7 +42,7 @@ RockPage::RockPage(Observation& observation, QWidget* parent)
         m_plot->layer(QStringLiteral("overlay"))->replot();
     });
     connect(m_plot, &PlotWidget::fitRequested, m_rock, &RockPlot::fit);
-    connect(fitButton, &QPushButton::clicked, this, &RockPage::fit);
+    connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
     showTime();
 }
 
@@ -88,11 +90,6 @@ void RockPage::showTime() {
 
 void RockPage::setGhost(const SolvedBlowPtr& before) {
     m_rock->setGhost(before ? before->page<RockCurve>() : nullptr);
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
-}
-
-void RockPage::fit() {
-    m_plot->fit();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 

@@ -3,15 +3,15 @@
 #pragma once
 
 #include "ui/job/observation.h"
-#include "ui/pages/page.h"
-#include "ui/pages/rock/rock_plot.h"
-#include "ui/plot/plot_widget.h"
+#include "ui/pages/plot_page.h"
 
 class QLabel;
 
 namespace drillwave {
 
-class RockPage : public Page {
+class RockPlot;
+
+class RockPage : public PlotPage {
     Q_OBJECT
 
   public:
@@ -22,9 +22,7 @@ class RockPage : public Page {
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;
-    void fit() override;
 
-    PlotWidget* plot() const override { return m_plot; }
     RockPlot* rockPlot() const { return m_rock; }
 
   private:

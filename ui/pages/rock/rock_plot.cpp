@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/rock/rock_plot.h"
 
-#include <QScopedValueRollback>
 #include <algorithm>
 #include <cmath>
 
-#include "ui/plot/ghost_style.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -36,7 +34,7 @@ bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
 
 }  // namespace
 
-RockPlot::RockPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
+RockPlot::RockPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
     plot->axisRect()->setupFullAxesBox(true);
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
     m_path = new QCPCurve(plot->xAxis, plot->yAxis);
@@ -60,9 +58,7 @@ RockPlot::RockPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
     m_point->setLayer(QStringLiteral("overlay"));
     m_point->setVisible(false);
     connect(plot, &QCustomPlot::afterLayout, this, &RockPlot::placeLabels);
-    for (QCPAxis* axis : {plot->xAxis, plot->yAxis})
-        connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this,
-                [this] { m_fitted = m_fitting; });
+    for (const QCPAxis* axis : {plot->xAxis, plot->yAxis}) m_view->watch(axis);
     setStyle(PlotStyle::forPaper());
     setMarksVisible(false);
 }
@@ -110,7 +106,7 @@ void RockPlot::present(const RockCurve& curve) {
     m_message->hide();
     setMarksVisible(curve.peakForce > 0);
     nameNumbers(curve);
-    if (m_fitted || unitsChanged) fit();
+    if (m_view->isFitted() || unitsChanged) fit();
 }
 
 void RockPlot::showNothing(const QString& message) {
@@ -192,11 +188,11 @@ void RockPlot::setGhost(const RockCurve* before) {
         m_ghost->removeFromLegend();
         m_ghost->setSelectable(QCP::stNone);
         m_ghost->setLayer(ghostLayer(*m_plot));
-        m_ghost->setPen(ghostPen(m_style, 0));
+        m_ghost->setPen(m_style.ghostPen(0));
         m_ghost->setData(before->outline);
         m_ghostSize = {before->maxPenetration, before->peakForce};
     }
-    if (m_fitted) fit();
+    if (m_view->isFitted()) fit();
 }
 
 void RockPlot::setPoint(const std::optional<QPointF>& point) {
@@ -213,7 +209,7 @@ void RockPlot::setStyle(const PlotStyle& style) {
     m_path->setPen(style.linePen(0));
     m_path->setBrush(style.areaBrush(0));
     style.applyTo(*m_caption);
-    if (m_ghost) m_ghost->setPen(ghostPen(style, 0));
+    if (m_ghost) m_ghost->setPen(style.ghostPen(0));
     for (QCPItemText* label : {m_peakName, m_residualName, m_loadingName, m_unloadingName}) {
         label->setFont(style.font);
         label->setColor(style.text);
@@ -235,14 +231,14 @@ void RockPlot::setStyle(const PlotStyle& style) {
 }
 
 void RockPlot::fit() {
-    const QScopedValueRollback<bool> fitting(m_fitting, true);
-    m_fitted = true;
     const auto range = [](double present, double ghost) {
         const double size = std::max(present, ghost);
         return size > 0 ? QCPRange(-0.03 * size, 1.14 * size) : QCPRange(0, 1);
     };
-    m_plot->xAxis->setRange(range(m_curve.maxPenetration, m_ghostSize.width()));
-    m_plot->yAxis->setRange(range(m_curve.peakForce, m_ghostSize.height()));
+    m_view->fit([&] {
+        m_plot->xAxis->setRange(range(m_curve.maxPenetration, m_ghostSize.width()));
+        m_plot->yAxis->setRange(range(m_curve.peakForce, m_ghostSize.height()));
+    });
 }
 
 }  // namespace drillwave

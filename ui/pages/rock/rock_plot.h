@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "ui/pages/rock/rock_curve.h"
+#include "ui/plot/fitted_view.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_style.h"
 
@@ -63,9 +64,8 @@ class RockPlot : public QObject {
     PlotMessage* m_message;
     RockCurve m_curve;
     PlotStyle m_style;
-    QSizeF m_ghostSize;    // largest penetration and force of the ghost
-    bool m_fitted = true;  // until the user zooms or pans
-    bool m_fitting = false;
+    QSizeF m_ghostSize;  // largest penetration and force of the ghost
+    FittedView* m_view;
     QString m_summary;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/wave_picture/colour_scale.h"
 
+#include <qcustomplot.h>
+
 #include <QtMath>
 #include <algorithm>
 #include <cmath>

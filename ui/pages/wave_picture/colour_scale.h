@@ -2,10 +2,10 @@
 // Colours for values of either sign: zero in the middle, blue below, orange above.
 #pragma once
 
-#include <qcustomplot.h>
-
-#include <QRgb>
+#include <QColor>
 #include <vector>
+
+class QCPColorGradient;
 
 namespace drillwave {
 

@@ -11,8 +11,11 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ui/pages/wave_picture/picture_cursors.h"
 #include "ui/pages/wave_picture/play_bar.h"
 #include "ui/pages/wave_picture/rod_strip.h"
+#include "ui/pages/wave_picture/wave_picture_plot.h"
+#include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
 
 namespace drillwave {
@@ -25,13 +28,13 @@ const QString velocityName = QStringLiteral("velocity");
 }  // namespace
 
 WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
-    : Page(parent),
+    : PlotPage(parent),
       m_observation(observation),
       m_field(new QComboBox(this)),
       m_fronts(new QCheckBox(tr("Fronts"), this)),
       m_section(new QDoubleSpinBox(this)),
       m_readout(new QLabel(this)),
-      m_plot(new PlotWidget(this)),
+      m_plot(makePlot()),
       m_picture(new WavePicturePlot(m_plot)),
       m_cursors(new PictureCursors(m_plot, m_picture)),
       m_strip(new RodStrip(this)),
@@ -85,7 +88,7 @@ QHBoxLayout* WavePicturePage::makeBar() {
     auto* fitButton = new QPushButton(tr("Fit"), this);
     fitButton->setToolTip(tr("Bring the whole blow into view (double-click in the picture)"));
     fitButton->setMinimumWidth(50);
-    connect(fitButton, &QPushButton::clicked, this, &WavePicturePage::fit);
+    connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
 
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(8, 6, 8, 0);
@@ -154,10 +157,6 @@ void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void WavePicturePage::fit() {
-    m_plot->fit();
-}
-
 // Shown with three decimals, kept with all.
 void WavePicturePage::showSection(double section) {
     const QSignalBlocker quiet(m_section);
@@ -203,7 +202,7 @@ bool WavePicturePage::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_plot && event->type() == QEvent::MouseMove)
         m_readout->setText(m_picture->readout(static_cast<QMouseEvent*>(event)->position()));
     if (watched == m_plot && event->type() == QEvent::Leave) m_readout->clear();
-    return Page::eventFilter(watched, event);
+    return PlotPage::eventFilter(watched, event);
 }
 
 }  // namespace drillwave

@@ -3,10 +3,7 @@
 #pragma once
 
 #include "ui/job/observation.h"
-#include "ui/pages/page.h"
-#include "ui/pages/wave_picture/picture_cursors.h"
-#include "ui/pages/wave_picture/wave_picture_plot.h"
-#include "ui/plot/plot_widget.h"
+#include "ui/pages/plot_page.h"
 
 class QCheckBox;
 class QComboBox;
@@ -16,10 +13,12 @@ class QLabel;
 
 namespace drillwave {
 
+class PictureCursors;
 class PlayBar;
 class RodStrip;
+class WavePicturePlot;
 
-class WavePicturePage : public Page {
+class WavePicturePage : public PlotPage {
     Q_OBJECT
 
   public:
@@ -29,9 +28,7 @@ class WavePicturePage : public Page {
     QString title() const override { return tr("Wave picture"); }
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
-    void fit() override;
 
-    PlotWidget* plot() const override { return m_plot; }
     WavePicturePlot* picture() const { return m_picture; }
     PictureCursors* cursors() const { return m_cursors; }
     RodStrip* rodStrip() const { return m_strip; }

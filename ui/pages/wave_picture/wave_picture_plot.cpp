@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/wave_picture/wave_picture_plot.h"
 
-#include <QScopedValueRollback>
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
@@ -20,7 +19,7 @@ QString fieldWords(WaveField field) {
 }  // namespace
 
 WavePicturePlot::WavePicturePlot(QCustomPlot* plot)
-    : QObject(plot), m_plot(plot), m_bar(new QCPColorScale(plot)) {
+    : QObject(plot), m_plot(plot), m_bar(new QCPColorScale(plot)), m_view(new FittedView(this)) {
     plot->setAutoAddPlottableToLegend(false);
     QCPAxisRect* rect = plot->axisRect();
     rect->setupFullAxesBox(true);
@@ -48,8 +47,9 @@ void WavePicturePlot::addItems() {
 }
 
 void WavePicturePlot::followAxes() {
-    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis})
-        connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &WavePicturePlot::takeRanges);
+    for (const QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) m_view->watch(axis);
+    m_view->setEmpty(true);
+    connect(m_view, &FittedView::chosen, this, &WavePicturePlot::takeRanges);
     // Drawing for a file lays out for another size and back again: asked about when that is over.
     connect(m_plot, &QCustomPlot::afterLayout, this, [this] {
         if (!std::exchange(m_checking, true)) QTimer::singleShot(0, this, &WavePicturePlot::checkNeed);
@@ -72,18 +72,19 @@ WavePictureNeed WavePicturePlot::need() const {
         return std::max(1, static_cast<int>(std::lround(length * ratio)));
     };
     WavePictureNeed need{m_field, m_xiBegin, m_xiEnd, {}, pixels(size.width()), pixels(size.height())};
-    if (!m_fitted) need.time = m_time;
+    if (!m_view->isFitted()) need.time = m_time;
     return need;
 }
 
 void WavePicturePlot::present(const SolvedBlowPtr& blow) {
     m_blow = blow;
+    m_view->setEmpty(false);
     if (blow->page<WavePicture>()->need == m_announced) m_announced.reset();
     for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_waves, m_fronts, m_contacts})
         item->setBlow(blow);
     m_message->hide();
     m_bar->setVisible(true);
-    if (m_fitted) m_time = blow->page<WavePicture>()->interesting;
+    if (m_view->isFitted()) m_time = blow->page<WavePicture>()->interesting;
     setRanges();
     setLabels();
     summarize();
@@ -91,6 +92,7 @@ void WavePicturePlot::present(const SolvedBlowPtr& blow) {
 
 void WavePicturePlot::showNothing(const QString& message) {
     m_blow.reset();
+    m_view->setEmpty(true);
     for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_waves, m_fronts, m_contacts})
         item->setBlow(nullptr);
     m_message->show(message);
@@ -101,21 +103,20 @@ void WavePicturePlot::showNothing(const QString& message) {
 // Views are kept dimensionless: units may change below them.
 void WavePicturePlot::setRanges() {
     const PictureUnits& units = picture()->units;
-    const QScopedValueRollback<bool> setting(m_settingRanges, true);
-    m_plot->xAxis->setRange(m_xiBegin * units.position.factor, m_xiEnd * units.position.factor);
-    m_plot->yAxis->setRange(m_time.begin * units.time.factor, m_time.end * units.time.factor);
+    m_view->adjust([&] {
+        m_plot->xAxis->setRange(m_xiBegin * units.position.factor, m_xiEnd * units.position.factor);
+        m_plot->yAxis->setRange(m_time.begin * units.time.factor, m_time.end * units.time.factor);
+    });
     emit viewChanged();
 }
 
 void WavePicturePlot::takeRanges() {
-    if (m_settingRanges || !m_blow) return;
     const PictureUnits& units = picture()->units;
     const QCPRange x = m_plot->xAxis->range().bounded(0, units.position.factor);
     const QCPRange y = m_plot->yAxis->range();
     m_xiBegin = std::max(0.0, x.lower / units.position.factor);
     m_xiEnd = std::min(1.0, x.upper / units.position.factor);
     m_time = {y.lower / units.time.factor, y.upper / units.time.factor};
-    m_fitted = false;
     setRanges();
 }
 
@@ -161,12 +162,13 @@ void WavePicturePlot::setStyle(const PlotStyle& style) {
 }
 
 void WavePicturePlot::fit() {
-    m_fitted = true;
-    m_xiBegin = 0;
-    m_xiEnd = 1;
-    if (!m_blow) return;
-    m_time = picture()->interesting;
-    setRanges();
+    m_view->fit([this] {
+        m_xiBegin = 0;
+        m_xiEnd = 1;
+        if (!m_blow) return;
+        m_time = picture()->interesting;
+        setRanges();
+    });
 }
 
 QString WavePicturePlot::readout(const QPointF& pixel) const {

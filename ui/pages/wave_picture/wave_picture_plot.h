@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "ui/pages/wave_picture/wave_picture_items.h"
+#include "ui/plot/fitted_view.h"
 #include "ui/plot/plot_message.h"
 
 namespace drillwave {
@@ -72,8 +73,7 @@ class WavePicturePlot : public QObject {
     double m_xiBegin = 0, m_xiEnd = 1;
     TimeSpan m_time;
     std::optional<WavePictureNeed> m_announced;  // by needChanged(), not answered yet
-    bool m_fitted = true;                        // until the user zooms or pans
-    bool m_settingRanges = false;
+    FittedView* m_view;
     bool m_checking = false;
     QString m_summary;
 };

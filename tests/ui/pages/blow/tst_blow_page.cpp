@@ -9,10 +9,14 @@
 
 #include "core/wave/field/wave_field.h"
 #include "tests/support/scripted_questions.h"
+#include "tests/support/window_parts.h"
 #include "ui/form/quantity_slider.h"
 #include "ui/form/scenario_panel.h"
+#include "ui/job/solve_job.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_page.h"
+#include "ui/pages/blow/blow_plots.h"
+#include "ui/plot/plot_widget.h"
 #include "ui/window/main_window.h"
 
 using namespace drillwave;
@@ -129,31 +133,31 @@ void TestBlowPage::theTimeCursorIsShared() {
     m_page->setResult(blow);
     m_observation->setTime(4.0);
     const double shown = 4 * blow->units.time.factor;
-    QCOMPARE(m_page->plot()->cursorPosition(PlotCursor::time), std::optional(shown));
+    QCOMPARE(m_page->plot()->reader().position(PlotCursor::time), std::optional(shown));
     emit m_page->plot()->timeCursorDragged(5 * blow->units.time.factor);
     QVERIFY(std::abs(*m_observation->time() - 5) < 1e-12);
     // The same time in other units.
     const SolvedBlowPtr other = solved(*m_page, Scenario(), UnitSystem::dimensionless);
     m_page->setResult(other);
-    QVERIFY(std::abs(*m_page->plot()->cursorPosition(PlotCursor::time) - 5) < 1e-12);
+    QVERIFY(std::abs(*m_page->plot()->reader().position(PlotCursor::time) - 5) < 1e-12);
     m_observation->setTime({});
-    QVERIFY(!m_page->plot()->cursorPosition(PlotCursor::time));
+    QVERIFY(!m_page->plot()->reader().position(PlotCursor::time));
 }
 
 void TestBlowPage::cursorsStayInTheirPlaceInOtherUnits() {
     const SolvedBlowPtr blow = solved(*m_page, Scenario(), UnitSystem::si);
     m_page->setResult(blow);
     PlotWidget& plot = *m_page->plot();
-    plot.placeCursor(PlotCursor::b, 3 * blow->units.time.factor);
+    plot.reader().place(PlotCursor::b, 3 * blow->units.time.factor);
     m_page->setResult(solved(*m_page, Scenario(), UnitSystem::dimensionless));
-    QVERIFY(!plot.cursorPosition(PlotCursor::a));
-    QVERIFY(std::abs(*plot.cursorPosition(PlotCursor::b) - 3) < 1e-12);
+    QVERIFY(!plot.reader().position(PlotCursor::a));
+    QVERIFY(std::abs(*plot.reader().position(PlotCursor::b) - 3) < 1e-12);
     // A longer blow in the same units moves nothing.
     m_page->setResult(blow);
     Scenario longer;
     longer.pulse.duration *= 1.5;
     m_page->setResult(solved(*m_page, longer, UnitSystem::si));
-    QVERIFY(std::abs(*plot.cursorPosition(PlotCursor::b) - 3 * blow->units.time.factor) < 1e-12);
+    QVERIFY(std::abs(*plot.reader().position(PlotCursor::b) - 3 * blow->units.time.factor) < 1e-12);
 }
 
 void TestBlowPage::cursorsReadExactImpulses_data() {
@@ -178,28 +182,28 @@ void TestBlowPage::cursorsReadExactImpulses() {
     m_page->setResult(blow);
     PlotWidget& plot = *m_page->plot();
     const double end = blow->page<BlowCurves>()->timeEnd;
-    plot.placeCursor(PlotCursor::a, 0);
-    plot.placeCursor(PlotCursor::b, end);
-    plot.setReadGraph(m_page->plots()->forceGraph());
+    plot.reader().place(PlotCursor::a, 0);
+    plot.reader().place(PlotCursor::b, end);
+    plot.reader().setGraph(m_page->plots()->forceGraph());
     const double unit = blow->units.impulse.factor;
     const double impulse = blow->summary.impulse * unit;
-    QVERIFY(std::abs(plot.cursorReading()->integral / impulse - 1) < 1e-9);
-    QVERIFY(plot.cursorText().contains(si ? QStringLiteral("N s") : QStringLiteral("I₀")));
-    QVERIFY(std::abs(plot.cursorReading()->mean * end -
+    QVERIFY(std::abs(plot.reader().reading()->integral / impulse - 1) < 1e-9);
+    QVERIFY(plot.reader().text().contains(si ? QStringLiteral("N s") : QStringLiteral("I₀")));
+    QVERIFY(std::abs(plot.reader().reading()->mean * end -
                      impulse / unit * blow->units.force.factor * blow->units.time.factor) <
-            1e-9 * plot.cursorReading()->mean * end);
-    plot.setReadGraph(m_page->plots()->waveGraph(0));  // the blow itself, compressive
-    QVERIFY(std::abs(plot.cursorReading()->integral / -unit - 1) < 1e-9);
-    plot.setReadGraph(m_page->plots()->impulseGraph());
-    QVERIFY(std::abs(plot.cursorReading()->yB / impulse - 1) < 1e-12);
-    plot.setReadGraph(m_page->plots()->momentumGraph());
-    QVERIFY(std::abs(plot.cursorReading()->yB / (-blow->summary.cor * unit) - 1) < 1e-9);
+            1e-9 * plot.reader().reading()->mean * end);
+    plot.reader().setGraph(m_page->plots()->waveGraph(0));  // the blow itself, compressive
+    QVERIFY(std::abs(plot.reader().reading()->integral / -unit - 1) < 1e-9);
+    plot.reader().setGraph(m_page->plots()->impulseGraph());
+    QVERIFY(std::abs(plot.reader().reading()->yB / impulse - 1) < 1e-12);
+    plot.reader().setGraph(m_page->plots()->momentumGraph());
+    QVERIFY(std::abs(plot.reader().reading()->yB / (-blow->summary.cor * unit) - 1) < 1e-9);
     // Between the cursors in the middle of the rising force the curve itself is read, not its chords.
     const double arrival = blow->summary.firstContactTime;
-    plot.placeCursor(PlotCursor::a, (arrival + 0.31) * blow->units.time.factor);
-    plot.setReadGraph(m_page->plots()->forceGraph());
+    plot.reader().place(PlotCursor::a, (arrival + 0.31) * blow->units.time.factor);
+    plot.reader().setGraph(m_page->plots()->forceGraph());
     const double force = impactForce(blow->impact, arrival + 0.31 - blow->impact.frontArrival);
-    QVERIFY(std::abs(plot.cursorReading()->yA / (force * blow->units.force.factor) - 1) < 1e-9);
+    QVERIFY(std::abs(plot.reader().reading()->yA / (force * blow->units.force.factor) - 1) < 1e-9);
 }
 
 void TestBlowPage::whatIsReadOutlivesTheBlow() {
@@ -222,20 +226,20 @@ void TestBlowPage::aHeldSliderLeavesAGhostUntilItIsReleased() {
     });
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
-    const int curves = window.blowPage().plot()->graphCount();
-    auto* slider = window.scenarioPanel().findChild<QuantitySlider*>(QStringLiteral("beta.slider"));
+    const int curves = part<BlowPage>(window).plot()->graphCount();
+    auto* slider = part<ScenarioPanel>(window).findChild<QuantitySlider*>(QStringLiteral("beta.slider"));
     const SolvedBlowPtr before = window.shown();
     slider->setSliderDown(true);
     for (const int position : {300, 500, 700}) {
         slider->setValue(position);
-        QTRY_VERIFY(!window.job().isBusy());
+        QTRY_VERIFY(!part<SolveJob>(window).isBusy());
     }
     QVERIFY(window.shown() != before);
-    QCOMPARE(window.blowPage().plot()->graphCount(), curves + 7);
-    QCOMPARE(window.blowPage().plot()->graph(curves)->data().get(),
+    QCOMPARE(part<BlowPage>(window).plot()->graphCount(), curves + 7);
+    QCOMPARE(part<BlowPage>(window).plot()->graph(curves)->data().get(),
              before->page<BlowCurves>()->waves[0].get());
     slider->setSliderDown(false);
-    QCOMPARE(window.blowPage().plot()->graphCount(), curves);
+    QCOMPARE(part<BlowPage>(window).plot()->graphCount(), curves);
 }
 
 QTEST_MAIN(TestBlowPage)

@@ -5,7 +5,9 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "ui/pages/rock/rock_curve.h"
 #include "ui/pages/rock/rock_page.h"
+#include "ui/plot/plot_widget.h"
 
 using namespace drillwave;
 

@@ -13,10 +13,17 @@
 
 #include "core/wave/field/wave_field.h"
 #include "tests/support/scripted_questions.h"
+#include "tests/support/window_parts.h"
+#include "ui/job/solve_job.h"
+#include "ui/pages/blow/blow_curves.h"
 #include "ui/pages/blow/blow_page.h"
+#include "ui/pages/wave_picture/picture_cursors.h"
 #include "ui/pages/wave_picture/play_bar.h"
 #include "ui/pages/wave_picture/rod_strip.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
+#include "ui/pages/wave_picture/wave_picture_plot.h"
+#include "ui/plot/plot_menu.h"
+#include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
 
@@ -159,8 +166,8 @@ void TestWavePicturePage::asksForNothingWhileHidden() {
     QCOMPARE(pages->tabText(pages->indexOf(page)), QStringLiteral("Wave picture"));
     window.show();
     QVERIFY(QTest::qWaitForWindowActive(&window));
-    QTRY_VERIFY(!window.job().isBusy());
-    pages->setCurrentWidget(&window.blowPage());
+    QTRY_VERIFY(!part<SolveJob>(window).isBusy());
+    pages->setCurrentWidget(&part<BlowPage>(window));
     QTRY_VERIFY(window.shown()->page<BlowCurves>());
     QVERIFY(!window.shown()->page<WavePicture>());
     pages->setCurrentWidget(page);
@@ -324,7 +331,7 @@ void TestWavePicturePage::playingAdvancesTheTimeAndStopsWhenHidden() {
     m_page->hide();
     QVERIFY(!bar.isPlaying());
     const double stopped = *m_observation->time();
-    QTest::qWait(60);
+    QCoreApplication::processEvents();
     QCOMPARE(*m_observation->time(), stopped);
     bar.play();  // not while it cannot be seen
     QVERIFY(!bar.isPlaying());
@@ -392,7 +399,7 @@ void TestWavePicturePage::theDataAreTheFieldInView() {
 
 // A picture has no curves, and its numbers are data all the same.
 void TestWavePicturePage::theMenuOffersTheDataOfThePicture() {
-    const std::unique_ptr<QMenu> menu(m_page->plot()->makeMenu({100, 100}));
+    const std::unique_ptr<QMenu> menu(new PlotMenu(*m_page->plot(), {100, 100}));
     int offered = 0;
     for (const QAction* action : menu->actions())
         if (QString(action->text()).remove(QLatin1Char('&')).contains(QStringLiteral(" data"))) {

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A study away from the window's thread: shown while it grows, stopped at any time, replaced by the next one.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <utility>
+
+#include "ui/job/study_activity.h"
+#include "ui/job/worker.h"
+
+namespace drillwave {
+
+/// What a running study tells, from whichever of its threads, until it returns. What comes faster than the
+/// window can show it is passed over: the last of each kind is always seen.
+template <class Value>
+struct StudyFeed {
+    std::stop_token stop;  ///< asked for: the study returns soon, with anything
+    std::function<void(StudyProgress)> tell;
+    std::function<void(Value)> show;  ///< what there is so far: coarse, or only a part
+};
+
+/// Runs studies that replace each other as the tasks of a Worker do. The value of an earlier study stays
+/// until there is one of the study asked for last. All of this is the window's thread's but for the study.
+template <class Value>
+class StudyJob : public StudyActivity {
+  public:
+    /// Holds its input by value. What it throws becomes problem().
+    using Study = std::function<Value(const StudyFeed<Value>&)>;
+
+    /// Stops the study in flight and waits for its end when it goes.
+    explicit StudyJob(QObject* parent = nullptr) : StudyActivity(parent) {}
+
+    void submit(Study study);
+    /// Stops the study. What it has shown so far stays.
+    void cancel() override;
+    /// The last that was shown, or the result; nullptr before the first.
+    const std::shared_ptr<const Value>& value() const { return m_value; }
+    /// Whether value() is of the study asked for last, not of an earlier one.
+    bool isCurrent() const { return m_value && m_valueOf == m_asked; }
+
+  private:
+    struct End {
+        std::shared_ptr<const Value> value;
+        QString problem;
+    };
+    // What has been told and shown since the window looked last.
+    struct Mail {
+        std::uint64_t study = 0;
+        std::optional<StudyProgress> progress;
+        std::shared_ptr<const Value> value;
+    };
+
+    StudyFeed<Value> feed(std::uint64_t number, const std::stop_token& stop);
+    static End run(const Study& study, const StudyFeed<Value>& feed);
+    template <class Write>
+    void post(std::uint64_t number, const Write& write);
+    void fetch();
+    void take();
+    void end(std::uint64_t number, const End& end);
+
+    // Seen by the window's thread only. Studies are counted from 1.
+    std::uint64_t m_asked = 0;
+    std::uint64_t m_dropped = 0;  // up to this one nobody wants to hear of them
+    std::uint64_t m_valueOf = 0;
+    std::shared_ptr<const Value> m_value;
+
+    // What the threads hand each other, under the lock.
+    std::mutex m_lock;
+    Mail m_mail;
+    bool m_announced = false;  // take() is on its way through the event loop
+
+    Worker m_worker;  // goes first: its thread runs the studies
+};
+
+template <class Value>
+void StudyJob<Value>::submit(Study study) {
+    const std::uint64_t number = ++m_asked;
+    m_state = StudyState::running;
+    m_progress = {};
+    m_problem.clear();
+    m_worker.submit(
+        [this, number, study = std::move(study)](const std::stop_token& stop) -> Worker::Delivery {
+            End ended = run(study, feed(number, stop));
+            // What was stopped for the next study is not finished, whatever it says.
+            if (stop.stop_requested()) ended = {};
+            return [this, number, ended = std::move(ended)] { end(number, ended); };
+        });
+    emit changed();
+}
+
+template <class Value>
+void StudyJob<Value>::cancel() {
+    if (m_state != StudyState::running) return;
+    fetch();
+    m_dropped = m_asked;
+    m_worker.cancel();
+    m_state = StudyState::stopped;
+    emit changed();
+}
+
+template <class Value>
+StudyFeed<Value> StudyJob<Value>::feed(std::uint64_t number, const std::stop_token& stop) {
+    return {stop,
+            [this, number](StudyProgress progress) {
+                post(number, [&](Mail& mail) { mail.progress = progress; });
+            },
+            [this, number](Value value) {
+                auto shown = std::make_shared<const Value>(std::move(value));
+                post(number, [&](Mail& mail) { mail.value = std::move(shown); });
+            }};
+}
+
+// An exception that leaves a thread ends the program, so none does.
+template <class Value>
+typename StudyJob<Value>::End StudyJob<Value>::run(const Study& study, const StudyFeed<Value>& feed) {
+    try {
+        return {std::make_shared<const Value>(study(feed)), {}};
+    } catch (const std::exception& error) {
+        return {nullptr, QString::fromUtf8(error.what())};
+    } catch (...) {
+        return {nullptr, QStringLiteral("The study failed for an unknown reason.")};
+    }
+}
+
+// On any thread.
+template <class Value>
+template <class Write>
+void StudyJob<Value>::post(std::uint64_t number, const Write& write) {
+    {
+        const std::lock_guard hold(m_lock);
+        if (m_mail.study != number) m_mail = {number, {}, {}};
+        write(m_mail);
+        if (std::exchange(m_announced, true)) return;
+    }
+    QMetaObject::invokeMethod(this, &StudyJob::take, Qt::QueuedConnection);
+}
+
+template <class Value>
+void StudyJob<Value>::take() {
+    fetch();
+    emit changed();
+}
+
+template <class Value>
+void StudyJob<Value>::fetch() {
+    Mail mail;
+    {
+        const std::lock_guard hold(m_lock);
+        mail = std::exchange(m_mail, {});
+        m_announced = false;
+    }
+    if (mail.study <= m_dropped) return;
+    if (mail.value) {
+        m_value = mail.value;
+        m_valueOf = mail.study;
+    }
+    if (mail.progress && mail.study == m_asked) m_progress = *mail.progress;
+}
+
+template <class Value>
+void StudyJob<Value>::end(std::uint64_t number, const End& end) {
+    fetch();
+    if (end.value) {
+        m_value = end.value;
+        m_valueOf = number;
+    }
+    if (number == m_asked) {
+        m_state = end.value ? StudyState::finished : StudyState::failed;
+        m_problem = end.problem;
+    }
+    emit changed();
+}
+
+}  // namespace drillwave

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One thread for work that replaces itself: of the tasks that wait, only the newest is done.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+
+namespace drillwave {
+
+/// Runs tasks one at a time, away from the window's thread. While one is in flight only the newest of those
+/// that arrive is kept; one that has been in flight for long is stopped when another is waiting. Deliveries
+/// come in the order of their tasks.
+class Worker : public QObject {
+    Q_OBJECT
+
+  public:
+    /// What a task leaves to be done on the window's thread.
+    using Delivery = std::function<void()>;
+    /// Done on the worker's thread, throws nothing. It may ignore `stop`, or end early on it.
+    using Task = std::function<Delivery(const std::stop_token& stop)>;
+
+    explicit Worker(QObject* parent = nullptr);
+    /// Stops the task in flight and waits for its end.
+    ~Worker() override;
+
+    void submit(Task task);
+    /// Forgets what is waiting, stops what is in flight, and drops its delivery.
+    void cancel();
+    /// Until nothing is done on the worker's thread any more. Call cancel() first.
+    void waitForThread();
+    /// From a task's start to its delivery.
+    bool isBusy() const { return m_busy; }
+
+  private:
+    /// While values are dragged every answer that takes less is seen.
+    static constexpr std::chrono::milliseconds patience{250};
+
+    void start(Task task);
+    void finish();
+    void work();
+
+    // Seen by the window's thread only.
+    Task m_waiting;
+    bool m_busy = false;      // from start() to finish(), which comes through the event loop
+    bool m_dropped = false;   // nobody wants what is in flight any more
+    std::stop_source m_stop;  // of what is in flight
+    QTimer m_patience;        // runs out when what is in flight may be stopped for what is waiting
+
+    // What the two threads hand each other, under the lock.
+    std::mutex m_lock;
+    std::condition_variable m_changed;
+    Task m_task;  // from start() until it is done
+    std::stop_token m_taskStop;
+    Delivery m_delivery;
+    bool m_ending = false;
+
+    std::thread m_thread;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/plot_page.h"
+
+#include <cassert>
+
+#include "ui/plot/plot_widget.h"
+
+namespace drillwave {
+
+PlotWidget* PlotPage::makePlot() {
+    assert(!m_plot);
+    m_plot = new PlotWidget(this);
+    connect(m_plot, &PlotWidget::saveDataRequested, this,
+            [this] { emit exportRequested(exports().first()); });
+    connect(m_plot, &PlotWidget::savePictureRequested, this,
+            [this] { emit exportRequested(exports().last()); });
+    return m_plot;
+}
+
+void PlotPage::fit() {
+    m_plot->fit();
+}
+
+void PlotPage::setCurrent(bool current) {
+    m_plot->setCurrent(current);
+}
+
+// The numbers first, then the picture.
+QList<PageExport> PlotPage::exports() const {
+    PageExport numbers;
+    numbers.title = tr("&Data of this plot…");
+    numbers.toolTip = tr("The curves that the plot shows, as CSV");
+    numbers.fileStem = QStringLiteral("_plot");
+    numbers.csv = [plot = m_plot] { return plot->csv(); };
+    PageExport picture;
+    picture.title = tr("&Picture of this plot…");
+    picture.toolTip = tr("As it is zoomed, as PNG, SVG or PDF");
+    picture.picture = {[plot = m_plot](const PictureChoice& choice, const QString& title) {
+                           return plot->drawing(choice.format, choice.size, choice.dpi, title);
+                       },
+                       [plot = m_plot] { return double(plot->width()) / plot->height(); },
+                       [plot = m_plot] { plot->copyPicture(); }};
+    return {numbers, picture};
+}
+
+}  // namespace drillwave

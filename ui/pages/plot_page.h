@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A page around one plot, which is what it exports.
+#pragma once
+
+#include "ui/pages/page.h"
+
+namespace drillwave {
+
+class PlotWidget;
+
+class PlotPage : public Page {
+    Q_OBJECT
+
+  public:
+    using Page::Page;
+
+    void fit() override;
+    QList<PageExport> exports() const override;
+    void setCurrent(bool current) override;
+    PlotWidget* plot() const { return m_plot; }
+
+  protected:
+    /// The page's plot, made by the page once, where it comes in the order of its widgets.
+    PlotWidget* makePlot();
+
+  private:
+    PlotWidget* m_plot = nullptr;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cursors of a plot and the strip below it that reads a curve at them.
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <optional>
+
+#include "ui/plot/curve_reading.h"
+#include "ui/plot/plot_csv.h"
+#include "ui/plot/plot_cursors.h"
+
+namespace drillwave {
+
+class CursorBar;
+
+/// Reads the chosen curve of a plot whenever it is drawn or a cursor moves. Every x and y is in the units of
+/// the axes.
+class CurveReader : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Lives in the plot, as do the meanings of its curves, which decide how they are read.
+    CurveReader(QCustomPlot& plot, const CurveMeanings& meanings);
+
+    /// Puts cursor A, B or the time to x, or takes it away; emits nothing but changed().
+    void place(PlotCursor cursor, std::optional<double> x);
+    std::optional<double> position(PlotCursor cursor) const { return m_cursors.position(cursor); }
+    /// Takes A and B away.
+    void clear();
+    const PlotCursors& cursors() const { return m_cursors; }
+    void setStyle(const PlotStyle& style) { m_cursors.setStyle(style); }
+
+    /// The graph read at A and B: as chosen, else the first that is visible; nullptr without any.
+    QCPGraph* graph() const;
+    void setGraph(QCPGraph* graph);
+    /// What cursors A and B say about graph(); nothing unless both are placed.
+    std::optional<CursorReading> reading() const;
+    /// The strip below the plot, in words; empty while neither A nor B is placed.
+    QString text() const;
+    /// The curve has data of its own: reads it again. Replots do that by themselves.
+    void read();
+    /// The strip takes its height from the plot, as much as its words need at this width.
+    void placeBar();
+
+  signals:
+    /// Cursor A or B, the curve or its data have changed; see reading().
+    void changed();
+    /// The user has taken A and B away by the strip.
+    void closed();
+
+  private:
+    QString words() const;
+
+    QCustomPlot& m_plot;
+    const CurveMeanings& m_meanings;
+    PlotCursors m_cursors;
+    CursorBar* m_bar;
+    QPointer<QCPGraph> m_graph;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/window_layout.h"
+
+#include <QDockWidget>
+#include <QEvent>
+#include <QMainWindow>
+#include <QMenu>
+#include <QScreen>
+#include <QTimer>
+
+#include "ui/text/settings.h"
+#include "ui/window/on_screen.h"
+
+namespace drillwave {
+namespace {
+
+// Raised when docks or toolbars change so that an old layout no longer fits.
+constexpr int layoutVersion = 1;
+constexpr QSize usualSize{1440, 900};
+const QString geometryKey = QStringLiteral("window/geometry");
+const QString layoutKey = QStringLiteral("window/layout");
+const QString stackedKey = QStringLiteral("window/stacked");
+constexpr Qt::DockWidgetArea areas[] = {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea};
+
+}  // namespace
+
+WindowLayout::WindowLayout(QMainWindow* window, const QWidget* page)
+    : QObject(window), m_window(window), m_page(page) {
+    window->installEventFilter(this);
+}
+
+void WindowLayout::addDock(const QString& title, const QString& name, QWidget* content) {
+    auto* dock = new QDockWidget(title, m_window);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    m_window->addDockWidget(areas[m_docks.size()], dock);
+    m_docks.append(dock);
+}
+
+void WindowLayout::addTo(QMenu& menu) {
+    for (const QDockWidget* dock : std::as_const(m_docks)) menu.addAction(dock->toggleViewAction());
+    menu.addAction(tr("&Reset layout"), this, &WindowLayout::reset);
+}
+
+void WindowLayout::restoreSize() {
+    m_window->resize(usualSize.boundedTo(m_window->screen()->availableSize()));
+    if (m_window->restoreGeometry(Settings().value(geometryKey).toByteArray()))
+        keepOnScreen(*m_window);
+    else
+        m_firstSize = m_window->size();
+}
+
+void WindowLayout::save() const {
+    Settings settings;
+    settings.setValue(geometryKey, m_window->saveGeometry());
+    settings.setValue(layoutKey, m_window->saveState(layoutVersion));
+    settings.setValue(stackedKey, m_stacked);
+}
+
+// Restored before the window is shown, docks come out in wrong sizes.
+bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Show && !std::exchange(m_restored, true))
+        QTimer::singleShot(0, this, &WindowLayout::restore);
+    else if (event->type() == QEvent::Resize && m_restored)
+        QTimer::singleShot(0, this, &WindowLayout::stack);
+    return QObject::eventFilter(watched, event);
+}
+
+void WindowLayout::restore() {
+    if (m_window->restoreState(Settings().value(layoutKey).toByteArray(), layoutVersion))
+        m_stacked = Settings().value(stackedKey).toBool();
+    else
+        reset();
+    for (QDockWidget* dock : std::as_const(m_docks))
+        if (dock->isFloating()) keepOnScreen(*dock);
+    stack();
+    if (m_window->size() == m_firstSize) fitOnScreen(*m_window);  // only now its frame is known
+}
+
+void WindowLayout::reset() {
+    m_stacked = false;
+    QTimer::singleShot(0, this, &WindowLayout::stack);
+    QList<int> widths;
+    int wanted = m_page->minimumSizeHint().width();
+    for (qsizetype i = 0; i < m_docks.size(); ++i) {
+        m_docks[i]->setFloating(false);
+        if (m_window->dockWidgetArea(m_docks[i]) != areas[i]) m_window->addDockWidget(areas[i], m_docks[i]);
+        m_docks[i]->show();
+        widths.append(m_docks[i]->widget()->sizeHint().width());
+        wanted += widths.last();
+    }
+    // A small window stays small: docks that ask for more than there is would widen it.
+    if (wanted <= m_window->width()) m_window->resizeDocks(m_docks, widths, Qt::Horizontal);
+}
+
+bool WindowLayout::isSideBySide() const {
+    return !m_docks[0]->isFloating() && !m_docks[1]->isFloating() && m_docks[0]->isVisible() &&
+           m_docks[1]->isVisible() &&
+           m_window->dockWidgetArea(m_docks[0]) != m_window->dockWidgetArea(m_docks[1]);
+}
+
+void WindowLayout::stack() {
+    int wanted = m_window->centralWidget()->minimumSizeHint().width();
+    for (const QDockWidget* dock : std::as_const(m_docks))
+        wanted += dock->widget()->minimumSizeHint().width();
+    if (!m_stacked && m_window->width() < wanted && isSideBySide()) {
+        m_window->tabifyDockWidget(m_docks[0], m_docks[1]);
+        m_docks[0]->raise();
+        m_stacked = true;
+    } else if (m_stacked && m_window->width() >= wanted) {
+        m_stacked = false;
+        m_window->addDockWidget(areas[1], m_docks[1]);
+    }
+}
+
+}  // namespace drillwave

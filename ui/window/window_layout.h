@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Size and place of the window and its two docks, kept over the end of the program.
+#pragma once
+
+#include <QObject>
+#include <QSize>
+
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+class QWidget;
+
+namespace drillwave {
+
+/// Side by side the docks leave a narrow window no room for the page: they share one side then.
+class WindowLayout : public QObject {
+    Q_OBJECT
+
+  public:
+    /// `page` is what the docks leave room for. addDock() and restoreSize() come before the window is shown.
+    WindowLayout(QMainWindow* window, const QWidget* page);
+
+    /// The first is on the left, the second on the right. `name` tells them apart in what is kept.
+    void addDock(const QString& title, const QString& name, QWidget* content);
+    /// Docks to be shown or hidden, and everything to be put back.
+    void addTo(QMenu& menu);
+    void restoreSize();
+    void save() const;
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    void restore();
+    void reset();
+    void stack();
+    bool isSideBySide() const;
+
+    QMainWindow* m_window;
+    const QWidget* m_page;
+    QList<QDockWidget*> m_docks;
+    bool m_restored = false;
+    QSize m_firstSize;       // where there is none of the last run
+    bool m_stacked = false;  // the docks share a side for want of room
+};
+
+}  // namespace drillwave
