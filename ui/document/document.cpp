@@ -8,7 +8,6 @@
 
 #include "core/file/pulse_table.h"
 #include "core/file/result_scenario.h"
-#include "core/model/optional_parameter.h"
 #include "ui/document/whole_file.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
@@ -118,8 +117,8 @@ void Document::assign(const Parameter& parameter, double si, int gesture) {
 
 void Document::clear(const Parameter& parameter, int gesture) {
     Scenario changed = m_scenario;
-    if (std::optional<double>* value = optionalValue(changed, parameter.key)) {
-        value->reset();
+    if (parameter.rules.clear) {
+        parameter.rules.clear(changed);
     } else {
         // Only the diameter of a rod that was given by its area can have had no value before.
         const auto* last = static_cast<const Edit*>(m_undoStack.command(m_undoStack.index() - 1));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/form/parameter_row.h"
 
-#include <QRegularExpression>
-
 #include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
@@ -54,8 +52,8 @@ void ParameterRow::rememberUnit() {
 }
 
 void ParameterRow::nameWidgets(const QString& sectionTitle) {
-    // "hammer length" in messages; in its own section "length" will do.
-    const QString label = fromView(m_parameter.label).remove(QRegularExpression(QStringLiteral("^hammer ")));
+    const std::string_view shortLabel = m_parameter.rules.shortLabel;
+    const QString label = fromView(shortLabel.empty() ? m_parameter.label : shortLabel);
     const QString symbol = shownSymbol(m_parameter.symbol);
     const QString meaning = fromView(m_parameter.meaning);
     const QString name = QStringLiteral("%1: %2").arg(sectionTitle, label);

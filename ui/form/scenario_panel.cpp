@@ -8,8 +8,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/model/optional_parameter.h"
-
 namespace drillwave {
 namespace {
 
@@ -93,8 +91,7 @@ void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTit
     auto* row = new ParameterRow(parameter, sectionTitle, grid, parent);
     m_sections.last().rows.append(row);
     row->field()->setCheck([this, &parameter](double si) { return m_document.whyNot(parameter, si); });
-    Scenario probe;
-    if (optionalValue(probe, parameter.key)) row->field()->setOptional(tr("not given"));
+    if (parameter.rules.clear) row->field()->setOptional(tr("not given"));
     connect(row, &ParameterRow::edited, this,
             [this, &parameter](double si) { m_document.assign(parameter, si, m_gesture); });
     connect(row, &ParameterRow::cleared, this,

@@ -35,11 +35,6 @@ class GridPoint {
     std::vector<std::uint64_t> m_index;
 };
 
-/// The hammer blow depends on its own parameters and, for a piston, on the rod.
-bool movesPulse(const SweepAxis& axis) {
-    return !axis.parameter || axis.parameter->section() == "pulse" || axis.parameter->section() == "rod";
-}
-
 struct Chunk {
     RowRange points;
     std::string text;
@@ -51,11 +46,11 @@ class RowMaker {
   public:
     explicit RowMaker(const Sweep& sweep)
         : m_sweep(sweep),
-          m_order(assignmentOrder(sweep.axes)),
+          m_assignments(assignmentsOf(sweep.axes)),
           m_scenario(sweep.base),
           m_solver(sweep.columns, sweep.method, sweep.workLimit) {
         for (std::size_t a = 0; a < sweep.axes.size(); ++a)
-            if (movesPulse(sweep.axes[a])) m_lastPulseAxis = a;
+            if (m_assignments.movesPulse(a)) m_lastPulseAxis = a;
     }
 
     void operator()(Chunk& chunk, std::stop_token stop) {
@@ -100,11 +95,11 @@ class RowMaker {
     /// point starts from the base.
     void assign(const GridPoint& point) {
         if (m_scenario.form == ScenarioForm::dimensional) m_scenario = m_sweep.base;
-        for (const std::size_t a : m_order) m_sweep.axes[a].assign(m_scenario, point[a]);
+        for (const std::size_t a : m_assignments.order()) m_sweep.axes[a].assign(m_scenario, point[a]);
     }
 
     const Sweep& m_sweep;
-    std::vector<std::size_t> m_order;
+    Assignments m_assignments;
     std::optional<std::size_t> m_lastPulseAxis;
     Scenario m_scenario;
     CaseSolver m_solver;
@@ -122,12 +117,10 @@ std::string headerOf(const Sweep& sweep) {
 
 }  // namespace
 
-std::vector<std::size_t> assignmentOrder(const std::vector<SweepAxis>& axes) {
-    // The parameter table has the groups last; the shape, which is not in it, has a null pointer.
-    std::vector<std::size_t> order(axes.size());
-    for (std::size_t a = 0; a < axes.size(); ++a) order[a] = a;
-    std::ranges::sort(order, {}, [&](std::size_t a) { return axes[a].parameter; });
-    return order;
+Assignments assignmentsOf(const std::vector<SweepAxis>& axes) {
+    Assignments assignments;
+    for (const SweepAxis& axis : axes) assignments.add(axis.key());
+    return assignments;
 }
 
 std::uint64_t pointCount(const Sweep& sweep) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/blow/method.h"
+#include "core/model/assignments.h"
 #include "core/model/scenario.h"
 #include "core/study/rows/output_column.h"
 #include "core/study/rows/rows.h"
@@ -29,9 +30,8 @@ struct Sweep {
 /// Most axes of one sweep.
 inline constexpr std::size_t maximumSweepAxes = 8;
 
-/// The axes in the order in which a point sets them: the shape first, it decides which parameters apply; the
-/// groups last, they move physical parameters.
-std::vector<std::size_t> assignmentOrder(const std::vector<SweepAxis>& axes);
+/// What the axes set, each numbered as it is there.
+Assignments assignmentsOf(const std::vector<SweepAxis>& axes);
 
 /// Number of points of the whole grid; 0 if there are more than maximumSweepPoints.
 std::uint64_t pointCount(const Sweep& sweep);

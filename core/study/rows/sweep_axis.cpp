@@ -13,8 +13,6 @@ namespace drillwave {
 
 namespace {
 
-constexpr std::string_view shapeKey = "pulse.shape";
-
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
     for (;;) {
@@ -99,7 +97,7 @@ std::string readShapes(ParsedAxis& parsed, const std::vector<std::string_view>& 
         const std::optional<PulseShape> shape = findPulseShape(item);
         if (!shape) {
             parsed.kind = ParsedAxis::Kind::badValue;
-            return refusal(shapeKey, item, "must be one of " + pulseShapeList());
+            return refusal(pulseShapeKey, item, "must be one of " + pulseShapeList());
         }
         axis.shapes.push_back(*shape);
     }
@@ -114,7 +112,7 @@ std::string readAxis(ParsedAxis& parsed, std::string_view text) {
                "` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C";
     const std::string_view key = trimmed(text.substr(0, equals));
     const std::string_view values = text.substr(equals + 1);
-    if (key == shapeKey) return readShapes(parsed, split(values, ','));
+    if (key == pulseShapeKey) return readShapes(parsed, split(values, ','));
     axis.parameter = findParameter(key);
     if (!axis.parameter) {
         const std::string near = nearestKey(key);
@@ -133,7 +131,7 @@ std::string SweepAxis::header() const {
 }
 
 std::string_view SweepAxis::key() const {
-    return parameter ? parameter->key : shapeKey;
+    return parameter ? parameter->key : pulseShapeKey;
 }
 
 double SweepAxis::value(std::uint64_t i) const {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/model/parameter_text.h"
-#include "core/model/rival_keys.h"
 #include "core/model/validation.h"
 
 namespace drillwave {
@@ -13,9 +12,10 @@ namespace {
 
 /// An axis of one would undo an axis of the other.
 void checkRivals(const std::vector<SweepAxis>& axes, std::vector<std::string>& problems) {
+    const Assignments assignments = assignmentsOf(axes);
     for (std::size_t a = 0; a < axes.size(); ++a)
         for (std::size_t b = a + 1; b < axes.size(); ++b)
-            if (areRivals(axes[a].key(), axes[b].key()))
+            if (assignments.contradict(a, b))
                 problems.push_back("the axes " + std::string(axes[a].key()) + " and " +
                                    std::string(axes[b].key()) + " set the same thing; vary one of them");
 }
@@ -77,7 +77,7 @@ void visitCorners(const std::vector<SweepAxis>& axes, Visit visit) {
 /// its corners are.
 void checkCorners(const Sweep& sweep, std::vector<std::string>& problems) {
     constexpr std::size_t enough = 20;
-    const std::vector<std::size_t> order = assignmentOrder(sweep.axes);
+    const Assignments assignments = assignmentsOf(sweep.axes);
     ApplicabilityCheck applicability(sweep.axes);
     std::vector<std::string> reported;  // one bad combination explains the others of the same kind
     std::string columnsProblem;
@@ -88,7 +88,7 @@ void checkCorners(const Sweep& sweep, std::vector<std::string>& problems) {
     };
     visitCorners(sweep.axes, [&](const std::vector<std::uint64_t>& point) {
         Scenario scenario = sweep.base;
-        for (const std::size_t a : order) {
+        for (const std::size_t a : assignments.order()) {
             applicability.noteBeforeAssigning(a, scenario);
             sweep.axes[a].assign(scenario, point[a]);
         }

@@ -61,10 +61,9 @@ class RowMaker {
     RowMaker(const Table& table, const TableHeader& header)
         : m_assigner(table.base, table.source, header),
           m_outputs(table.columns.size()),
+          m_movesPulse(header.assignments().movePulse()),
           m_solver(table.columns, table.method, table.workLimit) {
         m_solver.setPulse(table.base);
-        for (const TableColumn& column : header.columns)
-            if (column.key().starts_with("pulse.") || column.key().starts_with("rod.")) m_movesPulse = true;
     }
 
     void operator()(Chunk& chunk, std::stop_token stop) {
@@ -101,7 +100,7 @@ class RowMaker {
 
     TableRowAssigner m_assigner;
     std::size_t m_outputs;
-    bool m_movesPulse = false;
+    bool m_movesPulse;
     CaseSolver m_solver;
 };
 

@@ -12,8 +12,6 @@ namespace drillwave {
 
 namespace {
 
-constexpr std::string_view shapeKey = "pulse.shape";
-
 /// "rod.length [mm]" in its parts; `unit` is empty without brackets.
 struct NameAndUnit {
     std::string_view name;
@@ -48,7 +46,7 @@ std::string bare(std::string_view name) {
 /// The key that is meant by a name that is almost it; empty when there is none.
 std::string_view meantKey(std::string_view name) {
     const std::string wanted = bare(name);
-    if (wanted == bare(shapeKey)) return shapeKey;
+    if (wanted == bare(pulseShapeKey)) return pulseShapeKey;
     const auto found =
         std::ranges::find_if(parameters(), [&](const Parameter& p) { return bare(p.key) == wanted; });
     return found == parameters().end() ? std::string_view() : found->key;
@@ -137,17 +135,15 @@ void checkSetsSomething(TableHeader& header) {
 }  // namespace
 
 std::string_view TableColumn::key() const {
-    if (kind == Kind::shape) return shapeKey;
+    if (kind == Kind::shape) return pulseShapeKey;
     return kind == Kind::parameter ? parameter->key : std::string_view();
 }
 
-std::vector<std::size_t> TableHeader::assignmentOrder() const {
-    // The parameter table has the groups last; the shape, which is not in it, has a null pointer.
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-        if (columns[i].kind != TableColumn::Kind::other) order.push_back(i);
-    std::ranges::sort(order, {}, [this](std::size_t i) { return columns[i].parameter; });
-    return order;
+Assignments TableHeader::assignments() const {
+    Assignments assignments;
+    for (const TableColumn& column : columns)
+        column.kind == TableColumn::Kind::other ? assignments.skip() : assignments.add(column.key());
+    return assignments;
 }
 
 TableHeader readTableHeader(std::span<const std::string> cells, std::span<const OutputColumn> outputs) {
@@ -159,7 +155,7 @@ TableHeader readTableHeader(std::span<const std::string> cells, std::span<const 
         column.parameter = findParameter(name);
         if (column.parameter)
             column.kind = TableColumn::Kind::parameter;
-        else if (name == shapeKey)
+        else if (name == pulseShapeKey)
             column.kind = TableColumn::Kind::shape;
         else
             judgeOther(cell, number, outputs, header);

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/model/parameter_text.h"
-#include "core/model/rival_keys.h"
 #include "core/model/validation.h"
 #include "core/text/decimal_text.h"
 #include "core/text/text_input.h"
@@ -37,11 +36,14 @@ std::string unitProblem(const TableColumn& column, std::string_view cell) {
 }  // namespace
 
 TableRowAssigner::TableRowAssigner(const Scenario& base, const std::string& source, const TableHeader& header)
-    : m_base(base), m_source(source), m_header(header), m_order(header.assignmentOrder()), m_scenario(base) {
-    for (const std::size_t a : m_order)
-        for (const std::size_t b : m_order)
-            if (a < b && areRivals(header.columns[a].key(), header.columns[b].key()))
-                m_rivals.emplace_back(a, b);
+    : m_base(base),
+      m_source(source),
+      m_header(header),
+      m_assignments(header.assignments()),
+      m_scenario(base) {
+    for (const std::size_t a : m_assignments.order())
+        for (const std::size_t b : m_assignments.order())
+            if (a < b && m_assignments.contradict(a, b)) m_rivals.emplace_back(a, b);
 }
 
 std::vector<std::string> TableRowAssigner::assign(const TableRow& row) {
@@ -66,7 +68,7 @@ std::vector<std::string> TableRowAssigner::assignCells(const TableRow& row) {
     for (const auto& [a, b] : m_rivals)
         if (!cells[a].empty() && !cells[b].empty()) add(b, rivalProblem(a, b));
     m_scenario = m_base;
-    for (const std::size_t i : m_order)
+    for (const std::size_t i : m_assignments.order())
         if (!cells[i].empty()) add(i, assignCell(m_header.columns[i], cells[i]));
     return problems;
 }

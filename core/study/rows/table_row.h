@@ -39,7 +39,7 @@ class TableRowAssigner {
     const Scenario& m_base;
     const std::string& m_source;
     const TableHeader& m_header;
-    std::vector<std::size_t> m_order;
+    Assignments m_assignments;
     std::vector<std::pair<std::size_t, std::size_t>> m_rivals;  // columns of which a row may set only one
     Scenario m_scenario;
 };
