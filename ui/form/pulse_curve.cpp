@@ -2,7 +2,6 @@
 #include "ui/form/pulse_curve.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace drillwave {
 namespace {
@@ -20,24 +19,12 @@ double shownEnd(const PulseForce& force) {
     return small == force.segments.end() ? force.end : small->start;
 }
 
-double valueAt(const PulseSegment& segment, double x) {
-    switch (segment.kind) {
-        case PulseSegment::Kind::linear:
-            return segment.value + segment.slope * x;
-        case PulseSegment::Kind::sine:
-            return segment.value * std::sin(M_PI * (segment.start + x));
-        case PulseSegment::Kind::exponential:
-            return segment.value * std::exp(-x);
-    }
-    return 0;
-}
-
 void append(QPolygonF& points, const PulseSegment& segment, double end, double peak) {
     const double length = std::min(segment.length, end - segment.start);
     const int steps = segment.kind == PulseSegment::Kind::linear ? 1 : curvedSteps;
     for (int i = 0; i <= steps; ++i) {
         const double x = length * i / steps;
-        points.append({segment.start + x, valueAt(segment, x) / peak});
+        points.append({segment.start + x, segment.forceAt(x) / peak});
     }
 }
 
