@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/report/result_remarks.h"
-#include "core/text/row_text.h"
+#include "core/text/number_text.h"
 #include "core/wave/field/bit_motion.h"
 #include "core/wave/field/wave_field.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/model/parameter_text.h"
 #include "core/text/decimal_text.h"
-#include "core/text/row_text.h"
+#include "core/text/number_text.h"
 
 namespace drillwave {
 

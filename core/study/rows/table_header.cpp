@@ -7,23 +7,11 @@
 #include "core/model/parameter_text.h"
 #include "core/text/decimal_text.h"
 #include "core/text/text_input.h"
+#include "core/text/unit_heading.h"
 
 namespace drillwave {
 
 namespace {
-
-/// "rod.length [mm]" in its parts; `unit` is empty without brackets.
-struct NameAndUnit {
-    std::string_view name;
-    std::string_view unit;
-};
-
-NameAndUnit split(std::string_view cell) {
-    cell = trimmed(cell);
-    const std::size_t bracket = cell.find('[');
-    if (bracket == std::string_view::npos || !cell.ends_with(']')) return {cell, {}};
-    return {trimmed(cell.substr(0, bracket)), trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2))};
-}
 
 bool isOutput(std::string_view name) {
     const auto names = outputNames();
@@ -57,9 +45,9 @@ std::optional<char> otherSeparator(std::string_view cell) {
     for (const char separator : {';', '\t'}) {
         for (std::string_view rest = cell; rest.find(separator) != std::string_view::npos;) {
             const std::size_t at = rest.find(separator);
-            if (!meantKey(split(rest.substr(0, at)).name).empty()) return separator;
+            if (!meantKey(splitHeading(rest.substr(0, at)).name).empty()) return separator;
             rest.remove_prefix(at + 1);
-            if (!meantKey(split(rest.substr(0, rest.find(separator))).name).empty()) return separator;
+            if (!meantKey(splitHeading(rest.substr(0, rest.find(separator))).name).empty()) return separator;
         }
     }
     return std::nullopt;
@@ -113,7 +101,7 @@ void checkTwice(const TableColumn& column, std::size_t number, TableHeader& head
 /// A column that sets nothing.
 void judgeOther(std::string_view cell, std::size_t number, std::span<const OutputColumn> outputs,
                 TableHeader& header) {
-    const std::string_view name = split(cell).name;
+    const std::string_view name = splitHeading(cell).name;
     if (std::string problem = misnamed(cell, name); !problem.empty())
         header.problems.push_back({number, std::move(problem)});
     else if (std::ranges::find(outputs, trimmed(cell), &OutputColumn::header) != outputs.end())
@@ -150,7 +138,7 @@ TableHeader readTableHeader(std::span<const std::string> cells, std::span<const 
     TableHeader header;
     for (const std::string& cell : cells) {
         const std::size_t number = header.columns.size() + 1;
-        const auto [name, unit] = split(cell);
+        const auto [name, unit] = splitHeading(cell);
         TableColumn column{.text = cell};
         column.parameter = findParameter(name);
         if (column.parameter)
