@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/numeric/ordered_rows.h"
+#include "core/numeric/ordered_work.h"
 #include "core/text/units.h"
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/exact/extended_solver.h"
@@ -183,7 +183,7 @@ StabilityReport checkStability(const std::vector<StabilityCase>& cases, int jobs
         progress(report.rows.size());
         return true;
     };
-    report.stopped = processInOrder<Chunk>(jobs, stop, fill, makeWorker, deliver) == RowsEnd::stopped;
+    report.stopped = processInOrder<Chunk>(jobs, stop, fill, makeWorker, deliver) == WorkEnd::stopped;
     return report;
 }
 

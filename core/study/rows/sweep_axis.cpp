@@ -7,7 +7,7 @@
 
 #include "core/model/parameter_text.h"
 #include "core/text/decimal_text.h"
-#include "core/text/number_text.h"
+#include "core/text/unit_heading.h"
 
 namespace drillwave {
 
@@ -125,9 +125,14 @@ std::string readAxis(ParsedAxis& parsed, std::string_view text) {
 
 }  // namespace
 
-std::string SweepAxis::header() const {
-    const std::string name(key());
-    return !unit || unit->name.empty() ? name : name + " [" + std::string(unit->name) + "]";
+RowColumn SweepAxis::column() const {
+    if (kind == Kind::shapes) return {.header = std::string(key()), .kind = RowColumn::Kind::shape};
+    const Quantity quantity = parameter->quantity;
+    const bool hasUnit = quantity != Quantity::ratio;
+    return {.header = withUnit(key(), unit),
+            .kind = hasUnit ? RowColumn::Kind::quantity : RowColumn::Kind::number,
+            .quantity = quantity,
+            .unit = unit};
 }
 
 std::string_view SweepAxis::key() const {
@@ -135,6 +140,7 @@ std::string_view SweepAxis::key() const {
 }
 
 double SweepAxis::value(std::uint64_t i) const {
+    if (kind == Kind::shapes) return static_cast<double>(shapes[i]);
     if (kind == Kind::list) return list[i];
     if (i == 0) return start;
     if (i + 1 == count) return stop;
@@ -146,27 +152,16 @@ double SweepAxis::value(std::uint64_t i) const {
     return unit->toSi(std::pow(10.0, between(std::log10(a), std::log10(b), position, last)));
 }
 
-void SweepAxis::appendText(std::string& row, std::uint64_t i) const {
-    if (kind == Kind::shapes) {
-        row += name(shapes[i]);
-    } else if (parameter->quantity == Quantity::ratio) {
-        appendNumber(row, value(i));
-    } else {
-        row += formatQuantity(value(i), parameter->quantity, *unit);
-        row.resize(row.size() - unit->name.size() - 1);
-    }
-}
-
-void SweepAxis::assign(Scenario& scenario, std::uint64_t i) const {
+void SweepAxis::assign(Scenario& scenario, double value) const {
     if (kind == Kind::shapes)
-        scenario.pulse.shape = shapes[i];
+        scenario.pulse.shape = static_cast<PulseShape>(value);
     else if (parameter->applies(scenario))
-        parameter->assign(scenario, value(i));
+        parameter->assign(scenario, value);
 }
 
-std::string SweepAxis::readBackProblem(const Scenario& scenario, std::uint64_t i) const {
+std::string SweepAxis::readBackProblem(const Scenario& scenario, double value) const {
     if (!parameter || !parameter->applies(scenario)) return {};
-    return drillwave::readBackProblem(*parameter, scenario, value(i));
+    return drillwave::readBackProblem(*parameter, scenario, value);
 }
 
 std::vector<std::uint64_t> SweepAxis::extremes() const {

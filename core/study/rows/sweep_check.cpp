@@ -49,7 +49,7 @@ std::string pointText(const std::vector<SweepAxis>& axes, const std::vector<std:
     std::string text;
     for (std::size_t a = 0; a < axes.size(); ++a) {
         text += (a == 0 ? "" : ", ") + std::string(axes[a].key()) + " = ";
-        axes[a].appendText(text, point[a]);
+        axes[a].column().appendText(text, axes[a].value(point[a]));
         if (axes[a].unit && !axes[a].unit->name.empty()) text += " " + std::string(axes[a].unit->name);
     }
     return text;
@@ -90,11 +90,11 @@ void checkCorners(const Sweep& sweep, std::vector<std::string>& problems) {
         Scenario scenario = sweep.base;
         for (const std::size_t a : assignments.order()) {
             applicability.noteBeforeAssigning(a, scenario);
-            sweep.axes[a].assign(scenario, point[a]);
+            sweep.axes[a].assign(scenario, sweep.axes[a].value(point[a]));
         }
         columnsProblem = columnProblem(sweep.columns, scenario);
         for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
-            const std::string lost = sweep.axes[a].readBackProblem(scenario, point[a]);
+            const std::string lost = sweep.axes[a].readBackProblem(scenario, sweep.axes[a].value(point[a]));
             if (lost.empty() || !isNew(sweep.axes[a].key())) continue;
             problems.push_back("at " + pointText(sweep.axes, point) + ": " +
                                std::string(sweep.axes[a].key()) + " " + lost);

@@ -46,22 +46,22 @@ TableRowAssigner::TableRowAssigner(const Scenario& base, const std::string& sour
             if (a < b && m_assignments.contradict(a, b)) m_rivals.emplace_back(a, b);
 }
 
-std::vector<std::string> TableRowAssigner::assign(const TableRow& row) {
-    std::vector<std::string> problems = assignCells(row);
+std::vector<std::string> TableRowAssigner::assign(const CsvRecord& row, int line) {
+    std::vector<std::string> problems = assignCells(row, line);
     if (!problems.empty()) return problems;
-    for (const Problem& problem : validate(m_scenario)) problems.push_back(place(row) + ": " + problem.text);
+    for (const Problem& problem : validate(m_scenario)) problems.push_back(place(line) + ": " + problem.text);
     return problems;
 }
 
-std::vector<std::string> TableRowAssigner::assignCells(const TableRow& row) {
-    const std::vector<std::string>& cells = row.record.cells;
-    if (!row.record.problem.empty()) return {place(row) + ": " + row.record.problem};
+std::vector<std::string> TableRowAssigner::assignCells(const CsvRecord& row, int line) {
+    const std::vector<std::string>& cells = row.cells;
+    if (!row.problem.empty()) return {place(line) + ": " + row.problem};
     if (cells.size() != m_header.columns.size())
-        return {place(row) + ": has " + std::to_string(cells.size()) + " cells, the header has " +
+        return {place(line) + ": has " + std::to_string(cells.size()) + " cells, the header has " +
                 std::to_string(m_header.columns.size())};
     std::vector<std::string> problems;
     const auto add = [&](std::size_t i, const std::string& problem) {
-        if (!problem.empty()) problems.push_back(place(row) + ":" + std::to_string(i + 1) + ": " + problem);
+        if (!problem.empty()) problems.push_back(place(line) + ":" + std::to_string(i + 1) + ": " + problem);
     };
     for (std::size_t i = 0; i < cells.size(); ++i) add(i, textProblem(cells[i]));
     if (!problems.empty()) return problems;
