@@ -163,13 +163,13 @@ ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions
     RowCounts counts;
     {
         ProgressBar bar(record.rows, "rows");
-        const auto write = [&](std::string_view text) {
+        RowCsv csv([&](std::string_view text) {
             out.write(text);
             return true;
-        };
-        counts = run(interruption.token(), write, [&](const RowCounts& soFar) { bar.show(soFar.rows); });
+        });
+        counts = run(interruption.token(), csv, [&](const RowCounts& soFar) { bar.show(soFar.rows); });
     }
-    if (counts.end == RowsEnd::stopped) interruption.check();
+    if (counts.end == WorkEnd::stopped) interruption.check();
     out.commit(record);
     if (counts.failed == 0) return ExitCode::done;
     throw CommandError(ExitCode::unsolvedOrFailed,

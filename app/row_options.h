@@ -18,8 +18,9 @@
 #include "core/blow/method.h"
 #include "core/file/row_record.h"
 #include "core/file/scenario_file.h"
+#include "core/report/row_csv.h"
 #include "core/study/rows/output_column.h"
-#include "core/study/rows/rows.h"
+#include "core/study/rows/row_counts.h"
 #include "core/study/rows/shard.h"
 
 namespace drillwave {
@@ -73,8 +74,7 @@ class RowFile {
 };
 
 /// A run of rows: sweep or table.
-using RunRows =
-    std::function<RowCounts(std::stop_token, const WriteText& write, const RowProgress& progress)>;
+using RunRows = std::function<RowCounts(std::stop_token, RowSink& sink, const RowProgress& progress)>;
 
 /// Runs into `out` and commits it with its record, with progress on a terminal. Failed rows are counted on
 /// stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an interruption leaves no file.

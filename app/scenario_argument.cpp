@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scenario_argument.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -10,9 +9,9 @@
 #include "app/preset_options.h"
 #include "core/file/examples.h"
 #include "core/model/alerts.h"
+#include "core/model/assignments.h"
 #include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
-#include "core/model/rival_keys.h"
 #include "core/model/validation.h"
 #include "core/model/version.h"
 #include "core/text/decimal_text.h"
@@ -33,14 +32,15 @@ std::string quoted(const Setting& setting) {
 }
 
 /// One setting would silently undo the other.
-void checkRivals(const std::vector<Setting>& all) {
-    for (auto later = all.begin(); later != all.end(); ++later)
-        for (auto earlier = all.begin(); earlier != later; ++earlier)
-            if (areRivals(earlier->key, later->key))
-                throw CommandError(ExitCode::usage, quoted(*earlier) + " and " + quoted(*later) +
+void checkRivals(const std::vector<Setting>& all, const Assignments& assignments) {
+    for (std::size_t later = 0; later < all.size(); ++later)
+        for (std::size_t earlier = 0; earlier < later; ++earlier)
+            if (assignments.contradict(earlier, later))
+                throw CommandError(ExitCode::usage, quoted(all[earlier]) + " and " + quoted(all[later]) +
                                                         " set the same thing; give one of them");
 }
 
+/// In the order in which the scenario takes them.
 std::vector<Setting> settings(const Arguments& arguments) {
     std::vector<Setting> all;
     for (const std::string& word : arguments.values(setOption.name)) {
@@ -49,17 +49,18 @@ std::vector<Setting> settings(const Arguments& arguments) {
             throw CommandError(ExitCode::usage, "--set " + shortened(word) + ": needs KEY=VALUE");
         all.push_back({std::string(trimmed(word.substr(0, equals))), word.substr(equals + 1), word});
     }
-    checkRivals(all);
-    // The shape is not in the table of parameters: its null pointer comes first. Groups are last in the
-    // table.
-    std::ranges::stable_sort(all, {}, [](const Setting& s) { return findParameter(s.key); });
-    return all;
+    Assignments assignments;
+    for (const Setting& setting : all) assignments.add(setting.key);
+    checkRivals(all, assignments);
+    std::vector<Setting> inOrder;
+    for (const std::size_t i : assignments.order()) inOrder.push_back(std::move(all[i]));
+    return inOrder;
 }
 
 constexpr std::string_view titleKey = "title";
 
 bool isKey(const std::string& key) {
-    return key == "pulse.shape" || key == titleKey || findParameter(key);
+    return key == pulseShapeKey || key == titleKey || findParameter(key);
 }
 
 /// Why not, empty when it is set.

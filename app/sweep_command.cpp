@@ -33,7 +33,7 @@ std::vector<SweepAxis> axesOf(const Arguments& arguments) {
 Scenario sampleOf(const Scenario& base, const std::vector<SweepAxis>& axes) {
     Scenario sample = base;
     for (const SweepAxis& axis : axes)
-        if (axis.key() == "drill.blow_frequency") axis.assign(sample, 0);
+        if (axis.key() == "drill.blow_frequency") axis.assign(sample, axis.value(0));
     return sample;
 }
 
@@ -43,7 +43,7 @@ std::vector<RecordedAxis> recordedAxes(const std::vector<SweepAxis>& axes, const
     std::vector<RecordedAxis> recorded;
     for (const SweepAxis& axis : axes) {
         const std::string& word = words[recorded.size()];
-        recorded.push_back({axis.header(), word.substr(word.find('=') + 1), axis.count});
+        recorded.push_back({axis.column().header, word.substr(word.find('=') + 1), axis.count});
     }
     return recorded;
 }
@@ -72,8 +72,8 @@ ExitCode runSweepCommand(const Arguments& arguments) {
     record.axes = recordedAxes(axes, arguments);
     const Interruption interruption;
     RowFile out(options);
-    const auto run = [&](std::stop_token stop, const WriteText& write, const RowProgress& progress) {
-        return runSweep(sweep, options.jobs, stop, write, progress);
+    const auto run = [&](std::stop_token stop, RowSink& sink, const RowProgress& progress) {
+        return runSweep(sweep, options.jobs, stop, sink, progress);
     };
     return writeRows(run, record, options, out, interruption);
 }

@@ -47,8 +47,8 @@ ExitCode runTableCommand(const Arguments& arguments) {
     RowRecord record =
         recordOf("table", arguments, options, table.columns, base, rowsOf(table.shard, rows).size());
     record.cases = inputName(path);
-    const auto run = [&](std::stop_token stop, const WriteText& write, const RowProgress& progress) {
-        return runTable(table, cases.stream(), rows, options.jobs, stop, write, progress);
+    const auto run = [&](std::stop_token stop, RowSink& sink, const RowProgress& progress) {
+        return runTable(table, cases.stream(), rows, options.jobs, stop, sink, progress);
     };
     return writeRows(run, record, options, out, interruption);
 }

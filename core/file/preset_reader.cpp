@@ -129,7 +129,7 @@ void PresetReader::readShape(Preset& preset, const YamlEntries& values, const Ya
     const YamlNode& value = *found->second.value;
     const std::optional<PulseShape> shape = findPulseShape(value.text);
     if (!shape || shape == PulseShape::table || shape == PulseShape::rigidBody) {
-        m_reader.problems().reportValue(found->second.place(), "pulse.shape", value.text,
+        m_reader.problems().reportValue(found->second.place(), pulseShapeKey, value.text,
                                         "must be a shape of a hammer blow that needs no table");
         return;
     }
@@ -167,23 +167,17 @@ void PresetReader::requireKeys(const Preset& preset, const YamlEntries& entries,
     switch (preset.kind) {
         case PresetKind::rod:
             m_reader.requireOneOf(entries, "rod", "diameter", "area");
-            if (entries.contains("diameter")) m_reader.require(entries, "rod", {"bore"});
+            if (entries.contains("diameter")) m_reader.require(entries, *findParameter("rod.bore"));
             if (entries.contains("area") && entries.contains("bore"))
                 m_reader.problems().reportKey(item.offset, "rod.bore",
                                               "goes with a diameter, not with an area");
             break;
         case PresetKind::hammer:
-            m_reader.require(entries, "pulse", {"shape"});
-            if (!preset.shape) break;
-            if (*preset.shape == PulseShape::piston) {
-                m_reader.require(entries, "pulse", {"length", "diameter", "velocity"});
-            } else {
-                m_reader.require(entries, "pulse", {"duration"});
-                m_reader.requireOneOf(entries, "pulse", "impulse", "force");
-            }
+            m_reader.requireShape(entries);
+            if (preset.shape) m_reader.requireParameters(entries, "pulse");
             break;
         case PresetKind::rock:
-            m_reader.require(entries, "bit_rock", {"stiffness", "gamma"});
+            m_reader.requireParameters(entries, "bit_rock");
             break;
     }
 }

@@ -18,7 +18,7 @@ constexpr std::size_t maximumWrongPoints = 20;
 std::optional<PulseShape> readShape(SectionReader& reader, const YamlEntries& entries) {
     const auto found = entries.find("shape");
     if (found == entries.end()) {
-        reader.require(entries, "pulse", {"shape"});
+        reader.requireShape(entries);
         return std::nullopt;
     }
     const YamlEntry& entry = found->second;
@@ -26,21 +26,9 @@ std::optional<PulseShape> readShape(SectionReader& reader, const YamlEntries& en
     if (shape)
         reader.scenario().pulse.shape = *shape;
     else
-        reader.problems().reportValue(entry.place(), "pulse.shape", entry.value->text,
+        reader.problems().reportValue(entry.place(), pulseShapeKey, entry.value->text,
                                       "must be one of " + pulseShapeList());
     return shape;
-}
-
-void requireKeys(SectionReader& reader, const YamlEntries& entries, PulseShape shape) {
-    const bool piston = shape == PulseShape::piston;
-    if (!reader.dimensional()) {
-        if (piston) reader.require(entries, "pulse", {"impedance_ratio"});
-    } else if (piston) {
-        reader.require(entries, "pulse", {"length", "diameter", "velocity"});
-    } else if (shape != PulseShape::table) {
-        reader.require(entries, "pulse", {"duration"});
-        reader.requireOneOf(entries, "pulse", "impulse", "force");
-    }
 }
 
 void refuseTableKeys(SectionReader& reader, const YamlEntries& entries, PulseShape shape) {
@@ -81,12 +69,14 @@ void readPoints(SectionReader& reader, const YamlEntry& entry) {
         reader.problems().reportKey(entry.place(), "pulse.points", "must be a list of [time, force]");
         return;
     }
+    std::vector<TablePoint> points;
     std::size_t wrong = 0;
     for (const YamlNode& item : entry.value->children) {
         TablePoint point;
-        if (!readPoint(reader, item, point) && ++wrong >= maximumWrongPoints) return;
-        reader.scenario().pulse.tablePoints.push_back(point);
+        if (!readPoint(reader, item, point) && ++wrong >= maximumWrongPoints) break;
+        points.push_back(point);
     }
+    reader.scenario().pulse.tablePoints = std::move(points);
 }
 
 bool readTableFile(SectionReader& reader, const YamlEntry& entry, const TableSource& tables) {
@@ -135,7 +125,7 @@ bool readPulse(SectionReader& reader, const YamlEntries& file, const TableSource
     using Applicability = SectionReader::Applicability;
     reader.readParameters(*entries, "pulse", shape ? Applicability::checked : Applicability::ignored);
     if (!shape) return false;
-    requireKeys(reader, *entries, *shape);
+    reader.requireParameters(*entries, "pulse");
     if (shape == PulseShape::table) return readTable(reader, *entries, tables);
     refuseTableKeys(reader, *entries, *shape);
     return false;

@@ -13,7 +13,7 @@ namespace drillwave {
 /// Where the points of a table file come from: beside `source`, or given already.
 struct TableSource {
     const std::string& source;
-    const std::vector<TablePoint>* points = nullptr;
+    const TablePoints* points = nullptr;
 };
 
 /// Reads the section `pulse` into the reader's scenario, whose form is known. True when the only problem of a

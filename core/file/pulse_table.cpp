@@ -7,6 +7,7 @@
 #include "core/text/csv.h"
 #include "core/text/decimal_text.h"
 #include "core/text/text_input.h"
+#include "core/text/unit_heading.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -15,19 +16,6 @@ namespace {
 constexpr std::size_t maximumTableBytes = std::size_t{16} << 20;
 constexpr std::size_t maximumRecordBytes = 4096;
 constexpr std::size_t maximumProblems = 20;
-
-/// "time [us]" split into its name and its unit.
-struct ColumnHeader {
-    std::string_view name;
-    std::string_view unit;
-};
-
-ColumnHeader splitHeader(std::string_view cell) {
-    cell = trimmed(cell);
-    const std::size_t bracket = cell.find('[');
-    if (bracket == std::string_view::npos || cell.back() != ']') return {cell, ""};
-    return {trimmed(cell.substr(0, bracket)), trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2))};
-}
 
 class TableReader {
   public:
@@ -56,7 +44,7 @@ class TableReader {
     }
 
     const Unit* columnUnit(const std::string& cell, std::string_view name, Quantity quantity, int line) {
-        const ColumnHeader header = splitHeader(cell);
+        const UnitHeading header = splitHeading(cell);
         const Quantity expected = dimensional() ? quantity : Quantity::ratio;
         const Unit* unit = findUnit(expected, header.unit);
         if (header.name != name)

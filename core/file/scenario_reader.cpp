@@ -5,6 +5,7 @@
 
 #include "core/file/pulse_reader.h"
 #include "core/file/section_reader.h"
+#include "core/model/parameter.h"
 
 namespace drillwave {
 namespace {
@@ -60,15 +61,14 @@ void readGroups(SectionReader& reader, const YamlEntries& file) {
     const std::optional<YamlEntries> entries = reader.section(file, "dimensionless", "groups");
     if (!entries) return;
     reader.readParameters(*entries, "groups", Applicability::checked);
-    reader.require(*entries, "dimensionless", {"beta", "gamma", "tau"});
+    reader.requireParameters(*entries, "groups");
 }
 
 void readRod(SectionReader& reader, const YamlEntries& file) {
     const std::optional<YamlEntries> entries = reader.section(file, "rod", "rod");
     if (!entries) return;
     reader.readParameters(*entries, "rod", Applicability::ignored);
-    reader.require(*entries, "rod", {"length", "youngs_modulus", "density"});
-    reader.requireOneOf(*entries, "rod", "diameter", "area");
+    reader.requireParameters(*entries, "rod");
     const auto bore = entries->find("bore");
     if (entries->contains("area") && !entries->contains("diameter") && bore != entries->end())
         reader.problems().reportKey(bore->second.key->offset, "rod.bore",
@@ -79,13 +79,15 @@ void readBitRock(SectionReader& reader, const YamlEntries& file) {
     const std::optional<YamlEntries> entries = reader.section(file, "bit_rock", "bit_rock");
     if (!entries) return;
     reader.readParameters(*entries, "bit_rock", Applicability::checked);
-    reader.require(*entries, "bit_rock", {"stiffness", "gamma"});
+    reader.requireParameters(*entries, "bit_rock");
 }
 
 void readDrill(SectionReader& reader, const YamlEntries& file) {
     if (!file.contains("drill")) return;
     const std::optional<YamlEntries> entries = reader.section(file, "drill", "drill");
-    if (entries) reader.readParameters(*entries, "drill", Applicability::checked);
+    if (!entries) return;
+    reader.readParameters(*entries, "drill", Applicability::checked);
+    reader.requireParameters(*entries, "drill");
 }
 
 /// Whether a finding of validate() is about values that were read: a default that stands in for a bad or
@@ -102,9 +104,8 @@ bool isAboutTheFile(SectionReader& reader, const InputProblem& problem) {
 
 /// Where a group comes from in a dimensional scenario.
 std::string_view originOf(std::string_view key) {
-    if (key == "beta") return "bit_rock.stiffness";
-    if (key == "tau") return "rod.length";
-    return key == "delta" ? "bit_rock.gap" : key;
+    const Parameter* parameter = findParameter(key);
+    return parameter && parameter->isGroup() ? parameter->rules.rival : key;
 }
 
 void checkWhole(SectionReader& reader) {
@@ -148,8 +149,7 @@ ReadScenario unreadableText(InputProblem problem) {
 
 }  // namespace
 
-ReadScenario readScenario(std::string_view text, const std::string& source,
-                          const std::vector<TablePoint>* tablePoints) {
+ReadScenario readScenario(std::string_view text, const std::string& source, const TablePoints* tablePoints) {
     if (const TextProblem problem = checkText(text); !problem.reason.empty()) {
         const TextPosition at = positionOf(text, problem.offset);
         return unreadableText({"", "is not a text file: it holds " + problem.reason, at.line, at.column});

@@ -29,6 +29,6 @@ struct ReadScenario {
 /// Reads and validates. `source` names the text, and a table file is looked for beside it; with `tablePoints`
 /// given these are taken for the content of that file, which is then not opened.
 ReadScenario readScenario(std::string_view text, const std::string& source,
-                          const std::vector<TablePoint>* tablePoints = nullptr);
+                          const TablePoints* tablePoints = nullptr);
 
 }  // namespace drillwave

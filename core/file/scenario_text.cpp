@@ -2,21 +2,12 @@
 #include "core/file/scenario_text.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/file/scenario_reader.h"
 #include "core/model/scales.h"
 
 namespace drillwave {
 namespace {
-
-/// Keys that a file may leave out where they have the value of a new scenario.
-constexpr std::array<std::string_view, 5> optionalKeys{"rod.bore", "pulse.rise", "pulse.fall", "bit_rock.gap",
-                                                       "delta"};
-
-std::string_view fileSection(const Parameter& parameter) {
-    return parameter.section() == "groups" ? "dimensionless" : parameter.section();
-}
 
 /// A mean force is kept as such if it leads back to the same impulse, as every force that was given does.
 bool keepsForce(const Pulse& pulse) {
@@ -31,13 +22,14 @@ bool isSaved(const Parameter& parameter, const Scenario& scenario) {
 
 SavedValue savedParameter(const Parameter& parameter, const Scenario& scenario) {
     const double number = *parameter.value(scenario);
-    const bool optional = std::ranges::find(optionalKeys, parameter.key) != optionalKeys.end();
-    return {fileSection(parameter),
+    const Presence presence = parameter.rules.presence;
+    const bool mayBeMissing = presence == Presence::assumed || presence == Presence::unusual;
+    return {parameter.fileSection(),
             parameter.localKey(),
             &parameter,
             number,
             {},
-            optional && number == parameter.value(Scenario())};
+            mayBeMissing && number == parameter.value(Scenario())};
 }
 
 SavedValue savedText(std::string_view section, std::string_view key, std::string_view text) {
@@ -64,6 +56,11 @@ std::string pointsText(const Scenario& scenario) {
 
 bool hasInlinePoints(const Scenario& scenario) {
     return scenario.pulse.shape == PulseShape::table && scenario.pulse.tableFile.empty();
+}
+
+/// A usual value that a new file does not tell.
+bool goesWithoutSaying(const SavedValue& value) {
+    return value.isDefault && value.parameter->rules.presence == Presence::unusual;
 }
 
 bool isNullWord(std::string_view text) {
@@ -107,7 +104,7 @@ std::vector<SavedValue> savedValues(const Scenario& scenario) {
          {dimensional ? "rod" : "dimensionless", "pulse", "bit_rock", "drill"}) {
         if (section == "pulse") values.push_back(savedText("pulse", "shape", name(scenario.pulse.shape)));
         for (const Parameter& parameter : parameters())
-            if (fileSection(parameter) == section && isSaved(parameter, scenario))
+            if (parameter.fileSection() == section && isSaved(parameter, scenario))
                 values.push_back(savedParameter(parameter, scenario));
         if (section == "pulse" && scenario.pulse.shape == PulseShape::table &&
             !scenario.pulse.tableFile.empty())
@@ -145,7 +142,7 @@ std::string sectionText(const Scenario& scenario, std::string_view section) {
     const bool flow = scenario.form == ScenarioForm::dimensionless && !points;
     std::string lines;
     for (const SavedValue& value : savedValues(scenario)) {
-        if (value.section != section || (value.isDefault && value.key == "bore")) continue;
+        if (value.section != section || goesWithoutSaying(value)) continue;
         const std::string line = std::string(value.key) + ": " + valueText(value);
         lines += flow ? (lines.empty() ? "" : ", ") + line : "  " + line + "\n";
     }

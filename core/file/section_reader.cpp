@@ -20,8 +20,7 @@ std::string listOf(const std::vector<std::string_view>& names) {
 
 /// The name by which messages call a parameter: its path in the file.
 std::string pathOf(const Parameter& parameter) {
-    return parameter.section() == "groups" ? joinedKey("dimensionless", parameter.key)
-                                           : std::string(parameter.key);
+    return joinedKey(parameter.fileSection(), parameter.localKey());
 }
 
 /// ": write for example `length: 3.66 m`", where there is a usual value.
@@ -113,18 +112,28 @@ void SectionReader::readParameter(const Parameter& parameter, const YamlEntry& e
         m_problems.reportValue(entry.place(), pathOf(parameter), value.text, reason);
 }
 
-void SectionReader::require(const YamlEntries& entries, std::string_view section,
-                            std::initializer_list<std::string_view> keys) {
-    for (const std::string_view key : keys) {
-        if (isThere(entries, section, key)) continue;
-        if (section == "pulse" && key == "shape") {
-            reportMissing(section, key, "is missing, one of " + pulseShapeList());
-            continue;
-        }
-        const Parameter* parameter =
-            findParameter(section == "dimensionless" ? std::string(key) : joinedKey(section, key));
-        reportMissing(section, key, "is missing" + (parameter ? example(*parameter) : std::string()));
-    }
+void SectionReader::requireShape(const YamlEntries& entries) {
+    if (!isThere(entries, "pulse", "shape"))
+        reportMissing("pulse", "shape", "is missing, one of " + pulseShapeList());
+}
+
+void SectionReader::require(const YamlEntries& entries, const Parameter& parameter) {
+    if (!isThere(entries, parameter.fileSection(), parameter.localKey()))
+        reportMissing(parameter.fileSection(), parameter.localKey(), "is missing" + example(parameter));
+}
+
+void SectionReader::requireParameters(const YamlEntries& entries, std::string_view group) {
+    const auto every = [&](Presence presence, const auto& check) {
+        for (const Parameter& parameter : parameters())
+            if (parameter.section() == group && parameter.rules.presence == presence &&
+                parameter.applies(m_scenario))
+                check(parameter);
+    };
+    every(Presence::required, [&](const Parameter& parameter) { require(entries, parameter); });
+    every(Presence::either, [&](const Parameter& parameter) {
+        const Parameter& rival = *findParameter(parameter.rules.rival);
+        requireOneOf(entries, parameter.fileSection(), parameter.localKey(), rival.localKey());
+    });
 }
 
 void SectionReader::requireOneOf(const YamlEntries& entries, std::string_view section, std::string_view one,

@@ -2,7 +2,6 @@
 // Sections of a scenario file: their keys checked, their values read through the parameter table.
 #pragma once
 
-#include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>
@@ -52,9 +51,13 @@ class SectionReader {
     /// duration).
     void readParameters(const YamlEntries& entries, std::string_view group, Applicability applicability);
 
-    /// Reports the keys that are missing from a section.
-    void require(const YamlEntries& entries, std::string_view section,
-                 std::initializer_list<std::string_view> keys);
+    /// Reports what is missing from a section, of the parameters of the group that apply to the scenario, and
+    /// what stands beside its rival.
+    void requireParameters(const YamlEntries& entries, std::string_view group);
+    /// Reports the parameter where it is missing from its section.
+    void require(const YamlEntries& entries, const Parameter& parameter);
+    /// Likewise the shape of the pulse.
+    void requireShape(const YamlEntries& entries);
     /// Reports it unless exactly one of the two keys is there.
     void requireOneOf(const YamlEntries& entries, std::string_view section, std::string_view one,
                       std::string_view other);

@@ -26,30 +26,8 @@ constexpr std::string_view lostPhase =
 constexpr auto linear = SliderScale::linear;
 constexpr auto logarithmic = SliderScale::logarithmic;
 
-bool always(const S&) {
-    return true;
-}
 bool dimensional(const S& s) {
     return s.form == ScenarioForm::dimensional;
-}
-bool isPiston(const S& s) {
-    return s.pulse.shape == PulseShape::piston;
-}
-bool pistonInSi(const S& s) {
-    return dimensional(s) && isPiston(s);
-}
-bool pistonByRatio(const S& s) {
-    return !dimensional(s) && isPiston(s);
-}
-bool isTrapezoid(const S& s) {
-    return s.pulse.shape == PulseShape::trapezoid;
-}
-/// Duration and impulse are given, and do not follow from a piston or a table.
-bool givenPulse(const S& s) {
-    return dimensional(s) && !isPiston(s) && s.pulse.shape != PulseShape::table;
-}
-bool boreApplies(const S& s) {
-    return dimensional(s) && !s.rod.area;
 }
 
 Value diameter(const S& s) {
@@ -119,92 +97,113 @@ void assignDelta(S& s, double value) {
 // clang-format off
 constexpr std::array table{
     Parameter{"rod.length", "length", "L", "Length of the rod or rod string, from the hammer to the bit",
-              Quantity::length, "m", positive, {0.5, 40}, logarithmic, dimensional,
+              Quantity::length, "m", positive, {0.5, 40}, logarithmic, Scope::dimensional,
               [](const S& s) { return Value(s.rod.length); }, [](S& s, double v) { s.rod.length = v; }},
     Parameter{"rod.diameter", "diameter", "", "Outer diameter of the rod",
-              Quantity::length, "mm", positive, {0.015, 0.15}, linear, dimensional, diameter, assignDiameter},
+              Quantity::length, "mm", positive, {0.015, 0.15}, linear, Scope::dimensional, diameter, assignDiameter,
+              {.presence = Presence::either, .rival = "rod.area"}},
     Parameter{"rod.area", "area", "A", "Cross-section of the rod, in place of its diameter and bore",
-              Quantity::area, "mm^2", positive, {2e-4, 2e-2}, logarithmic, dimensional,
-              [](const S& s) { return s.rod.area; }, [](S& s, double v) { s.rod.area = v; }},
+              Quantity::area, "mm^2", positive, {2e-4, 2e-2}, logarithmic, Scope::dimensional,
+              [](const S& s) { return s.rod.area; }, [](S& s, double v) { s.rod.area = v; },
+              {.presence = Presence::optional, .clear = [](S& s) { s.rod.area.reset(); }}},
     Parameter{"rod.bore", "bore", "", "Diameter of the flushing hole, less than the outer diameter",
-              Quantity::length, "mm", notNegative, {0, 0.05}, linear, boreApplies,
-              [](const S& s) { return Value(s.rod.bore); }, [](S& s, double v) { s.rod.bore = v; }},
+              Quantity::length, "mm", notNegative, {0, 0.05}, linear, Scope::withoutArea,
+              [](const S& s) { return Value(s.rod.bore); }, [](S& s, double v) { s.rod.bore = v; },
+              {.presence = Presence::unusual, .rival = "rod.area"}},
     Parameter{"rod.youngs_modulus", "Young's modulus", "E", "Young's modulus of the rod; sets its wave speed with the density",
-              Quantity::stress, "GPa", positive, {60e9, 250e9}, linear, dimensional,
+              Quantity::stress, "GPa", positive, {60e9, 250e9}, linear, Scope::dimensional,
               [](const S& s) { return Value(s.rod.youngsModulus); }, [](S& s, double v) { s.rod.youngsModulus = v; }},
     Parameter{"rod.density", "density", "ρ", "Density of the rod",
-              Quantity::density, "kg/m^3", positive, {2500, 9000}, linear, dimensional,
+              Quantity::density, "kg/m^3", positive, {2500, 9000}, linear, Scope::dimensional,
               [](const S& s) { return Value(s.rod.density); }, [](S& s, double v) { s.rod.density = v; }},
     Parameter{"rod.yield_strength", "yield strength", "", "Stress up to which the rod is elastic; a blow that exceeds it raises a warning",
-              Quantity::stress, "MPa", positive, {200e6, 2000e6}, linear, dimensional,
-              [](const S& s) { return s.rod.yieldStrength; }, [](S& s, double v) { s.rod.yieldStrength = v; }},
+              Quantity::stress, "MPa", positive, {200e6, 2000e6}, linear, Scope::dimensional,
+              [](const S& s) { return s.rod.yieldStrength; }, [](S& s, double v) { s.rod.yieldStrength = v; },
+              {.presence = Presence::optional, .clear = [](S& s) { s.rod.yieldStrength.reset(); }}},
     Parameter{"rod.fatigue_strength", "fatigue strength", "", "Tensile stress that the rod bears in blow after blow; more raises a warning",
-              Quantity::stress, "MPa", positive, {50e6, 1500e6}, linear, dimensional,
-              [](const S& s) { return s.rod.fatigueStrength; }, [](S& s, double v) { s.rod.fatigueStrength = v; }},
+              Quantity::stress, "MPa", positive, {50e6, 1500e6}, linear, Scope::dimensional,
+              [](const S& s) { return s.rod.fatigueStrength; }, [](S& s, double v) { s.rod.fatigueStrength = v; },
+              {.presence = Presence::optional, .clear = [](S& s) { s.rod.fatigueStrength.reset(); }}},
 
     Parameter{"pulse.duration", "duration", "t0", "Duration of the hammer force; time constant of an exponential one",
-              Quantity::time, "us", positive, {20e-6, 2e-3}, logarithmic, givenPulse,
+              Quantity::time, "us", positive, {20e-6, 2e-3}, logarithmic, Scope::givenPulse,
               [](const S& s) { return Value(s.pulse.duration); }, assignDuration},
     Parameter{"pulse.impulse", "impulse", "I0", "Impulse of the hammer force",
-              Quantity::impulse, "N s", positive, {1, 500}, logarithmic, givenPulse,
-              [](const S& s) { return Value(s.pulse.impulse); }, assignImpulse},
+              Quantity::impulse, "N s", positive, {1, 500}, logarithmic, Scope::givenPulse,
+              [](const S& s) { return Value(s.pulse.impulse); }, assignImpulse,
+              {.presence = Presence::either, .rival = "pulse.force"}},
     Parameter{"pulse.force", "mean force", "F0", "Mean hammer force, impulse over duration",
-              Quantity::force, "kN", positive, {5e3, 3e6}, logarithmic, givenPulse,
-              [](const S& s) { return Value(meanForce(s.pulse)); }, assignForce},
+              Quantity::force, "kN", positive, {5e3, 3e6}, logarithmic, Scope::givenPulse,
+              [](const S& s) { return Value(meanForce(s.pulse)); }, assignForce,
+              {.presence = Presence::optional}},
     Parameter{"pulse.rise", "rise", "", "Time in which a trapezoid rises, as a fraction of the duration",
-              Quantity::ratio, "", {0, 1}, {0, 1}, linear, isTrapezoid,
-              [](const S& s) { return Value(s.pulse.rise); }, [](S& s, double v) { s.pulse.rise = v; }},
+              Quantity::ratio, "", {0, 1}, {0, 1}, linear, Scope::trapezoid,
+              [](const S& s) { return Value(s.pulse.rise); }, [](S& s, double v) { s.pulse.rise = v; },
+              {.presence = Presence::assumed}},
     Parameter{"pulse.fall", "fall", "", "Time in which a trapezoid falls, as a fraction of the duration",
-              Quantity::ratio, "", {0, 1}, {0, 1}, linear, isTrapezoid,
-              [](const S& s) { return Value(s.pulse.fall); }, [](S& s, double v) { s.pulse.fall = v; }},
+              Quantity::ratio, "", {0, 1}, {0, 1}, linear, Scope::trapezoid,
+              [](const S& s) { return Value(s.pulse.fall); }, [](S& s, double v) { s.pulse.fall = v; },
+              {.presence = Presence::assumed}},
     Parameter{"pulse.length", "hammer length", "", "Length of the elastic hammer; its round trip is one step of the blow",
-              Quantity::length, "mm", positive, {0.1, 2}, logarithmic, pistonInSi,
-              [](const S& s) { return Value(s.pulse.piston.length); }, [](S& s, double v) { s.pulse.piston.length = v; }},
+              Quantity::length, "mm", positive, {0.1, 2}, logarithmic, Scope::pistonInSi,
+              [](const S& s) { return Value(s.pulse.piston.length); }, [](S& s, double v) { s.pulse.piston.length = v; },
+              {.shortLabel = "length"}},
     Parameter{"pulse.diameter", "hammer diameter", "", "Diameter of the elastic hammer",
-              Quantity::length, "mm", positive, {0.015, 0.25}, linear, pistonInSi,
-              [](const S& s) { return Value(s.pulse.piston.diameter); }, [](S& s, double v) { s.pulse.piston.diameter = v; }},
+              Quantity::length, "mm", positive, {0.015, 0.25}, linear, Scope::pistonInSi,
+              [](const S& s) { return Value(s.pulse.piston.diameter); }, [](S& s, double v) { s.pulse.piston.diameter = v; },
+              {.shortLabel = "diameter"}},
     Parameter{"pulse.velocity", "hammer velocity", "", "Velocity of the elastic hammer when it hits the rod",
-              Quantity::velocity, "m/s", positive, {1, 20}, linear, pistonInSi,
-              [](const S& s) { return Value(s.pulse.piston.velocity); }, [](S& s, double v) { s.pulse.piston.velocity = v; }},
+              Quantity::velocity, "m/s", positive, {1, 20}, linear, Scope::pistonInSi,
+              [](const S& s) { return Value(s.pulse.piston.velocity); }, [](S& s, double v) { s.pulse.piston.velocity = v; },
+              {.shortLabel = "velocity"}},
     Parameter{"pulse.youngs_modulus", "hammer Young's modulus", "", "Young's modulus of the elastic hammer, the rod's if not given",
-              Quantity::stress, "GPa", positive, {60e9, 250e9}, linear, pistonInSi,
-              [](const S& s) { return s.pulse.piston.youngsModulus; }, [](S& s, double v) { s.pulse.piston.youngsModulus = v; }},
+              Quantity::stress, "GPa", positive, {60e9, 250e9}, linear, Scope::pistonInSi,
+              [](const S& s) { return s.pulse.piston.youngsModulus; }, [](S& s, double v) { s.pulse.piston.youngsModulus = v; },
+              {.presence = Presence::optional, .shortLabel = "Young's modulus", .clear = [](S& s) { s.pulse.piston.youngsModulus.reset(); }}},
     Parameter{"pulse.density", "hammer density", "", "Density of the elastic hammer, the rod's if not given",
-              Quantity::density, "kg/m^3", positive, {2500, 9000}, linear, pistonInSi,
-              [](const S& s) { return s.pulse.piston.density; }, [](S& s, double v) { s.pulse.piston.density = v; }},
+              Quantity::density, "kg/m^3", positive, {2500, 9000}, linear, Scope::pistonInSi,
+              [](const S& s) { return s.pulse.piston.density; }, [](S& s, double v) { s.pulse.piston.density = v; },
+              {.presence = Presence::optional, .shortLabel = "density", .clear = [](S& s) { s.pulse.piston.density.reset(); }}},
     Parameter{"pulse.impedance_ratio", "impedance ratio", "", "Impedance of the elastic hammer over that of the rod",
-              Quantity::ratio, "", positive, {0.1, 10}, logarithmic, pistonByRatio,
+              Quantity::ratio, "", positive, {0.1, 10}, logarithmic, Scope::pistonByRatio,
               [](const S& s) { return Value(s.pulse.piston.impedanceRatio); }, [](S& s, double v) { s.pulse.piston.impedanceRatio = v; }},
 
     Parameter{"bit_rock.stiffness", "stiffness", "k", "Stiffness of bit and rock in primary loading",
-              Quantity::stiffness, "MN/m", positive, {1e6, 1e10}, logarithmic, dimensional,
+              Quantity::stiffness, "MN/m", positive, {1e6, 1e10}, logarithmic, Scope::dimensional,
               [](const S& s) { return Value(s.bitRock.stiffness); }, [](S& s, double v) { s.bitRock.stiffness = v; }},
     Parameter{"bit_rock.gamma", "elasticity", "γ", "Elasticity parameter: loading over unloading stiffness; 1 is elastic",
-              Quantity::ratio, "", {0, 1, true}, {0.01, 1}, linear, dimensional,
+              Quantity::ratio, "", {0, 1, true}, {0.01, 1}, linear, Scope::dimensional,
               [](const S& s) { return Value(s.bitRock.gamma); }, [](S& s, double v) { s.bitRock.gamma = v; }},
     Parameter{"bit_rock.gap", "gap", "d", "Gap between bit and rock when the hammer strikes",
-              Quantity::length, "mm", notNegative, {0, 0.01}, linear, dimensional,
-              [](const S& s) { return Value(s.bitRock.gap); }, [](S& s, double v) { s.bitRock.gap = v; }},
+              Quantity::length, "mm", notNegative, {0, 0.01}, linear, Scope::dimensional,
+              [](const S& s) { return Value(s.bitRock.gap); }, [](S& s, double v) { s.bitRock.gap = v; },
+              {.presence = Presence::assumed}},
 
     Parameter{"drill.blow_frequency", "blow frequency", "f", "Blows per second of the rock drill",
-              Quantity::frequency, "Hz", positive, {10, 150}, linear, dimensional,
-              [](const S& s) { return s.drill.blowFrequency; }, [](S& s, double v) { s.drill.blowFrequency = v; }},
+              Quantity::frequency, "Hz", positive, {10, 150}, linear, Scope::dimensional,
+              [](const S& s) { return s.drill.blowFrequency; }, [](S& s, double v) { s.drill.blowFrequency = v; },
+              {.presence = Presence::optional, .clear = [](S& s) { s.drill.blowFrequency.reset(); }}},
     Parameter{"drill.thrust", "installed thrust", "", "Feed force that the drill rig applies",
-              Quantity::force, "kN", notNegative, {500, 50e3}, linear, dimensional,
-              [](const S& s) { return s.drill.thrust; }, [](S& s, double v) { s.drill.thrust = v; }},
+              Quantity::force, "kN", notNegative, {500, 50e3}, linear, Scope::dimensional,
+              [](const S& s) { return s.drill.thrust; }, [](S& s, double v) { s.drill.thrust = v; },
+              {.presence = Presence::optional, .clear = [](S& s) { s.drill.thrust.reset(); }}},
 
     Parameter{"beta", "stiffness", "β", "Stiffness group k t0/Z; in a dimensional scenario it moves the stiffness",
-              Quantity::ratio, "", positive, {0.01, 100}, logarithmic, always,
-              [](const S& s) { return Value(groupsOf(s).beta); }, assignBeta},
+              Quantity::ratio, "", positive, {0.01, 100}, logarithmic, Scope::all,
+              [](const S& s) { return Value(groupsOf(s).beta); }, assignBeta,
+              {.rival = "bit_rock.stiffness"}},
     Parameter{"gamma", "elasticity", "γ", "Elasticity parameter: loading over unloading stiffness; 1 is elastic",
-              Quantity::ratio, "", {0, 1, true}, {0.01, 1}, linear, always,
-              [](const S& s) { return Value(groupsOf(s).gamma); }, assignGamma},
+              Quantity::ratio, "", {0, 1, true}, {0.01, 1}, linear, Scope::all,
+              [](const S& s) { return Value(groupsOf(s).gamma); }, assignGamma,
+              {.rival = "bit_rock.gamma"}},
     Parameter{"tau", "transit time", "τ", "Transit time of the rod over t0; in a dimensional scenario it moves the rod length",
-              Quantity::ratio, "", {0, largestTime, true, lostPhase}, {0.5, 100}, logarithmic, always,
-              [](const S& s) { return Value(groupsOf(s).tau); }, assignTau},
+              Quantity::ratio, "", {0, largestTime, true, lostPhase}, {0.5, 100}, logarithmic, Scope::all,
+              [](const S& s) { return Value(groupsOf(s).tau); }, assignTau,
+              {.rival = "rod.length"}},
     Parameter{"delta", "gap", "δ", "Gap over 2 I0/Z; in a dimensional scenario it moves the gap",
-              Quantity::ratio, "", {0, largestTime, false, lostPhase}, {0, 10}, linear, always,
-              [](const S& s) { return Value(groupsOf(s).delta); }, assignDelta},
+              Quantity::ratio, "", {0, largestTime, false, lostPhase}, {0, 10}, linear, Scope::all,
+              [](const S& s) { return Value(groupsOf(s).delta); }, assignDelta,
+              {.presence = Presence::assumed, .rival = "bit_rock.gap"}},
 };
 // clang-format on
 
@@ -221,9 +220,37 @@ std::string Range::text() const {
     return (lowOpen ? "greater than " : "at least ") + formatNumber(low);
 }
 
+bool Parameter::applies(const Scenario& scenario) const {
+    const PulseShape shape = scenario.pulse.shape;
+    switch (scope) {
+        case Scope::all:
+            return true;
+        case Scope::dimensional:
+            return dimensional(scenario);
+        case Scope::withoutArea:
+            return dimensional(scenario) && !scenario.rod.area;
+        case Scope::givenPulse:
+            return dimensional(scenario) && shape != PulseShape::piston && shape != PulseShape::table;
+        case Scope::trapezoid:
+            return shape == PulseShape::trapezoid;
+        case Scope::pistonInSi:
+            return dimensional(scenario) && shape == PulseShape::piston;
+        case Scope::pistonByRatio:
+            return !dimensional(scenario) && shape == PulseShape::piston;
+    }
+    return false;
+}
+
+bool Parameter::isGroup() const {
+    return key.find('.') == std::string_view::npos;
+}
+
 std::string_view Parameter::section() const {
-    const std::size_t dot = key.find('.');
-    return dot == std::string_view::npos ? "groups" : key.substr(0, dot);
+    return isGroup() ? "groups" : key.substr(0, key.find('.'));
+}
+
+std::string_view Parameter::fileSection() const {
+    return isGroup() ? "dimensionless" : section();
 }
 
 std::string_view Parameter::localKey() const {
@@ -267,7 +294,7 @@ std::string readBackProblem(const Parameter& parameter, const Scenario& scenario
 
 bool isGiven(const Parameter& parameter, const Scenario& scenario) {
     if (!parameter.applies(scenario)) return false;
-    if (parameter.section() == "groups") return scenario.form == ScenarioForm::dimensionless;
+    if (parameter.isGroup()) return scenario.form == ScenarioForm::dimensionless;
     if (parameter.key == "pulse.impulse") return !scenario.pulse.impulseFromForce;
     if (parameter.key == "pulse.force") return scenario.pulse.impulseFromForce;
     return true;

@@ -26,7 +26,36 @@ struct Range {
 
 enum class SliderScale { linear, logarithmic };
 
-/// Where a parameter belongs in a form or file: "rod", "pulse", "bit_rock", "drill" or "groups".
+/// In which scenarios a parameter has a meaning.
+enum class Scope {
+    all,
+    dimensional,
+    withoutArea,    ///< dimensional, the rod given by its diameters
+    givenPulse,     ///< dimensional, duration and impulse not following from a piston or a table
+    trapezoid,      ///< that shape, in either form
+    pistonInSi,     ///< dimensional, with that shape
+    pistonByRatio,  ///< dimensionless, with that shape
+};
+
+/// Whether a scenario file may leave a parameter out.
+enum class Presence {
+    required,
+    either,    ///< exactly one of it and its rival is required
+    assumed,   ///< where it is missing, it has the value of a new scenario
+    unusual,   ///< likewise; a new file tells it only where it has another value
+    optional,  ///< need not have a value, or follows from its rival
+};
+
+/// What may be left out, and what excludes what.
+struct ParameterRules {
+    Presence presence = Presence::required;
+    /// Key of the parameter that setting this one overrides, and the other way round; each pair is told once.
+    std::string_view rival = {};
+    std::string_view shortLabel = {};    ///< label in its own section of a form, where that is another one
+    void (*clear)(Scenario&) = nullptr;  ///< back to "not given"; nullptr where there is always a value
+};
+
+/// A number of a scenario: how it is called, which values it may have, how to read and set it.
 struct Parameter {
     std::string_view key;      ///< path in files and on the command line, e.g. "rod.length", "beta"
     std::string_view label;    ///< words for a form row, e.g. "length"
@@ -37,19 +66,26 @@ struct Parameter {
     Range hard;             ///< outside: the scenario is invalid
     Range plausible;        ///< outside: an alert; also the range of a slider
     SliderScale slider;
-    /// Whether the parameter has a meaning in this scenario (form, pulse shape, area or diameter).
-    bool (*applies)(const Scenario&);
+    Scope scope;
     /// The value in SI, or nullopt where an optional parameter is not given. Requires applies().
     std::optional<double> (*value)(const Scenario&);
     /// Sets the value in SI (no range check). Groups of a dimensional scenario move the physical parameter
     /// (beta the stiffness, tau the rod length, delta the gap). Requires applies().
     void (*assign)(Scenario&, double);
+    ParameterRules rules = {};
 
+    /// Whether the parameter has a meaning in this scenario.
+    bool applies(const Scenario& scenario) const;
     /// The customary unit.
     const Unit& displayUnit() const;
-    std::string_view section() const;   ///< the part of the key before the dot; "groups" for the four groups
-    std::string_view localKey() const;  ///< the part behind the dot: the key inside its section of a file
+    bool isGroup() const;                  ///< one of the four dimensionless groups
+    std::string_view section() const;      ///< "rod", "pulse", "bit_rock", "drill" or "groups"
+    std::string_view fileSection() const;  ///< the same, but "dimensionless" for the groups
+    std::string_view localKey() const;     ///< the key inside its section of a file
 };
+
+/// The one key of a scenario that is set by a word and not by a number.
+inline constexpr std::string_view pulseShapeKey = "pulse.shape";
 
 /// All numeric parameters, physical ones first, the groups last, in the order of scenario files.
 std::span<const Parameter> parameters();

@@ -16,7 +16,7 @@ std::string refusal(std::string_view key, std::string_view text, std::string_vie
 
 std::string assignShape(Scenario& scenario, std::string_view text) {
     const std::optional<PulseShape> shape = findPulseShape(trimmed(text));
-    if (!shape) return refusal("pulse.shape", text, "must be one of " + pulseShapeList());
+    if (!shape) return refusal(pulseShapeKey, text, "must be one of " + pulseShapeList());
     scenario.pulse.shape = *shape;
     return {};
 }
@@ -29,18 +29,13 @@ std::string unknownKey(std::string_view key) {
            (near.empty() ? "" : "; did you mean `" + near + "`?");
 }
 
-/// The group that does in a dimensionless scenario what this physical parameter does in a dimensional one.
-std::string_view groupInsteadOf(std::string_view key) {
-    if (key == "bit_rock.stiffness") return "beta";
-    if (key == "bit_rock.gamma") return "gamma";
-    if (key == "bit_rock.gap") return "delta";
-    return key == "rod.length" ? "tau" : "";
-}
-
+/// Names the group that does in a dimensionless scenario what this parameter does in a dimensional one.
 std::string whyNotInDimensionless(const Parameter& parameter) {
-    const std::string_view group = groupInsteadOf(parameter.key);
+    const auto group = std::ranges::find_if(parameters(), [&](const Parameter& other) {
+        return other.isGroup() && other.rules.rival == parameter.key;
+    });
     return "the scenario is given by its dimensionless groups" +
-           (group.empty() ? "" : "; set `" + std::string(group) + "` instead");
+           (group == parameters().end() ? "" : "; set `" + std::string(group->key) + "` instead");
 }
 
 }  // namespace
@@ -54,27 +49,26 @@ std::string pulseShapeList() {
 
 std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
     if (parameter.applies(scenario)) return {};
-    const std::string_view key = parameter.key;
     const std::string shape(name(scenario.pulse.shape));
-    if (key == "pulse.rise" || key == "pulse.fall") return "only a trapezoid has it, the shape is " + shape;
-    if (key == "pulse.impedance_ratio" && scenario.pulse.shape == PulseShape::piston)
+    if (parameter.scope == Scope::trapezoid) return "only a trapezoid has it, the shape is " + shape;
+    if (parameter.scope == Scope::pistonByRatio && scenario.pulse.shape == PulseShape::piston)
         return "follows from the diameters and materials of hammer and rod";
-    if (key == "pulse.impedance_ratio") return "only a piston has it, the shape is " + shape;
+    if (parameter.scope == Scope::pistonByRatio) return "only a piston has it, the shape is " + shape;
     if (scenario.form == ScenarioForm::dimensionless) return whyNotInDimensionless(parameter);
-    if (key == "rod.bore") return "the rod is given by its area; set `rod.area` or `rod.diameter`";
-    if (key == "pulse.duration" || key == "pulse.impulse" || key == "pulse.force")
-        return "follows from the data of the " + shape;
+    if (parameter.scope == Scope::withoutArea)
+        return "the rod is given by its area; set `rod.area` or `rod.diameter`";
+    if (parameter.scope == Scope::givenPulse) return "follows from the data of the " + shape;
     return "only a piston has it, the shape is " + shape;
 }
 
 std::string nearestKey(std::string_view key) {
-    std::vector<std::string_view> keys{"pulse.shape"};
+    std::vector<std::string_view> keys{pulseShapeKey};
     for (const Parameter& parameter : parameters()) keys.push_back(parameter.key);
     return std::string(nearestName(key, keys));
 }
 
 std::string assignText(Scenario& scenario, std::string_view key, std::string_view text, const Unit* unit) {
-    if (key == "pulse.shape") return assignShape(scenario, text);
+    if (key == pulseShapeKey) return assignShape(scenario, text);
     const Parameter* parameter = findParameter(key);
     if (!parameter) return unknownKey(key);
     const std::string inapplicable = whyNotApplicable(*parameter, scenario);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/preset.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace drillwave {
@@ -17,7 +18,19 @@ Scenario withPreset(Scenario scenario, const Preset& preset) {
 }
 
 bool matches(const Preset& preset, const Scenario& scenario) {
-    return scenario.form == ScenarioForm::dimensional && withPreset(scenario, preset) == scenario;
+    if (scenario.form != ScenarioForm::dimensional) return false;
+    if (preset.shape && scenario.pulse.shape != *preset.shape) return false;
+    const auto isThere = [&](const PresetValue& value) {
+        return isGiven(*value.parameter, scenario) && value.parameter->value(scenario) == value.si;
+    };
+    const auto names = [&](std::string_view key) {
+        return std::ranges::any_of(preset.values,
+                                   [&](const PresetValue& v) { return v.parameter->key == key; });
+    };
+    const Piston& piston = scenario.pulse.piston;
+    const bool keepsMaterial = !preset.shape || ((!piston.youngsModulus || names("pulse.youngs_modulus")) &&
+                                                 (!piston.density || names("pulse.density")));
+    return keepsMaterial && std::ranges::all_of(preset.values, isThere);
 }
 
 std::string description(const Preset& preset) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/model/scales.h"
+#include "core/numeric/compensated_sum.h"
 
 namespace drillwave {
 namespace {
@@ -16,53 +17,20 @@ using Kind = PulseSegment::Kind;
 /// What may be cut off a pulse without end, as a fraction of its impulse: e^−46.06.
 constexpr double cutOff = 46.06;
 
-/// ∫ of a segment over its first x.
-double impulseOf(const PulseSegment& segment, double x) {
-    switch (segment.kind) {
-        case Kind::linear:
-            return x * (segment.value + segment.slope * x / 2);
-        case Kind::sine: {
-            // cos a − cos b as a product, which keeps its digits for short x.
-            const double a = std::numbers::pi * segment.start;
-            const double half = std::numbers::pi * x / 2;
-            return segment.value * 2 / std::numbers::pi * std::sin(a + half) * std::sin(half);
-        }
-        case Kind::exponential:
-            return -segment.value * std::expm1(-x);
-    }
-    return 0;
-}
-
-/// Sum with a running correction: a staircase or table may have 1e5 segments, and the total must be 1.
-class CompensatedSum {
-  public:
-    void add(double term) {
-        const double corrected = term - m_correction;
-        const double sum = m_sum + corrected;
-        m_correction = (sum - m_sum) - corrected;
-        m_sum = sum;
-    }
-    double sum() const { return m_sum; }
-
-  private:
-    double m_sum = 0;
-    double m_correction = 0;
-};
-
 /// Scales the forces, whose largest is 1, so that the impulse is 1, and fills in what follows from the
 /// segments.
 void finish(PulseForce& force) {
     if (force.segments.empty()) return;
-    CompensatedSum total;
-    for (const PulseSegment& segment : force.segments) total.add(impulseOf(segment, segment.length));
-    CompensatedSum before;
+    CompensatedSum<double> total;
+    for (const PulseSegment& segment : force.segments) total += segment.impulseOf(segment.length);
+    CompensatedSum<double> before;
     for (PulseSegment& segment : force.segments) {
-        segment.value /= total.sum();
-        segment.slope /= total.sum();
-        segment.impulseBefore = before.sum();
-        before.add(impulseOf(segment, segment.length));
+        segment.value /= total;
+        segment.slope /= total;
+        segment.impulseBefore = before;
+        before += segment.impulseOf(segment.length);
     }
-    force.peak = 1 / total.sum();
+    force.peak = 1 / total;
     force.end = force.segments.back().start + force.segments.back().length;
 }
 
@@ -90,7 +58,7 @@ void appendStaircase(PulseForce& force, double impedanceRatio) {
 }
 
 /// The table from time 0 to 1; forces relative to the largest, so that no sum can overflow.
-void appendTable(PulseForce& force, const std::vector<TablePoint>& points) {
+void appendTable(PulseForce& force, const TablePoints& points) {
     const double largest = std::ranges::max(points, {}, &TablePoint::force).force;
     const double origin = points.front().time;
     const double duration = points.back().time - origin;
@@ -102,6 +70,34 @@ void appendTable(PulseForce& force, const std::vector<TablePoint>& points) {
 }
 
 }  // namespace
+
+double PulseSegment::forceAt(double x) const {
+    switch (kind) {
+        case Kind::linear:
+            return value + slope * x;
+        case Kind::sine:
+            return value * std::sin(std::numbers::pi * (start + x));
+        case Kind::exponential:
+            return value * std::exp(-x);
+    }
+    return 0;
+}
+
+double PulseSegment::impulseOf(double x) const {
+    switch (kind) {
+        case Kind::linear:
+            return x * (value + slope * x / 2);
+        case Kind::sine: {
+            // cos a − cos b as a product, which keeps its digits for short x.
+            const double a = std::numbers::pi * start;
+            const double half = std::numbers::pi * x / 2;
+            return value * 2 / std::numbers::pi * std::sin(a + half) * std::sin(half);
+        }
+        case Kind::exponential:
+            return -value * std::expm1(-x);
+    }
+    return 0;
+}
 
 double pistonStepCount(double impedanceRatio) {
     if (!(impedanceRatio > 1)) return 1;
@@ -141,23 +137,11 @@ PulseForce pulseForceOf(const Scenario& scenario) {
     return force;
 }
 
-double PulseSegment::valueAt(double x) const {
-    switch (kind) {
-        case Kind::linear:
-            return value + slope * x;
-        case Kind::sine:
-            return value * std::sin(std::numbers::pi * (start + x));
-        case Kind::exponential:
-            return value * std::exp(-x);
-    }
-    return 0;
-}
-
 double PulseForce::operator()(double t) const {
     if (segments.empty() || !(t >= 0) || t >= end) return 0;
     const auto next = std::ranges::upper_bound(segments, t, {}, &PulseSegment::start);
     const PulseSegment& segment = *std::prev(next);
-    return std::max(0.0, segment.valueAt(t - segment.start));
+    return std::max(0.0, segment.forceAt(t - segment.start));
 }
 
 double PulseForce::impulseUntil(double t) const {
@@ -165,7 +149,7 @@ double PulseForce::impulseUntil(double t) const {
     if (t >= end) return 1;
     const auto next = std::ranges::upper_bound(segments, t, {}, &PulseSegment::start);
     const PulseSegment& segment = *std::prev(next);
-    return std::min(1.0, segment.impulseBefore + impulseOf(segment, t - segment.start));
+    return std::min(1.0, segment.impulseBefore + segment.impulseOf(t - segment.start));
 }
 
 PulseForce pulseForceOf(PulseShape shape, double impedanceRatio) {

@@ -8,21 +8,22 @@
 
 namespace drillwave {
 
-/// One smooth piece of Fa(t)/F0 on [start, start + length], times in t0, local time x = t − start:
+/// One smooth piece of Fa(t)/F0 on [start, start + length], times in t0, local time x = t − start ≥ 0:
 ///   linear       value + slope·x
 ///   sine         amplitude·sin(π(start + x))        (half_sine; `value` is the amplitude)
 ///   exponential  value·exp(−x)                       (rate 1/t0)
 struct PulseSegment {
     enum class Kind { linear, sine, exponential };
     Kind kind = Kind::linear;
-    double start = 0;
-    double length = 0;
-    double value = 0;
-    double slope = 0;
+    double start = 0;          ///< t0
+    double length = 0;         ///< t0, > 0
+    double value = 0;          ///< F0, ≥ 0
+    double slope = 0;          ///< F0/t0
     double impulseBefore = 0;  ///< ∫Fa from 0 to start, 0 … 1
-    bool operator==(const PulseSegment&) const = default;
 
-    double valueAt(double x) const;  ///< Fa/F0 at the local time x of this piece
+    double forceAt(double x) const;    ///< Fa(start + x)/F0
+    double impulseOf(double x) const;  ///< ∫Fa from start to start + x, 0 … 1
+    bool operator==(const PulseSegment&) const = default;
 };
 
 /// Fa/F0 ≥ 0 with ∫ = 1 over all segments, contiguous from 0. Empty for the reference case.

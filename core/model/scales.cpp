@@ -25,7 +25,7 @@ double pistonImpulse(const Scenario& scenario) {
     return ratio >= 1 ? momentum : momentum * 2 / (1 + ratio);
 }
 
-double tableImpulse(const std::vector<TablePoint>& points) {
+double tableImpulse(const TablePoints& points) {
     double impulse = 0;
     for (std::size_t i = 1; i < points.size(); ++i)
         impulse += (points[i].time - points[i - 1].time) * (points[i].force / 2 + points[i - 1].force / 2);

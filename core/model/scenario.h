@@ -6,7 +6,8 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "core/model/table_points.h"
 
 namespace drillwave {
 
@@ -52,25 +53,18 @@ struct Piston {
     bool operator==(const Piston&) const = default;
 };
 
-/// One point of a tabulated pulse: time [s] and force [N]; any units in a dimensionless scenario.
-struct TablePoint {
-    double time = 0;
-    double force = 0;
-    bool operator==(const TablePoint&) const = default;
-};
-
 /// The hammer blow.
 struct Pulse {
     PulseShape shape = PulseShape::rectangular;
-    double duration =
-        200e-6;  ///< t0 [s]; time constant of `exponential`; follows from the data for piston and table
+    /// t0 [s]; time constant of `exponential`; follows from the data for piston and table
+    double duration = 200e-6;
     double impulse = 51;            ///< I0 [N s]; follows from the data for piston and table
     bool impulseFromForce = false;  ///< the user gave the mean force I0/t0, so that is what a file keeps
     double rise = 0.2;              ///< trapezoid: rise time / duration
     double fall = 0.3;              ///< trapezoid: fall time / duration
     Piston piston;
-    std::string tableFile;  ///< path as written in the scenario, empty when the points are inline
-    std::vector<TablePoint> tablePoints;  ///< strictly increasing times, forces ≥ 0
+    std::string tableFile;    ///< path as written in the scenario, empty when the points are inline
+    TablePoints tablePoints;  ///< strictly increasing times, forces ≥ 0
     bool operator==(const Pulse&) const = default;
 };
 

@@ -104,19 +104,21 @@ void checkGroups(const Scenario& scenario, std::vector<InputProblem>& problems) 
 
 }  // namespace
 
-PointProblem pointProblem(const std::vector<TablePoint>& points) {
+PointProblem pointProblem(const TablePoints& points) {
     const std::size_t last = points.empty() ? 0 : points.size() - 1;
     if (points.size() < 2) return {last, "needs at least two points of time and force"};
     if (points.size() > static_cast<std::size_t>(maximumPulseSegments))
         return {last, "has more than " + std::to_string(maximumPulseSegments) + " points"};
     double largest = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::string which = "point " + std::to_string(i + 1);
+        const auto that = [i](const char* text) -> PointProblem {
+            return {i, "point " + std::to_string(i + 1) + text};
+        };
         if (!std::isfinite(points[i].time) || !std::isfinite(points[i].force))
-            return {i, which + " must be finite numbers"};
-        if (points[i].force < 0) return {i, which + " has a negative force, a hammer only pushes"};
+            return that(" must be finite numbers");
+        if (points[i].force < 0) return that(" has a negative force, a hammer only pushes");
         if (i > 0 && points[i].time <= points[i - 1].time)
-            return {i, which + " must be later than the one before it"};
+            return that(" must be later than the one before it");
         largest = std::max(largest, points[i].force);
     }
     if (largest == 0) return {last, "must have a force greater than 0 somewhere"};

@@ -30,6 +30,6 @@ struct PointProblem {
     std::size_t index = 0;
     std::string reason;  ///< "point 3 must be later than the one before it"; empty when the points will do
 };
-PointProblem pointProblem(const std::vector<TablePoint>& points);
+PointProblem pointProblem(const TablePoints& points);
 
 }  // namespace drillwave

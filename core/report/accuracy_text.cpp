@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/accuracy_text.h"
 
-#include <charconv>
 #include <cmath>
 #include <vector>
 
 #include "core/report/accuracy_columns.h"
 #include "core/report/report_text.h"
+#include "core/text/number_text.h"
 #include "core/text/units.h"
 
 namespace drillwave {
 
 namespace {
 
-std::string digits(double value, std::chars_format format, int precision) {
-    char text[48];
-    const auto end = std::to_chars(text, text + sizeof text, value, format, precision);
-    return {text, end.ptr};
-}
-
 std::string seconds(double value) {
     constexpr std::pair<double, const char*> units[] = {
         {1, " s"}, {1e-3, " ms"}, {1e-6, " us"}, {1e-9, " ns"}};
     for (const auto& [unit, name] : units)
-        if (value >= unit || unit == 1e-9) return digits(value / unit, std::chars_format::general, 3) + name;
+        if (value >= unit || unit == 1e-9)
+            return numberText(value / unit, std::chars_format::general, 3) + name;
     return {};
 }
 
@@ -31,17 +26,17 @@ std::string shown(double value, NumberStyle style) {
     if (std::isnan(value)) return "-";
     switch (style) {
         case NumberStyle::error:
-            return value == 0 ? "0" : digits(value, std::chars_format::scientific, 1);
+            return value == 0 ? "0" : numberText(value, std::chars_format::scientific, 1);
         case NumberStyle::time:
             return seconds(value);
         case NumberStyle::count:
-            return digits(value, std::chars_format::fixed, 0);
+            return numberText(value, std::chars_format::fixed, 0);
         case NumberStyle::factor:
-            if (value >= 1e4) return digits(value, std::chars_format::scientific, 1);
-            return value >= 100 ? digits(value, std::chars_format::fixed, 0)
-                                : digits(value, std::chars_format::general, 3);
+            if (value >= 1e4) return numberText(value, std::chars_format::scientific, 1);
+            return value >= 100 ? numberText(value, std::chars_format::fixed, 0)
+                                : numberText(value, std::chars_format::general, 3);
         case NumberStyle::order:
-            return digits(value, std::chars_format::fixed, 2);
+            return numberText(value, std::chars_format::fixed, 2);
     }
     return {};
 }

@@ -6,7 +6,7 @@
 
 #include "core/contact/bilinear_law.h"
 #include "core/report/result_remarks.h"
-#include "core/text/row_text.h"
+#include "core/text/number_text.h"
 #include "core/wave/field/bit_motion.h"
 #include "core/wave/field/rod_state.h"
 #include "core/wave/field/wave_field.h"

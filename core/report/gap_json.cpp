@@ -5,7 +5,7 @@
 #include "core/model/version.h"
 #include "core/report/json_value.h"
 #include "core/text/handy_text.h"
-#include "core/text/row_text.h"
+#include "core/text/number_text.h"
 
 namespace drillwave {
 

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 
 #include "core/text/csv.h"
 #include "core/text/handy_text.h"
 #include "core/text/json.h"
+#include "core/text/number_text.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -71,10 +71,7 @@ JsonObject jsonOf(const StabilityRow& row) {
 
 /// "1.2e-13".
 std::string shortText(double value) {
-    std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 1);
-    return {text.data(), end.ptr};
+    return numberText(value, std::chars_format::scientific, 1);
 }
 
 std::string twoDigits(double value) {

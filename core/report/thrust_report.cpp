@@ -5,7 +5,7 @@
 #include "core/model/version.h"
 #include "core/report/json_value.h"
 #include "core/report/report_text.h"
-#include "core/text/row_text.h"
+#include "core/text/number_text.h"
 
 namespace drillwave {
 
@@ -161,14 +161,16 @@ std::string thrustJson(const ThrustReport& report) {
 }
 
 std::string thrustCsv(const ThrustReport& report) {
-    std::string csv = report.frequencies->header();
+    const RowColumn column = report.frequencies->column();
+    std::string csv = column.header;
     for (const ThrustCase which : allCases) csv += "," + std::string(name(which)) + " [N]";
     csv += "\n";
     for (std::uint64_t i = 0; i < report.frequencies->count; ++i) {
-        report.frequencies->appendText(csv, i);
+        const double frequency = report.frequencies->value(i);
+        column.appendText(csv, frequency);
         for (const ThrustCase which : allCases) {
             csv += ',';
-            appendNumber(csv, report.thrustAt(report.frequencies->value(i), which));
+            appendNumber(csv, report.thrustAt(frequency, which));
         }
         csv += '\n';
     }

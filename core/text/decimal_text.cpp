@@ -125,12 +125,4 @@ std::string shiftedNumber(double value, int exponent) {
     return text + "e" + std::to_string(first);
 }
 
-std::string boundText(double bound) {
-    // 5 % more: half of the last digit at most is rounded away
-    constexpr double margin = 1.05;
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, margin * bound, std::chars_format::general, 2);
-    return {text, end.ptr};
-}
-
 }  // namespace drillwave

@@ -19,9 +19,6 @@ std::string shortened(std::string_view text);
 /// inf).
 std::size_t numberLength(std::string_view text);
 
-/// A bound in two digits that are not less than it.
-std::string boundText(double bound);
-
 /// number × 10^exponent rounded once, so that ("38", −3) is 0.038. `number` as numberLength() found it.
 /// nullopt where the result would overflow, or underflow to something inexact.
 std::optional<double> scaledNumber(std::string_view number, int exponent);

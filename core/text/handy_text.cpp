@@ -2,18 +2,10 @@
 #include "core/text/handy_text.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
 namespace drillwave {
-
-std::string rounded(double value, int digits) {
-    std::array<char, 48> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
-    return {text.data(), end.ptr};
-}
 
 std::string inHandyUnit(double si, Quantity quantity, int digits) {
     // Of each quantity from the smallest on.

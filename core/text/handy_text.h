@@ -4,12 +4,10 @@
 
 #include <string>
 
+#include "core/text/number_text.h"
 #include "core/text/units.h"
 
 namespace drillwave {
-
-/// With so many significant digits, C locale.
-std::string rounded(double value, int digits = 6);
 
 /// An SI value in the unit of its customary family that needs the fewest zeros: "71.7 kN", "3.2 mm",
 /// "105 MN/m"; a ratio as the bare number.

@@ -19,7 +19,11 @@ struct PanelFixture {
     QTemporaryDir folder;
     ScriptedAnswers answers;
     ScriptedQuestions questions{answers};
-    Document document;
+    int checks = 0;  // of scenarios, by the document
+    Document document{nullptr, [this](const Scenario& scenario) {
+                          ++checks;
+                          return validate(scenario);
+                      }};
     std::unique_ptr<ScenarioPanel> panel;
 
     PanelFixture() {

@@ -8,7 +8,7 @@
 
 #include "core/file/pulse_table.h"
 #include "core/file/result_scenario.h"
-#include "core/model/optional_parameter.h"
+#include "ui/document/scenario_edit.h"
 #include "ui/document/whole_file.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
@@ -46,39 +46,7 @@ QString shownValue(const Parameter& parameter, double si) {
 
 }  // namespace
 
-// One undo step: the scenario before and after. Edits of the same parameter within a gesture melt into one.
-class Document::Edit : public QUndoCommand {
-  public:
-    Edit(Document& document, Scenario after, QString key, int gesture)
-        : m_document(document),
-          m_before(document.m_scenario),
-          m_after(std::move(after)),
-          m_key(std::move(key)),
-          m_gesture(gesture) {}
-
-    const Scenario& before() const { return m_before; }
-    bool isOf(const QString& key, int gesture) const { return m_key == key && m_gesture == gesture; }
-    void undo() override { m_document.setScenario(m_before); }
-    void redo() override { m_document.setScenario(m_after); }
-    int id() const override { return m_key.isEmpty() ? -1 : 1; }
-    bool mergeWith(const QUndoCommand* other) override {
-        const auto* later = static_cast<const Edit*>(other);
-        if (later->m_key != m_key || later->m_gesture != m_gesture) return false;
-        m_after = later->m_after;
-        setText(later->text());
-        setObsolete(m_after == m_before);
-        return true;
-    }
-
-  private:
-    Document& m_document;
-    Scenario m_before;
-    Scenario m_after;
-    QString m_key;
-    int m_gesture;
-};
-
-Document::Document(QObject* parent) : QObject(parent) {
+Document::Document(QObject* parent, Check check) : QObject(parent), m_check(std::move(check)) {
     m_undoStack.setUndoLimit(undoLimit);
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Document::stateChanged);
 }
@@ -99,30 +67,25 @@ QByteArray Document::text() const {
     return QByteArray::fromStdString(writeScenario(contents()));
 }
 
-QString Document::whyNot(const Parameter& parameter, double si) const {
+QString Document::assign(const Parameter& parameter, double si, int gesture) {
     const std::string outside = rangeProblem(parameter, si);
     if (!outside.empty()) return QString::fromStdString(outside);
     Scenario changed = m_scenario;
     parameter.assign(changed, si);
-    const std::vector<InputProblem> problems = validate(changed);
-    return problems.empty() ? QString() : QString::fromStdString(problems.front().text);
-}
-
-void Document::assign(const Parameter& parameter, double si, int gesture) {
-    if (!whyNot(parameter, si).isEmpty()) return;
-    Scenario changed = m_scenario;
-    parameter.assign(changed, si);
+    const std::vector<InputProblem> problems = m_check(changed);
+    if (!problems.empty()) return QString::fromStdString(problems.front().text);
     push(std::move(changed), tr("change %1 to %2").arg(editName(parameter), shownValue(parameter, si)),
          keyOf(parameter), gesture);
+    return {};
 }
 
 void Document::clear(const Parameter& parameter, int gesture) {
     Scenario changed = m_scenario;
-    if (std::optional<double>* value = optionalValue(changed, parameter.key)) {
-        value->reset();
+    if (parameter.rules.clear) {
+        parameter.rules.clear(changed);
     } else {
         // Only the diameter of a rod that was given by its area can have had no value before.
-        const auto* last = static_cast<const Edit*>(m_undoStack.command(m_undoStack.index() - 1));
+        const auto* last = static_cast<const ScenarioEdit*>(m_undoStack.command(m_undoStack.index() - 1));
         if (!last || !last->isOf(keyOf(parameter), gesture)) return;
         changed = last->before();
     }
@@ -132,7 +95,7 @@ void Document::clear(const Parameter& parameter, int gesture) {
 bool Document::canHaveShape(PulseShape shape) const {
     Scenario changed = m_scenario;
     changed.pulse.shape = shape;
-    return validate(changed).empty();
+    return m_check(changed).empty();
 }
 
 void Document::setShape(PulseShape shape) {
@@ -150,14 +113,17 @@ void Document::setTitle(const QString& title) {
 }
 
 void Document::push(Scenario after, const QString& name, const QString& key, int gesture) {
+    // Points that were read again and are the same need no memory of their own in the history.
+    if (after.pulse.tablePoints == m_scenario.pulse.tablePoints)
+        after.pulse.tablePoints = m_scenario.pulse.tablePoints;
     if (after == m_scenario) return;
-    auto* edit = new Edit(*this, std::move(after), key, gesture);
+    auto* edit = new ScenarioEdit(
+        m_scenario, [this] { announceChange(); }, std::move(after), key, gesture);
     edit->setText(name);
     m_undoStack.push(edit);
 }
 
-void Document::setScenario(const Scenario& scenario) {
-    m_scenario = scenario;
+void Document::announceChange() {
     emit scenarioChanged();
     emit stateChanged();
 }
@@ -169,7 +135,8 @@ void Document::take(ScenarioDocument source, const QString& path, const QString&
     m_undoStack.clear();
     m_undoStack.setClean();  // an empty stack ignores clear(), and may have been marked unsaved
     emit replaced();
-    setScenario(m_source.scenario);
+    m_scenario = m_source.scenario;
+    announceChange();
 }
 
 void Document::start() {
@@ -230,7 +197,7 @@ void Document::markUnsaved() {
 
 QString Document::applyPreset(const Preset& preset) {
     Scenario changed = withPreset(m_scenario, preset);
-    std::vector<InputProblem> problems = validate(changed);
+    std::vector<InputProblem> problems = m_check(changed);
     if (!problems.empty())
         return lines(ScenarioError(ScenarioError::Kind::invalid, preset.name, std::move(problems)));
     if (changed != m_scenario) emit presetTaken();
@@ -264,7 +231,7 @@ QString Document::takeTable(const QString& path, const std::string& name, const 
     changed.pulse.shape = PulseShape::table;
     changed.pulse.tablePoints = std::move(table.points);
     changed.pulse.tableFile = name;
-    if (problems.empty()) problems = validate(changed);
+    if (problems.empty()) problems = m_check(changed);
     if (!problems.empty())
         return lines(ScenarioError(ScenarioError::Kind::invalid, nativePath(path), std::move(problems)));
     push(std::move(changed), step);

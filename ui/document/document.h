@@ -5,19 +5,25 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <functional>
+#include <vector>
 
 #include "core/file/scenario_file.h"
 #include "core/model/parameter.h"
 #include "core/model/preset.h"
+#include "core/model/validation.h"
 
 namespace drillwave {
 
-/// Always holds a scenario that validate() finds nothing wrong with; edits that would spoil it are refused.
+/// Always holds a scenario that the check finds nothing wrong with; edits that would spoil it are refused.
 class Document : public QObject {
     Q_OBJECT
 
   public:
-    explicit Document(QObject* parent = nullptr);
+    /// Everything wrong with a scenario.
+    using Check = std::function<std::vector<InputProblem>(const Scenario&)>;
+
+    explicit Document(QObject* parent = nullptr, Check check = validate);
 
     const Scenario& scenario() const { return m_scenario; }
     QUndoStack& undoStack() { return m_undoStack; }
@@ -38,10 +44,9 @@ class Document : public QObject {
     const ScenarioDocument& source() const { return m_source; }
     const std::string& savedText() const { return m_source.text; }
 
-    /// Why a parameter cannot take a value (SI); empty when it can.
-    QString whyNot(const Parameter& parameter, double si) const;
     /// Sets a parameter (SI) as one undo step; edits of one parameter with the same `gesture` are one step.
-    void assign(const Parameter& parameter, double si, int gesture);
+    /// Returns why it cannot take that value, empty when it has.
+    QString assign(const Parameter& parameter, double si, int gesture);
     /// Takes an optional parameter back to "not given", any other to what it was before the gesture.
     void clear(const Parameter& parameter, int gesture);
     /// Whether the scenario would be valid with that shape (a table needs points).
@@ -86,13 +91,13 @@ class Document : public QObject {
     void stateChanged();
 
   private:
-    class Edit;
     void push(Scenario after, const QString& name, const QString& key = {}, int gesture = 0);
-    void setScenario(const Scenario& scenario);
+    void announceChange();
     void take(ScenarioDocument source, const QString& path, const QString& origin);
     QString takeTable(const QString& path, const std::string& name, const QString& step);
     bool keepTableInReach(const QString& path);
 
+    Check m_check;
     Scenario m_scenario;
     ScenarioDocument m_source;  // as last read or written: what saving changes as little as possible
     QString m_path;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/form/parameter_row.h"
 
-#include <QRegularExpression>
-
 #include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
@@ -32,7 +30,6 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTit
     if (m_field->unitButton()) grid->addWidget(m_field->unitButton(), row, 3);
     grid->addWidget(m_message, row + 1, 0, 1, 4);
 
-    connect(m_field, &QuantityField::valueEdited, this, &ParameterRow::edited);
     connect(m_field, &QuantityField::cleared, this, &ParameterRow::cleared);
     connect(m_field, &QuantityField::editsEnded, this, &ParameterRow::editsEnded);
     connect(m_field, &QuantityField::problemShown, this, &ParameterRow::showProblem);
@@ -54,8 +51,8 @@ void ParameterRow::rememberUnit() {
 }
 
 void ParameterRow::nameWidgets(const QString& sectionTitle) {
-    // "hammer length" in messages; in its own section "length" will do.
-    const QString label = fromView(m_parameter.label).remove(QRegularExpression(QStringLiteral("^hammer ")));
+    const std::string_view shortLabel = m_parameter.rules.shortLabel;
+    const QString label = fromView(shortLabel.empty() ? m_parameter.label : shortLabel);
     const QString symbol = shownSymbol(m_parameter.symbol);
     const QString meaning = fromView(m_parameter.meaning);
     const QString name = QStringLiteral("%1: %2").arg(sectionTitle, label);
@@ -76,12 +73,14 @@ void ParameterRow::nameWidgets(const QString& sectionTitle) {
     }
 }
 
+void ParameterRow::setTaker(QuantityField::Taker taker) {
+    m_taker = std::move(taker);
+    m_field->setTaker(m_taker);
+}
+
 // Where the slider cannot go, the value stays and the reason is said.
 void ParameterRow::drag(double si) {
-    const double rounded = m_field->rounded(si);
-    const QString objection = m_field->objectionTo(rounded);
-    showProblem(objection);
-    if (objection.isEmpty()) emit edited(rounded);
+    showProblem(m_taker ? m_taker(m_field->rounded(si)) : QString());
 }
 
 void ParameterRow::showProblem(const QString& problem) {

@@ -31,9 +31,10 @@ class ParameterRow : public QObject {
     /// Shows the parameter's value in the scenario, or hides the row where it does not apply.
     void present(const Scenario& scenario);
 
+    /// Whom the values go to that the user gives, by the field or the slider.
+    void setTaker(QuantityField::Taker taker);
+
   signals:
-    /// The user changed the value (SI), by the field or the slider.
-    void edited(double si);
     void cleared();
     /// Further edits are a new undo step.
     void editsEnded();
@@ -50,6 +51,7 @@ class ParameterRow : public QObject {
     QuantityField* m_field;
     QuantitySlider* m_slider;
     QLabel* m_message;
+    QuantityField::Taker m_taker;
     QString m_problem;  // what the message says, empty when there is none
 };
 

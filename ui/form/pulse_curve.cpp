@@ -16,7 +16,7 @@ void append(QPolygonF& points, const PulseSegment& segment, double end, double p
     const int steps = segment.kind == PulseSegment::Kind::linear ? 1 : curvedSteps;
     for (int i = 0; i <= steps; ++i) {
         const double x = length * i / steps;
-        points.append({segment.start + x, segment.valueAt(x) / peak});
+        points.append({segment.start + x, segment.forceAt(x) / peak});
     }
 }
 

@@ -78,8 +78,8 @@ void PulseSection::addTable(QGridLayout* grid, QWidget* parent) {
     connect(m_reload, &QPushButton::clicked, this, [this] { tellIfFailed(m_document.reloadTable()); });
 }
 
-void PulseSection::present(const Scenario& scenario) {
-    showShape();
+void PulseSection::present(const Scenario& scenario, Shapes shapes) {
+    if (shapes == Shapes::asked) showShape();
     m_preview->present(scenario);
     m_table->setVisible(scenario.pulse.shape == PulseShape::table);
     if (scenario.pulse.shape == PulseShape::table) showTable(scenario);

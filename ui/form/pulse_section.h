@@ -21,7 +21,9 @@ class PulseSection : public QObject {
     /// Fills the lowest rows of `grid`. Document and questions must outlive it.
     PulseSection(Document& document, Questions& questions, QGridLayout* grid, QWidget* parent);
 
-    void present(const Scenario& scenario);
+    /// Whether to find out anew which shapes the scenario can have: each is a scenario to be checked.
+    enum class Shapes { asked, asBefore };
+    void present(const Scenario& scenario, Shapes shapes);
 
   private:
     void addShape(QGridLayout* grid, QWidget* parent);

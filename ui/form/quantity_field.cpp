@@ -10,10 +10,10 @@
 #include <QStyle>
 #include <QToolButton>
 #include <QWheelEvent>
-#include <array>
-#include <charconv>
 #include <cmath>
+#include <utility>
 
+#include "core/text/number_text.h"
 #include "ui/form/unit_button.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
@@ -25,13 +25,6 @@ constexpr int patienceMs = 500;      // a half-typed number is not called wrong 
 constexpr int stepSeriesMs = 800;    // steps closer in time than this are one edit
 constexpr int exactTextLength = 10;  // longer ones are rounded for display
 constexpr int displayDigits = 6;
-
-QString roundedText(double value, int digits) {
-    std::array<char, 40> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                   std::chars_format::general, digits);
-    return QString::fromLatin1(buffer.data(), end.ptr - buffer.data());
-}
 
 // One unit of the second digit, so that a step is a few per cent wherever the value lies.
 double stepSize(double value, int direction) {
@@ -120,34 +113,42 @@ void QuantityField::readText(const QString& text) {
     m_editing = true;
     if (m_optional && text.trimmed().isEmpty()) {
         accept();
-        return take(std::nullopt);
+        return empty();
     }
     const PlainText plain = plainText(text, locale());
     if (!plain.problem.isEmpty()) return refuse(plain.problem);
     const TypedQuantity typed =
         parseQuantity(plain.text.toStdString(), m_quantity, BareNumber::inDefaultUnit, m_unit);
     if (!typed.valid()) return refuse(QString::fromStdString(typed.problem));
-    const QString objection = objectionTo(typed.si);
+    const QString objection = offer(typed.si);
     if (!objection.isEmpty()) return refuse(objection);
     accept();
     m_typedUnit = typed.unit;
-    take(typed.si);
 }
 
-void QuantityField::take(std::optional<double> si) {
-    if (m_value == si) return;
-    m_value = si;
-    if (si)
-        emit valueEdited(*si);
-    else
-        emit cleared();
+// The value is the field's own while the taker shows it everywhere: the text stays as it was typed.
+QString QuantityField::offer(double si) {
+    if (m_value == si) return {};
+    const std::optional<double> before = std::exchange(m_value, si);
+    const QString objection = m_taker ? m_taker(si) : QString();
+    if (!objection.isEmpty()) m_value = before;
+    return objection;
+}
+
+void QuantityField::empty() {
+    if (!m_value) return;
+    m_value.reset();
+    emit cleared();
 }
 
 void QuantityField::refuse(const QString& reason) {
     m_problem = reason;
     m_typedUnit = nullptr;
     // The beginning of the text may have been a value ("3" of "3 kN"); as a whole it is none.
-    take(m_valueBefore);
+    if (m_valueBefore)
+        offer(*m_valueBefore);
+    else
+        empty();
     if (m_shownProblem.isEmpty())
         m_markTimer.start();
     else
@@ -206,12 +207,13 @@ QString QuantityField::shownText(double si) const {
     const QString number = end < 0 ? exact : exact.left(end);
     const bool inThisUnit = m_unit->name.empty() || exact.mid(end + 1).toStdString() == m_unit->name;
     const bool readable = inThisUnit && number.size() <= exactTextLength;
-    return localText(readable ? number : roundedText(m_unit->fromSi(si), displayDigits), locale());
+    return localText(
+        readable ? number : QString::fromStdString(drillwave::rounded(m_unit->fromSi(si), displayDigits)),
+        locale());
 }
 
 double QuantityField::rounded(double si) const {
-    const std::string text =
-        roundedText(m_unit->fromSi(si), 3).toStdString() + " " + std::string(m_unit->name);
+    const std::string text = drillwave::rounded(m_unit->fromSi(si), 3) + " " + std::string(m_unit->name);
     const TypedQuantity read = parseQuantity(text, m_quantity, BareNumber::inDefaultUnit, m_unit);
     return read.valid() ? read.si : si;
 }
@@ -222,9 +224,8 @@ void QuantityField::stepBy(int steps) {
     const double step = shown == 0 ? std::abs(m_unit->fromSi(m_stepAtZero)) : stepSize(shown, steps);
     double si = rounded(m_unit->toSi(shown + steps * step));
     if (*m_value > 0 && si < 0) si = 0;
-    if (si == *m_value || !objectionTo(si).isEmpty()) return;
+    if (si == *m_value || !offer(si).isEmpty()) return;
     accept();
-    take(si);
     m_valueBefore = m_value;
     showValue();
     selectAll();

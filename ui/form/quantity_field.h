@@ -22,8 +22,8 @@ class QuantityField : public QAbstractSpinBox {
     Q_OBJECT
 
   public:
-    /// Why a value (SI) cannot be taken; empty when it can.
-    using Check = std::function<QString(double)>;
+    /// Takes a value (SI) that the user gave. Returns why it cannot be taken; empty when it was.
+    using Taker = std::function<QString(double)>;
 
     QuantityField(Quantity quantity, const Unit& unit, QWidget* parent = nullptr);
     ~QuantityField() override;
@@ -33,9 +33,8 @@ class QuantityField : public QAbstractSpinBox {
     /// Shows a value from elsewhere. Text being edited stays if it already means that value, or if it is
     /// wrong and the value did not change.
     void setValue(std::optional<double> si);
-    void setCheck(Check check) { m_check = std::move(check); }
-    /// Why the check would not let that value (SI) in; empty when it would.
-    QString objectionTo(double si) const { return m_check ? m_check(si) : QString(); }
+    /// Whom every value goes to: every keystroke that means one, every step.
+    void setTaker(Taker taker) { m_taker = std::move(taker); }
     /// Lets the field be emptied (`cleared()`), and shows `placeholder` then.
     void setOptional(const QString& placeholder);
     /// Size of a step where the value is zero (SI), which says nothing about its own size.
@@ -58,8 +57,6 @@ class QuantityField : public QAbstractSpinBox {
     QSize minimumSizeHint() const override { return sizeHint(); }
 
   signals:
-    /// The user changed the value (SI): every keystroke that can be taken, every step.
-    void valueEdited(double si);
     /// The user emptied an optional field.
     void cleared();
     /// The reason that is shown now changed; empty when there is none any more.
@@ -78,7 +75,8 @@ class QuantityField : public QAbstractSpinBox {
 
   private:
     void readText(const QString& text);
-    void take(std::optional<double> si);
+    QString offer(double si);
+    void empty();
     void refuse(const QString& reason);
     void accept();
     void showProblem();
@@ -95,7 +93,7 @@ class QuantityField : public QAbstractSpinBox {
     bool m_editing = false;
     double m_stepAtZero = 1;
     bool m_optional = false;
-    Check m_check;
+    Taker m_taker;
     QString m_problem;
     QString m_shownProblem;
     QString m_help;

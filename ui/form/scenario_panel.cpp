@@ -8,8 +8,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/model/optional_parameter.h"
-
 namespace drillwave {
 namespace {
 
@@ -92,20 +90,29 @@ void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTit
                            QWidget* parent) {
     auto* row = new ParameterRow(parameter, sectionTitle, grid, parent);
     m_sections.last().rows.append(row);
-    row->field()->setCheck([this, &parameter](double si) { return m_document.whyNot(parameter, si); });
-    Scenario probe;
-    if (optionalValue(probe, parameter.key)) row->field()->setOptional(tr("not given"));
-    connect(row, &ParameterRow::edited, this,
-            [this, &parameter](double si) { m_document.assign(parameter, si, m_gesture); });
+    row->setTaker([this, &parameter](double si) { return m_document.assign(parameter, si, m_gesture); });
+    if (parameter.rules.clear) row->field()->setOptional(tr("not given"));
     connect(row, &ParameterRow::cleared, this,
             [this, &parameter] { m_document.clear(parameter, m_gesture); });
-    connect(row->slider(), &QSlider::sliderPressed, this, &ScenarioPanel::dragStarted);
-    connect(row->slider(), &QSlider::sliderReleased, this, &ScenarioPanel::dragEnded);
+    connect(row->slider(), &QSlider::sliderPressed, this, &ScenarioPanel::beginDrag);
+    connect(row->slider(), &QSlider::sliderReleased, this, &ScenarioPanel::endDrag);
     // A slider that was held stands where the hand was, which may not be what the document took.
     connect(row, &ParameterRow::editsEnded, this, [this, row] {
         ++m_gesture;
         row->present(m_document.scenario());
     });
+}
+
+// Nobody looks into the menu of shapes while the hand is at a slider.
+void ScenarioPanel::beginDrag() {
+    m_dragged = true;
+    emit dragStarted();
+}
+
+void ScenarioPanel::endDrag() {
+    m_dragged = false;
+    m_pulse->present(m_document.scenario(), PulseSection::Shapes::asked);
+    emit dragEnded();
 }
 
 // One set of columns through all sections.
@@ -128,7 +135,7 @@ void ScenarioPanel::showScenario() {
     const QString title = QString::fromStdString(scenario.title);
     if (m_title->text() != title) m_title->setText(title);
     showPresets();
-    m_pulse->present(scenario);
+    m_pulse->present(scenario, m_dragged ? PulseSection::Shapes::asBefore : PulseSection::Shapes::asked);
     for (const Section& section : std::as_const(m_sections)) {
         for (ParameterRow* row : section.rows) row->present(scenario);
         const bool used = std::ranges::any_of(

@@ -41,6 +41,8 @@ class ScenarioPanel : public QScrollArea {
     void addSection(const QString& section, const QString& title);
     void addPresets(PresetKind kind, const QString& title, QGridLayout* grid, QWidget* parent);
     void addRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid, QWidget* parent);
+    void beginDrag();
+    void endDrag();
     void alignColumns();
     void showScenario();
     void showPresets();
@@ -59,6 +61,7 @@ class ScenarioPanel : public QScrollArea {
     PulseSection* m_pulse = nullptr;
     QList<Section> m_sections;
     int m_gesture = 1;
+    bool m_dragged = false;  // a slider is held
 };
 
 }  // namespace drillwave

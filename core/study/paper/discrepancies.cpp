@@ -2,7 +2,6 @@
 #include "core/study/paper/discrepancies.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "core/blow/impact_summary.h"
@@ -11,7 +10,7 @@
 #include "core/study/gap/gap_statistics.h"
 #include "core/study/paper/paper_case.h"
 #include "core/text/csv.h"
-#include "core/text/row_text.h"
+#include "core/text/number_text.h"
 #include "core/text/units.h"
 #include "core/wave/closed/closed_form.h"
 #include "core/wave/field/wave_field.h"
@@ -23,10 +22,7 @@ namespace {
 using List = std::vector<Discrepancy>;
 
 std::string shown(double value, int digits = 7) {
-    std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
-    return {text.data(), end.ptr};
+    return rounded(value, digits);
 }
 
 double corAtBeta(double beta, double gamma = 1, double tau = paperElastic.tau) {

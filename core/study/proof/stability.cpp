@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/contact/bilinear_law.h"
-#include "core/numeric/ordered_rows.h"
+#include "core/numeric/ordered_work.h"
 #include "core/text/units.h"
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/exact/extended_solver.h"
@@ -186,7 +186,7 @@ StabilityReport checkStability(const std::vector<StabilityCase>& cases, int jobs
         progress(report.rows.size());
         return true;
     };
-    report.stopped = processInOrder<Chunk>(jobs, stop, fill, makeWorker, deliver) == RowsEnd::stopped;
+    report.stopped = processInOrder<Chunk>(jobs, stop, fill, makeWorker, deliver) == WorkEnd::stopped;
     return report;
 }
 

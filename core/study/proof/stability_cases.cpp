@@ -2,7 +2,6 @@
 #include "core/study/proof/stability_cases.h"
 
 #include <functional>
-#include <utility>
 
 #include "core/contact/bilinear_law.h"
 #include "core/text/units.h"
@@ -155,17 +154,8 @@ void addChatter(std::vector<StabilityCase>& cases) {
 PulseForce tableForce() {
     Scenario scenario;
     scenario.pulse.shape = PulseShape::table;
-    for (const auto& [time, force] : {std::pair{0.0, 0.0},
-                                      {0.02, 0.4},
-                                      {0.05, 0.9},
-                                      {0.1, 1.0},
-                                      {0.2, 0.82},
-                                      {0.3, 0.93},
-                                      {0.45, 0.71},
-                                      {0.6, 0.8},
-                                      {0.75, 0.3},
-                                      {1.0, 0.0}})
-        scenario.pulse.tablePoints.push_back({time, force});
+    scenario.pulse.tablePoints = {{0, 0},      {0.02, 0.4},  {0.05, 0.9}, {0.1, 1},    {0.2, 0.82},
+                                  {0.3, 0.93}, {0.45, 0.71}, {0.6, 0.8},  {0.75, 0.3}, {1, 0}};
     return pulseForceOf(scenario);
 }
 

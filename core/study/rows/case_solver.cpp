@@ -2,9 +2,9 @@
 #include "core/study/rows/case_solver.h"
 
 #include <algorithm>
+#include <cassert>
+#include <limits>
 #include <utility>
-
-#include "core/text/row_text.h"
 
 namespace drillwave {
 
@@ -15,19 +15,17 @@ CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice
       m_method(method),
       m_solver(workLimit) {}
 
-std::string CaseSolver::solve(const Scenario& scenario, std::string& row, const std::stop_token& stop) {
+std::string CaseSolver::solve(const Scenario& scenario, std::span<double> outputs,
+                              const std::stop_token& stop) {
+    assert(outputs.size() == m_columns.size());
     m_problem = problemOf(std::move(m_problem.hammer), groupsOf(scenario));
     const Impact impact = m_solver.solve(m_problem, m_detail, m_method, stop);
-    if (impact.outcome != Outcome::rebounded) {
-        row.append(m_columns.size(), ',');
-        return impact.reason;
-    }
+    if (impact.outcome != Outcome::rebounded) return impact.reason;
     const ImpactSummary summary = summarize(impact, m_problem);
     const Scales scales = m_inSi ? scalesOf(scenario) : Scales{};
-    for (const OutputColumn& column : m_columns) {
-        row += ',';
-        if (const auto value = column.value(summary, scenario, scales)) appendNumber(row, *value);
-    }
+    for (std::size_t c = 0; c < m_columns.size(); ++c)
+        outputs[c] =
+            m_columns[c].value(summary, scenario, scales).value_or(std::numeric_limits<double>::quiet_NaN());
     return {};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One case after another solved into the output cells of a table row.
+// One case after another solved into the outputs of a row.
 #pragma once
 
 #include <span>
@@ -21,9 +21,9 @@ class CaseSolver {
     /// Must be called before solve() whenever the hammer blow may have changed.
     void setPulse(const Scenario& scenario) { m_problem.hammer = pulseForceOf(scenario); }
 
-    /// Appends ",value" for each column, "," alone where there is no number. Returns why the case could not
-    /// be solved (all cells are empty then), or an empty string.
-    std::string solve(const Scenario& scenario, std::string& row, const std::stop_token& stop);
+    /// Puts a number for each column into `outputs`, NaN where there is none. Returns why the case could not
+    /// be solved (`outputs` is left alone then), or an empty string.
+    std::string solve(const Scenario& scenario, std::span<double> outputs, const std::stop_token& stop);
 
   private:
     std::span<const OutputColumn> m_columns;

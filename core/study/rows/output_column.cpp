@@ -6,6 +6,7 @@
 #include "core/blow/thrust.h"
 #include "core/text/decimal_text.h"
 #include "core/text/nearest_name.h"
+#include "core/text/unit_heading.h"
 
 namespace drillwave {
 
@@ -26,16 +27,12 @@ std::string unknownOutput(std::string_view name) {
     return problem;
 }
 
-std::string withUnit(std::string_view name, Quantity quantity) {
-    const std::string_view unit = unitsOf(quantity).front().name;
-    return unit.empty() ? std::string(name) : std::string(name) + " [" + std::string(unit) + "]";
-}
-
 }  // namespace
 
 std::string OutputColumn::header() const {
-    if (!output) return withUnit(thrustName, Quantity::force);
-    return units == OutputUnits::si ? withUnit(output->name, output->quantity) : std::string(output->name);
+    if (!output) return withUnit(thrustName, &unitsOf(Quantity::force).front());
+    return units == OutputUnits::si ? withUnit(output->name, &unitsOf(output->quantity).front())
+                                    : std::string(output->name);
 }
 
 std::optional<double> OutputColumn::value(const ImpactSummary& summary, const Scenario& scenario,

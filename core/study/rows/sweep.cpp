@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/study/rows/case_solver.h"
+#include "core/study/rows/row_run.h"
 
 namespace drillwave {
 
@@ -35,15 +36,8 @@ class GridPoint {
     std::vector<std::uint64_t> m_index;
 };
 
-/// The hammer blow depends on its own parameters and, for a piston, on the rod.
-bool movesPulse(const SweepAxis& axis) {
-    return !axis.parameter || axis.parameter->section() == "pulse" || axis.parameter->section() == "rod";
-}
-
-struct Chunk {
+struct Chunk : RowChunk {
     RowRange points;
-    std::string text;
-    std::vector<RowFailure> failures;
 };
 
 /// Turns points of the grid into rows. One for each thread.
@@ -51,83 +45,68 @@ class RowMaker {
   public:
     explicit RowMaker(const Sweep& sweep)
         : m_sweep(sweep),
-          m_order(assignmentOrder(sweep.axes)),
+          m_assignments(assignmentsOf(sweep.axes)),
           m_scenario(sweep.base),
-          m_solver(sweep.columns, sweep.method, sweep.workLimit) {
+          m_solver(sweep.columns, sweep.method, sweep.workLimit),
+          m_values(sweep.axes.size()) {
         for (std::size_t a = 0; a < sweep.axes.size(); ++a)
-            if (movesPulse(sweep.axes[a])) m_lastPulseAxis = a;
+            if (m_assignments.movesPulse(a)) m_lastPulseAxis = a;
     }
 
     void operator()(Chunk& chunk, std::stop_token stop) {
-        chunk.text.clear();
-        chunk.failures.clear();
+        chunk.rows.restart(chunk.points.begin, m_values.size() + m_sweep.columns.size());
         GridPoint point(m_sweep.axes, chunk.points.begin);
         std::size_t changed = 0;
         for (std::uint64_t n = chunk.points.begin; n < chunk.points.end; ++n) {
             if (stop.stop_requested()) return;
-            const std::string reason = appendRow(point, changed, chunk.text, stop);
-            if (!reason.empty()) addFailure(chunk.failures, {reason, 1});
+            const std::span<double> row = chunk.rows.add();
+            moveTo(point, changed);
+            std::ranges::copy(m_values, row.begin());
+            const std::string reason = m_solver.solve(m_scenario, row.subspan(m_values.size()), stop);
+            if (!reason.empty()) chunk.rows.fail(reason);
             changed = point.advance();
         }
     }
 
   private:
-    /// `changed` is the first axis whose value is not that of the row before. Returns why the row could not
-    /// be solved.
-    std::string appendRow(const GridPoint& point, std::size_t changed, std::string& text,
-                          const std::stop_token& stop) {
-        assign(point);
+    /// `changed` is the first axis whose value is not that of the point before.
+    void moveTo(const GridPoint& point, std::size_t changed) {
+        for (std::size_t a = changed; a < m_values.size(); ++a) m_values[a] = m_sweep.axes[a].value(point[a]);
+        assign();
         if (!m_hasPulse || (m_lastPulseAxis && changed <= *m_lastPulseAxis)) m_solver.setPulse(m_scenario);
         m_hasPulse = true;
-
-        const std::size_t last = m_sweep.axes.size() - 1;
-        if (changed < last) {
-            m_prefix.clear();
-            for (std::size_t a = 0; a < last; ++a) {
-                m_sweep.axes[a].appendText(m_prefix, point[a]);
-                m_prefix += ',';
-            }
-        }
-        text += m_prefix;
-        m_sweep.axes[last].appendText(text, point[last]);
-        std::string reason = m_solver.solve(m_scenario, text, stop);
-        text += "\n";
-        return reason;
     }
 
     /// Sets every axis. What one axis sets may depend on the others in a dimensional scenario (tau moves the
     /// length, which moves nothing else, but a duration moves the impulse of a given force), so that each
     /// point starts from the base.
-    void assign(const GridPoint& point) {
+    void assign() {
         if (m_scenario.form == ScenarioForm::dimensional) m_scenario = m_sweep.base;
-        for (const std::size_t a : m_order) m_sweep.axes[a].assign(m_scenario, point[a]);
+        for (const std::size_t a : m_assignments.order()) m_sweep.axes[a].assign(m_scenario, m_values[a]);
     }
 
     const Sweep& m_sweep;
-    std::vector<std::size_t> m_order;
+    Assignments m_assignments;
     std::optional<std::size_t> m_lastPulseAxis;
     Scenario m_scenario;
     CaseSolver m_solver;
+    std::vector<double> m_values;  // of the axes at the point
     bool m_hasPulse = false;
-    std::string m_prefix;
 };
 
-std::string headerOf(const Sweep& sweep) {
-    std::string header;
-    for (const SweepAxis& axis : sweep.axes) header += axis.header() + ",";
-    for (const OutputColumn& column : sweep.columns) header += column.header() + ",";
-    header.pop_back();
-    return header + "\n";
+RowHeader headerOf(const Sweep& sweep) {
+    RowHeader header{.copied = {}, .columns = {}, .isFirstPart = sweep.shard.hasHeader()};
+    for (const SweepAxis& axis : sweep.axes) header.columns.push_back(axis.column());
+    for (const OutputColumn& column : sweep.columns) header.columns.push_back({.header = column.header()});
+    return header;
 }
 
 }  // namespace
 
-std::vector<std::size_t> assignmentOrder(const std::vector<SweepAxis>& axes) {
-    // The parameter table has the groups last; the shape, which is not in it, has a null pointer.
-    std::vector<std::size_t> order(axes.size());
-    for (std::size_t a = 0; a < axes.size(); ++a) order[a] = a;
-    std::ranges::sort(order, {}, [&](std::size_t a) { return axes[a].parameter; });
-    return order;
+Assignments assignmentsOf(const std::vector<SweepAxis>& axes) {
+    Assignments assignments;
+    for (const SweepAxis& axis : axes) assignments.add(axis.key());
+    return assignments;
 }
 
 std::uint64_t pointCount(const Sweep& sweep) {
@@ -139,10 +118,8 @@ std::uint64_t pointCount(const Sweep& sweep) {
     return points;
 }
 
-RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, const WriteText& write,
+RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, RowSink& sink,
                    const RowProgress& progress) {
-    RowCounts counts;
-    if (sweep.shard.hasHeader() && !write(headerOf(sweep))) return {.failures = {}, .end = RowsEnd::stopped};
     const RowRange part = rowsOf(sweep.shard, pointCount(sweep));
     std::uint64_t next = part.begin;
     const auto fill = [&](Chunk& chunk) {
@@ -150,15 +127,8 @@ RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, const Wri
         next = chunk.points.end;
         return chunk.points.size() > 0;
     };
-    const auto deliver = [&](Chunk& chunk) {
-        if (!write(chunk.text)) return false;
-        counts.add(chunk.points.size(), chunk.failures);
-        progress(counts);
-        return true;
-    };
-    counts.end = processInOrder<Chunk>(
-        jobs, stop, fill, [&] { return RowMaker(sweep); }, deliver);
-    return counts;
+    return runRows<Chunk>(
+        jobs, stop, fill, [&] { return RowMaker(sweep); }, headerOf(sweep), sink, progress);
 }
 
 }  // namespace drillwave

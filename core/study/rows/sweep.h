@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A product grid of parameters solved point by point, as CSV.
+// A product grid of parameters solved point by point.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "core/blow/method.h"
+#include "core/model/assignments.h"
 #include "core/model/scenario.h"
 #include "core/study/rows/output_column.h"
-#include "core/study/rows/rows.h"
+#include "core/study/rows/row_counts.h"
+#include "core/study/rows/row_sink.h"
 #include "core/study/rows/shard.h"
 #include "core/study/rows/sweep_axis.h"
 
@@ -29,17 +31,16 @@ struct Sweep {
 /// Most axes of one sweep.
 inline constexpr std::size_t maximumSweepAxes = 8;
 
-/// The axes in the order in which a point sets them: the shape first, it decides which parameters apply; the
-/// groups last, they move physical parameters.
-std::vector<std::size_t> assignmentOrder(const std::vector<SweepAxis>& axes);
+/// What the axes set, each numbered as it is there.
+Assignments assignmentsOf(const std::vector<SweepAxis>& axes);
 
 /// Number of points of the whole grid; 0 if there are more than maximumSweepPoints.
 std::uint64_t pointCount(const Sweep& sweep);
 
-/// Writes header and rows in order. `write` and `progress` are called on the calling thread. Memory does not
-/// grow with the number of points; the bytes do not depend on `jobs` (≥ 1). Requires problemsOf() to be
-/// empty.
-RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, const WriteText& write,
+/// Gives the sink the rows in order: the values of the axes (SI), then the outputs. `progress` is called on
+/// the calling thread. Memory does not grow with the number of points; the rows do not depend on `jobs`
+/// (≥ 1). Requires problemsOf() to be empty.
+RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, RowSink& sink,
                    const RowProgress& progress);
 
 }  // namespace drillwave

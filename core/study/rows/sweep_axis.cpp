@@ -7,13 +7,11 @@
 
 #include "core/model/parameter_text.h"
 #include "core/text/decimal_text.h"
-#include "core/text/row_text.h"
+#include "core/text/unit_heading.h"
 
 namespace drillwave {
 
 namespace {
-
-constexpr std::string_view shapeKey = "pulse.shape";
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
@@ -99,7 +97,7 @@ std::string readShapes(ParsedAxis& parsed, const std::vector<std::string_view>& 
         const std::optional<PulseShape> shape = findPulseShape(item);
         if (!shape) {
             parsed.kind = ParsedAxis::Kind::badValue;
-            return refusal(shapeKey, item, "must be one of " + pulseShapeList());
+            return refusal(pulseShapeKey, item, "must be one of " + pulseShapeList());
         }
         axis.shapes.push_back(*shape);
     }
@@ -114,7 +112,7 @@ std::string readAxis(ParsedAxis& parsed, std::string_view text) {
                "` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C";
     const std::string_view key = trimmed(text.substr(0, equals));
     const std::string_view values = text.substr(equals + 1);
-    if (key == shapeKey) return readShapes(parsed, split(values, ','));
+    if (key == pulseShapeKey) return readShapes(parsed, split(values, ','));
     axis.parameter = findParameter(key);
     if (!axis.parameter) {
         const std::string near = nearestKey(key);
@@ -127,16 +125,22 @@ std::string readAxis(ParsedAxis& parsed, std::string_view text) {
 
 }  // namespace
 
-std::string SweepAxis::header() const {
-    const std::string name(key());
-    return !unit || unit->name.empty() ? name : name + " [" + std::string(unit->name) + "]";
+RowColumn SweepAxis::column() const {
+    if (kind == Kind::shapes) return {.header = std::string(key()), .kind = RowColumn::Kind::shape};
+    const Quantity quantity = parameter->quantity;
+    const bool hasUnit = quantity != Quantity::ratio;
+    return {.header = withUnit(key(), unit),
+            .kind = hasUnit ? RowColumn::Kind::quantity : RowColumn::Kind::number,
+            .quantity = quantity,
+            .unit = unit};
 }
 
 std::string_view SweepAxis::key() const {
-    return parameter ? parameter->key : shapeKey;
+    return parameter ? parameter->key : pulseShapeKey;
 }
 
 double SweepAxis::value(std::uint64_t i) const {
+    if (kind == Kind::shapes) return static_cast<double>(shapes[i]);
     if (kind == Kind::list) return list[i];
     if (i == 0) return start;
     if (i + 1 == count) return stop;
@@ -148,27 +152,16 @@ double SweepAxis::value(std::uint64_t i) const {
     return unit->toSi(std::pow(10.0, between(std::log10(a), std::log10(b), position, last)));
 }
 
-void SweepAxis::appendText(std::string& row, std::uint64_t i) const {
-    if (kind == Kind::shapes) {
-        row += name(shapes[i]);
-    } else if (parameter->quantity == Quantity::ratio) {
-        appendNumber(row, value(i));
-    } else {
-        row += formatQuantity(value(i), parameter->quantity, *unit);
-        row.resize(row.size() - unit->name.size() - 1);
-    }
-}
-
-void SweepAxis::assign(Scenario& scenario, std::uint64_t i) const {
+void SweepAxis::assign(Scenario& scenario, double value) const {
     if (kind == Kind::shapes)
-        scenario.pulse.shape = shapes[i];
+        scenario.pulse.shape = static_cast<PulseShape>(value);
     else if (parameter->applies(scenario))
-        parameter->assign(scenario, value(i));
+        parameter->assign(scenario, value);
 }
 
-std::string SweepAxis::readBackProblem(const Scenario& scenario, std::uint64_t i) const {
+std::string SweepAxis::readBackProblem(const Scenario& scenario, double value) const {
     if (!parameter || !parameter->applies(scenario)) return {};
-    return drillwave::readBackProblem(*parameter, scenario, value(i));
+    return drillwave::readBackProblem(*parameter, scenario, value);
 }
 
 std::vector<std::uint64_t> SweepAxis::extremes() const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/model/parameter.h"
+#include "core/study/rows/row_column.h"
 
 namespace drillwave {
 
@@ -25,18 +26,16 @@ struct SweepAxis {
     std::vector<double> list;        ///< Kind::list, SI
     std::vector<PulseShape> shapes;  ///< Kind::shapes
 
-    /// "beta", "rod.length [mm]".
-    std::string header() const;
+    /// Its column of numbers, headed "beta" or "rod.length [mm]".
+    RowColumn column() const;
     std::string_view key() const;
 
-    /// The i-th value in SI, the ends exactly as given, even steps in `unit`. Not for shapes.
+    /// The i-th value in SI, the ends exactly as given, even steps in `unit`; a shape as its number.
     double value(std::uint64_t i) const;
-    /// Appends the i-th value as a cell of the table; it reads back as exactly value(i).
-    void appendText(std::string& row, std::uint64_t i) const;
-    /// Sets the i-th value, if the parameter applies to the scenario.
-    void assign(Scenario& scenario, std::uint64_t i) const;
-    /// Why a scenario in which all axes have been set does not hold the i-th value; empty when it does.
-    std::string readBackProblem(const Scenario& scenario, std::uint64_t i) const;
+    /// Sets one of its values, if the parameter applies to the scenario.
+    void assign(Scenario& scenario, double value) const;
+    /// Why a scenario in which all axes have been set does not hold that value; empty when it does.
+    std::string readBackProblem(const Scenario& scenario, double value) const;
     /// Where the extreme values are: two indices, all of them for shapes.
     std::vector<std::uint64_t> extremes() const;
 };

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/model/parameter_text.h"
-#include "core/model/rival_keys.h"
 #include "core/model/validation.h"
 
 namespace drillwave {
@@ -13,9 +12,10 @@ namespace {
 
 /// An axis of one would undo an axis of the other.
 void checkRivals(const std::vector<SweepAxis>& axes, std::vector<std::string>& problems) {
+    const Assignments assignments = assignmentsOf(axes);
     for (std::size_t a = 0; a < axes.size(); ++a)
         for (std::size_t b = a + 1; b < axes.size(); ++b)
-            if (areRivals(axes[a].key(), axes[b].key()))
+            if (assignments.contradict(a, b))
                 problems.push_back("the axes " + std::string(axes[a].key()) + " and " +
                                    std::string(axes[b].key()) + " set the same thing; vary one of them");
 }
@@ -49,7 +49,7 @@ std::string pointText(const std::vector<SweepAxis>& axes, const std::vector<std:
     std::string text;
     for (std::size_t a = 0; a < axes.size(); ++a) {
         text += (a == 0 ? "" : ", ") + std::string(axes[a].key()) + " = ";
-        axes[a].appendText(text, point[a]);
+        axes[a].column().appendText(text, axes[a].value(point[a]));
         if (axes[a].unit && !axes[a].unit->name.empty()) text += " " + std::string(axes[a].unit->name);
     }
     return text;
@@ -77,7 +77,7 @@ void visitCorners(const std::vector<SweepAxis>& axes, Visit visit) {
 /// its corners are.
 void checkCorners(const Sweep& sweep, std::vector<std::string>& problems) {
     constexpr std::size_t enough = 20;
-    const std::vector<std::size_t> order = assignmentOrder(sweep.axes);
+    const Assignments assignments = assignmentsOf(sweep.axes);
     ApplicabilityCheck applicability(sweep.axes);
     std::vector<std::string> reported;  // one bad combination explains the others of the same kind
     std::string columnsProblem;
@@ -88,13 +88,13 @@ void checkCorners(const Sweep& sweep, std::vector<std::string>& problems) {
     };
     visitCorners(sweep.axes, [&](const std::vector<std::uint64_t>& point) {
         Scenario scenario = sweep.base;
-        for (const std::size_t a : order) {
+        for (const std::size_t a : assignments.order()) {
             applicability.noteBeforeAssigning(a, scenario);
-            sweep.axes[a].assign(scenario, point[a]);
+            sweep.axes[a].assign(scenario, sweep.axes[a].value(point[a]));
         }
         columnsProblem = columnProblem(sweep.columns, scenario);
         for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
-            const std::string lost = sweep.axes[a].readBackProblem(scenario, point[a]);
+            const std::string lost = sweep.axes[a].readBackProblem(scenario, sweep.axes[a].value(point[a]));
             if (lost.empty() || !isNew(sweep.axes[a].key())) continue;
             problems.push_back("at " + pointText(sweep.axes, point) + ": " +
                                std::string(sweep.axes[a].key()) + " " + lost);

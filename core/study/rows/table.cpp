@@ -2,9 +2,10 @@
 #include "core/study/rows/table.h"
 
 #include <algorithm>
-#include <optional>
+#include <span>
 
 #include "core/study/rows/case_solver.h"
+#include "core/study/rows/row_run.h"
 #include "core/study/rows/table_header.h"
 #include "core/study/rows/table_row.h"
 #include "core/text/csv.h"
@@ -18,11 +19,11 @@ constexpr std::size_t chunkRows = 256;
 constexpr std::size_t chunkBytes = 1 << 18;
 constexpr std::size_t maximumProblems = 20;
 
-struct Chunk {
-    std::vector<TableRow> rows;
-    std::size_t used = 0;  // rows of this chunk; the rest are kept for their memory
-    std::string text;
-    std::vector<RowFailure> failures;
+struct Chunk : RowChunk {
+    std::uint64_t first = 0;  // number of the first row of all rows
+    std::vector<CsvRecord> records;
+    std::vector<int> lines;  // of each record, from 1
+    std::size_t used = 0;    // rows of this chunk; the rest are kept for their memory
     std::vector<std::string> problems;
 };
 
@@ -35,15 +36,19 @@ class RowReader {
     int line() const { return m_reader.line(); }
 
     bool fill(Chunk& chunk) {
+        chunk.first = std::max(m_next, m_range.begin);
         chunk.used = 0;
         std::size_t bytes = 0;
         while (m_next < m_range.end && chunk.used < chunkRows && bytes < chunkBytes) {
-            if (chunk.used == chunk.rows.size()) chunk.rows.emplace_back();
-            TableRow& row = chunk.rows[chunk.used];
-            if (!m_reader.next(row.record)) break;
-            row.line = m_reader.line();
+            if (chunk.used == chunk.records.size()) {
+                chunk.records.emplace_back();
+                chunk.lines.push_back(0);
+            }
+            CsvRecord& record = chunk.records[chunk.used];
+            if (!m_reader.next(record)) break;
+            chunk.lines[chunk.used] = m_reader.line();
             if (m_next++ < m_range.begin) continue;
-            for (const std::string& cell : row.record.cells) bytes += cell.size() + sizeof(std::string);
+            for (const std::string& cell : record.cells) bytes += cell.size() + sizeof(std::string);
             ++chunk.used;
         }
         return chunk.used > 0;
@@ -55,62 +60,49 @@ class RowReader {
     std::uint64_t m_next = 0;
 };
 
-/// Solves rows into text. One for each thread.
+/// Solves rows. One for each thread.
 class RowMaker {
   public:
     RowMaker(const Table& table, const TableHeader& header)
         : m_assigner(table.base, table.source, header),
           m_outputs(table.columns.size()),
+          m_movesPulse(header.assignments().movePulse()),
           m_solver(table.columns, table.method, table.workLimit) {
         m_solver.setPulse(table.base);
-        for (const TableColumn& column : header.columns)
-            if (column.key().starts_with("pulse.") || column.key().starts_with("rod.")) m_movesPulse = true;
     }
 
     void operator()(Chunk& chunk, std::stop_token stop) {
-        chunk.text.clear();
-        chunk.failures.clear();
+        chunk.rows.restart(chunk.first, m_outputs);
+        chunk.rows.copy(std::span(chunk.records).first(chunk.used));
         for (std::size_t i = 0; i < chunk.used; ++i) {
             if (stop.stop_requested()) return;
-            const std::string reason = appendRow(chunk.rows[i], chunk.text, stop);
-            if (!reason.empty()) addFailure(chunk.failures, {reason, 1});
+            const std::span<double> outputs = chunk.rows.add();
+            const std::string reason = solve(chunk.records[i], chunk.lines[i], outputs, stop);
+            if (!reason.empty()) chunk.rows.fail(reason);
         }
     }
 
   private:
     /// Returns why the row could not be solved.
-    std::string appendRow(const TableRow& row, std::string& text, const std::stop_token& stop) {
-        const std::vector<std::string>& cells = row.record.cells;
-        for (std::size_t c = 0; c < cells.size(); ++c) {
-            if (c > 0) text += ',';
-            text += csvCell(cells[c]);
-        }
-        std::string reason = solve(row, text, stop);
-        text += '\n';
-        return reason;
-    }
-
-    std::string solve(const TableRow& row, std::string& text, const std::stop_token& stop) {
-        if (const auto problems = m_assigner.assign(row); !problems.empty()) {
-            text.append(m_outputs, ',');
+    std::string solve(const CsvRecord& record, int line, std::span<double> outputs,
+                      const std::stop_token& stop) {
+        if (const auto problems = m_assigner.assign(record, line); !problems.empty())
             return "the table has changed since it was checked: " + problems.front();
-        }
         if (m_movesPulse) m_solver.setPulse(m_assigner.scenario());
-        return m_solver.solve(m_assigner.scenario(), text, stop);
+        return m_solver.solve(m_assigner.scenario(), outputs, stop);
     }
 
     TableRowAssigner m_assigner;
     std::size_t m_outputs;
-    bool m_movesPulse = false;
+    bool m_movesPulse;
     CaseSolver m_solver;
 };
 
-std::string headerText(const TableHeader& header, const std::vector<OutputColumn>& outputs) {
-    std::string text;
-    for (const TableColumn& column : header.columns) text += csvCell(column.text) + ",";
-    for (const OutputColumn& output : outputs) text += output.header() + ",";
-    text.back() = '\n';
-    return text;
+RowHeader headerOf(const Table& table, const TableHeader& header) {
+    RowHeader all{.copied = {}, .columns = {}, .isFirstPart = table.shard.hasHeader()};
+    for (const TableColumn& column : header.columns) all.copied.push_back(column.text);
+    for (const OutputColumn& column : table.columns) all.columns.push_back({.header = column.header()});
+    return all;
 }
 
 bool sets(const TableHeader& header, std::string_view key) {
@@ -165,7 +157,7 @@ TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::st
                                                                                std::stop_token) mutable {
             chunk.problems.clear();
             for (std::size_t i = 0; i < chunk.used; ++i)
-                for (std::string& problem : assigner.assign(chunk.rows[i]))
+                for (std::string& problem : assigner.assign(chunk.records[i], chunk.lines[i]))
                     chunk.problems.push_back(std::move(problem));
         };
     };
@@ -181,25 +173,14 @@ TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::st
 }
 
 RowCounts runTable(const Table& table, std::istream& cases, std::uint64_t rows, int jobs,
-                   std::stop_token stop, const WriteText& write, const RowProgress& progress) {
-    RowCounts counts;
+                   std::stop_token stop, RowSink& sink, const RowProgress& progress) {
     RowReader reader(cases, rowsOf(table.shard, rows));
     CsvRecord record;
     reader.header(record);
     const TableHeader header = readTableHeader(record.cells, table.columns);
-    if (table.shard.hasHeader() && !write(headerText(header, table.columns)))
-        return {.failures = {}, .end = RowsEnd::stopped};
-
-    const auto deliver = [&](Chunk& chunk) {
-        if (!write(chunk.text)) return false;
-        counts.add(chunk.used, chunk.failures);
-        progress(counts);
-        return true;
-    };
-    counts.end = processInOrder<Chunk>(
+    return runRows<Chunk>(
         jobs, stop, [&](Chunk& chunk) { return reader.fill(chunk); }, [&] { return RowMaker(table, header); },
-        deliver);
-    return counts;
+        headerOf(table, header), sink, progress);
 }
 
 }  // namespace drillwave

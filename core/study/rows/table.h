@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A table of cases solved row by row, as CSV.
+// A table of cases solved row by row.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,8 @@
 #include "core/blow/method.h"
 #include "core/model/scenario.h"
 #include "core/study/rows/output_column.h"
-#include "core/study/rows/rows.h"
+#include "core/study/rows/row_counts.h"
+#include "core/study/rows/row_sink.h"
 #include "core/study/rows/shard.h"
 
 namespace drillwave {
@@ -32,17 +33,17 @@ struct TableCheck {
     std::uint64_t rows = 0;
     std::vector<std::string> problems;  ///< "cases.csv:7:3: bit_rock.gamma = 1.3 (…)", the first twenty
     std::vector<std::string> warnings;  ///< "cases.csv:1: column 4 …"
-    RowsEnd end = RowsEnd::finished;
+    WorkEnd end = WorkEnd::finished;
 };
 
 /// Reads all of `cases` (to be rewound afterwards) and checks every cell and every row.
 TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::stop_token stop);
 
-/// Writes the columns of `cases`, each cell as it was, with the outputs behind them; `rows` is what
-/// checkTable() counted. `write` and `progress` are called on the calling thread. Memory does not grow with
-/// the number of rows; the bytes do not depend on `jobs` (≥ 1). A row that has become invalid since the check
+/// Gives the sink the rows in order: the cells of `cases` as text, as they were, and the outputs as numbers;
+/// `rows` is what checkTable() counted. `progress` is called on the calling thread. Memory does not grow with
+/// the number of rows; the rows do not depend on `jobs` (≥ 1). A row that has become invalid since the check
 /// counts as failed.
 RowCounts runTable(const Table& table, std::istream& cases, std::uint64_t rows, int jobs,
-                   std::stop_token stop, const WriteText& write, const RowProgress& progress);
+                   std::stop_token stop, RowSink& sink, const RowProgress& progress);
 
 }  // namespace drillwave

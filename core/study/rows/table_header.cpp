@@ -7,25 +7,11 @@
 #include "core/model/parameter_text.h"
 #include "core/text/decimal_text.h"
 #include "core/text/text_input.h"
+#include "core/text/unit_heading.h"
 
 namespace drillwave {
 
 namespace {
-
-constexpr std::string_view shapeKey = "pulse.shape";
-
-/// "rod.length [mm]" in its parts; `unit` is empty without brackets.
-struct NameAndUnit {
-    std::string_view name;
-    std::string_view unit;
-};
-
-NameAndUnit split(std::string_view cell) {
-    cell = trimmed(cell);
-    const std::size_t bracket = cell.find('[');
-    if (bracket == std::string_view::npos || !cell.ends_with(']')) return {cell, {}};
-    return {trimmed(cell.substr(0, bracket)), trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2))};
-}
 
 bool isOutput(std::string_view name) {
     const auto names = outputNames();
@@ -48,7 +34,7 @@ std::string bare(std::string_view name) {
 /// The key that is meant by a name that is almost it; empty when there is none.
 std::string_view meantKey(std::string_view name) {
     const std::string wanted = bare(name);
-    if (wanted == bare(shapeKey)) return shapeKey;
+    if (wanted == bare(pulseShapeKey)) return pulseShapeKey;
     const auto found =
         std::ranges::find_if(parameters(), [&](const Parameter& p) { return bare(p.key) == wanted; });
     return found == parameters().end() ? std::string_view() : found->key;
@@ -59,9 +45,9 @@ std::optional<char> otherSeparator(std::string_view cell) {
     for (const char separator : {';', '\t'}) {
         for (std::string_view rest = cell; rest.find(separator) != std::string_view::npos;) {
             const std::size_t at = rest.find(separator);
-            if (!meantKey(split(rest.substr(0, at)).name).empty()) return separator;
+            if (!meantKey(splitHeading(rest.substr(0, at)).name).empty()) return separator;
             rest.remove_prefix(at + 1);
-            if (!meantKey(split(rest.substr(0, rest.find(separator))).name).empty()) return separator;
+            if (!meantKey(splitHeading(rest.substr(0, rest.find(separator))).name).empty()) return separator;
         }
     }
     return std::nullopt;
@@ -115,7 +101,7 @@ void checkTwice(const TableColumn& column, std::size_t number, TableHeader& head
 /// A column that sets nothing.
 void judgeOther(std::string_view cell, std::size_t number, std::span<const OutputColumn> outputs,
                 TableHeader& header) {
-    const std::string_view name = split(cell).name;
+    const std::string_view name = splitHeading(cell).name;
     if (std::string problem = misnamed(cell, name); !problem.empty())
         header.problems.push_back({number, std::move(problem)});
     else if (std::ranges::find(outputs, trimmed(cell), &OutputColumn::header) != outputs.end())
@@ -137,29 +123,27 @@ void checkSetsSomething(TableHeader& header) {
 }  // namespace
 
 std::string_view TableColumn::key() const {
-    if (kind == Kind::shape) return shapeKey;
+    if (kind == Kind::shape) return pulseShapeKey;
     return kind == Kind::parameter ? parameter->key : std::string_view();
 }
 
-std::vector<std::size_t> TableHeader::assignmentOrder() const {
-    // The parameter table has the groups last; the shape, which is not in it, has a null pointer.
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-        if (columns[i].kind != TableColumn::Kind::other) order.push_back(i);
-    std::ranges::sort(order, {}, [this](std::size_t i) { return columns[i].parameter; });
-    return order;
+Assignments TableHeader::assignments() const {
+    Assignments assignments;
+    for (const TableColumn& column : columns)
+        column.kind == TableColumn::Kind::other ? assignments.skip() : assignments.add(column.key());
+    return assignments;
 }
 
 TableHeader readTableHeader(std::span<const std::string> cells, std::span<const OutputColumn> outputs) {
     TableHeader header;
     for (const std::string& cell : cells) {
         const std::size_t number = header.columns.size() + 1;
-        const auto [name, unit] = split(cell);
+        const auto [name, unit] = splitHeading(cell);
         TableColumn column{.text = cell};
         column.parameter = findParameter(name);
         if (column.parameter)
             column.kind = TableColumn::Kind::parameter;
-        else if (name == shapeKey)
+        else if (name == pulseShapeKey)
             column.kind = TableColumn::Kind::shape;
         else
             judgeOther(cell, number, outputs, header);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/model/assignments.h"
 #include "core/model/parameter.h"
 #include "core/study/rows/output_column.h"
 
@@ -36,9 +37,8 @@ struct TableHeader {
     /// Columns that name neither a parameter nor an output, or an output that is appended as well.
     std::vector<HeaderRemark> warnings;
 
-    /// The columns that set something, in the order in which a row sets them: the shape, physical parameters,
-    /// groups.
-    std::vector<std::size_t> assignmentOrder() const;
+    /// What the columns set, each numbered as it is there.
+    Assignments assignments() const;
 };
 
 /// `outputs` are those that are appended.

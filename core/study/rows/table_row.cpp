@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/model/parameter_text.h"
-#include "core/model/rival_keys.h"
 #include "core/model/validation.h"
 #include "core/text/decimal_text.h"
 #include "core/text/text_input.h"
@@ -37,37 +36,40 @@ std::string unitProblem(const TableColumn& column, std::string_view cell) {
 }  // namespace
 
 TableRowAssigner::TableRowAssigner(const Scenario& base, const std::string& source, const TableHeader& header)
-    : m_base(base), m_source(source), m_header(header), m_order(header.assignmentOrder()), m_scenario(base) {
-    for (const std::size_t a : m_order)
-        for (const std::size_t b : m_order)
-            if (a < b && areRivals(header.columns[a].key(), header.columns[b].key()))
-                m_rivals.emplace_back(a, b);
+    : m_base(base),
+      m_source(source),
+      m_header(header),
+      m_assignments(header.assignments()),
+      m_scenario(base) {
+    for (const std::size_t a : m_assignments.order())
+        for (const std::size_t b : m_assignments.order())
+            if (a < b && m_assignments.contradict(a, b)) m_rivals.emplace_back(a, b);
 }
 
-std::vector<std::string> TableRowAssigner::assign(const TableRow& row) {
-    std::vector<std::string> problems = assignCells(row);
+std::vector<std::string> TableRowAssigner::assign(const CsvRecord& row, int line) {
+    std::vector<std::string> problems = assignCells(row, line);
     if (!problems.empty()) return problems;
     for (const InputProblem& problem : validate(m_scenario))
-        problems.push_back(place(row) + ": " + problem.text);
+        problems.push_back(place(line) + ": " + problem.text);
     return problems;
 }
 
-std::vector<std::string> TableRowAssigner::assignCells(const TableRow& row) {
-    const std::vector<std::string>& cells = row.record.cells;
-    if (!row.record.problem.empty()) return {place(row) + ": " + row.record.problem};
+std::vector<std::string> TableRowAssigner::assignCells(const CsvRecord& row, int line) {
+    const std::vector<std::string>& cells = row.cells;
+    if (!row.problem.empty()) return {place(line) + ": " + row.problem};
     if (cells.size() != m_header.columns.size())
-        return {place(row) + ": has " + std::to_string(cells.size()) + " cells, the header has " +
+        return {place(line) + ": has " + std::to_string(cells.size()) + " cells, the header has " +
                 std::to_string(m_header.columns.size())};
     std::vector<std::string> problems;
     const auto add = [&](std::size_t i, const std::string& problem) {
-        if (!problem.empty()) problems.push_back(place(row) + ":" + std::to_string(i + 1) + ": " + problem);
+        if (!problem.empty()) problems.push_back(place(line) + ":" + std::to_string(i + 1) + ": " + problem);
     };
     for (std::size_t i = 0; i < cells.size(); ++i) add(i, textProblem(cells[i]));
     if (!problems.empty()) return problems;
     for (const auto& [a, b] : m_rivals)
         if (!cells[a].empty() && !cells[b].empty()) add(b, rivalProblem(a, b));
     m_scenario = m_base;
-    for (const std::size_t i : m_order)
+    for (const std::size_t i : m_assignments.order())
         if (!cells[i].empty()) add(i, assignCell(m_header.columns[i], cells[i]));
     return problems;
 }

@@ -12,11 +12,6 @@
 
 namespace drillwave {
 
-struct TableRow {
-    CsvRecord record;
-    int line = 0;  ///< from 1
-};
-
 /// Sets the cells of one row after another on top of a scenario. One for each thread.
 class TableRowAssigner {
   public:
@@ -26,20 +21,21 @@ class TableRowAssigner {
     /// The scenario of the row last assigned.
     const Scenario& scenario() const { return m_scenario; }
 
-    /// What is wrong with the row, each with its place, "cases.csv:7:3: bit_rock.gamma = 1.3 (…)"; empty when
-    /// scenario() is its valid scenario.
-    std::vector<std::string> assign(const TableRow& row);
+    /// What is wrong with the row on that line (from 1), each with its place,
+    /// "cases.csv:7:3: bit_rock.gamma = 1.3 (…)"; empty when scenario() is its valid scenario.
+    std::vector<std::string> assign(const CsvRecord& row, int line);
 
   private:
-    std::vector<std::string> assignCells(const TableRow& row);
+    std::vector<std::string> assignCells(const CsvRecord& row, int line);
     std::string assignCell(const TableColumn& column, const std::string& cell);
     std::string rivalProblem(std::size_t a, std::size_t b) const;
-    std::string place(const TableRow& row) const { return m_source + ":" + std::to_string(row.line); }
+
+    std::string place(int line) const { return m_source + ":" + std::to_string(line); }
 
     const Scenario& m_base;
     const std::string& m_source;
     const TableHeader& m_header;
-    std::vector<std::size_t> m_order;
+    Assignments m_assignments;
     std::vector<std::pair<std::size_t, std::size_t>> m_rivals;  // columns of which a row may set only one
     Scenario m_scenario;
 };

@@ -51,6 +51,7 @@ class TestPresetFile : public QObject {
     void everyBuiltInPresetGivesAValidScenario_data();
     void everyBuiltInPresetGivesAValidScenario();
     void aPresetSetsWhatItNamesAndNothingElse();
+    void aPresetMatchesWhereTakingItWouldChangeNothing();
     void everyRodHasStrengthsThatAreAssumedOrHaveASource();
     void aPresetMatchesUntilOneOfItsValuesChanges();
     void aHammerWithoutAMaterialHasTheRods();
@@ -124,6 +125,31 @@ void TestPresetFile::aPresetSetsWhatItNamesAndNothingElse() {
     expected.rod.yieldStrength = 900e6;
     expected.rod.fatigueStrength = 400e6;
     QVERIFY(after == expected);
+}
+
+void TestPresetFile::aPresetMatchesWhereTakingItWouldChangeNothing() {
+    int matching = 0;
+    const auto compare = [&](const Scenario& scenario) {
+        for (const Preset& each : builtInPresets()) {
+            const bool unchanged = withPreset(scenario, each) == scenario;
+            QCOMPARE(matches(each, scenario), unchanged);
+            matching += unchanged;
+        }
+    };
+    for (const Preset& each : builtInPresets()) {
+        const Scenario scenario = withPreset({}, each);
+        compare(scenario);
+        for (const Parameter& parameter : parameters()) {
+            if (!parameter.applies(scenario)) continue;
+            Scenario same = scenario;
+            if (const auto value = parameter.value(scenario)) parameter.assign(same, *value);
+            compare(same);
+            Scenario other = scenario;
+            parameter.assign(other, 1.01 * parameter.value(scenario).value_or(parameter.plausible.high));
+            compare(other);
+        }
+    }
+    QVERIFY2(matching > 500, qPrintable(QString::number(matching)));
 }
 
 void TestPresetFile::everyRodHasStrengthsThatAreAssumedOrHaveASource() {

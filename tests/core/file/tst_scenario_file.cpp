@@ -508,9 +508,9 @@ void TestScenarioFile::everyNewScenarioReadsBackTheSame() {
         Scenario scenario;
         if (i % 3 == 0) scenario.form = ScenarioForm::dimensionless;
         scenario.pulse.shape = static_cast<PulseShape>(i % 8);
-        if (scenario.pulse.shape == PulseShape::table)
-            for (int n = 0; n < 20; ++n)
-                scenario.pulse.tablePoints.push_back({n * 1.1e-5 / 3, 1e5 / (n + 1)});
+        std::vector<TablePoint> points;
+        for (int n = 0; n < 20; ++n) points.push_back({n * 1.1e-5 / 3, 1e5 / (n + 1)});
+        if (scenario.pulse.shape == PulseShape::table) scenario.pulse.tablePoints = std::move(points);
         for (const Parameter& parameter : parameters()) {
             // The groups of a dimensional scenario would only move what was set before.
             if (!isGiven(parameter, scenario) || parameter.key == "rod.area" || random() % 3 == 0) continue;
@@ -558,7 +558,9 @@ void TestScenarioFile::randomEditsReadBackTheSame() {
 void TestScenarioFile::pointsThatDoNotFitIntoAFileAreRefused() {
     Scenario scenario;
     scenario.pulse.shape = PulseShape::table;
-    for (int i = 0; i < 80000; ++i) scenario.pulse.tablePoints.push_back({i * 1e-9 / 3, 1e5 / (i + 1)});
+    std::vector<TablePoint> points;
+    for (int i = 0; i < 80000; ++i) points.push_back({i * 1e-9 / 3, 1e5 / (i + 1)});
+    scenario.pulse.tablePoints = std::move(points);
     QVERIFY_EXCEPTION_THROWN(writeScenario({scenario, "", ""}), ScenarioError);
 }
 

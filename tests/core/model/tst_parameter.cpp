@@ -38,6 +38,7 @@ class TestParameter : public QObject {
     void everyKeyIsThereOnce();
     void everyParameterIsDescribed();
     void plausibleRangesLieInsideTheHardOnes();
+    void rulesFitWhatTheValuesDo();
     void aValueThatWasSetReadsBackExactly();
     void settingAGroupMovesItsPhysicalParameterOnly_data();
     void settingAGroupMovesItsPhysicalParameterOnly();
@@ -85,6 +86,29 @@ void TestParameter::plausibleRangesLieInsideTheHardOnes() {
         QVERIFY(parameter.plausible.low < parameter.plausible.high);
         if (parameter.slider == SliderScale::logarithmic) QVERIFY(parameter.plausible.low > 0);
     }
+}
+
+void TestParameter::rulesFitWhatTheValuesDo() {
+    int cleared = 0;
+    for (const Parameter& parameter : parameters()) {
+        const ParameterRules& rules = parameter.rules;
+        const QByteArray key(parameter.key.data(), static_cast<qsizetype>(parameter.key.size()));
+        QVERIFY2(rules.rival.empty() || findParameter(rules.rival), key);
+        QVERIFY2(rules.presence != Presence::either || !rules.rival.empty(), key);
+        QVERIFY2(parameter.label.ends_with(rules.shortLabel), key);
+        // What may be missing in a file has a value all the same, or none until it is given.
+        const std::optional<double> value = parameter.value(Scenario());
+        QVERIFY2(value || rules.clear, key);
+        if (!rules.clear) continue;
+        QCOMPARE(rules.presence, Presence::optional);
+        Scenario scenario;
+        parameter.assign(scenario, parameter.plausible.high);
+        QVERIFY2(parameter.value(scenario).has_value(), key);
+        rules.clear(scenario);
+        QVERIFY2(!parameter.value(scenario) && scenario == Scenario(), key);
+        ++cleared;
+    }
+    QCOMPARE(cleared, 7);
 }
 
 void TestParameter::aValueThatWasSetReadsBackExactly() {

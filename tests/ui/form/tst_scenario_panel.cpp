@@ -101,7 +101,9 @@ void TestScenarioPanel::everyShapeIsDrawn() {
 void TestScenarioPanel::aLongTableIsDrawnWithItsPeak() {
     Scenario scenario;
     scenario.pulse.shape = PulseShape::table;
-    for (int i = 0; i < 100000; ++i) scenario.pulse.tablePoints.push_back({i * 1e-8, i == 4711 ? 9e5 : 1e5});
+    std::vector<TablePoint> points;
+    for (int i = 0; i < 100000; ++i) points.push_back({i * 1e-8, i == 4711 ? 9e5 : 1e5});
+    scenario.pulse.tablePoints = std::move(points);
     const PulseCurve curve(pulseForceOf(scenario));
     QVERIFY(curve.points.size() < 5000);
     double highest = 0;

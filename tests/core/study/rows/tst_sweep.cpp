@@ -6,10 +6,12 @@
 
 #include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
+#include "core/report/row_csv.h"
 #include "core/study/rows/sweep_check.h"
 #include "core/text/csv.h"
 #include "core/wave/exact/exact_solver.h"
 #include "tests/support/scenario.h"
+#include "tests/support/sweep.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -24,20 +26,13 @@ Scenario drilling() {
     return scenario;
 }
 
-Sweep sweepOf(const Scenario& base, std::initializer_list<const char*> axes, const char* outputs,
-              OutputUnits units = OutputUnits::dimensionless) {
-    Sweep sweep{.base = base, .axes = {}, .columns = chooseOutputs(outputs, units).columns, .shard = {}};
-    for (const char* axis : axes) sweep.axes.push_back(parseAxis(axis).axis);
-    return sweep;
-}
-
 std::string csvOf(const Sweep& sweep, int jobs, RowCounts* counts = nullptr) {
     std::string csv;
-    const auto write = [&](std::string_view text) {
+    RowCsv sink([&](std::string_view text) {
         csv += text;
         return true;
-    };
-    const RowCounts found = runSweep(sweep, jobs, {}, write, [](const RowCounts&) {});
+    });
+    const RowCounts found = runSweep(sweep, jobs, {}, sink, [](const RowCounts&) {});
     if (counts) *counts = found;
     return csv;
 }
@@ -200,21 +195,20 @@ void TestSweep::aStopEndsTheSweep() {
     // 1e12 points would take weeks.
     const Sweep sweep = sweepOf(blowInGroups, {"beta=0.1:10:1000000", "delta=0:1:1000000"}, "cor");
     std::stop_source source;
-    const RowCounts counts = runSweep(
-        sweep, 2, source.get_token(), [](std::string_view) { return true; },
-        [&](const RowCounts& so) {
-            if (so.rows > 3000) source.request_stop();
-        });
-    QCOMPARE(counts.end, RowsEnd::stopped);
+    RowCsv sink([](std::string_view) { return true; });
+    const RowCounts counts = runSweep(sweep, 2, source.get_token(), sink, [&](const RowCounts& so) {
+        if (so.rows > 3000) source.request_stop();
+    });
+    QCOMPARE(counts.end, WorkEnd::stopped);
     QVERIFY(counts.rows > 3000);
 }
 
 void TestSweep::aWriterThatFailsEndsTheSweep() {
     const Sweep sweep = sweepOf(blowInGroups, {"beta=0.1:10:1000000", "delta=0:1:1000000"}, "cor");
     int calls = 0;
-    const RowCounts counts = runSweep(
-        sweep, 2, {}, [&](std::string_view) { return ++calls < 4; }, [](const RowCounts&) {});
-    QCOMPARE(counts.end, RowsEnd::stopped);
+    RowCsv sink([&](std::string_view) { return ++calls < 4; });
+    const RowCounts counts = runSweep(sweep, 2, {}, sink, [](const RowCounts&) {});
+    QCOMPARE(counts.end, WorkEnd::stopped);
     QCOMPARE(calls, 4);
 }
 

@@ -14,10 +14,16 @@ QString textsOf(const SweepAxis& axis) {
     QStringList texts;
     for (std::uint64_t i = 0; i < axis.count; ++i) {
         std::string text;
-        axis.appendText(text, i);
+        axis.column().appendText(text, axis.value(i));
         texts << QString::fromStdString(text);
     }
     return texts.join(' ');
+}
+
+/// Sets the i-th value of an axis.
+void assign(Scenario& scenario, const char* text, std::uint64_t i) {
+    const SweepAxis axis = parseAxis(text).axis;
+    axis.assign(scenario, axis.value(i));
 }
 
 }  // namespace
@@ -88,7 +94,7 @@ void TestSweepAxis::valuesAreThoseAPersonExpects() {
     QFETCH(QString, text);
     const ParsedAxis parsed = parseAxis(text.toStdString());
     QCOMPARE(QString::fromStdString(parsed.problem), QString());
-    QTEST(QString::fromStdString(parsed.axis.header()), "header");
+    QTEST(QString::fromStdString(parsed.axis.column().header), "header");
     QTEST(textsOf(parsed.axis), "values");
 }
 
@@ -107,7 +113,7 @@ void TestSweepAxis::everyTextReadsBackAsItsValue() {
     const SweepAxis axis = parseAxis(text.toStdString()).axis;
     for (std::uint64_t i = 0; i < axis.count; ++i) {
         std::string cell;
-        axis.appendText(cell, i);
+        axis.column().appendText(cell, axis.value(i));
         const TypedQuantity read =
             parseQuantity(cell, axis.parameter->quantity, BareNumber::inDefaultUnit, axis.unit);
         QVERIFY2(read.valid(), cell.c_str());
@@ -131,16 +137,16 @@ void TestSweepAxis::logarithmicStepsHaveOneRatio() {
 
 void TestSweepAxis::assigningSetsTheParameterInSi() {
     Scenario scenario;
-    parseAxis("rod.diameter=32mm:38mm:4").axis.assign(scenario, 2);
+    assign(scenario, "rod.diameter=32mm:38mm:4", 2);
     QCOMPARE(scenario.rod.diameter, 0.036);
-    parseAxis("pulse.shape=half_sine,piston").axis.assign(scenario, 1);
+    assign(scenario, "pulse.shape=half_sine,piston", 1);
     QCOMPARE(scenario.pulse.shape, PulseShape::piston);
 }
 
 void TestSweepAxis::aParameterWithoutMeaningIsLeftAlone() {
     Scenario scenario;
     const Scenario before = scenario;
-    parseAxis("pulse.rise=0.1,0.4").axis.assign(scenario, 1);
+    assign(scenario, "pulse.rise=0.1,0.4", 1);
     QCOMPARE(scenario, before);
 }
 

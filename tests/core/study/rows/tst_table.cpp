@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/report/row_csv.h"
 #include "core/study/rows/table.h"
 #include "core/study/rows/table_header.h"
 #include "core/text/csv.h"
@@ -34,11 +35,11 @@ std::string csvOf(const Table& table, const std::string& cases, int jobs = 2, Ro
     in.clear();
     in.seekg(0);
     std::string csv;
-    const auto write = [&](std::string_view text) {
+    RowCsv sink([&](std::string_view text) {
         csv += text;
         return true;
-    };
-    const RowCounts found = runTable(table, in, rows, jobs, {}, write, [](const RowCounts&) {});
+    });
+    const RowCounts found = runTable(table, in, rows, jobs, {}, sink, [](const RowCounts&) {});
     if (counts) *counts = found;
     return csv;
 }
@@ -249,11 +250,11 @@ void TestTable::aRowThatBecameInvalidIsEmptyAndCounted() {
     const Table table = tableOf(dimensionless(), "cor,impulse");
     std::istringstream in("gamma\n1\n7\n");
     std::string csv;
-    const auto write = [&](std::string_view text) {
+    RowCsv sink([&](std::string_view text) {
         csv += text;
         return true;
-    };
-    const RowCounts counts = runTable(table, in, 2, 2, {}, write, [](const RowCounts&) {});
+    });
+    const RowCounts counts = runTable(table, in, 2, 2, {}, sink, [](const RowCounts&) {});
     QCOMPARE(counts.failed, std::uint64_t{1});
     QVERIFY(QString::fromStdString(csv).endsWith("\n7,,\n"));
 }

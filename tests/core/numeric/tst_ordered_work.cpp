@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/numeric/ordered_rows.h"
+#include "core/numeric/ordered_work.h"
 #include "core/study/rows/shard.h"
 
 using namespace drillwave;
@@ -63,18 +63,18 @@ void TestOrderedRows::chunksComeOutInOrder_data() {
 void TestOrderedRows::chunksComeOutInOrder() {
     QFETCH(int, jobs);
     std::vector<int> delivered;
-    const RowsEnd end = processInOrder<Chunk>(jobs, {}, countingTo(100), slowSquares, [&](Chunk& chunk) {
+    const WorkEnd end = processInOrder<Chunk>(jobs, {}, countingTo(100), slowSquares, [&](Chunk& chunk) {
         delivered.push_back(chunk.result);
         return true;
     });
-    QCOMPARE(end, RowsEnd::finished);
+    QCOMPARE(end, WorkEnd::finished);
     QCOMPARE(delivered.size(), std::size_t{100});
     for (int i = 0; i < 100; ++i) QCOMPARE(delivered[static_cast<std::size_t>(i)], i * i);
 }
 
 void TestOrderedRows::nothingToDoEndsAtOnce() {
-    const RowsEnd end = processInOrder<Chunk>(4, {}, countingTo(0), slowSquares, [](Chunk&) { return true; });
-    QCOMPARE(end, RowsEnd::finished);
+    const WorkEnd end = processInOrder<Chunk>(4, {}, countingTo(0), slowSquares, [](Chunk&) { return true; });
+    QCOMPARE(end, WorkEnd::finished);
 }
 
 void TestOrderedRows::noMoreChunksThanFourForEachThreadAreInWork() {
@@ -97,30 +97,30 @@ void TestOrderedRows::aStopEndsTheRunBeforeItsEnd() {
     std::stop_source source;
     int delivered = 0;
     const auto endless = [](Chunk&) { return true; };
-    const RowsEnd end = processInOrder<Chunk>(3, source.get_token(), endless, slowSquares, [&](Chunk&) {
+    const WorkEnd end = processInOrder<Chunk>(3, source.get_token(), endless, slowSquares, [&](Chunk&) {
         if (++delivered == 10) source.request_stop();
         return true;
     });
-    QCOMPARE(end, RowsEnd::stopped);
+    QCOMPARE(end, WorkEnd::stopped);
     QCOMPARE(delivered, 10);
 }
 
 void TestOrderedRows::aStopThatCameBeforeTheStartLetsNothingThrough() {
     std::stop_source source;
     source.request_stop();
-    const RowsEnd end = processInOrder<Chunk>(2, source.get_token(), countingTo(10), slowSquares, [](Chunk&) {
+    const WorkEnd end = processInOrder<Chunk>(2, source.get_token(), countingTo(10), slowSquares, [](Chunk&) {
         qFatal("delivered after a stop");
         return true;
     });
-    QCOMPARE(end, RowsEnd::stopped);
+    QCOMPARE(end, WorkEnd::stopped);
 }
 
 void TestOrderedRows::deliveringFalseEndsTheRun() {
     int delivered = 0;
     const auto endless = [](Chunk&) { return true; };
-    const RowsEnd end =
+    const WorkEnd end =
         processInOrder<Chunk>(2, {}, endless, slowSquares, [&](Chunk&) { return ++delivered < 5; });
-    QCOMPARE(end, RowsEnd::stopped);
+    QCOMPARE(end, WorkEnd::stopped);
     QCOMPARE(delivered, 5);
 }
 
@@ -173,4 +173,4 @@ void TestOrderedRows::shardsPutTogetherAreTheWhole() {
 }
 
 QTEST_GUILESS_MAIN(TestOrderedRows)
-#include "tst_ordered_rows.moc"
+#include "tst_ordered_work.moc"

@@ -16,7 +16,7 @@
 namespace drillwave {
 
 /// What ended a run over rows.
-enum class RowsEnd {
+enum class WorkEnd {
     finished,  ///< every chunk was delivered
     stopped,   ///< on the stop token, or because `deliver` returned false
 };
@@ -33,7 +33,7 @@ enum class RowsEnd {
 /// Chunks are reused, at most four for each thread are in work at once. An exception of any of the three ends
 /// the run and leaves this function. Where the system has fewer threads left, those do all the work.
 template <typename Chunk, typename Fill, typename MakeWorker, typename Deliver>
-RowsEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker makeWorker, Deliver deliver) {
+WorkEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker makeWorker, Deliver deliver) {
     assert(jobs >= 1);
     struct Place {
         Chunk chunk;
@@ -87,18 +87,18 @@ RowsEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker mak
             changed.wait(lock, ending.get_token(), [&] {
                 return delivered < filled ? places[delivered % places.size()].done : exhausted;
             });
-            if (ending.stop_requested()) return RowsEnd::stopped;
-            if (delivered == filled) return RowsEnd::finished;
+            if (ending.stop_requested()) return WorkEnd::stopped;
+            if (delivered == filled) return WorkEnd::finished;
             lock.unlock();
             const bool goOn = deliver(places[delivered % places.size()].chunk);
             lock.lock();
-            if (!goOn) return RowsEnd::stopped;
+            if (!goOn) return WorkEnd::stopped;
             ++delivered;
             changed.notify_all();
         }
     };
 
-    RowsEnd end = RowsEnd::stopped;
+    WorkEnd end = WorkEnd::stopped;
     {
         std::vector<std::jthread> threads;
         const std::stop_callback relay(stop, [&ending] { ending.request_stop(); });

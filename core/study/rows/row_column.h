@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one column of numbers of a sweep or a table holds.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/text/units.h"
+
+namespace drillwave {
+
+/// The meaning of the numbers of a column.
+struct RowColumn {
+    enum class Kind {
+        number,    ///< without a unit, or in the one of the header
+        quantity,  ///< SI, shown in `unit`
+        shape,     ///< a PulseShape
+    };
+
+    std::string header;  ///< "beta", "peak_force [N]", "rod.length [mm]" (also where the numbers are SI)
+    Kind kind = Kind::number;
+    Quantity quantity = Quantity::ratio;
+    const Unit* unit = nullptr;  ///< of Kind::quantity; may be nullptr for the others
+
+    /// Appends a number as people and files have it, in the unit of the header but without it; it reads back
+    /// as the same number. Nothing for no number.
+    void appendText(std::string& cell, double number) const;
+};
+
+/// All columns of a run of rows.
+struct RowHeader {
+    std::vector<std::string> copied;  ///< headings of the cells that stand as text before the numbers
+    std::vector<RowColumn> columns;   ///< of the numbers
+    bool isFirstPart = true;          ///< of all rows; later parts are to be put behind it, without a header
+};
+
+}  // namespace drillwave

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One undo step of a document.
+#pragma once
+
+#include <QString>
+#include <QUndoCommand>
+#include <functional>
+
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// Exchanges the scenario of a document for another one and back: it holds the one that is not shown, so that
+/// nothing is copied. Edits of the same parameter within a gesture melt into one.
+class ScenarioEdit : public QUndoCommand {
+  public:
+    /// `current` and what `changed` tells, after each exchange, must outlive this. An empty `key`: melts with
+    /// no other edit.
+    ScenarioEdit(Scenario& current, std::function<void()> changed, Scenario after, QString key, int gesture);
+
+    /// The scenario before the edit. Requires that it was done and not undone.
+    const Scenario& before() const { return m_other; }
+    bool isOf(const QString& key, int gesture) const { return m_key == key && m_gesture == gesture; }
+
+    void undo() override { exchange(); }
+    void redo() override { exchange(); }
+    int id() const override { return m_key.isEmpty() ? -1 : 1; }
+    bool mergeWith(const QUndoCommand* other) override;
+
+  private:
+    void exchange();
+
+    Scenario& m_current;
+    std::function<void()> m_changed;
+    Scenario m_other;
+    QString m_key;
+    int m_gesture;
+};
+
+}  // namespace drillwave
