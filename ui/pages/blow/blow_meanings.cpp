@@ -82,7 +82,7 @@ BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
     meanings.impulse =
         momentumLike(units, [blow, arrival](double t) { return impactImpulse(blow->impact, t - arrival); });
     meanings.momentum =
-        momentumLike(units, [blow](double t) { return rodMomentum(blow->impact, blow->pulse, t); });
+        momentumLike(units, [blow](double t) { return rodMomentum(blow->impact, blow->solved.hammer, t); });
     return meanings;
 }
 

@@ -117,7 +117,7 @@ void BlowPage::showInstant() {
     m_plot->reader().place(PlotCursor::time,
                            known ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
     if (!known) return;
-    const RodState instant = rodState(m_blow->impact, m_blow->pulse, m_observation.section(), *time);
+    const RodState instant = rodState(m_blow->impact, m_blow->solved.hammer, m_observation.section(), *time);
     const ShownUnits& units = m_blow->units;
     const QLocale locale;
     m_instant->setText(tr("t = %1 · N = %2 · F = %3 · I = %4 · p = %5")

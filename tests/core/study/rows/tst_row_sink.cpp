@@ -86,7 +86,7 @@ void TestRowSink::theNumbersOfASweepAreThoseOfItsCases() {
         const std::vector<double>& row = sink.rows[i];
         QCOMPARE(row[0], static_cast<double>(scenario.pulse.shape));
         QCOMPARE(row[1], scenario.rod.length);
-        QCOMPARE(row[2], ExactSolver().solve(pulseForceOf(scenario), groupsOf(scenario)).cor);
+        QCOMPARE(row[2], ExactSolver().solve(problemOf(scenario)).cor);
         QVERIFY(row[3] > 0);
     }
 }
