@@ -2,7 +2,6 @@
 #include "core/file/text_edit.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace drillwave {
 
@@ -11,10 +10,10 @@ std::string edited(std::string_view text, std::vector<TextEdit> edits) {
     std::string result;
     std::size_t at = 0;
     for (const TextEdit& edit : edits) {
-        assert(edit.offset >= at);
-        result += text.substr(at, edit.offset - at);
+        const std::size_t offset = std::max(edit.offset, at);
+        result += text.substr(at, offset - at);
         result += edit.replacement;
-        at = edit.offset + edit.length;
+        at = std::max(offset, edit.offset + edit.length);
     }
     return result + std::string(text.substr(at));
 }

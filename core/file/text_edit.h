@@ -16,7 +16,8 @@ struct TextEdit {
     std::string replacement;
 };
 
-/// The text with the edits made, which must not overlap.
+/// The text with the edits made. Where two overlap, what either removes is removed, and both replacements
+/// stand, that of the earlier offset first.
 std::string edited(std::string_view text, std::vector<TextEdit> edits);
 
 }  // namespace drillwave
