@@ -17,7 +17,7 @@ std::ptrdiff_t rankOf(std::string_view key) {
 
 bool namesAsRival(std::string_view a, std::string_view b) {
     const Parameter* parameter = findParameter(a);
-    return parameter && parameter->rules.rival == b;
+    return parameter && !b.empty() && parameter->rules.rival == b;
 }
 
 }  // namespace

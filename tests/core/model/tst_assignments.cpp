@@ -83,6 +83,7 @@ void TestAssignments::rivalsAreTheSameEitherWayRound_data() {
     add("rod.bore", "rod.diameter", false);
     add("pulse.force", "pulse.duration", false);
     add("beta", "nonsense", false);
+    add("pulse.force", "", false);
     add("beta", "rod.length", false);
 }
 
