@@ -55,7 +55,7 @@ Accuracy measure(const Scenario& scenario, const std::vector<int>& ladder, const
     return accuracy;
 }
 
-ExitCode runAccuracy(const Arguments& arguments) {
+ExitCode runAccuracy(const Arguments& arguments, const Drawing*) {
     const std::string& path = arguments.operands().front();
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const std::vector<int> ladder = ladderOf(arguments);
@@ -79,8 +79,7 @@ ExitCode runAccuracy(const Arguments& arguments) {
         writeFile("-", csv, Overwrite::allowed);
         return ExitCode::done;
     }
-    if (inFolder)
-        writeFolder(directory, {{{csvName, QByteArray::fromStdString(csv)}}, {}}, overwrite, interruption);
+    if (inFolder) writeFolder(directory, {{{csvName, csv}}, {}}, overwrite, interruption);
     writeFile("-",
               arguments.has("json") ? accuracyJson(document.scenario, scenario, accuracy)
                                     : accuracyText(document.scenario, accuracy),

@@ -8,6 +8,7 @@
 
 #include "app/arguments.h"
 #include "app/command_error.h"
+#include "app/drawing.h"
 
 namespace drillwave {
 
@@ -20,10 +21,10 @@ struct Command {
     std::vector<OptionSpec> options;
     std::size_t leastOperands;
     std::size_t mostOperands;
-    /// Whether these arguments ask for plots, which need a QApplication (always offscreen).
+    /// Whether these arguments ask for pictures.
     bool (*draws)(const Arguments&);
-    /// Does the work. Throws CommandError.
-    ExitCode (*run)(const Arguments&);
+    /// Does the work; there is a drawing where the arguments ask for one. Throws CommandError.
+    ExitCode (*run)(const Arguments&, const Drawing* drawing);
 };
 
 const Command& runCommand();

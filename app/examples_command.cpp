@@ -51,16 +51,14 @@ void writeInto(const std::string& directory, const std::vector<Example>& example
     const Interruption interruption;
     FolderFiles folder;
     for (const Example& example : examples)
-        folder.files.push_back(
-            {QString::fromStdString(example.name) + QStringLiteral(".yaml"),
-             QByteArray(example.text.data(), static_cast<qsizetype>(example.text.size()))});
+        folder.files.push_back({example.name + ".yaml", std::string(example.text)});
     checkFolder(directory, folder.names(), overwrite);
     writeFolder(directory, folder, overwrite, interruption);
     for (const Example& example : examples)
         std::printf("%s/%s.yaml\n", directory.c_str(), example.name.c_str());
 }
 
-ExitCode runExamples(const Arguments& arguments) {
+ExitCode runExamples(const Arguments& arguments, const Drawing*) {
     const std::vector<Example> examples = chosenExamples(arguments);
     const std::optional<std::string> directory = arguments.value("o");
     if (directory && *directory != "-") {

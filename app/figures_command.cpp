@@ -8,15 +8,14 @@
 #include "app/output_folder.h"
 #include "core/report/figures_page.h"
 #include "core/study/paper/figures.h"
-#include "ui/export/figure_plot.h"
 
 namespace drillwave {
 
 namespace {
 
-QByteArray drawn(const Figure& figure, const QString& format) {
-    const QByteArray bytes = drawFigure(figure, format);
-    if (bytes.isEmpty())
+std::string drawn(const Drawing& drawing, const Figure& figure, std::string_view format) {
+    std::string bytes = drawing.figure(figure, format);
+    if (bytes.empty())
         throw CommandError(ExitCode::internalError,
                            "Fig. " + std::to_string(figure.number) + " could not be drawn");
     return bytes;
@@ -24,24 +23,22 @@ QByteArray drawn(const Figure& figure, const QString& format) {
 
 /// The page last, so that a folder with a page is complete.
 FolderFiles filesOf(const std::vector<Figure>& figures, const std::vector<Discrepancy>& numbers,
-                    const Interruption& interruption) {
+                    const Drawing& drawing, const Interruption& interruption) {
     FolderFiles folder;
-    const auto add = [&](const std::string& name, const std::string& text) {
-        folder.files.push_back({QString::fromStdString(name), QByteArray::fromStdString(text)});
-    };
     for (const Figure& figure : figures) {
-        for (const FigurePanel& panel : figure.panels) add(panel.name + ".csv", panelCsv(panel));
-        for (const QString& format : {QStringLiteral("png"), QStringLiteral("svg")})
+        for (const FigurePanel& panel : figure.panels)
+            folder.files.push_back({panel.name + ".csv", panelCsv(panel)});
+        for (const std::string format : {"png", "svg"})
             folder.files.push_back(
-                {QStringLiteral("fig%1.%2").arg(figure.number).arg(format), drawn(figure, format)});
+                {"fig" + std::to_string(figure.number) + "." + format, drawn(drawing, figure, format)});
         interruption.check();
     }
-    add("discrepancies.csv", discrepanciesCsv(numbers));
-    add("index.html", figuresPage(figures, numbers));
+    folder.files.push_back({"discrepancies.csv", discrepanciesCsv(numbers)});
+    folder.files.push_back({"index.html", figuresPage(figures, numbers)});
     return folder;
 }
 
-ExitCode runFigures(const Arguments& arguments) {
+ExitCode runFigures(const Arguments& arguments, const Drawing* drawing) {
     const std::optional<std::string> directory = arguments.value("o");
     if (!directory) throw CommandError(ExitCode::usage, "needs -o DIR, the folder for the figures");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
@@ -55,7 +52,7 @@ ExitCode runFigures(const Arguments& arguments) {
     }
     const std::vector<Figure> figures = paperFigures(interruption.token());
     interruption.check();
-    const FolderFiles folder = filesOf(figures, numbers, interruption);
+    const FolderFiles folder = filesOf(figures, numbers, *drawing, interruption);
     writeFolder(*directory, folder, overwrite, interruption);
     const auto agreeing = std::ranges::count_if(numbers, &Discrepancy::agrees);
     std::printf("%zu files in %s; %zu of %zu printed numbers agree, see index.html or discrepancies.csv\n",

@@ -85,7 +85,7 @@ GapReport study(const Scenario& scenario, const std::optional<NormalGap>& normal
     return report;
 }
 
-ExitCode runGap(const Arguments& arguments) {
+ExitCode runGap(const Arguments& arguments, const Drawing*) {
     const std::string& path = arguments.operands().front();
     const std::optional<std::string> csvPath = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;

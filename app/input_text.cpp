@@ -5,15 +5,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <QDir>
-#include <QTemporaryFile>
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <system_error>
 
 #include "app/command_error.h"
+#include "core/file/whole_file.h"
 
 namespace drillwave {
 
@@ -64,6 +64,26 @@ bool isPipe(const std::string& path) {
     return S_ISFIFO(status.st_mode) || S_ISCHR(status.st_mode) || S_ISSOCK(status.st_mode);
 }
 
+std::string temporaryFolder() {
+    const char* chosen = std::getenv("TMPDIR");
+    return chosen && *chosen != '\0' ? chosen : "/tmp";
+}
+
+/// A file whose name goes with this object.
+struct TemporaryFile {
+    std::string name = temporaryFolder() + "/drillwave-rows-XXXXXX";
+    int descriptor = ::mkstemp(name.data());  ///< negative where it cannot be made
+
+    TemporaryFile() = default;
+    ~TemporaryFile() {
+        if (descriptor < 0) return;
+        ::close(descriptor);
+        ::unlink(name.c_str());
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+};
+
 constexpr std::size_t chunkBytes = std::size_t{1} << 16;
 
 }  // namespace
@@ -106,23 +126,23 @@ RereadableInput::RereadableInput(const std::string& path) {
 }
 
 void RereadableInput::keep(const std::string& path) {
-    QTemporaryFile kept(QDir::tempPath() + QStringLiteral("/drillwave-rows-XXXXXX"));
-    const auto refuse = [&] {
-        throw CommandError(ExitCode::unwritableOutput,
-                           inputName(path) + ": cannot be kept in " + QDir::tempPath().toStdString() + ": " +
-                               kept.errorString().toStdString() + "; set TMPDIR to a folder with more room");
+    const TemporaryFile kept;
+    const auto refuse = [&](const std::string& problem) {
+        throw CommandError(ExitCode::unwritableOutput, inputName(path) + ": cannot be kept in " +
+                                                           temporaryFolder() + ": " + problem +
+                                                           "; set TMPDIR to a folder with more room");
     };
-    if (!kept.open()) refuse();
+    if (kept.descriptor < 0) refuse(reason(errno));
     Pipe pipe(path);
     std::array<char, chunkBytes> chunk{};
     while (const std::size_t got = pipe.read(chunk.data(), chunk.size()))
-        if (kept.write(chunk.data(), static_cast<qint64>(got)) != static_cast<qint64>(got)) refuse();
+        if (const WriteFailure failure = writeAll(kept.descriptor, {chunk.data(), got}))
+            refuse(failure.reason);
     if (!pipe.problem().empty())
         throw CommandError(ExitCode::unreadableInput, inputName(path) + ": " + pipe.problem());
-    if (!kept.flush()) refuse();
     // The name goes at once, the rows when the stream is closed: nothing can be left behind.
-    m_stream.open(kept.fileName().toStdString(), std::ios::binary);
-    if (!m_stream) refuse();
+    m_stream.open(kept.name, std::ios::binary);
+    if (!m_stream) refuse(reason(errno));
 }
 
 }  // namespace drillwave

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Picks between the subcommands, which never need a display, and the window.
-#include <QApplication>
-#include <QCoreApplication>
 #include <algorithm>
 #include <cerrno>
-#include <clocale>
 #include <cstdio>
 #include <exception>
 #include <initializer_list>
+#include <memory>
 #include <new>
 #include <span>
 #include <string>
@@ -16,9 +14,9 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/desktop.h"
 #include "app/help_text.h"
 #include "app/interruption.h"
-#include "app/window.h"
 #include "core/file/scenario_file.h"
 #include "core/model/version.h"
 #include "core/text/decimal_text.h"
@@ -64,31 +62,14 @@ int printHelp(std::span<const std::string> words) {
                        "`" + shortened(words.front()) + "` is not a command; `drillwave help` lists them");
 }
 
-// The application object takes over the user's locale, and with it a decimal comma in what printf writes, and
-// the reasons of the system in another language than the sentences they stand in.
-void writePlainly() {
-    std::setlocale(LC_NUMERIC, "C");
-    std::setlocale(LC_MESSAGES, "C");
-}
-
 int runCommand(const Command& command, std::span<const std::string> words, int argc, char** argv) {
     if (asksForHelp(words)) return print(commandHelp(command));
     if (asksFor(words, {"--version"})) return printVersion();
     exitOnInterruption();
     const Arguments arguments = parseArguments(command, words);
-    if (!command.draws(arguments)) {
-        const QCoreApplication application(argc, argv);
-        writePlainly();
-        return static_cast<int>(command.run(arguments));
-    }
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    // Qt's remarks on the desktop (no runtime folder, no fonts configured) do not matter to files.
-    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
-        if (type == QtFatalMsg) std::fprintf(stderr, "%s\n", message.toUtf8().constData());
-    });
-    const QApplication application(argc, argv);
-    writePlainly();
-    return static_cast<int>(command.run(arguments));
+    const std::unique_ptr<const Drawing> drawing =
+        command.draws(arguments) ? startDrawing(argc, argv) : nullptr;
+    return static_cast<int>(command.run(arguments, drawing.get()));
 }
 
 bool continuesCharacter(char byte) {

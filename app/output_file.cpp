@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/output_file.h"
 
-#include <QFile>
-#include <QFileInfo>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdio>
+#include <filesystem>
 
 #include "app/command_error.h"
-#include "ui/document/whole_file.h"
+#include "core/file/whole_folder.h"
+#include "core/text/text_input.h"
 
 namespace drillwave {
 
@@ -17,71 +21,74 @@ bool isStandardOutput(const std::string& path) {
 }
 
 /// Something like /dev/null or a pipe, which cannot be replaced by a file.
-bool isDevice(const QFileInfo& info) {
-    return info.exists() && !info.isFile() && !info.isDir();
+bool isDevice(const std::string& path) {
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+           !std::filesystem::is_directory(status);
 }
 
 }  // namespace
 
-QString fileName(const std::string& path) {
-    const QByteArray bytes = QByteArray::fromStdString(path);
-    const QString name = QFile::decodeName(bytes);
-    if (QFile::encodeName(name) != bytes)
-        throw CommandError(
-            ExitCode::unwritableOutput,
-            name.toStdString() + ": the name has bytes that are not UTF-8; choose another one");
-    return name;
+void checkName(const std::string& path) {
+    if (!isUtf8(path))
+        throw CommandError(ExitCode::unwritableOutput,
+                           path + ": the name has bytes that are not UTF-8; choose another one");
 }
 
 void checkOverwrite(const std::string& path, Overwrite overwrite) {
-    const QFileInfo info(fileName(path));
-    if (isStandardOutput(path) || isDevice(info)) return;
-    if (info.isDir())
+    checkName(path);
+    if (isStandardOutput(path) || isDevice(path)) return;
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
         throw CommandError(ExitCode::unwritableOutput, path + ": is a folder; give the name of a file");
-    // A dangling link exists too, as something that would be written through.
-    if ((info.exists() || info.isSymLink()) && overwrite == Overwrite::refused)
+    // A dangling link is something that would be written through.
+    if (isThere(path) && overwrite == Overwrite::refused)
         throw CommandError(ExitCode::unwritableOutput,
                            path + ": exists already; use --force to overwrite it or choose another name");
 }
 
 OutputFile::OutputFile(const std::string& path, Overwrite overwrite) : m_path(path) {
     checkOverwrite(path, overwrite);
-    const QString name = fileName(path);
-    bool open = false;
-    if (isStandardOutput(path)) {
-        auto file = std::make_unique<QFile>();
-        open = file->open(stdout, QIODevice::WriteOnly | QIODevice::Unbuffered);
-        m_file = std::move(file);
-    } else if (isDevice(QFileInfo(name))) {
-        m_file = std::make_unique<QFile>(name);
-        open = m_file->open(QIODevice::WriteOnly | QIODevice::Unbuffered);
-    } else {
-        m_file = std::make_unique<QSaveFile>(name);
-        open = m_file->open(QIODevice::WriteOnly | QIODevice::Unbuffered);
+    if (isStandardOutput(path)) return;
+    if (isDevice(path)) {
+        m_device = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+        check(m_device < 0 ? writeFailure(errno) : WriteFailure{});
+        return;
     }
-    if (!open) fail();
+    m_file = std::make_unique<WholeFile>(path);
+    check(m_file->open());
+}
+
+OutputFile::~OutputFile() {
+    if (m_device >= 0) ::close(m_device);
 }
 
 void OutputFile::write(std::string_view text) {
-    if (!writeAll(*m_file, text.data(), static_cast<qint64>(text.size()))) fail();
+    if (m_file)
+        check(m_file->write(text));
+    else if (m_device >= 0)
+        check(writeAll(m_device, text));
+    else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
+        check(writeFailure(errno));
 }
 
 void OutputFile::flush() {
-    if (!m_file->flush()) fail();
+    // The C library holds the last bytes for standard output back, and would lose them without a word.
+    if (isStandardOutput(m_path) && std::fflush(stdout) != 0) check(writeFailure(errno));
 }
 
 void OutputFile::commit() {
-    // The C library holds the last bytes for standard output back, and would lose them without a word.
     flush();
-    auto* saved = qobject_cast<QSaveFile*>(m_file.get());
-    if (saved && !saved->commit()) fail();
+    if (m_file) check(m_file->commit());
 }
 
-void OutputFile::fail() const {
+void OutputFile::check(const WriteFailure& failure) const {
+    if (!failure) return;
     const std::string name = isStandardOutput(m_path) ? "standard output" : m_path;
-    throw CommandError(ExitCode::unwritableOutput,
-                       name + ": cannot be written: " + m_file->errorString().toStdString() + "; " +
-                           (isFull(*m_file) ? "free some space or " : "") + "choose another place with -o");
+    throw CommandError(ExitCode::unwritableOutput, name + ": cannot be written: " + failure.reason + "; " +
+                                                       (failure.isFull ? "free some space or " : "") +
+                                                       "choose another place with -o");
 }
 
 void writeFile(const std::string& path, std::string_view text, Overwrite overwrite) {

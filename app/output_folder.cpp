@@ -7,36 +7,28 @@ namespace drillwave {
 
 namespace {
 
-void checkNames(const std::string& path, const QStringList& names, Overwrite overwrite) {
-    for (const QString& name : names) checkOverwrite(path + "/" + name.toStdString(), overwrite);
+void checkNames(const std::string& path, const std::vector<std::string>& names, Overwrite overwrite) {
+    for (const std::string& name : names) checkOverwrite(path + "/" + name, overwrite);
 }
 
 }  // namespace
 
-ExistingFiles existingFiles(Overwrite overwrite) {
-    return overwrite == Overwrite::allowed ? ExistingFiles::replaced : ExistingFiles::kept;
-}
-
-void checkFolder(const std::string& path, const QStringList& names, Overwrite overwrite) {
-    const QString problem = folderProblem(fileName(path), {}, ExistingFiles::replaced);
-    if (!problem.isEmpty()) throw CommandError(ExitCode::unwritableOutput, problem.toStdString());
+void checkFolder(const std::string& path, const std::vector<std::string>& names, Overwrite overwrite) {
+    checkName(path);
+    if (const Message problem = folderProblem(path, {}, ExistingFiles::replaced); !problem.isEmpty())
+        throw CommandError(ExitCode::unwritableOutput, problem.text());
     checkNames(path, names, overwrite);
 }
 
 void writeFolder(const std::string& path, const FolderFiles& files, Overwrite overwrite,
                  const Interruption& interruption) {
-    const FolderEnd end =
-        writeWholeFolder(fileName(path), files, existingFiles(overwrite), interruption.token());
-    checkWritten(end, path, files.names(), overwrite, interruption);
-}
-
-void checkWritten(const FolderEnd& end, const std::string& path, const QStringList& names,
-                  Overwrite overwrite, const Interruption& interruption) {
+    const auto existing = overwrite == Overwrite::allowed ? ExistingFiles::replaced : ExistingFiles::kept;
+    const FolderEnd end = writeWholeFolder(path, files, existing, interruption.token());
     if (end.isWritten()) return interruption.ignoreFromNowOn();
     interruption.check();
     // Another run may have been faster: that is said as it would have been before the work.
-    checkNames(path, names, overwrite);
-    throw CommandError(ExitCode::unwritableOutput, end.problem.toStdString());
+    checkNames(path, files.names(), overwrite);
+    throw CommandError(ExitCode::unwritableOutput, end.problem.text());
 }
 
 }  // namespace drillwave

@@ -15,7 +15,7 @@ std::string indented(const std::string& lines) {
     return text + "\n";
 }
 
-ExitCode runPresets(const Arguments& arguments) {
+ExitCode runPresets(const Arguments& arguments, const Drawing*) {
     const std::string path = arguments.operands().empty() ? std::string() : arguments.operands().front();
     std::string text;
     std::string_view heading;

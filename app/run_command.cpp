@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave run FILE
-#include <QStringList>
 #include <algorithm>
 #include <cstdio>
 
-#include "app/blow_text.h"
 #include "app/command.h"
 #include "app/interruption.h"
 #include "app/method_options.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
+#include "core/file/picture_formats.h"
 #include "core/file/result_scenario.h"
+#include "core/file/run_files.h"
+#include "core/report/blow_json.h"
+#include "core/report/blow_text.h"
 #include "core/text/decimal_text.h"
-#include "ui/export/blow_report.h"
-#include "ui/export/plot_export.h"
-#include "ui/export/run_files.h"
-#include "ui/plot/plot_rendering.h"
 
 namespace drillwave {
 
@@ -25,18 +23,30 @@ namespace {
 /// Where the files of a run go.
 struct RunFiles {
     std::string directory;             ///< empty: no files
-    QStringList plots;                 ///< formats
+    std::vector<std::string> plots;    ///< formats
     std::optional<OutputUnits> units;  ///< if not given, those of the scenario
     Overwrite overwrite = Overwrite::refused;
 };
 
-QStringList plotFormatsOf(const std::string& list) {
-    const QStringList formats = QString::fromStdString(list).split(',');
-    for (const QString& format : formats)
-        if (!plotFormats().contains(format))
-            throw CommandError(ExitCode::usage, "--plots " + shortened(list) + ": `" + format.toStdString() +
-                                                    "` is not a plot format; choose from " +
-                                                    plotFormats().join(", ").toStdString());
+/// "png, svg, pdf".
+std::string knownFormats() {
+    std::string known;
+    for (const std::string_view format : pictureFormats)
+        known += (known.empty() ? "" : ", ") + std::string(format);
+    return known;
+}
+
+/// Of a list with commas.
+std::vector<std::string> plotFormatsOf(const std::string& list) {
+    std::vector<std::string> formats;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        formats.push_back(list.substr(begin, end - begin));
+        begin = end + 1;
+        if (std::ranges::find(pictureFormats, formats.back()) == pictureFormats.end())
+            throw CommandError(ExitCode::usage, "--plots " + shortened(list) + ": `" + formats.back() +
+                                                    "` is not a plot format; choose from " + knownFormats());
+    }
     return formats;
 }
 
@@ -62,9 +72,8 @@ RunFiles filesOf(const Arguments& arguments) {
 /// Finds out before anything is computed whether the files can be written.
 void prepare(const RunFiles& files, const std::string& path, const ScenarioDocument& document) {
     if (files.directory.empty()) return;
-    const QStringList names = runFileNames(files.plots);
-    for (const QString& name : names)
-        checkOutputIsNoInput(files.directory + "/" + name.toStdString(), path, document);
+    const std::vector<std::string> names = runFileNames(files.plots);
+    for (const std::string& name : names) checkOutputIsNoInput(files.directory + "/" + name, path, document);
     checkFolder(files.directory, names, files.overwrite);
 }
 
@@ -81,19 +90,21 @@ Blow solve(const Scenario& scenario, const MethodChoice& choice, Detail detail, 
     return blow.runTime < quick ? solveOnce() : blow;
 }
 
-void writeFiles(const RunFiles& files, const SolvedRun& run, const Interruption& interruption) {
-    const FolderEnd end = writeRunFolder(fileName(files.directory), run, files.plots,
-                                         existingFiles(files.overwrite), interruption.token());
-    checkWritten(end, files.directory, runFileNames(files.plots), files.overwrite, interruption);
+void writeFiles(const RunFiles& files, const SolvedRun& run, const Drawing* drawing,
+                const Interruption& interruption) {
+    std::vector<NamedFile> pictures;
+    if (!files.plots.empty()) pictures = drawing->blow(run.blow, files.plots, interruption.token());
+    interruption.check();
+    writeFolder(files.directory, runFolder(run, std::move(pictures)), files.overwrite, interruption);
 }
 
 void print(const SolvedRun& run, const RunFiles& files, bool json) {
-    std::string text = json ? reportJson(run.blow, run.scenarioText).toStdString() : reportText(run.blow);
+    std::string text = json ? blowJson(run.blow, run.scenarioText) : blowText(run.blow);
     if (!json && !files.directory.empty()) text += "  files in " + files.directory + "\n";
     writeFile("-", text, Overwrite::allowed);
 }
 
-ExitCode runBlow(const Arguments& arguments) {
+ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const RunFiles files = filesOf(arguments);
     const bool json = arguments.has("json");
@@ -120,7 +131,7 @@ ExitCode runBlow(const Arguments& arguments) {
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved: " + run.blow.impact.reason);
     }
-    if (writesFiles) writeFiles(files, run, interruption);
+    if (writesFiles) writeFiles(files, run, drawing, interruption);
     print(run, files, json);
     return ExitCode::done;
 }

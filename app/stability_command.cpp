@@ -14,7 +14,7 @@ namespace {
 
 constexpr char csvName[] = "stability.csv";
 
-ExitCode runStability(const Arguments& arguments) {
+ExitCode runStability(const Arguments& arguments, const Drawing*) {
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const std::optional<std::string> directory = arguments.value("o");
     if (directory) checkFolder(*directory, {csvName}, overwrite);
@@ -25,9 +25,7 @@ ExitCode runStability(const Arguments& arguments) {
     const StabilityReport report =
         checkStability(cases, jobs, interruption.token(), [&bar](std::uint64_t done) { bar.show(done); });
     interruption.check();
-    if (directory)
-        writeFolder(*directory, {{{csvName, QByteArray::fromStdString(stabilityCsv(report))}}, {}}, overwrite,
-                    interruption);
+    if (directory) writeFolder(*directory, {{{csvName, stabilityCsv(report)}}, {}}, overwrite, interruption);
     writeFile("-", arguments.has("json") ? stabilityJson(report) : stabilityText(report), Overwrite::allowed);
     return report.failed() + report.notSolved() > 0 ? ExitCode::unsolvedOrFailed : ExitCode::done;
 }

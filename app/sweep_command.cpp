@@ -48,7 +48,7 @@ std::vector<RecordedAxis> recordedAxes(const std::vector<SweepAxis>& axes, const
     return recorded;
 }
 
-ExitCode runSweepCommand(const Arguments& arguments) {
+ExitCode runSweepCommand(const Arguments& arguments, const Drawing*) {
     const std::string& path = arguments.operands().front();
     const std::vector<SweepAxis> axes = axesOf(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments);

@@ -24,7 +24,7 @@ std::uint64_t check(const Table& table, std::ifstream& cases, int jobs, const In
     return found.rows;
 }
 
-ExitCode runTableCommand(const Arguments& arguments) {
+ExitCode runTableCommand(const Arguments& arguments, const Drawing*) {
     const std::string& scenarioPath = arguments.operands()[0];
     const std::string& path = arguments.operands()[1];
     if (isStandardInput(scenarioPath) && isStandardInput(path))

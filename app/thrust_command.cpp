@@ -40,7 +40,7 @@ ThrustStudy study(const Scenario& scenario, const Interruption& interruption) {
     return found;
 }
 
-ExitCode runThrust(const Arguments& arguments) {
+ExitCode runThrust(const Arguments& arguments, const Drawing*) {
     const std::string& path = arguments.operands().front();
     const std::optional<std::string> csvPath = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;

@@ -33,7 +33,7 @@ void check(const std::string& path) {
         loadScenarioFile(path);
 }
 
-ExitCode validateFiles(const Arguments& arguments) {
+ExitCode validateFiles(const Arguments& arguments, const Drawing*) {
     ExitCode result = ExitCode::done;
     for (const std::string& path : arguments.operands()) {
         try {

@@ -23,7 +23,8 @@ std::string TextGrid::text() const {
         std::string line = " ";
         for (std::size_t c = 0; c < row.size(); ++c) {
             const std::string space(width(c) - std::min(width(c), row[c].size()), ' ');
-            line += " " + (c == 0 ? row[c] + space : space + row[c]) + " ";
+            const bool left = c == 0 || m_alignment == CellAlignment::left;
+            line += " " + (left ? row[c] + space : space + row[c]) + " ";
         }
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\n";
@@ -34,7 +35,8 @@ std::string TextGrid::text() const {
 std::size_t TextGrid::width(std::size_t column) const {
     std::size_t widest = 0;
     for (const auto& row : m_rows)
-        if (column < row.size() && row.size() > 2) widest = std::max(widest, row[column].size());
+        if (column < row.size() && (row.size() > 2 || column + 1 < row.size()))
+            widest = std::max(widest, row[column].size());
     return widest;
 }
 

@@ -13,16 +13,21 @@ namespace drillwave {
 /// Title and groups of a scenario, as reports begin.
 std::string headingOf(const Scenario& scenario);
 
-/// Lines of cells, the first aligned to the left and the others to the right. Lines of one or two cells are
-/// remarks: they do not widen the columns.
+/// Of all cells of a line but the first, which is aligned to the left.
+enum class CellAlignment { left, right };
+
+/// Lines of cells in columns. The last cell of a line of one or two is a remark, which widens no column.
 class TextGrid {
   public:
+    explicit TextGrid(CellAlignment alignment = CellAlignment::right) : m_alignment(alignment) {}
+
     void add(std::vector<std::string> cells) { m_rows.push_back(std::move(cells)); }
     std::string text() const;
 
   private:
     std::size_t width(std::size_t column) const;
 
+    CellAlignment m_alignment;
     std::vector<std::vector<std::string>> m_rows;
 };
 

@@ -29,6 +29,9 @@ struct TextProblem {
 };
 TextProblem checkText(std::string_view text);
 
+/// Whether all bytes are UTF-8, control characters included.
+bool isUtf8(std::string_view text);
+
 /// 3 for a text that begins with the UTF-8 byte order mark, else 0.
 std::size_t byteOrderMarkLength(std::string_view text);
 

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "ui/export/plot_export.h"
 #include "ui/plot/plot_rendering.h"
 #include "ui/text/settings.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -82,7 +84,7 @@ void ExportMenu::setExports(const QList<PageExport>& exports) {
 void ExportMenu::save(const PageExport& wanted) {
     if (wanted.picture) return savePicture(wanted);
     saveFile(tr("Save the data of the plot"), wanted.fileStem + QStringLiteral(".csv"),
-             [wanted](const SolvedRun& run) { return runHeader(run) + wanted.csv(); });
+             [wanted](const SolvedRun& run) { return runHeader(run) + wanted.csv().toStdString(); });
 }
 
 bool ExportMenu::eventFilter(QObject* watched, QEvent* event) {
@@ -107,8 +109,9 @@ void ExportMenu::saveFile(const QString& title, const QString& ending, const Mak
     if (isUnsolved()) return;
     const QString path = m_questions.fileToExport(m_window, title, suggestion(ending), csvFilter());
     if (path.isEmpty()) return;
-    withRun(QFileInfo(path).fileName(),
-            [this, path, make](const SolvedRun& run) { finish(path, writeWholeFile(path, make(run))); });
+    withRun(QFileInfo(path).fileName(), [this, path, make](const SolvedRun& run) {
+        finish(path, writeWholeFile(path, QByteArray::fromStdString(make(run))));
+    });
 }
 
 bool ExportMenu::isUnsolved() {
@@ -133,7 +136,9 @@ void ExportMenu::saveEverything() {
     if (isUnsolved()) return;
     const QString folder = m_questions.folderToExport(m_window, QFileInfo(suggestion({})).path());
     if (folder.isEmpty()) return;
-    const QStringList there = runFilesThere(folder, plotFormats());
+    QStringList there;
+    for (const std::string& name : runFilesThere(QFile::encodeName(folder).toStdString()))
+        there << QString::fromStdString(name);
     if (!there.isEmpty() && !m_questions.confirm(m_window, tr("Overwrite the files in this folder?"),
                                                  QDir::toNativeSeparators(folder) + QStringLiteral("\n\n") +
                                                      there.join(QStringLiteral(", ")),
@@ -147,7 +152,11 @@ void ExportMenu::saveEverything() {
 void ExportMenu::writeFolder(const QString& folder, SolvedRun run, ExistingFiles existing) {
     run.units = customaryUnits(run.blow.scenario);
     const WaitCursor wait;
-    finish(folder, writeRunFolder(folder, run, plotFormats(), existing).problem);
+    BlowPictures pictures = drawBlowPlots(run.blow.scenario, run.blow.impact, plotFormats());
+    if (!pictures.problem.isEmpty()) return fail(pictures.problem);
+    const FolderEnd end = writeWholeFolder(QFile::encodeName(folder).toStdString(),
+                                           runFolder(run, std::move(pictures.files)), existing);
+    finish(folder, translated(end.problem));
 }
 
 void ExportMenu::savePicture(const PageExport& wanted) {

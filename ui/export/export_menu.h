@@ -5,9 +5,8 @@
 #include <QMenu>
 #include <functional>
 
+#include "core/file/run_files.h"
 #include "ui/document/document.h"
-#include "ui/export/run_files.h"
-#include "ui/export/whole_folder.h"
 #include "ui/job/solved_blow.h"
 #include "ui/pages/page_export.h"
 #include "ui/questions/questions.h"
@@ -37,7 +36,7 @@ class ExportMenu : public QMenu {
     /// The curves and the events of the blow, in the units that are shown.
     void saveHistories();
     void saveEvents();
-    /// The files that `drillwave run FILE -o FOLDER --plots png,svg,pdf` writes; see writeRunFolder().
+    /// The files that `drillwave run FILE -o FOLDER --plots png,svg,pdf` writes; see runFolder().
     void saveEverything();
 
   signals:
@@ -49,7 +48,7 @@ class ExportMenu : public QMenu {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    using MakeFile = std::function<QByteArray(const SolvedRun&)>;
+    using MakeFile = std::function<std::string(const SolvedRun&)>;
     using UseRun = std::function<void(const SolvedRun&)>;
     QAction* add(const QString& text, const QKeySequence& keys, const QString& toolTip,
                  const std::function<void()>& then, QAction* before = nullptr);

@@ -57,7 +57,7 @@ BlowPictures drawBlowPlots(const Scenario& scenario, const Impact& impact, const
             const QByteArray bytes = renderPlot(*figure.plot, figure.size, format, title);
             if (bytes.isEmpty())
                 return {{}, QStringLiteral("%1: not written, the plot could not be drawn").arg(name)};
-            pictures.files.push_back({name, bytes});
+            pictures.files.push_back({name.toStdString(), bytes.toStdString()});
         }
     return pictures;
 }

@@ -7,9 +7,9 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/file/whole_folder.h"
 #include "core/model/scenario.h"
 #include "core/wave/impact.h"
-#include "ui/export/whole_folder.h"
 
 namespace drillwave {
 

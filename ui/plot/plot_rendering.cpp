@@ -11,8 +11,10 @@
 #include <QSvgGenerator>
 #include <cmath>
 
+#include "core/file/picture_formats.h"
 #include "ui/plot/curve_clip.h"
 #include "ui/plot/plot_style.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -98,7 +100,9 @@ QByteArray pdf(QCustomPlot& plot, Millimetres size, const QString& title) {
 }  // namespace
 
 QStringList plotFormats() {
-    return {QStringLiteral("png"), QStringLiteral("svg"), QStringLiteral("pdf")};
+    QStringList formats;
+    for (const std::string_view format : pictureFormats) formats << fromView(format);
+    return formats;
 }
 
 QByteArray renderPlot(QCustomPlot& plot, Millimetres size, const QString& format, const QString& title,

@@ -10,7 +10,7 @@ class QCustomPlot;
 
 namespace drillwave {
 
-/// The file formats that can be asked for: "png", "svg", "pdf".
+/// The file formats that can be asked for: the pictureFormats.
 QStringList plotFormats();
 
 /// Size on paper.

@@ -5,10 +5,15 @@
 #include <QString>
 #include <string_view>
 
+#include "core/text/message.h"
+
 namespace drillwave {
 
 /// UTF-8 as Qt's own text.
 QString fromView(std::string_view text);
+
+/// A sentence of the core in the language of the window.
+QString translated(const Message& message);
 
 /// "t₀" for "t0".
 QString shownSymbol(std::string_view symbol);

@@ -22,7 +22,7 @@ Impact solved(const Scenario& scenario, Detail detail = Detail::histories) {
 // The one of that name; empty when there is none.
 QByteArray picture(const BlowPictures& pictures, const char* name) {
     for (const NamedFile& file : pictures.files)
-        if (file.name == QLatin1String(name)) return file.bytes;
+        if (file.name == name) return QByteArray::fromStdString(file.bytes);
     return {};
 }
 
@@ -71,7 +71,7 @@ void TestPlotExport::everyFormatIsDrawn() {
     const BlowPictures pictures = drawn(plotFormats());
     QCOMPARE(pictures.problem, QString());
     QCOMPARE(pictures.files.size(), std::size_t{6});
-    for (const NamedFile& file : pictures.files) QVERIFY2(file.bytes.size() > 2000, qPrintable(file.name));
+    for (const NamedFile& file : pictures.files) QVERIFY2(file.bytes.size() > 2000, file.name.c_str());
     QVERIFY(picture(pictures, "blow.pdf").startsWith("%PDF-"));
 }
 

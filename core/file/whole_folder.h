@@ -2,20 +2,19 @@
 // The files of a folder put in place together: all of them or none.
 #pragma once
 
-#include <QByteArray>
-#include <QDir>
-#include <QString>
-#include <QStringList>
 #include <functional>
 #include <stop_token>
+#include <string>
 #include <vector>
+
+#include "core/text/message.h"
 
 namespace drillwave {
 
 /// A file to be, complete in memory.
 struct NamedFile {
-    QString name;  ///< without a folder
-    QByteArray bytes;
+    std::string name;  ///< without a folder
+    std::string bytes;
 };
 
 /// What a folder is to hold.
@@ -23,11 +22,11 @@ struct FolderFiles {
     /// In the order of appearance: the last one goes first and comes last, so that even after a power failure
     /// a folder that has it is complete.
     std::vector<NamedFile> files;
-    /// Names of files in the folder that an earlier set left, which would show something else than these:
-    /// removed with the files that are replaced. May be empty.
-    std::function<QStringList(const QDir&)> outdated;
+    /// Names of files in the folder, whose path it is given, that an earlier set left and that would show
+    /// something else than these: removed with the files that are replaced. May be empty.
+    std::function<std::vector<std::string>(const std::string& folder)> outdated;
 
-    QStringList names() const;
+    std::vector<std::string> names() const;
 };
 
 enum class ExistingFiles { kept, replaced };
@@ -35,7 +34,7 @@ enum class ExistingFiles { kept, replaced };
 /// How writing a folder ended.
 struct FolderEnd {
     enum class Kind { written, stopped, failed } kind = Kind::written;
-    QString problem;  ///< Kind::failed: one line that begins with the path
+    Message problem;  ///< Kind::failed: one line that begins with the path
     bool isWritten() const { return kind == Kind::written; }
 };
 
@@ -48,10 +47,14 @@ struct FolderEnd {
 /// exchanging whole folders would lose what others put there meanwhile, pull the folder away from under
 /// whoever works in it, and fail on mount points. Files of other names are never touched. A link of such a
 /// name is replaced, not followed.
-FolderEnd writeWholeFolder(const QString& folder, const FolderFiles& files, ExistingFiles existing,
+FolderEnd writeWholeFolder(const std::string& folder, const FolderFiles& files, ExistingFiles existing,
                            const std::stop_token& stop = {});
 
 /// Why writeWholeFolder() would fail, as far as that can be told without writing; empty when it should not.
-QString folderProblem(const QString& folder, const QStringList& names, ExistingFiles existing);
+Message folderProblem(const std::string& folder, const std::vector<std::string>& names,
+                      ExistingFiles existing);
+
+/// Whether anything of that name is there, also a link that leads nowhere.
+bool isThere(const std::string& path);
 
 }  // namespace drillwave

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report on one blow for programs.
+// One blow for programs.
 #pragma once
 
-#include <QByteArray>
 #include <string>
 
 #include "core/blow/blow.h"
@@ -12,6 +11,6 @@ namespace drillwave {
 /// The JSON object of a blow (files §5): results dimensionless and, where the scenario has units, in SI with
 /// the unit of each; and the scenario as the text that gives them again (completeScenarioText()). Numbers
 /// read back exactly; they are null where the case could not be solved. Requires Detail::summary or more.
-QByteArray reportJson(const Blow& blow, const std::string& scenarioText);
+std::string blowJson(const Blow& blow, const std::string& scenarioText);
 
 }  // namespace drillwave

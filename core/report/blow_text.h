@@ -8,7 +8,7 @@
 
 namespace drillwave {
 
-/// A summary for people, rounded to six digits. Requires a solved blow.
-std::string reportText(const Blow& blow);
+/// A summary rounded to six digits. Requires a solved blow.
+std::string blowText(const Blow& blow);
 
 }  // namespace drillwave

@@ -1,50 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report for people.
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
+#include "core/report/blow_text.h"
 
-#include "app/blow_text.h"
+#include <cmath>
+#include <optional>
+
 #include "core/report/report_text.h"
-#include "core/text/decimal_text.h"
+#include "core/text/number_text.h"
 
 namespace drillwave {
 
 namespace {
-
-/// Columns of text: the label, the dimensionless value, the value in SI.
-class Columns {
-  public:
-    void add(std::string label, std::string dimensionless, std::string si = {}) {
-        m_rows.push_back({std::move(label), std::move(dimensionless), std::move(si)});
-    }
-
-    std::string text() const {
-        std::string text;
-        for (const Row& row : m_rows) {
-            text += "  " + padded(row[0], width(0)) + "  ";
-            text += row[2].empty() ? row[1] : padded(row[1], width(1)) + "  " + row[2];
-            text += "\n";
-        }
-        return text;
-    }
-
-  private:
-    using Row = std::array<std::string, 3>;
-
-    std::size_t width(std::size_t column) const {
-        std::size_t widest = 0;
-        for (const Row& row : m_rows)
-            if (column == 0 || !row[2].empty()) widest = std::max(widest, row[column].size());
-        return widest;
-    }
-    static std::string padded(const std::string& cell, std::size_t width) {
-        return cell + std::string(width - std::min(width, cell.size()), ' ');
-    }
-
-    std::vector<Row> m_rows;
-};
 
 /// One line of results: what is multiplied with the scale is also given in SI.
 class ResultRows {
@@ -54,14 +19,17 @@ class ResultRows {
 
     void add(const char* label, double value, const char* unit, double scale, Quantity quantity) {
         const std::string shown = rounded(value) + " " + unit;
-        m_columns.add(label, shown, m_dimensional ? inHandyUnit(value * scale, quantity) : std::string());
+        if (m_dimensional)
+            m_grid.add({label, shown, inHandyUnit(value * scale, quantity)});
+        else
+            m_grid.add({label, shown});
     }
-    void addText(const char* label, std::string text) { m_columns.add(label, std::move(text)); }
-    std::string text() const { return m_columns.text(); }
+    void addText(const char* label, std::string text) { m_grid.add({label, std::move(text)}); }
+    std::string text() const { return m_grid.text(); }
 
   private:
     bool m_dimensional;
-    Columns m_columns;
+    TextGrid m_grid{CellAlignment::left};
 };
 
 /// Shares of the energy are known to 1e-12: what is smaller is rounding.
@@ -109,7 +77,7 @@ std::string methodText(const MethodChoice& choice) {
 
 }  // namespace
 
-std::string reportText(const Blow& blow) {
+std::string blowText(const Blow& blow) {
     const Impact& impact = blow.impact;
     std::string text = headingOf(blow.scenario) + "\n";
     text += resultText(blow);

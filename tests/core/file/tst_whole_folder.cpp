@@ -7,7 +7,7 @@
 #include <system_error>
 #include <thread>
 
-#include "ui/export/whole_folder.h"
+#include "core/file/whole_folder.h"
 
 using namespace drillwave;
 
@@ -24,8 +24,8 @@ void put(const QString& path, const QByteArray& bytes) {
 }
 
 /// As the system says it, in the language of the user.
-QString reason(int error) {
-    return QString::fromStdString(std::generic_category().message(error));
+std::string reason(int error) {
+    return std::generic_category().message(error);
 }
 
 /// Everything in a folder, hidden things too.
@@ -33,7 +33,7 @@ QStringList contents(const QString& folder) {
     return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
 }
 
-FolderFiles set(const QByteArray& mark) {
+FolderFiles set(const std::string& mark) {
     return {.files = {{"a", "a " + mark}, {"b", "b " + mark}, {"last", "last " + mark}}, .outdated = {}};
 }
 
@@ -57,12 +57,13 @@ class TestWholeFolder : public QObject {
 
   private:
     QString path(const char* name) const { return m_place->filePath(QLatin1String(name)); }
+    std::string plain(const char* name) const { return path(name).toStdString(); }
     std::unique_ptr<QTemporaryDir> m_place;
 };
 
 void TestWholeFolder::aNewFolderAppearsWithItsParents() {
-    const FolderEnd end = writeWholeFolder(path("x/y/z/"), set("1"), ExistingFiles::kept);
-    QVERIFY2(end.isWritten(), qPrintable(end.problem));
+    const FolderEnd end = writeWholeFolder(plain("x/y/z/"), set("1"), ExistingFiles::kept);
+    QVERIFY2(end.isWritten(), end.problem.text().c_str());
     QCOMPARE(contents(path("x/y/z")), QStringList({"a", "b", "last"}));
     QCOMPARE(contents(path("x/y")), QStringList{"z"});
     QCOMPARE(bytesOf(path("x/y/z/b")), QByteArray("b 1"));
@@ -76,7 +77,7 @@ void TestWholeFolder::foreignFilesStay() {
     put(path("f/notes"), "mine");
     put(path("f/sub/deep"), "mine too");
     for (const char* mark : {"1", "2"}) {
-        QVERIFY(writeWholeFolder(path("f"), set(mark), ExistingFiles::replaced).isWritten());
+        QVERIFY(writeWholeFolder(plain("f"), set(mark), ExistingFiles::replaced).isWritten());
         QCOMPARE(contents(path("f")), QStringList({"a", "b", "last", "notes", "sub"}));
         QCOMPARE(bytesOf(path("f/a")), QByteArray("a ") + mark);
     }
@@ -87,28 +88,29 @@ void TestWholeFolder::foreignFilesStay() {
 void TestWholeFolder::existingFilesAreKeptUnlessAskedFor() {
     QVERIFY(QDir(m_place->path()).mkdir("f"));
     put(path("f/b"), "mine");
-    const FolderEnd end = writeWholeFolder(path("f"), set("1"), ExistingFiles::kept);
+    const FolderEnd end = writeWholeFolder(plain("f"), set("1"), ExistingFiles::kept);
     QCOMPARE(end.kind, FolderEnd::Kind::failed);
-    QVERIFY2(end.problem.startsWith(path("f/b: exists already")), qPrintable(end.problem));
+    QVERIFY2(end.problem.text().starts_with(plain("f/b: exists already")), end.problem.text().c_str());
     QCOMPARE(contents(path("f")), QStringList{"b"});
     QCOMPARE(bytesOf(path("f/b")), QByteArray("mine"));
 }
 
 void TestWholeFolder::aFailureHalfWayBringsBackWhatWasThere() {
-    QVERIFY(writeWholeFolder(path("f"), set("old"), ExistingFiles::kept).isWritten());
+    QVERIFY(writeWholeFolder(plain("f"), set("old"), ExistingFiles::kept).isWritten());
     FolderFiles files = set("new");
     // Called when all is checked and nothing moved: takes away one of the files that are to be moved.
     bool removed = false;
-    files.outdated = [&](const QDir& folder) {
+    files.outdated = [&](const std::string& name) {
+        const QDir folder(QString::fromStdString(name));
         for (const QString& hidden : folder.entryList({".drillwave-*"}, QDir::Dirs | QDir::Hidden))
             removed = QFile::remove(folder.filePath(hidden + "/new/b"));
-        return QStringList();
+        return std::vector<std::string>();
     };
-    const FolderEnd end = writeWholeFolder(path("f"), files, ExistingFiles::replaced);
+    const FolderEnd end = writeWholeFolder(plain("f"), files, ExistingFiles::replaced);
     QVERIFY(removed);
     QCOMPARE(end.kind, FolderEnd::Kind::failed);
-    QVERIFY2(end.problem.startsWith(path("f/b: cannot be written: ") + reason(ENOENT)),
-             qPrintable(end.problem));
+    QVERIFY2(end.problem.text().starts_with(plain("f/b: cannot be written: ") + reason(ENOENT)),
+             end.problem.text().c_str());
     QCOMPARE(contents(path("f")), QStringList({"a", "b", "last"}));
     for (const char* name : {"a", "b", "last"})
         QCOMPARE(bytesOf(path("f/") + name), QByteArray(name) + " old");
@@ -119,7 +121,8 @@ void TestWholeFolder::aStopLeavesNothing() {
     stop.request_stop();
     for (const char* folder : {"x/y", "f"}) {
         if (*folder == 'f') QVERIFY(QDir(m_place->path()).mkdir("f"));
-        const FolderEnd end = writeWholeFolder(path(folder), set("1"), ExistingFiles::kept, stop.get_token());
+        const FolderEnd end =
+            writeWholeFolder(plain(folder), set("1"), ExistingFiles::kept, stop.get_token());
         QCOMPARE(end.kind, FolderEnd::Kind::stopped);
     }
     QCOMPARE(contents(m_place->path()), QStringList{"f"});
@@ -130,8 +133,8 @@ void TestWholeFolder::outdatedFilesGo() {
     QVERIFY(QDir(m_place->path()).mkdir("f"));
     for (const char* name : {"a", "picture", "notes"}) put(path("f/") + name, "before");
     FolderFiles files = set("1");
-    files.outdated = [](const QDir&) { return QStringList{"picture", "a", "gone"}; };
-    QVERIFY(writeWholeFolder(path("f"), files, ExistingFiles::replaced).isWritten());
+    files.outdated = [](const std::string&) { return std::vector<std::string>{"picture", "a", "gone"}; };
+    QVERIFY(writeWholeFolder(plain("f"), files, ExistingFiles::replaced).isWritten());
     QCOMPARE(contents(path("f")), QStringList({"a", "b", "last", "notes"}));
 }
 
@@ -139,10 +142,11 @@ void TestWholeFolder::aFolderInPlaceOfAFileIsNotRemoved() {
     QVERIFY(QDir(m_place->path()).mkpath("f/last/precious"));
     QVERIFY(QDir(m_place->path()).mkpath("g/picture/precious"));
     FolderFiles files = set("1");
-    files.outdated = [](const QDir&) { return QStringList{"picture"}; };
+    files.outdated = [](const std::string&) { return std::vector<std::string>{"picture"}; };
     for (const char* folder : {"f", "g"}) {
-        const FolderEnd end = writeWholeFolder(path(folder), files, ExistingFiles::replaced);
-        QVERIFY2(end.problem.contains("is there and no file"), qPrintable(end.problem));
+        const FolderEnd end = writeWholeFolder(plain(folder), files, ExistingFiles::replaced);
+        QVERIFY2(end.problem.text().find("is there and no file") != std::string::npos,
+                 end.problem.text().c_str());
         QCOMPARE(contents(path(folder)).size(), 1);
     }
     QVERIFY(QFileInfo::exists(path("f/last/precious")));
@@ -152,7 +156,7 @@ void TestWholeFolder::aFolderInPlaceOfAFileIsNotRemoved() {
 void TestWholeFolder::aLinkToAFolderIsFollowed() {
     QVERIFY(QDir(m_place->path()).mkdir("f"));
     QVERIFY(QFile::link(path("f"), path("link")));
-    QVERIFY(writeWholeFolder(path("link"), set("1"), ExistingFiles::kept).isWritten());
+    QVERIFY(writeWholeFolder(plain("link"), set("1"), ExistingFiles::kept).isWritten());
     QVERIFY(QFileInfo(path("link")).isSymLink());
     QCOMPARE(contents(path("f")), QStringList({"a", "b", "last"}));
 }
@@ -162,14 +166,14 @@ void TestWholeFolder::obstaclesAreKnownBefore() {
     QVERIFY(QDir(m_place->path()).mkdir("f"));
     put(path("f/b"), "mine");
     for (const char* folder : {"file", "file/x/y"}) {
-        const QString before = folderProblem(path(folder), {"a"}, ExistingFiles::replaced);
-        QVERIFY2(before.contains("cannot be made: " + reason(ENOTDIR)), qPrintable(before));
-        QCOMPARE(writeWholeFolder(path(folder), set("1"), ExistingFiles::replaced).kind,
+        const std::string before = folderProblem(plain(folder), {"a"}, ExistingFiles::replaced).text();
+        QVERIFY2(before.find("cannot be made: " + reason(ENOTDIR)) != std::string::npos, before.c_str());
+        QCOMPARE(writeWholeFolder(plain(folder), set("1"), ExistingFiles::replaced).kind,
                  FolderEnd::Kind::failed);
     }
-    QVERIFY(!folderProblem(path("f"), {"a", "b"}, ExistingFiles::kept).isEmpty());
-    QCOMPARE(folderProblem(path("f"), {"a", "b"}, ExistingFiles::replaced), QString());
-    QCOMPARE(folderProblem(path("new/one"), {"a"}, ExistingFiles::kept), QString());
+    QVERIFY(!folderProblem(plain("f"), {"a", "b"}, ExistingFiles::kept).isEmpty());
+    QVERIFY(folderProblem(plain("f"), {"a", "b"}, ExistingFiles::replaced).isEmpty());
+    QVERIFY(folderProblem(plain("new/one"), {"a"}, ExistingFiles::kept).isEmpty());
     QCOMPARE(contents(m_place->path()), QStringList({"f", "file"}));
 }
 
@@ -185,7 +189,8 @@ void TestWholeFolder::writersAtTheSameTimeNeverMix() {
                 std::vector<std::jthread> threads;
                 for (int i = 0; i < writers; ++i)
                     threads.emplace_back([&, i] {
-                        written += writeWholeFolder(folder, set(QByteArray::number(i)), existing).isWritten();
+                        written += writeWholeFolder(folder.toStdString(), set(std::to_string(i)), existing)
+                                       .isWritten();
                     });
             }
             QCOMPARE(contents(folder), QStringList({"a", "b", "last"}));

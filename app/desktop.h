@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the library of the desktop is needed for: the window and pictures. Of the two programs with the same
+// commands, `drillwave-window` is linked to it (desktop_here.cpp); `drillwave`, which starts in a fraction of
+// the time, leaves what needs it to the other one (desktop_beside.cpp).
+#pragma once
+
+#include <memory>
+
+#include "app/drawing.h"
+
+namespace drillwave {
+
+/// Opens the window, with the scenario file of the command line if it names one, and returns when it is
+/// closed.
+/// `--reset-ui` forgets layout, page, units and all other choices before. Offers the unsaved changes of an
+/// instance that died. Throws CommandError (usage) for words that are no file and no option, and where there
+/// is no display.
+int openWindow(int argc, char** argv);
+
+/// For a command that draws; needs no display. Throws CommandError (usage) where nothing can be drawn with.
+std::unique_ptr<const Drawing> startDrawing(int argc, char** argv);
+
+}  // namespace drillwave

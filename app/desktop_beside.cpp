@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program without the library of the desktop: it goes on as the one that has it.
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/command_error.h"
+#include "app/desktop.h"
+#include "app/window_arguments.h"
+
+namespace drillwave {
+
+namespace {
+
+/// Does not come back where there is a program that can go on, in the folder of this one.
+void goOnBeside(char** argv) {
+    std::error_code error;
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (!error) ::execv((self.parent_path() / "drillwave-window").c_str(), argv);
+}
+
+constexpr const char* builtWithout =
+    " there is no drillwave-window beside this program, which was built or installed without it "
+    "(DRILLWAVE_GUI)";
+
+}  // namespace
+
+int openWindow(int argc, char** argv) {
+    goOnBeside(argv);
+    // Mistyped commands are worth more than the missing window.
+    windowArguments(std::vector<std::string>(argv + 1, argv + argc));
+    throw CommandError(ExitCode::usage,
+                       std::string("no window:") + builtWithout + "; use `drillwave run FILE` (see --help)");
+}
+
+std::unique_ptr<const Drawing> startDrawing(int, char** argv) {
+    goOnBeside(argv);
+    throw CommandError(ExitCode::usage, std::string("no pictures:") + builtWithout +
+                                            "; leave out what draws them, or run the whole program");
+}
+
+}  // namespace drillwave

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program that is linked to the library of the desktop.
+#include "app/desktop.h"
+
+#include <QApplication>
+#include <clocale>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "app/command_error.h"
+#include "app/window_arguments.h"
+#include "core/model/version.h"
+#include "ui/document/recovery.h"
+#include "ui/export/figure_plot.h"
+#include "ui/export/plot_export.h"
+#include "ui/text/settings.h"
+#include "ui/text/shown_text.h"
+#include "ui/window/main_window.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr const char* noDisplay =
+    "no display to open the window on; use `drillwave run FILE` (see --help), or `drillwave -platform "
+    "offscreen`";
+
+bool choosesPlatform(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        if (word == "-platform" || word == "--platform" || word.starts_with("-platform=")) return true;
+    }
+    return !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+}
+
+bool hasDisplay() {
+    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+}
+
+/// Qt aborts when it finds no platform it can use; this says so in one line.
+void onStartupMessage(QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type != QtFatalMsg) return;
+    const std::string reason = message.section('\n', 0, 0).toStdString();
+    std::fprintf(
+        stderr,
+        "drillwave: the window cannot be opened: %s Use `drillwave run FILE` or `-platform offscreen`\n",
+        reason.c_str());
+    std::_Exit(static_cast<int>(ExitCode::usage));
+}
+
+/// The words that Qt has left, without the name of the program.
+WindowArguments wordsFor(const QStringList& words) {
+    std::vector<std::string> plain;
+    for (const QString& word : words.mid(1)) plain.push_back(word.toStdString());
+    return windowArguments(plain);
+}
+
+// The application object takes over the user's locale, and with it a decimal comma in what printf writes, and
+// the reasons of the system in another language than the sentences they stand in.
+void writePlainly() {
+    std::setlocale(LC_NUMERIC, "C");
+    std::setlocale(LC_MESSAGES, "C");
+}
+
+class QtDrawing : public Drawing {
+  public:
+    QtDrawing(int argc, char** argv) : m_argc(argc), m_application(m_argc, argv) {}
+
+    std::string figure(const Figure& figure, std::string_view format) const override {
+        return drawFigure(figure, fromView(format)).toStdString();
+    }
+
+    std::vector<NamedFile> blow(const Blow& blow, const std::vector<std::string>& formats,
+                                const std::stop_token& stop) const override {
+        QStringList names;
+        for (const std::string& format : formats) names << QString::fromStdString(format);
+        BlowPictures pictures = drawBlowPlots(blow.scenario, blow.impact, names, stop);
+        if (!pictures.problem.isEmpty())
+            throw CommandError(ExitCode::unwritableOutput, pictures.problem.toStdString());
+        return std::move(pictures.files);
+    }
+
+  private:
+    int m_argc;  // outlives the application, which refers to it
+    QApplication m_application;
+};
+
+}  // namespace
+
+int openWindow(int argc, char** argv) {
+    if (!choosesPlatform(argc, argv) && !hasDisplay()) {
+        // Mistyped commands are worth more than the missing display.
+        windowArguments(std::vector<std::string>(argv + 1, argv + argc));
+        throw CommandError(ExitCode::usage, noDisplay);
+    }
+    const QtMessageHandler usual = qInstallMessageHandler(onStartupMessage);
+    QApplication application(argc, argv);
+    qInstallMessageHandler(usual);
+    QCoreApplication::setApplicationName("Drillwave");
+    QCoreApplication::setOrganizationName("Drillwave");
+    QCoreApplication::setApplicationVersion(versionText);
+
+    const WindowArguments arguments = wordsFor(QCoreApplication::arguments());
+    if (arguments.resetsUi) resetSettings();
+    MainWindow window;
+    window.show();
+    if (!arguments.file.empty()) window.openFile(QString::fromStdString(arguments.file));
+    window.startRecovery(recoveryFolder());
+    return QApplication::exec();
+}
+
+std::unique_ptr<const Drawing> startDrawing(int argc, char** argv) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    // Qt's remarks on the desktop (no runtime folder, no fonts configured) do not matter to files.
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
+        if (type == QtFatalMsg) std::fprintf(stderr, "%s\n", message.toUtf8().constData());
+    });
+    auto drawing = std::make_unique<const QtDrawing>(argc, argv);
+    writePlainly();
+    return drawing;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window_arguments.h"
+
+#include <filesystem>
+#include <vector>
+
+#include "app/command.h"
+#include "core/text/decimal_text.h"
+#include "core/text/nearest_name.h"
+
+namespace drillwave {
+
+namespace {
+
+[[noreturn]] void refuseWord(const std::string& word) {
+    if (word.size() > 1 && word.starts_with('-'))
+        throw CommandError(ExitCode::usage, "unknown option `" + shortened(word) + "`; see drillwave --help");
+    std::vector<std::string_view> names;
+    for (const Command* command : commands()) names.push_back(command->name);
+    const std::string near(nearestName(word, names));
+    if (!near.empty())
+        throw CommandError(ExitCode::usage,
+                           "`" + shortened(word) +
+                               "` is neither a command nor a file; did you mean `drillwave " + near + "`?");
+    throw CommandError(ExitCode::unreadableInput, word + ": No such file or command; see drillwave --help");
+}
+
+}  // namespace
+
+WindowArguments windowArguments(std::span<const std::string> words) {
+    WindowArguments arguments;
+    for (const std::string& word : words) {
+        if (word == "--reset-ui") {
+            arguments.resetsUi = true;
+            continue;
+        }
+        std::error_code ignored;
+        if (!std::filesystem::exists(word, ignored)) refuseWord(word);
+        if (!arguments.file.empty())
+            throw CommandError(ExitCode::usage,
+                               "`" + shortened(word) + "` is too much; the window opens one file");
+        arguments.file = word;
+    }
+    return arguments;
+}
+
+}  // namespace drillwave

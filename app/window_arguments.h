@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of a command line without a command.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace drillwave {
+
+/// What they ask of the window.
+struct WindowArguments {
+    std::string file;  ///< to open, empty without
+    bool resetsUi = false;
+};
+
+/// Throws CommandError: usage, for an option or a command that is not known and for a second file; unreadable
+/// input, for a file that is not there.
+WindowArguments windowArguments(std::span<const std::string> words);
+
+}  // namespace drillwave

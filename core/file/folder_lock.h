@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A lock on a folder among runs of this program.
+#pragma once
+
+#include <string>
+
+namespace drillwave {
+
+/// A hidden file in the folder, held by the process and gone with it.
+class FolderLock {
+  public:
+    explicit FolderLock(const std::string& folder) : m_path(folder + "/.drillwave.lock") {}
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+    /// 0 when it is held, EWOULDBLOCK while another one holds it, or the errno of why it cannot be had.
+    int tryLock();
+
+  private:
+    std::string m_path;
+    int m_descriptor = -1;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scenario that a command line names, in process.
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/command_error.h"
+#include "app/scenario_argument.h"
+#include "core/file/examples.h"
+#include "core/model/scales.h"
+
+using namespace drillwave;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+const std::vector<OptionSpec> options = scenarioOptions();
+
+Arguments parsed(const Words& words) {
+    return Arguments::parse(words, options);
+}
+
+Scenario loaded(const std::string& path, const Words& words) {
+    return loadScenarioInput(path, parsed(words)).document.scenario;
+}
+
+/// How loading is refused.
+struct Refusal {
+    ExitCode code = ExitCode::done;
+    std::string line;
+};
+
+Refusal refusal(const std::string& path, const Words& words) {
+    try {
+        loaded(path, words);
+    } catch (const CommandError& error) {
+        return {error.code(), error.lines().front()};
+    }
+    return {};
+}
+
+constexpr char example[] = "t38_medium_rock";
+
+}  // namespace
+
+class TestScenarioArgument : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void anExampleIsNamedWithoutItsFile();
+    void aFileGoesBeforeTheExampleOfItsName();
+    void settingsApplyWhateverTheirOrder();
+    void refusalsHaveTheirExitCodes_data();
+    void refusalsHaveTheirExitCodes();
+    void anOutputIsNoInput();
+    void whatAnAxisChangesIsNotSet();
+};
+
+void TestScenarioArgument::anExampleIsNamedWithoutItsFile() {
+    QCOMPARE(loaded(example, {}),
+             loadScenarioFile(std::string(DRILLWAVE_SOURCE_DIR "/resources/examples/") + example + ".yaml")
+                 .document.scenario);
+}
+
+void TestScenarioArgument::aFileGoesBeforeTheExampleOfItsName() {
+    const QTemporaryDir place;
+    const QString before = QDir::currentPath();
+    QVERIFY(QDir::setCurrent(place.path()));
+    QFile file(example);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("no scenario") > 0);
+    file.close();
+    const Refusal refused = refusal(example, {});
+    QVERIFY(QDir::setCurrent(before));
+    QCOMPARE(refused.code, ExitCode::invalidScenario);
+}
+
+// beta sets the stiffness that gives it with the other parameters: so those are set first.
+void TestScenarioArgument::settingsApplyWhateverTheirOrder() {
+    const Scenario first =
+        loaded(example, {"--set", "beta=0.7", "rod.diameter=45mm", "pulse.duration=150us"});
+    const Scenario last = loaded(example, {"--set", "pulse.duration=150us", "rod.diameter=45mm", "beta=0.7"});
+    QCOMPARE(first, last);
+    QVERIFY(std::abs(groupsOf(first).beta - 0.7) < 1e-15);  // one rounding of the stiffness, one of beta
+    QCOMPARE(first.rod.diameter, 0.045);
+}
+
+void TestScenarioArgument::refusalsHaveTheirExitCodes_data() {
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QString>("setting");
+    QTest::addColumn<ExitCode>("code");
+    QTest::addColumn<QString>("part");
+    QTest::newRow("no such file") << "nothing.yaml"
+                                  << "gamma=1" << ExitCode::unreadableInput << "nothing.yaml";
+    QTest::newRow("nearly an example")
+        << "t38_medium_rok"
+        << "gamma=1" << ExitCode::unreadableInput << "did you mean the example `t38_medium_rock`?";
+    QTest::newRow("no key") << example << "gama=1" << ExitCode::usage << "gama";
+    QTest::newRow("no value") << example << "gamma" << ExitCode::usage << "needs KEY=VALUE";
+    QTest::newRow("out of range") << example << "gamma=1.5" << ExitCode::invalidScenario << "gamma";
+    QTest::newRow("invalid with another parameter")
+        << example << "rod.bore=50mm" << ExitCode::invalidScenario << "must be less than the diameter";
+}
+
+void TestScenarioArgument::refusalsHaveTheirExitCodes() {
+    QFETCH(QString, path);
+    QFETCH(QString, setting);
+    QFETCH(ExitCode, code);
+    QFETCH(QString, part);
+    const Refusal refused = refusal(path.toStdString(), {"--set", setting.toStdString()});
+    QCOMPARE(refused.code, code);
+    QVERIFY2(QString::fromStdString(refused.line).contains(part), refused.line.c_str());
+}
+
+void TestScenarioArgument::anOutputIsNoInput() {
+    const QTemporaryDir place;
+    const std::string path = place.filePath("s.yaml").toStdString();
+    QFile file(place.filePath("s.yaml"));
+    const std::string text(defaultExample().text);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text.c_str()) > 0);
+    file.close();
+    const ScenarioDocument document = loadScenarioFile(path).document;
+    checkOutputIsNoInput(path + ".csv", path, document);
+    QVERIFY_EXCEPTION_THROWN(checkOutputIsNoInput(path, path, document), CommandError);
+    const std::string detour = place.filePath("./s.yaml").toStdString();
+    QVERIFY_EXCEPTION_THROWN(checkOutputIsNoInput(detour, path, document), CommandError);
+    QVERIFY_EXCEPTION_THROWN(checkOutputIsNoInput(path, "-", document, {path}), CommandError);
+}
+
+void TestScenarioArgument::whatAnAxisChangesIsNotSet() {
+    const Arguments arguments = parsed({"--set", "bit_rock.stiffness=100MN/m"});
+    checkNotSet(arguments, "gamma", "--vary gamma=0:1:3");
+    QVERIFY_EXCEPTION_THROWN(checkNotSet(arguments, "beta", "--vary beta=1,2"), CommandError);
+}
+
+QTEST_GUILESS_MAIN(TestScenarioArgument)
+#include "tst_scenario_argument.moc"

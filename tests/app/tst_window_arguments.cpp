@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of a command line without a command.
+#include <QTemporaryFile>
+#include <QtTest>
+
+#include "app/command_error.h"
+#include "app/window_arguments.h"
+
+using namespace drillwave;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+}  // namespace
+
+class TestWindowArguments : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aFileIsOpened();
+    void otherWordsAreRefused_data();
+    void otherWordsAreRefused();
+};
+
+void TestWindowArguments::aFileIsOpened() {
+    QTemporaryFile file;
+    QVERIFY(file.open());
+    const std::string path = file.fileName().toStdString();
+    QVERIFY(windowArguments(Words{}).file.empty());
+    QCOMPARE(windowArguments(Words{path}).file, path);
+    QVERIFY(!windowArguments(Words{path}).resetsUi);
+    QCOMPARE(windowArguments(Words{"--reset-ui", path}).file, path);
+    QVERIFY(windowArguments(Words{path, "--reset-ui"}).resetsUi);
+    QVERIFY_EXCEPTION_THROWN(windowArguments(Words{path, path}), CommandError);
+}
+
+void TestWindowArguments::otherWordsAreRefused_data() {
+    QTest::addColumn<QString>("word");
+    QTest::addColumn<ExitCode>("code");
+    QTest::addColumn<QString>("part");
+    QTest::newRow("nearly a command") << "swep" << ExitCode::usage << "did you mean `drillwave sweep`?";
+    QTest::newRow("an option") << "--set" << ExitCode::usage << "unknown option `--set`";
+    QTest::newRow("no file") << "nowhere/at/all.yaml" << ExitCode::unreadableInput << "No such file";
+}
+
+void TestWindowArguments::otherWordsAreRefused() {
+    QFETCH(QString, word);
+    QFETCH(ExitCode, code);
+    QFETCH(QString, part);
+    try {
+        windowArguments(Words{word.toStdString()});
+        QFAIL("not refused");
+    } catch (const CommandError& error) {
+        QCOMPARE(error.code(), code);
+        QVERIFY2(QString::fromStdString(error.lines().front()).contains(part), error.lines().front().c_str());
+    }
+}
+
+QTEST_GUILESS_MAIN(TestWindowArguments)
+#include "tst_window_arguments.moc"
