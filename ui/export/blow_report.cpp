@@ -5,7 +5,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "core/blow/thrust.h"
+#include "core/blow/outputs.h"
 #include "core/model/version.h"
 #include "core/report/blow_csv.h"
 #include "ui/export/json_value.h"
@@ -14,32 +14,30 @@ namespace drillwave {
 
 namespace {
 
-/// Every output times its scale; null where there is no result.
-QJsonObject outputsJson(const Blow& blow, const Scales& scales) {
+/// null where there is no result.
+QJsonValue outputJson(const Blow& blow, const Output& output, const Scales& scales) {
+    const std::optional<double> value =
+        blow.isSolved() ? output.value({blow.summary, blow.scenario}) : std::nullopt;
+    return value ? QJsonValue(*value * output.scale(scales)) : QJsonValue(QJsonValue::Null);
+}
+
+QJsonObject dimensionlessJson(const Blow& blow) {
     QJsonObject object;
     for (const Output& output : outputs())
-        object[jsonText(output.name)] = blow.isSolved()
-                                            ? QJsonValue(output.value(blow.summary) * output.scale(scales))
-                                            : QJsonValue(QJsonValue::Null);
+        if (output.measure != Measure::newton) object[jsonText(output.name)] = outputJson(blow, output, {});
     return object;
 }
 
-QJsonObject siJson(const Blow& blow) {
-    QJsonObject object = outputsJson(blow, blow.scales);
-    if (thrustProblem(blow.scenario).empty())
-        object["thrust"] = blow.isSolved() ? QJsonValue(blow.feed->fullRate) : QJsonValue(QJsonValue::Null);
-    return object;
-}
-
-/// The SI unit of each number of siJson(), "1" for what has none.
-QJsonObject unitsJson(const QJsonObject& si) {
-    QJsonObject units;
-    for (const QString& name : si.keys()) {
-        const Output* output = findOutput(name.toStdString());
-        const Quantity quantity = output ? output->quantity : Quantity::force;  // the thrust is no Output
-        units[name] = unitJson(quantity);
+/// All that the scenario has, and the SI unit of each, "1" for what has none.
+void addSi(QJsonObject& report, const Blow& blow) {
+    QJsonObject si, units;
+    for (const Output& output : outputs()) {
+        if (!output.problem(blow.scenario).empty()) continue;
+        si[jsonText(output.name)] = outputJson(blow, output, blow.scales);
+        units[jsonText(output.name)] = unitJson(output.quantity());
     }
-    return units;
+    report["si"] = si;
+    report["units"] = units;
 }
 
 QJsonArray eventsJson(const Impact& impact) {
@@ -70,7 +68,7 @@ QByteArray reportJson(const Blow& blow, const std::string& scenarioText) {
         {"outcome", blow.isSolved() ? "rebounded" : "not_solved"},
         {"run_time", blow.runTime},
         {"groups", groupsJson(blow.groups)},
-        {"dimensionless", outputsJson(blow, Scales{})},
+        {"dimensionless", dimensionlessJson(blow)},
         {"events", eventsJson(impact)},
         {"contacts", impact.contacts},
         {"pieces", static_cast<qint64>(impact.pieces)},
@@ -79,11 +77,7 @@ QByteArray reportJson(const Blow& blow, const std::string& scenarioText) {
     if (blow.method.method == Method::lattice) object["segments"] = blow.method.lattice.segments;
     if (!blow.isSolved()) object["reason"] = jsonText(impact.reason);
     object["scenario"] = jsonText(scenarioText);
-    if (blow.scenario.form == ScenarioForm::dimensional) {
-        const QJsonObject si = siJson(blow);
-        object["si"] = si;
-        object["units"] = unitsJson(si);
-    }
+    if (blow.scenario.form == ScenarioForm::dimensional) addSi(object, blow);
     return QJsonDocument(object).toJson(QJsonDocument::Indented);
 }
 
