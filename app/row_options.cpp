@@ -96,7 +96,6 @@ std::string outputHelp() {
         help += "\n  " + std::string(name) + std::string(width - name.size() + 2, ' ') + std::string(meaning);
     };
     for (const Output& output : outputs()) add(output.name, output.meaning);
-    add("thrust", "blow frequency times impulse, N, when the scenario has a frequency");
     add("all", "all of them, the thrust where FILE has a blow frequency");
     return help;
 }
@@ -116,9 +115,7 @@ RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoi
 }
 
 std::vector<OutputColumn> RowOptions::columnsFor(const Scenario& scenario) const {
-    std::vector<OutputColumn> chosen = columns;
-    if (allOutputs) addThrust(chosen, units, scenario);
-    return chosen;
+    return allOutputs ? allOutputsOf(scenario, units) : columns;
 }
 
 RowRecord recordOf(std::string_view command, const Arguments& arguments, const RowOptions& options,

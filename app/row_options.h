@@ -35,7 +35,7 @@ std::string outputHelp();
 struct RowOptions {
     std::vector<OutputColumn> columns;
     OutputUnits units = OutputUnits::dimensionless;
-    bool allOutputs = false;  ///< `--outputs all`: the thrust, too, where there is one
+    bool allOutputs = false;  ///< `--outputs all`: columnsFor() has those that there are
     int jobs = 1;
     Shard shard;
     std::string path;  ///< "-" is standard output

@@ -79,12 +79,11 @@ void prepare(const RunFiles& files, const std::string& path, const ScenarioDocum
 
 /// Solves, and times the solve alone: where it is quick, a second time, because the first one pays for fresh
 /// memory.
-Blow solve(const Scenario& scenario, const MethodChoice& choice, Detail detail, const std::stop_token& stop) {
+Blow solve(const Scenario& scenario, const MethodChoice& choice, Detail detail, Stresses stresses,
+           const std::stop_token& stop) {
     constexpr double quick = 1e-3;
     MethodSolver solver;
-    const auto solveOnce = [&] {
-        return solveBlow(scenario, choice, detail, stop, Stresses::asNeeded, solver);
-    };
+    const auto solveOnce = [&] { return solveBlow(scenario, choice, detail, stop, stresses, solver); };
     const ElapsedTime elapsed;
     Blow blow = solveOnce();
     return blow.runTime < quick ? solveOnce() : blow;
@@ -121,7 +120,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
     SolvedRun run{.blow = solve(document.scenario, choice, writesFiles ? Detail::histories : Detail::summary,
-                                interruption.token()),
+                                json ? Stresses::wanted : Stresses::asNeeded, interruption.token()),
                   .scenarioText = {},
                   .units = files.units.value_or(customaryUnits(document.scenario))};
     interruption.check();

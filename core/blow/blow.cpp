@@ -24,9 +24,7 @@ void solveTimed(Blow& blow, Detail detail, const std::stop_token& stop, MethodSo
 
 /// What follows from the solution.
 void conclude(Blow& blow) {
-    blow.summary = summarize(blow.impact, blow.solved);
-    if (!blow.impact.incident.empty())
-        blow.summary.rodForces = largestRodForces(blow.impact, blow.solved.hammer);
+    blow.summary = summarizeWithWaves(blow.impact, blow.solved);
     blow.feed = judgeFeed(blow.scenario, blow.impact.cor);
     append(blow.alerts, resultAlerts(blow.scenario, blow.summary));
     if (blow.summary.rodForces) append(blow.alerts, stressAlerts(blow.scenario, *blow.summary.rodForces));
@@ -52,7 +50,8 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
     blow.alerts = alertsFor(scenario);
     const bool keepsWaves = stresses == Stresses::wanted || hasStrength(scenario.rod);
     solveTimed(blow, keepsWaves ? Detail::histories : detail, stop, solver);
-    if (!blow.isSolved() && keepsWaves && detail != Detail::histories) solveTimed(blow, detail, stop, solver);
+    if (blow.impact.hindrance == Hindrance::histories && detail != Detail::histories)
+        solveTimed(blow, detail, stop, solver);
     if (blow.isSolved()) conclude(blow);
     return blow;
 }

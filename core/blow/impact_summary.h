@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of files §4 for one solved blow, dimensionless and in SI, with their names.
+// The numbers of files §4 for one solved blow, dimensionless.
 #pragma once
 
 #include <optional>
-#include <span>
-#include <string_view>
 
 #include "core/blow/energy_ledger.h"
-#include "core/model/scales.h"
-#include "core/text/units.h"
 #include "core/wave/field/rod_forces.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
@@ -38,20 +34,7 @@ struct ImpactSummary {
 /// and `corError` mean anything.
 ImpactSummary summarize(const Impact& impact, const Problem& problem);
 
-/// One named output: JSON key, CSV column and --outputs name.
-struct Output {
-    std::string_view name;                  ///< "peak_force"
-    std::string_view meaning;               ///< one line
-    Quantity quantity;                      ///< `ratio` where SI is the same number
-    Detail detail;                          ///< what the solver must be asked for
-    double (*value)(const ImpactSummary&);  ///< dimensionless
-    double (*scale)(const Scales&);         ///< SI = value · scale
-};
-
-/// All outputs in the order of files §4, without `thrust`.
-std::span<const Output> outputs();
-
-/// The output of that name, or nullptr.
-const Output* findOutput(std::string_view name);
+/// The same with the largest forces in the rod where the impact was solved with Detail::histories.
+ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem);
 
 }  // namespace drillwave

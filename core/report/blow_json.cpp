@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/blow_json.h"
 
-#include "core/blow/thrust.h"
+#include "core/blow/outputs.h"
 #include "core/model/version.h"
 #include "core/report/blow_csv.h"
 #include "core/report/json_value.h"
@@ -10,31 +10,30 @@ namespace drillwave {
 
 namespace {
 
-/// Every output times its scale; null where there is no result.
-JsonObject outputsJson(const Blow& blow, const Scales& scales) {
+/// null where there is no result.
+Json outputJson(const Blow& blow, const Output& output, const Scales& scales) {
+    const std::optional<double> value =
+        blow.isSolved() ? output.value({blow.summary, blow.scenario}) : std::nullopt;
+    return value ? Json(*value * output.scale(scales)) : Json();
+}
+
+JsonObject dimensionlessJson(const Blow& blow) {
     JsonObject object;
     for (const Output& output : outputs())
-        object[output.name] =
-            blow.isSolved() ? Json(output.value(blow.summary) * output.scale(scales)) : Json();
+        if (output.measure != Measure::newton) object[output.name] = outputJson(blow, output, {});
     return object;
 }
 
-JsonObject siJson(const Blow& blow) {
-    JsonObject object = outputsJson(blow, blow.scales);
-    if (thrustProblem(blow.scenario).empty())
-        object["thrust"] = blow.isSolved() ? Json(blow.feed->fullRate) : Json();
-    return object;
-}
-
-/// The SI unit of each number of siJson(), "1" for what has none.
-JsonObject unitsJson(const JsonObject& si) {
-    JsonObject units;
-    for (const JsonMember& member : si.members()) {
-        const Output* output = findOutput(member.key);
-        const Quantity quantity = output ? output->quantity : Quantity::force;  // the thrust is no Output
-        units[member.key] = unitJson(quantity);
+/// All that the scenario has, and the SI unit of each, "1" for what has none.
+void addSi(JsonObject& report, const Blow& blow) {
+    JsonObject si, units;
+    for (const Output& output : outputs()) {
+        if (!output.problem(blow.scenario).empty()) continue;
+        si[output.name] = outputJson(blow, output, blow.scales);
+        units[output.name] = unitJson(output.quantity());
     }
-    return units;
+    report["si"] = si;
+    report["units"] = units;
 }
 
 JsonArray eventsJson(const Impact& impact) {
@@ -66,7 +65,7 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
         {"outcome", blow.isSolved() ? "rebounded" : "not_solved"},
         {"run_time", blow.runTime},
         {"groups", groupsJson(blow.groups)},
-        {"dimensionless", outputsJson(blow, Scales{})},
+        {"dimensionless", dimensionlessJson(blow)},
         {"events", eventsJson(impact)},
         {"contacts", impact.contacts},
         {"pieces", impact.pieces},
@@ -75,11 +74,7 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
     if (blow.method.method == Method::lattice) object["segments"] = blow.method.lattice.segments;
     if (!blow.isSolved()) object["reason"] = impact.reason;
     object["scenario"] = scenarioText;
-    if (blow.scenario.form == ScenarioForm::dimensional) {
-        const JsonObject si = siJson(blow);
-        object["si"] = si;
-        object["units"] = unitsJson(si);
-    }
+    if (blow.scenario.form == ScenarioForm::dimensional) addSi(object, blow);
     return Json(object).text();
 }
 

@@ -22,6 +22,14 @@ enum class Outcome {
     notSolved,  ///< work limit reached or undecidable; `reason` says why, numbers are not to be used
 };
 
+/// Why a blow is not solved, as far as a program may do something about it; `Impact::reason` says it to
+/// people.
+enum class Hindrance {
+    other,      ///< of the blow, the method or the numbers
+    workLimit,  ///< more wave pieces than were permitted
+    histories,  ///< more than can be kept: with less detail it may be solved
+};
+
 /// What happened at the bit–rock interface.
 enum class ContactEvent {
     contact,         ///< the gap closes
@@ -50,6 +58,7 @@ struct PeriodSkip {
 struct Impact {
     Outcome outcome = Outcome::notSolved;
     std::string reason;  ///< one sentence when not solved
+    Hindrance hindrance = Hindrance::other;
 
     double cor = 0;       ///< e = −pf/p0 = −1 + ∫F [paper (10)]
     double corError = 0;  ///< bound on |cor − exact|

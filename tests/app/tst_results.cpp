@@ -312,12 +312,15 @@ void TestResults::allOutputsAreAllThereAre() {
     const QStringList names = json({"run", example("paper_fig4b")})["dimensionless"].toObject().keys();
     QCOMPARE(groups.size(), names.size() + 1);
     for (const QString& name : names) QVERIFY2(groups.contains(name.toUtf8()), qPrintable(name));
-    QCOMPARE(header({"sweep", example("t38_medium_rock"), "--vary", "beta=1,2", "--si"}).last(),
-             QByteArray("thrust [N]"));
+    QVERIFY(!groups.contains("thrust"));
+    const QList<QByteArray> si = header({"sweep", example("t38_medium_rock"), "--vary", "beta=1,2", "--si"});
+    QCOMPARE(si.size(), names.size() + 2);
+    QVERIFY(si.contains("thrust [N]"));
+    QVERIFY(si.contains("peak_tension_after [Pa]"));
     const QTemporaryDir folder;
     write(folder.filePath("cases.csv"), "beta\n1\n");
-    QCOMPARE(header({"table", example("t38_medium_rock"), folder.filePath("cases.csv")}).last(),
-             QByteArray("thrust [N]"));
+    QVERIFY(
+        header({"table", example("t38_medium_rock"), folder.filePath("cases.csv")}).contains("thrust [N]"));
 }
 
 // A measured blow of 60 000 points is more than a scenario file may hold.

@@ -36,7 +36,11 @@ const QStringList outputNames{"cor",
                               "efficiency",
                               "momentum_residual",
                               "energy_residual",
-                              "cor_error"};
+                              "cor_error",
+                              "peak_compression",
+                              "peak_tension",
+                              "peak_compression_after",
+                              "peak_tension_after"};
 
 }  // namespace
 

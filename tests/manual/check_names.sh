@@ -25,7 +25,7 @@ expect() {
 }
 
 sed -n 's/^ *Parameter{"\([^"]*\)",.*/\1/p' core/model/parameter.cpp | expect files.md parameter 25
-sed -n 's/^ *{"\([a-z_]*\)", "[^"]*",* *\(Quantity::.*\)*$/\1/p' core/blow/impact_summary.cpp | expect files.md output 15
+sed -n 's/^ *{"\([a-z_]*\)", "[^"]*",* *\(Measure::.*\)*$/\1/p' core/blow/outputs.cpp | expect files.md output 21
 grep -ho 'AlertLevel::[a-z]*, *"[a-z_]*"' core/model/*.cpp core/blow/*.cpp |
     sed 's/.*"\(.*\)"/\1/' | expect files.md alert 4
 sed -n '/shapeNames{/,/};/p' core/model/scenario.cpp | grep -o '"[a-z_]*"' | tr -d '"' | expect files.md shape 8

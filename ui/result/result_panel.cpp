@@ -5,37 +5,19 @@
 #include <QClipboard>
 #include <QGridLayout>
 #include <QGuiApplication>
-#include <QHeaderView>
-#include <QItemSelectionModel>
-#include <QScopedValueRollback>
 #include <QScrollBar>
 #include <QSet>
-#include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
+#include <string>
 
+#include "ui/result/event_table.h"
+#include "ui/result/feed_text.h"
+#include "ui/result/output_text.h"
 #include "ui/text/number_text.h"
-#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
-
-constexpr int visibleEvents = 7;
-
-// Shares of the energy are known to 1e-12: what is smaller is rounding.
-QString percent(double fraction) {
-    return numberText(std::abs(fraction) < 1e-12 ? 0 : 100 * fraction, 4, QLocale()) + QChar(QChar::Nbsp) +
-           QLatin1Char('%');
-}
-
-QString newtons(double force) {
-    return quantityText(force, ShownUnit{1e-3, QStringLiteral("kN"), false}, QLocale());
-}
-
-QString shown(double value, const ShownUnit& unit) {
-    return quantityText(value, unit, QLocale());
-}
 
 // Its text can be selected; the menu is that of the panel.
 void makeSelectable(QLabel& label) {
@@ -43,57 +25,21 @@ void makeSelectable(QLabel& label) {
     label.setContextMenuPolicy(Qt::NoContextMenu);
 }
 
-QString workText(const SolvedBlow& blow) {
-    if (blow.request.units == UnitSystem::dimensionless)
-        return numberText(blow.summary.workRatio, 4, QLocale()) + QStringLiteral(" W₀");
-    return quantityText(blow.summary.workRatio * blow.scales.energy, ShownUnit{1, QStringLiteral("J"), false},
-                        QLocale());
+// Its swatch in the bar of the energy.
+std::optional<EnergyPart> partOf(const Output& output) {
+    if (output.name == "rock_work") return EnergyPart::rock;
+    if (output.name == "rebound_energy") return EnergyPart::rebound;
+    if (output.name == "residual_wave_energy") return EnergyPart::waves;
+    return std::nullopt;
 }
 
-QString stressText(const SolvedBlow& blow, double force) {
-    if (blow.request.units == UnitSystem::dimensionless) return shown(force, blow.units.force);
-    return quantityText(force * blow.scales.stress, ShownUnit{1e-6, QStringLiteral("MPa"), false}, QLocale());
-}
-
-// Where in the rod, and when: below the stress, in a line of its own.
-QString placeText(const SolvedBlow& blow, const RodForce& force) {
-    if (!(force.size > 0)) return {};
-    const QString time = shown(force.time, blow.units.time);
-    if (blow.request.units == UnitSystem::dimensionless)
-        return ResultPanel::tr("at x/L = %1, t = %2").arg(numberText(force.section, 3, QLocale()), time);
-    const ShownUnit metres{1, QStringLiteral("m"), false};
-    return ResultPanel::tr("%1 from the hammer, t = %2")
-        .arg(quantityText(force.section * blow.request.scenario.rod.length, metres, QLocale()), time);
-}
-
-// The bracket of what this blow needs: full penetration, to the bit back in time without a damper.
-QString neededText(const SolvedBlow& blow) {
-    if (!blow.feed) return {};
-    return ResultPanel::tr("%1 … %2").arg(numberText(blow.feed->fullRate / 1000, 4, QLocale()),
-                                          newtons(blow.feed->returned));
-}
-
-QString marginText(const SolvedBlow& blow) {
-    if (!blow.feed || !blow.feed->installed) return {};
-    const double margin = *blow.feed->installed - blow.feed->fullRate;
-    const QString share = numberText(std::round(100 * margin / blow.feed->fullRate), 4, QLocale());
-    return newtons(margin) + QStringLiteral(" (%1%2 %)").arg(margin > 0 ? "+" : "", share);
-}
-
-QString feedText(const SolvedBlow& blow) {
-    if (!blow.feed) return {};
-    const std::string_view word = feedWord(blow.feed->feed);
-    return fromView(word);
-}
-
-QString feedMeaning(const SolvedBlow& blow) {
-    return blow.feed ? QString::fromStdString(feedSentence(*blow.feed)) : QString();
+QString words(std::string_view text) {
+    return ResultPanel::tr(std::string(text).c_str());
 }
 
 }  // namespace
 
-ResultPanel::ResultPanel(QWidget* parent)
-    : QScrollArea(parent), m_eventModel(new EventModel(this)), m_veil(new StaleVeil(viewport())) {
+ResultPanel::ResultPanel(QWidget* parent) : QScrollArea(parent), m_veil(new StaleVeil(viewport())) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -102,9 +48,9 @@ ResultPanel::ResultPanel(QWidget* parent)
     layout->setContentsMargins(6, 6, 6, 6);
     layout->setSpacing(8);
     addHeadline();
-    addImpact();
+    addOutputs(tr("Impact"), OutputGroup::impact);
     addEnergy();
-    addStress();
+    addOutputs(tr("Stress in the rod"), OutputGroup::stress);
     addThrust();
     addAlerts();
     addEvents();
@@ -118,65 +64,26 @@ ResultPanel::ResultPanel(QWidget* parent)
     setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-void ResultPanel::addImpact() {
-    addNumbers(
-        tr("Impact"),
-        {{tr("impulse 1 + e"), tr("Impulse of the impact force on the rock"),
-          [](const SolvedBlow& b) { return shown(b.summary.impulse, b.units.impulse); }},
-         {tr("peak force"), tr("Largest impact force"),
-          [](const SolvedBlow& b) { return shown(b.summary.peakForce, b.units.force); }},
-         {tr("penetration"), tr("Largest penetration of the bit during the blow"),
-          [](const SolvedBlow& b) { return shown(b.summary.maxPenetration, b.units.penetration); }},
-         {tr("… that stays"), tr("Penetration that stays after the blow"),
-          [](const SolvedBlow& b) { return shown(b.summary.residualPenetration, b.units.penetration); }},
-         {tr("first contact"), tr("Time of the first contact"),
-          [](const SolvedBlow& b) { return shown(b.summary.firstContactTime, b.units.time); }},
-         {tr("last separation"), tr("Time of the last separation"),
-          [](const SolvedBlow& b) { return shown(b.summary.separationTime, b.units.time); }},
-         {tr("time in contact"), tr("Summed over all contacts"),
-          [](const SolvedBlow& b) { return shown(b.summary.contactDuration, b.units.time); }}});
+void ResultPanel::addOutputs(const QString& title, OutputGroup group) {
+    QList<Entry> entries;
+    for (const Output& output : outputs()) {
+        if (output.group != group) continue;
+        entries.append({words(output.label), words(output.note),
+                        [&output](const SolvedBlow& blow) { return outputText(output, blow); },
+                        partOf(output)});
+        if (output.force)
+            entries.append({{},
+                            tr("Where in the rod it is first that large, and when"),
+                            [&output](const SolvedBlow& blow) { return placeText(output, blow); }});
+    }
+    addNumbers(title, entries);
 }
 
 void ResultPanel::addEnergy() {
-    addNumbers(
-        tr("Energy"),
-        {{tr("hammer work W"), tr("Work of the hammer on the rod"), workText},
-         {tr("into the rock"), tr("Share of the hammer work that stays in the rock: the efficiency"),
-          [](const SolvedBlow& b) { return percent(b.summary.energy.rockWork); }, EnergyPart::rock},
-         {tr("into the rebound"), tr("Share of the hammer work that moves the rod back as a whole"),
-          [](const SolvedBlow& b) { return percent(b.summary.energy.reboundEnergy); }, EnergyPart::rebound},
-         {tr("left in waves"), tr("Share of the hammer work that runs to and fro in the rod"),
-          [](const SolvedBlow& b) { return percent(b.summary.energy.residualWaveEnergy); },
-          EnergyPart::waves},
-         {tr("balance error"), tr("What the three shares miss of the hammer work"),
-          [](const SolvedBlow& b) { return magnitudeText(b.summary.energy.residual, QLocale()); }}});
+    addOutputs(tr("Energy"), OutputGroup::energy);
     m_energy = new EnergyBar(widget());
     QGridLayout* grid = m_grids.last();
     grid->addWidget(m_energy, grid->rowCount(), 0, 1, 3);
-}
-
-void ResultPanel::addStress() {
-    const QString where = tr("Where in the rod it is first that large, and when");
-    const QString during = tr(
-        "Largest %1 stress of the uniform rod while the blow lasts: to the last separation plus one transit "
-        "time; couplings and threads raise it locally");
-    const QString after = tr(
-        "Largest %1 stress of the waves that are left after the blow and run on; nothing damps them in the "
-        "model, a real rod does");
-    addNumbers(
-        tr("Stress in the rod"),
-        {{tr("compression, blow"), during.arg(tr("compressive")),
-          [](const SolvedBlow& b) { return stressText(b, b.summary.rodForces->compression.size); }},
-         {{}, where, [](const SolvedBlow& b) { return placeText(b, b.summary.rodForces->compression); }},
-         {tr("tension, blow"), during.arg(tr("tensile")),
-          [](const SolvedBlow& b) { return stressText(b, b.summary.rodForces->tension.size); }},
-         {{}, where, [](const SolvedBlow& b) { return placeText(b, b.summary.rodForces->tension); }},
-         {tr("compression, after"), after.arg(tr("compressive")),
-          [](const SolvedBlow& b) { return stressText(b, b.summary.rodForces->compressionAfter.size); }},
-         {{}, where, [](const SolvedBlow& b) { return placeText(b, b.summary.rodForces->compressionAfter); }},
-         {tr("tension, after"), after.arg(tr("tensile")),
-          [](const SolvedBlow& b) { return stressText(b, b.summary.rodForces->tensionAfter.size); }},
-         {{}, where, [](const SolvedBlow& b) { return placeText(b, b.summary.rodForces->tensionAfter); }}});
 }
 
 void ResultPanel::addThrust() {
@@ -186,16 +93,12 @@ void ResultPanel::addThrust() {
           tr("Thrust for full penetration, f·I₀·(1 + e), up to that which brings the bit back before the "
              "next "
              "blow even if nothing damps, f·I₀·(1 + 2e), with the e of this blow"),
-          neededText},
-         {tr("installed"), tr("Feed force of the drill rig"),
-          [](const SolvedBlow& b) {
-              const std::optional<double>& installed = b.request.scenario.drill.thrust;
-              return installed ? newtons(*installed) : QString();
-          }},
+          thrustNeededText},
+         {tr("installed"), tr("Feed force of the drill rig"), thrustInstalledText},
          {tr("margin"),
           tr("Installed thrust less f·I₀·(1 + e) of this blow, and as a share of it; `drillwave thrust` adds "
              "the margins of other gaps and rocks"),
-          marginText},
+          thrustMarginText},
          {tr("feed"), tr("What the installed thrust does between the blows"), feedText, {}, feedMeaning}});
 }
 
@@ -267,31 +170,9 @@ void ResultPanel::addNumbers(const QString& title, const QList<Entry>& entries) 
 void ResultPanel::addEvents() {
     auto* layout = new QVBoxLayout(addSection(tr("Events"))->content());
     layout->setContentsMargins(8, 0, 0, 0);
-    m_events = new QTableView(widget());
-    m_events->setAccessibleName(tr("Events at the bit"));
-    m_events->setModel(m_eventModel);
-    m_events->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_events->setShowGrid(false);
-    m_events->setAlternatingRowColors(true);
-    m_events->verticalHeader()->hide();
-    m_events->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-    m_events->horizontalHeader()->setStretchLastSection(true);
-    m_events->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-    m_events->horizontalHeader()->setResizeContentsPrecision(visibleEvents);  // not of thousands of rows
-    m_events->setContextMenuPolicy(Qt::NoContextMenu);
-    m_events->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_events->setToolTip(tr("Choose an event to move the time cursor there"));
-    m_events->setTabKeyNavigation(false);
-    const int header = m_events->horizontalHeader()->sizeHint().height();
-    m_events->setMinimumHeight(header + visibleEvents * m_events->verticalHeader()->defaultSectionSize());
+    m_events = new EventTable(widget());
     layout->addWidget(m_events);
-    const auto choose = [this](const QModelIndex& index) {
-        if (index.isValid() && !m_following) emit timeChosen(m_eventModel->timeAt(index.row()));
-    };
-    connect(m_events->selectionModel(), &QItemSelectionModel::currentRowChanged, this, choose);
-    // The row that is current already can be chosen again when the cursor has gone elsewhere.
-    connect(m_events, &QTableView::clicked, this, choose);
-    connect(m_events, &QTableView::activated, this, choose);
+    connect(m_events, &EventTable::timeChosen, this, &ResultPanel::timeChosen);
 }
 
 // One set of columns through all sections, wide enough for every number: a panel whose width follows the
@@ -303,22 +184,7 @@ void ResultPanel::alignColumns() {
 }
 
 void ResultPanel::setTime(std::optional<double> time) {
-    m_time = time;
-    markEvent();
-}
-
-void ResultPanel::markEvent() {
-    const QScopedValueRollback following(m_following, true);
-    const QModelIndex current = m_events->currentIndex();
-    const bool isThere = m_time && current.isValid() && m_eventModel->timeAt(current.row()) == *m_time;
-    const std::optional<int> row = isThere  ? current.row()
-                                   : m_time ? m_eventModel->rowAt(*m_time)
-                                            : std::nullopt;
-    if (!row) {
-        m_events->clearSelection();
-        return;
-    }
-    m_events->selectRow(*row);
+    m_events->setTime(time);
 }
 
 void ResultPanel::setOutOfDate(bool outOfDate) {
@@ -366,8 +232,7 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
         m_energy->present(blow->summary.energy);
     else
         m_energy->clear();
-    m_eventModel->present(blow);
-    markEvent();
+    m_events->present(blow);
 }
 
 QSize ResultPanel::sizeHint() const {

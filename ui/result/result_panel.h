@@ -5,19 +5,21 @@
 #include <QLabel>
 #include <QList>
 #include <QScrollArea>
+#include <functional>
 #include <optional>
 
+#include "core/blow/outputs.h"
 #include "ui/form/section_box.h"
 #include "ui/job/solved_blow.h"
 #include "ui/result/alert_list.h"
 #include "ui/result/energy_bar.h"
-#include "ui/result/event_model.h"
 #include "ui/result/stale_veil.h"
 
 class QGridLayout;
-class QTableView;
 
 namespace drillwave {
+
+class EventTable;
 
 class ResultPanel : public QScrollArea {
     Q_OBJECT
@@ -46,46 +48,40 @@ class ResultPanel : public QScrollArea {
 
   private:
     /// How one number of a blow is written; empty where it is not given.
-    using Text = QString (*)(const SolvedBlow&);
-    using Meaning = Text;
+    using Text = std::function<QString(const SolvedBlow&)>;
     struct Row {
         SectionBox* section;
         QLabel* name;
         QLabel* value;
         QString meaning;
         Text text;
-        Meaning note;
+        Text note;
     };
     struct Entry {
         QString name;
         QString meaning;
         Text text;
         std::optional<EnergyPart> part = {};
-        Meaning note = nullptr;  ///< more to say about the value of this blow, in its tooltip
+        Text note = nullptr;  ///< more to say about the value of this blow, in its tooltip
     };
 
     SectionBox* addSection(const QString& title);
     void addNumbers(const QString& title, const QList<Entry>& entries);
     void addHeadline();
-    void addImpact();
+    void addOutputs(const QString& title, OutputGroup group);
     void addEnergy();
-    void addStress();
     void addThrust();
     void addAlerts();
     void addEvents();
     void alignColumns();
     void copy() const;
-    void markEvent();
 
     QLabel* m_cor = nullptr;
     QLabel* m_error = nullptr;
     QList<Row> m_rows;
     QList<QGridLayout*> m_grids;
     EnergyBar* m_energy = nullptr;
-    std::optional<double> m_time;
-    bool m_following = false;  // the table follows the time cursor, not the user
-    EventModel* m_eventModel;
-    QTableView* m_events = nullptr;
+    EventTable* m_events = nullptr;
     AlertList* m_alerts = nullptr;
     StaleVeil* m_veil;
 };

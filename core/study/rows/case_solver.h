@@ -28,6 +28,7 @@ class CaseSolver {
   private:
     std::span<const OutputColumn> m_columns;
     Detail m_detail;
+    bool m_needsLess;  ///< some column can be filled without histories
     bool m_inSi;
     MethodChoice m_method;
     MethodSolver m_solver;

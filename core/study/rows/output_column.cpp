@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/blow/thrust.h"
 #include "core/text/decimal_text.h"
 #include "core/text/nearest_name.h"
 #include "core/text/unit_heading.h"
@@ -12,7 +11,6 @@ namespace drillwave {
 
 namespace {
 
-constexpr std::string_view thrustName = "thrust";
 constexpr std::string_view allName = "all";
 
 std::string unknownOutput(std::string_view name) {
@@ -30,16 +28,14 @@ std::string unknownOutput(std::string_view name) {
 }  // namespace
 
 std::string OutputColumn::header() const {
-    if (!output) return withUnit(thrustName, &unitsOf(Quantity::force).front());
-    return units == OutputUnits::si ? withUnit(output->name, &unitsOf(output->quantity).front())
-                                    : std::string(output->name);
+    const bool hasUnit = units == OutputUnits::si || output->measure == Measure::newton;
+    return hasUnit ? withUnit(output->name, &unitsOf(output->quantity()).front()) : std::string(output->name);
 }
 
 std::optional<double> OutputColumn::value(const ImpactSummary& summary, const Scenario& scenario,
                                           const Scales& scales) const {
-    if (!output) return thrustNeeded(scenario, summary.cor);
-    const double value = output->value(summary);
-    return units == OutputUnits::si ? value * output->scale(scales) : value;
+    const std::optional<double> value = output->value({summary, scenario});
+    return value && units == OutputUnits::si ? *value * output->scale(scales) : value;
 }
 
 OutputChoice chooseOutputs(std::string_view list, OutputUnits units) {
@@ -53,7 +49,7 @@ OutputChoice chooseOutputs(std::string_view list, OutputUnits units) {
         const std::size_t comma = list.find(',');
         const std::string_view name = trimmed(list.substr(0, comma));
         const Output* output = findOutput(name);
-        if (!output && name != thrustName) return {{}, false, unknownOutput(name)};
+        if (!output) return {{}, false, unknownOutput(name)};
         if (std::ranges::find(choice.columns, output, &OutputColumn::output) != choice.columns.end())
             return {{}, false, "`" + std::string(name) + "` is given twice; give it once"};
         choice.columns.push_back({output, units});
@@ -62,8 +58,11 @@ OutputChoice chooseOutputs(std::string_view list, OutputUnits units) {
     }
 }
 
-void addThrust(std::vector<OutputColumn>& columns, OutputUnits units, const Scenario& scenario) {
-    if (thrustProblem(scenario).empty()) columns.push_back({nullptr, units});
+std::vector<OutputColumn> allOutputsOf(const Scenario& scenario, OutputUnits units) {
+    std::vector<OutputColumn> columns;
+    for (const Output& output : outputs())
+        if (output.problem(scenario).empty()) columns.push_back({&output, units});
+    return columns;
 }
 
 Detail detailFor(std::span<const OutputColumn> columns) {
@@ -78,8 +77,7 @@ std::string columnProblem(std::span<const OutputColumn> columns, const Scenario&
         if (column.units == OutputUnits::si && !dimensional)
             return "SI columns need a scenario in physical units; this one is given by its dimensionless "
                    "groups";
-        if (column.output) continue;
-        if (std::string problem = thrustProblem(scenario); !problem.empty()) return problem;
+        if (std::string problem = column.output->problem(scenario); !problem.empty()) return problem;
     }
     return {};
 }
@@ -87,7 +85,6 @@ std::string columnProblem(std::span<const OutputColumn> columns, const Scenario&
 std::vector<std::string_view> outputNames() {
     std::vector<std::string_view> names;
     for (const Output& output : outputs()) names.push_back(output.name);
-    names.push_back(thrustName);
     return names;
 }
 

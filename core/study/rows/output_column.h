@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/blow/impact_summary.h"
+#include "core/blow/outputs.h"
 
 namespace drillwave {
 
@@ -16,13 +16,13 @@ enum class OutputUnits { dimensionless, si };
 
 /// One output of files §4 as a CSV column.
 struct OutputColumn {
-    const Output* output = nullptr;  ///< nullptr for `thrust`
+    const Output* output = nullptr;  ///< of outputs()
     OutputUnits units = OutputUnits::dimensionless;
 
-    /// "peak_force", or in SI "peak_force [N]"; thrust always has its unit.
+    /// "peak_force", or in SI "peak_force [N]"; what has no dimensionless number always has its unit.
     std::string header() const;
-    Detail detail() const { return output ? output->detail : Detail::cor; }
-    /// nullopt where there is no number: the thrust without a blow frequency.
+    Detail detail() const { return output->detail; }
+    /// nullopt where there is no number (Output::value).
     std::optional<double> value(const ImpactSummary& summary, const Scenario& scenario,
                                 const Scales& scales) const;
 };
@@ -30,16 +30,16 @@ struct OutputColumn {
 /// The columns chosen, or why not.
 struct OutputChoice {
     std::vector<OutputColumn> columns;
-    bool all = false;  ///< all of them were asked for; see addThrust()
+    bool all = false;  ///< all of them were asked for; see allOutputsOf()
     std::string problem;
 };
 
-/// Reads "cor,peak_force"; names the nearest output for a mistyped one. "all" are all of outputs(), to which
-/// addThrust() adds the thrust where there is one.
+/// Reads "cor,peak_force"; names the nearest output for a mistyped one. "all" are all of outputs(), those
+/// too that a scenario may not have.
 OutputChoice chooseOutputs(std::string_view list, OutputUnits units);
 
-/// Adds the thrust to all outputs where thrustProblem() has nothing against it.
-void addThrust(std::vector<OutputColumn>& columns, OutputUnits units, const Scenario& scenario);
+/// All outputs that such a scenario has.
+std::vector<OutputColumn> allOutputsOf(const Scenario& scenario, OutputUnits units);
 
 /// What the solver must be asked for.
 Detail detailFor(std::span<const OutputColumn> columns);
@@ -47,7 +47,7 @@ Detail detailFor(std::span<const OutputColumn> columns);
 /// Why a column would be empty for every such scenario and what to do; empty when none would.
 std::string columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario);
 
-/// The names that chooseOutputs() knows, in order, `thrust` last.
+/// The names that chooseOutputs() knows, in order.
 std::vector<std::string_view> outputNames();
 
 }  // namespace drillwave

@@ -113,8 +113,10 @@ class ContactMarch {
     }
 
     bool failAtLimit() {
-        fail(m_detail == Detail::histories ? "its histories need more than 4 million wave pieces"
-                                           : "it needs more wave pieces than permitted");
+        const bool atMemory = m_detail == Detail::histories && m_limits.pieces > mostRecordedPieces;
+        fail(atMemory ? "its histories need more than 4 million wave pieces"
+                      : "it needs more wave pieces than permitted");
+        m_impact->hindrance = atMemory ? Hindrance::histories : Hindrance::workLimit;
         m_impact->reason +=
             ": each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a "
             "shorter blow needs fewer";

@@ -39,6 +39,7 @@ void widenByMovedInput(Impact& impact, const Solve& solve) {
         if (moved.outcome != Outcome::rebounded) {
             impact.outcome = Outcome::notSolved;
             impact.reason = moved.reason;
+            impact.hindrance = moved.hindrance;
             return;
         }
         change = std::max(change, std::abs(moved.cor - impact.cor));

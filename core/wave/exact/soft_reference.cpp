@@ -17,6 +17,7 @@ Impact softReference(const Problem& problem, Detail detail) {
     impact.frontArrival = 0;
     impact.roundTrip = 2 * problem.transitTime;
     if (detail == Detail::histories) {
+        impact.hindrance = Hindrance::histories;
         impact.reason =
             "its histories need more than 4 million wave pieces: the rock is so soft that the waves pass the "
             "rod "

@@ -287,10 +287,13 @@ void LatticeMarch<Waves>::countWork(const std::stop_token& stop) {
     m_untilCheck = std::max(1L, movesPerCheck / m_movesPerStep);
     m_moves += double(m_untilCheck) * double(m_movesPerStep);
     if (stop.stop_requested()) return fail("stopped");
-    if (double(m_step) > mostSteps || m_moves > mostMoves || m_history.pieces() > mostRecorded)
+    const bool atMemory = m_history.pieces() > mostRecorded;
+    if (double(m_step) > mostSteps || m_moves > mostMoves || atMemory) {
         fail(
             "the lattice needs more than the permitted number of steps; use fewer segments or the exact "
             "method");
+        if (atMemory) m_impact->hindrance = Hindrance::histories;
+    }
     if (m_impact->events.size() > mostRecorded)
         fail("the lattice found more than the permitted number of events; use the exact method");
 }

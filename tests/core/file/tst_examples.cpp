@@ -9,6 +9,7 @@
 #include "core/file/examples.h"
 #include "core/file/scenario_file.h"
 #include "core/model/alerts.h"
+#include "core/model/scales.h"
 #include "core/wave/exact/exact_solver.h"
 
 using namespace drillwave;

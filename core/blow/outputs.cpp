@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/blow/outputs.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/blow/thrust.h"
+
+namespace drillwave {
+
+namespace {
+
+using Number = std::optional<double>;
+using From = OutputSource;
+
+/// The size of one of the largest forces in the rod, where the waves were kept.
+template <RodForce RodForces::*force>
+Number largest(const From& from) {
+    if (!from.summary.rodForces) return std::nullopt;
+    return ((*from.summary.rodForces).*force).size;
+}
+
+constexpr auto outputTable = std::to_array<Output>({
+    {"cor", "coefficient of restitution e = -pf/p0", Measure::number, Detail::cor,
+     [](const From& f) -> Number { return f.summary.cor; }},
+    {"impulse", "impulse of the impact force, 1 + e", Measure::impulse, Detail::cor,
+     [](const From& f) -> Number { return f.summary.impulse; }, OutputGroup::impact, "impulse 1 + e",
+     "Impulse of the impact force on the rock"},
+    {"peak_force", "largest impact force", Measure::force, Detail::summary,
+     [](const From& f) -> Number { return f.summary.peakForce; }, OutputGroup::impact, "peak force",
+     "Largest impact force"},
+    {"max_penetration", "largest penetration of the bit", Measure::penetration, Detail::summary,
+     [](const From& f) -> Number { return f.summary.maxPenetration; }, OutputGroup::impact, "penetration",
+     "Largest penetration of the bit during the blow"},
+    {"residual_penetration", "penetration that stays after the blow", Measure::penetration, Detail::summary,
+     [](const From& f) -> Number { return f.summary.residualPenetration; }, OutputGroup::impact,
+     "… that stays", "Penetration that stays after the blow"},
+    {"first_contact_time", "time of the first contact", Measure::time, Detail::summary,
+     [](const From& f) -> Number { return f.summary.firstContactTime; }, OutputGroup::impact, "first contact",
+     "Time of the first contact"},
+    {"separation_time", "time of the last separation", Measure::time, Detail::summary,
+     [](const From& f) -> Number { return f.summary.separationTime; }, OutputGroup::impact, "last separation",
+     "Time of the last separation"},
+    {"contact_duration", "time in contact, summed over contacts", Measure::time, Detail::summary,
+     [](const From& f) -> Number { return f.summary.contactDuration; }, OutputGroup::impact,
+     "time in contact", "Summed over all contacts"},
+    {"work_ratio", "work of the hammer over m v0^2/2", Measure::work, Detail::summary,
+     [](const From& f) -> Number { return f.summary.workRatio; }, OutputGroup::energy, "hammer work W",
+     "Work of the hammer on the rod"},
+    {"rock_work", "energy left in the rock, fraction of the hammer work", Measure::share, Detail::summary,
+     [](const From& f) -> Number { return f.summary.energy.rockWork; }, OutputGroup::energy, "into the rock",
+     "Share of the hammer work that stays in the rock: the efficiency"},
+    {"rebound_energy", "energy of the rebound, fraction of the hammer work", Measure::share, Detail::summary,
+     [](const From& f) -> Number { return f.summary.energy.reboundEnergy; }, OutputGroup::energy,
+     "into the rebound", "Share of the hammer work that moves the rod back as a whole"},
+    {"residual_wave_energy", "energy left in waves, fraction of the hammer work", Measure::share,
+     Detail::summary, [](const From& f) -> Number { return f.summary.energy.residualWaveEnergy; },
+     OutputGroup::energy, "left in waves", "Share of the hammer work that runs to and fro in the rod"},
+    {"efficiency", "share of the hammer work that stays in the rock", Measure::share, Detail::summary,
+     [](const From& f) -> Number { return f.summary.energy.rockWork; }},
+    {"momentum_residual", "error of the momentum balance, fraction of I0", Measure::error, Detail::summary,
+     [](const From& f) -> Number { return f.summary.momentumResidual; }},
+    {"energy_residual", "error of the energy balance, fraction of the hammer work", Measure::error,
+     Detail::summary, [](const From& f) -> Number { return f.summary.energy.residual; }, OutputGroup::energy,
+     "balance error", "What the three shares miss of the hammer work"},
+    {"cor_error", "bound on the numerical error of cor", Measure::error, Detail::cor,
+     [](const From& f) -> Number { return f.summary.corError; }},
+    {"thrust", "blow frequency times impulse, N, when the scenario has a frequency", Measure::newton,
+     Detail::cor, [](const From& f) { return thrustNeeded(f.scenario, f.summary.cor); }},
+    {"peak_compression", "largest compression in the rod while the blow lasts", Measure::stress,
+     Detail::histories, largest<&RodForces::compression>, OutputGroup::stress, "compression, blow",
+     "Largest compressive stress of the uniform rod while the blow lasts: to the last separation plus one "
+     "transit time; couplings and threads raise it locally",
+     &RodForces::compression},
+    {"peak_tension", "largest tension in the rod while the blow lasts", Measure::stress, Detail::histories,
+     largest<&RodForces::tension>, OutputGroup::stress, "tension, blow",
+     "Largest tensile stress of the uniform rod while the blow lasts: to the last separation plus one "
+     "transit time; couplings and threads raise it locally",
+     &RodForces::tension},
+    {"peak_compression_after", "largest compression of the waves left, undamped", Measure::stress,
+     Detail::histories, largest<&RodForces::compressionAfter>, OutputGroup::stress, "compression, after",
+     "Largest compressive stress of the waves that are left after the blow and run on; nothing damps them in "
+     "the model, a real rod does",
+     &RodForces::compressionAfter},
+    {"peak_tension_after", "largest tension of the waves left, undamped", Measure::stress, Detail::histories,
+     largest<&RodForces::tensionAfter>, OutputGroup::stress, "tension, after",
+     "Largest tensile stress of the waves that are left after the blow and run on; nothing damps them in the "
+     "model, a real rod does",
+     &RodForces::tensionAfter},
+});
+
+}  // namespace
+
+std::string Output::problem(const Scenario& scenario) const {
+    return measure == Measure::newton ? thrustProblem(scenario) : std::string();
+}
+
+Quantity Output::quantity() const {
+    switch (measure) {
+        case Measure::number:
+        case Measure::error:
+        case Measure::work:
+        case Measure::share:
+            return Quantity::ratio;
+        case Measure::time:
+            return Quantity::time;
+        case Measure::impulse:
+            return Quantity::impulse;
+        case Measure::force:
+        case Measure::newton:
+            return Quantity::force;
+        case Measure::penetration:
+            return Quantity::length;
+        case Measure::stress:
+            return Quantity::stress;
+    }
+    return Quantity::ratio;
+}
+
+double Output::scale(const Scales& scales) const {
+    switch (measure) {
+        case Measure::number:
+        case Measure::error:
+        case Measure::work:
+        case Measure::share:
+        case Measure::newton:
+            return 1;
+        case Measure::time:
+            return scales.time;
+        case Measure::impulse:
+            return scales.impulse;
+        case Measure::force:
+            return scales.force;
+        case Measure::penetration:
+            return scales.penetration;
+        case Measure::stress:
+            return scales.stress;
+    }
+    return 1;
+}
+
+std::span<const Output> outputs() {
+    return outputTable;
+}
+
+const Output* findOutput(std::string_view name) {
+    const auto found = std::ranges::find(outputTable, name, &Output::name);
+    return found == outputTable.end() ? nullptr : &*found;
+}
+
+}  // namespace drillwave

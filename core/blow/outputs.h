@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one table of outputs (files §4): JSON, columns, --outputs, the help and the window's results come from
+// it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/blow/impact_summary.h"
+#include "core/model/scales.h"
+#include "core/model/scenario.h"
+#include "core/text/units.h"
+#include "core/wave/field/rod_forces.h"
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// What an output is a multiple of, and so how it reads.
+enum class Measure {
+    number,       ///< a plain number
+    error,        ///< a number of which only the size matters
+    work,         ///< W0: a plain number in SI, too
+    share,        ///< W, the work of the hammer: a plain number in SI, too
+    time,         ///< t0
+    impulse,      ///< I0
+    force,        ///< F0
+    penetration,  ///< d0
+    stress,       ///< F0/A
+    newton,       ///< N: there is no dimensionless number
+};
+
+/// Under which heading the window lists an output.
+enum class OutputGroup { none, impact, energy, stress };
+
+/// What outputs are taken from: parts of a Blow.
+struct OutputSource {
+    const ImpactSummary& summary;
+    const Scenario& scenario;
+};
+
+/// One named output: JSON key, CSV column, name for --outputs, and row of the window.
+struct Output {
+    std::string_view name;     ///< "peak_force"
+    std::string_view meaning;  ///< one line
+    Measure measure;
+    Detail detail;  ///< what the solver must be asked for
+    /// In the measure; nothing where there is none: without the waves, or where problem() says why.
+    std::optional<double> (*value)(const OutputSource&);
+    OutputGroup group = OutputGroup::none;
+    std::string_view label = {};           ///< in the window: "peak force"
+    std::string_view note = {};            ///< there, what it is in a sentence without its end
+    RodForce RodForces::*force = nullptr;  ///< which one, where it is a largest force in the rod
+
+    /// Why such a scenario has none and what to do; empty when it has.
+    std::string problem(const Scenario& scenario) const;
+    /// `ratio` where SI is the same number.
+    Quantity quantity() const;
+    /// SI = value · scale.
+    double scale(const Scales& scales) const;
+};
+
+/// All outputs in the order of files §4.
+std::span<const Output> outputs();
+
+/// The output of that name, or nullptr.
+const Output* findOutput(std::string_view name);
+
+}  // namespace drillwave

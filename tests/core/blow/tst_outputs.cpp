@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of outputs: every number is that of its solution, in every unit, for no more work than it takes.
+#include <QtTest>
+
+#include <cmath>
+
+#include "core/blow/blow.h"
+#include "core/blow/outputs.h"
+#include "core/blow/thrust.h"
+#include "core/wave/exact/exact_solver.h"
+
+using namespace drillwave;
+
+namespace {
+
+std::optional<double> valueOf(const Blow& blow, std::string_view name) {
+    const Output* output = findOutput(name);
+    if (!output) qFatal("no such output");
+    return output->value({blow.summary, blow.scenario});
+}
+
+double siOf(const Blow& blow, std::string_view name) {
+    return *valueOf(blow, name) * findOutput(name)->scale(blow.scales);
+}
+
+Scenario drillOf(double frequency) {
+    Scenario scenario;
+    scenario.drill.blowFrequency = frequency;
+    return scenario;
+}
+
+Scenario groupsCase(const Groups& groups) {
+    Scenario scenario;
+    scenario.form = ScenarioForm::dimensionless;
+    scenario.groups = groups;
+    return scenario;
+}
+
+}  // namespace
+
+class TestOutputs : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void everyOutputIsFoundByItsName();
+    void everyOutputHasANumberWhereTheScenarioHasIt();
+    void anOutputNeedsNoMoreThanItsDetail();
+    void siValuesDoNotDependOnTheUnitsOfTheScenario();
+    void stressIsTheForceInTheRodOverItsArea();
+    void thrustIsFrequencyTimesTheImpulseThatComesBack();
+    void theWindowListsWhatHasAGroup();
+};
+
+void TestOutputs::everyOutputIsFoundByItsName() {
+    QCOMPARE(outputs().size(), std::size_t{21});
+    for (const Output& output : outputs()) QCOMPARE(findOutput(output.name), &output);
+    QCOMPARE(findOutput("peak"), nullptr);
+}
+
+void TestOutputs::everyOutputHasANumberWhereTheScenarioHasIt() {
+    const Blow drill = solveBlow(drillOf(50), {}, Detail::histories);
+    for (const Output& output : outputs()) {
+        QVERIFY(output.problem(drill.scenario).empty());
+        const std::optional<double> value = output.value({drill.summary, drill.scenario});
+        QVERIFY2(value && std::isfinite(*value), std::string(output.name).c_str());
+    }
+    const Blow groups = solveBlow(groupsCase({0.5, 0.1, 10, 0.2}), {}, Detail::summary);
+    for (const Output& output : outputs()) {
+        const bool isThere = output.problem(groups.scenario).empty() && output.detail != Detail::histories;
+        QCOMPARE(output.value({groups.summary, groups.scenario}).has_value(), isThere);
+    }
+}
+
+// Solved with its own detail an output is what it is with all: within the accuracy of the solver, whose
+// levels of detail may take different ways.
+void TestOutputs::anOutputNeedsNoMoreThanItsDetail() {
+    const Scenario scenario = drillOf(50);
+    const Blow full = solveBlow(scenario, {}, Detail::histories);
+    for (const Output& output : outputs()) {
+        if (output.measure == Measure::error) continue;  // rounding
+        const Blow own = solveBlow(scenario, {}, output.detail);
+        const double value = *output.value({own.summary, scenario});
+        const double expected = *output.value({full.summary, scenario});
+        QVERIFY2(std::abs(value - expected) <= 1e-12 * std::max(1.0, std::abs(expected)),
+                 std::string(output.name).c_str());
+    }
+}
+
+void TestOutputs::siValuesDoNotDependOnTheUnitsOfTheScenario() {
+    // The same rod and blow, given by its area and by the mean force.
+    Scenario a;
+    Scenario b = a;
+    b.rod.area = propertiesOf(a.rod).area;
+    b.pulse.impulseFromForce = true;
+    const Blow x = solveBlow(a, {}, Detail::histories);
+    const Blow y = solveBlow(b, {}, Detail::histories);
+    for (const Output& output : outputs()) {
+        if (output.measure == Measure::error || !output.problem(a).empty()) continue;  // rounding noise
+        const double first = siOf(x, output.name), second = siOf(y, output.name);
+        QVERIFY2(std::abs(first - second) <= 1e-12 * std::abs(second), std::string(output.name).c_str());
+    }
+}
+
+void TestOutputs::stressIsTheForceInTheRodOverItsArea() {
+    const Scenario scenario;
+    const Blow blow = solveBlow(scenario, {}, Detail::histories);
+    const Problem problem = problemOf(scenario);
+    const RodForces forces =
+        largestRodForces(ExactSolver().solve(problem, Detail::histories), problem.hammer);
+    QCOMPARE(*valueOf(blow, "peak_compression"), forces.compression.size);
+    QCOMPARE(*valueOf(blow, "peak_tension"), forces.tension.size);
+    QCOMPARE(*valueOf(blow, "peak_compression_after"), forces.compressionAfter.size);
+    QCOMPARE(*valueOf(blow, "peak_tension_after"), forces.tensionAfter.size);
+    // 51 N s in 200 µs over π·(38 mm)²/4
+    const double unit = 51 / 200e-6 / (std::acos(-1.0) * 0.038 * 0.038 / 4);
+    QVERIFY(std::abs(siOf(blow, "peak_compression") / (forces.compression.size * unit) - 1) < 1e-14);
+    QCOMPARE(findOutput("peak_compression")->quantity(), Quantity::stress);
+}
+
+void TestOutputs::thrustIsFrequencyTimesTheImpulseThatComesBack() {
+    const Blow blow = solveBlow(drillOf(50), {}, Detail::cor);
+    QVERIFY(std::abs(siOf(blow, "thrust") / (50 * 51 * (1 + blow.impact.cor)) - 1) < 1e-15);
+    const Output& thrust = *findOutput("thrust");
+    QCOMPARE(thrust.detail, Detail::cor);
+    QCOMPARE(thrust.problem(Scenario()), thrustProblem(Scenario()));
+    QVERIFY(!thrust.problem(Scenario()).empty());
+}
+
+void TestOutputs::theWindowListsWhatHasAGroup() {
+    for (const Output& output : outputs()) {
+        QCOMPARE(output.label.empty(), output.group == OutputGroup::none);
+        QCOMPARE(output.note.empty(), output.group == OutputGroup::none);
+        QCOMPARE(output.force != nullptr, output.measure == Measure::stress);
+    }
+}
+
+QTEST_GUILESS_MAIN(TestOutputs)
+#include "tst_outputs.moc"

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/result/output_text.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+namespace {
+
+QString words(const char* text) {
+    return QCoreApplication::translate("ResultPanel", text);
+}
+
+QString shown(double value, const ShownUnit& unit) {
+    return quantityText(value, unit, QLocale());
+}
+
+QString inUnit(double value, double factor, const char* unit) {
+    return shown(value, ShownUnit{factor, QString::fromUtf8(unit), false});
+}
+
+// Shares of the energy are known to 1e-12: what is smaller is rounding.
+QString percent(double fraction) {
+    return numberText(std::abs(fraction) < 1e-12 ? 0 : 100 * fraction, 4, QLocale()) + QChar(QChar::Nbsp) +
+           QLatin1Char('%');
+}
+
+}  // namespace
+
+QString outputText(const Output& output, const SolvedBlow& blow) {
+    const std::optional<double> found = output.value({blow.summary, blow.scenario});
+    if (!found) return {};
+    const bool si = blow.request.units == UnitSystem::si;
+    const double value = *found;
+    switch (output.measure) {
+        case Measure::number:
+            return numberText(value, 4, QLocale());
+        case Measure::error:
+            return magnitudeText(value, QLocale());
+        case Measure::work:
+            return si ? inUnit(value, blow.scales.energy, "J")
+                      : numberText(value, 4, QLocale()) + QStringLiteral(" W₀");
+        case Measure::share:
+            return percent(value);
+        case Measure::time:
+            return shown(value, blow.units.time);
+        case Measure::impulse:
+            return shown(value, blow.units.impulse);
+        case Measure::force:
+            return shown(value, blow.units.force);
+        case Measure::penetration:
+            return shown(value, blow.units.penetration);
+        case Measure::stress:
+            return si ? inUnit(value, blow.scales.stress * 1e-6, "MPa") : shown(value, blow.units.force);
+        case Measure::newton:
+            return inUnit(value, 1e-3, "kN");
+    }
+    return {};
+}
+
+QString placeText(const Output& output, const SolvedBlow& blow) {
+    if (!output.force || !blow.summary.rodForces) return {};
+    const RodForce& force = (*blow.summary.rodForces).*output.force;
+    if (!(force.size > 0)) return {};
+    const QString time = shown(force.time, blow.units.time);
+    if (blow.request.units == UnitSystem::dimensionless)
+        return words("at x/L = %1, t = %2").arg(numberText(force.section, 3, QLocale()), time);
+    return words("%1 from the hammer, t = %2").arg(inUnit(force.section, blow.scales.length, "m"), time);
+}
+
+}  // namespace drillwave
