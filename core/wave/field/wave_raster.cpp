@@ -9,13 +9,13 @@
 
 namespace drillwave {
 
-WaveRaster waveRaster(const Impact& impact, WaveField field, const RasterGrid& grid) {
+WaveRaster waveRaster(const Impact& impact, WaveQuantity field, const RasterGrid& grid) {
     assert(impact.hasHistories() && grid.columns >= 0 && grid.rows >= 0);
     WaveRaster raster{field, grid, {}, 0};
     raster.values.resize(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
     // Np = −g(t − ξτ) and Nn = −r(t − (2 − ξ)τ), with times at the front end.
     HistoryReader arriving(impact), leaving(impact);
-    const double incidentSign = field == WaveField::force ? -1 : 1;
+    const double incidentSign = field == WaveQuantity::force ? -1 : 1;
     const double transit = impact.roundTrip / 2;
     for (int row = 0; row < grid.rows; ++row) {
         const double s = grid.time(row) - impact.frontArrival;
@@ -35,9 +35,9 @@ WaveRaster waveRaster(const Impact& impact, WaveField field, const RasterGrid& g
     return raster;
 }
 
-double waveValue(const Impact& impact, WaveField field, double xi, double t) {
+double waveValue(const Impact& impact, WaveQuantity field, double xi, double t) {
     const double positive = positiveWave(impact, xi, t), negative = negativeWave(impact, xi, t);
-    return field == WaveField::force ? positive + negative : negative - positive;
+    return field == WaveQuantity::force ? positive + negative : negative - positive;
 }
 
 }  // namespace drillwave

@@ -71,7 +71,7 @@ void RodStrip::compute() {
     if (m_blow) {
         const int columns =
             std::max(1, static_cast<int>(std::lround(rodRect().width() * devicePixelRatioF())));
-        m_force = waveRaster(m_blow->impact, WaveField::force, {0, 1, columns, m_time, m_time, 1}).values;
+        m_force = waveRaster(m_blow->impact, WaveQuantity::force, {0, 1, columns, m_time, m_time, 1}).values;
     }
     update();
 }

@@ -15,9 +15,9 @@ constexpr double mostRoundTrips = 12;
 
 // Looked up on a grid of its own, so that the colours stay while one zooms; waves that meet only long after
 // the blow would make all others pale.
-double largestMagnitude(const Impact& impact, WaveField field, const TimeSpan& time) {
+double largestMagnitude(const Impact& impact, WaveQuantity field, const TimeSpan& time) {
     const WaveRaster overview = waveRaster(impact, field, {0, 1, 65, time.begin, time.end, 600});
-    double largest = field == WaveField::force ? impact.peakForce : 0;
+    double largest = field == WaveQuantity::force ? impact.peakForce : 0;
     for (const float value : overview.values) largest = std::max(largest, std::abs(double(value)));
     return std::isfinite(largest) && largest > 0 ? largest : 1;
 }
@@ -75,8 +75,8 @@ WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Sce
     picture.need = need;
     picture.units = pictureUnits(scenario, units);
     picture.interesting = interestingTime(impact, pulse);
-    picture.forceLimit = largestMagnitude(impact, WaveField::force, picture.interesting);
-    picture.limit = need.field == WaveField::force
+    picture.forceLimit = largestMagnitude(impact, WaveQuantity::force, picture.interesting);
+    picture.limit = need.field == WaveQuantity::force
                         ? picture.forceLimit
                         : largestMagnitude(impact, need.field, picture.interesting);
     picture.fronts = pulseFronts(pulse);

@@ -23,7 +23,7 @@ struct TimeSpan {
 
 /// What a picture is to show, at the pixels of its screen.
 struct WavePictureNeed {
-    WaveField field = WaveField::force;
+    WaveQuantity field = WaveQuantity::force;
     double xiBegin = 0, xiEnd = 1;  ///< x/L
     std::optional<TimeSpan> time;   ///< all that is of interest when there is none
     int columns = 0, rows = 0;      ///< device pixels
@@ -39,7 +39,7 @@ struct PictureUnits {
     ShownUnit stress;    ///< N/A, or N/F0 where there is no cross-section
     bool operator==(const PictureUnits&) const = default;
 
-    const ShownUnit& of(WaveField field) const { return field == WaveField::force ? force : velocity; }
+    const ShownUnit& of(WaveQuantity field) const { return field == WaveQuantity::force ? force : velocity; }
 };
 
 /// `units` gives times and forces; what else there is follows from the scenario.

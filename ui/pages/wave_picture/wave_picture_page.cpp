@@ -105,7 +105,7 @@ void WavePicturePage::restoreChoices() {
     const Settings settings;
     const bool velocity = settings.value(fieldKey).toString() == velocityName;
     m_field->setCurrentIndex(velocity ? 1 : 0);
-    m_picture->setField(velocity ? WaveField::velocity : WaveField::force);
+    m_picture->setField(velocity ? WaveQuantity::velocity : WaveQuantity::force);
     m_fronts->setChecked(settings.value(frontsKey, true).toBool());
     m_picture->setFrontsShown(m_fronts->isChecked());
 }
@@ -113,7 +113,7 @@ void WavePicturePage::restoreChoices() {
 void WavePicturePage::wire() {
     connect(m_field, &QComboBox::currentIndexChanged, this, [this](int index) {
         Settings().setValue(fieldKey, index == 1 ? velocityName : QStringLiteral("force"));
-        m_picture->setField(index == 1 ? WaveField::velocity : WaveField::force);
+        m_picture->setField(index == 1 ? WaveQuantity::velocity : WaveQuantity::force);
     });
     connect(m_fronts, &QCheckBox::toggled, this, [this](bool shown) {
         Settings().setValue(frontsKey, shown);

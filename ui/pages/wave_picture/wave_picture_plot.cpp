@@ -11,8 +11,8 @@
 namespace drillwave {
 namespace {
 
-QString fieldWords(WaveField field) {
-    return field == WaveField::force ? WavePicturePlot::tr("force N (tension positive)")
+QString fieldWords(WaveQuantity field) {
+    return field == WaveQuantity::force ? WavePicturePlot::tr("force N (tension positive)")
                                      : WavePicturePlot::tr("particle velocity v (towards the rock positive)");
 }
 
@@ -120,7 +120,7 @@ void WavePicturePlot::takeRanges() {
     setRanges();
 }
 
-void WavePicturePlot::setField(WaveField field) {
+void WavePicturePlot::setField(WaveQuantity field) {
     if (m_field == field) return;
     m_field = field;
     checkNeed();
@@ -177,11 +177,11 @@ QString WavePicturePlot::readout(const QPointF& pixel) const {
     const PictureUnits& units = picture.units;
     const double xi = m_plot->xAxis->pixelToCoord(pixel.x()) / units.position.factor;
     const double t = m_plot->yAxis->pixelToCoord(pixel.y()) / units.time.factor;
-    const WaveField field = picture.raster.field;
+    const WaveQuantity field = picture.raster.field;
     const QLocale locale = m_plot->locale();
     return tr("x = %1 · t = %2 · %3 = %4")
         .arg(quantityText(xi, units.position, locale), timeText(t, m_time, units.time, locale),
-             field == WaveField::force ? QStringLiteral("N") : QStringLiteral("v"),
+             field == WaveQuantity::force ? QStringLiteral("N") : QStringLiteral("v"),
              quantityText(waveValue(m_blow->impact, field, xi, t), units.of(field), locale));
 }
 

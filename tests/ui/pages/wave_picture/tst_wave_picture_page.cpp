@@ -249,7 +249,7 @@ void TestWavePicturePage::forceAndVelocityCanBeChosen() {
     field->setCurrentIndex(1);
     QTRY_VERIFY(settled());
     const SolvedBlowPtr blow = m_page->picture()->shown();
-    QCOMPARE(blow->page<WavePicture>()->raster.field, WaveField::velocity);
+    QCOMPARE(blow->page<WavePicture>()->raster.field, WaveQuantity::velocity);
     const RasterGrid grid = gridShown();
     const double xi = grid.xi(100), t = grid.time(40);
     QCOMPARE(blow->page<WavePicture>()->raster.values[grid.index(100, 40)],
@@ -264,7 +264,7 @@ void TestWavePicturePage::choicesAreRemembered() {
     m_page->findChild<QCheckBox*>(QStringLiteral("fronts"))->setChecked(false);
     m_page->findChild<QComboBox*>(QStringLiteral("speed"))->setCurrentIndex(0);
     const WavePicturePage next(*m_observation);
-    QCOMPARE(next.picture()->field(), WaveField::velocity);
+    QCOMPARE(next.picture()->field(), WaveQuantity::velocity);
     QVERIFY(!next.picture()->frontsShown());
     QCOMPARE(next.playBar()->secondsForSpan(), 2.0);
 }
