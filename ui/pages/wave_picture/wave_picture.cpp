@@ -5,13 +5,9 @@
 #include <cmath>
 
 #include "core/model/scales.h"
-#include "core/model/visible_pulse.h"
 
 namespace drillwave {
 namespace {
-
-constexpr double mostFlightShown = 6;  // round trips before the first contact that are shown from the start
-constexpr double mostRoundTrips = 12;
 
 // Looked up on a grid of its own, so that the colours stay while one zooms; waves that meet only long after
 // the blow would make all others pale.
@@ -58,15 +54,6 @@ QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QL
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
     return plain.toString(t * unit.factor, 'g', digits).replace(QLatin1Char('-'), QStringLiteral("−")) +
            QChar(QChar::Nbsp) + unit.unit;
-}
-
-TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse) {
-    const double roundTrip = impact.roundTrip;
-    const bool longFlight = impact.firstContactTime > mostFlightShown * roundTrip;
-    const double begin = longFlight ? impact.firstContactTime - 1.5 * roundTrip : 0;
-    const double end =
-        std::max({impact.separationTime, visibleWavesEnd(pulse), impact.frontArrival}) + roundTrip;
-    return {begin, std::min(end, begin + mostRoundTrips * roundTrip)};
 }
 
 WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,

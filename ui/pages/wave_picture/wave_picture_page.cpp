@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "core/wave/field/wave_field.h"
 #include "ui/pages/wave_picture/picture_cursors.h"
 #include "ui/pages/wave_picture/play_bar.h"
 #include "ui/pages/wave_picture/rod_strip.h"
@@ -170,7 +171,7 @@ double WavePicturePage::timeShown() const {
     const WavePicture* picture = m_picture->picture();
     if (!picture) return 0;
     const double begin = picture->interesting.begin;
-    return begin > 0 ? begin : 0.7 * m_picture->shown()->impact.frontArrival;
+    return begin > 0 ? begin : 0.7 * WaveField(m_picture->shown()->impact).arrival();
 }
 
 void WavePicturePage::showTime() {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/wave/field/bit_history.h"
 #include "core/wave/field/history_reader.h"
 #include "core/wave/field/wave_field.h"
 #include "core/wave/field/wave_raster.h"
@@ -16,7 +17,8 @@ namespace {
 
 /// −g(t − ξτ) − r(t − (2 − ξ)τ) and g − r, from the definition.
 double expected(const Impact& impact, WaveQuantity field, double xi, double t) {
-    const double positive = positiveWave(impact, xi, t), negative = negativeWave(impact, xi, t);
+    const double positive = WaveField(impact).positiveWave(xi, t),
+                 negative = WaveField(impact).negativeWave(xi, t);
     return field == WaveQuantity::force ? positive + negative : negative - positive;
 }
 
