@@ -9,7 +9,7 @@
 #include "core/text/number_text.h"
 #include "core/wave/field/bit_motion.h"
 #include "core/wave/field/rod_state.h"
-#include "core/wave/field/wave_field.h"
+#include "core/wave/field/wave_curves.h"
 
 namespace drillwave {
 

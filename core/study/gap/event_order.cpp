@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/wave/field/wave_field.h"
+
 namespace drillwave {
 
 namespace {
@@ -43,18 +45,19 @@ std::uint64_t roundTripsBetween(double from, double to, double roundTrip) {
 
 std::uint64_t eventOrder(const Impact& impact, const PulseForce& pulse) {
     assert(impact.hasEvents());
+    const WaveField field(impact);
     std::vector<double> sources;  // of fronts
     for (const PulseSegment& segment : pulse.segments) {
         if (sources.size() == mostHammerPieces) break;
-        sources.push_back(impact.frontArrival + segment.start);
+        sources.push_back(field.arrival() + segment.start);
     }
-    sources.push_back(impact.frontArrival + pulse.end);
+    sources.push_back(field.arrival() + pulse.end);
     Fingerprint fingerprint;
     for (std::size_t i = 0; i < std::min(impact.events.size(), mostEvents); ++i) {
         const ImpactEvent& event = impact.events[i];
         fingerprint.add(static_cast<std::uint64_t>(event.kind));
         for (const double source : sources)
-            fingerprint.add(roundTripsBetween(source, event.time, impact.roundTrip));
+            fingerprint.add(roundTripsBetween(source, event.time, field.roundTrip()));
         sources.push_back(event.time);
     }
     return fingerprint.value();

@@ -8,7 +8,9 @@
 #include "core/study/gap/gap_curve.h"
 #include "core/study/paper/paper_case.h"
 #include "core/wave/closed/closed_form.h"
+#include "core/wave/field/bit_history.h"
 #include "core/wave/field/rod_state.h"
+#include "core/wave/field/wave_curves.h"
 #include "core/wave/field/wave_field.h"
 
 namespace drillwave {
@@ -108,8 +110,8 @@ FigurePanel blowPanel(const char* name, const char* title, const Groups& groups)
     add(pulse.end, 0, 0);
     for (std::size_t i = 0; i < history.time.size() && history.time[i] < lastTime; ++i)
         add(history.time[i], history.force[i], history.impulse[i]);
-    const double last = lastTime - impact.frontArrival;
-    add(lastTime, impactForce(impact, last), impactImpulse(impact, last));
+    const WaveField field(impact);
+    add(lastTime, field.impactForce(lastTime), field.impactImpulse(lastTime));
     return panel;
 }
 
@@ -188,7 +190,7 @@ Figure figure5() {
                 "delta = 0.",
             .panels = {peakPanel("fig5a", "(a) first peak F1", impact, 0, 12,
                                  [=](double t) { return firstForcePulse(beta, t); }),
-                       peakPanel("fig5b", "(b) second peak F3", impact, impact.roundTrip, 2,
+                       peakPanel("fig5b", "(b) second peak F3", impact, 2 * paperElastic.tau, 2,
                                  [=](double t) { return secondForcePulse(beta, t); })}};
 }
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/numeric/compensated_sum.h"
-#include "core/wave/field/wave_field.h"
+#include "core/wave/field/bit_history.h"
 
 namespace drillwave {
 
@@ -33,6 +33,7 @@ class Checker {
     Checker(const Impact& impact, const Problem& problem)
         : m_impact(impact),
           m_hammer(problem.hammer),
+          m_roundTrip(2 * problem.transitTime),
           m_beta(problem.law.beta),
           m_unloading(problem.law.beta / problem.law.gamma),
           m_weight(1 / (1 + problem.law.beta / problem.law.gamma)),
@@ -61,8 +62,7 @@ class Checker {
   private:
     /// The points of a shorter piece cannot be told from its ends 2τ later.
     bool isResolved(const Piece& piece) const {
-        return piece.length >
-               1e4 * std::numeric_limits<double>::epsilon() * (piece.start + m_impact.roundTrip);
+        return piece.length > 1e4 * std::numeric_limits<double>::epsilon() * (piece.start + m_roundTrip);
     }
 
     /// Periods of free flight that were not recorded: each advances the front end like the one before them,
@@ -72,9 +72,8 @@ class Checker {
             const PeriodSkip& skip = m_impact.skips[m_skips];
             if (recorded + m_leftOut < skip.start) return;
             const auto travelled = [&](double at) { return 2 * m_impact.incident.integral(at); };
-            const double last =
-                m_deepest > 0 ? travelled(recorded) - travelled(recorded - m_impact.roundTrip) : 2;
-            m_penetration += last * std::round(skip.duration / m_impact.roundTrip);
+            const double last = m_deepest > 0 ? travelled(recorded) - travelled(recorded - m_roundTrip) : 2;
+            m_penetration += last * std::round(skip.duration / m_roundTrip);
             m_leftOut += skip.duration;
             ++m_skips;
         }
@@ -113,7 +112,7 @@ class Checker {
         const double g = m_impact.incident.value(incident, x);
         // Periods that were left out are like the one before them: one round trip earlier is so in the
         // recording too.
-        const double before = incident.start + x - m_impact.roundTrip;
+        const double before = incident.start + x - m_roundTrip;
         const double expected =
             m_hammer(s + x) + (before < 0 ? incidentWave(m_impact, before)
                                           : m_impact.incident(before) - m_impact.force(before));
@@ -122,6 +121,7 @@ class Checker {
 
     const Impact& m_impact;
     const PulseForce& m_hammer;
+    double m_roundTrip;  ///< 2τ: the equation has it by itself
     double m_beta, m_unloading, m_weight, m_gap;
     EquationResiduals m_found;
     CompensatedSum<double> m_penetration;  ///< U at the beginning of the piece; negative: a gap

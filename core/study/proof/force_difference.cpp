@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/wave/field/wave_field.h"
+#include "core/wave/field/bit_history.h"
 
 namespace drillwave {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/wave/field/wave_field.h"
+#include "core/wave/field/bit_history.h"
 
 namespace drillwave {
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/wave/field/bit_history.h"
 #include "core/wave/field/recorded_time.h"
-#include "core/wave/field/wave_field.h"
 
 namespace drillwave {
 

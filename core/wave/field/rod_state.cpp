@@ -13,15 +13,15 @@ double rodMomentum(const PulseForce& pulse, double t, double taken) {
 }
 
 double rodMomentum(const Impact& impact, const PulseForce& pulse, double t) {
-    return rodMomentum(pulse, t, impactImpulse(impact, t - impact.frontArrival));
+    return rodMomentum(pulse, t, WaveField(impact).impactImpulse(t));
 }
 
 RodState rodState(const Impact& impact, const PulseForce& pulse, double xi, double t) {
     assert(impact.hasHistories());
-    const double s = t - impact.frontArrival;
-    const double taken = impactImpulse(impact, s);
-    return {.normalForce = positiveWave(impact, xi, t) + negativeWave(impact, xi, t),
-            .impactForce = impactForce(impact, s),
+    const WaveField field(impact);
+    const double taken = field.impactImpulse(t);
+    return {.normalForce = field.force(xi, t),
+            .impactForce = field.impactForce(t),
             .impulse = taken,
             .momentum = rodMomentum(pulse, t, taken)};
 }

@@ -1,168 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/field/wave_field.h"
 
-#include <algorithm>
-#include <cmath>
+#include <cassert>
 
-#include "core/wave/field/recorded_time.h"
+#include "core/wave/field/bit_history.h"
 
 namespace drillwave {
-namespace {
 
-/// r = F − g, which satisfies [paper (4)] and [paper (7)].
-double reflectedWave(const Impact& impact, double s) {
-    return impactForce(impact, s) - incidentWave(impact, s);
+double WaveField::impactForce(double t) const {
+    assert(m_impact->hasHistories());
+    return drillwave::impactForce(*m_impact, t - arrival());
 }
 
-/// ∫g over `duration` of the periods that repeat the one before the recorded time `end`.
-double repeatedImpulse(const Impact& impact, double end, double duration) {
-    const double begin = impact.incident.integral(end - impact.roundTrip);
-    const double periods = std::floor(duration / impact.roundTrip);
-    const double rest = duration - periods * impact.roundTrip;
-    return periods * (impact.incident.integral(end) - begin) +
-           impact.incident.integral(end - impact.roundTrip + rest) - begin;
+double WaveField::impactImpulse(double t) const {
+    assert(m_impact->hasHistories());
+    return drillwave::impactImpulse(*m_impact, t - arrival());
 }
 
-using Piece = PiecewisePolynomial::Piece;
-
-/// A million reflections make a million pieces, each far below a pixel: all of them together get about so
-/// many chords, or one each.
-constexpr std::size_t chordsOfAll = 1'000'000;
-
-/// Into how many chords a piece is cut: curvature bound Σk(k−1)|c_k| over 8 chords² within 1e-4 of its size.
-int chords(const PiecewisePolynomial& f, const Piece& piece) {
-    const double u = piece.length / piece.scale;
-    double curvature = 0, size = 0, power = 1;
-    int k = 0;
-    for (const double c : f.coefficients(piece)) {
-        curvature += k * (k - 1) * std::abs(c) * power;
-        size += std::abs(c) * power;
-        power *= u;
-        ++k;
-    }
-    if (size == 0) return 1;
-    const std::size_t most = std::clamp<std::size_t>(chordsOfAll / f.pieces().size(), 1, 100);
-    return std::clamp(static_cast<int>(std::ceil(std::sqrt(curvature / (8e-4 * size)))), 1,
-                      static_cast<int>(most));
+double WaveField::positiveWave(double xi, double t) const {
+    assert(m_impact->hasHistories());
+    return -incidentWave(*m_impact, m_delays.atBit(Heading::toBit, xi, t));
 }
 
-/// What is shorter, in round trips, is the rounding of a time and no part of a curve.
-constexpr double negligibleTime = 1e-12;
-
-/// Appends value(piece, x) over recorded time [from, to), shifted by `shift`, as chords of `wave`: without
-/// the jumps at `from` and `to`, on which side of them ever rounding has put the pieces that begin there.
-template <class Value>
-void sampleRecorded(const Impact& impact, double from, double to, double shift, Value value,
-                    SampledCurve& curve) {
-    const auto pieces = impact.incident.pieces();
-    const auto forces = impact.force.pieces();
-    const double rounding = negligibleTime * impact.roundTrip;
-    const auto first = std::partition_point(pieces.begin(), pieces.end(), [&](const Piece& piece) {
-        return piece.start + piece.length <= from + rounding;
-    });
-    for (auto piece = first; piece != pieces.end() && piece->start < to - rounding; ++piece) {
-        const auto index = static_cast<std::size_t>(piece - pieces.begin());
-        const double begin = std::max(0.0, from - piece->start);
-        const double end = std::min(piece->length, to - piece->start);
-        if (!(end >= begin)) continue;
-        const int n = std::max(chords(impact.incident, *piece), chords(impact.force, forces[index]));
-        for (int i = 0; i <= n; ++i) {
-            const double x = begin + (end - begin) * i / n;
-            curve.time.push_back(piece->start + x + shift);
-            curve.value.push_back(value(*piece, forces[index], x));
-        }
-    }
+double WaveField::negativeWave(double xi, double t) const {
+    assert(m_impact->hasHistories());
+    const double s = m_delays.atBit(Heading::fromBit, xi, t);
+    return -(drillwave::impactForce(*m_impact, s) - incidentWave(*m_impact, s));
 }
 
-}  // namespace
-
-double incidentWave(const Impact& impact, double s) {
-    if (s < 0) return waveBeforeArrival(impact);
-    return impact.incident(recordedTime(impact, s));
+double WaveField::force(double xi, double t) const {
+    return positiveWave(xi, t) + negativeWave(xi, t);
 }
 
-double impactForce(const Impact& impact, double s) {
-    return s < 0 ? 0.0 : impact.force(recordedTime(impact, s));
-}
-
-double impactImpulse(const Impact& impact, double s) {
-    if (s <= 0) return 0;
-    return impact.force.integral(recordedTime(impact, s));
-}
-
-double incidentImpulse(const Impact& impact, double s) {
-    if (s <= 0) return s * waveBeforeArrival(impact);
-    double repeated = 0, leftOut = 0;
-    for (const PeriodSkip& skip : impact.skips) {
-        if (s < skip.start) break;
-        const double recorded = skip.start - leftOut;
-        repeated += repeatedImpulse(impact, recorded, std::min(s - skip.start, skip.duration));
-        if (s < skip.start + skip.duration) return impact.incident.integral(recorded) + repeated;
-        leftOut += skip.duration;
-    }
-    const double recorded = s - leftOut, end = impact.incident.end();
-    if (recorded > end && impact.roundTrip > 0) repeated += repeatedImpulse(impact, end, recorded - end);
-    return impact.incident.integral(recorded) + repeated;
-}
-
-double timeOfRecorded(const Impact& impact, double recorded) {
-    return recorded + unrecordedBefore(impact, recorded);
-}
-
-double positiveWave(const Impact& impact, double xi, double t) {
-    return -incidentWave(impact, t - impact.frontArrival + (1 - xi) * impact.roundTrip / 2);
-}
-
-double negativeWave(const Impact& impact, double xi, double t) {
-    return -reflectedWave(impact, t - impact.frontArrival - (1 - xi) * impact.roundTrip / 2);
-}
-
-std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count) {
-    std::vector<SectionWave> waves;
-    const double transit = impact.roundTrip / 2;
-    for (int number = 0; number < count; ++number) {
-        SectionWave wave;
-        wave.number = number;
-        const bool forward = number % 2 == 0;
-        const int trip = number / 2;  // round trips before this wave reaches the front end or leaves it
-        double from = trip * impact.roundTrip, to = from + impact.roundTrip;
-        // global time = s + shift: a wave to +x passes the section before the front end, one to −x after it
-        const double shift = impact.frontArrival + (forward ? -1 : 1) * (1 - xi) * transit;
-        const auto value = [&](const Piece& g, const Piece& f, double x) {
-            const double incident = impact.incident.value(g, x);
-            return forward ? -incident : incident - impact.force.value(f, x);
-        };
-        while (from < to) {  // past the recording the last period repeats itself
-            const double recorded = recordedTime(impact, from);
-            const double stretch = std::min(to - from, uninterrupted(impact, from));
-            if (!(stretch > negligibleTime * impact.roundTrip)) break;
-            sampleRecorded(impact, recorded, recorded + stretch, from - recorded + shift, value, wave.curve);
-            from += stretch;
-        }
-        waves.push_back(std::move(wave));
-    }
-    return waves;
-}
-
-SampledHistory sampleHistory(const Impact& impact) {
-    SampledHistory history;
-    const auto pieces = impact.incident.pieces();
-    const auto forces = impact.force.pieces();
-    double impulse = 0;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const int n = std::max(chords(impact.incident, pieces[i]), chords(impact.force, forces[i]));
-        const double shift = impact.frontArrival + unrecordedBefore(impact, pieces[i].start);
-        const double end = i + 1 < pieces.size() ? pieces[i + 1].start : impact.incident.end();
-        for (int j = 0; j <= n; ++j) {
-            const double x = pieces[i].length * j / n;
-            history.time.push_back(std::min(pieces[i].start + x, end) + shift);  // rounding apart
-            history.force.push_back(std::max(impact.force.value(forces[i], x), 0.0));
-            history.impulse.push_back(impulse + impact.force.integral(forces[i], x));
-            history.incident.push_back(impact.incident.value(pieces[i], x));
-        }
-        impulse += impact.force.integral(forces[i], pieces[i].length);
-    }
-    return history;
+double WaveField::velocity(double xi, double t) const {
+    return negativeWave(xi, t) - positiveWave(xi, t);
 }
 
 }  // namespace drillwave

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/field/wave_fronts.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -33,6 +34,22 @@ std::vector<double> pulseFronts(const PulseForce& pulse) {
     const bool fades = pulse.shape == PulseShape::exponential || pulse.shape == PulseShape::piston;
     if (!pulse.segments.empty() && (!fades || before >= visible * pulse.peak)) fronts.push_back(pulse.end);
     return fronts;
+}
+
+std::vector<FrontRun> frontRuns(const Impact& impact, double start, double begin, double end) {
+    const RodDelays delays(impact);
+    const double transit = delays.transitTime(), first = delays.arrival() + start;
+    const double firstTrip = std::max(0.0, std::ceil((begin - transit - first) / delays.roundTrip()));
+    const double lastTrip = std::floor((end + transit - first) / delays.roundTrip());
+    const bool startsAtBit = delays.arrival() == 0;  // the reference case
+    std::vector<FrontRun> runs;
+    for (double trip = firstTrip; trip <= lastTrip; ++trip) {
+        const double timeAtBit = first + trip * delays.roundTrip();
+        const long number = 2 * static_cast<long>(trip);
+        if (trip > 0 || !startsAtBit) runs.push_back({number, Heading::toBit, timeAtBit, transit});
+        runs.push_back({number + 1, Heading::fromBit, timeAtBit, transit});
+    }
+    return runs;
 }
 
 std::vector<ContactInterval> contactIntervals(const Impact& impact) {

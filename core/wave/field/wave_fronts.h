@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/model/pulse_force.h"
+#include "core/wave/field/rod_delays.h"
 #include "core/wave/impact.h"
 
 namespace drillwave {
@@ -13,6 +14,26 @@ namespace drillwave {
 /// starts that runs through the rod for ever. Jumps below a fiftieth of the peak are left out, and so is the
 /// end of a force that only fades away. The reference case has one, at its first contact.
 std::vector<double> pulseFronts(const PulseForce& pulse);
+
+/// One way of a front through the rod: a straight line in the x–t diagram.
+struct FrontRun {
+    long number = 0;  ///< of the wave that begins with it, as SectionWave::number
+    Heading heading = Heading::toBit;
+    double timeAtBit = 0;    ///< global [t0]
+    double transitTime = 0;  ///< [t0]
+
+    /// When it passes the section ξ, and where it is at the global time t (beyond the rod before and after
+    /// it).
+    double timeAt(double xi) const { return timeAtBit - direction() * (1 - xi) * transitTime; }
+    double sectionAt(double t) const { return 1 + direction() * (t - timeAtBit) / transitTime; }
+
+  private:
+    double direction() const { return heading == Heading::toBit ? 1 : -1; }
+};
+
+/// The ways of the front that the hammer sends off at the time `start` (one of pulseFronts()) which are under
+/// way between two global times, in the order in which they reach or leave the bit.
+std::vector<FrontRun> frontRuns(const Impact& impact, double start, double begin, double end);
 
 /// Bit and rock touch from one time to the other (global, t/t0).
 struct ContactInterval {

@@ -5,29 +5,28 @@
 #include <limits>
 
 #include "core/wave/field/history_reader.h"
+#include "core/wave/field/rod_delays.h"
 #include "core/wave/field/wave_field.h"
 
 namespace drillwave {
 
-WaveRaster waveRaster(const Impact& impact, WaveField field, const RasterGrid& grid) {
+WaveRaster waveRaster(const Impact& impact, WaveQuantity quantity, const RasterGrid& grid) {
     assert(impact.hasHistories() && grid.columns >= 0 && grid.rows >= 0);
-    WaveRaster raster{field, grid, {}, 0};
+    WaveRaster raster{quantity, grid, {}, 0};
     raster.values.resize(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
-    // Np = −g(t − ξτ) and Nn = −r(t − (2 − ξ)τ), with times at the front end.
     HistoryReader arriving(impact), leaving(impact);
-    const double incidentSign = field == WaveField::force ? -1 : 1;
-    const double transit = impact.roundTrip / 2;
+    const double incidentSign = quantity == WaveQuantity::force ? -1 : 1;
+    const RodDelays delays(impact);
     for (int row = 0; row < grid.rows; ++row) {
-        const double s = grid.time(row) - impact.frontArrival;
+        const double t = grid.time(row);
         for (int i = 0; i < grid.columns; ++i) {
             // To and fro, so that the next time to be read is always near the last.
             const int column = row % 2 == 0 ? i : grid.columns - 1 - i;
             const double xi = grid.xi(column);
             double value = std::numeric_limits<double>::quiet_NaN();
-            if (xi >= 0 && xi <= 1) {
-                const double delay = (1 - xi) * transit;
-                value = incidentSign * arriving.incident(s + delay) - leaving.reflected(s - delay);
-            }
+            if (xi >= 0 && xi <= 1)
+                value = incidentSign * arriving.incident(delays.atBit(Heading::toBit, xi, t)) -
+                        leaving.reflected(delays.atBit(Heading::fromBit, xi, t));
             raster.values[grid.index(column, row)] = static_cast<float>(value);
         }
     }
@@ -35,9 +34,9 @@ WaveRaster waveRaster(const Impact& impact, WaveField field, const RasterGrid& g
     return raster;
 }
 
-double waveValue(const Impact& impact, WaveField field, double xi, double t) {
-    const double positive = positiveWave(impact, xi, t), negative = negativeWave(impact, xi, t);
-    return field == WaveField::force ? positive + negative : negative - positive;
+double waveValue(const Impact& impact, WaveQuantity quantity, double xi, double t) {
+    const WaveField field(impact);
+    return quantity == WaveQuantity::force ? field.force(xi, t) : field.velocity(xi, t);
 }
 
 }  // namespace drillwave

@@ -10,7 +10,7 @@
 namespace drillwave {
 
 /// What is looked at in the rod.
-enum class WaveField {
+enum class WaveQuantity {
     force,     ///< N = Np + Nn [F0], tension positive
     velocity,  ///< v = (−Np + Nn)/Z [F0/Z], positive towards the rock
 };
@@ -32,9 +32,9 @@ struct RasterGrid {
     }
 };
 
-/// The field at the centres of the cells.
+/// The quantity at the centres of the cells.
 struct WaveRaster {
-    WaveField field = WaveField::force;
+    WaveQuantity quantity = WaveQuantity::force;
     RasterGrid grid;
     std::vector<float> values;  ///< row by row from timeBegin; NaN outside the rod
     long steps = 0;             ///< pieces of the histories looked at: a few for each cell at most
@@ -42,9 +42,9 @@ struct WaveRaster {
 
 /// Exact at every centre: jumps stay jumps at any size of the cells. Needs an impact solved with
 /// Detail::histories. The work grows with the number of cells, hardly with that of pieces or of round trips.
-WaveRaster waveRaster(const Impact& impact, WaveField field, const RasterGrid& grid);
+WaveRaster waveRaster(const Impact& impact, WaveQuantity quantity, const RasterGrid& grid);
 
-/// The field at one place, dimensionless as above.
-double waveValue(const Impact& impact, WaveField field, double xi, double t);
+/// The quantity at one place, dimensionless as above.
+double waveValue(const Impact& impact, WaveQuantity quantity, double xi, double t);
 
 }  // namespace drillwave

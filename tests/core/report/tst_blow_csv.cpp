@@ -113,7 +113,7 @@ void TestBlowCsv::theIncidentWaveIsCompressionAndNegative() {
         columnsOf(historiesCsv(blow.impact, blow.problem, OutputUnits::dimensionless, blow.scales));
     // A rectangular blow pushes with F0: the first wave that arrives is a compression of that size.
     QCOMPARE(csv.rows.front()[4], -1.0);
-    QCOMPARE(csv.rows.front()[4], positiveWave(blow.impact, 1, csv.rows.front()[0]));
+    QCOMPARE(csv.rows.front()[4], WaveField(blow.impact).positiveWave(1, csv.rows.front()[0]));
 }
 
 // F = 2 beta U on the primary line, and unloads with 1/gamma of that slope. U in d0, so that the largest one

@@ -8,7 +8,7 @@
 
 #include "core/model/visible_pulse.h"
 #include "core/wave/field/rod_state.h"
-#include "core/wave/field/wave_field.h"
+#include "core/wave/field/wave_curves.h"
 
 namespace drillwave {
 namespace {

@@ -2,7 +2,7 @@
 #include "ui/pages/blow/closed_form_curve.h"
 
 #include "core/wave/closed/closed_form.h"
-#include "core/wave/field/wave_field.h"
+#include "core/wave/field/wave_curves.h"
 
 namespace drillwave {
 

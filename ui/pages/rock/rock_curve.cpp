@@ -9,6 +9,7 @@
 
 #include "core/blow/impact_summary.h"
 #include "core/contact/bilinear_law.h"
+#include "core/wave/field/wave_curves.h"
 #include "core/wave/field/wave_field.h"
 
 namespace drillwave {
@@ -16,7 +17,7 @@ namespace {
 
 RockCurve::Path pathOf(const Impact& impact, const Problem& problem, const ShownUnits& units) {
     const SampledHistory history = sampleHistory(impact);
-    QVector<QCPCurveData> points{QCPCurveData(impact.frontArrival * units.time.factor, 0, 0)};
+    QVector<QCPCurveData> points{QCPCurveData(WaveField(impact).arrival() * units.time.factor, 0, 0)};
     points.reserve(static_cast<qsizetype>(history.force.size()) + 1);
     BilinearLaw<> rock(problem.law);
     for (std::size_t i = 0; i < history.force.size(); ++i) {

@@ -71,7 +71,7 @@ void RodStrip::compute() {
     if (m_blow) {
         const int columns =
             std::max(1, static_cast<int>(std::lround(rodRect().width() * devicePixelRatioF())));
-        m_force = waveRaster(m_blow->impact, WaveField::force, {0, 1, columns, m_time, m_time, 1}).values;
+        m_force = waveRaster(m_blow->impact, WaveQuantity::force, {0, 1, columns, m_time, m_time, 1}).values;
     }
     update();
 }
@@ -84,7 +84,7 @@ QString RodStrip::stateText() const {
     const auto text = [this](double value, const ShownUnit& unit) {
         return quantityText(value, unit, locale());
     };
-    const double force = impactForce(m_blow->impact, m_time - m_blow->impact.frontArrival);
+    const double force = WaveField(m_blow->impact).impactForce(m_time);
     const QString state = bit.touching ? tr("contact, penetration %1, impact force %2")
                                              .arg(text(bit.penetration, depth), text(force, units.force))
                           : bit.gap > 0 ? tr("apart, gap %1").arg(text(bit.gap, depth))

@@ -5,19 +5,15 @@
 #include <cmath>
 
 #include "core/model/scales.h"
-#include "core/model/visible_pulse.h"
 
 namespace drillwave {
 namespace {
 
-constexpr double mostFlightShown = 6;  // round trips before the first contact that are shown from the start
-constexpr double mostRoundTrips = 12;
-
 // Looked up on a grid of its own, so that the colours stay while one zooms; waves that meet only long after
 // the blow would make all others pale.
-double largestMagnitude(const Impact& impact, WaveField field, const TimeSpan& time) {
+double largestMagnitude(const Impact& impact, WaveQuantity field, const TimeSpan& time) {
     const WaveRaster overview = waveRaster(impact, field, {0, 1, 65, time.begin, time.end, 600});
-    double largest = field == WaveField::force ? impact.peakForce : 0;
+    double largest = field == WaveQuantity::force ? impact.peakForce : 0;
     for (const float value : overview.values) largest = std::max(largest, std::abs(double(value)));
     return std::isfinite(largest) && largest > 0 ? largest : 1;
 }
@@ -60,23 +56,14 @@ QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QL
            QChar(QChar::Nbsp) + unit.unit;
 }
 
-TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse) {
-    const double roundTrip = impact.roundTrip;
-    const bool longFlight = impact.firstContactTime > mostFlightShown * roundTrip;
-    const double begin = longFlight ? impact.firstContactTime - 1.5 * roundTrip : 0;
-    const double end =
-        std::max({impact.separationTime, visibleWavesEnd(pulse), impact.frontArrival}) + roundTrip;
-    return {begin, std::min(end, begin + mostRoundTrips * roundTrip)};
-}
-
 WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,
                         const ShownUnits& units, const WavePictureNeed& need) {
     WavePicture picture;
     picture.need = need;
     picture.units = pictureUnits(scenario, units);
     picture.interesting = interestingTime(impact, pulse);
-    picture.forceLimit = largestMagnitude(impact, WaveField::force, picture.interesting);
-    picture.limit = need.field == WaveField::force
+    picture.forceLimit = largestMagnitude(impact, WaveQuantity::force, picture.interesting);
+    picture.limit = need.field == WaveQuantity::force
                         ? picture.forceLimit
                         : largestMagnitude(impact, need.field, picture.interesting);
     picture.fronts = pulseFronts(pulse);

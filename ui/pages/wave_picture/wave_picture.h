@@ -8,22 +8,16 @@
 #include <vector>
 
 #include "core/model/pulse_force.h"
+#include "core/wave/field/interesting_time.h"
 #include "core/wave/field/wave_fronts.h"
 #include "core/wave/field/wave_raster.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {
 
-/// A stretch of global time t/t0.
-struct TimeSpan {
-    double begin = 0;
-    double end = 1;
-    bool operator==(const TimeSpan&) const = default;
-};
-
 /// What a picture is to show, at the pixels of its screen.
 struct WavePictureNeed {
-    WaveField field = WaveField::force;
+    WaveQuantity field = WaveQuantity::force;
     double xiBegin = 0, xiEnd = 1;  ///< x/L
     std::optional<TimeSpan> time;   ///< all that is of interest when there is none
     int columns = 0, rows = 0;      ///< device pixels
@@ -39,7 +33,7 @@ struct PictureUnits {
     ShownUnit stress;    ///< N/A, or N/F0 where there is no cross-section
     bool operator==(const PictureUnits&) const = default;
 
-    const ShownUnit& of(WaveField field) const { return field == WaveField::force ? force : velocity; }
+    const ShownUnit& of(WaveQuantity field) const { return field == WaveQuantity::force ? force : velocity; }
 };
 
 /// `units` gives times and forces; what else there is follows from the scenario.
@@ -50,9 +44,9 @@ struct WavePicture {
     WavePictureNeed need;  ///< that it meets
     PictureUnits units;
     WaveRaster raster;
-    TimeSpan interesting;   ///< from the blow to its last separation, within a sane number of round trips
-    double limit = 1;       ///< largest magnitude of the field in that time
-    double forceLimit = 1;  ///< that of the force
+    TimeSpan interesting;        ///< interestingTime()
+    double limit = 1;            ///< largest magnitude of the field in that time
+    double forceLimit = 1;       ///< that of the force
     std::vector<double> fronts;  ///< pulseFronts()
     std::vector<ContactInterval> contacts;
 };
@@ -62,11 +56,6 @@ QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QL
 
 /// A raster has no more cells than this: larger needs are met more coarsely.
 inline constexpr int mostPictureCells = 4'000'000;
-
-/// The time in which a blow is worth looking at: from its beginning to a round trip after the last
-/// separation. A long flight before the first contact is left out but for its end, and so is what comes later
-/// than a dozen round trips.
-TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse);
 
 /// Requires an impact solved with Detail::histories.
 WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,

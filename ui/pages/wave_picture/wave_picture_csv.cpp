@@ -30,7 +30,7 @@ std::string header(const QStringList& names, char separator) {
 
 }  // namespace
 
-QByteArray wavePictureCsv(const SolvedBlow& blow, WaveField field, const PictureWindow& window,
+QByteArray wavePictureCsv(const SolvedBlow& blow, WaveQuantity field, const PictureWindow& window,
                           const QStringList& names, char separator) {
     const PictureUnits& units = blow.page<WavePicture>()->units;
     const double left = std::clamp(window.xiBegin, 0.0, 1.0);

@@ -20,7 +20,7 @@ struct PictureWindow {
 /// places evenly over the part of the rod in the window, ends included, at each of 201 times. Exact at every
 /// one of them, the value behind a jump at a jump. `separator` as in plotCsv(). Requires a blow with a
 /// picture.
-QByteArray wavePictureCsv(const SolvedBlow& blow, WaveField field, const PictureWindow& window,
+QByteArray wavePictureCsv(const SolvedBlow& blow, WaveQuantity field, const PictureWindow& window,
                           const QStringList& names, char separator);
 
 }  // namespace drillwave

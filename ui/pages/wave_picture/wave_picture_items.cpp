@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/wave/field/wave_field.h"
+
 namespace drillwave {
 namespace {
 
@@ -86,14 +88,13 @@ void WaveFieldItem::drawForFile(QCPPainter& painter) const {
         std::min(1.0, std::sqrt(mostPictureCells / (scale * scale * grid.columns * grid.rows)));
     grid.columns = std::max(1, int(std::lround(grid.columns * scale * fewer)));
     grid.rows = std::max(1, int(std::lround(grid.rows * scale * fewer)));
-    const WaveRaster raster = waveRaster(m_blow->impact, picture().raster.field, grid);
+    const WaveRaster raster = waveRaster(m_blow->impact, picture().raster.quantity, grid);
     painter.drawImage(QRectF(parentPlot()->axisRect()->rect()), imageOf(raster));
 }
 
 void WaveFrontsItem::draw(QCPPainter* painter) {
     if (!m_blow) return;
-    const double roundTrip = m_blow->impact.roundTrip;
-    const double spacing = std::abs(pixel(0, roundTrip).y() - pixel(0, 0).y());
+    const double spacing = std::abs(pixel(0, WaveField(m_blow->impact).roundTrip()).y() - pixel(0, 0).y());
     if (!(spacing >= leastSpacing)) return;
     painter->setBrush(Qt::NoBrush);
     QColor colour = m_style.text;
@@ -107,46 +108,31 @@ void WaveFrontsItem::draw(QCPPainter* painter) {
     }
 }
 
-// The front that starts at `offset` from the struck end comes back to the bit every round trip.
-void WaveFrontsItem::drawFamily(QCPPainter& painter, double offset, bool named) const {
-    const Impact& impact = m_blow->impact;
+// The front that the hammer sends off at `start`, to and fro.
+void WaveFrontsItem::drawFamily(QCPPainter& painter, double start, bool named) const {
     const RasterGrid range = view();
-    const double transit = impact.roundTrip / 2, first = impact.frontArrival + offset;
-    const double firstTrip = std::max(0.0, std::ceil((range.timeBegin - transit - first) / impact.roundTrip));
-    const double lastTrip = std::floor((range.timeEnd + transit - first) / impact.roundTrip);
-    const bool isReference = impact.frontArrival == 0;
-    for (double trip = firstTrip; trip <= lastTrip; ++trip) {
-        const double timeAtBit = first + trip * impact.roundTrip;
-        if (trip > 0 || !isReference) drawLine(painter, timeAtBit, Direction::toBit);
-        drawLine(painter, timeAtBit, Direction::fromBit);
-        const int number = trip < namedWaves ? 2 * static_cast<int>(trip) : namedWaves;
-        if (!named || isReference || number >= namedWaves) continue;
-        drawName(painter, timeAtBit, Direction::toBit, number);
-        drawName(painter, timeAtBit, Direction::fromBit, number + 1);
+    const bool hasNames = named && !m_blow->solved.hammer.isRigidBody();
+    for (const FrontRun& run : frontRuns(m_blow->impact, start, range.timeBegin, range.timeEnd)) {
+        drawLine(painter, run);
+        if (hasNames && run.number < namedWaves) drawName(painter, run);
     }
 }
 
-void WaveFrontsItem::drawLine(QCPPainter& painter, double timeAtBit, Direction direction) const {
+void WaveFrontsItem::drawLine(QCPPainter& painter, const FrontRun& run) const {
     const RasterGrid range = view();
-    const double transit = m_blow->impact.roundTrip / 2;
-    // t = timeAtBit ∓ (1 − ξ)τ
-    const double sign = direction == Direction::toBit ? 1 : -1;
-    const double one = 1 + sign * (range.timeBegin - timeAtBit) / transit;
-    const double other = 1 + sign * (range.timeEnd - timeAtBit) / transit;
+    const double one = run.sectionAt(range.timeBegin), other = run.sectionAt(range.timeEnd);
     const double from = std::max({0.0, range.xiBegin, std::min(one, other)});
     const double to = std::min({1.0, range.xiEnd, std::max(one, other)});
     if (!(from < to)) return;
-    painter.drawLine(QLineF(pixel(from, timeAtBit - sign * (1 - from) * transit),
-                            pixel(to, timeAtBit - sign * (1 - to) * transit)));
+    painter.drawLine(QLineF(pixel(from, run.timeAt(from)), pixel(to, run.timeAt(to))));
 }
 
 // In the middle of the rod, ahead of the front.
-void WaveFrontsItem::drawName(QCPPainter& painter, double timeAtBit, Direction direction, int number) const {
-    const double transit = m_blow->impact.roundTrip / 2;
-    const bool toBit = direction == Direction::toBit;
+void WaveFrontsItem::drawName(QCPPainter& painter, const FrontRun& run) const {
+    const bool toBit = run.heading == Heading::toBit;
     const double xi = toBit ? 0.6 : 0.4;
-    const QPointF place = pixel(xi, timeAtBit - (toBit ? 1 : -1) * (1 - xi) * transit);
-    const QString name = waveName(number);
+    const QPointF place = pixel(xi, run.timeAt(xi));
+    const QString name = waveName(static_cast<int>(run.number));
     const QSizeF size = QFontMetricsF(m_style.font).size(0, name);
     const QRectF box(place.x() + (toBit ? 5 : -5 - size.width()), place.y() + 3, size.width(), size.height());
     if (!QRectF(parentPlot()->axisRect()->rect()).contains(box)) return;

@@ -69,10 +69,9 @@ class WaveFrontsItem : public WavePictureItem {
     void draw(QCPPainter* painter) override;
 
   private:
-    enum class Direction { toBit, fromBit };
-    void drawFamily(QCPPainter& painter, double offset, bool named) const;
-    void drawLine(QCPPainter& painter, double timeAtBit, Direction direction) const;
-    void drawName(QCPPainter& painter, double timeAtBit, Direction direction, int number) const;
+    void drawFamily(QCPPainter& painter, double start, bool named) const;
+    void drawLine(QCPPainter& painter, const FrontRun& run) const;
+    void drawName(QCPPainter& painter, const FrontRun& run) const;
 };
 
 /// Bars beside the bit's end of the picture while bit and rock touch, ticks at the other events.

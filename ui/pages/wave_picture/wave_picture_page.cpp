@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "core/wave/field/wave_field.h"
 #include "ui/pages/wave_picture/picture_cursors.h"
 #include "ui/pages/wave_picture/play_bar.h"
 #include "ui/pages/wave_picture/rod_strip.h"
@@ -105,7 +106,7 @@ void WavePicturePage::restoreChoices() {
     const Settings settings;
     const bool velocity = settings.value(fieldKey).toString() == velocityName;
     m_field->setCurrentIndex(velocity ? 1 : 0);
-    m_picture->setField(velocity ? WaveField::velocity : WaveField::force);
+    m_picture->setField(velocity ? WaveQuantity::velocity : WaveQuantity::force);
     m_fronts->setChecked(settings.value(frontsKey, true).toBool());
     m_picture->setFrontsShown(m_fronts->isChecked());
 }
@@ -113,7 +114,7 @@ void WavePicturePage::restoreChoices() {
 void WavePicturePage::wire() {
     connect(m_field, &QComboBox::currentIndexChanged, this, [this](int index) {
         Settings().setValue(fieldKey, index == 1 ? velocityName : QStringLiteral("force"));
-        m_picture->setField(index == 1 ? WaveField::velocity : WaveField::force);
+        m_picture->setField(index == 1 ? WaveQuantity::velocity : WaveQuantity::force);
     });
     connect(m_fronts, &QCheckBox::toggled, this, [this](bool shown) {
         Settings().setValue(frontsKey, shown);
@@ -170,7 +171,7 @@ double WavePicturePage::timeShown() const {
     const WavePicture* picture = m_picture->picture();
     if (!picture) return 0;
     const double begin = picture->interesting.begin;
-    return begin > 0 ? begin : 0.7 * m_picture->shown()->impact.frontArrival;
+    return begin > 0 ? begin : 0.7 * WaveField(m_picture->shown()->impact).arrival();
 }
 
 void WavePicturePage::showTime() {

@@ -11,9 +11,10 @@
 namespace drillwave {
 namespace {
 
-QString fieldWords(WaveField field) {
-    return field == WaveField::force ? WavePicturePlot::tr("force N (tension positive)")
-                                     : WavePicturePlot::tr("particle velocity v (towards the rock positive)");
+QString fieldWords(WaveQuantity field) {
+    return field == WaveQuantity::force
+               ? WavePicturePlot::tr("force N (tension positive)")
+               : WavePicturePlot::tr("particle velocity v (towards the rock positive)");
 }
 
 }  // namespace
@@ -120,7 +121,7 @@ void WavePicturePlot::takeRanges() {
     setRanges();
 }
 
-void WavePicturePlot::setField(WaveField field) {
+void WavePicturePlot::setField(WaveQuantity field) {
     if (m_field == field) return;
     m_field = field;
     checkNeed();
@@ -132,16 +133,16 @@ void WavePicturePlot::setFrontsShown(bool shown) {
 
 void WavePicturePlot::setLabels() {
     const WavePicture& picture = *this->picture();
-    const ShownUnit& unit = picture.units.of(picture.raster.field);
+    const ShownUnit& unit = picture.units.of(picture.raster.quantity);
     m_plot->xAxis->setLabel(picture.units.position.axisLabel(tr("position x from the struck end")));
     m_plot->yAxis->setLabel(picture.units.time.axisLabel(tr("time t")));
     m_bar->setDataRange({-picture.limit * unit.factor, picture.limit * unit.factor});
-    m_bar->setLabel(unit.axisLabel(fieldWords(picture.raster.field)));
+    m_bar->setLabel(unit.axisLabel(fieldWords(picture.raster.quantity)));
 }
 
 QByteArray WavePicturePlot::csv(char separator) const {
     if (!m_blow) return {};
-    return wavePictureCsv(*m_blow, picture()->raster.field, {m_xiBegin, m_xiEnd, m_time},
+    return wavePictureCsv(*m_blow, picture()->raster.quantity, {m_xiBegin, m_xiEnd, m_time},
                           {m_plot->xAxis->label(), m_plot->yAxis->label(), m_bar->label()}, separator);
 }
 
@@ -177,11 +178,11 @@ QString WavePicturePlot::readout(const QPointF& pixel) const {
     const PictureUnits& units = picture.units;
     const double xi = m_plot->xAxis->pixelToCoord(pixel.x()) / units.position.factor;
     const double t = m_plot->yAxis->pixelToCoord(pixel.y()) / units.time.factor;
-    const WaveField field = picture.raster.field;
+    const WaveQuantity field = picture.raster.quantity;
     const QLocale locale = m_plot->locale();
     return tr("x = %1 · t = %2 · %3 = %4")
         .arg(quantityText(xi, units.position, locale), timeText(t, m_time, units.time, locale),
-             field == WaveField::force ? QStringLiteral("N") : QStringLiteral("v"),
+             field == WaveQuantity::force ? QStringLiteral("N") : QStringLiteral("v"),
              quantityText(waveValue(m_blow->impact, field, xi, t), units.of(field), locale));
 }
 
@@ -199,9 +200,9 @@ void WavePicturePlot::summarize() {
     const auto count = static_cast<int>(picture.contacts.size());
     m_summary =
         tr("Picture of %1 over position and time from %2 to %3, up to %4. %5: %6%7.")
-            .arg(fieldWords(picture.raster.field), timeText(m_time.begin, m_time, time, locale),
+            .arg(fieldWords(picture.raster.quantity), timeText(m_time.begin, m_time, time, locale),
                  timeText(m_time.end, m_time, time, locale),
-                 quantityText(picture.limit, picture.units.of(picture.raster.field), locale),
+                 quantityText(picture.limit, picture.units.of(picture.raster.quantity), locale),
                  count == 1 ? tr("1 contact of bit and rock") : tr("%1 contacts of bit and rock").arg(count),
                  contacts.join(QStringLiteral(", ")), count > contacts.size() ? tr(" and so on") : QString());
 }

@@ -31,8 +31,8 @@ class WavePicturePlot : public QObject {
     /// Its picture, or nullptr.
     const WavePicture* picture() const { return m_blow ? m_blow->page<WavePicture>() : nullptr; }
 
-    void setField(WaveField field);
-    WaveField field() const { return m_field; }
+    void setField(WaveQuantity field);
+    WaveQuantity field() const { return m_field; }
     void setFrontsShown(bool shown);
     bool frontsShown() const { return m_fronts->visible(); }
     void setStyle(const PlotStyle& style);
@@ -69,7 +69,7 @@ class WavePicturePlot : public QObject {
     ContactBarsItem* m_contacts;
     PlotMessage* m_message;
     SolvedBlowPtr m_blow;
-    WaveField m_field = WaveField::force;
+    WaveQuantity m_field = WaveQuantity::force;
     double m_xiBegin = 0, m_xiEnd = 1;
     TimeSpan m_time;
     std::optional<WavePictureNeed> m_announced;  // by needChanged(), not answered yet

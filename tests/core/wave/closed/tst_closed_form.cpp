@@ -3,7 +3,7 @@
 #include <QtTest>
 
 #include "core/wave/closed/closed_form.h"
-#include "core/wave/field/wave_field.h"
+#include "core/wave/field/bit_history.h"
 #include "tests/support/scenes.h"
 
 using namespace drillwave;

@@ -45,7 +45,7 @@ class TestBitMotion : public QObject {
             for (int i = 1; i < 20; ++i) {  // the bit still advances: nothing has been unloaded
                 const double t = begin + 1e-3 * i;
                 const BitState state = bitState(impact, contacts, scene.groups.delta, t);
-                const double force = impactForce(impact, t - impact.frontArrival);
+                const double force = WaveField(impact).impactForce(t);
                 QVERIFY(state.touching);
                 QVERIFY2(std::abs(state.penetration - force / (2 * scene.groups.beta)) <
                              1e-12 * (1 + scene.groups.delta),

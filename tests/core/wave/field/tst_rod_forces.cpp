@@ -2,6 +2,7 @@
 // The largest forces in the rod, against the wave field looked at everywhere.
 #include <QtTest>
 
+#include "core/wave/field/bit_history.h"
 #include "core/wave/field/rod_forces.h"
 #include "core/wave/field/wave_field.h"
 #include "tests/support/scenes.h"
@@ -17,7 +18,7 @@ RodForces forcesOf(const Scene& scene) {
 
 /// Compressive force at a place and time.
 double compressionAt(const Impact& impact, double section, double time) {
-    return -positiveWave(impact, section, time) - negativeWave(impact, section, time);
+    return -WaveField(impact).positiveWave(section, time) - WaveField(impact).negativeWave(section, time);
 }
 
 /// The largest of sign·(−N) in a close neighbourhood: at a jump the largest value is there on one side only.

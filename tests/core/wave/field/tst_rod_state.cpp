@@ -22,7 +22,7 @@ double momentumInside(const Impact& impact, double t) {
     double sum = 0;
     for (int i = 0; i < cells; ++i) {
         const double xi = (i + 0.5) / cells;
-        sum += negativeWave(impact, xi, t) - positiveWave(impact, xi, t);
+        sum += WaveField(impact).velocity(xi, t);
     }
     return sum / cells * impact.roundTrip / 2;
 }

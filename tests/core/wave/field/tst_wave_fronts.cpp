@@ -2,6 +2,8 @@
 // Where the lines of an x–t diagram begin.
 #include <QTest>
 
+#include "core/wave/field/interesting_time.h"
+#include "core/wave/field/wave_field.h"
 #include "core/wave/field/wave_fronts.h"
 #include "tests/support/scenes.h"
 
@@ -34,6 +36,53 @@ class TestWaveFronts : public QObject {
         scenario.pulse.shape = PulseShape::table;
         scenario.pulse.tablePoints = {{0, 0}, {1, 3}, {2, 3}, {3, 0}, {4, 0}};
         QCOMPARE(pulseFronts(pulseForceOf(scenario)), (std::vector<double>{0, 1}));
+    }
+
+    // The waves are looked up beside each of their fronts: nothing of the blow ahead of it, all of it behind.
+    void frontsRunToAndFroAheadOfTheirWaves() {
+        const double tau = 3;
+        const Impact impact = solve({PulseShape::rectangular, {0.5, 0.1, tau, 0}}, Detail::histories);
+        const WaveField field(impact);
+        const std::vector<FrontRun> runs = frontRuns(impact, 0, 0, 2 * tau);
+        QCOMPARE(runs.size(), std::size_t(4));  // two of them just begin or have just ended
+        for (const FrontRun& run : {runs[0], runs[1]}) {
+            QCOMPARE(run.number, run.heading == Heading::toBit ? 0L : 1L);
+            QCOMPARE(run.timeAtBit, tau);
+            for (const double xi : {0.1, 0.6}) {
+                const double t = run.timeAt(xi);
+                QVERIFY(std::abs(t - (run.heading == Heading::toBit ? xi : 2 - xi) * tau) < 1e-15 * 8);
+                QVERIFY(std::abs(run.sectionAt(t) - xi) < 1e-15);
+            }
+        }
+        QCOMPARE(field.positiveWave(0.6, runs[0].timeAt(0.6) - 1e-9), 0.0);
+        QCOMPARE(field.positiveWave(0.6, runs[0].timeAt(0.6) + 1e-9), -1.0);
+        QCOMPARE(field.negativeWave(0.6, runs[1].timeAt(0.6) - 1e-9), 0.0);
+        QVERIFY(field.negativeWave(0.6, runs[1].timeAt(0.6) + 1e-9) > 0.9);  // of a free end but for the rock
+    }
+
+    void onlyTheRunsOfTheTimeInViewAreGiven() {
+        const Impact impact = solve({PulseShape::rectangular, {0.5, 0.1, 3, 0}}, Detail::histories);
+        const std::vector<FrontRun> runs = frontRuns(impact, 1, 600.5, 606.5);
+        QVERIFY(!runs.empty() && runs.size() <= 6);
+        for (const FrontRun& run : runs) {
+            QVERIFY(run.timeAtBit >= 597.5 && run.timeAtBit <= 609.5);
+            QCOMPARE(run.timeAtBit, 4 + 6 * std::floor(double(run.number) / 2));
+        }
+        const Impact reference = solve({PulseShape::rigidBody, {0.5, 0.1, 3, 0}}, Detail::histories);
+        const std::vector<FrontRun> fromTheBit = frontRuns(reference, 0, 0, 2);
+        QCOMPARE(fromTheBit.front().number, 1L);  // nothing runs to the bit before
+        QCOMPARE(fromTheBit.front().timeAtBit, 0.0);
+    }
+
+    void theInterestingTimeEndsARoundTripAfterTheBlow() {
+        const Scene near{PulseShape::rectangular, {0.5, 0.1, 3, 0}};
+        const Impact impact = solve(near, Detail::summary);
+        QVERIFY(interestingTime(impact, problemOf(near).hammer) == (TimeSpan{0, impact.separationTime + 6}));
+        const Scene far{PulseShape::rectangular, {0.5, 0.1, 3, 100.25}};
+        const Impact late = solve(far, Detail::summary);
+        const TimeSpan span = interestingTime(late, problemOf(far).hammer);
+        QCOMPARE(span.begin, late.firstContactTime - 9);
+        QCOMPARE(span.end, late.separationTime + 6);
     }
 
     void contactsAreTheTimesFromTouchingToSeparation() {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/wave/field/bit_history.h"
 #include "core/wave/field/history_reader.h"
 #include "core/wave/field/wave_field.h"
 #include "core/wave/field/wave_raster.h"
@@ -15,9 +16,10 @@ using namespace drillwave::test;
 namespace {
 
 /// −g(t − ξτ) − r(t − (2 − ξ)τ) and g − r, from the definition.
-double expected(const Impact& impact, WaveField field, double xi, double t) {
-    const double positive = positiveWave(impact, xi, t), negative = negativeWave(impact, xi, t);
-    return field == WaveField::force ? positive + negative : negative - positive;
+double expected(const Impact& impact, WaveQuantity field, double xi, double t) {
+    const double positive = WaveField(impact).positiveWave(xi, t),
+                 negative = WaveField(impact).negativeWave(xi, t);
+    return field == WaveQuantity::force ? positive + negative : negative - positive;
 }
 
 const Scene figure4a{PulseShape::rectangular, {0.5, 1, 10, 0}};
@@ -57,7 +59,7 @@ class TestWaveRaster : public QObject {
         scenes.forEachSolved(40, Detail::histories, [](const Scene& scene, const Impact& impact) {
             const RasterGrid grid{
                 0, 1, 37, -0.2 * impact.roundTrip, impact.separationTime + 2.3 * impact.roundTrip, 41};
-            for (const WaveField field : {WaveField::force, WaveField::velocity}) {
+            for (const WaveQuantity field : {WaveQuantity::force, WaveQuantity::velocity}) {
                 const WaveRaster raster = waveRaster(impact, field, grid);
                 for (int row = 0; row < grid.rows; ++row)
                     for (int column = 0; column < grid.columns; ++column)
@@ -74,7 +76,7 @@ class TestWaveRaster : public QObject {
         // The blow's front passes the middle of the rod at t = τ/2 = 5.
         for (double size = 1; size > 1e-9; size /= 10) {
             const RasterGrid grid{0.5, 0.5, 1, 5 - size, 5 + size, 200};
-            const WaveRaster raster = waveRaster(impact, WaveField::force, grid);
+            const WaveRaster raster = waveRaster(impact, WaveQuantity::force, grid);
             for (int row = 0; row < grid.rows; ++row)
                 QCOMPARE(raster.values[grid.index(0, row)], row < 100 ? 0.0F : -1.0F);
         }
@@ -83,7 +85,7 @@ class TestWaveRaster : public QObject {
     void frontsRunWithTheWaveSpeed() {
         const Impact impact = solve(figure4a, Detail::histories);
         const RasterGrid grid{0, 1, 100, 0, 10, 100};
-        const WaveRaster raster = waveRaster(impact, WaveField::velocity, grid);
+        const WaveRaster raster = waveRaster(impact, WaveQuantity::velocity, grid);
         // v = F0/Z between the fronts x = ct and x = c(t − t0).
         for (int row = 0; row < 100; ++row)
             for (int column = 0; column < 100; ++column) {
@@ -96,15 +98,15 @@ class TestWaveRaster : public QObject {
     void theReferenceCaseArrivesWithoutWaves() {
         const Impact impact = solve({PulseShape::rigidBody, {0.5, 0.3, 2, 0}}, Detail::histories);
         const RasterGrid grid{0, 1, 9, -4, 0, 7};
-        for (const float force : waveRaster(impact, WaveField::force, grid).values) QCOMPARE(force, 0.0F);
+        for (const float force : waveRaster(impact, WaveQuantity::force, grid).values) QCOMPARE(force, 0.0F);
         // v0 = I0/m is F0/(Zτ)
-        for (const float velocity : waveRaster(impact, WaveField::velocity, grid).values)
+        for (const float velocity : waveRaster(impact, WaveQuantity::velocity, grid).values)
             QCOMPARE(velocity, 0.5F);
     }
 
     void outsideTheRodThereIsNothing() {
         const Impact impact = solve(figure4a, Detail::histories);
-        const WaveRaster raster = waveRaster(impact, WaveField::force, {-1, 2, 3, 0, 30, 5});
+        const WaveRaster raster = waveRaster(impact, WaveQuantity::force, {-1, 2, 3, 0, 30, 5});
         for (int row = 0; row < 5; ++row) {
             QVERIFY(std::isnan(raster.values[raster.grid.index(0, row)]));
             QVERIFY(!std::isnan(raster.values[raster.grid.index(1, row)]));
@@ -144,7 +146,7 @@ class TestWaveRaster : public QObject {
             solve({static_cast<PulseShape>(shape), {beta, gamma, tau, delta}}, Detail::histories);
         QCOMPARE(impact.outcome, Outcome::rebounded);
         const RasterGrid grid{0, 1, 300, 0, roundTrips * impact.roundTrip, 200};
-        const WaveRaster raster = waveRaster(impact, WaveField::force, grid);
+        const WaveRaster raster = waveRaster(impact, WaveQuantity::force, grid);
         const double perCell = static_cast<double>(raster.steps) / static_cast<double>(raster.values.size());
         // Two look-ups a cell; a walk of n pieces takes 2 log2(n) looks.
         QVERIFY2(perCell < 2 + 4 * std::log2(2.0 + static_cast<double>(impact.incident.pieces().size())),

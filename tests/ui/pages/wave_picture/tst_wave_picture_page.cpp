@@ -192,7 +192,8 @@ void TestWavePicturePage::zoomingBringsANewPictureOfWhatIsInView() {
             const double xi = grid.xi(column), t = grid.time(row);
             const Impact& impact = m_page->picture()->shown()->impact;
             QCOMPARE(picture.raster.values[grid.index(column, row)],
-                     static_cast<float>(positiveWave(impact, xi, t) + negativeWave(impact, xi, t)));
+                     static_cast<float>(WaveField(impact).positiveWave(xi, t) +
+                                        WaveField(impact).negativeWave(xi, t)));
         }
     }
     m_page->fit();
@@ -249,11 +250,11 @@ void TestWavePicturePage::forceAndVelocityCanBeChosen() {
     field->setCurrentIndex(1);
     QTRY_VERIFY(settled());
     const SolvedBlowPtr blow = m_page->picture()->shown();
-    QCOMPARE(blow->page<WavePicture>()->raster.field, WaveField::velocity);
+    QCOMPARE(blow->page<WavePicture>()->raster.quantity, WaveQuantity::velocity);
     const RasterGrid grid = gridShown();
     const double xi = grid.xi(100), t = grid.time(40);
     QCOMPARE(blow->page<WavePicture>()->raster.values[grid.index(100, 40)],
-             static_cast<float>(negativeWave(blow->impact, xi, t) - positiveWave(blow->impact, xi, t)));
+             static_cast<float>(WaveField(blow->impact).velocity(xi, t)));
     auto* fronts = m_page->findChild<QCheckBox*>(QStringLiteral("fronts"));
     fronts->click();
     QCOMPARE(m_page->picture()->frontsShown(), fronts->isChecked());
@@ -264,7 +265,7 @@ void TestWavePicturePage::choicesAreRemembered() {
     m_page->findChild<QCheckBox*>(QStringLiteral("fronts"))->setChecked(false);
     m_page->findChild<QComboBox*>(QStringLiteral("speed"))->setCurrentIndex(0);
     const WavePicturePage next(*m_observation);
-    QCOMPARE(next.picture()->field(), WaveField::velocity);
+    QCOMPARE(next.picture()->field(), WaveQuantity::velocity);
     QVERIFY(!next.picture()->frontsShown());
     QCOMPARE(next.playBar()->secondsForSpan(), 2.0);
 }

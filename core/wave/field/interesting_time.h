@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The time in which something happens in the rod that is worth looking at.
+#pragma once
+
+#include "core/model/pulse_force.h"
+#include "core/wave/impact.h"
+
+namespace drillwave {
+
+/// A stretch of global time t/t0.
+struct TimeSpan {
+    double begin = 0;
+    double end = 1;
+    bool operator==(const TimeSpan&) const = default;
+};
+
+/// From the beginning of a blow to a round trip after its last separation. A long flight before the first
+/// contact is left out but for its end, and so is what comes later than a dozen round trips. Of an impact
+/// solved with Detail::summary or more.
+TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse);
+
+}  // namespace drillwave

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/field/wave_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/wave/field/bit_history.h"
+#include "core/wave/field/recorded_time.h"
+#include "core/wave/field/rod_delays.h"
+#include "core/wave/field/wave_field.h"
+
+namespace drillwave {
+namespace {
+
+using Piece = PiecewisePolynomial::Piece;
+
+/// A million reflections make a million pieces, each far below a pixel: all of them together get about so
+/// many chords, or one each.
+constexpr std::size_t chordsOfAll = 1'000'000;
+
+/// Into how many chords a piece is cut: curvature bound Σk(k−1)|c_k| over 8 chords² within 1e-4 of its size.
+int chords(const PiecewisePolynomial& f, const Piece& piece) {
+    const double u = piece.length / piece.scale;
+    double curvature = 0, size = 0, power = 1;
+    int k = 0;
+    for (const double c : f.coefficients(piece)) {
+        curvature += k * (k - 1) * std::abs(c) * power;
+        size += std::abs(c) * power;
+        power *= u;
+        ++k;
+    }
+    if (size == 0) return 1;
+    const std::size_t most = std::clamp<std::size_t>(chordsOfAll / f.pieces().size(), 1, 100);
+    return std::clamp(static_cast<int>(std::ceil(std::sqrt(curvature / (8e-4 * size)))), 1,
+                      static_cast<int>(most));
+}
+
+/// What is shorter, in round trips, is the rounding of a time and no part of a curve.
+constexpr double negligibleTime = 1e-12;
+
+/// Appends value(piece, x) over recorded time [from, to), shifted by `shift`, as chords of `wave`: without
+/// the jumps at `from` and `to`, on which side of them ever rounding has put the pieces that begin there.
+template <class Value>
+void sampleRecorded(const Impact& impact, double from, double to, double shift, Value value,
+                    SampledCurve& curve) {
+    const auto pieces = impact.incident.pieces();
+    const auto forces = impact.force.pieces();
+    const double rounding = negligibleTime * impact.roundTrip;
+    const auto first = std::partition_point(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+        return piece.start + piece.length <= from + rounding;
+    });
+    for (auto piece = first; piece != pieces.end() && piece->start < to - rounding; ++piece) {
+        const auto index = static_cast<std::size_t>(piece - pieces.begin());
+        const double begin = std::max(0.0, from - piece->start);
+        const double end = std::min(piece->length, to - piece->start);
+        if (!(end >= begin)) continue;
+        const int n = std::max(chords(impact.incident, *piece), chords(impact.force, forces[index]));
+        for (int i = 0; i <= n; ++i) {
+            const double x = begin + (end - begin) * i / n;
+            curve.time.push_back(piece->start + x + shift);
+            curve.value.push_back(value(*piece, forces[index], x));
+        }
+    }
+}
+
+Heading headingOf(int number) {
+    return number % 2 == 0 ? Heading::toBit : Heading::fromBit;
+}
+
+/// When the wave of that number reaches the bit or leaves it, since the first arrival there.
+double startOf(const RodDelays& delays, int number) {
+    const int trip = number / 2;
+    return trip * delays.roundTrip();
+}
+
+}  // namespace
+
+std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count) {
+    std::vector<SectionWave> waves;
+    const RodDelays delays(impact);
+    for (int number = 0; number < count; ++number) {
+        SectionWave wave;
+        wave.number = number;
+        const bool forward = headingOf(number) == Heading::toBit;
+        double from = startOf(delays, number);
+        const double to = from + delays.roundTrip();
+        const double shift = delays.shift(headingOf(number), xi);
+        const auto value = [&](const Piece& g, const Piece& f, double x) {
+            const double incident = impact.incident.value(g, x);
+            return forward ? -incident : incident - impact.force.value(f, x);
+        };
+        while (from < to) {  // past the recording the last period repeats itself
+            const double recorded = recordedTime(impact, from);
+            const double stretch = std::min(to - from, uninterrupted(impact, from));
+            if (!(stretch > negligibleTime * delays.roundTrip())) break;
+            sampleRecorded(impact, recorded, recorded + stretch, from - recorded + shift, value, wave.curve);
+            from += stretch;
+        }
+        waves.push_back(std::move(wave));
+    }
+    return waves;
+}
+
+double sectionWave(const Impact& impact, double xi, int number, double t) {
+    const RodDelays delays(impact);
+    const double s = delays.atBit(headingOf(number), xi, t), begin = startOf(delays, number);
+    if (s < begin || s > begin + delays.roundTrip()) return std::numeric_limits<double>::quiet_NaN();
+    const WaveField field(impact);
+    return headingOf(number) == Heading::toBit ? field.positiveWave(xi, t) : field.negativeWave(xi, t);
+}
+
+double sectionWaveImpulse(const Impact& impact, double xi, int number, double t) {
+    const RodDelays delays(impact);
+    const double begin = startOf(delays, number);
+    const double s = std::clamp(delays.atBit(headingOf(number), xi, t), begin, begin + delays.roundTrip());
+    const double incident = incidentImpulse(impact, s);
+    return headingOf(number) == Heading::toBit ? -incident : incident - impactImpulse(impact, s);
+}
+
+SampledHistory sampleHistory(const Impact& impact) {
+    SampledHistory history;
+    const RodDelays delays(impact);
+    const auto pieces = impact.incident.pieces();
+    const auto forces = impact.force.pieces();
+    double impulse = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const int n = std::max(chords(impact.incident, pieces[i]), chords(impact.force, forces[i]));
+        const double shift = delays.arrival() + unrecordedBefore(impact, pieces[i].start);
+        const double end = i + 1 < pieces.size() ? pieces[i + 1].start : impact.incident.end();
+        for (int j = 0; j <= n; ++j) {
+            const double x = pieces[i].length * j / n;
+            history.time.push_back(std::min(pieces[i].start + x, end) + shift);  // rounding apart
+            history.force.push_back(std::max(impact.force.value(forces[i], x), 0.0));
+            history.impulse.push_back(impulse + impact.force.integral(forces[i], x));
+            history.incident.push_back(impact.incident.value(pieces[i], x));
+        }
+        impulse += impact.force.integral(forces[i], pieces[i].length);
+    }
+    return history;
+}
+
+}  // namespace drillwave
