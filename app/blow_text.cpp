@@ -102,7 +102,7 @@ std::string resultText(const Blow& blow) {
 }
 
 std::string methodText(const MethodChoice& choice) {
-    const std::string text(name(choice.method));
+    std::string text(name(choice.method));
     if (choice.method != Method::lattice) return text;
     return text + " of " + std::to_string(choice.lattice.segments) + " segments";
 }

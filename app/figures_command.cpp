@@ -15,7 +15,7 @@ namespace drillwave {
 namespace {
 
 QByteArray drawn(const Figure& figure, const QString& format) {
-    const QByteArray bytes = drawFigure(figure, format);
+    QByteArray bytes = drawFigure(figure, format);
     if (bytes.isEmpty())
         throw CommandError(ExitCode::internalError,
                            "Fig. " + std::to_string(figure.number) + " could not be drawn");

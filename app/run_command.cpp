@@ -31,7 +31,7 @@ struct RunFiles {
 };
 
 QStringList plotFormatsOf(const std::string& list) {
-    const QStringList formats = QString::fromStdString(list).split(',');
+    QStringList formats = QString::fromStdString(list).split(',');
     for (const QString& format : formats)
         if (!plotFormats().contains(format))
             throw CommandError(ExitCode::usage, "--plots " + shortened(list) + ": `" + format.toStdString() +

@@ -2,9 +2,8 @@
 // How long something takes, measured so that the number means something.
 #pragma once
 
-#include <time.h>
-
 #include <algorithm>
+#include <ctime>
 #include <stop_token>
 #include <vector>
 

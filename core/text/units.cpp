@@ -156,7 +156,7 @@ std::optional<std::string> textInInexactUnit(double si, const Unit& unit) {
     return std::nullopt;
 }
 
-std::string withUnit(std::string number, const Unit& unit) {
+std::string withUnit(const std::string& number, const Unit& unit) {
     return unit.name.empty() ? number : number + " " + std::string(unit.name);
 }
 
