@@ -7,21 +7,13 @@
 #include <system_error>
 #include <thread>
 
+#include "tests/support/files.h"
 #include "ui/export/whole_folder.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(not there)");
-}
-
-void put(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("cannot write");
-}
 
 /// As the system says it, in the language of the user.
 QString reason(int error) {
@@ -65,7 +57,7 @@ void TestWholeFolder::aNewFolderAppearsWithItsParents() {
     QVERIFY2(end.isWritten(), qPrintable(end.problem));
     QCOMPARE(contents(path("x/y/z")), QStringList({"a", "b", "last"}));
     QCOMPARE(contents(path("x/y")), QStringList{"z"});
-    QCOMPARE(bytesOf(path("x/y/z/b")), QByteArray("b 1"));
+    QCOMPARE(read(path("x/y/z/b")), QByteArray("b 1"));
     // As mkdir would have made it.
     QVERIFY(QDir(m_place->path()).mkdir("plain"));
     QCOMPARE(QFileInfo(path("x/y/z")).permissions(), QFileInfo(path("plain")).permissions());
@@ -73,25 +65,25 @@ void TestWholeFolder::aNewFolderAppearsWithItsParents() {
 
 void TestWholeFolder::foreignFilesStay() {
     QVERIFY(QDir(m_place->path()).mkpath("f/sub"));
-    put(path("f/notes"), "mine");
-    put(path("f/sub/deep"), "mine too");
+    write(path("f/notes"), "mine");
+    write(path("f/sub/deep"), "mine too");
     for (const char* mark : {"1", "2"}) {
         QVERIFY(writeWholeFolder(path("f"), set(mark), ExistingFiles::replaced).isWritten());
         QCOMPARE(contents(path("f")), QStringList({"a", "b", "last", "notes", "sub"}));
-        QCOMPARE(bytesOf(path("f/a")), QByteArray("a ") + mark);
+        QCOMPARE(read(path("f/a")), QByteArray("a ") + mark);
     }
-    QCOMPARE(bytesOf(path("f/notes")), QByteArray("mine"));
-    QCOMPARE(bytesOf(path("f/sub/deep")), QByteArray("mine too"));
+    QCOMPARE(read(path("f/notes")), QByteArray("mine"));
+    QCOMPARE(read(path("f/sub/deep")), QByteArray("mine too"));
 }
 
 void TestWholeFolder::existingFilesAreKeptUnlessAskedFor() {
     QVERIFY(QDir(m_place->path()).mkdir("f"));
-    put(path("f/b"), "mine");
+    write(path("f/b"), "mine");
     const FolderEnd end = writeWholeFolder(path("f"), set("1"), ExistingFiles::kept);
     QCOMPARE(end.kind, FolderEnd::Kind::failed);
     QVERIFY2(end.problem.startsWith(path("f/b: exists already")), qPrintable(end.problem));
     QCOMPARE(contents(path("f")), QStringList{"b"});
-    QCOMPARE(bytesOf(path("f/b")), QByteArray("mine"));
+    QCOMPARE(read(path("f/b")), QByteArray("mine"));
 }
 
 void TestWholeFolder::aFailureHalfWayBringsBackWhatWasThere() {
@@ -110,8 +102,7 @@ void TestWholeFolder::aFailureHalfWayBringsBackWhatWasThere() {
     QVERIFY2(end.problem.startsWith(path("f/b: cannot be written: ") + reason(ENOENT)),
              qPrintable(end.problem));
     QCOMPARE(contents(path("f")), QStringList({"a", "b", "last"}));
-    for (const char* name : {"a", "b", "last"})
-        QCOMPARE(bytesOf(path("f/") + name), QByteArray(name) + " old");
+    for (const char* name : {"a", "b", "last"}) QCOMPARE(read(path("f/") + name), QByteArray(name) + " old");
 }
 
 void TestWholeFolder::aStopLeavesNothing() {
@@ -128,7 +119,7 @@ void TestWholeFolder::aStopLeavesNothing() {
 
 void TestWholeFolder::outdatedFilesGo() {
     QVERIFY(QDir(m_place->path()).mkdir("f"));
-    for (const char* name : {"a", "picture", "notes"}) put(path("f/") + name, "before");
+    for (const char* name : {"a", "picture", "notes"}) write(path("f/") + name, "before");
     FolderFiles files = set("1");
     files.outdated = [](const QDir&) { return QStringList{"picture", "a", "gone"}; };
     QVERIFY(writeWholeFolder(path("f"), files, ExistingFiles::replaced).isWritten());
@@ -158,9 +149,9 @@ void TestWholeFolder::aLinkToAFolderIsFollowed() {
 }
 
 void TestWholeFolder::obstaclesAreKnownBefore() {
-    put(path("file"), "mine");
+    write(path("file"), "mine");
     QVERIFY(QDir(m_place->path()).mkdir("f"));
-    put(path("f/b"), "mine");
+    write(path("f/b"), "mine");
     for (const char* folder : {"file", "file/x/y"}) {
         const QString before = folderProblem(path(folder), {"a"}, ExistingFiles::replaced);
         QVERIFY2(before.contains("cannot be made: " + reason(ENOTDIR)), qPrintable(before));
@@ -189,9 +180,9 @@ void TestWholeFolder::writersAtTheSameTimeNeverMix() {
                     });
             }
             QCOMPARE(contents(folder), QStringList({"a", "b", "last"}));
-            const QByteArray mark = bytesOf(folder + "/a").mid(1);
-            QCOMPARE(bytesOf(folder + "/b"), "b" + mark);
-            QCOMPARE(bytesOf(folder + "/last"), "last" + mark);
+            const QByteArray mark = read(folder + "/a").mid(1);
+            QCOMPARE(read(folder + "/b"), "b" + mark);
+            QCOMPARE(read(folder + "/last"), "last" + mark);
             QCOMPARE(written.load(), existing == ExistingFiles::kept ? 1 : writers);
             QVERIFY(QDir(folder).removeRecursively());
         }
