@@ -40,16 +40,4 @@ QString example(const QString& name) {
     return QStringLiteral(DRILLWAVE_SOURCE_DIR "/resources/examples/") + name + QStringLiteral(".yaml");
 }
 
-QByteArray read(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) qFatal("cannot read %s", qPrintable(path));
-    return file.readAll();
-}
-
-void write(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-        qFatal("cannot write %s", qPrintable(path));
-}
-
 }  // namespace drillwave::test

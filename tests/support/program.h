@@ -9,6 +9,8 @@
 #include <QString>
 #include <QStringList>
 
+#include "tests/support/files.h"
+
 namespace drillwave::test {
 
 /// What a run of the program left behind.
@@ -30,8 +32,5 @@ bool waitForThreads(const QProcess& process, int least);
 
 /// Path of a file of resources/examples.
 QString example(const QString& name);
-
-QByteArray read(const QString& path);
-void write(const QString& path, const QByteArray& bytes);
 
 }  // namespace drillwave::test

@@ -8,20 +8,12 @@
 #include <thread>
 
 #include "core/file/whole_folder.h"
+#include "tests/support/files.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(not there)");
-}
-
-void put(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("cannot write");
-}
 
 /// As the system says it, in the language of the user.
 std::string reason(int error) {
@@ -66,7 +58,7 @@ void TestWholeFolder::aNewFolderAppearsWithItsParents() {
     QVERIFY2(end.isWritten(), end.problem.text().c_str());
     QCOMPARE(contents(path("x/y/z")), QStringList({"a", "b", "last"}));
     QCOMPARE(contents(path("x/y")), QStringList{"z"});
-    QCOMPARE(bytesOf(path("x/y/z/b")), QByteArray("b 1"));
+    QCOMPARE(read(path("x/y/z/b")), QByteArray("b 1"));
     // As mkdir would have made it.
     QVERIFY(QDir(m_place->path()).mkdir("plain"));
     QCOMPARE(QFileInfo(path("x/y/z")).permissions(), QFileInfo(path("plain")).permissions());
@@ -74,25 +66,25 @@ void TestWholeFolder::aNewFolderAppearsWithItsParents() {
 
 void TestWholeFolder::foreignFilesStay() {
     QVERIFY(QDir(m_place->path()).mkpath("f/sub"));
-    put(path("f/notes"), "mine");
-    put(path("f/sub/deep"), "mine too");
+    write(path("f/notes"), "mine");
+    write(path("f/sub/deep"), "mine too");
     for (const char* mark : {"1", "2"}) {
         QVERIFY(writeWholeFolder(plain("f"), set(mark), ExistingFiles::replaced).isWritten());
         QCOMPARE(contents(path("f")), QStringList({"a", "b", "last", "notes", "sub"}));
-        QCOMPARE(bytesOf(path("f/a")), QByteArray("a ") + mark);
+        QCOMPARE(read(path("f/a")), QByteArray("a ") + mark);
     }
-    QCOMPARE(bytesOf(path("f/notes")), QByteArray("mine"));
-    QCOMPARE(bytesOf(path("f/sub/deep")), QByteArray("mine too"));
+    QCOMPARE(read(path("f/notes")), QByteArray("mine"));
+    QCOMPARE(read(path("f/sub/deep")), QByteArray("mine too"));
 }
 
 void TestWholeFolder::existingFilesAreKeptUnlessAskedFor() {
     QVERIFY(QDir(m_place->path()).mkdir("f"));
-    put(path("f/b"), "mine");
+    write(path("f/b"), "mine");
     const FolderEnd end = writeWholeFolder(plain("f"), set("1"), ExistingFiles::kept);
     QCOMPARE(end.kind, FolderEnd::Kind::failed);
     QVERIFY2(end.problem.text().starts_with(plain("f/b: exists already")), end.problem.text().c_str());
     QCOMPARE(contents(path("f")), QStringList{"b"});
-    QCOMPARE(bytesOf(path("f/b")), QByteArray("mine"));
+    QCOMPARE(read(path("f/b")), QByteArray("mine"));
 }
 
 void TestWholeFolder::aFailureHalfWayBringsBackWhatWasThere() {
@@ -112,8 +104,7 @@ void TestWholeFolder::aFailureHalfWayBringsBackWhatWasThere() {
     QVERIFY2(end.problem.text().starts_with(plain("f/b: cannot be written: ") + reason(ENOENT)),
              end.problem.text().c_str());
     QCOMPARE(contents(path("f")), QStringList({"a", "b", "last"}));
-    for (const char* name : {"a", "b", "last"})
-        QCOMPARE(bytesOf(path("f/") + name), QByteArray(name) + " old");
+    for (const char* name : {"a", "b", "last"}) QCOMPARE(read(path("f/") + name), QByteArray(name) + " old");
 }
 
 void TestWholeFolder::aStopLeavesNothing() {
@@ -131,7 +122,7 @@ void TestWholeFolder::aStopLeavesNothing() {
 
 void TestWholeFolder::outdatedFilesGo() {
     QVERIFY(QDir(m_place->path()).mkdir("f"));
-    for (const char* name : {"a", "picture", "notes"}) put(path("f/") + name, "before");
+    for (const char* name : {"a", "picture", "notes"}) write(path("f/") + name, "before");
     FolderFiles files = set("1");
     files.outdated = [](const std::string&) { return std::vector<std::string>{"picture", "a", "gone"}; };
     QVERIFY(writeWholeFolder(plain("f"), files, ExistingFiles::replaced).isWritten());
@@ -162,9 +153,9 @@ void TestWholeFolder::aLinkToAFolderIsFollowed() {
 }
 
 void TestWholeFolder::obstaclesAreKnownBefore() {
-    put(path("file"), "mine");
+    write(path("file"), "mine");
     QVERIFY(QDir(m_place->path()).mkdir("f"));
-    put(path("f/b"), "mine");
+    write(path("f/b"), "mine");
     for (const char* folder : {"file", "file/x/y"}) {
         const std::string before = folderProblem(plain(folder), {"a"}, ExistingFiles::replaced).text();
         QVERIFY2(before.find("cannot be made: " + reason(ENOTDIR)) != std::string::npos, before.c_str());
@@ -194,9 +185,9 @@ void TestWholeFolder::writersAtTheSameTimeNeverMix() {
                     });
             }
             QCOMPARE(contents(folder), QStringList({"a", "b", "last"}));
-            const QByteArray mark = bytesOf(folder + "/a").mid(1);
-            QCOMPARE(bytesOf(folder + "/b"), "b" + mark);
-            QCOMPARE(bytesOf(folder + "/last"), "last" + mark);
+            const QByteArray mark = read(folder + "/a").mid(1);
+            QCOMPARE(read(folder + "/b"), "b" + mark);
+            QCOMPARE(read(folder + "/last"), "last" + mark);
             QCOMPARE(written.load(), existing == ExistingFiles::kept ? 1 : writers);
             QVERIFY(QDir(folder).removeRecursively());
         }

@@ -9,9 +9,11 @@
 
 #include "core/file/examples.h"
 #include "core/model/scales.h"
+#include "tests/support/files.h"
 #include "ui/document/document.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
 
@@ -21,17 +23,6 @@ const Parameter& parameter(std::string_view key) {
 
 QByteArray exampleBytes() {
     return QByteArray(defaultExample().text.data(), static_cast<qsizetype>(defaultExample().text.size()));
-}
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("unreadable");
-}
-
-void write(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    QCOMPARE(file.write(bytes), bytes.size());
 }
 
 }  // namespace
@@ -196,7 +187,7 @@ void TestDocument::savingMakesTheDocumentClean() {
     QVERIFY(m_document->isModified());
     QCOMPARE(m_document->save(path), QString());
     QVERIFY(!m_document->isModified());
-    QCOMPARE(bytesOf(path), m_document->text());
+    QCOMPARE(read(path), m_document->text());
     Document second;
     QCOMPARE(second.open(path), QString());
     QVERIFY(second.scenario() == m_document->scenario());
@@ -216,7 +207,7 @@ void TestDocument::aFailedSaveIsReportedAndLosesNothing() {
         QCOMPARE(m_document->path(), QString());
         QCOMPARE(m_document->scenario().rod.length, 5.0);
     }
-    QCOMPARE(bytesOf(blocked), QByteArray("not a folder"));
+    QCOMPARE(read(blocked), QByteArray("not a folder"));
 }
 
 void TestDocument::aFileThatCannotBeReadChangesNothing() {
@@ -352,7 +343,7 @@ void TestDocument::savingKeepsLinksAndPermissions() {
     m_document->assign(parameter("rod.length"), 5, 1);
     QCOMPARE(m_document->save(link), QString());
     QVERIFY(QFileInfo(link).isSymLink());
-    QCOMPARE(bytesOf(path), m_document->text());
+    QCOMPARE(read(path), m_document->text());
     QCOMPARE(QFile::permissions(path), before);
 }
 
@@ -363,7 +354,7 @@ void TestDocument::aReadOnlyFileIsNotSavedOver() {
     if (QFileInfo(path).isWritable()) QSKIP("the superuser may write everything");
     const QString problem = m_document->save(path);
     QVERIFY2(problem.contains(QStringLiteral("readonly.yaml")), qPrintable(problem));
-    QCOMPARE(bytesOf(path), QByteArray("kept"));
+    QCOMPARE(read(path), QByteArray("kept"));
 }
 
 // The limit on the size of files stands for the end of the disk: a write stops short in the same way.
@@ -380,9 +371,9 @@ void TestDocument::aFullDiskLosesNothing() {
     QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
     QVERIFY2(problem.contains(QStringLiteral("full.yaml")), qPrintable(problem));
     QVERIFY(m_document->isModified());
-    QCOMPARE(bytesOf(path), QByteArray("the file before"));
+    QCOMPARE(read(path), QByteArray("the file before"));
     QCOMPARE(m_document->save(path), QString());
-    QCOMPARE(bytesOf(path), m_document->text());
+    QCOMPARE(read(path), m_document->text());
 }
 
 void TestDocument::whatIsNoScenarioChangesNothing_data() {

@@ -4,36 +4,26 @@
 #include <QFileInfo>
 #include <QPushButton>
 #include <QSaveFile>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
 #include "core/file/examples.h"
-#include "tests/support/scripted_questions.h"
+#include "tests/support/files.h"
+#include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/window/file_menu.h"
 #include "ui/window/file_notice.h"
-#include "ui/window/main_window.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
 
 QByteArray scenarioBytes(const QByteArray& length) {
     QByteArray bytes(defaultExample().text.data(), qsizetype(defaultExample().text.size()));
     return bytes.replace("length: 3.66 m", "length: " + length);
-}
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void rewrite(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
 }
 
 // As most editors save: a new file takes the place of the old one.
@@ -76,16 +66,11 @@ class TestFileWatch : public QObject {
 
 void TestFileWatch::init() {
     m_folder = std::make_unique<QTemporaryDir>();
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                       m_folder->filePath(QStringLiteral("settings")));
+    keepSettingsIn(m_folder->filePath(QStringLiteral("settings")));
     m_path = m_folder->filePath(QStringLiteral("mine.yaml"));
-    rewrite(m_path, scenarioBytes("3.66 m"));
+    write(m_path, scenarioBytes("3.66 m"));
     m_answers = {};
-    auto solver = std::make_shared<MethodSolver>();
-    m_window = std::make_unique<MainWindow>(
-        std::make_unique<ScriptedQuestions>(m_answers),
-        [solver](const SolveRequest& request) { return solveBlow(request, *solver); });
+    m_window = newWindow(m_answers);
     m_window->show();
     QVERIFY(m_window->openFile(m_path));
 }
@@ -96,7 +81,7 @@ void TestFileWatch::cleanup() {
 
 void TestFileWatch::aRewrittenFileIsToldAndReloaded() {
     QVERIFY(!notice().isVisible());
-    rewrite(m_path, scenarioBytes("7 m"));
+    write(m_path, scenarioBytes("7 m"));
     QTRY_VERIFY(notice().isVisible());
     QVERIFY2(notice().text().contains(QStringLiteral("mine.yaml")), qPrintable(notice().text()));
     QCOMPARE(length(), 3.66);
@@ -126,7 +111,7 @@ void TestFileWatch::aFileThatComesBackIsNoChange() {
 }
 
 void TestFileWatch::touchingAndSavingAreNoChanges() {
-    rewrite(m_path, scenarioBytes("3.66 m"));
+    write(m_path, scenarioBytes("3.66 m"));
     edit(5);
     QVERIFY(part<FileMenu>(window()).save());
     edit(6);
@@ -143,7 +128,7 @@ void TestFileWatch::aDeletedFileIsToldAndSavedAgain() {
     QVERIFY(!notice().findChild<QPushButton*>(QStringLiteral("reload"))->isVisible());
     QVERIFY(window().isWindowModified());  // closing must ask: it is in no file any more
     QVERIFY(part<FileMenu>(window()).save());
-    QCOMPARE(bytesOf(m_path), scenarioBytes("3.66 m"));
+    QCOMPARE(read(m_path), scenarioBytes("3.66 m"));
     QVERIFY(!notice().isVisible());
     QVERIFY(!window().isWindowModified());
     replaceBy(m_path, scenarioBytes("8 m"));
@@ -158,31 +143,31 @@ void TestFileWatch::keepingMineIsNotAskedAboutAgain() {
     QVERIFY(window().isWindowModified());
     QVERIFY(part<FileMenu>(window()).save());
     QCOMPARE(m_answers.confirmed, QStringList());
-    QCOMPARE(bytesOf(m_path), scenarioBytes("3.66 m"));
+    QCOMPARE(read(m_path), scenarioBytes("3.66 m"));
 }
 
 void TestFileWatch::savingOverAChangedFileAsksFirst() {
     edit(5);
-    rewrite(m_path, scenarioBytes("7 m"));
+    write(m_path, scenarioBytes("7 m"));
     // Before any notice: the watch may be late, the question must not be.
     QVERIFY(!part<FileMenu>(window()).save());
     QCOMPARE(m_answers.confirmed.size(), 1);
-    QCOMPARE(bytesOf(m_path), scenarioBytes("7 m"));
+    QCOMPARE(read(m_path), scenarioBytes("7 m"));
     QVERIFY(window().isWindowModified());
     m_answers.confirm = true;
     QVERIFY(part<FileMenu>(window()).save());
-    QVERIFY(bytesOf(m_path).contains("length: 5 m"));
+    QVERIFY(read(m_path).contains("length: 5 m"));
 }
 
 void TestFileWatch::anotherFileInTheFolderIsNoChange() {
     QSignalSpy agrees(&part<FileWatch>(window()), &FileWatch::agrees);
-    rewrite(m_folder->filePath(QStringLiteral("other.yaml")), "anything");
+    write(m_folder->filePath(QStringLiteral("other.yaml")), "anything");
     QTRY_VERIFY(!agrees.isEmpty());  // it has looked
     QVERIFY(!notice().isVisible());
 }
 
 void TestFileWatch::aReloadThatFailsChangesNothing() {
-    rewrite(m_path, "drillwave: 1\nrodd: 3\n");
+    write(m_path, "drillwave: 1\nrodd: 3\n");
     QTRY_VERIFY(notice().isVisible());
     click("reload");
     QCOMPARE(m_answers.told.size(), 1);
@@ -196,7 +181,7 @@ void TestFileWatch::aReloadThatFailsChangesNothing() {
 }
 
 void TestFileWatch::anotherScenarioTakesTheNoticeAway() {
-    rewrite(m_path, scenarioBytes("7 m"));
+    write(m_path, scenarioBytes("7 m"));
     QTRY_VERIFY(notice().isVisible());
     window().document().start();
     QVERIFY(!notice().isVisible());

@@ -8,18 +8,15 @@
 
 #include "core/file/examples.h"
 #include "tests/support/child_process.h"
+#include "tests/support/files.h"
 #include "ui/document/document.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
 
 constexpr int rounds = 100;
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("unreadable");
-}
 
 // 300 kB: many times what the system writes at once.
 QByteArray largeScenario(const QByteArray& remark) {
@@ -70,7 +67,7 @@ void TestKilledSaves::theFileIsAlwaysTheOldOrTheNewOneWhole() {
         // Later and later, so that slow machines too come to the second file.
         QTest::qSleep(random.bounded(5 + round));
         QVERIFY(killChild(child));
-        const QByteArray left = bytesOf(words[2]);
+        const QByteArray left = read(words[2]);
         QVERIFY2(left == first || left == second, qPrintable(QString::number(left.size())));
         firsts += left == first;
     }

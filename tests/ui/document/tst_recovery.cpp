@@ -2,31 +2,22 @@
 // Unsaved changes survive the death of the program, and only that.
 #include <QDir>
 #include <QFile>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "core/file/examples.h"
 #include "tests/support/child_process.h"
-#include "tests/support/scripted_questions.h"
+#include "tests/support/files.h"
+#include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/document/lost_changes.h"
 #include "ui/document/recovery.h"
-#include "ui/window/main_window.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
-
-SolveJob::Solve exactSolve() {
-    auto solver = std::make_shared<MethodSolver>();
-    return [solver](const SolveRequest& request) { return solveBlow(request, *solver); };
-}
-
-std::unique_ptr<MainWindow> newWindow(ScriptedAnswers& answers) {
-    return std::make_unique<MainWindow>(std::make_unique<ScriptedQuestions>(answers), exactSolve());
-}
 
 void setLength(Document& document, double metres) {
     document.assign(*findParameter("rod.length"), metres, 1);
@@ -36,24 +27,9 @@ QStringList recoveryFiles(const QString& folder) {
     return QDir(folder).entryList({QStringLiteral("*.recovery")}, QDir::Files);
 }
 
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void writeBytes(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
-}
-
-void keepSettingsIn(const QString& folder) {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder + QStringLiteral("/settings"));
-}
-
 // A window with an unsaved change to a file, until it is killed.
 int editForEver(const QString& folder, const QString& path) {
-    keepSettingsIn(QFileInfo(folder).path());
+    keepSettingsIn(QFileInfo(folder).path() + QStringLiteral("/settings"));
     ScriptedAnswers answers;
     const auto window = newWindow(answers);
     window->startRecovery(folder);
@@ -93,10 +69,10 @@ class TestRecovery : public QObject {
 
 void TestRecovery::init() {
     m_place = std::make_unique<QTemporaryDir>();
-    keepSettingsIn(m_place->path());
+    keepSettingsIn(m_place->path() + QStringLiteral("/settings"));
     m_folder = m_place->filePath(QStringLiteral("recovery"));
     m_original = m_place->filePath(QStringLiteral("original.yaml"));
-    writeBytes(m_original, QByteArray(defaultExample().text.data(), qsizetype(defaultExample().text.size())));
+    write(m_original, QByteArray(defaultExample().text.data(), qsizetype(defaultExample().text.size())));
     m_answers = {};
 }
 
@@ -117,9 +93,10 @@ void TestRecovery::changesAreKeptSoonAndRemovedWhenSaved() {
     QCOMPARE(document.open(m_original), QString());
     const Recovery recovery(document, m_folder);
     setLength(document, 5);
-    QTRY_VERIFY(bytesOf(recovery.file()).contains("length: 5 m"));
+    QTRY_VERIFY(QFile::exists(recovery.file()));
+    QTRY_VERIFY(read(recovery.file()).contains("length: 5 m"));
     setLength(document, 6);
-    QTRY_VERIFY(bytesOf(recovery.file()).contains("length: 6 m"));
+    QTRY_VERIFY(read(recovery.file()).contains("length: 6 m"));
     document.undoStack().undo();
     QTRY_VERIFY(!QFile::exists(recovery.file()));
     setLength(document, 7);
@@ -156,7 +133,7 @@ void TestRecovery::aLivingInstanceKeepsItsChanges() {
 }
 
 void TestRecovery::changesOfAKilledProgramAreRestored() {
-    const QByteArray original = bytesOf(m_original);
+    const QByteArray original = read(m_original);
     leaveChangesOfAKilledProgram();
     m_answers.recovery = Questions::Recovery::restore;
     const auto window = newWindow(m_answers);
@@ -184,7 +161,7 @@ void TestRecovery::changesOfAKilledProgramAreRestored() {
     // It does not know its file, so no save can hit it unasked; and it is safe again already.
     QCOMPARE(document.path(), QString());
     QCOMPARE(document.suggestedPath(), m_original);
-    QCOMPARE(bytesOf(m_original), original);
+    QCOMPARE(read(m_original), original);
     QCOMPARE(recoveryFiles(m_folder).size(), 1);
     QVERIFY(findLostChanges(m_folder).empty());
 }
@@ -214,7 +191,7 @@ void TestRecovery::aDamagedFileIsToldOfOnceAndKept_data() {
 void TestRecovery::aDamagedFileIsToldOfOnceAndKept() {
     QFETCH(QByteArray, bytes);
     QVERIFY(QDir().mkpath(m_folder));
-    writeBytes(QDir(m_folder).filePath(QStringLiteral("a.recovery")), bytes);
+    write(QDir(m_folder).filePath(QStringLiteral("a.recovery")), bytes);
     m_answers.recovery = Questions::Recovery::restore;
     for (int start = 0; start < 2; ++start) {
         const auto window = newWindow(m_answers);
@@ -223,7 +200,7 @@ void TestRecovery::aDamagedFileIsToldOfOnceAndKept() {
         QCOMPARE(m_answers.told.size(), 1);
         QVERIFY(window->document().scenario() == before);
     }
-    QCOMPARE(bytesOf(QDir(m_folder).filePath(QStringLiteral("a.damaged"))), bytes);
+    QCOMPARE(read(QDir(m_folder).filePath(QStringLiteral("a.damaged"))), bytes);
 }
 
 void TestRecovery::locksOfTheDeadAreRemoved() {
@@ -237,7 +214,7 @@ void TestRecovery::locksOfTheDeadAreRemoved() {
 }
 
 void TestRecovery::aFolderThatCannotBeWrittenIsToldOfOnce() {
-    writeBytes(m_folder, "a file where the folder should be");
+    write(m_folder, "a file where the folder should be");
     const auto window = newWindow(m_answers);
     window->startRecovery(m_folder);
     setLength(window->document(), 5);

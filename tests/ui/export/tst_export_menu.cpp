@@ -18,8 +18,9 @@
 
 #include "core/file/examples.h"
 #include "core/file/result_scenario.h"
+#include "tests/support/files.h"
 #include "tests/support/program.h"
-#include "tests/support/scripted_questions.h"
+#include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/export/export_menu.h"
 #include "ui/export/plot_export.h"
@@ -27,21 +28,16 @@
 #include "ui/pages/blow/blow_page.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/questions/picture_dialog.h"
-#include "ui/window/main_window.h"
 #include "ui/window/units_choice.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
 
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 // But for what cannot be the same twice.
 QByteArray comparable(const QString& path) {
-    QByteArray bytes = bytesOf(path);
+    QByteArray bytes = read(path);
     if (path.endsWith(QStringLiteral(".pdf"))) return bytes.left(5);
     if (!path.endsWith(QStringLiteral("summary.json"))) return bytes;
     QJsonObject object = QJsonDocument::fromJson(bytes).object();
@@ -90,15 +86,13 @@ class TestExportMenu : public QObject {
 
 void TestExportMenu::initTestCase() {
     QLocale::setDefault(QLocale::c());
-    QSettings::setDefaultFormat(QSettings::IniFormat);
 }
 
 void TestExportMenu::init() {
     m_folder = std::make_unique<QTemporaryDir>();
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, path("settings"));
+    keepSettingsIn(path("settings"));
     m_answers = {};
-    auto solver = std::make_shared<MethodSolver>();
-    makeWindow([solver](const SolveRequest& request) { return solveBlow(request, *solver); });
+    makeWindow(exactSolve());
 }
 
 void TestExportMenu::cleanup() {
@@ -106,7 +100,7 @@ void TestExportMenu::cleanup() {
 }
 
 void TestExportMenu::makeWindow(SolveJob::Solve solve) {
-    m_window = std::make_unique<MainWindow>(std::make_unique<ScriptedQuestions>(m_answers), std::move(solve));
+    m_window = newWindow(m_answers, std::move(solve));
     m_window->show();
 }
 
@@ -148,16 +142,16 @@ void TestExportMenu::filesInTheFolderAreOverwrittenOnlyOnRequest() {
     m_answers.folder = path("out");
     part<ExportMenu>(window()).saveEverything();
     QCOMPARE(m_answers.confirmed, QStringList());
-    const QByteArray before = bytesOf(path("out/histories.csv"));
+    const QByteArray before = read(path("out/histories.csv"));
     edit(5);
     part<ExportMenu>(window()).saveEverything();
     QCOMPARE(m_answers.confirmed.size(), 1);
     QVERIFY(m_answers.confirmed.first().contains(QStringLiteral("histories.csv")));
-    QCOMPARE(bytesOf(path("out/histories.csv")), before);
+    QCOMPARE(read(path("out/histories.csv")), before);
     m_answers.confirm = true;
     part<ExportMenu>(window()).saveEverything();
     settle();
-    QVERIFY(bytesOf(path("out/histories.csv")).contains("length: 5 m"));
+    QVERIFY(read(path("out/histories.csv")).contains("length: 5 m"));
 }
 
 void TestExportMenu::historiesHoldTheUnsavedScenarioInTheShownUnits() {
@@ -166,7 +160,7 @@ void TestExportMenu::historiesHoldTheUnsavedScenarioInTheShownUnits() {
     QSignalSpy exported(&part<ExportMenu>(window()), &ExportMenu::exported);
     part<ExportMenu>(window()).saveHistories();
     QTRY_COMPARE(exported.size(), 1);
-    QVERIFY(bytesOf(path("h.csv")).contains("\ntime [s],impact_force [N],"));
+    QVERIFY(read(path("h.csv")).contains("\ntime [s],impact_force [N],"));
     // The blow on the screen was that of the rod before the edit.
     const ScenarioDocument again = loadResultScenario(path("h.csv").toStdString());
     QVERIFY(again.scenario == window().document().scenario());
@@ -175,7 +169,7 @@ void TestExportMenu::historiesHoldTheUnsavedScenarioInTheShownUnits() {
     QCOMPARE(window().shown()->request.units, UnitSystem::dimensionless);
     m_answers.exportTo = path("e.csv");
     part<ExportMenu>(window()).saveEvents();
-    QVERIFY(bytesOf(path("e.csv")).contains("\nkind,time\ncontact,"));
+    QVERIFY(read(path("e.csv")).contains("\nkind,time\ncontact,"));
     QCOMPARE(m_answers.told, QStringList());
 }
 
@@ -239,7 +233,7 @@ void TestExportMenu::thePictureHasItsSizeAndIsWhiteInTheDark() {
         m_answers.exportTo = m_folder->filePath(QStringLiteral("p.") + QLatin1String(format));
         m_answers.picture->format = QLatin1String(format);
         part<ExportMenu>(window()).save(picture());
-        QVERIFY(bytesOf(m_answers.exportTo).size() > 2000);
+        QVERIFY(read(m_answers.exportTo).size() > 2000);
     }
 }
 
@@ -255,7 +249,7 @@ void TestExportMenu::theDataOfThePlotBeginWithTheScenario() {
     part<ExportMenu>(window()).save(numbers());
     QCOMPARE(m_answers.told, QStringList());
     QVERIFY(loadResultScenario(path("d.csv").toStdString()).scenario == window().document().scenario());
-    QVERIFY(bytesOf(path("d.csv")).count('\n') > 100);
+    QVERIFY(read(path("d.csv")).count('\n') > 100);
 }
 
 void TestExportMenu::thePlotsOwnMenuExportsToo() {
@@ -298,7 +292,7 @@ void TestExportMenu::theMenuOffersWhatThePageDoes() {
     QVERIFY(!copy->isEnabled());
     m_answers.exportTo = path("t.csv");
     menu.actions().at(3)->trigger();
-    QVERIFY(bytesOf(path("t.csv")).endsWith("a,b\n1,2\n"));
+    QVERIFY(read(path("t.csv")).endsWith("a,b\n1,2\n"));
     menu.setExports({numbers(), picture()});
     QCOMPARE(lines(), usual);
     QVERIFY(copy->isEnabled());

@@ -15,16 +15,17 @@
 #include <bit>
 
 #include "core/file/examples.h"
-#include "tests/support/scripted_questions.h"
+#include "tests/support/files.h"
+#include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/quantity_slider.h"
 #include "ui/form/scenario_panel.h"
 #include "ui/job/solve_job.h"
 #include "ui/text/settings.h"
 #include "ui/window/file_menu.h"
-#include "ui/window/main_window.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
 
@@ -48,11 +49,6 @@ void turnWheel(QWidget& widget) {
     // As from the hand: only such events go on to the parent when the widget does not want them.
     QSpontaneKeyEvent::setSpontaneous(&event);
     qApp->notify(&widget, &event);
-}
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 }  // namespace
@@ -89,9 +85,7 @@ class TestEdits : public QObject {
 };
 
 void TestEdits::initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                       m_folder.filePath(QStringLiteral("settings")));
+    keepSettingsIn(m_folder.filePath(QStringLiteral("settings")));
 }
 
 void TestEdits::init() {
@@ -102,10 +96,7 @@ void TestEdits::init() {
 }
 
 void TestEdits::makeWindow() {
-    auto solver = std::make_shared<MethodSolver>();
-    m_window = std::make_unique<MainWindow>(
-        std::make_unique<ScriptedQuestions>(m_answers),
-        [solver](const SolveRequest& request) { return solveBlow(request, *solver); });
+    m_window = newWindow(m_answers);
     m_window->show();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
 }
@@ -284,7 +275,7 @@ void TestEdits::aDecimalMarkMeansWhatTheUserMeant() {
     QCOMPARE(m_window->document().scenario().rod.length, 3.2);
     m_answers.save = m_folder.filePath(QStringLiteral("typed.yaml"));
     QVERIFY(part<FileMenu>(*m_window).saveAs());
-    QCOMPARE(bytesOf(m_answers.save), wanted);
+    QCOMPARE(read(m_answers.save), wanted);
 }
 
 QTEST_MAIN(TestEdits)

@@ -7,14 +7,15 @@
 #include <QTest>
 
 #include "core/model/alerts.h"
+#include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/scenario_panel.h"
 #include "ui/job/observation.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
-#include "ui/window/main_window.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 class TestResultWiring : public QObject {
     Q_OBJECT
@@ -22,8 +23,7 @@ class TestResultWiring : public QObject {
   private slots:
     void initTestCase() {
         QLocale::setDefault(QLocale::c());
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+        keepSettingsIn(m_folder.path());
     }
 
     void anAlertLeadsToTheFieldOfItsParameter() {

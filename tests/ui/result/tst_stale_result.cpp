@@ -4,7 +4,6 @@
 #include <QFile>
 #include <QGuiApplication>
 #include <QLabel>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <QTemporaryDir>
@@ -13,8 +12,8 @@
 #include <semaphore>
 
 #include "core/file/result_scenario.h"
-#include "tests/support/scripted_questions.h"
 #include "tests/support/themes.h"
+#include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/export/export_menu.h"
 #include "ui/job/solve_job.h"
@@ -24,9 +23,9 @@
 #include "ui/plot/plot_widget.h"
 #include "ui/result/result_panel.h"
 #include "ui/result/stale_veil.h"
-#include "ui/window/main_window.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 using namespace std::chrono_literals;
 
 namespace {
@@ -50,9 +49,7 @@ class TestStaleResult : public QObject {
   private slots:
     void initTestCase() {
         QLocale::setDefault(QLocale::c());
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                           m_folder.filePath(QStringLiteral("settings")));
+        keepSettingsIn(m_folder.filePath(QStringLiteral("settings")));
     }
 
     void init() {

@@ -5,22 +5,21 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
-#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <QUrl>
 
 #include "core/file/examples.h"
-#include "tests/support/scripted_questions.h"
+#include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/text/settings.h"
 #include "ui/window/example_note.h"
 #include "ui/window/file_menu.h"
-#include "ui/window/main_window.h"
 #include "ui/window/units_choice.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
 
@@ -88,8 +87,7 @@ class TestFiles : public QObject {
 void TestFiles::init() {
     QLocale::setDefault(QLocale::c());
     m_folder = std::make_unique<QTemporaryDir>();
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, path("settings"));
+    keepSettingsIn(path("settings"));
     m_answers = {};
     makeWindow();
 }
@@ -100,10 +98,7 @@ void TestFiles::cleanup() {
 
 void TestFiles::makeWindow() {
     m_window.reset();
-    auto solver = std::make_shared<MethodSolver>();
-    m_window = std::make_unique<MainWindow>(
-        std::make_unique<ScriptedQuestions>(m_answers),
-        [solver](const SolveRequest& request) { return solveBlow(request, *solver); });
+    m_window = newWindow(m_answers);
     m_window->show();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
 }

@@ -7,15 +7,15 @@
 #include <QTest>
 
 #include "core/file/examples.h"
-#include "tests/support/scripted_questions.h"
 #include "tests/support/themes.h"
+#include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "tests/ui/window/layout_check.h"
 #include "ui/job/solve_job.h"
 #include "ui/text/settings.h"
-#include "ui/window/main_window.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
 
@@ -46,8 +46,7 @@ class TestLayout : public QObject {
 };
 
 void TestLayout::initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+    keepSettingsIn(m_folder.path());
     QLocale::setDefault(QLocale::c());
 }
 
@@ -73,9 +72,7 @@ void TestLayout::everythingCanBeReadAndReached() {
     QFETCH(QSize, size);
     QFETCH(bool, dark);
     QApplication::setPalette(dark ? darkPalette() : lightPalette());
-    auto solver = std::make_shared<MethodSolver>();
-    MainWindow window(std::make_unique<ScriptedQuestions>(m_answers),
-                      [solver](const SolveRequest& request) { return solveBlow(request, *solver); });
+    MainWindow window(std::make_unique<ScriptedQuestions>(m_answers), exactSolve());
     openExample(window, example);
     window.resize(size);
     window.show();

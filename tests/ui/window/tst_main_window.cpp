@@ -17,7 +17,8 @@
 #include "core/file/examples.h"
 #include "core/file/preset_file.h"
 #include "core/model/scales.h"
-#include "tests/support/scripted_questions.h"
+#include "tests/support/files.h"
+#include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/export/export_menu.h"
 #include "ui/form/scenario_panel.h"
@@ -29,16 +30,11 @@
 #include "ui/text/settings.h"
 #include "ui/window/example_note.h"
 #include "ui/window/file_menu.h"
-#include "ui/window/main_window.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
-
-SolveJob::Solve exactSolve() {
-    auto solver = std::make_shared<MethodSolver>();
-    return [solver](const SolveRequest& request) { return solveBlow(request, *solver); };
-}
 
 void type(QuantityField& field, const QString& text) {
     field.setFocus();
@@ -46,11 +42,6 @@ void type(QuantityField& field, const QString& text) {
     QTest::keyClick(&field, Qt::Key_Backspace);
     QTest::keyClicks(&field, text);
     QTest::keyClick(&field, Qt::Key_Return);
-}
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 }  // namespace
@@ -106,9 +97,7 @@ class TestMainWindow : public QObject {
 };
 
 void TestMainWindow::initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                       m_folder.filePath(QStringLiteral("settings")));
+    keepSettingsIn(m_folder.filePath(QStringLiteral("settings")));
 }
 
 void TestMainWindow::init() {
@@ -123,7 +112,7 @@ void TestMainWindow::cleanup() {
 }
 
 void TestMainWindow::makeWindow(SolveJob::Solve solve) {
-    m_window = std::make_unique<MainWindow>(std::make_unique<ScriptedQuestions>(m_answers), std::move(solve));
+    m_window = newWindow(m_answers, std::move(solve));
     m_window->show();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
 }
@@ -270,7 +259,7 @@ void TestMainWindow::savedFilesAreRememberedAndReopened() {
     m_answers.save = path;
     QVERIFY(part<FileMenu>(window()).save());
     QVERIFY(!window().isWindowModified());
-    QCOMPARE(bytesOf(path), window().document().text());
+    QCOMPARE(read(path), window().document().text());
     makeWindow(exactSolve());
     const QList<QMenu*> menus = part<FileMenu>(window()).findChildren<QMenu*>();
     QVERIFY(std::ranges::any_of(menus, [&](const QMenu* menu) {

@@ -14,14 +14,15 @@
 #include "core/file/pulse_table.h"
 #include "core/file/scenario_file.h"
 #include "core/model/scales.h"
+#include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "tests/ui/window/monkey.h"
 #include "ui/job/solve_job.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
-#include "ui/window/main_window.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
 
@@ -88,8 +89,7 @@ class TestMonkey : public QObject {
 };
 
 void TestMonkey::initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+    keepSettingsIn(m_folder.path());
     QApplication::setQuitOnLastWindowClosed(false);
     // Nothing of this leaves the program: no file manager, no browser.
     QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "swallow");

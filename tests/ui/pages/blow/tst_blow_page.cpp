@@ -2,13 +2,12 @@
 // The page Blow: section, time cursor, readings, ghosts.
 #include <QDoubleSpinBox>
 #include <QLabel>
-#include <QSettings>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "core/wave/field/wave_field.h"
-#include "tests/support/scripted_questions.h"
+#include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/quantity_slider.h"
 #include "ui/form/scenario_panel.h"
@@ -17,9 +16,9 @@
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/plot/plot_widget.h"
-#include "ui/window/main_window.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
 
@@ -69,8 +68,7 @@ class TestBlowPage : public QObject {
 };
 
 void TestBlowPage::initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+    keepSettingsIn(m_folder.path());
 }
 
 void TestBlowPage::init() {
@@ -220,10 +218,7 @@ void TestBlowPage::whatIsReadOutlivesTheBlow() {
 // Through the whole window: the panel tells of the drag, the window gives the page what was shown.
 void TestBlowPage::aHeldSliderLeavesAGhostUntilItIsReleased() {
     ScriptedAnswers answers;
-    MainWindow window(std::make_unique<ScriptedQuestions>(answers), [](const SolveRequest& request) {
-        MethodSolver solver;
-        return solveBlow(request, solver);
-    });
+    MainWindow window(std::make_unique<ScriptedQuestions>(answers), exactSolve());
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
     const int curves = part<BlowPage>(window).plot()->graphCount();

@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "core/wave/field/wave_field.h"
-#include "tests/support/scripted_questions.h"
+#include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/job/solve_job.h"
 #include "ui/pages/blow/blow_curves.h"
@@ -25,9 +25,9 @@
 #include "ui/plot/plot_menu.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
-#include "ui/window/main_window.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
 
@@ -86,8 +86,7 @@ class TestWavePicturePage : public QObject {
 };
 
 void TestWavePicturePage::initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+    keepSettingsIn(m_folder.path());
 }
 
 // The page with a job of its own, as in the window.
@@ -156,10 +155,7 @@ void TestWavePicturePage::showsTheBlowAtThePixelsOfTheScreen() {
 }
 
 void TestWavePicturePage::asksForNothingWhileHidden() {
-    MainWindow window(std::make_unique<ScriptedQuestions>(m_answers),
-                      [solver = std::make_shared<MethodSolver>()](const SolveRequest& request) {
-                          return solveBlow(request, *solver);
-                      });
+    MainWindow window(std::make_unique<ScriptedQuestions>(m_answers), exactSolve());
     auto* pages = window.findChild<QTabWidget*>();
     auto* page = window.findChild<WavePicturePage*>();
     QVERIFY(page);
