@@ -170,7 +170,7 @@ QString TestMonkey::wrongText() {
     }
     const QByteArray text = document.text();
     try {
-        const ScenarioDocument read = parseScenario(text.toStdString(), document.path().toStdString());
+        const ScenarioDocument read = parseScenario(text.toStdString(), document.origin().toStdString());
         if (groupsOf(read.scenario) != groupsOf(document.scenario()))
             return QStringLiteral("the text means another blow");
         if (writeScenario(read) != text.toStdString())

@@ -105,9 +105,11 @@ void TestRowSink::theRowsDoNotDependOnTheNumberOfThreads() {
 void TestRowSink::theCsvReadsBackAsTheNumbers() {
     // An axis in a unit that is no power of ten, one from 0 on with both signs of zero behind it, and a
     // shape.
-    const Sweep sweep =
-        sweepOf({}, {"pulse.shape=half_sine,triangular", "rod.length=10ft:20ft:7", "bit_rock.gap=0mm,1.3mm"},
-                "all", OutputUnits::si);
+    Scenario base;
+    base.drill.blowFrequency = 60;
+    const Sweep sweep = sweepOf(
+        base, {"pulse.shape=half_sine,triangular", "rod.length=10ft:20ft:7", "bit_rock.gap=0mm,1.3mm"}, "all",
+        OutputUnits::si);
     QCOMPARE(problemsOf(sweep), std::vector<std::string>());
     std::string csv;
     RowCsv sink([&](std::string_view text) {
