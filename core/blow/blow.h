@@ -26,8 +26,8 @@ struct Blow {
     Problem solved;
     Impact impact;          ///< its `reason` says why there is no result
     ImpactSummary summary;  ///< not to be used where there is no result, nor is `feed`
-    std::optional<FeedVerdict>
-        feed;                   ///< where thrustProblem() is empty: the thrust needed, and the installed
+    /// The thrust needed and the installed; nothing where thrustProblem() says why.
+    std::optional<FeedVerdict> feed;
     std::vector<Alert> alerts;  ///< of the scenario and, behind them, of the result
     double runTime = 0;         ///< of the solve alone [s]
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/wave/exact/contact_march.h"
+#include "core/wave/exact/contact_march_state.h"
 
 namespace drillwave {
 

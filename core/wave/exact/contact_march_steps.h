@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/wave/exact/contact_march.h"
+#include "core/wave/exact/contact_march_state.h"
 
 namespace drillwave {
 
@@ -146,6 +146,13 @@ void ContactMarch<Basis>::advanceApart() {
 }
 
 /// Where the solved stretch ends: at its first event, or at its end.
+///
+///     line      guard                  ending           then
+///     apart     the gap has closed     (closeGap)       the line of lineAtContact()
+///     primary   drive 2g − F below 0   unloading        elastic, unless γ = 1
+///     primary   F = 0, for γ = 1       separation       apart
+///     elastic   F = 0                  separation       apart
+///     elastic   F = Fm                 primaryLoading   primary
 template <class Basis>
 typename ContactMarch<Basis>::Stretch ContactMarch<Basis>::firstEvent(Response& response) {
     Stretch stretch{response.length, Ending::none};

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the march along the front end of the rod keeps from event to event, and what its steps are: the class
+// alone, its parts beside it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stop_token>
+
+#include "core/contact/bilinear_law.h"
+#include "core/model/pulse_force.h"
+#include "core/model/scenario.h"
+#include "core/wave/exact/input_move.h"
+#include "core/wave/exact/wave_queue.h"
+#include "core/wave/impact.h"
+#include "core/wave/problem.h"
+
+namespace drillwave {
+
+/// What a march may cost, and when it must end.
+struct MarchLimits {
+    long pieces = 30'000'000;               ///< smooth pieces
+    const std::stop_token* stop = nullptr;  ///< none: to the end
+    InputMove move = {};
+};
+
+/// Solves, piece by piece,
+///     g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ)         [paper (6)]
+///     F' = a(2g − F),  a = β, β/γ or 0             [paper (5)] [paper (8)]
+///
+/// `Basis` represents functions on an interval: it solves one piece of contact exactly, finds first zeros,
+/// and cuts and integrates pieces. What it cannot represent it says through Basis::failed().
+template <class Basis>
+class ContactMarch {
+  public:
+    using Real = typename Basis::Real;
+    using Piece = typename Basis::Piece;
+
+    /// Solves into `impact`. False when the basis cannot represent this blow to full accuracy.
+    /// More pieces than permitted, and a stop, end as Outcome::notSolved.
+    bool solve(const Problem& problem, Detail detail, Impact& impact, const MarchLimits& limits = {});
+
+  private:
+    enum class Progress { goesOn, finished };
+    enum class Ending { none, separation, unloading, primaryLoading };
+    struct Stretch {
+        Real length;
+        Ending ending;
+    };
+    using Response = typename Basis::Response;
+
+    /// Layers thinner than this are below the rounding of time; taking them so thick moves e by less than
+    /// 1e-13.
+    static constexpr Real fastestRate = Real(1e15);
+
+    /// After this many events in a row without progress in time the branch is taken to hang on rounding;
+    /// after the second number nothing more is asked.
+    static constexpr int repeatedEvents = 3, mostEventsOnTheSpot = 6;
+
+    /// A gap that opens no further than the rounding of the distance travelled is none.
+    static constexpr Real closedGap = 8 * std::numeric_limits<Real>::epsilon();
+
+    /// How often to look for a stop: every millisecond or so.
+    static constexpr long piecesBetweenLooks = 8192;
+
+    static constexpr std::size_t mostWaiting = 400'000;
+    static constexpr long mostRecordedPieces = 4'000'000;  ///< some 600 MB of histories
+
+    void begin(const Problem& problem, Detail detail, Impact& impact);
+    bool isSliver(const Piece& piece);
+    void nextArrival();
+    void advanceApart();
+    Stretch firstEvent(Response& response);
+    bool mayStay(const Response& response);
+    void advanceContact();
+    void changeBranch(Ending ending, Real length);
+    Progress flyFree();
+    Progress skipPeriods(Real momentum);
+    void passPeriods(Real periods);
+    void closeGap(const Piece& arriving, Real length);
+    void drift(Real impulse);
+    void separate();
+    void rejoin();
+    [[gnu::always_inline]] inline void leave(const Piece& reflected, const Piece& incident,
+                                             const Piece* force, Real length);
+    void finish();
+    void summarise();
+    void note(ContactEvent kind) {
+        if (m_detail != Detail::cor) m_impact->events.push_back({kind, double(m_arrival + m_s)});
+    }
+    /// Whether the work must end, and why; cheap enough for every piece.
+    bool isOver() {
+        if (m_waves.size() > mostWaiting) return failAtLimit();
+        return m_impact->pieces > m_nextLook && lookForEnd();
+    }
+    bool lookForEnd() {
+        if (m_impact->pieces > m_mostPieces) return failAtLimit();
+        if (m_limits.stop && m_limits.stop->stop_requested()) return fail("stopped");
+        m_nextLook = std::min(m_mostPieces, m_impact->pieces + piecesBetweenLooks);
+        return false;
+    }
+    bool fail(const char* reason) {
+        m_impact->outcome = Outcome::notSolved;
+        m_impact->reason = reason;
+        return true;
+    }
+
+    /// What the basis cannot decide, or not represent.
+    bool undecided() {
+        fail("the order of two events hangs on rounding");
+        return false;
+    }
+
+    bool failAtLimit() {
+        const bool atMemory = m_detail == Detail::histories && m_limits.pieces > mostRecordedPieces;
+        fail(atMemory ? "its histories need more than 4 million wave pieces"
+                      : "it needs more wave pieces than permitted");
+        m_impact->hindrance = atMemory ? Hindrance::histories : Hindrance::workLimit;
+        m_impact->reason +=
+            ": each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a "
+            "shorter blow needs fewer";
+        return true;
+    }
+
+    Basis m_basis;
+    WaveQueue<Piece> m_waves;  ///< g of the next round trip without Fa
+    Piece m_incident;          ///< g now arriving
+    const PulseForce* m_pulse = nullptr;
+    Impact* m_impact = nullptr;
+    MarchLimits m_limits;
+    long m_mostPieces = 0;
+    long m_nextLook = 0;  ///< how many pieces may pass before lookForEnd()
+    Detail m_detail = Detail::cor;
+
+    BilinearLaw<Real> m_law{1, 1};  ///< with the memory of the rock
+    Real m_roundTrip = 0;
+    Real m_arrival = 0;                ///< global time of s = 0
+    typename Basis::Sum m_s;           ///< time at the front end
+    typename Basis::Sum m_hammerTime;  ///< how far the hammer force has been used
+    std::size_t m_hammerPiece = 0;
+    bool m_everTouched = false;
+    bool m_touching = false;  ///< apart, but by zero: forceless contact
+    bool m_justUnloaded = false;
+    int m_eventsOnTheSpot = 0;                ///< events in a row without progress in time
+    ContactLine m_line = ContactLine::apart;  ///< apart, with a zero gap: also forceless contact
+    Real m_periodsAhead = 0;                  ///< periods of free flight still to come before `m_gap` counts
+    Real m_gap = 0;                           ///< distance still to close, displacement unit I0/Z
+    Real m_opened = 0;                        ///< largest gap since the last separation
+    double m_separatedBefore = 0;             ///< time of the separation before the last one
+    Real m_force = 0;
+    Real m_closingSpeed = 0;  ///< of the bit at the last contact, force unit; 0 for the first contact
+    Real m_contactForce = 0;  ///< largest force since then, at the ends of pieces
+    Real m_growth = 1;        ///< Impact::growth
+    typename Basis::Sum m_contactTime;  ///< summed over contacts
+    typename Basis::Sum m_impulse;
+    Real m_error = 0;
+};
+
+}  // namespace drillwave
