@@ -14,6 +14,7 @@
 #include "core/model/parameter_text.h"
 #include "core/model/validation.h"
 #include "core/model/version.h"
+#include "core/report/alert_words.h"
 #include "core/text/decimal_text.h"
 #include "core/text/nearest_name.h"
 
@@ -178,8 +179,8 @@ void checkNotSet(const Arguments& arguments, std::string_view key, const std::st
 
 void remarkOnValues(const Scenario& scenario, const std::string& path) {
     for (const Alert& alert : alertsFor(scenario))
-        if (alert.code == implausibleValue)
-            std::fprintf(stderr, "%s: warning: %s\n", inputName(path).c_str(), alert.text.c_str());
+        if (alert.code == AlertCode::implausibleValue)
+            std::fprintf(stderr, "%s: warning: %s\n", inputName(path).c_str(), alertText(alert).c_str());
 }
 
 }  // namespace drillwave

@@ -47,15 +47,18 @@ std::string_view name(Feed feed) {
     return names[static_cast<std::size_t>(feed)];
 }
 
+FeedVerdict feedVerdict(std::optional<double> installed, double balance, double fullRate, double returned) {
+    FeedVerdict verdict{
+        .installed = installed, .balance = balance, .fullRate = fullRate, .returned = returned};
+    verdict.feed = feedOf(verdict);
+    return verdict;
+}
+
 std::optional<FeedVerdict> judgeFeed(const Scenario& scenario, double cor) {
     const std::optional<double> balance = thrustNeeded(scenario, 0);
     if (!balance) return std::nullopt;
-    FeedVerdict verdict{.installed = scenario.drill.thrust,
-                        .balance = *balance,
-                        .fullRate = *thrustNeeded(scenario, cor),
-                        .returned = *thrustNeeded(scenario, 2 * cor)};
-    verdict.feed = feedOf(verdict);
-    return verdict;
+    return feedVerdict(scenario.drill.thrust, *balance, *thrustNeeded(scenario, cor),
+                       *thrustNeeded(scenario, 2 * cor));
 }
 
 std::string_view feedWord(Feed feed) {

@@ -32,6 +32,9 @@ struct FeedVerdict {
     bool operator==(const FeedVerdict&) const = default;
 };
 
+/// The verdict by its thresholds, all in N.
+FeedVerdict feedVerdict(std::optional<double> installed, double balance, double fullRate, double returned);
+
 /// Judges the installed thrust for blows with that COR, e ≥ 0. nullopt where thrustProblem() says why.
 std::optional<FeedVerdict> judgeFeed(const Scenario& scenario, double cor);
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/model/alerts.h"
 
+#include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
-#include "core/text/handy_text.h"
 
 namespace drillwave {
 namespace {
@@ -17,32 +19,15 @@ constexpr double negligibleImpulse = 1e-3;
 /// Hammer and rod within one percent pass for equal.
 constexpr double matchedImpedances = 0.01;
 
-std::string inUnit(const Parameter& parameter, double value) {
-    return formatQuantity(value, parameter.quantity, parameter.displayUnit());
-}
-
-/// Of a value that may be anything: rounded, in a unit in which it can be read.
-std::string brief(const Parameter& parameter, double value) {
-    return inHandyUnit(value, parameter.quantity, 4);
-}
-
-/// "stiffness k", as in the form: in words, not as in a file.
-std::string nameOf(const Parameter& parameter) {
-    std::string name(parameter.label);
-    if (!parameter.symbol.empty()) name += " " + std::string(parameter.symbol);
-    return name;
-}
-
 void addImplausibleValues(const Scenario& scenario, std::vector<Alert>& alerts) {
     for (const Parameter& parameter : parameters()) {
         if (!isGiven(parameter, scenario)) continue;
         const std::optional<double> value = parameter.value(scenario);
         if (!value || parameter.plausible.contains(*value)) continue;
-        const std::string text = "The " + nameOf(parameter) + " = " + brief(parameter, *value) +
-                                 " is outside the usual range, " + brief(parameter, parameter.plausible.low) +
-                                 " to " + brief(parameter, parameter.plausible.high) + ".";
-        alerts.push_back(
-            {AlertLevel::warning, std::string(implausibleValue), std::string(parameter.key), text});
+        alerts.push_back({AlertLevel::warning,
+                          AlertCode::implausibleValue,
+                          parameter.key,
+                          {{"value", *value, parameter.quantity}}});
     }
 }
 
@@ -51,56 +36,66 @@ void addLongPulse(const Scenario& scenario, std::vector<Alert>& alerts) {
     if (force.isRigidBody()) return;
     const double late = 1 - force.impulseUntil(2 * groupsOf(scenario).tau);
     if (late <= negligibleImpulse) return;
-    const double percent = static_cast<double>(static_cast<int>(late * 1000)) / 10;
-    alerts.push_back(
-        {AlertLevel::warning, "pulse_longer_than_round_trip", "tau",
-         "The first reflection is back while " + formatNumber(percent) +
-             " % of the blow is still to come; a real hammer would feel it, here its force is prescribed."});
+    alerts.push_back({AlertLevel::warning, AlertCode::longPulse, "tau", {{"late_impulse", late}}});
 }
 
 /// A shape chosen without the data of a hammer gets a hammer all the same: that must not go unsaid.
 void addDefaultHammer(const Scenario& scenario, std::vector<Alert>& alerts) {
     if (scenario.pulse.shape != PulseShape::piston || scenario.pulse.piston != Piston()) return;
     if (scenario.form == ScenarioForm::dimensionless) {
-        alerts.push_back({AlertLevel::information, "default_hammer", "pulse.impedance_ratio",
-                          "The hammer's impedance is that of the rod, the value assumed where none is given: "
-                          "its blow is one step."});
+        alerts.push_back({AlertLevel::information, AlertCode::defaultHammer, "pulse.impedance_ratio", {}});
         return;
     }
-    std::string values;
+    Alert alert{AlertLevel::information, AlertCode::defaultHammer, "pulse.length", {}};
     for (const std::string_view key : {"pulse.length", "pulse.diameter", "pulse.velocity"}) {
         const Parameter& parameter = *findParameter(key);
-        values += (values.empty() ? "" : ", ") + std::string(parameter.localKey()) + " " +
-                  inUnit(parameter, *parameter.value(scenario));
+        alert.arguments.push_back({key, *parameter.value(scenario), parameter.quantity});
     }
-    alerts.push_back({AlertLevel::information, "default_hammer", "pulse.length",
-                      "The hammer is the one assumed where none is given (" + values +
-                          ", the material of the rod): give the data of the rock drill's piston."});
+    alerts.push_back(alert);
 }
 
 void addPistonAssumption(const Scenario& scenario, std::vector<Alert>& alerts) {
     if (scenario.pulse.shape != PulseShape::piston) return;
     const double ratio = pistonImpedanceRatio(scenario);
     if (std::abs(ratio - 1) < matchedImpedances) return;
-    alerts.push_back(
-        {AlertLevel::information, "piston_impedance_ratio",
-         scenario.form == ScenarioForm::dimensional ? "pulse.diameter" : "pulse.impedance_ratio",
-         ratio < 1
-             ? "The hammer's impedance is below the rod's: it bounces back after one step, so that the rod "
-               "takes "
-               "over more than its momentum."
-             : "The hammer's impedance is above the rod's: it pushes in a staircase of ever smaller steps, "
-               "assumed to run on as if the rod were long."});
+    alerts.push_back({AlertLevel::information,
+                      AlertCode::pistonImpedance,
+                      scenario.form == ScenarioForm::dimensional ? "pulse.diameter" : "pulse.impedance_ratio",
+                      {{"ratio", ratio}}});
 }
 
 void addGapWithoutEffect(const Scenario& scenario, std::vector<Alert>& alerts) {
     if (scenario.pulse.shape != PulseShape::rigidBody || groupsOf(scenario).delta == 0) return;
-    alerts.push_back({AlertLevel::information, "gap_without_effect",
+    alerts.push_back({AlertLevel::information,
+                      AlertCode::gapWithoutEffect,
                       scenario.form == ScenarioForm::dimensional ? "bit_rock.gap" : "delta",
-                      "The gap has no effect on a rigid body motion: it only shifts the time of contact."});
+                      {}});
 }
 
 }  // namespace
+
+std::string_view name(AlertCode code) {
+    constexpr std::array<std::string_view, alertCodeCount> alertNames{
+        "outside_plausible_range", "pulse_longer_than_round_trip",
+        "default_hammer",          "piston_impedance_ratio",
+        "gap_without_effect",      "thrust_below_needed",
+        "super_rebound",           "several_contacts",
+        "closed_form_invalid",     "input_decides",
+        "reduced_accuracy",        "stress_above_yield",
+        "stress_above_fatigue",
+    };
+    return alertNames[static_cast<std::size_t>(code)];
+}
+
+bool Alert::has(std::string_view argument) const {
+    return std::ranges::find(arguments, argument, &AlertArgument::name) != arguments.end();
+}
+
+const AlertArgument& Alert::argument(std::string_view name) const {
+    const auto found = std::ranges::find(arguments, name, &AlertArgument::name);
+    assert(found != arguments.end());
+    return *found;
+}
 
 std::vector<Alert> alertsFor(const Scenario& scenario) {
     std::vector<Alert> alerts;

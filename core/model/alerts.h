@@ -1,27 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Remarks on a valid scenario.
+// Remarks on a valid scenario and its result, as codes with numbers: report/alert_words.h makes sentences of
+// them.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/model/scenario.h"
+#include "core/text/units.h"
 
 namespace drillwave {
 
 enum class AlertLevel { information, warning };
 
-/// The code of the remark on a value outside its plausible range.
-inline constexpr std::string_view implausibleValue = "outside_plausible_range";
+/// What is remarked on (files §5.1).
+enum class AlertCode {
+    implausibleValue,
+    longPulse,
+    defaultHammer,
+    pistonImpedance,
+    gapWithoutEffect,
+    thrustBelowNeeded,
+    superRebound,
+    severalContacts,
+    closedFormInvalid,
+    inputDecides,
+    reducedAccuracy,
+    stressAboveYield,
+    stressAboveFatigue,
+};
 
-/// A remark on a valid scenario (files §5.1).
+inline constexpr int alertCodeCount = 13;
+
+/// "outside_plausible_range", "pulse_longer_than_round_trip", …
+std::string_view name(AlertCode code);
+
+/// One number of a remark.
+struct AlertArgument {
+    std::string_view name;  ///< of static storage: "cor", or the key of a parameter
+    double value = 0;       ///< SI
+    Quantity quantity = Quantity::ratio;
+    bool operator==(const AlertArgument&) const = default;
+};
+
+/// A remark on a valid scenario or its result.
 struct Alert {
     AlertLevel level = AlertLevel::information;
-    std::string code;       ///< "outside_plausible_range", "pulse_longer_than_round_trip", …
-    std::string parameter;  ///< key, may be empty
-    std::string text;       ///< one sentence
+    AlertCode code = AlertCode::implausibleValue;
+    std::string_view parameter;  ///< of static storage: the key of what it is about, may be empty
+    std::vector<AlertArgument> arguments;
     bool operator==(const Alert&) const = default;
+
+    bool has(std::string_view argument) const;
+    /// The argument of that name, which must be there.
+    const AlertArgument& argument(std::string_view name) const;
 };
 
 /// Values outside their plausible range, and assumptions of the model that the scenario strains.

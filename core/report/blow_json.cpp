@@ -3,6 +3,7 @@
 
 #include "core/blow/outputs.h"
 #include "core/model/version.h"
+#include "core/report/alert_words.h"
 #include "core/report/blow_csv.h"
 #include "core/report/json_value.h"
 
@@ -48,9 +49,9 @@ JsonArray alertsJson(const std::vector<Alert>& alerts) {
     for (const Alert& alert : alerts)
         array.emplace_back(
             JsonObject{{"level", alert.level == AlertLevel::warning ? "warning" : "information"},
-                       {"code", alert.code},
+                       {"code", name(alert.code)},
                        {"parameter", alert.parameter},
-                       {"text", alert.text}});
+                       {"text", alertText(alert)}});
     return array;
 }
 

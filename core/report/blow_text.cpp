@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/report/alert_words.h"
 #include "core/report/report_text.h"
 #include "core/text/number_text.h"
 
@@ -87,9 +88,9 @@ std::string blowText(const Blow& blow) {
             inHandyUnit(blow.runTime, Quantity::time) + "\n";
     for (const Alert& alert : blow.alerts) {
         // The line of e says it already, as an estimate.
-        if (blow.method.method == Method::lattice && alert.code == "reduced_accuracy") continue;
+        if (blow.method.method == Method::lattice && alert.code == AlertCode::reducedAccuracy) continue;
         text += std::string("  ") + (alert.level == AlertLevel::warning ? "warning: " : "note: ") +
-                alert.text + "\n";
+                alertText(alert) + "\n";
     }
     return text;
 }

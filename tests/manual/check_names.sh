@@ -26,8 +26,7 @@ expect() {
 
 sed -n 's/^ *Parameter{"\([^"]*\)",.*/\1/p' core/model/parameter.cpp | expect files.md parameter 25
 sed -n 's/^ *{"\([a-z_]*\)", "[^"]*",* *\(Measure::.*\)*$/\1/p' core/blow/outputs.cpp | expect files.md output 21
-grep -ho 'AlertLevel::[a-z]*, *"[a-z_]*"' core/model/*.cpp core/blow/*.cpp |
-    sed 's/.*"\(.*\)"/\1/' | expect files.md alert 4
+sed -n '/alertNames{/,/};/p' core/model/alerts.cpp | grep -o '"[a-z_]*"' | tr -d '"' | expect files.md alert 13
 sed -n '/shapeNames{/,/};/p' core/model/scenario.cpp | grep -o '"[a-z_]*"' | tr -d '"' | expect files.md shape 8
 sed -n 's/^ *\.name = "\([a-z]*\)",.*/\1/p' app/*_command.cpp | expect commands.md command 10
 # {"segments", "N", "of the …"} is --segments; -o and -j have one letter.

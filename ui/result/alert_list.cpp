@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <chrono>
 
-#include "core/model/alerts.h"
 #include "core/model/parameter.h"
+#include "core/report/alert_words.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -14,9 +15,9 @@ namespace {
 // How long a list that has become shorter keeps its room.
 constexpr std::chrono::milliseconds rest{1500};
 
-QString fieldName(const std::string& key) {
+QString fieldName(std::string_view key) {
     const Parameter* parameter = findParameter(key);
-    return QString::fromStdString(parameter ? std::string(parameter->label) : key);
+    return fromView(parameter ? parameter->label : key);
 }
 
 }  // namespace
@@ -36,7 +37,7 @@ AlertList::AlertList(QWidget* parent) : QWidget(parent) {
 void AlertList::present(const QString& problem, const std::vector<Alert>& alerts) {
     QStringList texts;
     if (!problem.isEmpty()) texts.append(problem);
-    for (const Alert& alert : alerts) texts.append(QString::fromStdString(alert.text));
+    for (const Alert& alert : alerts) texts.append(QString::fromStdString(alertText(alert)));
     // Most solutions while a slider is dragged change nothing here.
     if (texts == m_texts && !m_labels.isEmpty()) return;
     m_texts = texts;
@@ -47,7 +48,8 @@ void AlertList::present(const QString& problem, const std::vector<Alert>& alerts
     for (const Alert& alert : alerts) {
         const bool warning = alert.level == AlertLevel::warning;
         write(row++, warning ? QStringLiteral("⚠") : QStringLiteral("ℹ"),
-              warning ? tr("Warning") : tr("Note"), QString::fromStdString(alert.text), alert.parameter);
+              warning ? tr("Warning") : tr("Note"), QString::fromStdString(alertText(alert)),
+              alert.parameter);
     }
     if (row == 0) write(row++, QStringLiteral("✓"), tr("Nothing unusual"), tr("Nothing unusual."), {});
     for (qsizetype unused = row; unused < m_labels.size(); ++unused) m_labels[unused]->hide();
@@ -68,13 +70,12 @@ QLabel* AlertList::labelAt(qsizetype row) {
 }
 
 void AlertList::write(qsizetype row, const QString& mark, const QString& kind, const QString& text,
-                      const std::string& key) {
+                      std::string_view key) {
     QLabel* label = labelAt(row);
     QString html = mark + QLatin1Char(' ') + text.toHtmlEscaped();
     if (!key.empty())
         html += QStringLiteral(" <a href=\"%1\">%2</a>")
-                    .arg(QString::fromStdString(key).toHtmlEscaped(),
-                         tr("Go to “%1”").arg(fieldName(key)).toHtmlEscaped());
+                    .arg(fromView(key).toHtmlEscaped(), tr("Go to “%1”").arg(fieldName(key)).toHtmlEscaped());
     if (label->text() != html) label->setText(html);
     label->setAccessibleName(QStringLiteral("%1: %2").arg(kind, text));
     label->setToolTip(kind);

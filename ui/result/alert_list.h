@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <QTimer>
 #include <QWidget>
+#include <string_view>
 #include <vector>
 
 #include "core/model/alerts.h"
@@ -32,7 +33,7 @@ class AlertList : public QWidget {
 
   private:
     void write(qsizetype row, const QString& mark, const QString& kind, const QString& text,
-               const std::string& key);
+               std::string_view key);
     QLabel* labelAt(qsizetype row);
 
     QStringList m_texts;

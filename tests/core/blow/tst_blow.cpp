@@ -33,7 +33,7 @@ Scenario softReferenceCase() {
 
 QStringList codesOf(const std::vector<Alert>& alerts) {
     QStringList codes;
-    for (const Alert& alert : alerts) codes << QString::fromStdString(alert.code);
+    for (const Alert& alert : alerts) codes << QString::fromUtf8(name(alert.code).data());
     return codes;
 }
 

@@ -5,6 +5,7 @@
 #include "core/blow/feed_verdict.h"
 #include "core/blow/result_alerts.h"
 #include "core/model/alerts.h"
+#include "core/report/alert_words.h"
 
 using namespace drillwave;
 
@@ -64,9 +65,9 @@ class TestFeedVerdict : public QObject {
         const std::vector<Alert> alerts = resultAlerts(drill(thrust), summary);
         QCOMPARE(!alerts.empty(), warned);
         if (!warned) return;
-        QCOMPARE(alerts[0].code, std::string("thrust_below_needed"));
+        QCOMPARE(alerts[0].code, AlertCode::thrustBelowNeeded);
         QCOMPARE(alerts[0].level, AlertLevel::warning);
-        QCOMPARE(alerts[0].text, feedSentence(verdict));
+        QCOMPARE(alertText(alerts[0]), feedSentence(verdict));
     }
 
     void theSentenceStatesTheThreshold() {

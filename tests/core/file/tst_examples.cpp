@@ -10,6 +10,7 @@
 #include "core/file/scenario_file.h"
 #include "core/model/alerts.h"
 #include "core/model/scales.h"
+#include "core/report/alert_words.h"
 #include "core/wave/exact/exact_solver.h"
 
 using namespace drillwave;
@@ -59,7 +60,7 @@ void TestExamples::eachIsAValidScenarioWithoutWarnings() {
     const ScenarioDocument document = parseScenario(example.text, example.name);
     QCOMPARE(document.scenario.title, example.title);
     for (const Alert& alert : alertsFor(document.scenario))
-        QVERIFY2(alert.level == AlertLevel::information, alert.text.c_str());
+        QVERIFY2(alert.level == AlertLevel::information, alertText(alert).c_str());
     QVERIFY(writeScenario(document) == example.text);
 }
 

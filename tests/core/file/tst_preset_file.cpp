@@ -7,6 +7,7 @@
 #include "core/file/preset_file.h"
 #include "core/file/yaml_tree.h"
 #include "core/model/alerts.h"
+#include "core/report/alert_words.h"
 
 using namespace drillwave;
 
@@ -102,7 +103,7 @@ void TestPresetFile::everyBuiltInPresetGivesAValidScenario() {
     const Scenario scenario = withPreset({}, each);
     QVERIFY(validate(scenario).empty());
     for (const Alert& alert : alertsFor(scenario))
-        QVERIFY2(alert.code != "outside_plausible_range", alert.text.c_str());
+        QVERIFY2(alert.code != AlertCode::implausibleValue, alertText(alert).c_str());
     QVERIFY(matches(each, scenario));
     QVERIFY(!description(each).empty());
     // No two presets of a kind are the same under two names.

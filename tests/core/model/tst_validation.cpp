@@ -23,7 +23,7 @@ Scenario withTable(std::vector<TablePoint> points) {
     return scenario;
 }
 
-bool hasAlert(const Scenario& scenario, std::string_view code) {
+bool hasAlert(const Scenario& scenario, AlertCode code) {
     return std::ranges::any_of(alertsFor(scenario), [&](const Alert& alert) { return alert.code == code; });
 }
 
@@ -184,8 +184,9 @@ void TestValidation::implausibleValuesAreRemarkedOn() {
     scenario.rod.youngsModulus = 210;  // meant in GPa
     const std::vector<Alert> alerts = alertsFor(scenario);
     QVERIFY(!alerts.empty());
-    QCOMPARE(QString::fromStdString(alerts.front().code), QString("outside_plausible_range"));
-    QCOMPARE(QString::fromStdString(alerts.front().parameter), QString("rod.youngs_modulus"));
+    QCOMPARE(alerts.front().code, AlertCode::implausibleValue);
+    QCOMPARE(alerts.front().parameter, std::string_view("rod.youngs_modulus"));
+    QCOMPARE(alerts.front().argument("value").value, 210.0);
     QVERIFY(alerts.front().level == AlertLevel::warning);
 }
 
@@ -206,33 +207,33 @@ void TestValidation::aBlowLongerThanTheRoundTripIsRemarkedOn() {
     QFETCH(bool, remark);
     Scenario scenario = dimensionless(shape);
     scenario.groups.tau = tau;
-    QCOMPARE(hasAlert(scenario, "pulse_longer_than_round_trip"), remark);
+    QCOMPARE(hasAlert(scenario, AlertCode::longPulse), remark);
 }
 
 void TestValidation::aGapHasNoEffectOnTheReferenceCase() {
     Scenario scenario = dimensionless(PulseShape::rigidBody);
-    QVERIFY(!hasAlert(scenario, "gap_without_effect"));
+    QVERIFY(!hasAlert(scenario, AlertCode::gapWithoutEffect));
     scenario.groups.delta = 0.5;
-    QVERIFY(hasAlert(scenario, "gap_without_effect"));
+    QVERIFY(hasAlert(scenario, AlertCode::gapWithoutEffect));
 }
 
 void TestValidation::anUnmatchedPistonIsRemarkedOn() {
     Scenario scenario = dimensionless(PulseShape::piston);
-    QVERIFY(!hasAlert(scenario, "piston_impedance_ratio"));
+    QVERIFY(!hasAlert(scenario, AlertCode::pistonImpedance));
     scenario.pulse.piston.impedanceRatio = 0.5;
-    QVERIFY(hasAlert(scenario, "piston_impedance_ratio"));
+    QVERIFY(hasAlert(scenario, AlertCode::pistonImpedance));
     scenario.pulse.piston.impedanceRatio = 2;
-    QVERIFY(hasAlert(scenario, "piston_impedance_ratio"));
+    QVERIFY(hasAlert(scenario, AlertCode::pistonImpedance));
 }
 
 void TestValidation::aHammerThatNobodyGaveIsRemarkedOn() {
-    QVERIFY(hasAlert(dimensionless(PulseShape::piston), "default_hammer"));
+    QVERIFY(hasAlert(dimensionless(PulseShape::piston), AlertCode::defaultHammer));
     Scenario scenario;
-    QVERIFY(!hasAlert(scenario, "default_hammer"));
+    QVERIFY(!hasAlert(scenario, AlertCode::defaultHammer));
     QCOMPARE(assignText(scenario, "pulse.shape", "piston"), std::string());
-    QVERIFY(hasAlert(scenario, "default_hammer"));
+    QVERIFY(hasAlert(scenario, AlertCode::defaultHammer));
     scenario.pulse.piston.velocity = 9;
-    QVERIFY(!hasAlert(scenario, "default_hammer"));
+    QVERIFY(!hasAlert(scenario, AlertCode::defaultHammer));
 }
 
 QTEST_APPLESS_MAIN(TestValidation)

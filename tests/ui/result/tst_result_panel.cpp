@@ -215,12 +215,16 @@ class TestResultPanel : public QObject {
         list.setAttribute(Qt::WA_DontShowOnScreen);
         list.resize(200, 300);
         list.show();
-        const Alert warning{AlertLevel::warning, "code", "delta", "One thing and <another>."};
+        const Alert warning{AlertLevel::warning,
+                            AlertCode::closedFormInvalid,
+                            "tau",
+                            {{"tau", 0.4}, {"closed_form_cor", 0.5}, {"difference", 0.1}}};
         list.present({}, {warning, warning});
         QCoreApplication::processEvents();
         const QList<QLabel*> labels = list.findChildren<QLabel*>();
         QCOMPARE(labels.size(), 2);
-        QVERIFY(labels[0]->accessibleName().endsWith("One thing and <another>."));
+        QVERIFY(labels[0]->accessibleName().contains("tau = 0.4 < 0.5"));
+        QVERIFY(labels[0]->text().contains("tau = 0.4 &lt; 0.5"));
         const int height = list.height();
         list.present({}, {});
         QCOMPARE(list.findChildren<QLabel*>(), labels);

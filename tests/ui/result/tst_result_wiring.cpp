@@ -31,7 +31,10 @@ class TestResultWiring : public QObject {
         window.setAttribute(Qt::WA_DontShowOnScreen);
         window.show();
         window.activateWindow();
-        const Alert alert{AlertLevel::warning, "outside_plausible_range", "bit_rock.gap", "Too far."};
+        const Alert alert{AlertLevel::warning,
+                          AlertCode::implausibleValue,
+                          "bit_rock.gap",
+                          {{"value", 1, Quantity::length}}};
         part<ResultPanel>(window).alerts()->present({}, {alert});
         QLabel* label = nullptr;
         for (QLabel* each : part<ResultPanel>(window).alerts()->findChildren<QLabel*>())

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/alert_words.h"
+
+#include "core/blow/feed_verdict.h"
+#include "core/model/parameter.h"
+#include "core/text/handy_text.h"
+
+namespace drillwave {
+
+namespace {
+
+std::string fourDigits(const Alert& alert, std::string_view name) {
+    return rounded(alert.argument(name).value, 4);
+}
+
+std::string whole(const Alert& alert, std::string_view name) {
+    return std::to_string(static_cast<long>(alert.argument(name).value));
+}
+
+std::string bound(const Alert& alert, std::string_view name) {
+    return boundText(alert.argument(name).value);
+}
+
+std::string inUnit(const Alert& alert, std::string_view name) {
+    const AlertArgument& argument = alert.argument(name);
+    return inHandyUnit(argument.value, argument.quantity, 4);
+}
+
+/// "stiffness k", as in the form: in words, not as in a file.
+std::string nameOf(const Parameter& parameter) {
+    std::string name(parameter.label);
+    if (!parameter.symbol.empty()) name += " " + std::string(parameter.symbol);
+    return name;
+}
+
+std::string implausible(const Alert& alert) {
+    const Parameter& parameter = *findParameter(alert.parameter);
+    const auto end = [&](double value) { return inHandyUnit(value, parameter.quantity, 4); };
+    return "The " + nameOf(parameter) + " = " + inUnit(alert, "value") + " is outside the usual range, " +
+           end(parameter.plausible.low) + " to " + end(parameter.plausible.high) + ".";
+}
+
+std::string longPulse(const Alert& alert) {
+    const double percent =
+        static_cast<double>(static_cast<int>(alert.argument("late_impulse").value * 1000)) / 10;
+    return "The first reflection is back while " + formatNumber(percent) +
+           " % of the blow is still to come; a real hammer would feel it, here its force is prescribed.";
+}
+
+std::string defaultHammer(const Alert& alert) {
+    if (alert.arguments.empty())
+        return "The hammer's impedance is that of the rod, the value assumed where none is given: "
+               "its blow is one step.";
+    std::string values;
+    for (const AlertArgument& argument : alert.arguments) {
+        const Parameter& parameter = *findParameter(argument.name);
+        values += (values.empty() ? "" : ", ") + std::string(parameter.localKey()) + " " +
+                  formatQuantity(argument.value, argument.quantity, parameter.displayUnit());
+    }
+    return "The hammer is the one assumed where none is given (" + values +
+           ", the material of the rod): give the data of the rock drill's piston.";
+}
+
+std::string pistonImpedance(const Alert& alert) {
+    return alert.argument("ratio").value < 1
+               ? "The hammer's impedance is below the rod's: it bounces back after one step, so that the rod "
+                 "takes over more than its momentum."
+               : "The hammer's impedance is above the rod's: it pushes in a staircase of ever smaller steps, "
+                 "assumed to run on as if the rod were long.";
+}
+
+std::string thrustBelowNeeded(const Alert& alert) {
+    return feedSentence(feedVerdict(alert.argument("installed").value, alert.argument("balance").value,
+                                    alert.argument("full_rate").value, alert.argument("returned").value));
+}
+
+/// Why the closed form is not for the blow: the group to blame says it.
+std::string closedFormObstacle(const Alert& alert) {
+    if (alert.parameter == "tau")
+        return "the blow is longer than a round trip in the rod (tau = " + fourDigits(alert, "tau") +
+               " < 0.5)";
+    if (alert.parameter == "delta")
+        return "the bit meets the rock in the middle of a wave (delta = " + fourDigits(alert, "delta") +
+               " is not a whole number)";
+    return "the bit is still on the rock when the next reflection arrives";
+}
+
+std::string closedFormInvalid(const Alert& alert) {
+    return "The closed form for elastic rock does not hold, because " + closedFormObstacle(alert) +
+           ": its e = " + fourDigits(alert, "closed_form_cor") + " is off by " +
+           fourDigits(alert, "difference") + ".";
+}
+
+std::string inputDecides(const Alert& alert) {
+    return "The bit chatters on the rock (" + whole(alert, "contacts") +
+           " contacts), so that e depends on the last digits of the input: it is known to " +
+           bound(alert, "cor_error") +
+           " only, and no calculation knows it better. A longer rod, a shorter blow or a softer rock "
+           "chatters less.";
+}
+
+/// Which stress, where, when, and what it is held against.
+std::string overload(const Alert& alert, const std::string& consequence) {
+    const bool isAfter = alert.level == AlertLevel::information;
+    const std::string kind = alert.has("compression") ? "compression" : "tension";
+    return consequence + ": " + kind + " reaches " + inUnit(alert, kind) + ", " + inUnit(alert, "place") +
+           " from the hammer at " + inUnit(alert, "time") +
+           (isAfter ? ", after the blow, in the waves left (which nothing damps here)"
+                    : ", during the blow") +
+           ", against a strength of " + inUnit(alert, "strength") + ".";
+}
+
+}  // namespace
+
+std::string alertText(const Alert& alert) {
+    switch (alert.code) {
+        case AlertCode::implausibleValue:
+            return implausible(alert);
+        case AlertCode::longPulse:
+            return longPulse(alert);
+        case AlertCode::defaultHammer:
+            return defaultHammer(alert);
+        case AlertCode::pistonImpedance:
+            return pistonImpedance(alert);
+        case AlertCode::gapWithoutEffect:
+            return "The gap has no effect on a rigid body motion: it only shifts the time of contact.";
+        case AlertCode::thrustBelowNeeded:
+            return thrustBelowNeeded(alert);
+        case AlertCode::superRebound:
+            return "The rod leaves with more momentum than it came with (e = " + fourDigits(alert, "cor") +
+                   "): rigid rock, e = 1, would underestimate the thrust.";
+        case AlertCode::severalContacts:
+            return "The bit hits the rock " + whole(alert, "contacts") +
+                   " times in this blow: the waves in the rod bring it back.";
+        case AlertCode::closedFormInvalid:
+            return closedFormInvalid(alert);
+        case AlertCode::inputDecides:
+            return inputDecides(alert);
+        case AlertCode::reducedAccuracy:
+            return "The numerical error of e may be as large as " + bound(alert, "cor_error") + ".";
+        case AlertCode::stressAboveYield:
+            return overload(alert, "The rod would yield");
+        case AlertCode::stressAboveFatigue:
+            return overload(alert, "The rod tires with every blow");
+    }
+    return {};
+}
+
+}  // namespace drillwave

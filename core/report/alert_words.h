@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Remarks as sentences: what the model says with codes and numbers, in words.
+#pragma once
+
+#include <string>
+
+#include "core/model/alerts.h"
+
+namespace drillwave {
+
+/// A remark as one sentence or two. It must have the arguments that alertsFor(), resultAlerts() or
+/// stressAlerts() give with its code.
+std::string alertText(const Alert& alert);
+
+}  // namespace drillwave

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sentences of the remarks on a blow: one for every code, from nothing but its arguments.
+#include <QtTest>
+
+#include <set>
+
+#include "core/blow/result_alerts.h"
+#include "core/model/alerts.h"
+#include "core/report/alert_words.h"
+
+using namespace drillwave;
+
+namespace {
+
+QString textOf(const Alert& alert) {
+    return QString::fromStdString(alertText(alert));
+}
+
+/// A remark and what is to be said.
+struct Example {
+    Alert alert;
+    const char* sentence;
+};
+
+const std::vector<Example>& examples() {
+    constexpr AlertLevel note = AlertLevel::information;
+    constexpr AlertLevel warning = AlertLevel::warning;
+    static const std::vector<Example> all{
+        {{warning, AlertCode::implausibleValue, "rod.youngs_modulus", {{"value", 210, Quantity::stress}}},
+         "The Young's modulus E = 0.00021 MPa is outside the usual range, 60 GPa to 250 GPa."},
+        {{warning, AlertCode::longPulse, "tau", {{"late_impulse", 0.1239}}},
+         "The first reflection is back while 12.3 % of the blow is still to come; a real hammer would feel "
+         "it, here its force is prescribed."},
+        {{note, AlertCode::defaultHammer, "pulse.impedance_ratio", {}},
+         "The hammer's impedance is that of the rod, the value assumed where none is given: its blow is one "
+         "step."},
+        {{note,
+          AlertCode::defaultHammer,
+          "pulse.length",
+          {{"pulse.length", 0.5, Quantity::length},
+           {"pulse.diameter", 0.038, Quantity::length},
+           {"pulse.velocity", 10, Quantity::velocity}}},
+         "The hammer is the one assumed where none is given (length 500 mm, diameter 38 mm, velocity 10 m/s, "
+         "the material of the rod): give the data of the rock drill's piston."},
+        {{note, AlertCode::pistonImpedance, "pulse.diameter", {{"ratio", 0.5}}},
+         "The hammer's impedance is below the rod's: it bounces back after one step, so that the rod takes "
+         "over more than its momentum."},
+        {{note, AlertCode::pistonImpedance, "pulse.diameter", {{"ratio", 2}}},
+         "The hammer's impedance is above the rod's: it pushes in a staircase of ever smaller steps, assumed "
+         "to run on as if the rod were long."},
+        {{note, AlertCode::gapWithoutEffect, "delta", {}},
+         "The gap has no effect on a rigid body motion: it only shifts the time of contact."},
+        {{warning,
+          AlertCode::thrustBelowNeeded,
+          "drill.thrust",
+          {{"installed", 1500, Quantity::force},
+           {"balance", 2000, Quantity::force},
+           {"full_rate", 2800, Quantity::force},
+           {"returned", 3600, Quantity::force}}},
+         "The installed thrust of 1.5 kN is below f I0 = 2 kN. The blows push the machine back from the "
+         "rock. Raise the feed, or lower the percussion."},
+        {{note, AlertCode::superRebound, "", {{"cor", 1.25}}},
+         "The rod leaves with more momentum than it came with (e = 1.25): rigid rock, e = 1, would "
+         "underestimate the thrust."},
+        {{note, AlertCode::severalContacts, "", {{"contacts", 3}}},
+         "The bit hits the rock 3 times in this blow: the waves in the rod bring it back."},
+        {{note,
+          AlertCode::closedFormInvalid,
+          "tau",
+          {{"tau", 0.4}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
+         "The closed form for elastic rock does not hold, because the blow is longer than a round trip in "
+         "the rod (tau = 0.4 < 0.5): its e = 0.5 is off by 0.125."},
+        {{note,
+          AlertCode::closedFormInvalid,
+          "delta",
+          {{"delta", 0.3}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
+         "The closed form for elastic rock does not hold, because the bit meets the rock in the middle of a "
+         "wave (delta = 0.3 is not a whole number): its e = 0.5 is off by 0.125."},
+        {{note,
+          AlertCode::closedFormInvalid,
+          "beta",
+          {{"beta", 0.02}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
+         "The closed form for elastic rock does not hold, because the bit is still on the rock when the next "
+         "reflection arrives: its e = 0.5 is off by 0.125."},
+        {{warning, AlertCode::inputDecides, "", {{"contacts", 40}, {"cor_error", 2e-4}}},
+         "The bit chatters on the rock (40 contacts), so that e depends on the last digits of the input: it "
+         "is known to 0.00021 only, and no calculation knows it better. A longer rod, a shorter blow or a "
+         "softer rock chatters less."},
+        {{warning, AlertCode::reducedAccuracy, "", {{"cor_error", 2e-8}}},
+         "The numerical error of e may be as large as 2.1e-08."},
+        {{warning,
+          AlertCode::stressAboveYield,
+          "rod.yield_strength",
+          {{"compression", 360e6, Quantity::stress},
+           {"place", 1.83, Quantity::length},
+           {"time", 600e-6, Quantity::time},
+           {"strength", 300e6, Quantity::stress}}},
+         "The rod would yield: compression reaches 360 MPa, 1.83 m from the hammer at 600 us, during the "
+         "blow, against a strength of 300 MPa."},
+        {{note,
+          AlertCode::stressAboveFatigue,
+          "rod.fatigue_strength",
+          {{"tension", 160e6, Quantity::stress},
+           {"place", 0.915, Quantity::length},
+           {"time", 4e-3, Quantity::time},
+           {"strength", 150e6, Quantity::stress}}},
+         "The rod tires with every blow: tension reaches 160 MPa, 915 mm from the hammer at 4 ms, after the "
+         "blow, in the waves left (which nothing damps here), against a strength of 150 MPa."},
+    };
+    return all;
+}
+
+}  // namespace
+
+class TestAlertWords : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void eachRemarkHasItsSentence_data() {
+        QTest::addColumn<int>("index");
+        for (std::size_t i = 0; i < examples().size(); ++i) {
+            const Alert& alert = examples()[i].alert;
+            QTest::addRow("%s %zu", name(alert.code).data(), i) << int(i);
+        }
+    }
+
+    void eachRemarkHasItsSentence() {
+        QFETCH(int, index);
+        const Example& example = examples()[std::size_t(index)];
+        QCOMPARE(textOf(example.alert), QString(example.sentence));
+    }
+
+    // The names stand in files and are not to change.
+    void theNamesAreThoseOfTheCodes() {
+        QCOMPARE(name(AlertCode::implausibleValue), std::string_view("outside_plausible_range"));
+        QCOMPARE(name(AlertCode::longPulse), std::string_view("pulse_longer_than_round_trip"));
+        QCOMPARE(name(AlertCode::gapWithoutEffect), std::string_view("gap_without_effect"));
+        QCOMPARE(name(AlertCode::thrustBelowNeeded), std::string_view("thrust_below_needed"));
+        QCOMPARE(name(AlertCode::superRebound), std::string_view("super_rebound"));
+        QCOMPARE(name(AlertCode::closedFormInvalid), std::string_view("closed_form_invalid"));
+        QCOMPARE(name(AlertCode::reducedAccuracy), std::string_view("reduced_accuracy"));
+        QCOMPARE(name(AlertCode::stressAboveYield), std::string_view("stress_above_yield"));
+        QCOMPARE(name(AlertCode::stressAboveFatigue), std::string_view("stress_above_fatigue"));
+    }
+
+    void noCodeIsLeftOut() {
+        std::set<AlertCode> told;
+        std::set<std::string_view> names;
+        for (const Example& example : examples()) {
+            told.insert(example.alert.code);
+            names.insert(name(example.alert.code));
+        }
+        QCOMPARE(told.size(), std::size_t(alertCodeCount));
+        QCOMPARE(names.size(), told.size());
+        QCOMPARE(int(*told.rbegin()), alertCodeCount - 1);
+        QVERIFY(!names.contains(std::string_view()));
+    }
+
+    // The arguments above are those that the model gives.
+    void theRemarksOfTheModelHaveTheArgumentsOfTheirSentences() {
+        Scenario scenario;
+        scenario.rod.youngsModulus = 210;  // meant in GPa
+        QCOMPARE(alertsFor(scenario).at(0), examples()[0].alert);
+        scenario = {};
+        scenario.pulse.impulse = 40;
+        scenario.drill = {.blowFrequency = 50, .thrust = 1500};
+        ImpactSummary summary;
+        summary.cor = 0.4;
+        const std::vector<Alert> alerts = resultAlerts(scenario, summary);
+        QCOMPARE(alerts.size(), std::size_t{1});
+        QCOMPARE(
+            textOf(alerts[0]),
+            QString("The installed thrust of 1.5 kN is below f I0 = 2 kN. The blows push the machine back "
+                    "from the rock. Raise the feed, or lower the percussion."));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestAlertWords)
+#include "tst_alert_words.moc"
