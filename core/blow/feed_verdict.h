@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the feed force does between the blows: one judgement, in the same words wherever it is told.
+// What the feed force does between the blows: one judgement. Its words are in report/feed_words.h.
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "core/model/scenario.h"
@@ -37,14 +36,5 @@ FeedVerdict feedVerdict(std::optional<double> installed, double balance, double 
 
 /// Judges the installed thrust for blows with that COR, e ≥ 0. nullopt where thrustProblem() says why.
 std::optional<FeedVerdict> judgeFeed(const Scenario& scenario, double cor);
-
-/// A word or two for a table: "penetration lost". Empty where no thrust is given.
-std::string_view feedWord(Feed feed);
-
-/// What that means at the rig and what to do, without numbers.
-std::string_view feedAdvice(Feed feed);
-
-/// The verdict in words, with its thresholds: "4 kN is below the 4.37 kN of f I0 (1+e): …".
-std::string feedSentence(const FeedVerdict& verdict);
 
 }  // namespace drillwave

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/alert_words.h"
 
-#include "core/blow/feed_verdict.h"
 #include "core/model/parameter.h"
+#include "core/report/feed_words.h"
 #include "core/text/handy_text.h"
 
 namespace drillwave {

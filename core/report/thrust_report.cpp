@@ -3,6 +3,7 @@
 
 #include "core/model/scales.h"
 #include "core/model/version.h"
+#include "core/report/feed_words.h"
 #include "core/report/json_value.h"
 #include "core/report/report_text.h"
 #include "core/text/number_text.h"

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "core/report/feed_words.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 

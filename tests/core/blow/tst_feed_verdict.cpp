@@ -6,6 +6,7 @@
 #include "core/blow/result_alerts.h"
 #include "core/model/alerts.h"
 #include "core/report/alert_words.h"
+#include "core/report/feed_words.h"
 
 using namespace drillwave;
 

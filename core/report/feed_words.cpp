@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/feed_words.h"
+
+#include <array>
+
+#include "core/text/handy_text.h"
+
+namespace drillwave {
+
+namespace {
+
+std::string force(double newton) {
+    return inHandyUnit(newton, Quantity::force, 4);
+}
+
+/// Where the installed thrust stands among the thresholds.
+std::string standing(const FeedVerdict& verdict) {
+    switch (verdict.feed) {
+        case Feed::unknown:
+            return {};
+        case Feed::pushedBack:
+            return "is below f I0 = " + force(verdict.balance);
+        case Feed::penetrationLost:
+            return "is below f I0 (1+e) = " + force(verdict.fullRate);
+        case Feed::fullRate:
+            return "is between f I0 (1+e) = " + force(verdict.fullRate) +
+                   " and f I0 (1+2e) = " + force(verdict.returned);
+        case Feed::backInTime:
+            return "reaches f I0 (1+2e) = " + force(verdict.returned);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string_view feedWord(Feed feed) {
+    constexpr std::array<std::string_view, 5> words{"", "pushed back", "penetration lost",
+                                                    "full rate, bit bounces", "bit back in time"};
+    return words[static_cast<std::size_t>(feed)];
+}
+
+std::string_view feedAdvice(Feed feed) {
+    switch (feed) {
+        case Feed::unknown:
+            return "No installed thrust is given: give drill.thrust to have it judged.";
+        case Feed::pushedBack:
+            return "The blows push the machine back from the rock. Raise the feed, or lower the percussion.";
+        case Feed::penetrationLost:
+            return "Penetration is lost: the bit bounces off the bottom between blows, many meet a bit that "
+                   "is "
+                   "not on the rock, and the string runs loose. Joints rattle, run hot and wear. Raise the "
+                   "feed, or lower the percussion.";
+        case Feed::fullRate:
+            return "It drills at full rate, but the bit leaves the rock between blows and the joints are "
+                   "hammered, unless the machine damps the rebound well.";
+        case Feed::backInTime:
+            return "The bit is back on the rock before the next blow, even if nothing damps the rebound. "
+                   "Whether it is too much (friction, buckling, stalling of the rotation) is outside the "
+                   "model.";
+    }
+    return {};
+}
+
+std::string feedSentence(const FeedVerdict& verdict) {
+    const std::string advice(feedAdvice(verdict.feed));
+    if (verdict.feed == Feed::unknown) return advice;
+    return "The installed thrust of " + force(*verdict.installed) + " " + standing(verdict) + ". " + advice;
+}
+
+}  // namespace drillwave
