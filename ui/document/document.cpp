@@ -196,6 +196,9 @@ void Document::markUnsaved() {
 }
 
 QString Document::applyPreset(const Preset& preset) {
+    // A menu that is open stays so when the scenario is replaced, by an undo or another file.
+    if (m_scenario.form != ScenarioForm::dimensional)
+        return tr("A preset has physical units, and this scenario is given by its dimensionless groups.");
     Scenario changed = withPreset(m_scenario, preset);
     std::vector<InputProblem> problems = m_check(changed);
     if (!problems.empty())

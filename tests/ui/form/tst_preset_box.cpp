@@ -33,6 +33,7 @@ class TestPresetBox : public QObject {
     void anEditMakesItCustom();
     void groupsAloneTakeNoPresetsAndSayWhy();
     void aPresetThatDoesNotFitIsReported();
+    void anOpenMenuDoesNothingToGroups();
     void theUsersOwnFileIsOffered();
     void anAddedFileIsOfferedNowAndLater();
     void aBadFileIsExplainedAndNotAdded();
@@ -106,6 +107,16 @@ void TestPresetBox::aPresetThatDoesNotFitIsReported() {
     QVERIFY(m->answers.told.first().contains(QStringLiteral("too many steps to follow")));
     QCOMPARE(m->document.text(), before);
     QCOMPARE(hammers().currentText(), QStringLiteral("medium drifter"));
+}
+
+void TestPresetBox::anOpenMenuDoesNothingToGroups() {
+    QAction* chosen = action(hammers(), QStringLiteral("heavy drifter"));
+    m->document.startFrom(findExample("paper_fig4a")->text, QStringLiteral("example"));
+    const QByteArray before = m->document.text();
+    chosen->trigger();
+    QCOMPARE(m->answers.told.size(), 1);
+    QVERIFY(m->answers.told.first().contains(QStringLiteral("physical units")));
+    QCOMPARE(m->document.text(), before);
 }
 
 void TestPresetBox::theUsersOwnFileIsOffered() {
