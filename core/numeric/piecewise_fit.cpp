@@ -76,16 +76,13 @@ class Builder {
 
 /// Not solved any more once a stop is requested.
 FitSample Builder::solve(double x) {
-    FitSample sample;
-    sample.x = x;
-    if (m_stop.stop_requested()) return sample;
-    sample = m_function(x);
+    if (m_stop.stop_requested()) return {.x = x};
+    FitSample sample = m_function(x);
     sample.x = x;
     ++m_fit.solves;
     if (!sample.solved) {
         ++m_failures;
         m_failedEffort += sample.effort;
-        m_fit.reason = sample.reason;
         return sample;
     }
     m_fit.largestError = std::max(m_fit.largestError, sample.error);

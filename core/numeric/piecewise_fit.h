@@ -9,7 +9,6 @@
 #include <limits>
 #include <span>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "core/numeric/chebyshev.h"
@@ -26,9 +25,8 @@ struct FitSample {
     double error = 0;         ///< bound on the error of the values
     std::uint64_t order = 0;  ///< while it stays the same, the functions are smooth
     int label = 0;            ///< whatever pieces are to be told by
-    bool solved = false;      ///< false: there are no values here, `reason` says why
+    bool solved = false;      ///< false: there are no values here
     long effort = 0;          ///< what a place without values has cost, in the units of mostFailedEffort
-    std::string reason = {};
 };
 
 /// A stretch over which all functions are smooth.
@@ -70,7 +68,6 @@ struct PiecewiseFit {
     std::uint64_t solves = 0;      ///< samples taken
     double largestError = 0;       ///< of the samples
     double unsolved = 0;           ///< length without values
-    std::string reason;            ///< why there are none somewhere
 };
 
 /// Takes a sample at x. What it answers after a stop is not used.

@@ -36,7 +36,7 @@ class GapSampler {
         const Impact impact = m_solver.solve(m_problem, m_detail, m_stop);
         if (impact.outcome != Outcome::rebounded) {
             sample.effort = impact.pieces;
-            sample.reason = impact.reason;
+            m_reason = impact.reason;
             return sample;
         }
         sample.solved = true;
@@ -53,11 +53,15 @@ class GapSampler {
         return sample;
     }
 
+    /// Why there was no answer, the last time that there was none.
+    const std::string& reason() const { return m_reason; }
+
   private:
     Problem m_problem;  // with the gap that is being solved
     Detail m_detail;
     std::stop_token m_stop;
     ExactSolver m_solver;
+    std::string m_reason;
 };
 
 /// Where to look first: evenly, and where the course of the hammer force changes just as the gap closes.
@@ -133,7 +137,7 @@ GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop
     curve.solves = fit.solves;
     curve.solverError = fit.largestError;
     curve.unsolved = fit.unsolved;
-    curve.reason = std::move(fit.reason);
+    curve.reason = sampler.reason();
     curve.stopped = stop.stop_requested();
     return curve;
 }
