@@ -29,8 +29,8 @@ struct CurveFeature {
     Kind kind = Kind::minimum;
     Shape shape = Shape::smooth;
     bool ofAll = false;      ///< the least or largest of the whole line
-    Estimate x;              ///< SI
-    Estimate value;          ///< in the unit of the output column; of a jump the value before it
+    Estimate x = {};         ///< SI
+    Estimate value = {};     ///< in the unit of the output column; of a jump the value before it
     double valueAfter = 0;   ///< of a jump
     double level = 0;        ///< of a crossing
     bool rising = false;     ///< of a crossing: with growing x
