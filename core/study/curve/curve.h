@@ -56,7 +56,8 @@ struct CurveOutput {
     /// Over shares of the way (CurveRange), 0 … 1, ascending, one function each.
     std::vector<FitPiece> pieces;
     /// Where the output is not smooth, or not within the work permitted: there it was computed at the points
-    /// of the line alone, no more than 1/500 of the way apart, and is straight between them.
+    /// of the line alone, no more than 1/500 of the way and 1/16 of the stretch apart, and is straight
+    /// between them.
     std::vector<CurveStretch> grid;
     std::vector<CurveStretch> unsolved;  ///< where there is no answer
     std::vector<CurveFeature> features;  ///< by place

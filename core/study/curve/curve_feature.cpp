@@ -11,7 +11,7 @@ std::string_view name(CurveFeature::Kind kind) {
 }
 
 std::string_view name(CurveFeature::Shape shape) {
-    constexpr std::array<std::string_view, 4> names{"smooth", "cusp", "end", "everywhere"};
+    constexpr std::array<std::string_view, 5> names{"smooth", "cusp", "end", "grid", "everywhere"};
     return names[static_cast<std::size_t>(shape)];
 }
 

@@ -76,7 +76,7 @@ std::vector<Turn> turnsOf(Pieces pieces, double scale) {
     std::vector<Turn> turns;
     std::optional<std::size_t> before;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (!pieces[i].resolved || pieces[i].end - pieces[i].start <= leastSlopeWidth) continue;
+        if (!hasSlope(pieces[i])) continue;
         if (before)
             if (const std::optional<Turn> turn = turnBetween(pieces, *before, i, scale))
                 turns.push_back(*turn);
@@ -85,11 +85,30 @@ std::vector<Turn> turnsOf(Pieces pieces, double scale) {
     return turns;
 }
 
+/// The pieces with what slivers may be off by taken from those beside them: within a jump any value is
+/// possible, but none beyond its ends.
+std::vector<FitPiece> withQuietSlivers(Pieces pieces) {
+    std::vector<FitPiece> quiet(pieces.begin(), pieces.end());
+    const auto nearest = [&](std::size_t i, int step) {
+        for (std::size_t j = i + step; j < quiet.size(); j += step)  // wraps below 0
+            if (pieces[j].resolved) return pieces[j].error.front();
+        return 0.0;
+    };
+    for (std::size_t i = 0; i < quiet.size(); ++i)
+        if (quiet[i].solved && !quiet[i].resolved && quiet[i].end - quiet[i].start <= leastSlopeWidth)
+            quiet[i].error.front() =
+                std::min(quiet[i].error.front(), std::max(nearest(i, -1), nearest(i, 1)));
+    return quiet;
+}
+
 /// Makes features of what was found over shares of a range.
 class Finder {
   public:
     Finder(Pieces pieces, const CurveRange& range)
-        : m_range(range), m_storage(segmentsOf(pieces, 0)), m_segments(m_storage) {
+        : m_range(range),
+          m_pieces(withQuietSlivers(pieces)),
+          m_storage(segmentsOf(m_pieces, 0)),
+          m_segments(m_storage) {
         for (const MonotoneSegment& segment : m_segments)
             m_scale = std::max({m_scale, std::abs(segment.first), std::abs(segment.last)});
         m_turns = turnsOf(pieces, m_scale);
@@ -121,6 +140,13 @@ class Finder {
         return found == m_turns.end() ? nullptr : &*found;
     }
 
+    bool isOnGrid(double share) const {
+        return std::ranges::any_of(m_pieces, [share](const FitPiece& piece) {
+            return piece.solved && !piece.resolved && piece.end - piece.start > leastSlopeWidth &&
+                   share >= piece.start - leastSlopeWidth && share <= piece.end + leastSlopeWidth;
+        });
+    }
+
     bool isEnd(double share) const {
         for (std::size_t i = 0; i < m_segments.size(); ++i) {
             const bool opens = i == 0 || m_segments[i].start - m_segments[i - 1].end > leastSlopeWidth;
@@ -144,6 +170,8 @@ class Finder {
         feature.x = placeOf(share);
         if (const Turn* turn = turnAt(share.value))
             describe(feature, *turn);
+        else if (isOnGrid(share.value))
+            feature.shape = Shape::grid;
         else if (isEnd(share.value))
             feature.shape = Shape::end;
         m_features.push_back(feature);
@@ -183,11 +211,15 @@ class Finder {
         feature.value = {level, 0};
         feature.level = level;
         feature.rising = crossing.rising;
-        if (const Turn* turn = turnAt(crossing.place.value)) describe(feature, *turn);
+        if (const Turn* turn = turnAt(crossing.place.value))
+            describe(feature, *turn);
+        else if (isOnGrid(crossing.place.value))
+            feature.shape = Shape::grid;
         m_features.push_back(feature);
     }
 
     const CurveRange& m_range;
+    std::vector<FitPiece> m_pieces;
     std::vector<MonotoneSegment> m_storage;
     Segments m_segments;
     double m_scale = 0;
