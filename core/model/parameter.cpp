@@ -63,6 +63,7 @@ void assignGroup(S& s, double& physical, double scale, double Groups::*group, do
         physical = estimate;
         for (int step = 0; step < 3; ++step) {
             const double miss = std::abs(groupsOf(s).*group - wanted);
+            if (miss == 0) return;
             if (miss < smallestMiss) {
                 smallestMiss = miss;
                 best = physical;
