@@ -61,20 +61,43 @@ std::string readCount(SweepAxis& axis, std::string_view text) {
     return {};
 }
 
-std::string readRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts) {
-    SweepAxis& axis = parsed.axis;
-    const std::string key(axis.key());
-    if (parts.size() < 3 || parts.size() > 4)
-        return key + " needs START:STOP:COUNT, START:STOP:COUNT:log or a list A,B,C";
+/// START:STOP, COUNT and `log` behind them. The count is empty where it was left out.
+struct RangeWords {
+    std::string_view start, stop, count;
+    bool isLogarithmic = false;
+};
+
+std::string splitRange(std::string_view key, std::vector<std::string_view> parts, bool countMayLack,
+                       RangeWords& words) {
+    const std::string_view grammar =
+        countMayLack ? " needs START:STOP, START:STOP:log, either with a COUNT behind STOP, or a list A,B,C"
+                     : " needs START:STOP:COUNT, START:STOP:COUNT:log or a list A,B,C";
+    const bool lacksCount = countMayLack && (parts.size() == 2 || (parts.size() == 3 && parts[2] == "log"));
+    if (lacksCount) parts.insert(parts.begin() + 2, std::string_view());
+    if (parts.size() < 3 || parts.size() > 4) return std::string(key) + std::string(grammar);
     if (parts.size() == 4 && parts[3] != "log")
-        return "`" + shortened(parts[3]) + "` behind the count of " + key +
+        return "`" + shortened(parts[3]) + "` behind the count of " + std::string(key) +
                " is not known; only `log` may follow";
-    axis.kind = parts.size() == 4 ? SweepAxis::Kind::logarithmic : SweepAxis::Kind::linear;
-    if (std::string problem = readValue(parsed, parts[0], axis.start); !problem.empty()) return problem;
-    if (std::string problem = readValue(parsed, parts[1], axis.stop); !problem.empty()) return problem;
-    if (std::string problem = readCount(axis, parts[2]); !problem.empty()) return problem;
-    if (axis.kind == SweepAxis::Kind::logarithmic && !(axis.start > 0 && axis.stop > 0))
-        return "a logarithmic axis of " + key + " must begin and end above 0";
+    words = {parts[0], parts[1], parts[2], parts.size() == 4};
+    return {};
+}
+
+std::string readRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts,
+                      std::optional<std::uint64_t> assumedCount) {
+    SweepAxis& axis = parsed.axis;
+    RangeWords words;
+    if (std::string problem = splitRange(axis.key(), parts, assumedCount.has_value(), words);
+        !problem.empty())
+        return problem;
+    axis.kind = words.isLogarithmic ? SweepAxis::Kind::logarithmic : SweepAxis::Kind::linear;
+    if (std::string problem = readValue(parsed, words.start, axis.start); !problem.empty()) return problem;
+    if (std::string problem = readValue(parsed, words.stop, axis.stop); !problem.empty()) return problem;
+    if (words.count.empty() && assumedCount)
+        axis.count = *assumedCount;
+    else if (std::string problem = readCount(axis, words.count); !problem.empty())
+        return problem;
+    if (words.isLogarithmic && !(axis.start > 0 && axis.stop > 0))
+        return "a logarithmic axis of " + std::string(axis.key()) + " must begin and end above 0";
     return {};
 }
 
@@ -104,7 +127,7 @@ std::string readShapes(ParsedAxis& parsed, const std::vector<std::string_view>& 
     return {};
 }
 
-std::string readAxis(ParsedAxis& parsed, std::string_view text) {
+std::string readAxis(ParsedAxis& parsed, std::string_view text, std::optional<std::uint64_t> assumedCount) {
     SweepAxis& axis = parsed.axis;
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos)
@@ -119,7 +142,8 @@ std::string readAxis(ParsedAxis& parsed, std::string_view text) {
         return "`" + shortened(key) + "` is not a parameter" +
                (near.empty() ? "" : "; did you mean `" + near + "`?");
     }
-    if (values.find(':') != std::string_view::npos) return readRange(parsed, split(values, ':'));
+    if (values.find(':') != std::string_view::npos)
+        return readRange(parsed, split(values, ':'), assumedCount);
     return readList(parsed, split(values, ','));
 }
 
@@ -178,9 +202,9 @@ std::vector<std::uint64_t> SweepAxis::extremes() const {
     return indices;
 }
 
-ParsedAxis parseAxis(std::string_view text) {
+ParsedAxis parseAxis(std::string_view text, std::optional<std::uint64_t> assumedCount) {
     ParsedAxis parsed;
-    parsed.problem = readAxis(parsed, text);
+    parsed.problem = readAxis(parsed, text, assumedCount);
     return parsed;
 }
 
