@@ -68,14 +68,23 @@ QByteArray Document::text() const {
 }
 
 QString Document::assign(const Parameter& parameter, double si, int gesture) {
-    const std::string outside = rangeProblem(parameter, si);
-    if (!outside.empty()) return QString::fromStdString(outside);
+    return assign({{&parameter, si}}, gesture);
+}
+
+QString Document::assign(const std::vector<ParameterValue>& values, int gesture) {
     Scenario changed = m_scenario;
-    parameter.assign(changed, si);
+    QStringList steps, keys;
+    for (const auto& [parameter, si] : values) {
+        const std::string outside = rangeProblem(*parameter, si);
+        if (!outside.empty()) return QString::fromStdString(outside);
+        parameter->assign(changed, si);
+        steps << tr("%1 to %2").arg(editName(*parameter), shownValue(*parameter, si));
+        keys << keyOf(*parameter);
+    }
     const std::vector<InputProblem> problems = m_check(changed);
     if (!problems.empty()) return QString::fromStdString(problems.front().text);
-    push(std::move(changed), tr("change %1 to %2").arg(editName(parameter), shownValue(parameter, si)),
-         keyOf(parameter), gesture);
+    push(std::move(changed), tr("change %1").arg(steps.join(QStringLiteral(", "))),
+         keys.join(QLatin1Char(' ')), gesture);
     return {};
 }
 

@@ -15,6 +15,12 @@
 
 namespace drillwave {
 
+/// What a parameter is to be set to.
+struct ParameterValue {
+    const Parameter* parameter;
+    double si;
+};
+
 /// Always holds a scenario that the check finds nothing wrong with; edits that would spoil it are refused.
 class Document : public QObject {
     Q_OBJECT
@@ -44,9 +50,14 @@ class Document : public QObject {
     const ScenarioDocument& source() const { return m_source; }
     const std::string& savedText() const { return m_source.text; }
 
+    /// A number that no gesture had before: for edits that belong together, a drag say.
+    int newGesture() { return ++m_gestures; }
     /// Sets a parameter (SI) as one undo step; edits of one parameter with the same `gesture` are one step.
     /// Returns why it cannot take that value, empty when it has.
     QString assign(const Parameter& parameter, double si, int gesture);
+    /// The same for parameters that are set together, in that order, such as the two of a map. Of different
+    /// parameters, at least one.
+    QString assign(const std::vector<ParameterValue>& values, int gesture);
     /// Takes an optional parameter back to "not given", any other to what it was before the gesture.
     void clear(const Parameter& parameter, int gesture);
     /// Whether the scenario would be valid with that shape (a table needs points).
@@ -103,6 +114,7 @@ class Document : public QObject {
     QString m_path;
     QString m_origin;  // what the names of other files are relative to
     QUndoStack m_undoStack;
+    int m_gestures = 0;
 };
 
 }  // namespace drillwave

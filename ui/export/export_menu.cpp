@@ -82,9 +82,13 @@ void ExportMenu::setExports(const QList<PageExport>& exports) {
 }
 
 void ExportMenu::save(const PageExport& wanted) {
+    if (const QString why = wanted.obstacle ? wanted.obstacle() : QString(); !why.isEmpty()) return fail(why);
     if (wanted.picture) return savePicture(wanted);
-    saveFile(tr("Save the data of the plot"), wanted.fileStem + QStringLiteral(".csv"),
-             [wanted](const SolvedRun& run) { return runHeader(run) + wanted.csv().toStdString(); });
+    const auto contents = [wanted](const SolvedRun& run) {
+        const std::string rows = wanted.csv().toStdString();
+        return wanted.content == PageExport::Content::rows ? runHeader(run) + rows : rows;
+    };
+    saveFile(tr("Save the data of the plot"), wanted.fileStem + QStringLiteral(".csv"), contents);
 }
 
 bool ExportMenu::eventFilter(QObject* watched, QEvent* event) {
@@ -152,7 +156,8 @@ void ExportMenu::saveEverything() {
 void ExportMenu::writeFolder(const QString& folder, SolvedRun run, ExistingFiles existing) {
     run.units = customaryUnits(run.blow.scenario);
     const WaitCursor wait;
-    BlowPictures pictures = drawBlowPlots(run.blow.scenario, run.blow.impact, plotFormats());
+    const std::vector<std::string> formats(pictureFormats.begin(), pictureFormats.end());
+    Pictures pictures = drawBlowPlots(run.blow.scenario, run.blow.impact, formats);
     if (!pictures.problem.isEmpty()) return fail(pictures.problem);
     const FolderEnd end = writeWholeFolder(QFile::encodeName(folder).toStdString(),
                                            runFolder(run, std::move(pictures.files)), existing);

@@ -98,7 +98,7 @@ void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTit
     connect(row->slider(), &QSlider::sliderReleased, this, &ScenarioPanel::endDrag);
     // A slider that was held stands where the hand was, which may not be what the document took.
     connect(row, &ParameterRow::editsEnded, this, [this, row] {
-        ++m_gesture;
+        m_gesture = m_document.newGesture();
         row->present(m_document.scenario());
     });
 }

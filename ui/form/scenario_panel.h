@@ -60,7 +60,7 @@ class ScenarioPanel : public QScrollArea {
     QLineEdit* m_title = nullptr;
     PulseSection* m_pulse = nullptr;
     QList<Section> m_sections;
-    int m_gesture = 1;
+    int m_gesture = m_document.newGesture();  // until edits have ended
     bool m_dragged = false;  // a slider is held
 };
 

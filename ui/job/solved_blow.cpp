@@ -15,7 +15,8 @@ QString whyUnsolved(const Blow& blow) {
 }
 
 void preparePages(SolvedBlow& blow) {
-    for (const PreparePage& prepare : blow.request.pages) blow.pages.push_back(prepare(blow));
+    for (const PreparePage& prepare : blow.request.pages)
+        if (prepare) blow.pages.push_back(prepare(blow));
 }
 
 }  // namespace

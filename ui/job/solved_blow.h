@@ -30,7 +30,7 @@ struct SolvedBlow : Blow {
     SolveRequest request;
     QString problem;
     ShownUnits units;
-    std::vector<PageData> pages;  ///< one for each of the request's
+    std::vector<PageData> pages;  ///< one for each of the request's that is not empty
 
     /// What a page has asked for; nullptr when it has not, or there is no blow.
     template <class Value>

@@ -30,6 +30,8 @@ class StudyActivity : public QObject {
     StudyProgress progress() const { return m_progress; }
     /// Why there is no result, in a sentence; empty unless the state is failed.
     QString problem() const { return m_problem; }
+    /// Whether what there is to show is of the study asked for last, not of an earlier one.
+    virtual bool isCurrent() const = 0;
     virtual void cancel() = 0;
 
   signals:

@@ -41,8 +41,7 @@ class StudyJob : public StudyActivity {
     void cancel() override;
     /// The last that was shown, or the result; nullptr before the first.
     const std::shared_ptr<const Value>& value() const { return m_value; }
-    /// Whether value() is of the study asked for last, not of an earlier one.
-    bool isCurrent() const { return m_value && m_valueOf == m_asked; }
+    bool isCurrent() const override { return m_value && m_valueOf == m_asked; }
 
   private:
     struct End {

@@ -9,6 +9,8 @@
 
 namespace drillwave {
 
+class StudyActivity;
+
 /// A page asks for what it shows while it can be seen, and computes nothing otherwise.
 class Page : public QWidget {
     Q_OBJECT
@@ -18,7 +20,8 @@ class Page : public QWidget {
 
     /// Name on the tab.
     virtual QString title() const = 0;
-    /// How what this page needs now is made from a blow; asked for only while the page can be seen.
+    /// How what this page needs now is made from a blow; asked for only while the page can be seen. Empty
+    /// where it needs nothing but the blow.
     virtual PreparePage prepare() const = 0;
     /// Shows an answer to a request for it, or for other pages.
     virtual void setResult(const SolvedBlowPtr& blow) = 0;
@@ -26,6 +29,8 @@ class Page : public QWidget {
     virtual void fit() = 0;
     /// What of it can be written to files, in the order of a menu.
     virtual QList<PageExport> exports() const = 0;
+    /// What it computes beside the blow, for the status line; nullptr where it computes nothing.
+    virtual StudyActivity* activity() const { return nullptr; }
     /// Whether what it shows answers the present input: what does not is not copied.
     virtual void setCurrent(bool current) = 0;
     /// A blow to stay faintly behind the results while a value is dragged; nullptr when the drag has ended.

@@ -24,6 +24,10 @@ struct PageExport {
     QString toolTip;   ///< the same in a sentence
     QString fileStem;  ///< what the file's name adds to that of the scenario: "_plot", or nothing
     std::function<QByteArray()> csv;
+    /// Whether csv() gives rows that stand behind a header with the blow, or all of a file.
+    enum class Content { rows, wholeFile } content = Content::rows;
+    /// Why it cannot be written now; empty, or no function, when it can.
+    std::function<QString()> obstacle = {};
     std::optional<Picture> picture;  ///< instead of csv
 };
 

@@ -66,7 +66,7 @@ void PlotMouse::release(const QMouseEvent& event) {
     m_plot.view().endDrag();
     if ((event.position() - m_pressed).manhattanLength() > clickDistance) return;
     if (event.button() == Qt::RightButton) return m_plot.openMenu(event.pos());
-    if (event.button() == Qt::LeftButton && ended != Gesture::cursor) click(event.pos());
+    if (event.button() == Qt::LeftButton && ended != Gesture::cursor) click(event);
 }
 
 void PlotMouse::doubleClick(const QMouseEvent& event) {
@@ -78,11 +78,18 @@ void PlotMouse::doubleClick(const QMouseEvent& event) {
     m_pressed = QPointF(-1e6, -1e6);
 }
 
-void PlotMouse::click(QPoint point) {
+void PlotMouse::click(const QMouseEvent& event) {
+    const QPoint point = event.pos();
     if (QCPAbstractPlottable* curve = legendEntryAt(m_plot, point))
-        m_plot.setCurveVisible(curve, !curve->visible());
-    else if (const auto near = nearestCurvePoint(m_plot, point, hoverDistance))
+        return m_plot.setCurveVisible(curve, !curve->visible());
+    if (const auto near = nearestCurvePoint(m_plot, point, hoverDistance))
         if (auto* graph = qobject_cast<QCPGraph*>(near->curve)) m_plot.reader().setGraph(graph);
+    QCPAxisRect* rect = m_plot.axisRectAt(point);
+    if (!rect || !rect->rect().contains(point)) return;
+    emit m_plot.clicked(rect,
+                        {rect->axis(QCPAxis::atBottom)->pixelToCoord(point.x()),
+                         rect->axis(QCPAxis::atLeft)->pixelToCoord(point.y())},
+                        event.modifiers());
 }
 
 void PlotMouse::hover(QPointF point) {

@@ -30,7 +30,7 @@ class PlotMouse {
     // What the mouse does between press and release.
     enum class Gesture { none, pan, box, cursor };
 
-    void click(QPoint point);
+    void click(const QMouseEvent& event);
     void hover(QPointF point);
     void showPointer(Qt::CursorShape shape);
 

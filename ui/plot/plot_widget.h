@@ -94,6 +94,9 @@ class PlotWidget : public QCustomPlot {
   signals:
     /// The page is to bring everything into view.
     void fitRequested();
+    /// A click with the left button, pressed and released at one place of an axis rect: its coordinates on
+    /// the bottom and left axes there.
+    void clicked(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
     /// The user moves the time cursor; it is there already. A page that connects this offers the cursor.
     void timeCursorDragged(double x);
     void savePictureRequested();

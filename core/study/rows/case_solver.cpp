@@ -15,6 +15,8 @@ CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice
       m_needsLess(std::ranges::any_of(columns,
                                       [](const OutputColumn& c) { return c.detail() != Detail::histories; })),
       m_inSi(std::ranges::any_of(columns, [](const OutputColumn& c) { return c.units == OutputUnits::si; })),
+      m_needsMargin(
+          std::ranges::any_of(columns, [](const OutputColumn& c) { return c.output->needsThrustStudy(); })),
       m_method(method),
       m_solver(workLimit) {}
 
@@ -27,10 +29,12 @@ std::string CaseSolver::solve(const Scenario& scenario, std::span<double> output
         m_impact = m_solver.solve(m_problem, Detail::summary, m_method, stop);
     if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
     const ImpactSummary summary = summarizeWithWaves(m_impact, m_problem);
+    OutputSource source{summary, scenario};
+    if (m_needsMargin)
+        source.thrustMargin = m_margins.of(scenario, m_problem, {m_impact.cor, m_impact.corError}, stop);
     const Scales scales = m_inSi ? scalesOf(scenario) : Scales{};
     for (std::size_t c = 0; c < m_columns.size(); ++c)
-        outputs[c] =
-            m_columns[c].value(summary, scenario, scales).value_or(std::numeric_limits<double>::quiet_NaN());
+        outputs[c] = m_columns[c].value(source, scales).value_or(std::numeric_limits<double>::quiet_NaN());
     return {};
 }
 

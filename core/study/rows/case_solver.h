@@ -8,6 +8,7 @@
 
 #include "core/blow/method.h"
 #include "core/study/rows/output_column.h"
+#include "core/study/thrust/thrust_margins.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
@@ -36,8 +37,10 @@ class CaseSolver {
     Detail m_detail;
     bool m_needsLess;  ///< some column can be filled without histories
     bool m_inSi;
+    bool m_needsMargin;  ///< of the thrust: a study of all gaps
     MethodChoice m_method;
     MethodSolver m_solver;
+    ThrustMargins m_margins;
     Problem m_problem;
     Impact m_impact;
 };

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a study varies, from where to where: the controls of one axis.
+#pragma once
+
+#include <QWidget>
+#include <string_view>
+#include <vector>
+
+#include "ui/pages/study/study_range.h"
+
+class QCheckBox;
+class QHBoxLayout;
+class QLabel;
+
+namespace drillwave {
+
+class ChoiceBox;
+class QuantityField;
+
+/// A box of the parameters that apply to the scenario, fields for both ends, and linear or logarithmic. Text
+/// that is no value, and ends that are equal, stay in the fields, marked, and change nothing.
+class AxisFields : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// `words` stand in front ("vary"). Of `preferred`, keys of parameters, the first that applies to a
+    /// scenario is chosen until the user chooses.
+    AxisFields(const QString& words, std::vector<std::string_view> preferred, QWidget* parent = nullptr);
+
+    /// Offers what applies to the scenario; takes a first choice, with a range around its value, or another
+    /// one where the last does not apply any more. Tells changed() where the range has changed.
+    void present(const Scenario& scenario);
+    /// Its parameter is nullptr before the first scenario.
+    const StudyRange& range() const { return m_range; }
+    /// Shows that range, and tells changed() where it is another one.
+    void setRange(const StudyRange& range);
+    /// Whether the controls say a range that can be used.
+    bool isValid() const;
+
+  signals:
+    /// range() is another one.
+    void changed();
+
+  private:
+    void choose();
+    void addFields();
+    QString take(double StudyRange::*end, double si);
+
+    std::vector<std::string_view> m_preferred;
+    QString m_words;
+    Scenario m_scenario;
+    StudyRange m_range;
+    QHBoxLayout* m_layout;
+    ChoiceBox* m_parameters;
+    QWidget* m_fields = nullptr;  // of the ends; another one for each parameter
+    QuantityField* m_start = nullptr;
+    QuantityField* m_stop = nullptr;
+    QCheckBox* m_logarithmic;
+};
+
+}  // namespace drillwave

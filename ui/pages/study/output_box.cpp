@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/study/output_box.h"
+
+#include <QSignalBlocker>
+
+#include "ui/text/shown_text.h"
+
+namespace drillwave {
+
+OutputBox::OutputBox(QWidget* parent) : ChoiceBox(parent) {
+    setObjectName(QStringLiteral("output"));
+    setAccessibleName(tr("Result"));
+    setToolTip(tr("Which result is shown"));
+    connect(this, &QComboBox::currentIndexChanged, this, [this] {
+        if (currentData().toString() == std::exchange(m_shown, currentData().toString())) return;
+        emit changed();
+    });
+}
+
+void OutputBox::present(const Scenario& scenario) {
+    const QString before = m_shown.isEmpty() ? QStringLiteral("cor") : m_shown;
+    {
+        const QSignalBlocker quiet(this);
+        clear();
+        for (const Output& output : outputs()) {
+            if (!output.problem(scenario).empty()) continue;
+            addItem(outputName(output), fromView(output.name));
+            setItemData(count() - 1, fromView(output.meaning), Qt::ToolTipRole);
+        }
+        setCurrentIndex(std::max(0, findData(before)));
+    }
+    if (currentData().toString() != std::exchange(m_shown, currentData().toString())) emit changed();
+}
+
+const Output& OutputBox::output() const {
+    const Output* found = findOutput(m_shown.toStdString());
+    return found ? *found : outputs().front();
+}
+
+void OutputBox::setOutput(const Output& output) {
+    setCurrentIndex(findData(fromView(output.name)));
+}
+
+QString outputName(const Output& output) {
+    if (output.name == "cor") return OutputBox::tr("COR e");
+    if (!output.label.empty() && !output.label.starts_with("…")) return fromView(output.label);
+    return fromView(output.name).replace(QLatin1Char('_'), QLatin1Char(' '));
+}
+
+}  // namespace drillwave

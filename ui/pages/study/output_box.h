@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which result a study looks at.
+#pragma once
+
+#include "core/blow/outputs.h"
+#include "ui/form/choice_box.h"
+
+namespace drillwave {
+
+/// The outputs that a scenario has; e at first.
+class OutputBox : public ChoiceBox {
+    Q_OBJECT
+
+  public:
+    explicit OutputBox(QWidget* parent = nullptr);
+
+    /// Offers what the scenario has; what is chosen stays, or is e where it has that no more.
+    void present(const Scenario& scenario);
+    const Output& output() const;
+    void setOutput(const Output& output);
+
+  signals:
+    /// output() is another one.
+    void changed();
+
+  private:
+    QString m_shown;
+};
+
+/// "peak force", "COR e": as a box or an axis calls it.
+QString outputName(const Output& output);
+
+}  // namespace drillwave

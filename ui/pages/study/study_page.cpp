@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/study/study_page.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "core/file/scenario_file.h"
+#include "ui/pages/study/command_text.h"
+#include "ui/pages/study/flow_layout.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/result/stale_veil.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int patienceMilliseconds = 150;  // as with a blow that is not solved yet
+
+}  // namespace
+
+StudyPage::StudyPage(Document& document, QWidget* parent) : PlotPage(parent), m_document(document) {
+    m_late.setSingleShot(true);
+    m_late.setInterval(patienceMilliseconds);
+    connect(&document, &Document::scenarioChanged, this, [this] {
+        m_refusal.clear();
+        askSoon();
+    });
+}
+
+PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside) {
+    auto* row = new FlowLayout;
+    for (QWidget* control : controls) row->addWidget(control);
+    auto* copy = new QPushButton(tr("Copy as command line"), this);
+    copy->setObjectName(QStringLiteral("copyCommand"));
+    copy->setToolTip(tr("The command that writes the same numbers as CSV, for a terminal"));
+    connect(copy, &QPushButton::clicked, this, &StudyPage::copyCommand);
+    row->addWidget(copy);
+    m_words = new QLabel(this);
+    m_words->setObjectName(QStringLiteral("words"));
+    m_words->setWordWrap(true);
+    m_words->setMargin(4);
+    m_words->setMinimumHeight(2 * m_words->fontMetrics().lineSpacing() +
+                              8);  // so that the plot does not jump
+    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+
+    PlotWidget* plot = makePlot();
+    m_veil = new StaleVeil(plot);
+    connect(&m_late, &QTimer::timeout, m_veil, [this] {
+        m_veil->raise();
+        m_veil->show();
+    });
+    auto* center = new QHBoxLayout;
+    center->setSpacing(0);
+    center->addWidget(plot, 3);
+    if (beside) center->addWidget(beside, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addLayout(row);
+    layout->addWidget(m_words);
+    layout->addLayout(center, 1);
+    return plot;
+}
+
+void StudyPage::watch(StudyActivity& activity) {
+    m_activity = &activity;
+    connect(&activity, &StudyActivity::changed, this, &StudyPage::follow);
+}
+
+void StudyPage::setResult(const SolvedBlowPtr& blow) {
+    m_blow = blow;
+    if (isVisible()) present();
+}
+
+void StudyPage::setCurrent(bool current) {
+    m_inputCurrent = current;
+    follow();
+}
+
+void StudyPage::askSoon() {
+    if (isVisible())
+        askNow();
+    else
+        m_due = true;
+}
+
+void StudyPage::askNow() {
+    m_due = false;
+    ask();
+    follow();
+}
+
+// What is shown is the job's, which may still be of an earlier question.
+void StudyPage::follow() {
+    const bool answered = m_activity->isCurrent();
+    if (answered) {
+        m_late.stop();
+        m_veil->hide();
+    } else if (m_activity->state() == StudyState::running && !m_late.isActive() && m_veil->isHidden()) {
+        m_late.start();
+    }
+    plot()->setCurrent(m_inputCurrent && answered && m_activity->state() != StudyState::running);
+    showWords();
+    if (isVisible()) present();
+}
+
+void StudyPage::showEvent(QShowEvent* event) {
+    PlotPage::showEvent(event);
+    if (event->spontaneous()) return;
+    if (m_due)
+        askNow();
+    else
+        present();
+}
+
+void StudyPage::hideEvent(QHideEvent* event) {
+    PlotPage::hideEvent(event);
+    if (event->spontaneous() || m_activity->state() != StudyState::running) return;
+    m_activity->cancel();
+    m_due = true;
+}
+
+void StudyPage::say(const QString& sentence) {
+    m_sentence = sentence;
+    showWords();
+}
+
+void StudyPage::showWords() {
+    const QString problem = m_activity->problem();
+    m_words->setText(!m_refusal.isEmpty() ? QStringLiteral("⚠ ") + m_refusal
+                     : !problem.isEmpty() ? QStringLiteral("⚠ ") + problem
+                                          : m_sentence);
+}
+
+void StudyPage::load(const std::vector<ParameterValue>& values) {
+    m_refusal = m_document.assign(values, m_document.newGesture());
+    showWords();
+}
+
+QList<PageExport> StudyPage::exports() const {
+    QList<PageExport> all = PlotPage::exports();
+    PageExport& numbers = all.first();
+    numbers.title = tr("&Data of this study…");
+    numbers.toolTip = tr("The numbers of the study, as CSV");
+    numbers.fileStem = QStringLiteral("_study");
+    numbers.csv = [this] { return csv(); };
+    numbers.content = PageExport::Content::wholeFile;
+    for (PageExport& each : all)
+        each.obstacle = [this] {
+            return m_activity->state() == StudyState::running || !m_activity->isCurrent()
+                       ? tr("The study is not finished yet.")
+                       : QString();
+        };
+    return all;
+}
+
+QString StudyPage::command() const {
+    const QStringList words = commandWords();
+    if (words.isEmpty()) return {};
+    return commandText(m_document, words.first(),
+                       words.mid(1) + QStringList{QStringLiteral("-o"), QStringLiteral("-")});
+}
+
+void StudyPage::copyCommand() {
+    try {
+        const QString text = command();
+        if (!text.isEmpty()) QGuiApplication::clipboard()->setText(text);
+    } catch (const ScenarioError& error) {
+        m_refusal = QString::fromUtf8(error.what());
+        showWords();
+    }
+}
+
+}  // namespace drillwave

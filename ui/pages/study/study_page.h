@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the pages of studies have in common: when they compute, what they say meanwhile, what they hand on.
+#pragma once
+
+#include <QTimer>
+#include <optional>
+
+#include "ui/document/document.h"
+#include "ui/job/study_activity.h"
+#include "ui/pages/plot_page.h"
+
+class QLabel;
+
+namespace drillwave {
+
+class StaleVeil;
+
+/// A page around one plot of a study of the scenario that is being edited. Its controls stand above the plot,
+/// with a line of words between. A study that may have changed is asked for while the page can be seen, or
+/// as soon as it can; a page that goes out of sight stops its study. What is shown of an earlier scenario for
+/// more than a moment is veiled.
+///
+/// A page implements ask() (hand its question to its job, whose question is compared with the last),
+/// present(), csv() and commandWords(), and calls arrange() and watch() as it is made.
+class StudyPage : public PlotPage {
+    Q_OBJECT
+
+  public:
+    /// The document must outlive the page.
+    explicit StudyPage(Document& document, QWidget* parent = nullptr);
+
+    /// A study is no part of the blow.
+    PreparePage prepare() const override { return {}; }
+    void setResult(const SolvedBlowPtr& blow) override;
+    void setCurrent(bool current) override;
+    QList<PageExport> exports() const override;
+    StudyActivity* activity() const override { return m_activity; }
+
+    /// The command that writes the same CSV as exports(), see commandText(). Empty where there is none now.
+    QString command() const;
+
+  public slots:
+    void copyCommand();
+
+  protected:
+    /// Asks the page's job for what the controls say of the scenario. Called only while it can be seen.
+    virtual void ask() = 0;
+    /// Shows what the job has, in the units of blow(), and where the present scenario is. Called whenever one
+    /// of them has changed; blow() is nullptr before the first, and may be unsolved.
+    virtual void present() = 0;
+    /// The file that the command of command() writes, of the finished study.
+    virtual QByteArray csv() const = 0;
+    /// Name and words of the command, in front of "-o": {"gap", "--gap-mean", "1 mm"}. Empty where there is
+    /// none.
+    virtual QStringList commandWords() const = 0;
+
+    /// Puts the controls in a row that wraps, the plot below, `beside` to its right; returns the plot. Once.
+    PlotWidget* arrange(const QList<QWidget*>& controls, QWidget* beside = nullptr);
+    /// The page's job. Once.
+    void watch(StudyActivity& activity);
+    /// The question may be another one: ask() now, or as soon as the page can be seen.
+    void askSoon();
+    /// Words below the controls: what the study says in a sentence. Its problem is shown in their place.
+    void say(const QString& sentence);
+    /// Takes over values of parameters as one undo step, as a click in the plot does; says why not.
+    void load(const std::vector<ParameterValue>& values);
+
+    Document& document() const { return m_document; }
+    const Scenario& scenario() const { return m_document.scenario(); }
+    const SolvedBlowPtr& blow() const { return m_blow; }
+
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    void askNow();
+    void follow();
+    void showWords();
+
+    Document& m_document;
+    SolvedBlowPtr m_blow;
+    StudyActivity* m_activity = nullptr;
+    bool m_due = true;           // something has changed while the page could not be seen
+    bool m_inputCurrent = true;  // the blow on show answers the present input
+    QLabel* m_words = nullptr;
+    QString m_sentence;
+    QString m_refusal;  // why a value could not be taken over
+    StaleVeil* m_veil = nullptr;
+    QTimer m_late;
+};
+
+}  // namespace drillwave

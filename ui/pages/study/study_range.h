@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a study varies: a parameter over a range, or over a list of values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/model/parameter.h"
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// A parameter from `start` to `stop` (SI), in even steps or in even ratios.
+struct StudyRange {
+    const Parameter* parameter = nullptr;
+    double start = 0;
+    double stop = 0;
+    bool logarithmic = false;
+    bool operator==(const StudyRange&) const = default;
+
+    /// As on the command line, "bit_rock.stiffness=10 MN/m:10000 MN/m": the values read back as the same
+    /// doubles. What may follow, ":log" or a count, is in tail().
+    std::string text() const;
+    /// ":log", or nothing.
+    std::string tail() const { return logarithmic ? ":log" : ""; }
+};
+
+/// A range around the value that a parameter has in the scenario, with ends that are easily read and inside
+/// its hard range. Requires applies().
+StudyRange rangeAround(const Parameter& parameter, const Scenario& scenario);
+
+/// A parameter with each of some values (SI).
+struct StudyFamily {
+    const Parameter* parameter = nullptr;  ///< nullptr for none
+    std::vector<double> values;
+    bool operator==(const StudyFamily&) const = default;
+
+    /// As on the command line, "gamma=0.01,0.1,1"; empty for none.
+    std::string text() const;
+};
+
+}  // namespace drillwave
