@@ -9,7 +9,7 @@
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
-#include "core/file/picture_formats.h"
+#include "app/study_plots.h"
 #include "core/file/result_scenario.h"
 #include "core/file/run_files.h"
 #include "core/report/blow_json.h"
@@ -29,28 +29,6 @@ struct RunFiles {
     Overwrite overwrite = Overwrite::refused;
 };
 
-/// "png, svg, pdf".
-std::string knownFormats() {
-    std::string known;
-    for (const std::string_view format : pictureFormats)
-        known += (known.empty() ? "" : ", ") + std::string(format);
-    return known;
-}
-
-/// Of a list with commas.
-std::vector<std::string> plotFormatsOf(const std::string& list) {
-    std::vector<std::string> formats;
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        formats.push_back(list.substr(begin, end - begin));
-        begin = end + 1;
-        if (std::ranges::find(pictureFormats, formats.back()) == pictureFormats.end())
-            throw CommandError(ExitCode::usage, "--plots " + shortened(list) + ": `" + formats.back() +
-                                                    "` is not a plot format; choose from " + knownFormats());
-    }
-    return formats;
-}
-
 RunFiles filesOf(const Arguments& arguments) {
     RunFiles files;
     files.overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
@@ -61,7 +39,7 @@ RunFiles filesOf(const Arguments& arguments) {
         if (files.units) throw CommandError(ExitCode::usage, "--si and --dimensionless exclude each other");
         files.units = OutputUnits::dimensionless;
     }
-    if (const auto formats = arguments.value("plots")) files.plots = plotFormatsOf(*formats);
+    files.plots = plotFormats(arguments);
     if (files.directory.empty())
         for (const char* option : {"plots", "si", "dimensionless", "force"})
             if (arguments.has(option))
@@ -175,7 +153,7 @@ const Command& runCommand() {
         .options = runOptions(),
         .leastOperands = 1,
         .mostOperands = 1,
-        .draws = [](const Arguments& arguments) { return arguments.has("plots"); },
+        .draws = asksForPlots,
         .run = runBlow,
     };
     return command;

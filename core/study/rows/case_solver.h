@@ -16,8 +16,10 @@ namespace drillwave {
 /// Solves cases and keeps what they share. One for each thread.
 class CaseSolver {
   public:
-    /// `columns` must outlive the solver; a case may take `workLimit` wave pieces.
-    CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit);
+    /// `columns` must outlive the solver; a case may take `workLimit` wave pieces. It is solved with `least`
+    /// or as much more as the columns take.
+    CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit,
+               Detail least = Detail::cor);
 
     /// Must be called before solve() whenever the hammer blow may have changed.
     void setPulse(const Scenario& scenario) { m_problem.hammer = pulseForceOf(scenario); }
@@ -25,6 +27,10 @@ class CaseSolver {
     /// Puts a number for each column into `outputs`, NaN where there is none. Returns why the case could not
     /// be solved (`outputs` is left alone then), or an empty string.
     std::string solve(const Scenario& scenario, std::span<double> outputs, const std::stop_token& stop);
+
+    /// Of the case last solved.
+    const Impact& impact() const { return m_impact; }
+    const Problem& problem() const { return m_problem; }
 
   private:
     std::span<const OutputColumn> m_columns;
@@ -36,6 +42,7 @@ class CaseSolver {
     MethodSolver m_solver;
     ThrustMargins m_margins;
     Problem m_problem;
+    Impact m_impact;
 };
 
 }  // namespace drillwave
