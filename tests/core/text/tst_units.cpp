@@ -111,6 +111,12 @@ void TestUnits::factorsAgreeWithTheDefinitionOfTheUnits_data() {
     QTest::newRow("lb/ft^3") << Quantity::density << "lb/ft^3" << pound / (0.3048 * 0.3048 * 0.3048);
     QTest::newRow("lbf/in") << Quantity::stiffness << "lbf/in" << pound * gravity / 0.0254;
     QTest::newRow("ft lbf") << Quantity::energy << "ft lbf" << 0.3048 * pound * gravity;
+    QTest::newRow("kip") << Quantity::force << "kip" << 1000 * pound * gravity;
+    QTest::newRow("kip/in") << Quantity::stiffness << "kip/in" << 1000 * pound * gravity / 0.0254;
+    QTest::newRow("Mpsi") << Quantity::stress << "Mpsi" << 1e6 * pound * gravity / (0.0254 * 0.0254);
+    QTest::newRow("hp") << Quantity::power << "hp" << 550 * 0.3048 * pound * gravity;
+    QTest::newRow("ft/min") << Quantity::velocity << "ft/min" << 0.3048 / 60;
+    QTest::newRow("in/min") << Quantity::velocity << "in/min" << 0.0254 / 60;
     QTest::newRow("in^2") << Quantity::area << "in^2" << 0.0254 * 0.0254;
     QTest::newRow("hp") << Quantity::power << "hp" << 550 * 0.3048 * pound * gravity;
     QTest::newRow("lb") << Quantity::mass << "lb" << pound;
