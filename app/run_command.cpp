@@ -14,6 +14,7 @@
 #include "core/file/run_files.h"
 #include "core/report/blow_json.h"
 #include "core/report/blow_text.h"
+#include "core/study/thrust/thrust_margins.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
@@ -67,6 +68,13 @@ Blow solve(const Scenario& scenario, const MethodChoice& choice, Detail detail, 
     return blow.runTime < quick ? solveOnce() : blow;
 }
 
+/// For the JSON, which has all outputs.
+void addThrustMargin(Blow& blow, const std::stop_token& stop) {
+    if (!blow.isSolved()) return;
+    blow.thrustMargin =
+        ThrustMargins().of(blow.scenario, blow.solved, {blow.impact.cor, blow.impact.corError}, stop);
+}
+
 void writeFiles(const RunFiles& files, const SolvedRun& run, const Drawing* drawing,
                 const Interruption& interruption) {
     std::vector<NamedFile> pictures;
@@ -101,8 +109,11 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
                                 json ? Stresses::wanted : Stresses::asNeeded, interruption.token()),
                   .scenarioText = {},
                   .units = files.units.value_or(customaryUnits(document.scenario))};
+    if (json || writesFiles) {
+        addThrustMargin(run.blow, interruption.token());
+        run.scenarioText = completeScenarioText(document);
+    }
     interruption.check();
-    if (json || writesFiles) run.scenarioText = completeScenarioText(document);
     if (!run.blow.isSolved()) {
         if (json) print(run, {}, json);
         throw CommandError(ExitCode::unsolvedOrFailed,

@@ -3,7 +3,6 @@
 // [REPEATS], 50 by default. Not run by ctest but for a trial: times depend on the machine.
 #include <QApplication>
 #include <QLineEdit>
-#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
@@ -18,6 +17,7 @@
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
+#include "ui/window/page_tabs.h"
 
 using namespace drillwave;
 
@@ -65,7 +65,7 @@ void settle(MainWindow& window) {
 }
 
 void measurePage(MainWindow& window, const QString& name, int repeats) {
-    auto* page = static_cast<PlotPage*>(window.findChild<QTabWidget*>()->currentWidget());
+    auto* page = static_cast<PlotPage*>(window.findChild<PageTabs*>()->currentWidget());
     PaintWatch watch(window);
     page->plot()->installEventFilter(&watch);
     auto* field = part<ScenarioPanel>(window).findChild<QuantityField*>(QStringLiteral("gamma"));
@@ -101,10 +101,10 @@ int main(int argc, char** argv) {
     window.resize(1440, 900);
     window.show();
     std::printf("%-16s %8s %8s %8s  ms from keystroke to pixels\n", "page", "median", "minimum", "maximum");
-    auto* pages = window.findChild<QTabWidget*>();
+    auto* pages = window.findChild<PageTabs*>();
     for (int page = 0; page < pages->count(); ++page) {
         pages->setCurrentIndex(page);
         settle(window);
-        measurePage(window, pages->tabText(page), repeats);
+        measurePage(window, pages->page(page).title(), repeats);
     }
 }

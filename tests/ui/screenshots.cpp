@@ -4,7 +4,6 @@
 #include <QApplication>
 #include <QDir>
 #include <QProcess>
-#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cstdio>
@@ -14,6 +13,7 @@
 #include "ui/job/solve_job.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
+#include "ui/window/page_tabs.h"
 
 using namespace drillwave;
 
@@ -28,7 +28,7 @@ void settle(MainWindow& window) {
 }
 
 bool drawPages(MainWindow& window, const QDir& folder, const char* theme, int scale) {
-    auto* pages = window.findChild<QTabWidget*>();
+    auto* pages = window.findChild<PageTabs*>();
     for (int page = 0; page < pages->count(); ++page) {
         pages->setCurrentIndex(page);
         for (const QSize size : sizes) {
@@ -36,7 +36,7 @@ bool drawPages(MainWindow& window, const QDir& folder, const char* theme, int sc
             settle(window);
             const QString name =
                 QStringLiteral("%1_%2_%3x%4_%5x.png")
-                    .arg(pages->tabText(page).toLower().replace(u' ', u'_'), QLatin1String(theme))
+                    .arg(pages->page(page).title().toLower().replace(u' ', u'_'), QLatin1String(theme))
                     .arg(size.width())
                     .arg(size.height())
                     .arg(scale);

@@ -28,6 +28,7 @@ QString StaleVeil::words() {
 }
 
 bool StaleVeil::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ParentChange && m_over->parentWidget()) setParent(m_over->parentWidget());
     if (event->type() == QEvent::Resize || event->type() == QEvent::Move) setGeometry(m_over->geometry());
     return QWidget::eventFilter(watched, event);
 }

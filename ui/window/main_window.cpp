@@ -7,6 +7,7 @@
 #include <QMenuBar>
 #include <QSessionManager>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "core/file/examples.h"
@@ -14,11 +15,13 @@
 #include "ui/export/export_menu.h"
 #include "ui/form/scenario_panel.h"
 #include "ui/job/solve_status.h"
+#include "ui/job/study_status.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/rock/rock_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/number_text.h"
+#include "ui/window/area_keys.h"
 #include "ui/window/example_note.h"
 #include "ui/window/file_drop.h"
 #include "ui/window/file_menu.h"
@@ -26,6 +29,7 @@
 #include "ui/window/help_menu.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/recovery_offer.h"
+#include "ui/window/tab_strip.h"
 #include "ui/window/units_choice.h"
 #include "ui/window/window_layout.h"
 
@@ -57,15 +61,17 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
       m_job(std::move(job)),
       m_pages(new PageTabs(this)),
       m_solveStatus(new SolveStatus(this)),
+      m_studyStatus(new StudyStatus(this)),
       m_layout(new WindowLayout(this, m_pages)) {
     m_job->setParent(this);
     const Example& example = defaultExample();
     m_document.startFrom(example.text, QString::fromStdString(example.name));
+    addTabs();
     addCenter();
     addDocks();
-    m_pages->add(new BlowPage(m_observation));
-    m_pages->add(new WavePicturePage(m_observation));
-    m_pages->add(new RockPage(m_observation));
+    m_pages->add(new BlowPage(m_observation), PageGroup::thisBlow);
+    m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
+    m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
     m_units = new UnitsChoice(this);
     addMenus();
     addStatusBar();
@@ -75,6 +81,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     presentState();
     m_layout->restoreSize();
     m_pages->restoreChoice();
+    followPage();
     m_exampleNote->explainFirst(example);
     present(m_job->solveNow(request()));
 }
@@ -82,6 +89,17 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
 // A dock of its own does not go out of sight with the window: its panel goes first of all.
 MainWindow::~MainWindow() {
     hide();
+}
+
+// Above the docks, over the whole width.
+void MainWindow::addTabs() {
+    auto* bar = new QToolBar(tr("Pages"), this);
+    bar->setObjectName(QStringLiteral("pages"));
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    bar->toggleViewAction()->setVisible(false);
+    bar->addWidget(m_pages->strip());
+    addToolBar(bar);
 }
 
 void MainWindow::addCenter() {
@@ -110,7 +128,6 @@ void MainWindow::addMenus() {
         {[this] { return m_solveStatus->isCurrent() ? m_shown : nullptr; },
          [this](const QString& what, auto then) { m_solveStatus->whenCurrent(what, std::move(then)); }},
         this);
-    m_exportMenu->setExports(m_pages->current().exports());
     m_fileMenu = new FileMenu(m_document, *m_questions, m_watch, m_exportMenu, this);
     menuBar()->addMenu(m_fileMenu);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -130,6 +147,9 @@ void MainWindow::addViewMenu() {
     view->addAction(tr("&Fit plots"), QKeySequence(Qt::CTRL | Qt::Key_0), this,
                     [this] { m_pages->current().fit(); });
     view->addSeparator();
+    m_pages->addTo(*view);
+    (new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultPanel}, this))->addTo(*view);
+    view->addSeparator();
     m_layout->addTo(*view);
     view->addSeparator();
     view->addAction(m_exampleNote->action());
@@ -137,6 +157,7 @@ void MainWindow::addViewMenu() {
 
 void MainWindow::addStatusBar() {
     statusBar()->addWidget(m_solveStatus);
+    statusBar()->addPermanentWidget(m_studyStatus);
     m_units->addTo(*statusBar());
 }
 
@@ -180,7 +201,7 @@ void MainWindow::wireSolving() {
     connect(&m_document, &Document::scenarioChanged, this,
             [=] { askAnew(tr("the input was changed meanwhile.")); });
     connect(m_pages, &PageTabs::currentChanged, this, [=, this] {
-        m_exportMenu->setExports(m_pages->current().exports());
+        followPage();
         askAnew(tr("another page was chosen meanwhile."));
     });
     connect(m_units, &UnitsChoice::chosen, this, [=, this] {
@@ -194,6 +215,13 @@ void MainWindow::wireSolving() {
     connect(m_solveStatus, &SolveStatus::marked, this, &MainWindow::markResult);
     connect(m_solveStatus, &SolveStatus::currentChanged, m_pages, &PageTabs::setCurrent);
     connect(m_solveStatus, &SolveStatus::calledOff, this, &MainWindow::inform);
+}
+
+// What the page on show can write, and what it computes.
+void MainWindow::followPage() {
+    const Page& page = m_pages->current();
+    m_exportMenu->setExports(page.exports());
+    m_studyStatus->follow(page.activity(), page.title());
 }
 
 void MainWindow::inform(const QString& message) {
@@ -224,9 +252,11 @@ void MainWindow::endSession(QSessionManager& session) {
 }
 
 SolveRequest MainWindow::request() {
+    std::vector<PreparePage> pages;
+    if (PreparePage prepare = m_pages->current().prepare()) pages.push_back(std::move(prepare));
     return {.scenario = m_document.scenario(),
             .units = m_units->of(m_document.scenario()),
-            .pages = {m_pages->current().prepare()},
+            .pages = std::move(pages),
             .number = ++m_asked};
 }
 

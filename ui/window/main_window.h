@@ -24,6 +24,7 @@ class Recovery;
 class ResultPanel;
 class ScenarioPanel;
 class SolveStatus;
+class StudyStatus;
 class UnitsChoice;
 class WindowLayout;
 
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
 
   private:
     MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<SolveJob> job, QWidget* parent);
+    void addTabs();
     void addCenter();
     void addDocks();
     void addMenus();
@@ -59,6 +61,7 @@ class MainWindow : public QMainWindow {
     void wire();
     void wireGhost();
     void wireSolving();
+    void followPage();
     void saveChoices() const;
     void endSession(QSessionManager& session);
     void inform(const QString& message);
@@ -85,6 +88,7 @@ class MainWindow : public QMainWindow {
     ResultPanel* m_resultPanel = nullptr;
     PageTabs* m_pages;
     SolveStatus* m_solveStatus;
+    StudyStatus* m_studyStatus;
     WindowLayout* m_layout;
     UnitsChoice* m_units = nullptr;
     // What a preset leaves of the case before it.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/page_tabs.h"
 
-#include <QStackedWidget>
+#include <QMenu>
+#include <algorithm>
 
 #include "ui/result/stale_veil.h"
 #include "ui/text/settings.h"
+#include "ui/window/tab_strip.h"
 
 namespace drillwave {
 namespace {
@@ -16,29 +18,61 @@ QString nameOf(const Page& page) {
     return QLatin1String(page.metaObject()->className());
 }
 
+QString caption(PageGroup group) {
+    return group == PageGroup::thisBlow ? PageTabs::tr("THIS BLOW") : PageTabs::tr("STUDIES");
+}
+
 }  // namespace
 
 PageTabs::PageTabs(QWidget* parent)
-    : QTabWidget(parent), m_veil(new StaleVeil(findChild<QStackedWidget*>())) {
-    setDocumentMode(true);
-    setTabBarAutoHide(true);
+    : QStackedWidget(parent), m_strip(new TabStrip(this)), m_veil(new StaleVeil(this)) {
+    connect(m_strip, &QTabBar::currentChanged, this, [this](int tab) {
+        if (QWidget* page = m_strip->pageAt(tab)) setCurrentWidget(page);
+    });
+    connect(this, &QStackedWidget::currentChanged, m_strip,
+            [this] { m_strip->setCurrentIndex(m_strip->indexOf(currentWidget())); });
 }
 
-void PageTabs::add(Page* page) {
-    m_pages.append(page);
-    addTab(page, page->title());
+void PageTabs::add(Page* page, PageGroup group) {
+    insertWidget(addTab(page, group), page);
+    m_strip->setCurrentIndex(m_strip->indexOf(currentWidget()));
     connect(page, &Page::exportRequested, this, &PageTabs::exportRequested);
     connect(page, &Page::needsChanged, this, [this, page] {
         if (page == currentWidget()) emit needsChanged();
     });
 }
 
+// Returns how many pages are before it.
+int PageTabs::addTab(Page* page, PageGroup group) {
+    auto found = std::ranges::find_if(m_groups, [=](const Group& each) { return each.group >= group; });
+    int before = 0;
+    for (auto each = m_groups.begin(); each != found; ++each) before += each->pages;
+    const int tab = before + int(found - m_groups.begin());  // each group has a caption
+    if (found == m_groups.end() || found->group != group) {
+        found = m_groups.insert(found, {group});
+        m_strip->insertCaption(tab, caption(group));
+    }
+    m_strip->insertPage(tab + 1 + found->pages, page, page->title());
+    return before + found->pages++;
+}
+
 Page& PageTabs::current() const {
-    return *m_pages.at(currentIndex());
+    return page(currentIndex());
+}
+
+Page& PageTabs::page(int index) const {
+    return *static_cast<Page*>(widget(index));
+}
+
+void PageTabs::addTo(QMenu& menu) {
+    menu.addAction(tr("&Next page"), QKeySequence(Qt::CTRL | Qt::Key_Tab), this,
+                   [this] { m_strip->choose(1); });
+    menu.addAction(tr("&Previous page"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Tab), this,
+                   [this] { m_strip->choose(-1); });
 }
 
 void PageTabs::setCurrent(bool current) {
-    for (Page* page : std::as_const(m_pages)) page->setCurrent(current);
+    for (int index = 0; index < count(); ++index) page(index).setCurrent(current);
 }
 
 void PageTabs::setOutOfDate(bool outOfDate) {
@@ -48,8 +82,8 @@ void PageTabs::setOutOfDate(bool outOfDate) {
 
 void PageTabs::restoreChoice() {
     const QString kept = Settings().value(pageKey).toString();
-    for (Page* page : std::as_const(m_pages))
-        if (nameOf(*page) == kept) setCurrentWidget(page);
+    for (int index = 0; index < count(); ++index)
+        if (nameOf(page(index)) == kept) setCurrentIndex(index);
 }
 
 void PageTabs::saveChoice() const {

@@ -1,23 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of the window as tabs, of which one is on show.
+// The pages of the window, of which one is on show, and the row of tabs to choose it by.
 #pragma once
 
-#include <QTabWidget>
+#include <QList>
+#include <QStackedWidget>
 
 #include "ui/pages/page.h"
+
+class QMenu;
 
 namespace drillwave {
 
 class StaleVeil;
+class TabStrip;
 
-class PageTabs : public QTabWidget {
+/// What a page is about, in the order of the tabs: the blow of the scenario, or many blows.
+enum class PageGroup { thisBlow, studies };
+
+/// The pages one upon the other. The tabs are elsewhere in the window, over its whole width.
+class PageTabs : public QStackedWidget {
     Q_OBJECT
 
   public:
     explicit PageTabs(QWidget* parent);
 
-    void add(Page* page);
+    /// Behind the pages of its group that are there.
+    void add(Page* page, PageGroup group);
+    /// The one on show.
     Page& current() const;
+    /// In the order of the tabs, from 0; count() says how many there are.
+    Page& page(int index) const;
+    /// The row of tabs, for the window to place.
+    TabStrip* strip() const { return m_strip; }
+    /// To go from page to page by the keyboard.
+    void addTo(QMenu& menu);
     /// Whether what all pages show answers the present input.
     void setCurrent(bool current);
     /// Veils what is shown.
@@ -32,7 +48,14 @@ class PageTabs : public QTabWidget {
     void exportRequested(const drillwave::PageExport& wanted);
 
   private:
-    QList<Page*> m_pages;
+    struct Group {
+        PageGroup group;
+        int pages = 0;
+    };
+    int addTab(Page* page, PageGroup group);
+
+    QList<Group> m_groups;  // that have pages, in the order of the tabs
+    TabStrip* m_strip;
     StaleVeil* m_veil;
 };
 

@@ -15,7 +15,7 @@ namespace drillwave {
 namespace {
 
 // Raised when docks or toolbars change so that an old layout no longer fits.
-constexpr int layoutVersion = 1;
+constexpr int layoutVersion = 2;
 constexpr QSize usualSize{1440, 900};
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");

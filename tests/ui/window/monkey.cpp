@@ -11,12 +11,13 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPointer>
-#include <QTabWidget>
 #include <QTest>
 #include <QTimer>
 #include <QUrl>
 #include <QWheelEvent>
 #include <QWindow>
+
+#include "ui/window/page_tabs.h"
 
 namespace drillwave {
 namespace {
@@ -203,7 +204,7 @@ void Monkey::turnWheel(QWidget& window) {
 }
 
 void Monkey::choosePage(QWidget& window) {
-    auto* pages = window.findChild<QTabWidget*>();
+    auto* pages = window.findChild<PageTabs*>();
     if (!pages || pages->count() == 0) return;
     const int page = upTo(pages->count());
     note(QStringLiteral("page %1").arg(page));

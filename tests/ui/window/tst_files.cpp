@@ -16,6 +16,7 @@
 #include "ui/text/settings.h"
 #include "ui/window/example_note.h"
 #include "ui/window/file_menu.h"
+#include "ui/window/page_tabs.h"
 #include "ui/window/units_choice.h"
 
 using namespace drillwave;
@@ -293,7 +294,7 @@ void TestFiles::recentFilesCanBeClearedAndMissingOnesTakenOff() {
 }
 
 void TestFiles::pageUnitsAndPlaceAreRemembered() {
-    auto* pages = window().findChild<QTabWidget*>();
+    auto* pages = window().findChild<PageTabs*>();
     const int last = pages->count() - 1;
     pages->setCurrentIndex(last);
     part<UnitsChoice>(window()).choose(UnitSystem::dimensionless);
@@ -301,7 +302,7 @@ void TestFiles::pageUnitsAndPlaceAreRemembered() {
     const int height = window().height();
     QVERIFY(window().close());
     makeWindow();
-    QCOMPARE(window().findChild<QTabWidget*>()->currentIndex(), last);
+    QCOMPARE(window().findChild<PageTabs*>()->currentIndex(), last);
     QCOMPARE(window().shown()->request.units, UnitSystem::dimensionless);
     QCOMPARE(window().height(), height);  // the screen of the test is narrower than the window
 }

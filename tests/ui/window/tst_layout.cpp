@@ -2,7 +2,6 @@
 // Every page at every size, light and dark: nothing is cut off, covered, nameless or faint.
 #include <QAction>
 #include <QApplication>
-#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -13,6 +12,7 @@
 #include "tests/ui/window/layout_check.h"
 #include "ui/job/solve_job.h"
 #include "ui/text/settings.h"
+#include "ui/window/page_tabs.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -77,7 +77,7 @@ void TestLayout::everythingCanBeReadAndReached() {
     window.resize(size);
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
-    auto* pages = window.findChild<QTabWidget*>();
+    auto* pages = window.findChild<PageTabs*>();
     QStringList problems;
     // The numbers of the result panel are never cut: a small window grows by what they need.
     if (window.width() > std::max(size.width(), widestSmallWindow) || window.height() > size.height())
@@ -88,7 +88,8 @@ void TestLayout::everythingCanBeReadAndReached() {
         QCoreApplication::processEvents();
         const QStringList found =
             clippedTexts(window) + overlaps(window) + namelessControls(window) + faintTexts(window);
-        for (const QString& each : found) problems.append(pages->tabText(page) + QStringLiteral(": ") + each);
+        for (const QString& each : found)
+            problems.append(pages->page(page).title() + QStringLiteral(": ") + each);
     }
     QVERIFY2(problems.isEmpty(), qPrintable(problems.join(QLatin1Char('\n'))));
 }

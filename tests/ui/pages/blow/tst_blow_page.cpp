@@ -2,7 +2,6 @@
 // The page Blow: section, time cursor, readings, ghosts.
 #include <QDoubleSpinBox>
 #include <QLabel>
-#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 

@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QMenu>
 #include <QSlider>
-#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
@@ -25,6 +24,7 @@
 #include "ui/plot/plot_menu.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
+#include "ui/window/page_tabs.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -156,10 +156,10 @@ void TestWavePicturePage::showsTheBlowAtThePixelsOfTheScreen() {
 
 void TestWavePicturePage::asksForNothingWhileHidden() {
     MainWindow window(std::make_unique<ScriptedQuestions>(m_answers), exactSolve());
-    auto* pages = window.findChild<QTabWidget*>();
+    auto* pages = window.findChild<PageTabs*>();
     auto* page = window.findChild<WavePicturePage*>();
     QVERIFY(page);
-    QCOMPARE(pages->tabText(pages->indexOf(page)), QStringLiteral("Wave picture"));
+    QCOMPARE(page->title(), QStringLiteral("Wave picture"));
     window.show();
     QVERIFY(QTest::qWaitForWindowActive(&window));
     QTRY_VERIFY(!part<SolveJob>(window).isBusy());

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/job/study_status.h"
+
+#include <QHBoxLayout>
+#include <cmath>
+
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+namespace {
+
+// Shorter studies are not noticed, and a line that comes and goes is.
+constexpr std::chrono::milliseconds usualPatience{150};
+// Before that, the rate is not known.
+constexpr double rateSeconds = 0.5;
+
+QString timeLeft(double seconds, const QLocale& locale) {
+    const double shown = std::ceil(seconds);
+    return shown < 100 ? StudyStatus::tr("%1 s left").arg(locale.toString(shown, 'f', 0))
+                       : StudyStatus::tr("%1 min left").arg(locale.toString(std::ceil(shown / 60), 'f', 0));
+}
+
+// The place stays when what is in it goes.
+void keepPlace(QWidget* widget) {
+    QSizePolicy policy = widget->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    widget->setSizePolicy(policy);
+}
+
+}  // namespace
+
+QString progressText(const StudyProgress& progress, double seconds, const QLocale& locale) {
+    QString text = locale.toString(qulonglong(progress.done));
+    if (progress.wanted > 0) text += QLatin1Char('/') + locale.toString(qulonglong(progress.wanted));
+    if (seconds < rateSeconds || progress.done == 0) return text;
+    const double rate = double(progress.done) / seconds;
+    const auto left = double(progress.wanted) - double(progress.done);
+    return text + QStringLiteral(" · ") +
+           (progress.wanted > 0 ? timeLeft(left / rate, locale)
+                                : StudyStatus::tr("%1/s").arg(numberText(rate, 2, locale)));
+}
+
+StudyStatus::StudyStatus(QWidget* parent)
+    : QWidget(parent),
+      m_title(new QLabel(this)),
+      m_bar(new QProgressBar(this)),
+      m_text(new QLabel(this)),
+      m_button(new QPushButton(tr("Cancel"), this)) {
+    m_bar->setTextVisible(false);
+    m_bar->setFixedSize(6 * fontMetrics().averageCharWidth() + 24, fontMetrics().height());
+    m_bar->setAccessibleName(tr("Progress of the study"));
+    m_text->setMinimumWidth(
+        m_text->fontMetrics().horizontalAdvance(QStringLiteral("9999/9999 · 99 min left")));
+    m_button->setObjectName(QStringLiteral("studyButton"));
+    m_button->setToolTip(tr("Stop the study; the points it has found stay"));
+    m_button->setAccessibleName(tr("Cancel the study"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(4, 0, 4, 0);
+    for (QWidget* part : {static_cast<QWidget*>(m_title), static_cast<QWidget*>(m_bar),
+                          static_cast<QWidget*>(m_text), static_cast<QWidget*>(m_button)}) {
+        layout->addWidget(part);
+        keepPlace(part);
+    }
+    m_late.setSingleShot(true);
+    m_late.setInterval(usualPatience);
+    connect(&m_late, &QTimer::timeout, this, &StudyStatus::showRunning);
+    connect(m_button, &QPushButton::clicked, this, [this] {
+        if (m_activity) m_activity->cancel();
+    });
+    clear();
+}
+
+void StudyStatus::follow(StudyActivity* activity, const QString& name) {
+    if (m_activity) disconnect(m_activity, nullptr, this, nullptr);
+    m_activity = activity;
+    m_name = name;
+    m_late.stop();
+    m_since.invalidate();
+    clear();
+    if (!activity) return;
+    connect(activity, &StudyActivity::changed, this, &StudyStatus::update);
+    if (activity->state() == StudyState::running) update();
+}
+
+void StudyStatus::update() {
+    if (m_activity->state() == StudyState::running) {
+        // A study that has done nothing has just begun.
+        if (!m_since.isValid() || m_activity->progress().done == 0) m_since.start();
+        if (m_button->isHidden()) {
+            if (!m_late.isActive()) m_late.start();
+        } else {
+            showRunning();
+        }
+        return;
+    }
+    m_late.stop();
+    m_since.invalidate();
+    clear();
+    if (m_activity->state() != StudyState::stopped) return;
+    m_title->setText(tr("%1 stopped").arg(m_name));
+    m_text->setText(progressText(m_activity->progress(), 0, locale()));
+}
+
+void StudyStatus::showRunning() {
+    if (!m_activity || m_activity->state() != StudyState::running) return;
+    const StudyProgress progress = m_activity->progress();
+    m_title->setText(m_name);
+    m_text->setText(progressText(progress, double(m_since.elapsed()) / 1000, locale()));
+    m_bar->setVisible(progress.wanted > 0);
+    if (progress.wanted > 0) m_bar->setValue(int(100.0 * double(progress.done) / double(progress.wanted)));
+    m_button->show();
+}
+
+void StudyStatus::clear() {
+    m_title->clear();
+    m_text->clear();
+    m_bar->hide();
+    m_button->hide();
+}
+
+QString StudyStatus::text() const {
+    return QStringLiteral("%1 %2").arg(m_title->text(), m_text->text()).trimmed();
+}
+
+}  // namespace drillwave

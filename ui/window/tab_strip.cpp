@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/tab_strip.h"
+
+#include <QPainter>
+#include <QStyleOptionTab>
+
+namespace drillwave {
+namespace {
+
+constexpr int captionMargin = 10;  // pixels on either side of a caption
+
+QFont captionFont(const QTabBar& bar) {
+    QFont font = bar.font();
+    font.setPointSizeF(font.pointSizeF() * 0.8);
+    font.setBold(true);
+    return font;
+}
+
+}  // namespace
+
+TabStrip::TabStrip(QWidget* parent) : QTabBar(parent) {
+    setDrawBase(false);
+    setExpanding(false);
+    setElideMode(Qt::ElideRight);
+    setUsesScrollButtons(true);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Pages"));
+}
+
+void TabStrip::insertCaption(int index, const QString& text) {
+    insertTab(index, text);
+    setTabEnabled(index, false);
+}
+
+void TabStrip::insertPage(int index, QWidget* page, const QString& title) {
+    const int at = insertTab(index, title);
+    setTabData(at, QVariant::fromValue(page));
+    setTabToolTip(at, title);  // it may be cut short
+}
+
+QWidget* TabStrip::pageAt(int index) const {
+    return tabData(index).value<QWidget*>();
+}
+
+int TabStrip::indexOf(const QWidget* page) const {
+    for (int index = 0; index < count(); ++index)
+        if (pageAt(index) == page) return index;
+    return -1;
+}
+
+void TabStrip::choose(int step) {
+    int index = currentIndex();
+    do index = (index + step + count()) % count();
+    while (isCaption(index) && index != currentIndex());
+    setCurrentIndex(index);
+}
+
+int TabStrip::captionWidth(int index) const {
+    return QFontMetrics(captionFont(*this)).horizontalAdvance(tabText(index)) + 2 * captionMargin;
+}
+
+QSize TabStrip::tabSizeHint(int index) const {
+    const QSize tab = QTabBar::tabSizeHint(index);
+    return isCaption(index) ? QSize(captionWidth(index), tab.height()) : tab;
+}
+
+QSize TabStrip::minimumTabSizeHint(int index) const {
+    return isCaption(index) ? tabSizeHint(index) : QTabBar::minimumTabSizeHint(index);
+}
+
+// The style draws no tab where a caption is.
+void TabStrip::initStyleOption(QStyleOptionTab* option, int index) const {
+    QTabBar::initStyleOption(option, index);
+    if (!isCaption(index)) return;
+    option->rect = {};
+    option->text.clear();
+}
+
+void TabStrip::paintEvent(QPaintEvent* event) {
+    QTabBar::paintEvent(event);
+    QPainter painter(this);
+    painter.setFont(captionFont(*this));
+    for (int index = 0; index < count(); ++index) {
+        if (!isCaption(index)) continue;
+        const QRect place = tabRect(index);
+        painter.setPen(palette().color(QPalette::Active, QPalette::WindowText));
+        painter.drawText(place, Qt::AlignCenter, tabText(index));
+        if (index > 0)
+            painter.drawLine(place.left() + 2, place.top() + 4, place.left() + 2, place.bottom() - 4);
+    }
+}
+
+}  // namespace drillwave

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tabs of the pages in one row, with the name of each group before its tabs.
+#pragma once
+
+#include <QTabBar>
+
+class QWidget;
+
+namespace drillwave {
+
+/// A caption is a tab that cannot be chosen. Too many tabs for the row are cut short, then scrolled; the
+/// chosen one is always in view.
+class TabStrip : public QTabBar {
+    Q_OBJECT
+
+  public:
+    explicit TabStrip(QWidget* parent = nullptr);
+
+    /// Both stand before the tab at `index`.
+    void insertCaption(int index, const QString& text);
+    void insertPage(int index, QWidget* page, const QString& title);
+    /// nullptr for a caption, and where there is no tab.
+    QWidget* pageAt(int index) const;
+    /// Where the tab of a page is; −1 where there is none.
+    int indexOf(const QWidget* page) const;
+    /// Chooses the tab `step` tabs of pages further on, round the row.
+    void choose(int step);
+
+  protected:
+    QSize tabSizeHint(int index) const override;
+    QSize minimumTabSizeHint(int index) const override;
+    void initStyleOption(QStyleOptionTab* option, int index) const override;
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    bool isCaption(int index) const { return !pageAt(index); }
+    int captionWidth(int index) const;
+};
+
+}  // namespace drillwave
