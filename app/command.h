@@ -31,6 +31,7 @@ const Command& runCommand();
 const Command& sweepCommand();
 const Command& tableCommand();
 const Command& curveCommand();
+const Command& mapCommand();
 const Command& gapCommand();
 const Command& thrustCommand();
 const Command& figuresCommand();
