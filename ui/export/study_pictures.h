@@ -2,6 +2,7 @@
 // The pictures of studies, drawn by the plots of their pages.
 #pragma once
 
+#include "core/report/curve_report.h"
 #include "core/report/gap_report.h"
 #include "core/study/rows/sweep_rows.h"
 #include "ui/export/pictures.h"
@@ -9,6 +10,7 @@
 namespace drillwave {
 
 /// What the page of each study shows at first, in naturalUnits(); see renderPictures().
+Pictures drawStudy(const CurveReport& report, const PictureOrder& order);
 Pictures drawStudy(const GapReport& report, const PictureOrder& order);
 /// Has no page: the rows as curves, see sweepPanels().
 Pictures drawStudy(const SweepRows& rows, const PictureOrder& order);
