@@ -5,7 +5,7 @@
 #include <QComboBox>
 #include <QThread>
 #include <algorithm>
-#include <cmath>
+#include <stdexcept>
 
 #include "core/model/assignments.h"
 #include "core/report/curve_report.h"
@@ -27,6 +27,8 @@ std::vector<StudyFamily> preferredFamilies() {
 
 StiffnessStudy solve(const StiffnessQuestion& question, const StudyFeed<StiffnessStudy>& feed) {
     constexpr double parts = 1000;
+    if (const std::vector<std::string> problems = problemsOf(question.curve); !problems.empty())
+        throw std::runtime_error(problems.front());
     return studyStiffness(question, std::max(1, QThread::idealThreadCount()), feed.stop, [&](double done) {
         feed.tell({static_cast<std::size_t>(done * parts), static_cast<std::size_t>(parts)});
     });
@@ -136,19 +138,16 @@ void StiffnessPage::ask() {
     if (!asked) return;
     m_reference->setEnabled(asked->hasReference());
     m_closedForm->setEnabled(asked->curve.base.pulse.shape == PulseShape::rectangular);
-    const std::vector<std::string> problems = problemsOf(asked->curve);
-    if (!problems.empty()) {
-        m_study.job().cancel();
-        m_shownStudy = nullptr;
-        m_stiffness->showNothing(fromView(problems.front()));
-        say(fromView(problems.front()));
-        plot()->replot(QCustomPlot::rpQueuedReplot);
-        return;
-    }
     m_study.ask(std::move(*asked));
 }
 
 void StiffnessPage::present() {
+    if (m_study.job().state() == StudyState::failed) {
+        m_shownStudy = nullptr;
+        m_stiffness->showNothing(m_study.job().problem());
+        plot()->replot(QCustomPlot::rpQueuedReplot);
+        return;
+    }
     const StiffnessStudy* study = m_study.value();
     if (!study || study->curve.stopped || !blow()) return;
     const CurveQuestion& asked = study->question.curve;

@@ -10,6 +10,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QCPAxisRect;
 
 namespace drillwave {
 
