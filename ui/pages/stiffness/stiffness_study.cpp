@@ -32,6 +32,7 @@ CurveQuestion referenceOf(const StiffnessQuestion& question) {
     reference.along =
         inGroups(question.curve.along, "beta", isStiffness ? scalesOf(question.curve.base).stiffness : 1);
     if (reference.family) reference.family = inGroups(*reference.family, "gamma", 1);
+    for (OutputColumn& column : reference.columns) column.units = OutputUnits::dimensionless;
     reference.levels.clear();
     reference.method = {};
     return reference;

@@ -47,6 +47,7 @@ class TestStiffnessPage : public QObject {
     void aClickNearAMarkTakesItsPlace();
     void theScenarioHasItsOwnCurve();
     void referencesHaveTheirLeastReboundWhereThePaperHasIt();
+    void referencesOfScenariosWithUnitsStandAtTheirStiffness();
     void theClosedFormEndsWithItsDomain();
     void presetsAreNamedWhereTheyLie();
     void whatCannotBeStudiedIsSaid();
@@ -241,8 +242,27 @@ void TestStiffnessPage::referencesHaveTheirLeastReboundWhereThePaperHasIt() {
     QVERIFY(std::abs(least->x.value - 2.57847) < 5e-6 && std::abs(least->value.value - 0.9710054) < 5e-8);
     m_page->findChild<QComboBox*>("reference")->setCurrentIndex(2);
     finish();
-    // over k0 = Z/t0 that is at a twentieth: τ = 10
+    // over k0 = Z/t0 it is at a twentieth: τ = 10
     QVERIFY(std::abs(*study().reference->lines.back().value(2.57847 / 20, 0) - 0.9710054) < 5e-8);
+}
+
+void TestStiffnessPage::referencesOfScenariosWithUnitsStandAtTheirStiffness() {
+    showPage();
+    m_page->findChild<QComboBox*>("reference")->setCurrentIndex(2);
+    finish();
+    const auto& lines = m_page->stiffnessPlot()->picture().lines;
+    const auto elastic = std::ranges::find_if(lines, [](const StiffnessLine& line) {
+        return line.kind == StiffnessLine::Kind::reference && line.number == 3;
+    });
+    QVERIFY(elastic != lines.end());
+    // the same rod without waves by its own scenario
+    Scenario scenario = m_document->scenario();
+    scenario.pulse.shape = PulseShape::rigidBody;
+    scenario.bitRock.gamma = 1;
+    const auto point = elastic->points->at(elastic->points->size() / 2);
+    scenario.bitRock.stiffness = point->key * 1e6;
+    const Blow blow = solveBlow(scenario, {}, Detail::cor);
+    QVERIFY(std::abs(blow.summary.cor - point->value) < 1e-9);
 }
 
 void TestStiffnessPage::theClosedFormEndsWithItsDomain() {
