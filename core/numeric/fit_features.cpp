@@ -15,10 +15,6 @@ using Segments = std::span<const MonotoneSegment>;
 
 constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
 
-bool hasSlope(const FitPiece& piece) {
-    return piece.resolved && piece.end - piece.start > leastSlopeWidth;
-}
-
 FitSide sideOf(const FitPiece& piece, std::size_t output, double x) {
     // Markov's inequality for polynomials of degree 16 that are off by the error.
     const double error = 512 * piece.error[output] / (piece.end - piece.start);
@@ -51,6 +47,10 @@ Estimate placeOfEnd(Segments segments, std::size_t where, bool atStart, const Es
 }
 
 }  // namespace
+
+bool hasSlope(const FitPiece& piece) {
+    return piece.resolved && piece.end - piece.start > leastSlopeWidth;
+}
 
 std::optional<std::pair<FitSide, FitSide>> sidesAt(std::span<const FitPiece> pieces, std::size_t output,
                                                    double fromLeft, double fromRight) {

@@ -24,6 +24,9 @@ inline constexpr double leastAngle = 1e-3;
 /// Shorter pieces are slivers around a kink; several kinks this close are one.
 inline constexpr double leastSlopeWidth = 1e-6;
 
+/// Whether a piece is more than a sliver, and has been resolved.
+bool hasSlope(const FitPiece& piece);
+
 /// The sides of a place that `fromLeft` and `fromRight` both name, where the function is periodic as
 /// different numbers; nullopt inside a piece, where nothing turns, and where there is no other side.
 std::optional<std::pair<FitSide, FitSide>> sidesAt(std::span<const FitPiece> pieces, std::size_t output,

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "core/text/decimal_text.h"
 
@@ -57,12 +58,18 @@ constexpr std::array stiffnessUnits{decimal("N/m", 0),
                                     decimal("N/mm", 3),
                                     decimal("kN/mm", 6),
                                     multiple("lbf/in", 175.12683524647636)};
-constexpr std::array velocityUnits{decimal("m/s", 0), decimal("mm/s", -3), multiple("km/h", 5, 18),
-                                   multiple("ft/s", 3048, 1e4)};
+constexpr std::array velocityUnits{decimal("m/s", 0),        decimal("mm/s", -3),
+                                   multiple("km/h", 5, 18),  multiple("ft/s", 3048, 1e4),
+                                   multiple("m/min", 1, 60), multiple("ft/min", 3048, 6e5)};
 constexpr std::array frequencyUnits{decimal("Hz", 0), decimal("kHz", 3), multiple("1/min", 1, 60),
                                     multiple("bpm", 1, 60), multiple("rpm", 1, 60)};
 constexpr std::array energyUnits{decimal("J", 0), decimal("kJ", 3), decimal("MJ", 6),
                                  multiple("ft lbf", 1.3558179483314004)};
+constexpr std::array powerUnits{decimal("W", 0), decimal("kW", 3), decimal("MW", 6),
+                                multiple("hp", 745.69987158227022)};  // 550 ft lbf/s
+constexpr std::array massUnits{decimal("kg", 0), decimal("t", 3), decimal("g", -3),
+                               multiple("lb", 45359237, 1e8)};
+constexpr std::array angleUnits{decimal("deg", 0), multiple("rad", 180, std::numbers::pi)};
 
 struct Spelling {
     std::string_view written;
@@ -76,7 +83,7 @@ constexpr std::array spellings{
     Spelling{"m2", "m^2"},     Spelling{"mm2", "mm^2"},       Spelling{"cm2", "cm^2"},
     Spelling{"in2", "in^2"},   Spelling{"kg/m3", "kg/m^3"},   Spelling{"g/cm3", "g/cm^3"},
     Spelling{"t/m3", "t/m^3"}, Spelling{"lb/ft3", "lb/ft^3"}, Spelling{"blows/min", "bpm"},
-    Spelling{"1/s", "Hz"},
+    Spelling{"1/s", "Hz"},     Spelling{"°", "deg"},          Spelling{"lbs", "lb"},
 };
 
 void replaceAll(std::string& text, std::string_view from, std::string_view to) {
@@ -188,6 +195,12 @@ std::span<const Unit> unitsOf(Quantity quantity) {
             return frequencyUnits;
         case Quantity::energy:
             return energyUnits;
+        case Quantity::power:
+            return powerUnits;
+        case Quantity::mass:
+            return massUnits;
+        case Quantity::angle:
+            return angleUnits;
     }
     return ratioUnits;
 }

@@ -23,6 +23,9 @@ enum class Quantity {
     velocity,
     frequency,
     energy,
+    power,
+    mass,
+    angle,  ///< in degrees, which go with the SI: a right angle is 90, exactly
 };
 
 /// A unit of one quantity: value in SI = factor × value in this unit.

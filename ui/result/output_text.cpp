@@ -56,6 +56,10 @@ QString outputText(const Output& output, const SolvedBlow& blow) {
             return si ? inUnit(value, blow.scales.stress * 1e-6, "MPa") : shown(value, blow.units.force);
         case Measure::newton:
             return inUnit(value, 1e-3, "kN");
+        case Measure::watt:
+            return inUnit(value, 1e-3, "kW");
+        case Measure::speed:
+            return inUnit(value, 1e3, "mm/s");
     }
     return {};
 }

@@ -24,22 +24,20 @@ namespace drillwave {
 /// What is asked.
 struct CurveQuestion {
     Scenario base;
-    /// The parameter to go along: Kind::linear or Kind::logarithmic with count 2, as parseCurveAxis() gives.
+    /// The parameter to go along, as parseRange() gives it.
     SweepAxis along;
-    std::optional<SweepAxis> family;    ///< a line for each of its values: Kind::list or Kind::shapes
+    std::optional<SweepAxis> family;    ///< a line for each of its values
     std::vector<OutputColumn> columns;  ///< at least one
     std::vector<double> levels;         ///< to be crossed by every output, each in its own unit
     MethodChoice method = {};
     long workLimit = defaultWorkLimit;  ///< most wave pieces of a blow; beyond, it is not solved
 
     CurveRange range() const;
+    std::vector<SweepAxis> axes() const;  ///< the family, if there is one, and the parameter to go along
 };
 
 /// Most lines of a family.
 inline constexpr std::size_t maximumCurveLines = 50;
-
-/// Reads "KEY=START:STOP" or "KEY=START:STOP:log", as parseAxis() reads the axes of a sweep.
-ParsedAxis parseCurveAxis(std::string_view text);
 
 /// What makes a question unusable, each a line, as problemsOf(Sweep): axes of one quantity, a parameter that
 /// has no meaning here, ends that are no valid scenario. Empty when it can be studied.
@@ -58,7 +56,8 @@ struct CurveOutput {
     /// Over shares of the way (CurveRange), 0 … 1, ascending, one function each.
     std::vector<FitPiece> pieces;
     /// Where the output is not smooth, or not within the work permitted: there it was computed at the points
-    /// of the line alone, and is straight between them.
+    /// of the line alone, no more than 1/500 of the way and 1/16 of the stretch apart, and is straight
+    /// between them.
     std::vector<CurveStretch> grid;
     std::vector<CurveStretch> unsolved;  ///< where there is no answer
     std::vector<CurveFeature> features;  ///< by place

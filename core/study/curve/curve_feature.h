@@ -24,13 +24,14 @@ struct CurveFeature {
         smooth,      ///< nothing but what the kind says
         cusp,        ///< the slope jumps, or the value does
         end,         ///< the range, or what is known of it, begins or ends here
+        grid,        ///< the curve is known by points alone here, and the place by how far these are apart
         everywhere,  ///< the curve is the same everywhere, but for errors
     };
     Kind kind = Kind::minimum;
     Shape shape = Shape::smooth;
     bool ofAll = false;      ///< the least or largest of the whole line
-    Estimate x;              ///< SI
-    Estimate value;          ///< in the unit of the output column; of a jump the value before it
+    Estimate x = {};         ///< SI
+    Estimate value = {};     ///< in the unit of the output column; of a jump the value before it
     double valueAfter = 0;   ///< of a jump
     double level = 0;        ///< of a crossing
     bool rising = false;     ///< of a crossing: with growing x
@@ -41,7 +42,7 @@ struct CurveFeature {
 
 /// "minimum", "maximum", "kink", "jump", "crossing".
 std::string_view name(CurveFeature::Kind kind);
-/// "smooth", "cusp", "end", "everywhere".
+/// "smooth", "cusp", "end", "grid", "everywhere".
 std::string_view name(CurveFeature::Shape shape);
 
 }  // namespace drillwave

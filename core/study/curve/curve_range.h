@@ -15,8 +15,8 @@ struct CurveRange {
     double at(double share) const;
     /// The share of the way at which a value of the range lies.
     double shareOf(double value) const;
-    /// How far it is from `value` to what is `width` of the way off, at most.
-    double widthAt(double value, double width) const;
+    /// By how much the value grows per share of the way, at that value.
+    double slopeAt(double value) const;
     bool operator==(const CurveRange&) const = default;
 };
 
