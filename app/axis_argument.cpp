@@ -7,15 +7,16 @@
 
 namespace drillwave {
 
-SweepAxis axisArgument(const Arguments& arguments, const std::string& option, const std::string& word) {
-    ParsedAxis parsed = parseAxis(word);
+SweepAxis axisArgument(const Arguments& arguments, std::string_view option, const std::string& word,
+                       ParsedAxis parsed) {
+    const std::string name = "--" + std::string(option);
     if (!parsed.problem.empty()) {
         // A value that the parameter cannot take is like one in a file; anything else is a mistyped command.
         const bool badValue = parsed.kind == ParsedAxis::Kind::badValue;
         throw CommandError(badValue ? ExitCode::invalidScenario : ExitCode::usage,
-                           "--" + option + ": " + parsed.problem);
+                           name + ": " + parsed.problem);
     }
-    checkNotSet(arguments, parsed.axis.key(), "--" + option + " " + shortened(word));
+    checkNotSet(arguments, parsed.axis.key(), name + " " + shortened(word));
     return std::move(parsed.axis);
 }
 

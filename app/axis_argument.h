@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "app/arguments.h"
 #include "core/file/row_record.h"
@@ -10,9 +11,10 @@
 
 namespace drillwave {
 
-/// The axis that `word` behind --`option` says, see parseAxis(). Throws CommandError: usage, also where --set
+/// The axis that `word` behind --`option` says, as it was read. Throws CommandError: usage, also where --set
 /// sets what it varies; invalid scenario for a value that the parameter cannot take.
-SweepAxis axisArgument(const Arguments& arguments, const std::string& option, const std::string& word);
+SweepAxis axisArgument(const Arguments& arguments, std::string_view option, const std::string& word,
+                       ParsedAxis parsed);
 
 /// The axis as it was asked for.
 RecordedAxis recordedAxis(const SweepAxis& axis, const std::string& word);

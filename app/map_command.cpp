@@ -25,7 +25,7 @@ SweepAxis axisOf(const Arguments& arguments, const std::string& option) {
     if (!word)
         throw CommandError(ExitCode::usage, "needs --x KEY=START:STOP:COUNT[:log] and --y likewise; --" +
                                                 option + " is missing");
-    return axisArgument(arguments, option, *word);
+    return axisArgument(arguments, option, *word, parseAxis(*word));
 }
 
 OutputColumn outputOf(const Arguments& arguments, OutputUnits units) {

@@ -13,7 +13,7 @@ namespace {
 std::vector<SweepAxis> axesOf(const Arguments& arguments) {
     std::vector<SweepAxis> axes;
     for (const std::string& word : arguments.values("vary"))
-        axes.push_back(axisArgument(arguments, "vary", word));
+        axes.push_back(axisArgument(arguments, "vary", word, parseAxis(word)));
     if (axes.empty())
         throw CommandError(ExitCode::usage, "needs --vary KEY=START:STOP:COUNT[:log] or --vary KEY=A,B,C");
     return axes;
