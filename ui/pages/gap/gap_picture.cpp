@@ -69,7 +69,7 @@ void addDistribution(GapPicture& picture, const Histogram& histogram) {
     picture.below.append({0, histogram.low});
     double below = 0;
     for (int band = 0; band < bands; ++band) {
-        const double share = histogram.shares[static_cast<std::size_t>(band)];
+        const double share = 100 * histogram.shares[static_cast<std::size_t>(band)];
         const double bottom = histogram.low + band * histogram.width;
         const double top = bottom + histogram.width;
         below += share;
@@ -86,17 +86,14 @@ void addMarks(GapPicture& picture, const GapReport& report) {
     };
     const GapOutputStatistics& output = statistics.of(picture.output);
     if (output.largest.kind != GapExtreme::Kind::everywhere)
-        for (const bool upper : {true, false}) {
-            const GapExtreme& extreme = upper ? output.largest : output.least;
-            picture.marks.append(
-                {GapMark::Kind::extreme, place(extreme.gap.value, extreme.value.value), upper});
-        }
+        for (const GapExtreme& extreme : {output.largest, output.least})
+            picture.marks.append({GapMark::Kind::extreme, place(extreme.gap.value, extreme.value.value)});
     if (picture.output == GapOutput::cor)
         for (const GapCrossing& crossing : statistics.crossings)
-            picture.marks.append({GapMark::Kind::crossing, place(crossing.gap.value, 1), crossing.rising});
+            picture.marks.append({GapMark::Kind::crossing, place(crossing.gap.value, 1)});
     for (const GapKink& kink : statistics.kinks) {
-        const GapMark mark{GapMark::Kind::kink, place(kink.gap, report.curve.value(picture.output, kink.gap)),
-                           true};
+        const GapMark mark{GapMark::Kind::kink,
+                           place(kink.gap, report.curve.value(picture.output, kink.gap))};
         const auto isNamed = [&](const GapMark& other) { return other.at == mark.at; };
         if (std::ranges::none_of(picture.marks, isNamed)) picture.marks.append(mark);
     }

@@ -57,11 +57,11 @@ GapPlot::GapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
          {static_cast<QCPAbstractPlottable*>(m_graph), static_cast<QCPAbstractPlottable*>(m_shares),
           static_cast<QCPAbstractPlottable*>(m_below)})
         curve->addToLegend(m_legend);
-    m_marks = new GapMarks(plot, m_rect);
+    m_marks = new GapMarks(m_graph);
     m_here = new HereMark(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_message = new PlotMessage(plot);
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
-    connect(plot, &QCustomPlot::beforeReplot, this, &GapPlot::placeBands);
+    connect(plot, &QCustomPlot::afterLayout, this, &GapPlot::placeBands);
     setStyle(PlotStyle::forPaper());
 }
 
@@ -151,6 +151,7 @@ void GapPlot::addLines() {
         if (side == 0) continue;
         for (QCPItemText*& name : m_lineNames) {
             name = new QCPItemText(m_plot);
+            name->setLayer(QStringLiteral("legend"));  // above the curves
             name->setSelectable(false);
             name->setClipAxisRect(rect);
             name->setPadding(QMargins(4, 1, 4, 1));
@@ -162,12 +163,13 @@ void GapPlot::addLines() {
     m_bandName->setSelectable(false);
     m_bandName->setText(tr("super rebound, e > 1"));
     m_bandName->setPadding(QMargins(6, 3, 6, 3));
-    m_bandName->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+    m_bandName->setPositionAlignment(Qt::AlignHCenter | Qt::AlignTop);
     m_bandName->setClipAxisRect(m_rect);
     m_bandName->position->setAxes(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_bandName->position->setAxisRect(m_rect);
     m_bandName->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
-    m_bandName->position->setTypeY(QCPItemPosition::ptPlotCoords);
+    m_bandName->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    m_bandName->position->setCoords(0.5, 0);
 }
 
 void GapPlot::present(const GapPicture& picture) {
@@ -262,8 +264,7 @@ void GapPlot::placeBands() {
         band->topLeft->setCoords(0, view.upper);
         band->bottomRight->setCoords(1, std::max(1.0, view.lower));
     }
-    m_bandName->setVisible(isShown && view.lower < 1);
-    m_bandName->position->setCoords(0.5, 1);
+    m_bandName->setVisible(isShown);
 }
 
 void GapPlot::setStyle(const PlotStyle& style) {
@@ -306,12 +307,14 @@ void GapPlot::fit() {
         bool found = false;
         QCPRange values = m_graph->getValueRange(found);
         if (!found) values = {0, 1};
-        if (m_picture.output == GapOutput::cor) values.expand(1);
         const double size = std::max(values.size(), 0.02 * std::abs(values.upper));
+        // Where super rebound begins, if that is not far off.
+        const bool isNear = values.upper > 1 - size && values.lower < 1 + size;
+        if (m_picture.output == GapOutput::cor && isNear) values.expand(1);
         m_rect->axis(QCPAxis::atLeft)->setRange(values.lower - 0.1 * size, values.upper + 0.1 * size);
         const auto shares = m_shares->getKeyRange(found);
-        m_beside->axis(QCPAxis::atBottom)->setRange(0, found && shares.upper > 0 ? 1.05 * shares.upper : 1);
-        m_beside->axis(QCPAxis::atTop)->setRange(0, 1.05);
+        m_beside->axis(QCPAxis::atBottom)->setRange(0, found && shares.upper > 0 ? 1.05 * shares.upper : 100);
+        m_beside->axis(QCPAxis::atTop)->setRange(0, 105);
     });
 }
 
