@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/report/gap_report.h"
+#include "ui/pages/gap/gap_study.h"
 #include "ui/plot/graph_data.h"
 
 class QCPCurveData;
@@ -42,6 +43,9 @@ struct GapPicture {
 
 /// Requires a complete curve with its statistics.
 GapPicture gapPicture(const GapReport& report, GapOutput output, const ShownUnits& units);
+
+/// A first look: blows at some gaps, ascending, and nothing that needs them all.
+GapPicture gapPreview(const std::vector<GapSample>& samples, GapOutput output, const ShownUnits& units);
 
 /// "COR e", "peak force Fm", "efficiency".
 QString gapOutputName(GapOutput output);

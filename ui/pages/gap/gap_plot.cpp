@@ -231,7 +231,7 @@ void GapPlot::showSpread() {
         m_lineNames[i]->position->setCoords(1, at);
     }
     if (!m_picture.curve) return;
-    m_summary = summary();
+    m_summary = m_picture.shares.isEmpty() ? QString() : summary();
     m_caption->setText(m_summary);
 }
 
