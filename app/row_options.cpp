@@ -50,14 +50,19 @@ Shard shardOf(const Arguments& arguments) {
     return shard;
 }
 
-/// "2 rows: it needs more wave pieces than permitted …", and what to do about it.
-std::string reasonsOf(const RowCounts& counts, long workLimit) {
+int allThreads() {
+    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 1024U));
+}
+
+}  // namespace
+
+std::string reasonsOf(const RowCounts& counts, const std::string& noun, long workLimit) {
     std::string text;
     std::uint64_t told = 0;
     bool atLimit = false;
     for (const RowFailure& failure : counts.failures) {
-        text += (text.empty() ? "" : "; ") + std::to_string(failure.rows) +
-                (failure.rows == 1 ? " row: " : " rows: ") + failure.reason;
+        text += (text.empty() ? "" : "; ") + std::to_string(failure.rows) + " " + noun +
+                (failure.rows == 1 ? ": " : "s: ") + failure.reason;
         told += failure.rows;
         atLimit |= failure.reason.find("wave pieces") != std::string::npos;
     }
@@ -65,12 +70,6 @@ std::string reasonsOf(const RowCounts& counts, long workLimit) {
     if (atLimit) text += "; --work-limit, now " + std::to_string(workLimit) + ", permits more";
     return text;
 }
-
-int allThreads() {
-    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 1024U));
-}
-
-}  // namespace
 
 std::vector<OptionSpec> rowOptionSpecs() {
     std::vector<OptionSpec> options =
@@ -180,7 +179,7 @@ ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions
     throw CommandError(ExitCode::unsolvedOrFailed,
                        std::to_string(counts.failed) + " of " + std::to_string(counts.rows) +
                            " rows could not be solved: their output cells are empty; " +
-                           reasonsOf(counts, options.workLimit));
+                           reasonsOf(counts, "row", options.workLimit));
 }
 
 }  // namespace drillwave

@@ -54,6 +54,10 @@ struct RowOptions {
 /// `method` is that of the result which FILE is. Throws CommandError (usage).
 RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoice>& method);
 
+/// "2 rows: it needs more wave pieces than permitted …", and what to do about it; `noun` names one of what is
+/// counted.
+std::string reasonsOf(const RowCounts& counts, const std::string& noun, long workLimit);
+
 /// The record of a run of `command` that writes these columns: all but its axes or cases. Throws
 /// ScenarioError where the scenario is too large for a file.
 RowRecord recordOf(std::string_view command, const Arguments& arguments, const RowOptions& options,
@@ -68,7 +72,7 @@ class RowFile {
 
     void write(std::string_view text) { m_rows.write(text); }
     /// With pictures beside it, see StudyPlots::besideFile().
-    void commit(const RowRecord& record, const std::vector<NamedFile>& pictures);
+    void commit(const RowRecord& record, const std::vector<NamedFile>& pictures = {});
 
     /// "map.csv.yaml" beside "map.csv"; empty beside standard output or a device.
     static std::string recordPath(const std::string& path);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave sweep FILE --vary KEY=…
+#include "app/axis_argument.h"
 #include "app/command.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
 #include "core/study/rows/sweep_check.h"
 #include "core/study/rows/sweep_rows.h"
-#include "core/text/decimal_text.h"
 
 namespace drillwave {
 
@@ -14,18 +14,8 @@ namespace {
 
 std::vector<SweepAxis> axesOf(const Arguments& arguments) {
     std::vector<SweepAxis> axes;
-    for (const std::string& word : arguments.values("vary")) {
-        ParsedAxis parsed = parseAxis(word);
-        if (!parsed.problem.empty()) {
-            // A value that the parameter cannot take is like one in a file; anything else is a mistyped
-            // command.
-            const bool badValue = parsed.kind == ParsedAxis::Kind::badValue;
-            throw CommandError(badValue ? ExitCode::invalidScenario : ExitCode::usage,
-                               "--vary: " + parsed.problem);
-        }
-        checkNotSet(arguments, parsed.axis.key(), "--vary " + shortened(word));
-        axes.push_back(std::move(parsed.axis));
-    }
+    for (const std::string& word : arguments.values("vary"))
+        axes.push_back(axisArgument(arguments, "vary", word));
     if (axes.empty())
         throw CommandError(ExitCode::usage, "needs --vary KEY=START:STOP:COUNT[:log] or --vary KEY=A,B,C");
     return axes;
@@ -45,7 +35,7 @@ std::vector<RecordedAxis> recordedAxes(const std::vector<SweepAxis>& axes, const
     std::vector<RecordedAxis> recorded;
     for (const SweepAxis& axis : axes) {
         const std::string& word = words[recorded.size()];
-        recorded.push_back({axis.column().header, word.substr(word.find('=') + 1), axis.count});
+        recorded.push_back(recordedAxis(axis, word));
     }
     return recorded;
 }

@@ -30,6 +30,7 @@ constexpr Unit multiple(std::string_view name, double numerator, double denomina
 
 // Exact by definition.
 constexpr double poundForce = 4.4482216152605;
+constexpr double poundForceAnInch = 175.12683524647636;  // N/m
 
 constexpr std::array ratioUnits{decimal("", 0)};
 constexpr std::array lengthUnits{decimal("m", 0),          decimal("mm", -3), decimal("cm", -2),
@@ -43,27 +44,36 @@ constexpr std::array stressUnits{decimal("Pa", 0),
                                  decimal("GPa", 9),
                                  decimal("bar", 5),
                                  multiple("psi", 6894.757293168361),
-                                 multiple("ksi", 6894757.293168361)};
+                                 multiple("ksi", 6894757.293168361),
+                                 multiple("Mpsi", 6894757293.168361)};
 constexpr std::array densityUnits{decimal("kg/m^3", 0), decimal("g/cm^3", 3), decimal("t/m^3", 3),
                                   multiple("lb/ft^3", 16.018463373960142)};
 constexpr std::array timeUnits{decimal("s", 0), decimal("ms", -3), decimal("us", -6), decimal("ns", -9),
                                multiple("min", 60)};
-constexpr std::array impulseUnits{decimal("N s", 0), decimal("kN s", 3), multiple("lbf s", poundForce)};
-constexpr std::array forceUnits{decimal("N", 0), decimal("kN", 3), decimal("MN", 6),
-                                multiple("lbf", poundForce), multiple("kgf", 980665, 1e5)};
+constexpr std::array impulseUnits{decimal("N s", 0), decimal("kN s", 3), decimal("MN s", 6),
+                                  multiple("lbf s", poundForce)};
+constexpr std::array forceUnits{decimal("N", 0),
+                                decimal("kN", 3),
+                                decimal("MN", 6),
+                                decimal("GN", 9),
+                                multiple("lbf", poundForce),
+                                multiple("kip", 1000 * poundForce),
+                                multiple("kgf", 980665, 1e5)};
 constexpr std::array stiffnessUnits{decimal("N/m", 0),
                                     decimal("kN/m", 3),
                                     decimal("MN/m", 6),
                                     decimal("GN/m", 9),
                                     decimal("N/mm", 3),
                                     decimal("kN/mm", 6),
-                                    multiple("lbf/in", 175.12683524647636)};
-constexpr std::array velocityUnits{decimal("m/s", 0),        decimal("mm/s", -3),
-                                   multiple("km/h", 5, 18),  multiple("ft/s", 3048, 1e4),
-                                   multiple("m/min", 1, 60), multiple("ft/min", 3048, 6e5)};
+                                    multiple("lbf/in", poundForceAnInch),
+                                    multiple("kip/in", 1000 * poundForceAnInch)};
+constexpr std::array velocityUnits{decimal("m/s", 0),           decimal("mm/s", -3),
+                                   multiple("km/h", 5, 18),     multiple("ft/s", 3048, 1e4),
+                                   multiple("m/min", 1, 60),    multiple("ft/min", 3048, 6e5),
+                                   multiple("in/min", 254, 6e5)};
 constexpr std::array frequencyUnits{decimal("Hz", 0), decimal("kHz", 3), multiple("1/min", 1, 60),
                                     multiple("bpm", 1, 60), multiple("rpm", 1, 60)};
-constexpr std::array energyUnits{decimal("J", 0), decimal("kJ", 3), decimal("MJ", 6),
+constexpr std::array energyUnits{decimal("J", 0), decimal("mJ", -3), decimal("kJ", 3), decimal("MJ", 6),
                                  multiple("ft lbf", 1.3558179483314004)};
 constexpr std::array powerUnits{decimal("W", 0), decimal("kW", 3), decimal("MW", 6),
                                 multiple("hp", 745.69987158227022)};  // 550 ft lbf/s

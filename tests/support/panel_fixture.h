@@ -11,6 +11,7 @@
 #include "core/file/examples.h"
 #include "tests/support/scripted_questions.h"
 #include "ui/form/scenario_panel.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 
@@ -38,6 +39,7 @@ struct PanelFixture {
 
     /// As at the next start of the program.
     void makePanel() {
+        UnitChoice::shared().restore();
         panel = std::make_unique<ScenarioPanel>(document, questions);
         panel->resize(420, 900);
         panel->show();

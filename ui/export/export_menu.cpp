@@ -201,7 +201,8 @@ SolvedRun ExportMenu::solvedRun() const {
     const SolvedBlowPtr blow = m_sources.blow();
     return {.blow = *blow,
             .scenarioText = completeScenarioText(m_document.contents()),
-            .units = blow->request.units == UnitSystem::si ? OutputUnits::si : OutputUnits::dimensionless};
+            .units = blow->request.units == UnitSystem::dimensionless ? OutputUnits::dimensionless
+                                                                      : OutputUnits::si};
 }
 
 QString ExportMenu::suggestion(const QString& ending) const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/form/parameter_row.h"
 
-#include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid,
@@ -11,7 +11,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTit
     : QObject(parent),
       m_parameter(parameter),
       m_label(new QLabel(parent)),
-      m_field(new QuantityField(parameter.quantity, parameter.displayUnit(), parent)),
+      m_field(new QuantityField(parameter.quantity, UnitChoice::shared().fieldUnit(parameter), parent)),
       m_slider(new QuantitySlider(parameter.plausible, parameter.slider, parent)),
       m_message(new QLabel(parent)) {
     m_field->setStepAtZero((parameter.plausible.high - parameter.plausible.low) / 100);
@@ -21,7 +21,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTit
     m_message->setVisible(false);
     m_message->setTextInteractionFlags(Qt::TextSelectableByMouse);
     nameWidgets(sectionTitle);
-    rememberUnit();
+    followUnits();
 
     const int row = grid->rowCount();
     grid->addWidget(m_label, row, 0);
@@ -40,14 +40,14 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTit
     });
 }
 
-// The unit of choice is that of this parameter in every scenario and every run.
-void ParameterRow::rememberUnit() {
-    const QString settingsKey = QStringLiteral("units/") + fromView(m_parameter.key);
-    const std::string name = Settings().value(settingsKey).toString().toStdString();
-    if (const Unit* unit = name.empty() ? nullptr : findUnit(m_parameter.quantity, name))
-        m_field->setUnit(*unit);
+// A unit chosen here is that of this parameter in every scenario and every run, until others are chosen for
+// more than this.
+void ParameterRow::followUnits() {
+    UnitChoice& units = UnitChoice::shared();
     connect(m_field, &QuantityField::unitChosen, this,
-            [settingsKey](const Unit& unit) { Settings().setValue(settingsKey, fromView(unit.name)); });
+            [this, &units](const Unit& unit) { units.chooseForField(m_parameter, unit); });
+    connect(&units, &UnitChoice::changed, this,
+            [this, &units] { m_field->setUnit(units.fieldUnit(m_parameter)); });
 }
 
 void ParameterRow::nameWidgets(const QString& sectionTitle) {

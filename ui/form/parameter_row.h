@@ -41,7 +41,7 @@ class ParameterRow : public QObject {
 
   private:
     void setVisible(bool visible);
-    void rememberUnit();
+    void followUnits();
     void nameWidgets(const QString& sectionTitle);
     void drag(double si);
     void showProblem(const QString& problem);

@@ -11,6 +11,7 @@
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/shown_units.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -18,29 +19,23 @@ namespace {
 constexpr int digits = 3;
 constexpr int gap = 4;  // between the frame, the labels and the curve [px]
 
-// In a unit that suits this value, which may be far from the mean force that other units go by.
-QString peakText(double peak, Scales scales, UnitSystem system) {
-    const QLocale locale;
-    if (system == UnitSystem::dimensionless) {
-        const ShownUnit unit = shownUnits(system, scales).force;
-        return peak == 1 ? unit.unit : numberText(peak, digits, locale) + QChar(QChar::Nbsp) + unit.unit;
-    }
-    scales.force *= peak;
-    const ShownUnit unit = shownUnits(system, scales).force;
-    return numberText(unit.factor, digits, locale) + QChar(QChar::Nbsp) + unit.unit;
+QString peakText(double peak, const Scenario& scenario) {
+    if (naturalUnits(scenario) == UnitSystem::si)
+        return pulseText(peak * scalesOf(scenario).force, UnitKind::force);
+    const QString unit = QStringLiteral("F₀");
+    return peak == 1 ? unit : numberText(peak, digits, QLocale()) + QChar(QChar::Nbsp) + unit;
 }
 
 }  // namespace
 
-QString blowTimeText(double seconds) {
-    struct Prefixed {
-        double factor;
-        QString unit;
-    };
-    const Prefixed unit = seconds < 1e-3 ? Prefixed{1e6, QStringLiteral("µs")}
-                          : seconds < 1  ? Prefixed{1e3, QStringLiteral("ms")}
-                                         : Prefixed{1, QStringLiteral("s")};
-    return numberText(seconds * unit.factor, digits, QLocale()) + QChar(QChar::Nbsp) + unit.unit;
+// In a unit that suits this value, which may be far from the mean force that other units go by.
+QString pulseText(double si, UnitKind kind) {
+    const UnitChoice& choice = UnitChoice::shared();
+    ShownUnits units;
+    units.system = choice.physicalSystem();
+    units.chosen = choice.chosen();
+    const ShownUnit unit = units.of(kind, si);
+    return numberText(si * unit.factor, digits, QLocale()) + QChar(QChar::Nbsp) + unit.unit;
 }
 
 PulsePreview::PulsePreview(QWidget* parent) : QWidget(parent) {
@@ -51,14 +46,12 @@ PulsePreview::PulsePreview(QWidget* parent) : QWidget(parent) {
 
 void PulsePreview::present(const Scenario& scenario) {
     const PulseForce force = pulseForceOf(scenario);
-    const UnitSystem system = naturalUnits(scenario);
-    const Scales scales = scalesOf(scenario);
     const PulseCurve curve(force);
     m_curve = curve.points;
     m_end = curve.end;
-    const bool si = system == UnitSystem::si;
-    const QString duration = si ? blowTimeText(scales.time) : QStringLiteral("t₀");
-    const QString peak = peakText(force.peak, scales, system);
+    const bool si = naturalUnits(scenario) == UnitSystem::si;
+    const QString duration = si ? pulseText(scalesOf(scenario).time, UnitKind::time) : QStringLiteral("t₀");
+    const QString peak = peakText(force.peak, scenario);
     m_peakText = tr("peak %1").arg(peak);
     m_timeText = si ? tr("t₀ = %1").arg(duration) : duration;
     m_words = m_curve.isEmpty() ? tr("No hammer force: the rod arrives with a uniform velocity")

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "core/model/scenario.h"
+#include "ui/text/unit_kind.h"
 
 namespace drillwave {
 
@@ -37,7 +38,7 @@ class PulsePreview : public QWidget {
 /// "half sine", as people write it.
 QString shapeText(PulseShape shape);
 
-/// The duration of a blow with three digits: "200 µs", "1.5 ms".
-QString blowTimeText(double seconds);
+/// A duration, force or impulse of the hammer with three digits, in the user's units: "200 µs", "57.3 kip".
+QString pulseText(double si, UnitKind kind);
 
 }  // namespace drillwave

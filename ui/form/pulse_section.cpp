@@ -8,8 +8,6 @@
 #include <QSignalBlocker>
 
 #include "core/model/scales.h"
-#include "ui/text/number_text.h"
-#include "ui/text/shown_units.h"
 
 namespace drillwave {
 namespace {
@@ -25,10 +23,9 @@ QString tableText(const Scenario& scenario) {
                                    QFileInfo(QFile::decodeName(scenario.pulse.tableFile.c_str())).fileName());
     if (scenario.form == ScenarioForm::dimensionless)
         return PulseSection::tr("%1 points, scaled to t₀ and I₀, %2").arg(locale.toString(count), from);
-    const ShownUnits units = shownUnits(UnitSystem::si, scalesOf(scenario));
     return PulseSection::tr("%1 points, %2, %3, %4")
-        .arg(locale.toString(count), blowTimeText(pulseDuration(scenario)),
-             quantityText(1, units.impulse, locale), from);
+        .arg(locale.toString(count), pulseText(pulseDuration(scenario), UnitKind::time),
+             pulseText(pulseImpulse(scenario), UnitKind::impulse), from);
 }
 
 }  // namespace

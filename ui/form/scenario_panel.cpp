@@ -8,6 +8,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/text/unit_choice.h"
+
 namespace drillwave {
 namespace {
 
@@ -38,6 +40,10 @@ ScenarioPanel::ScenarioPanel(Document& document, Questions& questions, QWidget* 
     layout->addStretch();
     alignColumns();
     connect(&document, &Document::scenarioChanged, this, &ScenarioPanel::showScenario);
+    connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
+        alignColumns();
+        showScenario();
+    });
     showScenario();
 }
 

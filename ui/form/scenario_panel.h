@@ -61,7 +61,7 @@ class ScenarioPanel : public QScrollArea {
     PulseSection* m_pulse = nullptr;
     QList<Section> m_sections;
     int m_gesture = m_document.newGesture();  // until edits have ended
-    bool m_dragged = false;  // a slider is held
+    bool m_dragged = false;                   // a slider is held
 };
 
 }  // namespace drillwave

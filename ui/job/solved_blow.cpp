@@ -29,7 +29,7 @@ SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexc
         if (!problems.empty()) return failedBlow(request, QString::fromStdString(problems.front().text));
         static_cast<Blow&>(*blow) =
             solveBlow(request.scenario, {}, Detail::histories, request.stop, Stresses::wanted, solver);
-        blow->units = shownUnits(request.units, blow->scales);
+        blow->units = shownUnits(request.units, blow->scales, request.chosenUnits);
         blow->problem = whyUnsolved(*blow);
         if (blow->isSolved()) preparePages(*blow);
     } catch (const std::exception& error) {
@@ -42,6 +42,8 @@ SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem) {
     auto blow = std::make_shared<SolvedBlow>();
     blow->request = request;
     blow->problem = problem;
+    blow->units.system = request.units;
+    blow->units.chosen = request.chosenUnits;
     return blow;
 }
 

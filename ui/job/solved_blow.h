@@ -19,6 +19,7 @@ namespace drillwave {
 struct SolveRequest {
     Scenario scenario;
     UnitSystem units = UnitSystem::dimensionless;
+    ChosenUnits chosenUnits = {};  ///< of kinds that do not follow `units`
     std::vector<PreparePage> pages;
     std::uint64_t number = 0;   ///< counts what was asked: tells the answer to the last question
     std::stop_token stop = {};  ///< ends the work early, with a problem for an answer

@@ -11,28 +11,34 @@
 namespace drillwave {
 namespace {
 
-QString newtons(double force) {
-    return quantityText(force, ShownUnit{1e-3, QStringLiteral("kN"), false}, QLocale());
+// In the unit that suits the thrust needed, so that all can be compared at a glance.
+ShownUnit unitOf(const SolvedBlow& blow) {
+    const double installed = blow.scenario.drill.thrust.value_or(0);
+    return blow.units.of(UnitKind::force, blow.feed ? blow.feed->fullRate : installed);
+}
+
+QString forceText(double force, const SolvedBlow& blow) {
+    return quantityText(force, unitOf(blow), QLocale());
 }
 
 }  // namespace
 
 QString thrustNeededText(const SolvedBlow& blow) {
     if (!blow.feed) return {};
-    return QStringLiteral("%1 … %2").arg(numberText(blow.feed->fullRate / 1000, 4, QLocale()),
-                                         newtons(blow.feed->returned));
+    return QStringLiteral("%1 … %2").arg(numberText(blow.feed->fullRate * unitOf(blow).factor, 4, QLocale()),
+                                         forceText(blow.feed->returned, blow));
 }
 
 QString thrustInstalledText(const SolvedBlow& blow) {
     const std::optional<double>& installed = blow.scenario.drill.thrust;
-    return installed ? newtons(*installed) : QString();
+    return installed ? forceText(*installed, blow) : QString();
 }
 
 QString thrustMarginText(const SolvedBlow& blow) {
     if (!blow.feed || !blow.feed->force) return {};
     const double margin = *blow.feed->effective() - blow.feed->fullRate;
     const QString share = numberText(std::round(100 * margin / blow.feed->fullRate), 4, QLocale());
-    return newtons(margin) + QStringLiteral(" (%1%2 %)").arg(margin > 0 ? "+" : "", share);
+    return forceText(margin, blow) + QStringLiteral(" (%1%2 %)").arg(margin > 0 ? "+" : "", share);
 }
 
 QString feedText(const SolvedBlow& blow) {

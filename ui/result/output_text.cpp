@@ -17,10 +17,6 @@ QString shown(double value, const ShownUnit& unit) {
     return quantityText(value, unit, QLocale());
 }
 
-QString inUnit(double value, double factor, const char* unit) {
-    return shown(value, ShownUnit{factor, QString::fromUtf8(unit), false});
-}
-
 // Shares of the energy are known to 1e-12: what is smaller is rounding.
 QString percent(double fraction) {
     return numberText(std::abs(fraction) < 1e-12 ? 0 : 100 * fraction, 4, QLocale()) + QChar(QChar::Nbsp) +
@@ -32,7 +28,6 @@ QString percent(double fraction) {
 QString outputText(const Output& output, const SolvedBlow& blow) {
     const std::optional<double> found = output.value({blow.summary, blow.scenario});
     if (!found) return {};
-    const bool si = blow.request.units == UnitSystem::si;
     const double value = *found;
     switch (output.measure) {
         case Measure::number:
@@ -40,8 +35,7 @@ QString outputText(const Output& output, const SolvedBlow& blow) {
         case Measure::error:
             return magnitudeText(value, QLocale());
         case Measure::work:
-            return si ? inUnit(value, blow.scales.energy, "J")
-                      : numberText(value, 4, QLocale()) + QStringLiteral(" W₀");
+            return shown(value, blow.units.energy);
         case Measure::share:
             return percent(value);
         case Measure::time:
@@ -53,13 +47,13 @@ QString outputText(const Output& output, const SolvedBlow& blow) {
         case Measure::penetration:
             return shown(value, blow.units.penetration);
         case Measure::stress:
-            return si ? inUnit(value, blow.scales.stress * 1e-6, "MPa") : shown(value, blow.units.force);
+            return shown(value, blow.units.stress);
         case Measure::newton:
-            return inUnit(value, 1e-3, "kN");
+            return shown(value, blow.units.of(UnitKind::force, value));
         case Measure::watt:
-            return inUnit(value, 1e-3, "kW");
+            return shown(value, blow.units.of(UnitKind::power, value));
         case Measure::speed:
-            return inUnit(value, 1e3, "mm/s");
+            return shown(value, blow.units.of(UnitKind::rate, value));
     }
     return {};
 }
@@ -71,7 +65,7 @@ QString placeText(const Output& output, const SolvedBlow& blow) {
     const QString time = shown(force.time, blow.units.time);
     if (blow.request.units == UnitSystem::dimensionless)
         return words("at x/L = %1, t = %2").arg(numberText(force.section, 3, QLocale()), time);
-    return words("%1 from the hammer, t = %2").arg(inUnit(force.section, blow.scales.length, "m"), time);
+    return words("%1 from the hammer, t = %2").arg(shown(force.section, blow.units.length), time);
 }
 
 }  // namespace drillwave

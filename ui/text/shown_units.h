@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The units in which results are shown: dimensionless, or SI units of a handy size.
+// The units in which results are shown: dimensionless, or physical ones of a handy size.
 #pragma once
 
 #include <QString>
 
 #include "core/model/scales.h"
 #include "core/model/scenario.h"
+#include "ui/text/unit_kind.h"
 
 namespace drillwave {
-
-enum class UnitSystem { dimensionless, si };
 
 /// SI where a scenario has physical quantities, dimensionless otherwise.
 UnitSystem naturalUnits(const Scenario& scenario);
@@ -25,6 +24,9 @@ struct ShownUnit {
     QString axisLabel(const QString& words) const;
 };
 
+/// Of values in SI: shown value = SI value · factor.
+ShownUnit shownUnit(const Unit& unit);
+
 /// The units of all that is plotted or listed for one blow.
 struct ShownUnits {
     ShownUnit time;
@@ -33,10 +35,18 @@ struct ShownUnits {
     ShownUnit penetration;  ///< displacements in d0, twice the displacement unit of Impact
     ShownUnit stiffness;    ///< in k0, as β is
     ShownUnit energy;       ///< in W0; that of Impact is 2τ W0
+    ShownUnit stress;       ///< in F0/A; forces stand for it where all is dimensionless
+    ShownUnit length;       ///< places in the rod, in L
+    UnitSystem system = UnitSystem::dimensionless;
+    ChosenUnits chosen = {};
     bool operator==(const ShownUnits&) const = default;
+
+    /// Of values in SI that are about as large as `size` and have no dimensionless number, such as thrusts.
+    ShownUnit of(UnitKind kind, double size) const;
 };
 
 /// Prefixes follow the scales (not the results), so that they do not flicker while a value is dragged.
-ShownUnits shownUnits(UnitSystem units, const Scales& scales);
+/// `chosen` are the units of kinds that do not follow the system.
+ShownUnits shownUnits(UnitSystem units, const Scales& scales, const ChosenUnits& chosen = {});
 
 }  // namespace drillwave

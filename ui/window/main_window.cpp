@@ -22,6 +22,7 @@
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/number_text.h"
+#include "ui/text/unit_choice.h"
 #include "ui/window/area_keys.h"
 #include "ui/window/example_note.h"
 #include "ui/window/file_drop.h"
@@ -60,6 +61,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     : QMainWindow(parent),
       m_questions(std::move(questions)),
       m_job(std::move(job)),
+      m_units(new UnitsChoice(this)),
       m_pages(new PageTabs(this)),
       m_solveStatus(new SolveStatus(this)),
       m_studyStatus(new StudyStatus(this)),
@@ -74,7 +76,6 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
     m_pages->add(new GapPage(m_document), PageGroup::studies);
-    m_units = new UnitsChoice(this);
     addMenus();
     addStatusBar();
     wire();
@@ -101,6 +102,7 @@ void MainWindow::addTabs() {
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     bar->toggleViewAction()->setVisible(false);
     bar->addWidget(m_pages->strip());
+    bar->addWidget(m_units->button());
     addToolBar(bar);
 }
 
@@ -144,7 +146,7 @@ void MainWindow::addMenus() {
 
 void MainWindow::addViewMenu() {
     QMenu* view = menuBar()->addMenu(tr("&View"));
-    m_units->addTo(*view);
+    view->addMenu(m_units);
     view->addSeparator();
     view->addAction(tr("&Fit plots"), QKeySequence(Qt::CTRL | Qt::Key_0), this,
                     [this] { m_pages->current().fit(); });
@@ -160,7 +162,6 @@ void MainWindow::addViewMenu() {
 void MainWindow::addStatusBar() {
     statusBar()->addWidget(m_solveStatus);
     statusBar()->addPermanentWidget(m_studyStatus);
-    m_units->addTo(*statusBar());
 }
 
 void MainWindow::wire() {
@@ -258,6 +259,7 @@ SolveRequest MainWindow::request() {
     if (PreparePage prepare = m_pages->current().prepare()) pages.push_back(std::move(prepare));
     return {.scenario = m_document.scenario(),
             .units = m_units->of(m_document.scenario()),
+            .chosenUnits = UnitChoice::shared().chosen(),
             .pages = std::move(pages),
             .number = ++m_asked};
 }
@@ -295,7 +297,6 @@ void MainWindow::presentState() {
 
 void MainWindow::saveChoices() const {
     m_layout->save();
-    m_units->save();
     m_pages->saveChoice();
 }
 

@@ -86,11 +86,11 @@ class MainWindow : public QMainWindow {
     FileNotice* m_fileNotice = nullptr;
     Recovery* m_recovery = nullptr;
     ResultPanel* m_resultPanel = nullptr;
+    UnitsChoice* m_units;
     PageTabs* m_pages;
     SolveStatus* m_solveStatus;
     StudyStatus* m_studyStatus;
     WindowLayout* m_layout;
-    UnitsChoice* m_units = nullptr;
     // What a preset leaves of the case before it.
     enum class GhostStay { no, overThisChange, untilTheNextChange };
     GhostStay m_ghostStays = GhostStay::no;

@@ -2,75 +2,103 @@
 #include "ui/window/units_choice.h"
 
 #include <QActionGroup>
-#include <QKeySequence>
-#include <QMenu>
-#include <QRadioButton>
-#include <QStatusBar>
+#include <QCoreApplication>
+#include <QToolButton>
 
-#include "ui/text/settings.h"
+#include "ui/form/unit_button.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/typed_text.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
 
-const QString unitsKey = QStringLiteral("window/units");
-const QString siName = QStringLiteral("si");
-const QString dimensionlessName = QStringLiteral("dimensionless");
+QString shortName(UnitSystem system) {
+    switch (system) {
+        case UnitSystem::dimensionless:
+            return UnitsChoice::tr("dimensionless");
+        case UnitSystem::us:
+            return UnitsChoice::tr("US");
+        case UnitSystem::si:
+            break;
+    }
+    return UnitsChoice::tr("SI");
+}
 
 }  // namespace
 
 UnitsChoice::UnitsChoice(QWidget* window)
-    : QObject(window),
-      m_actions(new QActionGroup(this)),
-      m_dimensionless(addControl(UnitSystem::dimensionless, tr("&Dimensionless"),
-                                 QKeySequence(Qt::CTRL | Qt::Key_D), tr("dimensionless"),
-                                 tr("Show results dimensionless"))),
-      m_si(addControl(UnitSystem::si, tr("&SI units"), QKeySequence(Qt::CTRL | Qt::Key_I), tr("SI"),
-                      tr("Show results in SI units"))) {
-    if (Settings().value(unitsKey).toString() == dimensionlessName) m_wanted = UnitSystem::dimensionless;
+    : QMenu(tr("&Units"), window), m_systems(new QActionGroup(this)), m_button(new UnitButton(window)) {
+    UnitChoice::shared().restore();
+    setToolTipsVisible(true);
+    addSystem(UnitSystem::si, tr("&SI"), QKeySequence(Qt::CTRL | Qt::Key_I));
+    addSystem(UnitSystem::us, tr("&US customary"), QKeySequence(Qt::CTRL | Qt::Key_U));
+    addSystem(UnitSystem::dimensionless, tr("&Dimensionless"), QKeySequence(Qt::CTRL | Qt::Key_D));
+    addSeparator();
+    for (const UnitKindRow& row : unitKinds()) addKind(row);
+    m_button->setObjectName(QStringLiteral("units"));
+    m_button->setMenu(this);
+    m_button->setFocusPolicy(Qt::TabFocus);
+    m_button->setToolTip(tr("Units of fields, results and plots"));
+    connect(&UnitChoice::shared(), &UnitChoice::changed, this, &UnitsChoice::chosen);
 }
 
-UnitsChoice::Control UnitsChoice::addControl(UnitSystem units, const QString& menuText,
-                                             const QKeySequence& keys, const QString& buttonText,
-                                             const QString& buttonName) {
-    QAction* action = m_actions->addAction(menuText);
+QAction* UnitsChoice::addSystem(UnitSystem system, const QString& text, const QKeySequence& keys) {
+    QAction* action = m_systems->addAction(text);
     action->setShortcut(keys);
     action->setCheckable(true);
-    connect(action, &QAction::triggered, this, [this, units] { choose(units); });
-    auto* button = new QRadioButton(buttonText, static_cast<QWidget*>(parent()));
-    button->setAccessibleName(buttonName);
-    connect(button, &QRadioButton::clicked, this, [this, units] { choose(units); });
-    return {action, button};
+    action->setData(static_cast<int>(system));
+    connect(action, &QAction::triggered, this, [this, system] { choose(system); });
+    addAction(action);
+    return action;
 }
 
-void UnitsChoice::addTo(QMenu& menu) {
-    menu.addActions(m_actions->actions());
-}
-
-void UnitsChoice::addTo(QStatusBar& bar) {
-    for (QRadioButton* button : {m_dimensionless.button, m_si.button}) bar.addPermanentWidget(button);
+void UnitsChoice::addKind(const UnitKindRow& row) {
+    QMenu* menu = addMenu(QCoreApplication::translate("UnitKind", row.label));
+    auto* group = new QActionGroup(menu);
+    const auto add = [&](const QString& text, const Unit* unit) {
+        QAction* action = group->addAction(text);
+        action->setCheckable(true);
+        action->setData(QVariant::fromValue(static_cast<const void*>(unit)));
+        connect(action, &QAction::triggered, this,
+                [kind = row.kind, unit] { UnitChoice::shared().choose(kind, unit); });
+        menu->addAction(action);
+    };
+    add(tr("as in the system chosen"), nullptr);
+    menu->addSeparator();
+    for (const Unit& unit : unitsOf(row.quantity)) add(shownUnitName(unit.name), &unit);
+    m_kinds.append(group);
 }
 
 UnitSystem UnitsChoice::of(const Scenario& scenario) const {
-    return naturalUnits(scenario) == UnitSystem::si ? m_wanted : UnitSystem::dimensionless;
+    return naturalUnits(scenario) == UnitSystem::dimensionless ? UnitSystem::dimensionless
+                                                               : UnitChoice::shared().system();
 }
 
 void UnitsChoice::choose(UnitSystem units) {
-    m_wanted = units;
-    emit chosen();
+    UnitChoice::shared().choose(units);
 }
 
 void UnitsChoice::present(const Scenario& scenario) {
-    const bool hasSi = naturalUnits(scenario) == UnitSystem::si;
-    m_si.button->setEnabled(hasSi);
-    m_si.action->setEnabled(hasSi);
-    m_si.button->setToolTip(hasSi ? QString() : tr("This scenario is dimensionless: it has no SI values."));
-    const Control& control = of(scenario) == UnitSystem::si ? m_si : m_dimensionless;
-    control.button->setChecked(true);
-    control.action->setChecked(true);
-}
-
-void UnitsChoice::save() const {
-    Settings().setValue(unitsKey, m_wanted == UnitSystem::si ? siName : dimensionlessName);
+    const bool physical = naturalUnits(scenario) != UnitSystem::dimensionless;
+    const UnitSystem shown = of(scenario);
+    for (QAction* action : m_systems->actions()) {
+        const bool isDimensionless = action->data().toInt() == static_cast<int>(UnitSystem::dimensionless);
+        action->setEnabled(physical || isDimensionless);
+        action->setToolTip(action->isEnabled()
+                               ? QString()
+                               : tr("This scenario is dimensionless: it has no physical values."));
+        action->setChecked(action->data().toInt() == static_cast<int>(shown));
+    }
+    const ChosenUnits& chosen = UnitChoice::shared().chosen();
+    for (qsizetype i = 0; i < m_kinds.size(); ++i) {
+        const auto own = chosen.find(unitKinds()[static_cast<std::size_t>(i)].kind);
+        const void* unit = own == chosen.end() ? nullptr : own->second;
+        for (QAction* action : m_kinds[i]->actions())
+            action->setChecked(action->data().value<const void*>() == unit);
+    }
+    m_button->setText(shortName(shown));
+    m_button->setAccessibleName(tr("Units: %1").arg(m_button->text()));
 }
 
 }  // namespace drillwave

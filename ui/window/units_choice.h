@@ -1,52 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dimensionless or SI: chosen in the menu or in the status bar, kept over the end of the program.
+// The menu of units: a system, and for each kind of value another unit; in View and behind a button.
 #pragma once
 
-#include <QObject>
+#include <QMenu>
 
 #include "ui/text/shown_units.h"
 
-class QAction;
 class QActionGroup;
-class QMenu;
-class QRadioButton;
-class QStatusBar;
-class QWidget;
+class QToolButton;
 
 namespace drillwave {
 
-/// What is wanted stays while a scenario has no SI.
-class UnitsChoice : public QObject {
+/// Sets UnitChoice. What is wanted stays while a scenario has no physical units.
+class UnitsChoice : public QMenu {
     Q_OBJECT
 
   public:
-    /// Begins with what was kept.
     explicit UnitsChoice(QWidget* window);
 
-    void addTo(QMenu& menu);
-    void addTo(QStatusBar& bar);
+    /// Shows the system chosen, and opens the menu.
+    QToolButton* button() const { return m_button; }
     /// The units of a scenario: those wanted, where it has them.
     UnitSystem of(const Scenario& scenario) const;
     void choose(UnitSystem units);
     /// Shows what can be chosen for a scenario, and what is.
     void present(const Scenario& scenario);
-    void save() const;
 
   signals:
     void chosen();
 
   private:
-    struct Control {
-        QAction* action;
-        QRadioButton* button;
-    };
-    Control addControl(UnitSystem units, const QString& menuText, const QKeySequence& keys,
-                       const QString& buttonText, const QString& buttonName);
+    QAction* addSystem(UnitSystem system, const QString& text, const QKeySequence& keys);
+    void addKind(const UnitKindRow& row);
 
-    QActionGroup* m_actions;
-    Control m_dimensionless;
-    Control m_si;
-    UnitSystem m_wanted = UnitSystem::si;
+    QActionGroup* m_systems;
+    QList<QActionGroup*> m_kinds;  // as in unitKinds()
+    QToolButton* m_button;
 };
 
 }  // namespace drillwave

@@ -8,7 +8,6 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QRadioButton>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
@@ -28,8 +27,10 @@
 #include "ui/plot/plot_widget.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
+#include "ui/text/unit_choice.h"
 #include "ui/window/example_note.h"
 #include "ui/window/file_menu.h"
+#include "ui/window/units_choice.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -67,6 +68,9 @@ class TestMainWindow : public QObject {
     void aBadFileIsReportedAndThePresentScenarioStays();
     void closingAsksAboutUnsavedChanges();
     void unitsOfResultsCanBeSwitched();
+    void usUnitsAreThoseOfFieldsResultsAndPlots();
+    void oneKindOfValueCanHaveAnotherUnit();
+    void aFieldKeepsItsOwnUnitUntilASystemIsChosen();
     void aDimensionlessScenarioHasNoSi();
     void theSectionOfTheWavesCanBeMoved();
     void theShapeOfThePulseChangesItsRows();
@@ -89,6 +93,7 @@ class TestMainWindow : public QObject {
     }
     double cor() const { return m_window->shown()->summary.cor; }
     void makeWindow(SolveJob::Solve solve);
+    QString forceAxis();
     void settle() { QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy()); }
 
     QTemporaryDir m_folder;
@@ -308,8 +313,8 @@ void TestMainWindow::unitsOfResultsCanBeSwitched() {
                 ->axis(QCPAxis::atLeft)
                 ->label()
                 .contains(QStringLiteral("[kN]")));
-    for (QRadioButton* button : window().findChildren<QRadioButton*>())
-        if (button->text() == QStringLiteral("dimensionless")) button->click();
+    for (QAction* action : part<UnitsChoice>(window()).actions())
+        if (action->text() == QStringLiteral("&Dimensionless")) action->trigger();
     settle();
     QTRY_VERIFY(part<BlowPage>(window())
                     .plots()
@@ -318,6 +323,64 @@ void TestMainWindow::unitsOfResultsCanBeSwitched() {
                     ->label()
                     .contains(QStringLiteral("F₀")));
     QCOMPARE(window().shown()->units.force.factor, 1.0);
+}
+
+QString TestMainWindow::forceAxis() {
+    return part<BlowPage>(window()).plots()->axisRect(1)->axis(QCPAxis::atLeft)->label();
+}
+
+void TestMainWindow::usUnitsAreThoseOfFieldsResultsAndPlots() {
+    const double length = *field("rod.length").value();
+    part<UnitsChoice>(window()).choose(UnitSystem::us);
+    settle();
+    QTRY_VERIFY(forceAxis().contains(QStringLiteral("[kip]")));
+    QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
+    QCOMPARE(field("rod.diameter").unit().name, std::string_view("in"));
+    QCOMPARE(field("rod.youngs_modulus").unit().name, std::string_view("Mpsi"));
+    QCOMPARE(field("drill.thrust").unit().name, std::string_view("kip"));
+    QCOMPARE(*field("rod.length").value(), length);
+    const QString results = part<ResultPanel>(window()).text();
+    for (const char* unit : {"kip", "ft lbf", "ksi", "lbf s", "in\n"})
+        QVERIFY2(results.contains(QLatin1String(unit)), unit);
+    for (const char* unit : {"kN", "MPa", "mm"})
+        QVERIFY2(!results.contains(QChar(QChar::Nbsp) + QLatin1String(unit)), unit);
+    // Dimensionless results leave the fields as they are.
+    part<UnitsChoice>(window()).choose(UnitSystem::dimensionless);
+    settle();
+    QTRY_VERIFY(forceAxis().contains(QStringLiteral("F₀")));
+    QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
+}
+
+void TestMainWindow::oneKindOfValueCanHaveAnotherUnit() {
+    UnitChoice& units = UnitChoice::shared();
+    units.choose(UnitKind::force, findUnit(Quantity::force, "lbf"));
+    settle();
+    QTRY_VERIFY(forceAxis().contains(QStringLiteral("[lbf]")));
+    QCOMPARE(field("drill.thrust").unit().name, std::string_view("lbf"));
+    QCOMPARE(field("rod.length").unit().name, std::string_view("m"));
+    QVERIFY(window().close());
+    makeWindow(exactSolve());
+    QVERIFY(forceAxis().contains(QStringLiteral("[lbf]")));
+    units.choose(UnitKind::force, nullptr);
+    settle();
+    QTRY_VERIFY(forceAxis().contains(QStringLiteral("[kN]")));
+}
+
+void TestMainWindow::aFieldKeepsItsOwnUnitUntilASystemIsChosen() {
+    const auto chooseInField = [this](const QString& name) {
+        for (QAction* action : field("rod.length").unitButton()->menu()->actions())
+            if (action->text() == name) action->trigger();
+    };
+    chooseInField(QStringLiteral("cm"));
+    QCOMPARE(field("rod.length").unit().name, std::string_view("cm"));
+    UnitChoice::shared().choose(UnitKind::force, findUnit(Quantity::force, "N"));
+    QCOMPARE(field("rod.length").unit().name, std::string_view("cm"));
+    part<UnitsChoice>(window()).choose(UnitSystem::si);
+    QCOMPARE(field("rod.length").unit().name, std::string_view("m"));
+    chooseInField(QStringLiteral("cm"));
+    UnitChoice::shared().choose(UnitKind::length, findUnit(Quantity::length, "ft"));
+    QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
+    QVERIFY(!Settings().contains(QStringLiteral("units/rod.length")));
 }
 
 void TestMainWindow::aDimensionlessScenarioHasNoSi() {

@@ -107,7 +107,8 @@ void BlowPage::showPlace() {
     m_place->setVisible(hasLength);
     if (!hasLength) return;
     const double x = m_observation.section() * m_blow->request.scenario.rod.length;
-    m_place->setText(tr("%1 m from the struck end").arg(numberText(x, 4, QLocale())));
+    const QString place = quantityText(x, m_blow->units.of(UnitKind::length, x), QLocale());
+    m_place->setText(tr("%1 from the struck end").arg(place));
 }
 
 void BlowPage::showInstant() {

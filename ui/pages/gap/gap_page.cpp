@@ -63,9 +63,10 @@ GapPage::Shown GapPage::wanted() const {
     Shown wanted{.answer = m_study.job().value(), .output = output(), .units = {}};
     if (!wanted.answer) return wanted;
     const Scenario& studied = wanted.answer->report.scenario;
-    const UnitSystem system =
-        blow() && isDimensional(studied) ? blow()->request.units : naturalUnits(studied);
-    wanted.units = shownUnits(system, scalesOf(studied));
+    const Scales scales = scalesOf(studied);
+    wanted.units = blow() && isDimensional(studied)
+                       ? shownUnits(blow()->request.units, scales, blow()->request.chosenUnits)
+                       : shownUnits(naturalUnits(studied), scales);
     return wanted;
 }
 

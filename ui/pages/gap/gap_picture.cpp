@@ -148,7 +148,10 @@ GapPicture gapPicture(const GapReport& report, GapOutput output, const ShownUnit
             (picture.isScattered ? *statistics.normalShareAboveOne : statistics.shareAboveOne).value;
     const GapOutputStatistics& cor = statistics.of(GapOutput::cor);
     const GapSpread& spread = picture.isScattered ? *cor.normal : cor.uniform;
-    picture.thrust = thrustNeeded(report.scenario, spread.quantiles.back().value);
+    if (const auto thrust = thrustNeeded(report.scenario, spread.quantiles.back().value)) {
+        picture.thrustUnit = units.of(UnitKind::force, *thrust);
+        picture.thrust = *thrust * picture.thrustUnit.factor;
+    }
     return picture;
 }
 

@@ -38,7 +38,8 @@ struct GapPicture {
     GapSpread spread;        ///< of the distribution that was asked for
     bool isScattered = false;             ///< that is normal, not of all gaps alike
     std::optional<double> shareAboveOne;  ///< of e
-    std::optional<double> thrust;         ///< for 95 % of gaps [N], where there is one
+    std::optional<double> thrust;         ///< for 95 % of gaps, where there is one
+    ShownUnit thrustUnit;                 ///< of it
 };
 
 /// Requires a complete curve with its statistics.

@@ -250,8 +250,8 @@ QString GapPlot::summary() const {
         text += tr(" · e > 1 at %1 of gaps").arg(percentText(*m_picture.shareAboveOne, locale));
     if (m_picture.thrust)
         text += tr(" · thrust for 95 % of gaps %1")
-                    .arg(numberText(*m_picture.thrust / 1000, 4, locale) + QChar(QChar::Nbsp) +
-                         QStringLiteral("kN"));
+                    .arg(numberText(*m_picture.thrust, 4, locale) + QChar(QChar::Nbsp) +
+                         m_picture.thrustUnit.unit);
     return text;
 }
 

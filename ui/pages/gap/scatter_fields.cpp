@@ -9,6 +9,7 @@
 #include "ui/form/choice_box.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/gap/gap_study.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -88,7 +89,12 @@ void ScatterFields::addFields() {
 
 QuantityField* ScatterFields::addField(const QString& words, const char* name, double ScatterFields::*value) {
     const Quantity quantity = quantityOf(m_scenario);
-    auto* field = new QuantityField(quantity, unitOf(quantity), m_fields);
+    UnitChoice& units = UnitChoice::shared();
+    const Parameter& gap = *findParameter("bit_rock.gap");
+    auto* field =
+        new QuantityField(quantity, isDimensional() ? units.fieldUnit(gap) : unitOf(quantity), m_fields);
+    if (isDimensional())
+        connect(&units, &UnitChoice::changed, field, [&, field] { field->setUnit(units.fieldUnit(gap)); });
     field->setObjectName(QString::fromLatin1(name));
     field->setAccessibleName(tr("%1 of the gap").arg(words));
     field->setStepAtZero(0.01 * m_d0);

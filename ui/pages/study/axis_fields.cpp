@@ -11,6 +11,7 @@
 #include "ui/form/choice_box.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/study/parameter_names.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 
@@ -80,7 +81,10 @@ void AxisFields::addFields() {
     layout->setSpacing(4);
     const Parameter& parameter = *m_range.parameter;
     const auto addField = [&](const QString& words, const QString& name, double StudyRange::*end) {
-        auto* field = new QuantityField(parameter.quantity, parameter.displayUnit(), m_fields);
+        UnitChoice& units = UnitChoice::shared();
+        auto* field = new QuantityField(parameter.quantity, units.fieldUnit(parameter), m_fields);
+        connect(&units, &UnitChoice::changed, field,
+                [field, &units, &parameter] { field->setUnit(units.fieldUnit(parameter)); });
         field->setObjectName(name);
         field->setAccessibleName(QStringLiteral("%1: %2 %3").arg(m_words, parameterName(parameter), words));
         field->setTaker([this, end](double si) { return take(end, si); });

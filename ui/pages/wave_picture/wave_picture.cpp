@@ -39,11 +39,9 @@ PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units) {
                 units.force};
     }
     const Scales scales = scalesOf(scenario);
-    return {{scales.length, QStringLiteral("m"), false},
-            units.time,
-            units.force,
-            {scales.particleVelocity, QStringLiteral("m/s"), false},
-            {scales.stress * 1e-6, QStringLiteral("MPa"), false}};
+    ShownUnit velocity = units.of(UnitKind::speed, scales.particleVelocity);
+    velocity.factor *= scales.particleVelocity;
+    return {units.length, units.time, units.force, velocity, units.stress};
 }
 
 QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QLocale& locale) {

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/unit_choice.h"
+
+#include "ui/text/settings.h"
+#include "ui/text/shown_text.h"
+
+namespace drillwave {
+namespace {
+
+const QString systemKey = QStringLiteral("window/units");
+const QString physicalKey = QStringLiteral("window/physicalUnits");
+
+QString nameOf(UnitSystem system) {
+    switch (system) {
+        case UnitSystem::dimensionless:
+            return QStringLiteral("dimensionless");
+        case UnitSystem::us:
+            return QStringLiteral("us");
+        case UnitSystem::si:
+            break;
+    }
+    return QStringLiteral("si");
+}
+
+// SI where the settings have no such name.
+UnitSystem keptSystem(const QString& key) {
+    const QString kept = Settings().value(key).toString();
+    for (const UnitSystem system : {UnitSystem::dimensionless, UnitSystem::us})
+        if (kept == nameOf(system)) return system;
+    return UnitSystem::si;
+}
+
+QString keyOf(const UnitKindRow& row) {
+    return QStringLiteral("unitKinds/") + QLatin1String(row.name);
+}
+
+QString keyOf(std::string_view parameter) {
+    return QStringLiteral("units/") + fromView(parameter);
+}
+
+const Unit* keptUnit(Quantity quantity, const QString& key) {
+    const std::string name = Settings().value(key).toString().toStdString();
+    return name.empty() ? nullptr : findUnit(quantity, name);
+}
+
+}  // namespace
+
+UnitChoice& UnitChoice::shared() {
+    static UnitChoice choice;
+    return choice;
+}
+
+void UnitChoice::restore() {
+    m_system = keptSystem(systemKey);
+    m_physical = keptSystem(physicalKey) == UnitSystem::us ? UnitSystem::us : UnitSystem::si;
+    m_chosen.clear();
+    for (const UnitKindRow& row : unitKinds())
+        if (const Unit* unit = keptUnit(row.quantity, keyOf(row))) m_chosen[row.kind] = unit;
+    m_ofFields.clear();
+    for (const Parameter& parameter : parameters())
+        if (const Unit* unit = keptUnit(parameter.quantity, keyOf(parameter.key)))
+            m_ofFields[parameter.key] = unit;
+}
+
+const Unit& UnitChoice::fieldUnit(const Parameter& parameter) const {
+    const auto own = m_ofFields.find(parameter.key);
+    if (own != m_ofFields.end()) return *own->second;
+    if (const std::optional<UnitKind> kind = kindOf(parameter)) {
+        const auto chosen = m_chosen.find(*kind);
+        if (chosen != m_chosen.end()) return *chosen->second;
+    }
+    return customaryUnit(parameter, m_physical);
+}
+
+void UnitChoice::choose(UnitSystem system) {
+    Settings settings;
+    m_system = system;
+    settings.setValue(systemKey, nameOf(system));
+    if (system != UnitSystem::dimensionless) {
+        m_physical = system;
+        settings.setValue(physicalKey, nameOf(system));
+        for (const auto& [key, unit] : std::exchange(m_ofFields, {})) settings.remove(keyOf(key));
+    }
+    emit changed();
+}
+
+void UnitChoice::choose(UnitKind kind, const Unit* unit) {
+    Settings settings;
+    if (unit) {
+        m_chosen[kind] = unit;
+        settings.setValue(keyOf(rowOf(kind)), fromView(unit->name));
+    } else {
+        m_chosen.erase(kind);
+        settings.remove(keyOf(rowOf(kind)));
+    }
+    for (const Parameter& parameter : parameters())
+        if (kindOf(parameter) == kind && m_ofFields.erase(parameter.key) > 0)
+            settings.remove(keyOf(parameter.key));
+    emit changed();
+}
+
+void UnitChoice::chooseForField(const Parameter& parameter, const Unit& unit) {
+    m_ofFields[parameter.key] = &unit;
+    Settings().setValue(keyOf(parameter.key), fromView(unit.name));
+}
+
+}  // namespace drillwave

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The units that the user wants everywhere: a system, single kinds in other units, single fields in others
+// again; kept over the end of the program.
+#pragma once
+
+#include <QObject>
+
+#include "ui/text/unit_kind.h"
+
+namespace drillwave {
+
+/// One for the program, as its settings are: fields and results follow it wherever they are.
+class UnitChoice : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Begins with what was kept.
+    static UnitChoice& shared();
+    /// Takes over what is kept now, and tells nobody: before there is anything to show.
+    void restore();
+
+    /// Of results and plots.
+    UnitSystem system() const { return m_system; }
+    /// SI or US: of fields, whose values always are physical, also while results are dimensionless.
+    UnitSystem physicalSystem() const { return m_physical; }
+    /// The units of kinds that do not follow the system.
+    const ChosenUnits& chosen() const { return m_chosen; }
+    /// In which the field of a parameter shows it.
+    const Unit& fieldUnit(const Parameter& parameter) const;
+
+    /// All that is not chosen by kind follows, fields with a unit of their own too.
+    void choose(UnitSystem system);
+    /// All of that kind follow, fields with a unit of their own too. nullptr: as the system has it.
+    void choose(UnitKind kind, const Unit* unit);
+    /// Of one field only, in every scenario. Nobody else is told.
+    void chooseForField(const Parameter& parameter, const Unit& unit);
+
+  signals:
+    void changed();
+
+  private:
+    UnitChoice() { restore(); }
+
+    UnitSystem m_system = UnitSystem::si;
+    UnitSystem m_physical = UnitSystem::si;
+    ChosenUnits m_chosen;
+    std::map<std::string_view, const Unit*> m_ofFields;  // by key of the parameter
+};
+
+}  // namespace drillwave
