@@ -170,7 +170,7 @@ void TestStudyPlots::whatCannotBeDrawnIsRefused_data() {
     row("three axes", sweep + QStringList{"beta=1,2", "gamma=0.5,1", "tau=1,2"}, "one axis or two, not 3");
     row("no axis of numbers", sweep + QStringList{"pulse.shape=rectangular,half_sine"},
         "no axis has two numbers");
-    row("too many curves", sweep + QStringList{"beta=1:2:10", "gamma=0.1:1:17"}, "at most 16 curves");
+    row("too many curves", sweep + QStringList{"beta=1:2:17", "gamma=0.1:1:18"}, "at most 16 curves");
     row("too many outputs", sweep + QStringList{"beta=1:2:10", "--outputs", "all"}, "at most 8 outputs");
     row("a part", sweep + QStringList{"beta=1:2:10", "--shard", "1/2"}, "leave out --shard");
 }
