@@ -127,12 +127,15 @@ MapStudy MapPage::study() const {
             .output = column()};
 }
 
-// What there is of the elasticity, and two periods of the gap.
-void MapPage::takeFirstRanges() {
-    if (std::exchange(m_hasRanges, true)) return;
-    const Parameter* parameter = m_y->range().parameter;
-    if (parameter && parameter->key.ends_with("gamma")) m_y->setRange({parameter, 0.01, 1, false});
-    if (parameter && parameter->key == "delta") m_y->setRange({parameter, 0, 2, false});
+// Of a parameter that the fields have chosen themselves: all there is of the elasticity, two periods of the
+// gap.
+void MapPage::offer(AxisFields& fields) {
+    const Parameter* before = fields.range().parameter;
+    fields.present(scenario());
+    const Parameter* parameter = fields.range().parameter;
+    if (!parameter || parameter == before) return;
+    if (parameter->key.ends_with("gamma")) fields.setRange({parameter, 0.01, 1, false});
+    if (parameter->key == "delta") fields.setRange({parameter, 0, 2, false});
 }
 
 void MapPage::takeUsualLevels() {
@@ -141,10 +144,9 @@ void MapPage::takeUsualLevels() {
 }
 
 void MapPage::ask() {
-    m_x->present(scenario());
-    m_y->present(scenario());
+    offer(*m_x);
+    offer(*m_y);
     m_output->present(scenario());
-    takeFirstRanges();
     if (!m_x->isValid() || !m_y->isValid()) return;
     MapQuestion question{
         .study = study(), .levels = m_levels->levels(), .number = *m_newest + 1, .newest = m_newest};

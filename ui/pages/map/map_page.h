@@ -44,7 +44,7 @@ class MapPage : public StudyPage {
     OutputColumn column() const;
     QString axisWord(const AxisFields& fields) const;
     MapStudy study() const;
-    void takeFirstRanges();
+    void offer(AxisFields& fields);
     void takeUsualLevels();
     void draw();
     void placeHere();
@@ -62,7 +62,6 @@ class MapPage : public StudyPage {
     QString m_problem;  // why the controls say no map
     QString m_readout;  // of what is below the pointer
     int m_gesture = 0;  // of the crosshair
-    bool m_hasRanges = false;
     std::shared_ptr<const MapReport> m_shown;
     ShownUnits m_shownUnits;
     std::shared_ptr<std::atomic<int>> m_newest;

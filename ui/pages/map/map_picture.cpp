@@ -53,9 +53,15 @@ double MapColours::share(double value) const {
     return (value - *level) / std::max(largest - *level, side);
 }
 
+// Made once: a millisecond of colour spaces.
+const ColourScale& MapColours::scale() const {
+    static const ColourScale aboutLevel = ColourScale::aboutLevel(), ramp = ColourScale::ramp();
+    return level ? aboutLevel : ramp;
+}
+
 QCPColorGradient MapColours::gradient() const {
     constexpr int stops = 128;
-    const ColourScale colours = scale();
+    const ColourScale& colours = scale();
     QMap<double, QColor> map;
     for (int i = 0; i <= stops; ++i)
         map[double(i) / stops] =
@@ -139,7 +145,7 @@ MapPicture mapPicture(std::shared_ptr<const MapReport> report, const ShownUnits&
                        .y = shownUnit(yUnit),
                        .output = mapUnit(study.output, study.base, units),
                        .colours = {}};
-    if (const std::optional<MapGrid::Extent> extent = report->grid.extent()) {
+    if (const std::optional<MapGrid::Extent>& extent = report->grid.extent()) {
         MapColours& colours = picture.colours;
         colours.level = decisiveLevel(*study.output.output);
         colours.least = extent->least;

@@ -23,7 +23,7 @@ struct MapColours {
 
     /// Of a value, −1 … 1 for ColourScale::colour(); NaN for none.
     double share(double value) const;
-    ColourScale scale() const { return level ? ColourScale::aboutLevel() : ColourScale::ramp(); }
+    const ColourScale& scale() const;
     /// For a bar from `least` to `largest`.
     QCPColorGradient gradient() const;
 };

@@ -121,6 +121,8 @@ void MapPlot::addRects() {
     for (QCPLayoutElement* element : std::initializer_list<QCPLayoutElement*>{m_map, m_beside, m_bar})
         element->setMarginGroup(QCP::msTop | QCP::msBottom, ends);
     for (QCPAxisRect* rect : {m_map, m_below, m_beside}) rect->setMinimumMargins(QMargins(4, 10, 12, 4));
+    m_below->setMinimumMargins(QMargins(4, 4, 12, 4));
+    m_map->axis(QCPAxis::atBottom)->setTickLabels(false);  // they stand below the cut
     m_beside->axis(QCPAxis::atLeft)->setTickLabels(false);
     m_beside->axis(QCPAxis::atBottom)->ticker()->setTickCount(3);
     m_below->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
@@ -266,15 +268,22 @@ void MapPlot::placePresets() {
     for (QCPAbstractItem* item : m_presetItems) m_plot->removeItem(item);
     m_presetItems.clear();
     if (!m_picture) return;
+    QColor behind = m_style.background;
+    behind.setAlpha(170);
+    bool above = false;  // names of neighbours stand on different sides
     for (const PresetPoint& preset : m_presets) {
         const QPointF at(preset.x * m_picture->x.factor, preset.y * m_picture->y.factor);
+        const auto column = AxisPlaces(m_picture->report->study.x).nearest(preset.x);
+        const bool leftward = column && 4 * *column > 3 * m_picture->grid().columns();
+        above = !above;
         auto* mark = new QCPItemTracer(m_plot);
         mark->setStyle(QCPItemTracer::tsSquare);
         mark->setSize(7);
         auto* text = new QCPItemText(m_plot);
         text->setText(preset.name);
-        text->setPositionAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-        text->setPadding(QMargins(8, 0, 2, 0));
+        text->setPositionAlignment((leftward ? Qt::AlignRight : Qt::AlignLeft) |
+                                   (above ? Qt::AlignBottom : Qt::AlignTop));
+        text->setPadding(QMargins(6, 4, 6, 4));
         for (QCPItemPosition* position : {mark->position, text->position}) {
             position->setType(QCPItemPosition::ptPlotCoords);
             position->setAxes(m_map->axis(QCPAxis::atBottom), m_map->axis(QCPAxis::atLeft));
@@ -287,8 +296,6 @@ void MapPlot::placePresets() {
             item->setClipAxisRect(m_map);
             m_presetItems.append(item);
         }
-        QColor behind = m_style.background;
-        behind.setAlpha(170);
         mark->setPen(QPen(m_style.text, 1.5));
         mark->setBrush(m_style.background);
         text->setFont(m_style.font);
@@ -358,7 +365,7 @@ QString MapPlot::readout(QPointF pixel) const {
 QString MapPlot::summary() const {
     const QLocale locale = m_plot->locale();
     const MapGrid& grid = m_picture->grid();
-    const auto extent = grid.extent();
+    const auto& extent = grid.extent();
     if (!extent) return grid.failed() > 0 ? tr("No point could be solved.") : tr("The map follows.");
     QString text = tr("%1 … %2").arg(m_picture->outputText(extent->least, locale),
                                      numberText(extent->largest * m_picture->output.factor, 5, locale));

@@ -14,10 +14,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-/// A picture of a part is drawn after this time, so that no quick map is drawn more than once, and then once
-/// in a while: that of a million points takes some milliseconds to hand over and to draw.
+/// A map that is expected to take no longer is drawn once, complete.
+constexpr milliseconds quick{120};
+/// The first picture of another one comes so early, further ones now and then: what is handed over of a
+/// million points takes some milliseconds.
 constexpr milliseconds firstPicture{60}, betweenPictures{150};
-constexpr std::size_t pointsPerMillisecond = 5000;  // that are handed over, at most once in ten times as long
+constexpr int restAfterCopy = 5;  // in the time that it took
 /// While values are dragged the picture of one value may take so long before it makes room for the next.
 constexpr milliseconds patience{80};
 
@@ -51,12 +53,14 @@ class Growth {
             m_feed.tell({soFar.done(), soFar.size()});
             m_told = now;
         }
-        if (soFar.stride() == 0 || soFar.isComplete()) return true;
+        const double share = double(soFar.done()) / double(soFar.size());
+        const bool isQuick = now - m_start < quick * share;
+        if (soFar.stride() == 0 || soFar.isComplete() || isQuick) return true;
         if (now >= m_nextPicture) {
             m_report.grid = soFar;
             m_feed.show(m_report);
-            const milliseconds rest(10 * soFar.size() / pointsPerMillisecond);
-            m_nextPicture = Clock::now() + std::max(betweenPictures, rest);
+            const Clock::time_point shown = Clock::now();
+            m_nextPicture = shown + std::max<Clock::duration>(betweenPictures, restAfterCopy * (shown - now));
         }
         const bool isWaitedFor = m_question.newest && *m_question.newest != m_question.number;
         return !(isWaitedFor && now - m_start > patience);

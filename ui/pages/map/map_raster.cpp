@@ -68,38 +68,30 @@ QImage MapRaster::imageOf(QSize size, double ratio) const {
     const int period = std::max(2, static_cast<int>(std::lround(hatchPeriod * ratio)));
     const int thickness = std::max(1, period / 4);
     constexpr QRgb noColour = 0, hatched = 1;  // no colour of a map: those are opaque
+    const auto colourAt = [&](int column, int row) {
+        if (column == outside || row == outside) return noColour;
+        const auto at = grid.standIn(static_cast<std::size_t>(column), static_cast<std::size_t>(row));
+        const double value = grid.value(at.column, at.row);
+        const bool isUnsolved = std::isnan(value) && grid.isThere(at.column, at.row);
+        return isUnsolved ? hatched : m_colours.colour(m_picture->colours.share(value));
+    };
     QImage image(size, QImage::Format_ARGB32_Premultiplied);
-    std::vector<QRgb> colours(grid.columns());
+    std::vector<QRgb> colours(columns.size());  // of the present row, at its pixels
     bool hasHatches = false;
-    for (int py = 0; py < size.height(); ++py) {
-        auto* line = reinterpret_cast<QRgb*>(image.scanLine(py));
-        const int row = rows[static_cast<std::size_t>(py)];
-        if (row == outside) {
-            std::fill_n(line, size.width(), noColour);
-            continue;
-        }
+    for (std::size_t py = 0; py < rows.size(); ++py) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(static_cast<int>(py)));
         // Pixels of one row of points are alike but for hatches.
-        const bool isRepeated = py > 0 && rows[static_cast<std::size_t>(py) - 1] == row;
-        if (isRepeated && !hasHatches) {
-            std::copy_n(reinterpret_cast<const QRgb*>(image.constScanLine(py - 1)), size.width(), line);
-            continue;
-        }
-        if (!isRepeated) {
-            hasHatches = false;
-            for (std::size_t column = 0; column < colours.size(); ++column) {
-                const auto at = grid.standIn(column, static_cast<std::size_t>(row));
-                const double value = grid.value(at.column, at.row);
-                const bool isUnsolved = std::isnan(value) && grid.isThere(at.column, at.row);
-                colours[column] = isUnsolved ? hatched : m_colours.colour(m_picture->colours.share(value));
-                hasHatches |= isUnsolved;
-            }
-        }
-        for (int px = 0; px < size.width(); ++px) {
-            const int column = columns[static_cast<std::size_t>(px)];
-            QRgb colour = column == outside ? noColour : colours[static_cast<std::size_t>(column)];
-            if (colour == hatched) colour = (px + py) % period < thickness ? m_hatch : m_background;
-            line[px] = colour;
-        }
+        const bool isRepeated = py > 0 && rows[py] == rows[py - 1];
+        if (!isRepeated)
+            for (std::size_t px = 0; px < columns.size(); ++px)
+                colours[px] = px > 0 && columns[px] == columns[px - 1] ? colours[px - 1]
+                                                                       : colourAt(columns[px], rows[py]);
+        if (!isRepeated) hasHatches = std::ranges::find(colours, hatched) != colours.end();
+        std::ranges::copy(colours, line);
+        if (!hasHatches) continue;
+        for (std::size_t px = 0; px < columns.size(); ++px)
+            if (line[px] == hatched)
+                line[px] = static_cast<int>(px + py) % period < thickness ? m_hatch : m_background;
     }
     return image;
 }
