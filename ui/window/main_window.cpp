@@ -18,6 +18,7 @@
 #include "ui/job/study_status.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/rock/rock_page.h"
+#include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/number_text.h"
@@ -74,6 +75,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(new BlowPage(m_observation), PageGroup::thisBlow);
     m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
+    m_pages->add(new ThrustPage(m_document), PageGroup::studies);
     addMenus();
     addStatusBar();
     wire();
