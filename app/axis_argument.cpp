@@ -7,8 +7,13 @@
 
 namespace drillwave {
 
-SweepAxis axisArgument(const Arguments& arguments, const std::string& option, const std::string& word) {
-    ParsedAxis parsed = parseAxis(word);
+namespace {
+
+/// Most levels: each is a search of its own.
+constexpr std::size_t mostLevels = 100;
+
+SweepAxis checked(ParsedAxis parsed, const Arguments& arguments, const std::string& option,
+                  const std::string& word) {
     if (!parsed.problem.empty()) {
         // A value that the parameter cannot take is like one in a file; anything else is a mistyped command.
         const bool badValue = parsed.kind == ParsedAxis::Kind::badValue;
@@ -17,6 +22,30 @@ SweepAxis axisArgument(const Arguments& arguments, const std::string& option, co
     }
     checkNotSet(arguments, parsed.axis.key(), "--" + option + " " + shortened(word));
     return std::move(parsed.axis);
+}
+
+}  // namespace
+
+SweepAxis axisArgument(const Arguments& arguments, const std::string& option, const std::string& word) {
+    return checked(parseAxis(word), arguments, option, word);
+}
+
+SweepAxis rangeArgument(const Arguments& arguments, const std::string& option, const std::string& word) {
+    return checked(parseRange(word), arguments, option, word);
+}
+
+std::vector<double> levelArguments(const Arguments& arguments, Quantity quantity) {
+    std::vector<double> levels;
+    for (const std::string& word : arguments.values("level")) {
+        const TypedQuantity typed =
+            parseQuantity(word, quantity, BareNumber::inDefaultUnit, &unitsOf(quantity).front());
+        if (!typed.valid())
+            throw CommandError(ExitCode::usage, "--level " + shortened(word) + ": " + typed.problem);
+        levels.push_back(typed.si);
+    }
+    if (levels.size() > mostLevels)
+        throw CommandError(ExitCode::usage, "--level: at most " + std::to_string(mostLevels) + " levels");
+    return levels;
 }
 
 RecordedAxis recordedAxis(const SweepAxis& axis, const std::string& word) {

@@ -1,56 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave curve FILE --along KEY=…
+#include <algorithm>
 #include <chrono>
 
+#include "app/axis_argument.h"
 #include "app/command.h"
 #include "app/method_options.h"
 #include "app/progress_bar.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/report/curve_report.h"
-#include "core/text/decimal_text.h"
 
 namespace drillwave {
 
 namespace {
 
-/// An axis that an option gives, as `parse` reads it.
-SweepAxis axisOf(const Arguments& arguments, std::string_view option, ParsedAxis parsed) {
-    const std::string name = "--" + std::string(option);
-    if (!parsed.problem.empty())
-        throw CommandError(
-            parsed.kind == ParsedAxis::Kind::badValue ? ExitCode::invalidScenario : ExitCode::usage,
-            name + ": " + parsed.problem);
-    checkNotSet(arguments, parsed.axis.key(), name + " " + shortened(*arguments.value(option)));
-    return std::move(parsed.axis);
-}
-
-std::vector<double> levelsOf(const Arguments& arguments, const RowOptions& options) {
-    std::vector<double> levels;
-    for (const std::string& text : arguments.values("level")) {
-        const std::optional<double> level = parseNumber(text);
-        if (!level)
-            throw CommandError(ExitCode::usage,
-                               "--level " + shortened(text) + ": needs a number, in the unit of " +
-                                   (options.units == OutputUnits::si ? "its SI column" : "its column"));
-        levels.push_back(*level);
-    }
-    return levels;
+/// Levels are of all outputs: they have a unit where these have one in common.
+std::vector<double> levelsOf(const Arguments& arguments, const std::vector<OutputColumn>& columns) {
+    const auto quantityOf = [](const OutputColumn& column) {
+        return column.hasUnit() ? column.output->quantity() : Quantity::ratio;
+    };
+    const Quantity first = quantityOf(columns.front());
+    const bool isCommon =
+        std::ranges::all_of(columns, [&](const OutputColumn& column) { return quantityOf(column) == first; });
+    return levelArguments(arguments, isCommon ? first : Quantity::ratio);
 }
 
 CurveQuestion questionOf(const Arguments& arguments, const RowOptions& options, const Scenario& base) {
     const std::optional<std::string> along = arguments.value("along");
     if (!along) throw CommandError(ExitCode::usage, "needs --along KEY=START:STOP or KEY=START:STOP:log");
     CurveQuestion question{.base = base,
-                           .along = axisOf(arguments, "along", parseRange(*along)),
+                           .along = rangeArgument(arguments, "along", *along),
                            .family = {},
                            .columns = {},
-                           .levels = levelsOf(arguments, options),
+                           .levels = {},
                            .method = options.method,
                            .workLimit = options.workLimit};
     if (const std::optional<std::string> family = arguments.value("family"))
-        question.family = axisOf(arguments, "family", parseAxis(*family));
-    question.columns = options.columnsFor(base);
+        question.family = axisArgument(arguments, "family", *family);
+    question.columns = options.columnsFor(question.firstScenario());
+    question.levels = levelsOf(arguments, question.columns);
     return question;
 }
 
@@ -66,23 +55,13 @@ CurveReport study(const CurveQuestion& question, int jobs, const Interruption& i
     return report;
 }
 
-std::vector<RecordedAxis> recordedAxes(const CurveReport& report, const Arguments& arguments) {
-    std::vector<RecordedAxis> recorded;
-    const auto add = [&](const SweepAxis& axis, std::string_view option, std::uint64_t count) {
-        const std::string word = *arguments.value(option);
-        recorded.push_back({axis.column().header, word.substr(word.find('=') + 1), count});
-    };
-    const CurveQuestion& question = report.study.question;
-    if (question.family) add(*question.family, "family", question.family->count);
-    add(question.along, "along", rowCount(report.study) / report.study.lines.size());
-    return recorded;
-}
-
 void writeCsv(const CurveReport& report, const Arguments& arguments, const RowOptions& options,
               const ScenarioDocument& base) {
-    RowRecord record =
-        recordOf("curve", arguments, options, report.study.question.columns, base, rowCount(report.study));
-    record.axes = recordedAxes(report, arguments);
+    const CurveQuestion& question = report.study.question;
+    RowRecord record = recordOf("curve", arguments, options, question.columns, base, rowCount(report.study));
+    if (question.family) record.axes.push_back(recordedAxis(*question.family, *arguments.value("family")));
+    record.axes.push_back(recordedAxis(question.along, *arguments.value("along")));
+    record.axes.back().count = 0;  // each line has its own points
     RowFile out(options);
     out.write(curveCsv(report.study));
     out.commit(record);

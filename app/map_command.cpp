@@ -17,9 +17,6 @@ namespace drillwave {
 
 namespace {
 
-/// Most levels: each is a search of its own.
-constexpr std::size_t mostLevels = 100;
-
 SweepAxis axisOf(const Arguments& arguments, const std::string& option) {
     const std::optional<std::string> word = arguments.value(option);
     if (!word)
@@ -38,18 +35,7 @@ OutputColumn outputOf(const Arguments& arguments, OutputUnits units) {
 }
 
 std::vector<double> levelsOf(const Arguments& arguments, const OutputColumn& output) {
-    const Quantity quantity = output.hasUnit() ? output.output->quantity() : Quantity::ratio;
-    std::vector<double> levels;
-    for (const std::string& word : arguments.values("level")) {
-        const TypedQuantity typed =
-            parseQuantity(word, quantity, BareNumber::inDefaultUnit, &unitsOf(quantity).front());
-        if (!typed.valid())
-            throw CommandError(ExitCode::usage, "--level " + shortened(word) + ": " + typed.problem);
-        levels.push_back(typed.si);
-    }
-    if (levels.size() > mostLevels)
-        throw CommandError(ExitCode::usage, "--level: at most " + std::to_string(mostLevels) + " levels");
-    return levels;
+    return levelArguments(arguments, output.hasUnit() ? output.output->quantity() : Quantity::ratio);
 }
 
 /// "map_contours.csv" beside "map.csv".
