@@ -20,6 +20,7 @@
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/rock/rock_page.h"
+#include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/number_text.h"
@@ -78,6 +79,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
     m_pages->add(new GapPage(m_document), PageGroup::studies);
     m_pages->add(new MapPage(m_document), PageGroup::studies);
+    m_pages->add(new ThrustPage(m_document), PageGroup::studies);
     addMenus();
     addStatusBar();
     wire();
