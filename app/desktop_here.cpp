@@ -15,6 +15,7 @@
 #include "ui/document/recovery.h"
 #include "ui/export/figure_plot.h"
 #include "ui/export/plot_export.h"
+#include "ui/export/study_pictures.h"
 #include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
 #include "ui/window/main_window.h"
@@ -74,15 +75,20 @@ class QtDrawing : public Drawing {
 
     std::vector<NamedFile> blow(const Blow& blow, const std::vector<std::string>& formats,
                                 const std::stop_token& stop) const override {
-        QStringList names;
-        for (const std::string& format : formats) names << QString::fromStdString(format);
-        BlowPictures pictures = drawBlowPlots(blow.scenario, blow.impact, names, stop);
+        return filesOf(drawBlowPlots(blow.scenario, blow.impact, formats, stop));
+    }
+
+    std::vector<NamedFile> study(const StudyValue& value, const PictureOrder& order) const override {
+        return std::visit([&](const auto* found) { return filesOf(drawStudy(*found, order)); }, value);
+    }
+
+  private:
+    static std::vector<NamedFile> filesOf(Pictures pictures) {
         if (!pictures.problem.isEmpty())
             throw CommandError(ExitCode::unwritableOutput, pictures.problem.toStdString());
         return std::move(pictures.files);
     }
 
-  private:
     int m_argc;  // outlives the application, which refers to it
     QApplication m_application;
 };

@@ -6,15 +6,24 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "core/blow/blow.h"
+#include "core/file/picture_formats.h"
 #include "core/file/whole_folder.h"
 #include "core/study/paper/figure_data.h"
 
 namespace drillwave {
 
-/// Draws; what it draws with is another program's matter (desktop.h).
+struct GapReport;
+
+/// What a study has found. One that can be drawn has its line here, and its drawStudy() in
+/// ui/export/study_pictures.h.
+using StudyValue = std::variant<const GapReport*>;
+
+/// Draws; what it draws with is another program's matter (desktop.h). All of them throw CommandError
+/// (unwritable output) where something could not be drawn, and give not all pictures after a stop.
 class Drawing {
   public:
     Drawing() = default;
@@ -25,10 +34,12 @@ class Drawing {
     /// A figure of the paper in one of the pictureFormats; empty where it could not be drawn.
     virtual std::string figure(const Figure& figure, std::string_view format) const = 0;
 
-    /// blow.* and rock.* of a blow solved with Detail::histories, in each format. Throws CommandError
-    /// (unwritable output) where they could not be drawn. Not all of them after a stop.
+    /// blow.* and rock.* of a blow solved with Detail::histories, in each format.
     virtual std::vector<NamedFile> blow(const Blow& blow, const std::vector<std::string>& formats,
                                         const std::stop_token& stop) const = 0;
+
+    /// The picture of a study in each format, as its page in the window shows it at first.
+    virtual std::vector<NamedFile> study(const StudyValue& value, const PictureOrder& order) const = 0;
 };
 
 }  // namespace drillwave

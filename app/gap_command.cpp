@@ -7,6 +7,7 @@
 #include "app/output_file.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
+#include "app/study_plots.h"
 #include "core/file/result_scenario.h"
 #include "core/model/scales.h"
 #include "core/report/blow_csv.h"
@@ -85,12 +86,13 @@ GapReport study(const Scenario& scenario, const std::optional<NormalGap>& normal
     return report;
 }
 
-ExitCode runGap(const Arguments& arguments, const Drawing*) {
+ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const std::optional<std::string> csvPath = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     if (arguments.has("force") && !csvPath)
         throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+    const StudyPlots plots = StudyPlots::besideFile(arguments);
     const OutputUnits units = arguments.has("si") ? OutputUnits::si : OutputUnits::dimensionless;
     if (arguments.has("si") && !csvPath)
         throw CommandError(ExitCode::usage, "--si is about the file of -o; add -o FILE.csv");
@@ -102,6 +104,7 @@ ExitCode runGap(const Arguments& arguments, const Drawing*) {
     if (csvPath) {
         checkOutputIsNoInput(*csvPath, path, document);
         checkOverwrite(*csvPath, overwrite);
+        plots.check(path, document, overwrite);
     }
 
     const Interruption interruption;
@@ -111,7 +114,9 @@ ExitCode runGap(const Arguments& arguments, const Drawing*) {
     if (!report.curve.isComplete())
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved at all gaps: " + report.curve.reason);
-    if (csvPath) writeFile(*csvPath, scenarioHeader(report.scenarioText) + gapCsv(report, units), overwrite);
+    if (csvPath)
+        writeBeside(*csvPath, scenarioHeader(report.scenarioText) + gapCsv(report, units),
+                    plots.draw(&report, drawing, interruption), overwrite);
     if (csvPath == "-") return ExitCode::done;
     writeFile("-", arguments.has("json") ? gapJson(report) : gapText(report), Overwrite::allowed);
     return ExitCode::done;
@@ -136,10 +141,11 @@ const Command& gapCommand() {
              {"json", "", "print one JSON object in place of the table"},
              {"o", "FILE.csv", "also write the results along the gap; - prints them instead of the table"},
              {"si", "", "with -o, columns in SI, with units in the header"},
+             plotsOptionSpec(),
              {"force", "", "overwrite an existing file"}}),
         .leastOperands = 1,
         .mostOperands = 1,
-        .draws = [](const Arguments&) { return false; },
+        .draws = asksForPlots,
         .run = runGap,
     };
     return command;

@@ -96,7 +96,7 @@ std::string outputHelp() {
         help += "\n  " + std::string(name) + std::string(width - name.size() + 2, ' ') + std::string(meaning);
     };
     for (const Output& output : outputs()) add(output.name, output.meaning);
-    add("all", "all of them, the thrust where FILE has a blow frequency");
+    add("all", "all of them that FILE has: some need a blow frequency, thrust_margin a thrust too");
     return help;
 }
 
@@ -106,12 +106,16 @@ RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoi
         .columns = std::move(outputs.columns),
         .units = unitsOf(arguments),
         .allOutputs = outputs.all,
-        .jobs = static_cast<int>(arguments.number("j", allThreads(), 1, maximumJobs)),
+        .jobs = jobsOf(arguments),
         .shard = shardOf(arguments),
         .path = arguments.value("o").value_or("-"),
         .overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused,
         .method = methodChoice(arguments, method),
         .workLimit = arguments.number("work-limit", defaultWorkLimit, 1, MethodSolver::defaultMostPieces)};
+}
+
+int jobsOf(const Arguments& arguments) {
+    return static_cast<int>(arguments.number("j", allThreads(), 1, maximumJobs));
 }
 
 std::vector<OutputColumn> RowOptions::columnsFor(const Scenario& scenario) const {

@@ -31,6 +31,9 @@ std::vector<OptionSpec> rowOptionSpecs();
 /// The names for --outputs with their meanings, for the help of both.
 std::string outputHelp();
 
+/// Threads by `-j N`, all of them where it is not given. Throws CommandError (usage).
+int jobsOf(const Arguments& arguments);
+
 /// Their values.
 struct RowOptions {
     std::vector<OutputColumn> columns;

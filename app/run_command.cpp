@@ -9,11 +9,12 @@
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
-#include "core/file/picture_formats.h"
+#include "app/study_plots.h"
 #include "core/file/result_scenario.h"
 #include "core/file/run_files.h"
 #include "core/report/blow_json.h"
 #include "core/report/blow_text.h"
+#include "core/study/thrust/thrust_margins.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
@@ -28,28 +29,6 @@ struct RunFiles {
     Overwrite overwrite = Overwrite::refused;
 };
 
-/// "png, svg, pdf".
-std::string knownFormats() {
-    std::string known;
-    for (const std::string_view format : pictureFormats)
-        known += (known.empty() ? "" : ", ") + std::string(format);
-    return known;
-}
-
-/// Of a list with commas.
-std::vector<std::string> plotFormatsOf(const std::string& list) {
-    std::vector<std::string> formats;
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        formats.push_back(list.substr(begin, end - begin));
-        begin = end + 1;
-        if (std::ranges::find(pictureFormats, formats.back()) == pictureFormats.end())
-            throw CommandError(ExitCode::usage, "--plots " + shortened(list) + ": `" + formats.back() +
-                                                    "` is not a plot format; choose from " + knownFormats());
-    }
-    return formats;
-}
-
 RunFiles filesOf(const Arguments& arguments) {
     RunFiles files;
     files.overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
@@ -60,7 +39,7 @@ RunFiles filesOf(const Arguments& arguments) {
         if (files.units) throw CommandError(ExitCode::usage, "--si and --dimensionless exclude each other");
         files.units = OutputUnits::dimensionless;
     }
-    if (const auto formats = arguments.value("plots")) files.plots = plotFormatsOf(*formats);
+    files.plots = plotFormats(arguments);
     if (files.directory.empty())
         for (const char* option : {"plots", "si", "dimensionless", "force"})
             if (arguments.has(option))
@@ -87,6 +66,13 @@ Blow solve(const Scenario& scenario, const MethodChoice& choice, Detail detail, 
     const ElapsedTime elapsed;
     Blow blow = solveOnce();
     return blow.runTime < quick ? solveOnce() : blow;
+}
+
+/// For the JSON, which has all outputs.
+void addThrustMargin(Blow& blow, const std::stop_token& stop) {
+    if (!blow.isSolved()) return;
+    blow.thrustMargin =
+        ThrustMargins().of(blow.scenario, blow.solved, {blow.impact.cor, blow.impact.corError}, stop);
 }
 
 void writeFiles(const RunFiles& files, const SolvedRun& run, const Drawing* drawing,
@@ -123,8 +109,11 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
                                 json ? Stresses::wanted : Stresses::asNeeded, interruption.token()),
                   .scenarioText = {},
                   .units = files.units.value_or(customaryUnits(document.scenario))};
+    if (json || writesFiles) {
+        addThrustMargin(run.blow, interruption.token());
+        run.scenarioText = completeScenarioText(document);
+    }
     interruption.check();
-    if (json || writesFiles) run.scenarioText = completeScenarioText(document);
     if (!run.blow.isSolved()) {
         if (json) print(run, {}, json);
         throw CommandError(ExitCode::unsolvedOrFailed,
@@ -164,7 +153,7 @@ const Command& runCommand() {
         .options = runOptions(),
         .leastOperands = 1,
         .mostOperands = 1,
-        .draws = [](const Arguments& arguments) { return arguments.has("plots"); },
+        .draws = asksForPlots,
         .run = runBlow,
     };
     return command;

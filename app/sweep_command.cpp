@@ -29,11 +29,11 @@ std::vector<SweepAxis> axesOf(const Arguments& arguments) {
     return axes;
 }
 
-/// What --outputs all may hold: an axis may give the blow frequency that the scenario lacks.
+/// What --outputs all may hold: an axis may give the blow frequency or the thrust that the scenario lacks.
 Scenario sampleOf(const Scenario& base, const std::vector<SweepAxis>& axes) {
     Scenario sample = base;
     for (const SweepAxis& axis : axes)
-        if (axis.key() == "drill.blow_frequency") axis.assign(sample, axis.value(0));
+        if (axis.parameter && axis.parameter->section() == "drill") axis.assign(sample, axis.value(0));
     return sample;
 }
 

@@ -4,9 +4,11 @@
 #include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/progress_bar.h"
+#include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/blow/thrust.h"
 #include "core/file/result_scenario.h"
+#include "core/model/parameter_text.h"
 #include "core/report/blow_csv.h"
 #include "core/report/report_text.h"
 #include "core/report/thrust_report.h"
@@ -15,20 +17,52 @@ namespace drillwave {
 
 namespace {
 
-constexpr std::uint64_t mostFrequencies = 10'000;
-
-std::optional<SweepAxis> frequenciesOf(const Arguments& arguments) {
-    const std::optional<std::string> text = arguments.value("frequency");
-    if (!text) return std::nullopt;
-    ParsedAxis parsed = parseAxis("drill.blow_frequency=" + *text);
+/// What --along or --frequency asks for.
+std::optional<SweepAxis> axisOf(const Arguments& arguments) {
+    const std::optional<std::string> along = arguments.value("along");
+    const std::optional<std::string> frequencies = arguments.value("frequency");
+    if (!along && !frequencies) return std::nullopt;
+    if (along && frequencies)
+        throw CommandError(ExitCode::usage,
+                           "--frequency VALUES is --along drill.blow_frequency=VALUES; give one of them");
+    const std::string option = along ? "--along" : "--frequency";
+    ParsedAxis parsed =
+        parseAxis(along ? *along : "drill.blow_frequency=" + *frequencies, customaryThrustPoints);
     if (!parsed.problem.empty())
         throw CommandError(
             parsed.kind == ParsedAxis::Kind::badValue ? ExitCode::invalidScenario : ExitCode::usage,
-            "--frequency: " + parsed.problem);
-    if (parsed.axis.count > mostFrequencies)
-        throw CommandError(ExitCode::usage, "--frequency: at most " + std::to_string(mostFrequencies) +
-                                                " frequencies; the thrust is proportional to them anyway");
+            option + ": " + parsed.problem);
+    if (!parsed.axis.parameter)
+        throw CommandError(ExitCode::usage, option + ": pulse.shape is no number; sweep takes it");
+    if (parsed.axis.count > mostThrustPoints)
+        throw CommandError(ExitCode::usage,
+                           option + ": at most " + std::to_string(mostThrustPoints) + " values");
+    checkNotSet(arguments, parsed.axis.key(), option);
     return std::move(parsed.axis);
+}
+
+ThrustCurve curveAlong(const Scenario& scenario, const SweepAxis& axis, int jobs,
+                       const Interruption& interruption) {
+    ProgressBar bar(axis.count, "points");
+    const auto progress = [&](const ThrustCurve& soFar) { bar.show(soFar.points.size()); };
+    ThrustCurve curve =
+        thrustAlong(scenario, *axis.parameter, valuesOf(axis), jobs, interruption.token(), progress);
+    interruption.check();
+    return curve;
+}
+
+/// Throws where points have no numbers.
+void checkSolved(const ThrustCurve& curve, const std::string& path) {
+    std::size_t failed = 0;
+    std::string reason;
+    for (const ThrustPoint& point : curve.points) {
+        if (point.reason.empty()) continue;
+        if (failed++ == 0) reason = point.reason;
+    }
+    if (failed == 0) return;
+    throw CommandError(ExitCode::unsolvedOrFailed,
+                       path + ": " + std::to_string(failed) + " of " + std::to_string(curve.points.size()) +
+                           " points could not be solved: their cells are empty; the first: " + reason);
 }
 
 ThrustStudy study(const Scenario& scenario, const Interruption& interruption) {
@@ -40,22 +74,31 @@ ThrustStudy study(const Scenario& scenario, const Interruption& interruption) {
     return found;
 }
 
+/// Finds out before anything is computed whether there can be an answer.
+void checkQuestion(const Scenario& scenario, const std::optional<SweepAxis>& axis, const std::string& path) {
+    std::string problem = thrustProblem(scenario);
+    if (problem.empty() && axis) {
+        problem = whyNotApplicable(*axis->parameter, scenario);
+        if (!problem.empty()) problem = std::string(axis->key()) + " has no meaning here: " + problem;
+    }
+    if (!problem.empty()) throw CommandError(ExitCode::invalidScenario, path + ": " + problem);
+}
+
 ExitCode runThrust(const Arguments& arguments, const Drawing*) {
     const std::string& path = arguments.operands().front();
     const std::optional<std::string> csvPath = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
-    ThrustReport report{
-        .scenario = {}, .study = {}, .frequencies = frequenciesOf(arguments), .scenarioText = {}};
-    if (csvPath && !report.frequencies)
-        throw CommandError(ExitCode::usage,
-                           "-o writes the table of --frequency; add --frequency START:STOP:COUNT");
+    const std::optional<SweepAxis> axis = axisOf(arguments);
+    if (csvPath && !axis)
+        throw CommandError(ExitCode::usage, "-o writes the table of --along; add --along KEY=START:STOP");
     if (arguments.has("force") && !csvPath)
         throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+    const int jobs = jobsOf(arguments);
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    ThrustReport report;
     report.scenario = document.scenario;
     report.scenarioText = completeScenarioText(document);
-    if (const std::string problem = thrustProblem(report.scenario); !problem.empty())
-        throw CommandError(ExitCode::invalidScenario, path + ": " + problem);
+    checkQuestion(report.scenario, axis, path);
     if (csvPath) {
         checkOutputIsNoInput(*csvPath, path, document);
         checkOverwrite(*csvPath, overwrite);
@@ -63,13 +106,17 @@ ExitCode runThrust(const Arguments& arguments, const Drawing*) {
 
     const Interruption interruption;
     remarkOnValues(report.scenario, path);
-    report.study = study(report.scenario, interruption);
-    if (!report.study.reason.empty())
-        throw CommandError(ExitCode::unsolvedOrFailed,
-                           path + ": could not be solved: " + report.study.reason);
-    if (csvPath) writeFile(*csvPath, scenarioHeader(report.scenarioText) + thrustCsv(report), overwrite);
-    if (csvPath == "-") return ExitCode::done;
-    writeFile("-", arguments.has("json") ? thrustJson(report) : thrustText(report), Overwrite::allowed);
+    if (axis) report.along = ThrustAlong{*axis, curveAlong(report.scenario, *axis, jobs, interruption)};
+    if (csvPath)
+        writeFile(*csvPath, scenarioHeader(report.scenarioText) + thrustCsv(*report.along), overwrite);
+    if (csvPath != "-") {
+        report.study = study(report.scenario, interruption);
+        if (!report.study.reason.empty())
+            throw CommandError(ExitCode::unsolvedOrFailed,
+                               path + ": could not be solved: " + report.study.reason);
+        writeFile("-", arguments.has("json") ? thrustJson(report) : thrustText(report), Overwrite::allowed);
+    }
+    if (report.along) checkSolved(report.along->curve, path);
     return ExitCode::done;
 }
 
@@ -86,17 +133,25 @@ const Command& thrustCommand() {
         "                        stalling) is outside the model\n"
         "The verdict is by the e of this blow. Beside it, each with its own e: 95 % of all gaps between bit\n"
         "and rock, rigid rock (e = 1), and the worst gap on elastic rock (gamma = 1). A margin is the\n"
-        "installed thrust over f I0 (1+e), less 1; thrust_margin is that of the largest need. Needs a\n"
-        "scenario in physical units with drill.blow_frequency; verdict and margins need drill.thrust.";
+        "installed thrust over f I0 (1+e), less 1; thrust_margin is that of the largest need. Where\n"
+        "drill.inclination is given, the weight of rod and drill.machine_mass along the hole adds to the\n"
+        "thrust in all of this. Gap at the blow: how far the bit is off the rock when the hammer strikes if\n"
+        "nothing damps the rebound; - where that never becomes steady. n_b: round trips of the waves "
+        "between\n"
+        "two blows. Needs a scenario in physical units with drill.blow_frequency; verdict and margins need\n"
+        "drill.thrust.";
     static const Command command{
         .name = "thrust",
         .operands = "FILE",
         .summary = "thrust that blows need, and what the installed one does between them",
         .details = details,
         .options = scenarioOptions(
-            {{"frequency", "VALUES", "also a table against frequency: 40Hz:80Hz:5, or 40Hz,60Hz"},
+            {{"along", "KEY=VALUES",
+              "also a table along a parameter: START:STOP[:COUNT][:log], 101 points if not given, or A,B,C"},
+             {"frequency", "VALUES", "short for --along drill.blow_frequency=VALUES"},
+             {"j", "N", "threads for --along, all of them if not given"},
              {"json", "", "print one JSON object in place of the tables"},
-             {"o", "FILE.csv", "also write the table of --frequency; - prints it instead"},
+             {"o", "FILE.csv", "also write the table of --along; - prints it instead"},
              {"force", "", "overwrite an existing file"}}),
         .leastOperands = 1,
         .mostOperands = 1,

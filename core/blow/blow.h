@@ -28,6 +28,9 @@ struct Blow {
     ImpactSummary summary;  ///< not to be used where there is no result, nor is `feed`
     /// The thrust needed and the installed; nothing where thrustProblem() says why.
     std::optional<FeedVerdict> feed;
+    /// Effective feed force over the largest of four needs, less 1, where a study of all gaps was made for
+    /// it: core/study/thrust.
+    std::optional<double> thrustMargin;
     std::vector<Alert> alerts;  ///< of the scenario and, behind them, of the result
     double runTime = 0;         ///< of the solve alone [s]
 

@@ -5,11 +5,13 @@
 #include <optional>
 #include <string_view>
 
+#include "core/blow/feed_force.h"
+#include "core/blow/undamped_motion.h"
 #include "core/model/scenario.h"
 
 namespace drillwave {
 
-/// The installed thrust F against blow frequency f, impulse I0 and COR e (theory §10).
+/// The effective force F against blow frequency f, impulse I0 and COR e (theory §10).
 enum class Feed {
     unknown,          ///< no thrust is given
     pushedBack,       ///< F < f I0: less than the hammer pushes back
@@ -21,20 +23,44 @@ enum class Feed {
 /// "unknown", "pushed_back", "penetration_lost", "full_rate", "back_in_time".
 std::string_view name(Feed feed);
 
-/// The installed thrust between its thresholds, all in N.
-struct FeedVerdict {
-    Feed feed = Feed::unknown;
-    std::optional<double> installed;  ///< F: the effective force is taken to be the installed thrust alone
-    double balance = 0;               ///< f I0
-    double fullRate = 0;              ///< f I0 (1+e), the thrust needed for full penetration
-    double returned = 0;              ///< f I0 (1+2e), at which the bit is back even if nothing damps
-    bool operator==(const FeedVerdict&) const = default;
+/// The thresholds of the feed for blows of one e, all in N.
+struct FeedThresholds {
+    double balance = 0;   ///< f I0
+    double fullRate = 0;  ///< f I0 (1+e), the thrust needed for full penetration
+    double returned = 0;  ///< f I0 (1+2e), at which the bit is back even if nothing damps
+    bool operator==(const FeedThresholds&) const = default;
 };
 
-/// The verdict by its thresholds, all in N.
-FeedVerdict feedVerdict(std::optional<double> installed, double balance, double fullRate, double returned);
+/// The feed force between its thresholds, all in N.
+struct FeedVerdict : FeedThresholds {
+    std::optional<FeedForce> force;  ///< nothing where no thrust is installed
+    Feed feed = Feed::unknown;
+    bool operator==(const FeedVerdict&) const = default;
 
-/// Judges the installed thrust for blows with that COR, e ≥ 0. nullopt where thrustProblem() says why.
+    /// F [N], nothing where no thrust is installed.
+    std::optional<double> effective() const;
+    /// F/(f I0 (1+e)) − 1, likewise.
+    std::optional<double> margin() const;
+    /// Whether penetration is lost, or worse: what is warned of.
+    bool isTooLittle() const { return feed == Feed::pushedBack || feed == Feed::penetrationLost; }
+};
+
+/// The verdict by its thresholds.
+FeedVerdict feedVerdict(const std::optional<FeedForce>& force, const FeedThresholds& thresholds);
+
+/// Judges the feed for blows with that COR, e ≥ 0. nullopt where thrustProblem() says why.
 std::optional<FeedVerdict> judgeFeed(const Scenario& scenario, double cor);
+
+/// Where the bit is when the hammer strikes, if nothing damps the rebound.
+struct GapAtBlow {
+    UndampedMotion motion;
+    double feed = 0;        ///< φ = F/(f I0)
+    double roundTrips = 0;  ///< n_b = 1/(2 T f)
+    double gap = 0;         ///< y v0/f [m] (T37), 0 but where it bounces
+    double inD0 = 0;        ///< the same, y n_b [d0]
+};
+
+/// For blows with that COR, e ≥ 0. nullopt where there is no verdict, or no thrust is installed.
+std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor);
 
 }  // namespace drillwave

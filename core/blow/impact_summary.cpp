@@ -2,6 +2,7 @@
 #include "core/blow/impact_summary.h"
 
 #include "core/contact/bilinear_law.h"
+#include "core/wave/field/force_peaks.h"
 
 namespace drillwave {
 
@@ -22,12 +23,15 @@ ImpactSummary summarize(const Impact& impact, const Problem& problem) {
             .corError = impact.corError,
             .growth = impact.growth,
             .contacts = impact.contacts,
+            .forcePeaks = {},
             .rodForces = {}};
 }
 
 ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem) {
     ImpactSummary summary = summarize(impact, problem);
-    if (!impact.incident.empty()) summary.rodForces = largestRodForces(impact, problem.hammer);
+    if (impact.incident.empty()) return summary;
+    summary.forcePeaks = forcePeaks(impact);
+    summary.rodForces = largestRodForces(impact, problem.hammer);
     return summary;
 }
 

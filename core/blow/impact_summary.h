@@ -27,6 +27,7 @@ struct ImpactSummary {
     double corError = 0;
     double growth = 1;                   ///< Impact::growth
     int contacts = 0;                    ///< separate contacts
+    std::optional<int> forcePeaks;       ///< forcePeaks(), where the histories were kept
     std::optional<RodForces> rodForces;  ///< [F0] where they were asked for; solveBlow() does
 };
 
@@ -34,7 +35,8 @@ struct ImpactSummary {
 /// and `corError` mean anything.
 ImpactSummary summarize(const Impact& impact, const Problem& problem);
 
-/// The same with the largest forces in the rod where the impact was solved with Detail::histories.
+/// The same with the peaks of the impact force and the largest forces in the rod where the impact was solved
+/// with Detail::histories.
 ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem);
 
 }  // namespace drillwave

@@ -20,6 +20,22 @@ Number largest(const From& from) {
     return ((*from.summary.rodForces).*force).size;
 }
 
+/// Per time: a number per blow in its unit times the blow frequency.
+Number perTime(const From& from, double perBlow, double unit) {
+    if (!frequencyProblem(from.scenario, {}).empty()) return std::nullopt;
+    return perBlow * unit * *from.scenario.drill.blowFrequency;
+}
+
+Number percussionPower(const From& from) {
+    return perTime(from, from.summary.workRatio, scalesOf(from.scenario).energy);
+}
+
+Number penetrationRate(const From& from) {
+    return perTime(from, from.summary.residualPenetration, scalesOf(from.scenario).penetration);
+}
+
+constexpr std::string_view thrustMarginName = "thrust_margin";
+
 constexpr auto outputTable = std::to_array<Output>({
     {"cor", "coefficient of restitution e = -pf/p0", Measure::number, Detail::cor,
      [](const From& f) -> Number { return f.summary.cor; }},
@@ -65,8 +81,37 @@ constexpr auto outputTable = std::to_array<Output>({
      "balance error", "What the three shares miss of the hammer work"},
     {"cor_error", "bound on the numerical error of cor", Measure::error, Detail::cor,
      [](const From& f) -> Number { return f.summary.corError; }},
-    {"thrust", "blow frequency times impulse, N, when the scenario has a frequency", Measure::newton,
-     Detail::cor, [](const From& f) { return thrustNeeded(f.scenario, f.summary.cor); }},
+    {"thrust",
+     "blow frequency times impulse, N, when the scenario has a frequency",
+     Measure::newton,
+     Detail::cor,
+     [](const From& f) { return thrustNeeded(f.scenario, f.summary.cor); },
+     OutputGroup::none,
+     {},
+     {},
+     nullptr,
+     thrustProblem},
+    {thrustMarginName,
+     "effective feed force over the largest of the four needs of the thrust, less 1, when the scenario has "
+     "them; takes a study of all gaps",
+     Measure::number,
+     Detail::cor,
+     [](const From& f) { return f.thrustMargin; },
+     OutputGroup::none,
+     {},
+     {},
+     nullptr,
+     thrustMarginProblem},
+    {"percussion_power", "hammer work times blow frequency, W, when the scenario has a frequency",
+     Measure::watt, Detail::summary, percussionPower, OutputGroup::energy, "percussion power",
+     "Work of the hammer on the rod times the blow frequency", nullptr,
+     [](const Scenario& s) { return frequencyProblem(s, "the percussion power"); }},
+    {"penetration_rate",
+     "penetration that stays times blow frequency, m/s, when the scenario has a frequency: an upper limit",
+     Measure::speed, Detail::summary, penetrationRate, OutputGroup::impact, "penetration rate",
+     "Penetration that stays times the blow frequency: an upper limit, which indexing, flushing and a bit "
+     "off the rock do not reach",
+     nullptr, [](const Scenario& s) { return frequencyProblem(s, "the penetration rate"); }},
     {"peak_compression", "largest compression in the rod while the blow lasts", Measure::stress,
      Detail::histories, largest<&RodForces::compression>, OutputGroup::stress, "compression, blow",
      "Largest compressive stress of the uniform rod while the blow lasts: to the last separation plus one "
@@ -87,12 +132,23 @@ constexpr auto outputTable = std::to_array<Output>({
      "Largest tensile stress of the waves that are left after the blow and run on; nothing damps them in the "
      "model, a real rod does",
      &RodForces::tensionAfter},
+    {"force_peaks", "peaks of the impact force above 1 % of the largest", Measure::number, Detail::histories,
+     [](const From& f) -> Number { return f.summary.forcePeaks; }, OutputGroup::impact, "force peaks",
+     "Number of peaks of the impact force above 1 % of the largest"},
 });
 
 }  // namespace
 
 std::string Output::problem(const Scenario& scenario) const {
-    return measure == Measure::newton ? thrustProblem(scenario) : std::string();
+    return lack ? lack(scenario) : std::string();
+}
+
+bool Output::isOnlySi() const {
+    return measure == Measure::newton || measure == Measure::watt || measure == Measure::speed;
+}
+
+bool Output::needsThrustStudy() const {
+    return name == thrustMarginName;
 }
 
 Quantity Output::quantity() const {
@@ -109,6 +165,10 @@ Quantity Output::quantity() const {
         case Measure::force:
         case Measure::newton:
             return Quantity::force;
+        case Measure::watt:
+            return Quantity::power;
+        case Measure::speed:
+            return Quantity::velocity;
         case Measure::penetration:
             return Quantity::length;
         case Measure::stress:
@@ -124,6 +184,8 @@ double Output::scale(const Scales& scales) const {
         case Measure::work:
         case Measure::share:
         case Measure::newton:
+        case Measure::watt:
+        case Measure::speed:
             return 1;
         case Measure::time:
             return scales.time;

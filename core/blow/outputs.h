@@ -28,7 +28,9 @@ enum class Measure {
     force,        ///< F0
     penetration,  ///< d0
     stress,       ///< F0/A
-    newton,       ///< N: there is no dimensionless number
+    newton,       ///< N: there is no dimensionless number, nor for those that follow
+    watt,         ///< W
+    speed,        ///< m/s
 };
 
 /// Under which heading the window lists an output.
@@ -38,6 +40,7 @@ enum class OutputGroup { none, impact, energy, stress };
 struct OutputSource {
     const ImpactSummary& summary;
     const Scenario& scenario;
+    std::optional<double> thrustMargin = {};  ///< of the study of all gaps, where one was made
 };
 
 /// One named output: JSON key, CSV column, name for --outputs, and row of the window.
@@ -52,9 +55,13 @@ struct Output {
     std::string_view label = {};           ///< in the window: "peak force"
     std::string_view note = {};            ///< there, what it is in a sentence without its end
     RodForce RodForces::*force = nullptr;  ///< which one, where it is a largest force in the rod
+    /// problem(), for what not every scenario has.
+    std::string (*lack)(const Scenario&) = nullptr;
 
     /// Why such a scenario has none and what to do; empty when it has.
     std::string problem(const Scenario& scenario) const;
+    bool isOnlySi() const;          ///< there is no dimensionless number
+    bool needsThrustStudy() const;  ///< whether OutputSource::thrustMargin must be there
     /// `ratio` where SI is the same number.
     Quantity quantity() const;
     /// SI = value · scale.

@@ -20,14 +20,17 @@ constexpr double promisedError = 1e-9;
 
 void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
     const std::optional<FeedVerdict> verdict = judgeFeed(scenario, summary.cor);
-    if (!verdict || (verdict->feed != Feed::pushedBack && verdict->feed != Feed::penetrationLost)) return;
-    alerts.push_back({AlertLevel::warning,
-                      AlertCode::thrustBelowNeeded,
-                      "drill.thrust",
-                      {{"installed", *verdict->installed, Quantity::force},
-                       {"balance", verdict->balance, Quantity::force},
-                       {"full_rate", verdict->fullRate, Quantity::force},
-                       {"returned", verdict->returned, Quantity::force}}});
+    if (!verdict || !verdict->isTooLittle()) return;
+    Alert alert{AlertLevel::warning,
+                AlertCode::thrustBelowNeeded,
+                "drill.thrust",
+                {{"installed", verdict->force->thrust, Quantity::force},
+                 {"balance", verdict->balance, Quantity::force},
+                 {"full_rate", verdict->fullRate, Quantity::force},
+                 {"returned", verdict->returned, Quantity::force}}};
+    if (verdict->force->weight)
+        alert.arguments.push_back({"weight", *verdict->force->weight, Quantity::force});
+    alerts.push_back(alert);
 }
 
 void addRebound(const ImpactSummary& summary, std::vector<Alert>& alerts) {

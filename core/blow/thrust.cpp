@@ -11,10 +11,22 @@ std::optional<double> thrustNeeded(const Scenario& scenario, double cor) {
 }
 
 std::string thrustProblem(const Scenario& scenario) {
+    return frequencyProblem(scenario, "the thrust");
+}
+
+std::string thrustMarginProblem(const Scenario& scenario) {
+    if (std::string problem = thrustProblem(scenario); !problem.empty()) return problem;
+    if (!scenario.drill.thrust)
+        return "the margin of the thrust needs drill.thrust; give it in the scenario or with --set";
+    return {};
+}
+
+std::string frequencyProblem(const Scenario& scenario, std::string_view what) {
     if (scenario.form != ScenarioForm::dimensional)
-        return "the thrust needs a scenario in physical units; this one is given by its dimensionless groups";
+        return std::string(what) +
+               " needs a scenario in physical units; this one is given by its dimensionless groups";
     if (!scenario.drill.blowFrequency)
-        return "the thrust needs drill.blow_frequency; give it in the scenario or with --set";
+        return std::string(what) + " needs drill.blow_frequency; give it in the scenario or with --set";
     return {};
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/model/scenario.h"
 
@@ -15,5 +16,11 @@ std::optional<double> thrustNeeded(const Scenario& scenario, double cor);
 
 /// Why there is no thrust for a scenario and what to do; empty when there is one.
 std::string thrustProblem(const Scenario& scenario);
+
+/// Why there is no margin of the installed thrust, likewise.
+std::string thrustMarginProblem(const Scenario& scenario);
+
+/// Why there is nothing per time for a scenario, `what` being "the thrust" or the like; empty when there is.
+std::string frequencyProblem(const Scenario& scenario, std::string_view what);
 
 }  // namespace drillwave

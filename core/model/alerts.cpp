@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/model/blow_interval.h"
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
@@ -72,6 +73,20 @@ void addGapWithoutEffect(const Scenario& scenario, std::vector<Alert>& alerts) {
                       {}});
 }
 
+void addResidualWaves(const Scenario& scenario, std::vector<Alert>& alerts) {
+    const std::optional<double> roundTrips = roundTripsBetweenBlows(scenario);
+    if (!roundTrips || *roundTrips >= enoughRoundTrips) return;
+    Alert alert{AlertLevel::information,
+                AlertCode::residualWaves,
+                "drill.blow_frequency",
+                {{"round_trips", *roundTrips}}};
+    if (const std::optional<int> whole = stepOfWaves(*roundTrips)) {
+        alert.level = AlertLevel::warning;
+        alert.arguments.push_back({"whole", static_cast<double>(*whole)});
+    }
+    alerts.push_back(alert);
+}
+
 }  // namespace
 
 std::string_view name(AlertCode code) {
@@ -82,7 +97,7 @@ std::string_view name(AlertCode code) {
         "super_rebound",           "several_contacts",
         "closed_form_invalid",     "input_decides",
         "reduced_accuracy",        "stress_above_yield",
-        "stress_above_fatigue",
+        "stress_above_fatigue",    "residual_waves",
     };
     return alertNames[static_cast<std::size_t>(code)];
 }
@@ -104,6 +119,7 @@ std::vector<Alert> alertsFor(const Scenario& scenario) {
     addDefaultHammer(scenario, alerts);
     addPistonAssumption(scenario, alerts);
     addGapWithoutEffect(scenario, alerts);
+    addResidualWaves(scenario, alerts);
     return alerts;
 }
 

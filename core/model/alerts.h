@@ -28,9 +28,10 @@ enum class AlertCode {
     reducedAccuracy,
     stressAboveYield,
     stressAboveFatigue,
+    residualWaves,
 };
 
-inline constexpr int alertCodeCount = 13;
+inline constexpr int alertCodeCount = 14;
 
 /// "outside_plausible_range", "pulse_longer_than_round_trip", …
 std::string_view name(AlertCode code);

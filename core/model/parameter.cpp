@@ -53,16 +53,18 @@ void assignForce(S& s, double value) {
     s.pulse.impulseFromForce = true;
 }
 
-/// Sets a physical value so that its group reads `wanted`, or what is nearest to it where no double does
-/// that.
-void assignGroup(S& s, double& physical, double scale, double Groups::*group, double wanted) {
+/// Sets a physical value so that its group, which is `groupOf` it, reads `wanted`, or what is nearest to it
+/// where no double does that.
+template <class GroupOf>
+void assignGroup(double& physical, double scale, const GroupOf& groupOf, double wanted) {
     const double estimate = wanted * scale;
     double best = estimate;
     double smallestMiss = infinity;
     for (const double direction : {infinity, -infinity}) {
         physical = estimate;
         for (int step = 0; step < 3; ++step) {
-            const double miss = std::abs(groupsOf(s).*group - wanted);
+            const double miss = std::abs(groupOf(physical) - wanted);
+            if (miss == 0) return;
             if (miss < smallestMiss) {
                 smallestMiss = miss;
                 best = physical;
@@ -72,26 +74,36 @@ void assignGroup(S& s, double& physical, double scale, double Groups::*group, do
     }
     physical = best;
 }
+// The groups as groupsOf() has them: a map of two groups sets them as often as it solves.
 void assignBeta(S& s, double value) {
-    if (!dimensional(s))
+    if (!dimensional(s)) {
         s.groups.beta = value;
-    else
-        assignGroup(s, s.bitRock.stiffness, scalesOf(s).stiffness, &Groups::beta, value);
+        return;
+    }
+    const double scale = scalesOf(s).stiffness;
+    assignGroup(
+        s.bitRock.stiffness, scale, [&](double stiffness) { return stiffness / scale; }, value);
 }
 void assignGamma(S& s, double value) {
     (dimensional(s) ? s.bitRock.gamma : s.groups.gamma) = value;
 }
 void assignTau(S& s, double value) {
-    if (!dimensional(s))
+    if (!dimensional(s)) {
         s.groups.tau = value;
-    else
-        assignGroup(s, s.rod.length, scalesOf(s).time * propertiesOf(s.rod).waveSpeed, &Groups::tau, value);
+        return;
+    }
+    const double time = scalesOf(s).time, speed = propertiesOf(s.rod).waveSpeed;
+    assignGroup(
+        s.rod.length, time * speed, [&](double length) { return length / speed / time; }, value);
 }
 void assignDelta(S& s, double value) {
-    if (!dimensional(s))
+    if (!dimensional(s)) {
         s.groups.delta = value;
-    else
-        assignGroup(s, s.bitRock.gap, scalesOf(s).penetration, &Groups::delta, value);
+        return;
+    }
+    const double scale = scalesOf(s).penetration;
+    assignGroup(
+        s.bitRock.gap, scale, [&](double gap) { return gap / scale; }, value);
 }
 
 // clang-format off
@@ -187,6 +199,14 @@ constexpr std::array table{
               Quantity::force, "kN", notNegative, {500, 50e3}, linear, Scope::dimensional,
               [](const S& s) { return s.drill.thrust; }, [](S& s, double v) { s.drill.thrust = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drill.thrust.reset(); }}},
+    Parameter{"drill.machine_mass", "machine mass", "", "Mass that the feed carries besides the rod; counts where an inclination is given",
+              Quantity::mass, "kg", notNegative, {10, 5000}, logarithmic, Scope::dimensional,
+              [](const S& s) { return s.drill.machineMass; }, [](S& s, double v) { s.drill.machineMass = v; },
+              {.presence = Presence::optional, .clear = [](S& s) { s.drill.machineMass.reset(); }}},
+    Parameter{"drill.inclination", "inclination", "", "Angle of the hole below the horizontal; where it is given, the weight of machine and rod along the hole adds to the thrust",
+              Quantity::angle, "deg", {-90, 90}, {-90, 90}, linear, Scope::dimensional,
+              [](const S& s) { return s.drill.inclination; }, [](S& s, double v) { s.drill.inclination = v; },
+              {.presence = Presence::optional, .clear = [](S& s) { s.drill.inclination.reset(); }}},
 
     Parameter{"beta", "stiffness", "β", "Stiffness group k t0/Z; in a dimensional scenario it moves the stiffness",
               Quantity::ratio, "", positive, {0.01, 100}, logarithmic, Scope::all,

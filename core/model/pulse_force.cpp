@@ -2,6 +2,7 @@
 #include "core/model/pulse_force.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -135,6 +136,18 @@ PulseForce pulseForceOf(const Scenario& scenario) {
     }
     finish(force);
     return force;
+}
+
+bool movesPulseForce(std::string_view key, PulseShape shape) {
+    if (shape == PulseShape::trapezoid) return key == "pulse.rise" || key == "pulse.fall";
+    if (shape != PulseShape::piston) return false;
+    // The ratio of two impedances.
+    constexpr std::array keys{"pulse.diameter", "pulse.youngs_modulus",
+                              "pulse.density",  "pulse.impedance_ratio",
+                              "rod.diameter",   "rod.area",
+                              "rod.bore",       "rod.youngs_modulus",
+                              "rod.density"};
+    return std::ranges::find(keys, key) != keys.end();
 }
 
 double PulseForce::operator()(double t) const {

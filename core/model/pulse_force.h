@@ -2,6 +2,7 @@
 // The hammer force as a dimensionless function of time with unit impulse, ready for the solvers.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "core/model/scenario.h"
@@ -49,6 +50,10 @@ double pistonStepCount(double impedanceRatio);
 /// impedance ratio q = Z_hammer/Z_rod > 1, a single step for q ≤ 1 (the hammer rebounds after it). Steps last
 /// t0 each.
 PulseForce pulseForceOf(const Scenario& scenario);
+
+/// Whether the force over t/t0 of such a shape depends on a parameter; otherwise pulseForceOf() is the same
+/// whatever its value.
+bool movesPulseForce(std::string_view key, PulseShape shape);
 
 /// The force of a shape with the default shape parameters, as in a dimensionless scenario; not for `table`.
 PulseForce pulseForceOf(PulseShape shape, double impedanceRatio = 1);

@@ -80,6 +80,8 @@ struct BitRock {
 struct Drill {
     std::optional<double> blowFrequency;  ///< [Hz]
     std::optional<double> thrust;         ///< installed feed force [N]
+    std::optional<double> machineMass;    ///< of what the feed carries besides the rod [kg]
+    std::optional<double> inclination;    ///< of the hole below the horizontal [deg], −90 … 90
     bool operator==(const Drill&) const = default;
 };
 

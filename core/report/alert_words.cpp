@@ -70,8 +70,20 @@ std::string pistonImpedance(const Alert& alert) {
 }
 
 std::string thrustBelowNeeded(const Alert& alert) {
-    return feedSentence(feedVerdict(alert.argument("installed").value, alert.argument("balance").value,
-                                    alert.argument("full_rate").value, alert.argument("returned").value));
+    FeedForce force{alert.argument("installed").value, {}};
+    if (alert.has("weight")) force.weight = alert.argument("weight").value;
+    return feedSentence(
+        feedVerdict(force, {alert.argument("balance").value, alert.argument("full_rate").value,
+                            alert.argument("returned").value}));
+}
+
+std::string residualWaves(const Alert& alert) {
+    const std::string start = "The waves of a blow make only n_b = " + fourDigits(alert, "round_trips") +
+                              " round trips until the next blow, and meet it undamped";
+    if (!alert.has("whole"))
+        return start + ": penetration may swing by 10 % up or down with frequency times length.";
+    return start + " and nearly in step (n_b close to " + whole(alert, "whole") +
+           "): penetration may swing by 10 % up or down; another blow frequency or length tells.";
 }
 
 /// Why the closed form is not for the blow: the group to blame says it.
@@ -142,6 +154,8 @@ std::string alertText(const Alert& alert) {
             return overload(alert, "The rod would yield");
         case AlertCode::stressAboveFatigue:
             return overload(alert, "The rod tires with every blow");
+        case AlertCode::residualWaves:
+            return residualWaves(alert);
     }
     return {};
 }

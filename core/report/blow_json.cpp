@@ -14,14 +14,14 @@ namespace {
 /// null where there is no result.
 Json outputJson(const Blow& blow, const Output& output, const Scales& scales) {
     const std::optional<double> value =
-        blow.isSolved() ? output.value({blow.summary, blow.scenario}) : std::nullopt;
+        blow.isSolved() ? output.value({blow.summary, blow.scenario, blow.thrustMargin}) : std::nullopt;
     return value ? Json(*value * output.scale(scales)) : Json();
 }
 
 JsonObject dimensionlessJson(const Blow& blow) {
     JsonObject object;
     for (const Output& output : outputs())
-        if (output.measure != Measure::newton) object[output.name] = outputJson(blow, output, {});
+        if (!output.isOnlySi()) object[output.name] = outputJson(blow, output, {});
     return object;
 }
 

@@ -61,11 +61,14 @@ std::string resultText(const Blow& blow) {
     rows.addText("balance errors", rounded(summary.momentumResidual, 2) + " of I0, " +
                                        rounded(summary.energy.residual, 2) + " of W");
     if (blow.feed) {
-        const std::optional<double>& installed = blow.feed->installed;
-        rows.addText(
-            "thrust needed",
-            inHandyUnit(blow.feed->fullRate, Quantity::force) +
-                (installed ? ", installed " + inHandyUnit(*installed, Quantity::force) : std::string()));
+        const std::optional<FeedForce>& force = blow.feed->force;
+        rows.addText("thrust needed",
+                     inHandyUnit(blow.feed->fullRate, Quantity::force) +
+                         (force ? ", installed " + inHandyUnit(force->thrust, Quantity::force) +
+                                      (force->weight
+                                           ? ", effective " + inHandyUnit(force->effective(), Quantity::force)
+                                           : std::string())
+                                : std::string()));
     }
     return rows.text();
 }

@@ -2,8 +2,10 @@
 #include "core/report/feed_words.h"
 
 #include <array>
+#include <cmath>
 
 #include "core/text/handy_text.h"
+#include "core/text/number_text.h"
 
 namespace drillwave {
 
@@ -61,10 +63,34 @@ std::string_view feedAdvice(Feed feed) {
     return {};
 }
 
+std::string feedForceText(const FeedForce& feed) {
+    if (!feed.weight) return "installed thrust of " + force(feed.thrust);
+    return "effective force of " + force(feed.effective()) + " (thrust " + force(feed.thrust) +
+           (*feed.weight < 0 ? ", less " : ", and ") + force(std::abs(*feed.weight)) +
+           " of weight along the hole)";
+}
+
 std::string feedSentence(const FeedVerdict& verdict) {
     const std::string advice(feedAdvice(verdict.feed));
     if (verdict.feed == Feed::unknown) return advice;
-    return "The installed thrust of " + force(*verdict.installed) + " " + standing(verdict) + ". " + advice;
+    return "The " + feedForceText(*verdict.force) + " " + standing(verdict) + ". " + advice;
+}
+
+std::string gapAtBlowSentence(const GapAtBlow& found) {
+    switch (found.motion.kind) {
+        case UndampedMotion::Kind::pushedBack:
+            return "If nothing damps the rebound, the bit does not come back to the rock.";
+        case UndampedMotion::Kind::bouncing:
+            if (!found.motion.stable)
+                return "If nothing damps the rebound, the bit bounces without ever becoming steady, because "
+                       "e is not below 1.";
+            return "If nothing damps the rebound, the bit is " + inHandyUnit(found.gap, Quantity::length, 3) +
+                   " (" + rounded(found.inD0, 3) + " d0) off the rock when the hammer strikes.";
+        case UndampedMotion::Kind::resting:
+            return "Even if nothing damps the rebound, the bit has come to rest on the rock before every "
+                   "blow.";
+    }
+    return {};
 }
 
 }  // namespace drillwave

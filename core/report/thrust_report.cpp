@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/thrust_report.h"
 
+#include "core/model/alerts.h"
+#include "core/model/blow_interval.h"
 #include "core/model/scales.h"
 #include "core/model/version.h"
+#include "core/report/alert_words.h"
 #include "core/report/feed_words.h"
 #include "core/report/json_value.h"
 #include "core/report/report_text.h"
@@ -11,9 +14,6 @@
 namespace drillwave {
 
 namespace {
-
-constexpr ThrustCase allCases[] = {ThrustCase::scenario, ThrustCase::gapQuantile, ThrustCase::rigidRock,
-                                   ThrustCase::elasticWorst};
 
 const char* label(ThrustCase which) {
     switch (which) {
@@ -45,32 +45,42 @@ std::string hertz(double frequency) {
     return rounded(frequency, 4) + " Hz";
 }
 
+/// "6.3 mm", "none" where the bit rests on the rock, "-" where there is no steady one.
+std::string gapText(const GapAtBlow& found) {
+    if (found.motion.kind == UndampedMotion::Kind::resting) return "none";
+    return found.motion.stable ? inHandyUnit(found.gap, Quantity::length, 3) : "-";
+}
+
 std::string needsTable(const ThrustReport& report) {
     const bool judged = report.scenario.drill.thrust.has_value();
     TextGrid grid;
     std::vector<std::string> titles{"thrust needed for", "e", "f I0 (1+e) ... (1+2e)"};
-    if (judged) titles.insert(titles.end(), {"margin", "full rate up to", "feed"});
+    if (judged) titles.insert(titles.end(), {"margin", "full rate up to", "gap at the blow", "feed"});
     grid.add(titles);
-    for (const ThrustCase which : allCases) {
+    for (const ThrustCase which : thrustCases) {
         const ThrustNeed& need = report.study.need(which);
         std::vector<std::string> cells{label(which), rounded(need.cor.value), bracket(need)};
         if (judged)
             cells.insert(cells.end(), {signedPercent(*need.margin), hertz(*need.frequencyLimit),
-                                       std::string(feedWord(need.feed))});
+                                       gapText(*need.gapAtBlow), std::string(feedWord(need.feed))});
         grid.add(cells);
     }
     return grid.text();
 }
 
-std::string frequencyTable(const ThrustReport& report) {
+std::string bracketTable(const ThrustAlong& along) {
+    const RowColumn column = along.axis.column();
     TextGrid grid;
-    std::vector<std::string> titles{"blow frequency"};
-    for (const ThrustCase which : allCases) titles.emplace_back(label(which));
+    std::vector<std::string> titles{column.header};
+    for (const ThrustCase which : thrustCases) titles.emplace_back(label(which));
+    titles.emplace_back("feed");
     grid.add(titles);
-    for (std::uint64_t i = 0; i < report.frequencies->count; ++i) {
-        const double frequency = report.frequencies->value(i);
-        std::vector<std::string> cells{hertz(frequency)};
-        for (const ThrustCase which : allCases) cells.push_back(force(report.thrustAt(frequency, which)));
+    for (const ThrustPoint& point : along.curve.points) {
+        std::vector<std::string> cells(1);
+        column.appendText(cells.front(), point.value);
+        for (const ThrustCase which : thrustCases)
+            cells.push_back(point.reason.empty() ? bracket(point.need(which)) : "-");
+        cells.emplace_back(feedWord(point.verdict.feed));
         grid.add(cells);
     }
     return grid.text();
@@ -91,91 +101,110 @@ std::string paragraph(std::string_view words) {
 
 std::string verdict(const ThrustReport& report) {
     std::string text = paragraph(feedSentence(report.study.verdict));
+    if (const std::optional<GapAtBlow>& gap = report.study.need(ThrustCase::scenario).gapAtBlow)
+        text += paragraph(gapAtBlowSentence(*gap));
     if (const std::optional<double> share = report.study.shareFull)
         text += paragraph("It is at least f I0 (1+e) at " + rounded(*share * 100, 4) +
                           " % of all gaps in this rock. Margin over the largest of the four needs: " +
                           signedPercent(*report.study.margin()) + ".");
+    for (const Alert& alert : alertsFor(report.scenario))
+        if (alert.code == AlertCode::residualWaves) text += paragraph(alertText(alert));
     return text;
 }
 
-JsonObject needJson(const ThrustNeed& need) {
-    return {{"cor", need.cor.value},  {"cor_error", need.cor.error},
-            {"thrust", need.thrust},  {"thrust_undamped", need.thrustUndamped},
-            {"margin", need.margin},  {"frequency_limit", need.frequencyLimit},
-            {"feed", name(need.feed)}};
+JsonObject gapAtBlowJson(const GapAtBlow& found) {
+    using Kind = UndampedMotion::Kind;
+    constexpr const char* kinds[] = {"pushed_back", "bouncing", "resting"};
+    const bool bounces = found.motion.kind == Kind::bouncing;
+    const auto whereItBounces = [&](double value) { return bounces ? Json(value) : Json(); };
+    return {{"motion", kinds[static_cast<std::size_t>(found.motion.kind)]},
+            {"stable", found.motion.stable},
+            {"gap", whereItBounces(found.gap)},
+            {"gap_in_d0", whereItBounces(found.inD0)}};
 }
 
-JsonArray frequenciesJson(const ThrustReport& report) {
-    JsonArray array;
-    for (std::uint64_t i = 0; i < report.frequencies->count; ++i) {
-        const double frequency = report.frequencies->value(i);
-        JsonObject row{{"blow_frequency", frequency}};
-        for (const ThrustCase which : allCases) row[name(which)] = report.thrustAt(frequency, which);
-        array.emplace_back(row);
+JsonObject needJson(const ThrustNeed& need) {
+    return {{"cor", need.cor.value},
+            {"cor_error", need.cor.error},
+            {"thrust", need.thrust},
+            {"thrust_undamped", need.thrustUndamped},
+            {"margin", need.margin},
+            {"frequency_limit", need.frequencyLimit},
+            {"feed", name(need.feed)},
+            {"gap_at_blow", need.gapAtBlow ? Json(gapAtBlowJson(*need.gapAtBlow)) : Json()}};
+}
+
+JsonObject needsJson(const ThrustNeeds& needs) {
+    JsonObject object;
+    for (const ThrustCase which : thrustCases)
+        object[name(which)] = needJson(needs[static_cast<std::size_t>(which)]);
+    return object;
+}
+
+JsonObject alongJson(const ThrustAlong& along) {
+    JsonArray points;
+    for (const ThrustPoint& point : along.curve.points) {
+        JsonObject object{{"value", point.value}};
+        if (point.reason.empty()) {
+            object["needs"] = needsJson(point.needs);
+            object["effective_force"] = point.verdict.effective();
+            object["feed"] = name(point.verdict.feed);
+        } else {
+            object["reason"] = point.reason;
+        }
+        points.emplace_back(object);
     }
-    return array;
+    return {{"parameter", along.axis.key()},
+            {"unit", unitJson(along.axis.parameter->quantity)},
+            {"points", points}};
 }
 
 }  // namespace
-
-double ThrustReport::thrustAt(double frequency, ThrustCase which) const {
-    return study.need(which).thrust * (frequency / *scenario.drill.blowFrequency);
-}
 
 std::string thrustText(const ThrustReport& report) {
     const Drill& drill = report.scenario.drill;
     std::string text = headingOf(report.scenario) + "  " + hertz(*drill.blowFrequency) + " of " +
                        inHandyUnit(pulseImpulse(report.scenario), Quantity::impulse, 4);
-    if (drill.thrust) text += ", installed thrust " + force(*drill.thrust);
+    text += ", n_b = " + rounded(*roundTripsBetweenBlows(report.scenario), 4);
+    if (const std::optional<FeedForce> feed = feedForceOf(report.scenario))
+        text += (feed->weight ? "\n  " : ", ") + feedForceText(*feed);
     text += "\n\n" + needsTable(report);
-    if (report.frequencies) text += "\n" + frequencyTable(report);
+    if (report.along) text += "\n" + bracketTable(*report.along);
     return text + "\n" + verdict(report);
 }
 
 std::string thrustJson(const ThrustReport& report) {
-    const Drill& drill = report.scenario.drill;
-    JsonObject needs;
-    for (const ThrustCase which : allCases) needs[name(which)] = needJson(report.study.need(which));
+    const ThrustStudy& study = report.study;
+    const std::optional<FeedForce> feed = feedForceOf(report.scenario);
     JsonObject object{
         {"version", versionText},
         {"title", report.scenario.title},
         {"scenario", report.scenarioText},
         {"units", JsonObject{{"thrust", unitJson(Quantity::force)},
                              {"installed_thrust", unitJson(Quantity::force)},
+                             {"weight_along_hole", unitJson(Quantity::force)},
+                             {"effective_force", unitJson(Quantity::force)},
                              {"impulse", unitJson(Quantity::impulse)},
+                             {"gap_at_blow", unitJson(Quantity::length)},
                              {"frequency_limit", unitJson(Quantity::frequency)},
                              {"blow_frequency", unitJson(Quantity::frequency)}}},
         {"groups", groupsJson(groupsOf(report.scenario))},
-        {"blow_frequency", *drill.blowFrequency},
+        {"blow_frequency", *report.scenario.drill.blowFrequency},
         {"impulse", pulseImpulse(report.scenario)},
-        {"installed_thrust", drill.thrust},
-        {"thrust_balance", report.study.verdict.balance},
-        {"needs", needs},
-        {"share_of_gaps_held", report.study.shareFull},
-        {"thrust_margin", report.study.margin()},
-        {"feed", name(report.study.verdict.feed)},
-        {"advice", feedAdvice(report.study.verdict.feed)},
-        {"verdict", feedSentence(report.study.verdict)},
+        {"round_trips", *roundTripsBetweenBlows(report.scenario)},
+        {"installed_thrust", report.scenario.drill.thrust},
+        {"weight_along_hole", weightAlongHole(report.scenario)},
+        {"effective_force", feed ? std::optional(feed->effective()) : std::nullopt},
+        {"thrust_balance", study.verdict.balance},
+        {"needs", needsJson(study.needs)},
+        {"share_of_gaps_held", study.shareFull},
+        {"thrust_margin", study.margin()},
+        {"feed", name(study.verdict.feed)},
+        {"advice", feedAdvice(study.verdict.feed)},
+        {"verdict", feedSentence(study.verdict)},
     };
-    if (report.frequencies) object["frequencies"] = frequenciesJson(report);
+    if (report.along) object["along"] = alongJson(*report.along);
     return Json(object).text();
-}
-
-std::string thrustCsv(const ThrustReport& report) {
-    const RowColumn column = report.frequencies->column();
-    std::string csv = column.header;
-    for (const ThrustCase which : allCases) csv += "," + std::string(name(which)) + " [N]";
-    csv += "\n";
-    for (std::uint64_t i = 0; i < report.frequencies->count; ++i) {
-        const double frequency = report.frequencies->value(i);
-        column.appendText(csv, frequency);
-        for (const ThrustCase which : allCases) {
-            csv += ',';
-            appendNumber(csv, report.thrustAt(frequency, which));
-        }
-        csv += '\n';
-    }
-    return csv;
 }
 
 }  // namespace drillwave

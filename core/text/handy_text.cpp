@@ -9,9 +9,9 @@ namespace drillwave {
 
 std::string inHandyUnit(double si, Quantity quantity, int digits) {
     // Of each quantity from the smallest on.
-    constexpr std::array<std::string_view, 17> handy{"us",  "ms",  "s",    "um",   "mm",  "m",
-                                                     "N s", "N",   "kN",   "J",    "kJ",  "MPa",
-                                                     "GPa", "N/m", "kN/m", "MN/m", "GN/m"};
+    constexpr std::array<std::string_view, 20> handy{"us",  "ms",  "s",   "um",   "mm",   "m",   "N s",
+                                                     "N",   "kN",  "J",   "kJ",   "W",    "kW",  "kg",
+                                                     "MPa", "GPa", "N/m", "kN/m", "MN/m", "GN/m"};
     const Unit* chosen = nullptr;
     for (const std::string_view name : handy) {
         const Unit* unit = findUnit(quantity, name);

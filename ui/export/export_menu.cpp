@@ -156,7 +156,8 @@ void ExportMenu::saveEverything() {
 void ExportMenu::writeFolder(const QString& folder, SolvedRun run, ExistingFiles existing) {
     run.units = customaryUnits(run.blow.scenario);
     const WaitCursor wait;
-    BlowPictures pictures = drawBlowPlots(run.blow.scenario, run.blow.impact, plotFormats());
+    const std::vector<std::string> formats(pictureFormats.begin(), pictureFormats.end());
+    Pictures pictures = drawBlowPlots(run.blow.scenario, run.blow.impact, formats);
     if (!pictures.problem.isEmpty()) return fail(pictures.problem);
     const FolderEnd end = writeWholeFolder(QFile::encodeName(folder).toStdString(),
                                            runFolder(run, std::move(pictures.files)), existing);

@@ -3,30 +3,25 @@
 
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/rock/rock_plot.h"
-#include "ui/plot/plot_rendering.h"
 
 namespace drillwave {
 namespace {
 
-// Reasons known before anything is drawn.
-QString obstacle(const Impact& impact, const QStringList& formats) {
+// Known before anything is drawn.
+QString obstacle(const Impact& impact) {
     if (impact.outcome != Outcome::rebounded)
         return QStringLiteral("no plots written: the blow could not be solved: %1")
             .arg(QString::fromStdString(impact.reason));
     if (impact.force.empty())
         return QStringLiteral("no plots written: the blow was solved without its histories");
-    for (const QString& format : formats)
-        if (!plotFormats().contains(format))
-            return QStringLiteral("plot format \"%1\" is not known; use %2")
-                .arg(format, plotFormats().join(QStringLiteral(", ")));
     return {};
 }
 
 }  // namespace
 
-BlowPictures drawBlowPlots(const Scenario& scenario, const Impact& impact, const QStringList& formats,
-                           const std::stop_token& stop) {
-    BlowPictures pictures{.files = {}, .problem = obstacle(impact, formats)};
+Pictures drawBlowPlots(const Scenario& scenario, const Impact& impact,
+                       const std::vector<std::string>& formats, const std::stop_token& stop) {
+    Pictures pictures{.files = {}, .problem = obstacle(impact)};
     if (!pictures.problem.isEmpty()) return pictures;
 
     const Problem problem = problemOf(scenario);
@@ -43,22 +38,17 @@ BlowPictures drawBlowPlots(const Scenario& scenario, const Impact& impact, const
     rock.setStyle(style);
     rock.present(rockCurve(impact, problem, shown));
 
-    struct Figure {
+    struct Drawn {
         const char* name;
         QCustomPlot* plot;
         Millimetres size;
     };
     const QString title = QString::fromStdString(scenario.title);
-    for (const Figure& figure :
-         {Figure{"blow.", &blowPlot, {180, 240}}, Figure{"rock.", &rockPlot, {120, 90}}})
-        for (const QString& format : formats) {
-            if (stop.stop_requested()) return pictures;
-            const QString name = QLatin1String(figure.name) + format;
-            const QByteArray bytes = renderPlot(*figure.plot, figure.size, format, title);
-            if (bytes.isEmpty())
-                return {{}, QStringLiteral("%1: not written, the plot could not be drawn").arg(name)};
-            pictures.files.push_back({name.toStdString(), bytes.toStdString()});
-        }
+    for (const Drawn& drawn : {Drawn{"blow", &blowPlot, {180, 240}}, Drawn{"rock", &rockPlot, {120, 90}}}) {
+        Pictures more = renderPictures(*drawn.plot, drawn.size, title, {drawn.name, formats, stop});
+        if (!more.problem.isEmpty()) return {{}, more.problem};
+        for (NamedFile& file : more.files) pictures.files.push_back(std::move(file));
+    }
     return pictures;
 }
 

@@ -35,8 +35,8 @@ QString thrustInstalledText(const SolvedBlow& blow) {
 }
 
 QString thrustMarginText(const SolvedBlow& blow) {
-    if (!blow.feed || !blow.feed->installed) return {};
-    const double margin = *blow.feed->installed - blow.feed->fullRate;
+    if (!blow.feed || !blow.feed->force) return {};
+    const double margin = *blow.feed->effective() - blow.feed->fullRate;
     const QString share = numberText(std::round(100 * margin / blow.feed->fullRate), 4, QLocale());
     return forceText(margin, blow) + QStringLiteral(" (%1%2 %)").arg(margin > 0 ? "+" : "", share);
 }

@@ -50,6 +50,10 @@ QString outputText(const Output& output, const SolvedBlow& blow) {
             return shown(value, blow.units.stress);
         case Measure::newton:
             return shown(value, blow.units.of(UnitKind::force, value));
+        case Measure::watt:
+            return shown(value, blow.units.of(UnitKind::power, value));
+        case Measure::speed:
+            return shown(value, blow.units.of(UnitKind::rate, value));
     }
     return {};
 }

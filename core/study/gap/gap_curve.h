@@ -2,14 +2,13 @@
 // The result of a blow as a function of the gap between bit and rock, to a known accuracy.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
-#include "core/numeric/chebyshev.h"
+#include "core/numeric/piecewise_fit.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
 
@@ -27,16 +26,9 @@ inline constexpr double maximumGapPeriodStart = 10'000;
 /// infinite beyond maximumGapPeriodStart. A tail of 1e-13 of the impulse is taken as none.
 double gapPeriodStart(const Problem& problem);
 
-/// A stretch of gap over which results are smooth.
-struct GapPiece {
-    double start = 0;
-    double end = 0;
-    std::array<Chebyshev, gapOutputCount> outputs;
-    std::array<double, gapOutputCount> error{};  ///< bound of |outputs − exact| as estimated, in output units
-    int contacts = 0;
-    bool resolved = true;  ///< the error is within the tolerance; else this is a sliver around a kink
-    bool solved = true;    ///< false: the solver has no answer here, and there are no numbers
-};
+/// A stretch of gap over which results are smooth; its functions in the order of GapOutput, its label the
+/// number of contacts.
+using GapPiece = FitPiece;
 
 /// Results over [start, end), the last period [periodStart, end) repeating for ever.
 struct GapCurve {

@@ -4,19 +4,19 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <span>
 
 #include "core/numeric/brent.h"
+#include "core/numeric/fit_features.h"
 #include "core/numeric/gauss_rule.h"
-#include "core/study/gap/gap_segments.h"
+#include "core/numeric/monotone_segments.h"
 
 namespace drillwave {
 
 namespace {
 
-using Segments = std::span<const GapSegment>;
+using Segments = std::span<const MonotoneSegment>;
 
 constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
 
@@ -24,7 +24,7 @@ constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
 class ValueDistribution {
   public:
     ValueDistribution(Segments segments, const GapDistribution& gaps) : m_segments(segments), m_gaps(gaps) {
-        for (const GapSegment& segment : segments) {
+        for (const MonotoneSegment& segment : segments) {
             const double mass = gaps.cumulative(segment.end) - gaps.cumulative(segment.start);
             m_masses.push_back(mass);
             m_total += mass;
@@ -39,13 +39,13 @@ class ValueDistribution {
     double cumulative(double value) const {
         double sum = 0;
         for (std::size_t i = 0; i < m_segments.size(); ++i) {
-            const GapSegment& segment = m_segments[i];
+            const MonotoneSegment& segment = m_segments[i];
             if (m_masses[i] <= 0 || segment.lower() > value) continue;
             if (segment.upper() <= value) {
                 sum += m_masses[i];
                 continue;
             }
-            const double gap = segment.gapOf(value);
+            const double gap = segment.placeOf(value);
             sum += segment.first <= value ? m_gaps.cumulative(gap) - m_gaps.cumulative(segment.start)
                                           : m_gaps.cumulative(segment.end) - m_gaps.cumulative(gap);
         }
@@ -68,7 +68,7 @@ class ValueDistribution {
         const double least = 1 - cumulative(value + error), most = 1 - cumulative(value - error);
         double unresolved = 0;
         for (std::size_t i = 0; i < m_segments.size(); ++i) {
-            const GapSegment& segment = m_segments[i];
+            const MonotoneSegment& segment = m_segments[i];
             const bool mayBeEither =
                 segment.lower() - segment.error() <= value && segment.upper() + segment.error() >= value;
             if (!segment.piece->resolved && mayBeEither) unresolved += m_masses[i] / m_total;
@@ -132,80 +132,28 @@ GapSpread spreadOf(const GapCurve& curve, std::size_t output, const ValueDistrib
     return spread;
 }
 
-/// How far from `gap`, an end of segment `i`, the value stays within `margin`, to the right or to the left.
-double stay(Segments segments, std::ptrdiff_t i, int direction, double gap, double value, double margin) {
-    double reached = gap;
-    for (; i >= 0 && i < std::ssize(segments); i += direction) {
-        const GapSegment& segment = segments[static_cast<std::size_t>(i)];
-        const double outer = direction > 0 ? segment.last : segment.first;
-        if (std::abs(outer - value) > margin) {
-            const double level =
-                std::clamp(outer > value ? value + margin : value - margin, segment.lower(), segment.upper());
-            return std::abs(segment.gapOf(level) - gap);
-        }
-        reached = direction > 0 ? segment.end : segment.start;
-    }
-    return std::abs(reached - gap);
-}
-
-/// The largest value of `sign` times the output.
-GapExtreme extremeOf(const GapCurve& curve, Segments segments, double sign) {
-    std::size_t where = 0;
-    bool atStart = true;
-    double best = -INFINITY, bound = -INFINITY, opposite = INFINITY;
-    for (std::size_t i = 0; i < segments.size(); ++i)
-        for (const bool start : {true, false}) {
-            const double value = sign * (start ? segments[i].first : segments[i].last);
-            bound = std::max(bound, value + segments[i].error());
-            opposite = std::min(opposite, value);
-            if (value <= best) continue;
-            best = value;
-            where = i;
-            atStart = start;
-        }
-    const double error = bound - best + rounding * std::abs(best);
-    const double gap = atStart ? segments[where].start : segments[where].end;
-    const auto i = static_cast<std::ptrdiff_t>(where);
-    const double left = stay(segments, atStart ? i - 1 : i, -1, gap, sign * best, 2 * error);
-    const double right = stay(segments, atStart ? i : i + 1, 1, gap, sign * best, 2 * error);
-    GapExtreme extreme{.value = {sign * best, error}, .gap = {gap, std::max(left, right)}};
-    if (best - opposite <= 2 * error)
+GapExtreme gapExtremeOf(const GapCurve& curve, Segments segments, Extreme which) {
+    const FitExtreme found = extremeOf(segments, which);
+    GapExtreme extreme{.value = found.value, .gap = found.place};
+    const auto output = static_cast<GapOutput>(segments.front().output);
+    if (found.everywhere)
         extreme.kind = GapExtreme::Kind::everywhere;
-    else if (isKink(curve, static_cast<GapOutput>(segments.front().output), gap, std::abs(best)))
+    else if (isKink(curve, output, found.place.value, std::abs(found.value.value)))
         extreme.kind = GapExtreme::Kind::kink;
     return extreme;
 }
 
-/// Where e passes from clearly below 1 to clearly above, or back.
-std::vector<GapCrossing> crossingsOf(Segments segments) {
+/// Where e passes 1.
+std::vector<GapCrossing> crossingsOfOne(Segments segments) {
     std::vector<GapCrossing> crossings;
-    const auto sideOf = [](double value, double margin) {
-        return value > 1 + margin ? 1 : value < 1 - margin ? -1 : 0;
-    };
-    int side = sideOf(segments.front().first, segments.front().error() + rounding);
-    std::vector<double> ones;  // gaps with e = 1 since e was last clearly off it
-    double accuracy = 0;
-    for (const GapSegment& segment : segments) {
-        const double margin = segment.error() + rounding;
-        if (segment.lower() <= 1 && segment.upper() >= 1 && segment.lower() < segment.upper()) {
-            ones.push_back(segment.gapOf(1));
-            const double slope = std::abs(segment.piece->outputs[segment.output].slope(ones.back()));
-            accuracy = std::min(segment.end - segment.start, margin / slope) + rounding * ones.back();
-        }
-        const int now = sideOf(segment.last, margin);
-        if (now == 0) continue;
-        if (side != 0 && now != side && !ones.empty())
-            crossings.push_back(
-                {{(ones.front() + ones.back()) / 2, (ones.back() - ones.front()) / 2 + accuracy}, now > 0});
-        side = now;
-        ones.clear();
-    }
+    for (const FitCrossing& crossing : crossingsOf(segments, 1))
+        crossings.push_back({crossing.place, crossing.rising});
     return crossings;
 }
 
 /// Of segments in ascending order, those inside the period.
-Segments inPeriod(const std::vector<GapSegment>& segments, const GapCurve& curve) {
-    const auto first = std::ranges::lower_bound(segments, curve.periodStart, {}, &GapSegment::start);
+Segments inPeriod(const std::vector<MonotoneSegment>& segments, const GapCurve& curve) {
+    const auto first = std::ranges::lower_bound(segments, curve.periodStart, {}, &MonotoneSegment::start);
     return {first, segments.end()};
 }
 
@@ -219,15 +167,15 @@ GapStatistics gapStatistics(const GapCurve& curve, const std::optional<NormalGap
     std::optional<GapDistribution> scattered;
     if (normal) scattered = GapDistribution::normal(curve, *normal);
     for (std::size_t i = 0; i < curve.outputCount; ++i) {
-        const std::vector<GapSegment> segments = segmentsOf(curve, static_cast<GapOutput>(i));
+        const std::vector<MonotoneSegment> segments = segmentsOf(curve.pieces, i);
         const Segments period = inPeriod(segments, curve);
         const ValueDistribution values(period, alike);
-        GapOutputStatistics output{.least = extremeOf(curve, period, -1),
-                                   .largest = extremeOf(curve, period, 1),
+        GapOutputStatistics output{.least = gapExtremeOf(curve, period, Extreme::least),
+                                   .largest = gapExtremeOf(curve, period, Extreme::largest),
                                    .uniform = spreadOf(curve, i, values, alike),
                                    .normal = {}};
         if (i == 0) statistics.shareAboveOne = values.shareAbove(1);
-        if (i == 0) statistics.crossings = crossingsOf(period);
+        if (i == 0) statistics.crossings = crossingsOfOne(period);
         if (scattered) {
             const ValueDistribution scatteredValues(segments, *scattered);
             output.normal = spreadOf(curve, i, scatteredValues, *scattered);
@@ -239,14 +187,14 @@ GapStatistics gapStatistics(const GapCurve& curve, const std::optional<NormalGap
 }
 
 Estimate shareAbove(const GapCurve& curve, double cor) {
-    const std::vector<GapSegment> segments = segmentsOf(curve, GapOutput::cor);
+    const std::vector<MonotoneSegment> segments = segmentsOf(curve.pieces, 0);
     const GapDistribution alike = GapDistribution::uniform(curve);
     return ValueDistribution(inPeriod(segments, curve), alike).shareAbove(cor);
 }
 
 Estimate largestCor(const GapCurve& curve) {
-    const std::vector<GapSegment> segments = segmentsOf(curve, GapOutput::cor);
-    return extremeOf(curve, segments, 1).value;
+    const std::vector<MonotoneSegment> segments = segmentsOf(curve.pieces, 0);
+    return extremeOf(segments, Extreme::largest).value;
 }
 
 }  // namespace drillwave

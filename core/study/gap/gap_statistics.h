@@ -6,17 +6,12 @@
 #include <optional>
 #include <vector>
 
+#include "core/numeric/estimate.h"
 #include "core/study/gap/gap_curve.h"
 #include "core/study/gap/gap_distribution.h"
 #include "core/study/gap/gap_kinks.h"
 
 namespace drillwave {
-
-/// A number and a bound on its error, as estimated from the accuracy of the curve and of the solver.
-struct Estimate {
-    double value = 0;
-    double error = 0;
-};
 
 /// The least or largest value over all gaps, and a gap where it is taken.
 struct GapExtreme {

@@ -8,12 +8,15 @@
 
 namespace drillwave {
 
-CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit)
+CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit,
+                       Detail least)
     : m_columns(columns),
-      m_detail(detailFor(columns)),
+      m_detail(std::max(least, detailFor(columns))),
       m_needsLess(std::ranges::any_of(columns,
                                       [](const OutputColumn& c) { return c.detail() != Detail::histories; })),
       m_inSi(std::ranges::any_of(columns, [](const OutputColumn& c) { return c.units == OutputUnits::si; })),
+      m_needsMargin(
+          std::ranges::any_of(columns, [](const OutputColumn& c) { return c.output->needsThrustStudy(); })),
       m_method(method),
       m_solver(workLimit) {}
 
@@ -21,15 +24,17 @@ std::string CaseSolver::solve(const Scenario& scenario, std::span<double> output
                               const std::stop_token& stop) {
     assert(outputs.size() == m_columns.size());
     m_problem = problemOf(std::move(m_problem.hammer), groupsOf(scenario));
-    Impact impact = m_solver.solve(m_problem, m_detail, m_method, stop);
-    if (impact.hindrance == Hindrance::histories && m_needsLess)
-        impact = m_solver.solve(m_problem, Detail::summary, m_method, stop);
-    if (impact.outcome != Outcome::rebounded) return impact.reason;
-    const ImpactSummary summary = summarizeWithWaves(impact, m_problem);
+    m_impact = m_solver.solve(m_problem, m_detail, m_method, stop);
+    if (m_impact.hindrance == Hindrance::histories && m_needsLess)
+        m_impact = m_solver.solve(m_problem, Detail::summary, m_method, stop);
+    if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
+    const ImpactSummary summary = summarizeWithWaves(m_impact, m_problem);
+    OutputSource source{summary, scenario};
+    if (m_needsMargin)
+        source.thrustMargin = m_margins.of(scenario, m_problem, {m_impact.cor, m_impact.corError}, stop);
     const Scales scales = m_inSi ? scalesOf(scenario) : Scales{};
     for (std::size_t c = 0; c < m_columns.size(); ++c)
-        outputs[c] =
-            m_columns[c].value(summary, scenario, scales).value_or(std::numeric_limits<double>::quiet_NaN());
+        outputs[c] = m_columns[c].value(source, scales).value_or(std::numeric_limits<double>::quiet_NaN());
     return {};
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/blow/method.h"
 #include "core/study/rows/output_column.h"
+#include "core/study/thrust/thrust_margins.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
@@ -15,8 +16,10 @@ namespace drillwave {
 /// Solves cases and keeps what they share. One for each thread.
 class CaseSolver {
   public:
-    /// `columns` must outlive the solver; a case may take `workLimit` wave pieces.
-    CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit);
+    /// `columns` must outlive the solver; a case may take `workLimit` wave pieces. It is solved with `least`
+    /// or as much more as the columns take.
+    CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit,
+               Detail least = Detail::cor);
 
     /// Must be called before solve() whenever the hammer blow may have changed.
     void setPulse(const Scenario& scenario) { m_problem.hammer = pulseForceOf(scenario); }
@@ -25,14 +28,21 @@ class CaseSolver {
     /// be solved (`outputs` is left alone then), or an empty string.
     std::string solve(const Scenario& scenario, std::span<double> outputs, const std::stop_token& stop);
 
+    /// Of the case last solved.
+    const Impact& impact() const { return m_impact; }
+    const Problem& problem() const { return m_problem; }
+
   private:
     std::span<const OutputColumn> m_columns;
     Detail m_detail;
     bool m_needsLess;  ///< some column can be filled without histories
     bool m_inSi;
+    bool m_needsMargin;  ///< of the thrust: a study of all gaps
     MethodChoice m_method;
     MethodSolver m_solver;
+    ThrustMargins m_margins;
     Problem m_problem;
+    Impact m_impact;
 };
 
 }  // namespace drillwave

@@ -28,13 +28,12 @@ std::string unknownOutput(std::string_view name) {
 }  // namespace
 
 std::string OutputColumn::header() const {
-    const bool hasUnit = units == OutputUnits::si || output->measure == Measure::newton;
+    const bool hasUnit = units == OutputUnits::si || output->isOnlySi();
     return hasUnit ? withUnit(output->name, &unitsOf(output->quantity()).front()) : std::string(output->name);
 }
 
-std::optional<double> OutputColumn::value(const ImpactSummary& summary, const Scenario& scenario,
-                                          const Scales& scales) const {
-    const std::optional<double> value = output->value({summary, scenario});
+std::optional<double> OutputColumn::value(const OutputSource& source, const Scales& scales) const {
+    const std::optional<double> value = output->value(source);
     return value && units == OutputUnits::si ? *value * output->scale(scales) : value;
 }
 

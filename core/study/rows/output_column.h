@@ -23,8 +23,7 @@ struct OutputColumn {
     std::string header() const;
     Detail detail() const { return output->detail; }
     /// nullopt where there is no number (Output::value).
-    std::optional<double> value(const ImpactSummary& summary, const Scenario& scenario,
-                                const Scales& scales) const;
+    std::optional<double> value(const OutputSource& source, const Scales& scales) const;
 };
 
 /// The columns chosen, or why not.

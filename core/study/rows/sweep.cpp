@@ -2,8 +2,8 @@
 #include "core/study/rows/sweep.h"
 
 #include <algorithm>
-#include <optional>
 
+#include "core/study/rows/axis_scenario.h"
 #include "core/study/rows/case_solver.h"
 #include "core/study/rows/row_run.h"
 
@@ -45,13 +45,9 @@ class RowMaker {
   public:
     explicit RowMaker(const Sweep& sweep)
         : m_sweep(sweep),
-          m_assignments(assignmentsOf(sweep.axes)),
-          m_scenario(sweep.base),
+          m_scenario(sweep.base, sweep.axes),
           m_solver(sweep.columns, sweep.method, sweep.workLimit),
-          m_values(sweep.axes.size()) {
-        for (std::size_t a = 0; a < sweep.axes.size(); ++a)
-            if (m_assignments.movesPulse(a)) m_lastPulseAxis = a;
-    }
+          m_values(sweep.axes.size()) {}
 
     void operator()(Chunk& chunk, std::stop_token stop) {
         chunk.rows.restart(chunk.points.begin, m_values.size() + m_sweep.columns.size());
@@ -62,7 +58,8 @@ class RowMaker {
             const std::span<double> row = chunk.rows.add();
             moveTo(point, changed);
             std::ranges::copy(m_values, row.begin());
-            const std::string reason = m_solver.solve(m_scenario, row.subspan(m_values.size()), stop);
+            const std::string reason =
+                m_solver.solve(m_scenario.scenario(), row.subspan(m_values.size()), stop);
             if (!reason.empty()) chunk.rows.fail(reason);
             changed = point.advance();
         }
@@ -72,23 +69,13 @@ class RowMaker {
     /// `changed` is the first axis whose value is not that of the point before.
     void moveTo(const GridPoint& point, std::size_t changed) {
         for (std::size_t a = changed; a < m_values.size(); ++a) m_values[a] = m_sweep.axes[a].value(point[a]);
-        assign();
-        if (!m_hasPulse || (m_lastPulseAxis && changed <= *m_lastPulseAxis)) m_solver.setPulse(m_scenario);
+        m_scenario.set(m_values);
+        if (!m_hasPulse || m_scenario.movesPulse(changed)) m_solver.setPulse(m_scenario.scenario());
         m_hasPulse = true;
     }
 
-    /// Sets every axis. What one axis sets may depend on the others in a dimensional scenario (tau moves the
-    /// length, which moves nothing else, but a duration moves the impulse of a given force), so that each
-    /// point starts from the base.
-    void assign() {
-        if (m_scenario.form == ScenarioForm::dimensional) m_scenario = m_sweep.base;
-        for (const std::size_t a : m_assignments.order()) m_sweep.axes[a].assign(m_scenario, m_values[a]);
-    }
-
     const Sweep& m_sweep;
-    Assignments m_assignments;
-    std::optional<std::size_t> m_lastPulseAxis;
-    Scenario m_scenario;
+    AxisScenario m_scenario;
     CaseSolver m_solver;
     std::vector<double> m_values;  // of the axes at the point
     bool m_hasPulse = false;
@@ -102,12 +89,6 @@ RowHeader headerOf(const Sweep& sweep) {
 }
 
 }  // namespace
-
-Assignments assignmentsOf(const std::vector<SweepAxis>& axes) {
-    Assignments assignments;
-    for (const SweepAxis& axis : axes) assignments.add(axis.key());
-    return assignments;
-}
 
 std::uint64_t pointCount(const Sweep& sweep) {
     std::uint64_t points = 1;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/blow/method.h"
-#include "core/model/assignments.h"
 #include "core/model/scenario.h"
 #include "core/study/rows/output_column.h"
 #include "core/study/rows/row_counts.h"
@@ -30,9 +29,6 @@ struct Sweep {
 
 /// Most axes of one sweep.
 inline constexpr std::size_t maximumSweepAxes = 8;
-
-/// What the axes set, each numbered as it is there.
-Assignments assignmentsOf(const std::vector<SweepAxis>& axes);
 
 /// Number of points of the whole grid; 0 if there are more than maximumSweepPoints.
 std::uint64_t pointCount(const Sweep& sweep);

@@ -61,21 +61,54 @@ std::string readCount(SweepAxis& axis, std::string_view text) {
     return {};
 }
 
-std::string readRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts) {
+/// START, STOP and, as the last of `parts`, perhaps `log`.
+std::string readEnds(ParsedAxis& parsed, const std::vector<std::string_view>& parts, std::size_t last,
+                     std::string_view lastName) {
     SweepAxis& axis = parsed.axis;
     const std::string key(axis.key());
-    if (parts.size() < 3 || parts.size() > 4)
-        return key + " needs START:STOP:COUNT, START:STOP:COUNT:log or a list A,B,C";
-    if (parts.size() == 4 && parts[3] != "log")
-        return "`" + shortened(parts[3]) + "` behind the count of " + key +
+    if (parts.size() == last + 2 && parts.back() != "log")
+        return "`" + shortened(parts.back()) + "` behind the " + std::string(lastName) + " of " + key +
                " is not known; only `log` may follow";
-    axis.kind = parts.size() == 4 ? SweepAxis::Kind::logarithmic : SweepAxis::Kind::linear;
+    axis.kind = parts.size() == last + 2 ? SweepAxis::Kind::logarithmic : SweepAxis::Kind::linear;
     if (std::string problem = readValue(parsed, parts[0], axis.start); !problem.empty()) return problem;
     if (std::string problem = readValue(parsed, parts[1], axis.stop); !problem.empty()) return problem;
-    if (std::string problem = readCount(axis, parts[2]); !problem.empty()) return problem;
-    if (axis.kind == SweepAxis::Kind::logarithmic && !(axis.start > 0 && axis.stop > 0))
-        return "a logarithmic axis of " + key + " must begin and end above 0";
     return {};
+}
+
+std::string logarithmProblem(const SweepAxis& axis) {
+    if (axis.kind != SweepAxis::Kind::logarithmic || (axis.start > 0 && axis.stop > 0)) return {};
+    return "a logarithmic axis of " + std::string(axis.key()) + " must begin and end above 0";
+}
+
+/// The count may lack where one is assumed.
+std::string readRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts,
+                      std::optional<std::uint64_t> assumedCount) {
+    SweepAxis& axis = parsed.axis;
+    if (assumedCount && (parts.size() == 2 || (parts.size() == 3 && parts[2] == "log"))) {
+        if (std::string problem = readEnds(parsed, parts, 1, "end"); !problem.empty()) return problem;
+        axis.count = *assumedCount;
+        return logarithmProblem(axis);
+    }
+    if (parts.size() < 3 || parts.size() > 4)
+        return std::string(axis.key()) + " needs START:STOP:COUNT, START:STOP:COUNT:log or a list A,B,C";
+    if (std::string problem = readEnds(parsed, parts, 2, "count"); !problem.empty()) return problem;
+    if (std::string problem = readCount(axis, parts[2]); !problem.empty()) return problem;
+    return logarithmProblem(axis);
+}
+
+/// Narrower ranges, of their larger end, have fewer values than places of their features are to have.
+constexpr double narrowestRange = 1e-4;
+
+std::string readFollowedRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts) {
+    SweepAxis& axis = parsed.axis;
+    const std::string key(axis.key());
+    if (parts.size() < 2 || parts.size() > 3) return key + " needs START:STOP or START:STOP:log";
+    if (std::string problem = readEnds(parsed, parts, 1, "end"); !problem.empty()) return problem;
+    axis.count = 2;
+    if (!(axis.start < axis.stop)) return "the range of " + key + " must end above its beginning";
+    if (axis.stop - axis.start < narrowestRange * std::max(std::abs(axis.start), std::abs(axis.stop)))
+        return "the range of " + key + " is too narrow: it must be at least 1e-4 of its end";
+    return logarithmProblem(axis);
 }
 
 std::string readList(ParsedAxis& parsed, const std::vector<std::string_view>& items) {
@@ -104,23 +137,41 @@ std::string readShapes(ParsedAxis& parsed, const std::vector<std::string_view>& 
     return {};
 }
 
-std::string readAxis(ParsedAxis& parsed, std::string_view text) {
-    SweepAxis& axis = parsed.axis;
+/// KEY and what stands behind its sign; `forms` are those that an axis may have.
+std::string readKey(ParsedAxis& parsed, std::string_view text, std::string_view forms,
+                    std::string_view& values) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos)
-        return "`" + shortened(text) +
-               "` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C";
+        return "`" + shortened(text) + "` is no axis: write " + std::string(forms);
     const std::string_view key = trimmed(text.substr(0, equals));
-    const std::string_view values = text.substr(equals + 1);
-    if (key == pulseShapeKey) return readShapes(parsed, split(values, ','));
-    axis.parameter = findParameter(key);
-    if (!axis.parameter) {
-        const std::string near = nearestKey(key);
-        return "`" + shortened(key) + "` is not a parameter" +
-               (near.empty() ? "" : "; did you mean `" + near + "`?");
-    }
-    if (values.find(':') != std::string_view::npos) return readRange(parsed, split(values, ':'));
+    values = text.substr(equals + 1);
+    parsed.axis.parameter = findParameter(key);
+    if (parsed.axis.parameter || key == pulseShapeKey) return {};
+    const std::string near = nearestKey(key);
+    return "`" + shortened(key) + "` is not a parameter" +
+           (near.empty() ? "" : "; did you mean `" + near + "`?");
+}
+
+std::string readAxis(ParsedAxis& parsed, std::string_view text, std::optional<std::uint64_t> assumedCount) {
+    std::string_view values;
+    if (std::string problem =
+            readKey(parsed, text, "KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C", values);
+        !problem.empty())
+        return problem;
+    if (!parsed.axis.parameter) return readShapes(parsed, split(values, ','));
+    if (values.find(':') != std::string_view::npos)
+        return readRange(parsed, split(values, ':'), assumedCount);
     return readList(parsed, split(values, ','));
+}
+
+std::string readFollowedAxis(ParsedAxis& parsed, std::string_view text) {
+    std::string_view values;
+    if (std::string problem = readKey(parsed, text, "KEY=START:STOP or KEY=START:STOP:log", values);
+        !problem.empty())
+        return problem;
+    if (!parsed.axis.parameter)
+        return std::string(pulseShapeKey) + " has no numbers to go along; make a family of shapes";
+    return readFollowedRange(parsed, split(values, ':'));
 }
 
 }  // namespace
@@ -178,9 +229,15 @@ std::vector<std::uint64_t> SweepAxis::extremes() const {
     return indices;
 }
 
-ParsedAxis parseAxis(std::string_view text) {
+ParsedAxis parseRange(std::string_view text) {
     ParsedAxis parsed;
-    parsed.problem = readAxis(parsed, text);
+    parsed.problem = readFollowedAxis(parsed, text);
+    return parsed;
+}
+
+ParsedAxis parseAxis(std::string_view text, std::optional<std::uint64_t> assumedCount) {
+    ParsedAxis parsed;
+    parsed.problem = readAxis(parsed, text, assumedCount);
     return parsed;
 }
 

@@ -51,8 +51,13 @@ struct ParsedAxis {
     std::string problem;
 };
 
+/// Reads "KEY=START:STOP" or "KEY=START:STOP:log", a range to be followed from START up to STOP: an axis of
+/// two values. What it refuses besides is a range that is too narrow to tell its values apart.
+ParsedAxis parseRange(std::string_view text);
+
 /// Reads "KEY=START:STOP:COUNT", "KEY=START:STOP:COUNT:log" or "KEY=A,B,C"; units on the values where the
 /// parameter has one ("rod.length=3m:6m:4"). Every value is inside the hard range of the parameter.
-ParsedAxis parseAxis(std::string_view text);
+/// Where `assumedCount` is given, the COUNT of a range may be left out.
+ParsedAxis parseAxis(std::string_view text, std::optional<std::uint64_t> assumedCount = {});
 
 }  // namespace drillwave

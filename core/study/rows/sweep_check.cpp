@@ -5,6 +5,7 @@
 
 #include "core/model/parameter_text.h"
 #include "core/model/validation.h"
+#include "core/study/rows/axis_scenario.h"
 
 namespace drillwave {
 

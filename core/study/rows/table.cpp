@@ -113,6 +113,7 @@ bool sets(const TableHeader& header, std::string_view key) {
 std::string outputProblem(const Table& table, const TableHeader& header) {
     Scenario sample = table.base;
     if (sets(header, "drill.blow_frequency")) sample.drill.blowFrequency = 1;
+    if (sets(header, "drill.thrust")) sample.drill.thrust = 1;
     return columnProblem(table.columns, sample);
 }
 

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study_plots.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/command_error.h"
+#include "app/scenario_argument.h"
+#include "core/text/decimal_text.h"
+
+namespace drillwave {
+
+namespace {
+
+/// "png, svg, pdf".
+std::string knownFormats() {
+    std::string known;
+    for (const std::string_view format : pictureFormats)
+        known += (known.empty() ? "" : ", ") + std::string(format);
+    return known;
+}
+
+/// Of a list with commas.
+std::vector<std::string> formatsIn(const std::string& list) {
+    std::vector<std::string> formats;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        const std::string format = list.substr(begin, end - begin);
+        begin = end + 1;
+        if (std::ranges::find(pictureFormats, format) == pictureFormats.end())
+            throw CommandError(ExitCode::usage, "--plots " + shortened(list) + ": `" + format +
+                                                    "` is not a plot format; choose from " + knownFormats());
+        if (std::ranges::find(formats, format) == formats.end()) formats.push_back(format);
+    }
+    return formats;
+}
+
+/// Where -o says; throws where pictures cannot be there.
+std::string placeOf(const Arguments& arguments, const char* what) {
+    const std::string place = arguments.value("o").value_or("-");
+    if (place == "-")
+        throw CommandError(ExitCode::usage,
+                           std::string("--plots is about files; add -o ") + what + " to say where they go");
+    return place;
+}
+
+/// "out/" of "out/map.csv", empty of "map.csv".
+std::string folderOf(const std::string& path) {
+    return path.substr(0, path.rfind('/') + 1);
+}
+
+/// "map" of "out/map.csv"; another ending stays.
+std::string stemOf(const std::string& path) {
+    constexpr std::string_view ending = ".csv";
+    const std::string name = path.substr(path.rfind('/') + 1);
+    return name.size() > ending.size() && name.ends_with(ending) ? name.substr(0, name.size() - ending.size())
+                                                                 : name;
+}
+
+}  // namespace
+
+std::vector<std::string> plotFormats(const Arguments& arguments) {
+    const std::optional<std::string> list = arguments.value("plots");
+    return list ? formatsIn(*list) : std::vector<std::string>();
+}
+
+bool asksForPlots(const Arguments& arguments) {
+    return arguments.has("plots");
+}
+
+OptionSpec plotsOptionSpec() {
+    return {"plots", "png,svg,pdf", "with -o, also pictures in these formats, as in the window"};
+}
+
+StudyPlots StudyPlots::besideFile(const Arguments& arguments) {
+    StudyPlots plots;
+    plots.m_order.formats = plotFormats(arguments);
+    if (!plots.areWanted()) return plots;
+    const std::string path = placeOf(arguments, "FILE.csv");
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+        !std::filesystem::is_directory(status))
+        throw CommandError(ExitCode::usage,
+                           "--plots: there is no place for pictures beside " + path + "; give -o FILE.csv");
+    plots.m_folder = folderOf(path);
+    plots.m_order.stem = stemOf(path);
+    return plots;
+}
+
+StudyPlots StudyPlots::inFolder(const Arguments& arguments, std::string_view name) {
+    StudyPlots plots;
+    plots.m_order.formats = plotFormats(arguments);
+    if (!plots.areWanted()) return plots;
+    plots.m_folder = placeOf(arguments, "DIR") + "/";
+    plots.m_order.stem = name;
+    return plots;
+}
+
+std::vector<std::string> StudyPlots::names() const {
+    std::vector<std::string> names;
+    for (const std::string& format : m_order.formats) names.push_back(m_order.stem + "." + format);
+    return names;
+}
+
+void StudyPlots::check(const std::string& input, const ScenarioDocument& document,
+                       Overwrite overwrite) const {
+    for (const std::string& name : names()) {
+        checkOutputIsNoInput(m_folder + name, input, document);
+        checkOverwrite(m_folder + name, overwrite);
+    }
+}
+
+std::vector<NamedFile> StudyPlots::draw(const StudyValue& value, const Drawing* drawing,
+                                        const Interruption& interruption) const {
+    if (!areWanted()) return {};
+    PictureOrder order = m_order;
+    order.stop = interruption.token();
+    std::vector<NamedFile> pictures = drawing->study(value, order);
+    interruption.check();
+    return pictures;
+}
+
+void writeBeside(const std::string& path, std::string_view text, const std::vector<NamedFile>& pictures,
+                 Overwrite overwrite) {
+    PicturesBeside beside(path, pictures, overwrite);
+    OutputFile file(path, overwrite);
+    file.write(text);
+    file.flush();
+    beside.commit();
+    file.commit();
+}
+
+PicturesBeside::PicturesBeside(const std::string& path, const std::vector<NamedFile>& pictures,
+                               Overwrite overwrite) {
+    for (const NamedFile& picture : pictures) {
+        m_files.push_back(std::make_unique<OutputFile>(folderOf(path) + picture.name, overwrite));
+        m_files.back()->write(picture.bytes);
+    }
+}
+
+void PicturesBeside::commit() {
+    for (const auto& file : m_files) file->commit();
+}
+
+}  // namespace drillwave

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `--plots` of a study: which pictures it writes, and where they go beside its numbers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/arguments.h"
+#include "app/drawing.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "core/file/scenario_file.h"
+
+namespace drillwave {
+
+/// The formats of `--plots png,svg`; none without it. Throws CommandError (usage).
+std::vector<std::string> plotFormats(const Arguments& arguments);
+
+/// Whether they are asked for: Command::draws of a study.
+bool asksForPlots(const Arguments& arguments);
+
+/// `--plots`, for a table of options.
+OptionSpec plotsOptionSpec();
+
+/// The pictures of a study, one in each format.
+class StudyPlots {
+  public:
+    /// Of a study whose numbers are the file of -o: FILE.png beside FILE.csv. Throws CommandError (usage)
+    /// where -o is missing, standard output, or a device.
+    static StudyPlots besideFile(const Arguments& arguments);
+    /// Of a study that writes into the folder of -o: NAME.png. Throws CommandError (usage) where -o is
+    /// missing or standard output.
+    static StudyPlots inFolder(const Arguments& arguments, std::string_view name);
+
+    bool areWanted() const { return !m_order.formats.empty(); }
+    /// Without their folder.
+    std::vector<std::string> names() const;
+    /// Throws CommandError (unwritable output) where one of them is an input or may not be overwritten:
+    /// before anything is computed.
+    void check(const std::string& input, const ScenarioDocument& document, Overwrite overwrite) const;
+    /// Draws them; none where none are wanted. Throws CommandError: unwritable output; interrupted.
+    std::vector<NamedFile> draw(const StudyValue& value, const Drawing* drawing,
+                                const Interruption& interruption) const;
+
+  private:
+    std::string m_folder;  // "out/", empty for the present one
+    PictureOrder m_order;
+};
+
+/// A study's file and the pictures of StudyPlots::besideFile(): all of them have room before the first takes
+/// its place, and the file itself comes last. Throws CommandError (unwritable output).
+void writeBeside(const std::string& path, std::string_view text, const std::vector<NamedFile>& pictures,
+                 Overwrite overwrite);
+
+/// The pictures beside `path`, each on its way to its place; commit() puts them there.
+class PicturesBeside {
+  public:
+    PicturesBeside(const std::string& path, const std::vector<NamedFile>& pictures, Overwrite overwrite);
+    void commit();
+
+  private:
+    std::vector<std::unique_ptr<OutputFile>> m_files;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Smooth pieces of functions that are costly to evaluate and have kinks, to a known accuracy and with bounded
+// work.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/numeric/chebyshev.h"
+
+namespace drillwave {
+
+/// Most functions that are fitted together, on the same pieces.
+inline constexpr std::size_t mostFitFunctions = 3;
+
+/// The functions at one place.
+struct FitSample {
+    double x = 0;
+    std::array<double, mostFitFunctions> values{};
+    double error = 0;         ///< bound on the error of the values
+    std::uint64_t order = 0;  ///< while it stays the same, the functions are smooth
+    int label = 0;            ///< whatever pieces are to be told by
+    bool solved = false;      ///< false: there are no values here
+    long effort = 0;          ///< what a place without values has cost, in the units of mostFailedEffort
+};
+
+/// A stretch over which all functions are smooth.
+struct FitPiece {
+    double start = 0;
+    double end = 0;
+    std::vector<Chebyshev> outputs;  ///< of the functions; empty where there is no answer
+    std::vector<double> error;       ///< bound of |outputs − exact| as estimated, in units of the functions
+    int label = 0;                   ///< that of a sample inside
+    bool resolved = true;  ///< the error is within the tolerance; else this is a sliver around a kink,
+                           ///< or more work than was permitted
+    bool solved = true;    ///< false: there is no answer here, and there are no numbers
+};
+
+/// What is fitted, how well, and how much work that may be.
+struct FitSettings {
+    std::size_t count = 1;  ///< of functions, 1 … mostFitFunctions
+    /// What the tolerance is relative to, for each function.
+    std::array<double, mostFitFunctions> scale{1, 1, 1};
+    /// Whether larger values take the place of `scale` as they are seen.
+    std::array<bool, mostFitFunctions> scaleGrows{};
+    double tolerance = 1e-10;
+    double kinkWidth = 1e-12;   ///< of the bracket around a change of the order
+    double leastWidth = 1e-11;  ///< of a piece that is still halved
+    // Limits on the work for functions that never become smooth, for each cell and what earlier cells left
+    // over.
+    std::uint64_t solvesOfCell = 2'000;
+    std::uint64_t kinksOfCell = 100;
+    std::uint64_t failuresOfCell = 20;  ///< places without values, not left over to later cells
+    long mostFailedEffort = std::numeric_limits<long>::max();  ///< in all
+    /// Where values end: halved towards, as any rough place, or bracketed as a kink is.
+    enum class Ends { halved, bracketed } ends = Ends::halved;
+};
+
+/// The functions from the first of the cuts to the last.
+struct PiecewiseFit {
+    std::vector<FitPiece> pieces;  ///< ascending, contiguous but for slivers of kinkWidth
+    std::vector<double> borders;   ///< places at which the order changes
+    std::uint64_t solves = 0;      ///< samples taken
+    double largestError = 0;       ///< of the samples
+    double unsolved = 0;           ///< length without values
+};
+
+/// Takes a sample at x. What it answers after a stop is not used.
+using FitFunction = std::function<FitSample(double x)>;
+/// Told now and then up to which x the pieces are there.
+using FitProgress = std::function<void(double x)>;
+
+/// Interpolates over the cells between ascending `cuts` (at least two). Pieces end where the order of samples
+/// changes, found by bracketing, and are halved until polynomials through samples agree with others, to
+/// `tolerance` of `scale` and eight times the error of samples. Stops early, incomplete, on the stop token.
+PiecewiseFit fitPiecewise(const FitSettings& settings, std::span<const double> cuts,
+                          const FitFunction& function, const std::stop_token& stop = {},
+                          const FitProgress& progress = {});
+
+/// The same for functions that do not depend on x: one sample, at `start`.
+PiecewiseFit fitConstant(const FitSettings& settings, double start, double end, const FitFunction& function,
+                         const std::stop_token& stop = {});
+
+/// The piece to look up x in: the one that x is in, or before the first the first, or where there is no
+/// answer the last before that has one. Requires a solved piece at or before x.
+const FitPiece& pieceAt(std::span<const FitPiece> pieces, double x);
+
+/// Places at which to draw: the ends of solved pieces, but for slivers, and no more than `farthest` apart.
+std::vector<double> samplePlaces(std::span<const FitPiece> pieces, double farthest);
+
+}  // namespace drillwave

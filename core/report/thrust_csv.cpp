@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/thrust_csv.h"
+
+#include "core/text/number_text.h"
+
+namespace drillwave {
+
+namespace {
+
+std::string headerOf(const ThrustAlong& along) {
+    std::string header = along.axis.column().header;
+    for (const char* end : {"", "_undamped"})
+        for (const ThrustCase which : thrustCases) header += "," + std::string(name(which)) + end + " [N]";
+    return header + ",effective_force [N],thrust_margin,gap_at_blow [m],round_trips,feed\n";
+}
+
+/// Behind the value of the parameter.
+void appendCells(std::string& row, const ThrustPoint& point) {
+    const auto add = [&](const std::optional<double>& number) {
+        row += ',';
+        if (number) appendNumber(row, *number);
+    };
+    for (const ThrustNeed& need : point.needs) add(need.thrust);
+    for (const ThrustNeed& need : point.needs) add(need.thrustUndamped);
+    add(point.verdict.effective());
+    add(largestOf(point.needs).margin);
+    const std::optional<GapAtBlow>& gap = point.need(ThrustCase::scenario).gapAtBlow;
+    const bool hasGap = gap && gap->motion.kind != UndampedMotion::Kind::pushedBack;
+    add(hasGap ? std::optional(gap->gap) : std::nullopt);
+    add(point.roundTrips);
+    row += "," + std::string(name(point.verdict.feed));
+}
+
+}  // namespace
+
+std::vector<double> valuesOf(const SweepAxis& axis) {
+    std::vector<double> values;
+    for (std::uint64_t i = 0; i < axis.count; ++i) values.push_back(axis.value(i));
+    return values;
+}
+
+std::string thrustCsv(const ThrustAlong& along) {
+    constexpr std::size_t columnsBehind = 2 * thrustCaseCount + 5;
+    const RowColumn column = along.axis.column();
+    std::string csv = headerOf(along);
+    for (const ThrustPoint& point : along.curve.points) {
+        column.appendText(csv, point.value);
+        if (point.reason.empty())
+            appendCells(csv, point);
+        else
+            csv.append(columnsBehind, ',');
+        csv += '\n';
+    }
+    return csv;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/curve/curve.h"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+
+#include "core/study/rows/sweep_check.h"
+
+namespace drillwave {
+
+namespace {
+
+/// The piece that has an answer at a share of the way, or nullptr.
+const FitPiece* solvedPieceAt(std::span<const FitPiece> pieces, double share) {
+    auto after = std::ranges::upper_bound(pieces, share, {}, &FitPiece::start);
+    if (after == pieces.begin()) return nullptr;
+    --after;
+    // where two meet, the one that has an answer
+    if (!after->solved && after != pieces.begin() && std::prev(after)->end == share) --after;
+    return after->solved ? &*after : nullptr;
+}
+
+}  // namespace
+
+CurveRange CurveQuestion::range() const {
+    return {.start = along.start,
+            .stop = along.stop,
+            .spacing = along.kind == SweepAxis::Kind::logarithmic ? CurveRange::Spacing::logarithmic
+                                                                  : CurveRange::Spacing::linear};
+}
+
+std::vector<SweepAxis> CurveQuestion::axes() const {
+    std::vector<SweepAxis> all;
+    if (family) all.push_back(*family);
+    all.push_back(along);
+    return all;
+}
+
+std::vector<std::string> problemsOf(const CurveQuestion& question) {
+    std::vector<std::string> problems = problemsOf(
+        Sweep{.base = question.base, .axes = question.axes(), .columns = question.columns, .shard = {}});
+    if (question.family && question.family->count > maximumCurveLines)
+        problems.push_back("a family has at most " + std::to_string(maximumCurveLines) + " lines, this one " +
+                           std::to_string(question.family->count));
+    return problems;
+}
+
+const CurveFeature* CurveOutput::extreme(CurveFeature::Kind kind) const {
+    const auto found = std::ranges::find_if(
+        features, [kind](const CurveFeature& feature) { return feature.ofAll && feature.kind == kind; });
+    return found == features.end() ? nullptr : &*found;
+}
+
+std::optional<double> CurveLine::value(double x, std::size_t output) const {
+    const double share = range.shareOf(x);
+    const FitPiece* piece = solvedPieceAt(outputs[output].pieces, share);
+    return piece ? std::optional(piece->outputs.front()(share)) : std::nullopt;
+}
+
+std::optional<double> CurveLine::error(double x, std::size_t output) const {
+    const FitPiece* piece = solvedPieceAt(outputs[output].pieces, range.shareOf(x));
+    return piece ? std::optional(piece->error.front()) : std::nullopt;
+}
+
+bool CurveStudy::isComplete() const {
+    return !stopped && std::ranges::all_of(lines, [](const CurveLine& line) {
+        return std::ranges::all_of(line.outputs,
+                                   [](const CurveOutput& output) { return output.unsolved.empty(); });
+    });
+}
+
+}  // namespace drillwave

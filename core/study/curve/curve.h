@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Outputs along one parameter, to a known accuracy: smooth pieces between kinks that are found, not stepped
+// over.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/blow/method.h"
+#include "core/model/scenario.h"
+#include "core/numeric/piecewise_fit.h"
+#include "core/study/curve/curve_feature.h"
+#include "core/study/curve/curve_range.h"
+#include "core/study/rows/output_column.h"
+#include "core/study/rows/row_counts.h"
+#include "core/study/rows/sweep_axis.h"
+
+namespace drillwave {
+
+/// What is asked.
+struct CurveQuestion {
+    Scenario base;
+    /// The parameter to go along, as parseRange() gives it.
+    SweepAxis along;
+    std::optional<SweepAxis> family;    ///< a line for each of its values
+    std::vector<OutputColumn> columns;  ///< at least one
+    std::vector<double> levels;         ///< to be crossed by every output, each in its own unit
+    MethodChoice method = {};
+    long workLimit = defaultWorkLimit;  ///< most wave pieces of a blow; beyond, it is not solved
+
+    CurveRange range() const;
+    std::vector<SweepAxis> axes() const;  ///< the family, if there is one, and the parameter to go along
+};
+
+/// Most lines of a family.
+inline constexpr std::size_t maximumCurveLines = 50;
+
+/// What makes a question unusable, each a line, as problemsOf(Sweep): axes of one quantity, a parameter that
+/// has no meaning here, ends that are no valid scenario. Empty when it can be studied.
+std::vector<std::string> problemsOf(const CurveQuestion& question);
+
+/// A part of the range, SI, and why it is not as the others.
+struct CurveStretch {
+    double start = 0;
+    double end = 0;
+    std::string reason;
+    bool operator==(const CurveStretch&) const = default;
+};
+
+/// One output along the range.
+struct CurveOutput {
+    /// Over shares of the way (CurveRange), 0 … 1, ascending, one function each.
+    std::vector<FitPiece> pieces;
+    /// Where the output is not smooth, or not within the work permitted: there it was computed at the points
+    /// of the line alone, no more than 1/500 of the way and 1/16 of the stretch apart, and is straight
+    /// between them.
+    std::vector<CurveStretch> grid;
+    std::vector<CurveStretch> unsolved;  ///< where there is no answer
+    std::vector<CurveFeature> features;  ///< by place
+
+    /// The least or largest of the line; nullptr where there is no answer at all.
+    const CurveFeature* extreme(CurveFeature::Kind kind) const;
+};
+
+/// All outputs along the range, for one value of the family.
+struct CurveLine {
+    std::optional<double> family;  ///< SI, or the number of a shape
+    CurveRange range;
+    std::vector<double> points;               ///< to draw and write: ascending values of the parameter, SI
+    std::vector<std::vector<double>> values;  ///< of each output at each point; NaN where there is none
+    std::vector<CurveOutput> outputs;         ///< in the order of CurveQuestion::columns
+
+    /// An output anywhere in the range; nothing where there is no answer.
+    std::optional<double> value(double x, std::size_t output) const;
+    /// The bound on its error as estimated; nothing where there is no answer.
+    std::optional<double> error(double x, std::size_t output) const;
+};
+
+/// The answer.
+struct CurveStudy {
+    CurveQuestion question;
+    std::vector<CurveLine> lines;  ///< one for each value of the family, one without
+    std::uint64_t solves = 0;      ///< blows solved
+    bool stopped = false;          ///< on the stop token: there are no lines
+
+    /// Whether every output has an answer all along every line.
+    bool isComplete() const;
+};
+
+/// Told on the calling thread which share of the work is done, 0 … 1.
+using CurveProgress = std::function<void(double)>;
+
+/// Fits every output on its own, in the parameter or its logarithm, to 1e-10 of its size and the error of the
+/// solver: which others are asked for changes nothing. Work is bounded, and the lines do not depend on `jobs`
+/// (≥ 1). Requires problemsOf() to be empty.
+CurveStudy studyCurve(const CurveQuestion& question, int jobs, std::stop_token stop = {},
+                      const CurveProgress& progress = {});
+
+}  // namespace drillwave

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/curve/curve_cells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/model/scales.h"
+#include "core/numeric/fit_features.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr std::size_t leastCells = 16;
+constexpr std::size_t mostCells = 256;
+constexpr double cellsOfPeriod = 8;
+/// Refusals cost nothing, and where they end is bracketed: enough for four brackets of a cell.
+constexpr std::uint64_t mostFailuresOfCell = 200;
+/// Of blows at the work limit, for each output of a cell.
+constexpr long mostBlowsAtLimit = 3;
+/// What outputs that are no ratio are known to where they vanish, of the unit that they have.
+constexpr double smallOfUnit = 1e-4;
+constexpr std::string_view notSmooth = "not smooth within the work permitted";
+constexpr std::string_view isRounding = "an error, which has no smooth course";
+
+bool isRatio(Measure measure) {
+    return measure == Measure::number || measure == Measure::share || measure == Measure::work;
+}
+
+/// Leaves open what is too rough and too wide for a sliver around a kink.
+std::vector<FitPiece> openRoughPieces(std::vector<FitPiece> pieces) {
+    std::vector<FitPiece> kept;
+    for (FitPiece& piece : pieces) {
+        const bool isRough = piece.solved && !piece.resolved && piece.end - piece.start > leastSlopeWidth;
+        if (!isRough)
+            kept.push_back(std::move(piece));
+        else if (!kept.empty() && isOpen(kept.back()))
+            kept.back().end = piece.end;
+        else
+            kept.push_back(openPiece(piece.start, piece.end));
+    }
+    return kept;
+}
+
+}  // namespace
+
+std::size_t cellCount(const CurveQuestion& question) {
+    const auto gapAt = [&](double value) {
+        Scenario scenario = question.base;
+        question.along.assign(scenario, value);
+        return groupsOf(scenario).delta;
+    };
+    if (question.along.key() != "delta" && question.along.key() != "bit_rock.gap") return leastCells;
+    const double cells = cellsOfPeriod * (gapAt(question.along.stop) - gapAt(question.along.start));
+    return static_cast<std::size_t>(std::clamp(std::ceil(cells), double(leastCells), double(mostCells)));
+}
+
+FitPiece openPiece(double start, double end) {
+    FitPiece piece;
+    piece.start = start;
+    piece.end = end;
+    piece.resolved = false;
+    return piece;
+}
+
+bool isOpen(const FitPiece& piece) {
+    return piece.solved && piece.outputs.empty();
+}
+
+void CellFitter::operator()(CellTask& task, const std::stop_token& stop) const {
+    CurveSampler sampler(m_question, m_axes, task.line, stop);
+    task.outputs.clear();
+    for (std::size_t i = 0; i < m_question.columns.size(); ++i)
+        task.outputs.push_back(fit(sampler, task, i, stop));
+    task.solves = sampler.solves();
+}
+
+CellOutput CellFitter::fit(CurveSampler& sampler, const CellTask& task, std::size_t output,
+                           const std::stop_token& stop) const {
+    const std::array cuts{task.start, task.end};
+    const Measure measure = m_question.columns[output].output->measure;
+    if (measure == Measure::error) return {{openPiece(cuts[0], cuts[1])}, {}};
+    const double unit = sampler.unitAt(cuts[0], output);
+    const bool grows = !isRatio(measure) || measure == Measure::work;
+    const FitSettings settings{.scale = {isRatio(measure) ? unit : unit * smallOfUnit, 0, 0},
+                               .scaleGrows = {grows, false, false},
+                               .failuresOfCell = mostFailuresOfCell,
+                               .mostFailedEffort = mostBlowsAtLimit * m_question.workLimit,
+                               .ends = FitSettings::Ends::bracketed};
+    PiecewiseFit fitted = fitPiecewise(
+        settings, cuts, [&](double share) { return sampler(share, output); }, stop);
+    return {openRoughPieces(std::move(fitted.pieces)), sampler.reason()};
+}
+
+void addStretch(std::vector<CurveStretch>& stretches, const CurveRange& range, const FitPiece& piece,
+                std::string_view reason) {
+    const double start = range.at(piece.start), end = range.at(piece.end);
+    if (!stretches.empty() && stretches.back().end == start && stretches.back().reason == reason)
+        stretches.back().end = end;
+    else
+        stretches.push_back({start, end, std::string(reason)});
+}
+
+void addCell(CurveLine& line, const CurveQuestion& question, CellTask& task) {
+    for (std::size_t i = 0; i < task.outputs.size(); ++i) {
+        CurveOutput& output = line.outputs[i];
+        const bool isError = question.columns[i].output->measure == Measure::error;
+        for (FitPiece& piece : task.outputs[i].pieces) {
+            if (isOpen(piece)) addStretch(output.grid, line.range, piece, isError ? isRounding : notSmooth);
+            if (!piece.solved) addStretch(output.unsolved, line.range, piece, task.outputs[i].reason);
+            output.pieces.push_back(std::move(piece));
+        }
+    }
+}
+
+}  // namespace drillwave

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The outputs of a curve fitted cell by cell, which is what threads share.
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/study/curve/curve_sampler.h"
+
+namespace drillwave {
+
+/// The range of a question is cut in so many cells, where to look first: a feature that is narrower, and on
+/// which nothing happens at the bit in another order, may be missed. More for many periods of the gap.
+std::size_t cellCount(const CurveQuestion& question);
+
+/// One output in one cell.
+struct CellOutput {
+    std::vector<FitPiece> pieces;  ///< open where it is not smooth
+    std::string reason;            ///< of those without an answer
+};
+
+struct CellTask {
+    std::size_t line = 0;
+    double start = 0;  ///< shares of the way
+    double end = 1;
+    std::vector<CellOutput> outputs;
+    std::uint64_t solves = 0;
+};
+
+/// A piece to be filled from points: it has an answer, but no function yet.
+FitPiece openPiece(double start, double end);
+bool isOpen(const FitPiece& piece);
+
+/// Fits the outputs of one cell after another. One for each thread.
+class CellFitter {
+  public:
+    /// Both must outlive this.
+    CellFitter(const CurveQuestion& question, const std::vector<SweepAxis>& axes)
+        : m_question(question), m_axes(axes) {}
+
+    /// Fills a task of that line and those ends.
+    void operator()(CellTask& task, const std::stop_token& stop) const;
+
+  private:
+    CellOutput fit(CurveSampler& sampler, const CellTask& task, std::size_t output,
+                   const std::stop_token& stop) const;
+
+    const CurveQuestion& m_question;
+    const std::vector<SweepAxis>& m_axes;
+};
+
+/// Appends what a cell has brought to the pieces and stretches of the outputs; the cells of a line in their
+/// order.
+void addCell(CurveLine& line, const CurveQuestion& question, CellTask& task);
+
+/// Appends where a piece is, or makes the last stretch longer, where it is for the same reason.
+void addStretch(std::vector<CurveStretch>& stretches, const CurveRange& range, const FitPiece& piece,
+                std::string_view reason);
+
+}  // namespace drillwave

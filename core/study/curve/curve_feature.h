@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is worth telling about a curve: where it is least and largest, turns, jumps and crosses a level.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "core/numeric/estimate.h"
+
+namespace drillwave {
+
+/// One place of a curve, with errors as estimated from the accuracy of the curve.
+struct CurveFeature {
+    enum class Kind {
+        minimum,   ///< least of a neighbourhood, or of the range
+        maximum,   ///< largest of a neighbourhood, or of the range
+        kink,      ///< the slope jumps, and it is no extreme
+        jump,      ///< the value jumps
+        crossing,  ///< `level` is passed
+    };
+    /// What the curve is like there.
+    enum class Shape {
+        smooth,      ///< nothing but what the kind says
+        cusp,        ///< the slope jumps, or the value does
+        end,         ///< the range, or what is known of it, begins or ends here
+        grid,        ///< the curve is known by points alone here, and the place by how far these are apart
+        everywhere,  ///< the curve is the same everywhere, but for errors
+    };
+    Kind kind = Kind::minimum;
+    Shape shape = Shape::smooth;
+    bool ofAll = false;      ///< the least or largest of the whole line
+    Estimate x = {};         ///< SI
+    Estimate value = {};     ///< in the unit of the output column; of a jump the value before it
+    double valueAfter = 0;   ///< of a jump
+    double level = 0;        ///< of a crossing
+    bool rising = false;     ///< of a crossing: with growing x
+    double slopeBefore = 0;  ///< of a kink or cusp, per unit of x (SI)
+    double slopeAfter = 0;
+    bool operator==(const CurveFeature&) const = default;
+};
+
+/// "minimum", "maximum", "kink", "jump", "crossing".
+std::string_view name(CurveFeature::Kind kind);
+/// "smooth", "cusp", "end", "grid", "everywhere".
+std::string_view name(CurveFeature::Shape shape);
+
+}  // namespace drillwave

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The points of a line, and what is known of outputs by points alone.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/study/curve/curve_sampler.h"
+
+namespace drillwave {
+
+/// Shares of the way at which to draw and write a line: the ends of the pieces of all its outputs, but for
+/// slivers, no more than 1/500 apart and closer where a piece is open; and one wherever there is no answer.
+std::vector<double> pointsOf(const CurveLine& line);
+
+/// Of `points`, those at which open pieces have to be known, and the ends of these.
+std::vector<double> openPointsOf(const CurveLine& line, std::span<const double> points);
+
+/// All outputs at one point, solved.
+struct CurvePoint {
+    double share = 0;
+    std::vector<FitSample> outputs;
+    std::vector<std::string> reasons;  ///< why there is none
+};
+
+/// Some points of one line.
+struct PointTask {
+    std::size_t line = 0;
+    std::vector<double> shares;
+    std::vector<CurvePoint> points;
+    std::uint64_t solves = 0;
+};
+
+/// Solves the points of one task after another. One for each thread.
+class PointSolver {
+  public:
+    /// Both must outlive this.
+    PointSolver(const CurveQuestion& question, const std::vector<SweepAxis>& axes)
+        : m_question(question), m_axes(axes) {}
+
+    /// Fills a task of that line and shares.
+    void operator()(PointTask& task, const std::stop_token& stop) const;
+
+  private:
+    const CurveQuestion& m_question;
+    const std::vector<SweepAxis>& m_axes;
+};
+
+/// Fills the open pieces of an output with straight ones between solved points, ascending, which hold all of
+/// openPointsOf().
+void fillPieces(CurveLine& line, std::size_t output, std::span<const double> points,
+                std::span<const CurvePoint> solved);
+
+}  // namespace drillwave

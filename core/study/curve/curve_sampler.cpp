@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/curve/curve_sampler.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/model/scales.h"
+#include "core/study/gap/event_order.h"
+
+namespace drillwave {
+
+namespace {
+
+/// What is smooth while it stays the same. The lattice has the events only to a step.
+std::uint64_t orderOf(const Impact& impact, const Problem& problem, Method method) {
+    const bool exactTimes = method != Method::lattice && impact.hasEvents();
+    return exactTimes ? eventOrder(impact, problem.hammer) : static_cast<std::uint64_t>(impact.contacts);
+}
+
+}  // namespace
+
+CurveSampler::CurveSampler(const CurveQuestion& question, const std::vector<SweepAxis>& axes,
+                           std::size_t line, std::stop_token stop)
+    : m_question(question),
+      m_range(question.range()),
+      m_stop(std::move(stop)),
+      m_scenario(question.base, axes),
+      m_solver(question.columns, question.method, question.workLimit, Detail::summary),
+      m_values(axes.size()),
+      m_pulseMoves(m_scenario.movesPulse(axes.size() - 1)) {
+    if (question.family) m_values.front() = question.family->value(line);
+}
+
+const Scenario& CurveSampler::scenarioAt(double share) {
+    m_values.back() = m_range.at(share);
+    return m_scenario.set(m_values);
+}
+
+double CurveSampler::unitAt(double share, std::size_t output) {
+    const OutputColumn& column = m_question.columns[output];
+    const Scenario& scenario = scenarioAt(share);
+    if (column.output->measure == Measure::newton)
+        return scenario.drill.blowFrequency.value_or(1) * scalesOf(scenario).impulse;
+    return column.units == OutputUnits::si ? column.output->scale(scalesOf(scenario)) : 1;
+}
+
+const CurveSampler::Blow& CurveSampler::blowAt(double share) {
+    const auto [found, isNew] = m_blows.try_emplace(share);
+    Blow& blow = found->second;
+    if (!isNew) return blow;
+    const Scenario& scenario = scenarioAt(share);
+    if (!m_hasPulse || m_pulseMoves) m_solver.setPulse(scenario);
+    m_hasPulse = true;
+    blow.values.resize(m_question.columns.size());
+    blow.reason = m_solver.solve(scenario, blow.values, m_stop);
+    const Impact& impact = m_solver.impact();
+    blow.pieces = impact.pieces;
+    if (!blow.reason.empty()) {
+        blow.values.clear();
+        return blow;
+    }
+    blow.corError = impact.corError;
+    blow.contacts = impact.contacts;
+    blow.order = orderOf(impact, m_solver.problem(), m_question.method.method);
+    return blow;
+}
+
+FitSample CurveSampler::operator()(double share, std::size_t output) {
+    const Blow& blow = blowAt(share);
+    FitSample sample{.x = share, .label = blow.contacts, .effort = blow.pieces};
+    sample.solved = !blow.values.empty() && std::isfinite(blow.values[output]);
+    if (!sample.solved) {
+        m_reason = blow.reason.empty() ? "the waves of such a blow are too many to be kept" : blow.reason;
+        return sample;
+    }
+    sample.values[0] = blow.values[output];
+    sample.error = blow.corError * unitAt(share, output);
+    sample.order = blow.order;
+    return sample;
+}
+
+}  // namespace drillwave

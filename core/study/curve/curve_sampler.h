@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Blows along the range of a curve, each solved once for all outputs.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/study/curve/curve.h"
+#include "core/study/rows/axis_scenario.h"
+#include "core/study/rows/case_solver.h"
+
+namespace drillwave {
+
+/// Solves the blows of one line. One for each thread.
+class CurveSampler {
+  public:
+    /// `axes` are those of the question, `line` the number of the line; all must outlive this.
+    CurveSampler(const CurveQuestion& question, const std::vector<SweepAxis>& axes, std::size_t line,
+                 std::stop_token stop);
+
+    /// An output at a share of the way, its error as that of e.
+    FitSample operator()(double share, std::size_t output);
+    /// Why there was no answer for the last sample that had none.
+    const std::string& reason() const { return m_reason; }
+    /// The size that numbers of an output have in its unit, at a share of the way: d0 of a penetration and
+    /// so on; 1 of what is a ratio.
+    double unitAt(double share, std::size_t output);
+    std::uint64_t solves() const { return m_blows.size(); }
+
+  private:
+    struct Blow {
+        std::vector<double> values;  // of all outputs; none where it was not solved
+        std::string reason;
+        double corError = 0;
+        std::uint64_t order = 0;
+        int contacts = 0;
+        long pieces = 0;
+    };
+    const Blow& blowAt(double share);
+    const Scenario& scenarioAt(double share);
+
+    const CurveQuestion& m_question;
+    CurveRange m_range;
+    std::stop_token m_stop;
+    AxisScenario m_scenario;
+    CaseSolver m_solver;
+    std::vector<double> m_values;  // of the axes
+    bool m_pulseMoves;             // with the parameter
+    bool m_hasPulse = false;
+    std::unordered_map<double, Blow> m_blows;  // by share
+    std::string m_reason;
+};
+
+}  // namespace drillwave

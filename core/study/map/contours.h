@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where an output takes a level in a map: points placed by the solver, not by the grid.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/study/map/map.h"
+
+namespace drillwave {
+
+/// A point of a contour, on a line between two neighbouring points of the grid.
+struct ContourPoint {
+    double x = 0;         ///< SI
+    double y = 0;         ///< SI
+    double value = 0;     ///< the output there, in the units of the map
+    double residual = 0;  ///< |value − level|
+    /// Where the output jumps across the level: how closely the place of the jump is enclosed [SI of the axis
+    /// along which the two points of the grid differ]. 0 where it takes the level: `residual` is then at most
+    /// contourAccuracy of the level or of the step between the two points, whichever is larger.
+    double jumpWidth = 0;
+    bool isJump() const { return jumpWidth > 0; }
+    bool operator==(const ContourPoint&) const = default;
+};
+
+/// How near the level a point is placed: a hundredth of what theory promises for e, so that rounding hides
+/// none of it.
+inline constexpr double contourAccuracy = 1e-11;
+
+/// One connected line; of a closed one the last point is the first again.
+using ContourLine = std::vector<ContourPoint>;
+
+/// All lines of one level.
+struct Contour {
+    double level = 0;
+    std::vector<ContourLine> lines;
+    std::uint64_t unplaced = 0;  ///< crossings that could not be placed: a blow on the way was not solved
+    std::string reason;          ///< the first reason why
+    std::uint64_t solves = 0;    ///< blows solved to place it
+    bool stopped = false;        ///< on the stop token: there are no lines
+
+    std::uint64_t pointCount() const;  ///< a closed line's first point counted once
+    std::uint64_t jumpCount() const;
+    double worstResidual() const;  ///< of the points that are no jumps; 0 without any
+    bool operator==(const Contour&) const = default;
+};
+
+/// Told on the calling thread how many of how many crossings are placed.
+using ContourProgress = std::function<void(std::uint64_t placed, std::uint64_t crossings)>;
+
+/// The contour of one level (finite, in the units of the map) through the points of `grid` that are there:
+/// those of every grid.stride()-th column and row. Between two neighbouring points of which one is below the
+/// level and the other is not, one point is placed by root finding. Where a square of four is crossed twice,
+/// its middle decides which points belong together. Squares with a point that has no value are left out.
+/// The work is at most some dozen blows a crossing; the result does not depend on `jobs` (≥ 1).
+Contour contourOf(const MapStudy& study, const MapGrid& grid, double level, int jobs,
+                  std::stop_token stop = {}, const ContourProgress& progress = {});
+
+}  // namespace drillwave

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/map/map_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace drillwave {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+MapGrid::MapGrid(std::vector<double> xs, std::vector<double> ys)
+    : m_xs(std::move(xs)),
+      m_ys(std::move(ys)),
+      m_values(m_xs.size() * m_ys.size(), none),
+      m_cells(m_values.size(), notThere) {
+    assert(!m_values.empty());
+    const auto pointsOf = [&](int level) {
+        const std::size_t stride = std::size_t{1} << level;
+        return ((columns() - 1) / stride + 1) * ((rows() - 1) / stride + 1);
+    };
+    while (pointsOf(m_coarsest) > coarsestMapPoints) ++m_coarsest;
+    for (int level = 0; level < m_coarsest; ++level) m_left.push_back(pointsOf(level) - pointsOf(level + 1));
+    m_left.push_back(pointsOf(m_coarsest));
+}
+
+std::size_t MapGrid::stride() const {
+    std::size_t finest = 0;
+    for (int level = m_coarsest;
+         level >= 0 && !m_left.empty() && m_left[static_cast<std::size_t>(level)] == 0; --level)
+        finest = std::size_t{1} << level;
+    return finest;
+}
+
+int MapGrid::level(std::size_t column, std::size_t row) const {
+    return std::min({std::countr_zero(column), std::countr_zero(row), m_coarsest});
+}
+
+std::string_view MapGrid::reason(std::size_t column, std::size_t row) const {
+    const Cell found = cell(column, row);
+    return found < firstReason ? std::string_view() : m_failures[std::size_t{found} - firstReason].reason;
+}
+
+MapGrid::Place MapGrid::standIn(std::size_t column, std::size_t row) const {
+    Place place{column, row};
+    for (std::size_t stride = 2; !isThere(place.column, place.row) && stride <= coarsestStride(); stride *= 2)
+        place = {column & ~(stride - 1), row & ~(stride - 1)};
+    return place;
+}
+
+std::uint64_t MapGrid::failed() const {
+    std::uint64_t sum = 0;
+    for (const RowFailure& failure : m_failures) sum += failure.rows;
+    return sum;
+}
+
+void MapGrid::put(std::size_t column, std::size_t row, Cell cell) {
+    assert(!isThere(column, row));
+    m_cells[index(column, row)] = cell;
+    ++m_done;
+    --m_left[static_cast<std::size_t>(level(column, row))];
+}
+
+void MapGrid::set(std::size_t column, std::size_t row, double value) {
+    m_values[index(column, row)] = value;
+    put(column, row, solved);
+}
+
+void MapGrid::fail(std::size_t column, std::size_t row, const std::string& reason) {
+    const bool isKnown = std::ranges::find(m_failures, reason, &RowFailure::reason) != m_failures.end();
+    const bool isFull = m_failures.size() + 1 >= maximumMapReasons;
+    const std::size_t place = addFailure(m_failures, {isKnown || !isFull ? reason : "other reasons", 1});
+    put(column, row, static_cast<Cell>(firstReason + place));
+}
+
+MapGrid::Extent MapGrid::extent() const {
+    Extent extent{none, none};
+    for (const double value : m_values) {
+        extent.least = std::fmin(extent.least, value);
+        extent.largest = std::fmax(extent.largest, value);
+    }
+    return extent;
+}
+
+bool MapGrid::operator==(const MapGrid& other) const {
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    return m_xs == other.m_xs && m_ys == other.m_ys && m_cells == other.m_cells &&
+           m_failures == other.m_failures && std::ranges::equal(m_values, other.m_values, {}, bits, bits);
+}
+
+}  // namespace drillwave

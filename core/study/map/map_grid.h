@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The points of a map: their values, which of them are there, and why some have none.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/numeric/ordered_work.h"
+#include "core/study/rows/row_block.h"
+
+namespace drillwave {
+
+/// Most reasons that are told apart; those that come later are told as one.
+inline constexpr std::size_t maximumMapReasons = 100;
+
+/// At most so many points are solved before any other: with slow blows of 40 µs they take some 40 ms.
+inline constexpr std::size_t coarsestMapPoints = 1024;
+
+/// Values over two axes. Point (column, row) is at the column-th value of x and the row-th of y.
+class MapGrid {
+  public:
+    MapGrid() = default;
+    /// Nothing is there; xs and ys (SI) are at least one each, and so many in all as maximumMapPoints
+    /// permits.
+    MapGrid(std::vector<double> xs, std::vector<double> ys);
+
+    std::span<const double> xs() const { return m_xs; }  ///< of the columns [SI]
+    std::span<const double> ys() const { return m_ys; }  ///< of the rows [SI]
+    std::size_t columns() const { return m_xs.size(); }
+    std::size_t rows() const { return m_ys.size(); }
+    std::size_t size() const { return m_values.size(); }
+
+    /// How many points are there, solved or not.
+    std::size_t done() const { return m_done; }
+    bool isComplete() const { return m_done == size(); }
+    /// Every stride()-th point of every stride()-th row is there: 1 when all are, 0 before the coarsest are.
+    std::size_t stride() const;
+    /// The distance between the points that are solved first: a power of two.
+    std::size_t coarsestStride() const { return std::size_t{1} << m_coarsest; }
+
+    bool isThere(std::size_t column, std::size_t row) const { return cell(column, row) != notThere; }
+    /// The output, NaN where the point is not there or has none.
+    double value(std::size_t column, std::size_t row) const { return m_values[index(column, row)]; }
+    /// Why a point that is there could not be solved; empty where it was.
+    std::string_view reason(std::size_t column, std::size_t row) const;
+    /// The point, of those that are there, whose value stands for this one as long as it is not there itself:
+    /// the nearest one before it of the finest grid that is there.
+    struct Place {
+        std::size_t column = 0;
+        std::size_t row = 0;
+        bool operator==(const Place&) const = default;
+    };
+    Place standIn(std::size_t column, std::size_t row) const;
+
+    /// The points without a solution by reason, in the order in which each occurred first.
+    const std::vector<RowFailure>& failures() const { return m_failures; }
+    std::uint64_t failed() const;
+
+    /// A point that was solved, or not and why. Each is set once.
+    void set(std::size_t column, std::size_t row, double value);
+    void fail(std::size_t column, std::size_t row, const std::string& reason);
+
+    /// Smallest and largest value; NaN where there is none.
+    struct Extent {
+        double least;
+        double largest;
+    };
+    Extent extent() const;
+
+    /// Whether the same points are there with the same values, bit for bit, and the same reasons.
+    bool operator==(const MapGrid& other) const;
+
+  private:
+    using Cell = std::uint8_t;
+    static constexpr Cell notThere = 0;
+    static constexpr Cell solved = 1;
+    static constexpr Cell firstReason = 2;
+
+    std::size_t index(std::size_t column, std::size_t row) const { return row * m_xs.size() + column; }
+    Cell cell(std::size_t column, std::size_t row) const { return m_cells[index(column, row)]; }
+    int level(std::size_t column, std::size_t row) const;
+    void put(std::size_t column, std::size_t row, Cell cell);
+
+    std::vector<double> m_xs, m_ys;
+    std::vector<double> m_values;  // row after row
+    std::vector<Cell> m_cells;     // firstReason + place in m_failures where not solved
+    std::vector<RowFailure> m_failures;
+    std::size_t m_done = 0;
+    int m_coarsest = 0;  // logarithm of the coarsest stride
+    std::vector<std::size_t>
+        m_left;  // points that are not there, by the logarithm of the stride they belong to
+};
+
+}  // namespace drillwave

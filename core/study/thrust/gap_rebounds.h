@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How large the rebound may be where neither the gap nor the rock is known for sure.
+#pragma once
+
+#include <array>
+#include <map>
+#include <stop_token>
+#include <string>
+
+#include "core/study/gap/gap_curve.h"
+#include "core/study/gap/gap_statistics.h"
+
+namespace drillwave {
+
+/// One e that follows from a curve over the gap, or why not.
+struct GapRebound {
+    Estimate cor;
+    std::string reason;    ///< why there is none; empty when there is
+    bool stopped = false;  ///< on the stop token: nothing is known
+    bool known() const { return !stopped && reason.empty(); }
+};
+
+/// The two e of theory §10 that no single blow has. They depend on the hammer force, β, γ and τ alone.
+struct GapRebounds {
+    GapRebound quantile;  ///< not exceeded at 95 % of all gaps, in this rock
+    GapRebound worst;     ///< the largest of all gaps, were the rock elastic (γ = 1)
+};
+
+/// The curve of e over one period of the gap.
+GapCurve rockCurve(const Problem& problem, const std::stop_token& stop, const GapProgress& progress);
+/// That for γ = 1, from no gap on.
+GapCurve elasticCurve(Problem problem, const std::stop_token& stop, const GapProgress& progress);
+
+GapRebound quantileOf(const GapCurve& rock);
+GapRebound worstOf(const GapCurve& elastic);
+
+/// Finds the two for one problem after another, and remembers them while the hammer force stays. One for each
+/// thread; what it returns does not depend on what it was asked before.
+class GapReboundFinder {
+  public:
+    /// Of the problem, whatever its gap.
+    GapRebounds of(const Problem& problem, const std::stop_token& stop);
+
+  private:
+    void forgetOtherThan(const PulseForce& hammer);
+
+    PulseForce m_hammer;
+    std::map<std::array<double, 3>, GapRebound> m_quantiles;  // by β, γ, τ
+    std::map<std::array<double, 2>, GapRebound> m_worst;      // by β, τ
+};
+
+}  // namespace drillwave

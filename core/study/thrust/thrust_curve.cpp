@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/thrust/thrust_curve.h"
+
+#include <cassert>
+
+#include "core/blow/thrust.h"
+#include "core/model/blow_interval.h"
+#include "core/model/validation.h"
+#include "core/numeric/ordered_work.h"
+#include "core/wave/exact/exact_solver.h"
+
+namespace drillwave {
+
+namespace {
+
+Scenario scenarioAt(const Scenario& base, const Parameter& parameter, double value) {
+    Scenario scenario = base;
+    parameter.assign(scenario, value);
+    return scenario;
+}
+
+/// Why the point cannot even be tried; empty when it can.
+std::string obstacle(const Scenario& scenario, const Parameter& parameter, double value) {
+    if (std::string problem = rangeProblem(parameter, value); !problem.empty()) return problem;
+    if (const auto problems = validate(scenario); !problems.empty()) return problems.front().text;
+    return thrustProblem(scenario);
+}
+
+/// One for each thread.
+class PointMaker {
+  public:
+    PointMaker(const Scenario& base, const Parameter& parameter) : m_base(base), m_parameter(parameter) {}
+
+    ThrustPoint make(double value, const std::stop_token& stop) {
+        ThrustPoint point{.value = value, .needs = {}, .verdict = {}, .reason = {}};
+        const Scenario scenario = scenarioAt(m_base, m_parameter, value);
+        point.reason = obstacle(scenario, m_parameter, value);
+        if (!point.reason.empty()) return point;
+        const Problem problem = problemOf(scenario);
+        const Impact impact = m_solver.solve(problem, Detail::cor, stop);
+        if (impact.outcome != Outcome::rebounded) {
+            point.reason = impact.reason;
+            return point;
+        }
+        const GapRebounds rebounds = m_finder.of(problem, stop);
+        for (const GapRebound* rebound : {&rebounds.quantile, &rebounds.worst})
+            if (!rebound->known()) point.reason = rebound->stopped ? "stopped" : rebound->reason;
+        if (!point.reason.empty()) return point;
+        point.needs = thrustNeeds(scenario, {impact.cor, impact.corError}, rebounds);
+        point.verdict = *judgeFeed(scenario, impact.cor);
+        point.roundTrips = *roundTripsBetweenBlows(scenario);
+        return point;
+    }
+
+  private:
+    const Scenario& m_base;
+    const Parameter& m_parameter;
+    ExactSolver m_solver;
+    GapReboundFinder m_finder;
+};
+
+/// Whether all points are one blow at one gap or another, for which one thread is enough: it finds the rest
+/// in its memory.
+bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const double> values) {
+    const auto blowAt = [&](double value) -> std::optional<Problem> {
+        const Scenario scenario = scenarioAt(base, parameter, value);
+        if (!obstacle(scenario, parameter, value).empty()) return std::nullopt;
+        Problem problem = problemOf(scenario);
+        problem.gap = 0;
+        return problem;
+    };
+    const std::optional<Problem> first = blowAt(values.front());
+    return first && first == blowAt(values.back());
+}
+
+struct Chunk {
+    double value = 0;
+    ThrustPoint point;
+};
+
+}  // namespace
+
+ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
+                        int jobs, const std::stop_token& stop, const ThrustCurveProgress& progress) {
+    assert(parameter.applies(base));
+    ThrustCurve curve;
+    if (values.empty()) return curve;
+    if (isOneBlow(base, parameter, values)) jobs = 1;
+    std::size_t next = 0;
+    const auto fill = [&](Chunk& chunk) {
+        if (next == values.size()) return false;
+        chunk.value = values[next++];
+        return true;
+    };
+    const auto makeWorker = [&] {
+        return [maker = PointMaker(base, parameter)](Chunk& chunk, const std::stop_token& ending) mutable {
+            chunk.point = maker.make(chunk.value, ending);
+        };
+    };
+    const auto deliver = [&](Chunk& chunk) {
+        curve.points.push_back(std::move(chunk.point));
+        if (progress) progress(curve);
+        return true;
+    };
+    curve.stopped = processInOrder<Chunk>(jobs, stop, fill, makeWorker, deliver) == WorkEnd::stopped;
+    return curve;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The needs of the thrust along a parameter.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/model/parameter.h"
+#include "core/study/thrust/thrust_needs.h"
+
+namespace drillwave {
+
+/// One value of the parameter.
+struct ThrustPoint {
+    double value = 0;  ///< of the parameter, SI
+    ThrustNeeds needs;
+    FeedVerdict verdict;    ///< by the e of the blow of this point
+    double roundTrips = 0;  ///< n_b = 1/(2 T f)
+    std::string reason;     ///< why there are no numbers; empty when there are
+
+    const ThrustNeed& need(ThrustCase which) const { return needs[static_cast<std::size_t>(which)]; }
+};
+
+/// Points in the order of the values; after a stop, those that were finished.
+struct ThrustCurve {
+    std::vector<ThrustPoint> points;
+    bool stopped = false;
+};
+
+/// Called on the calling thread with all points so far.
+using ThrustCurveProgress = std::function<void(const ThrustCurve&)>;
+
+/// Sets the parameter to one value (SI, inside its hard range) after the other. It does not depend on `jobs`
+/// (≥ 1). A value with which the scenario is not valid, has no thrust (thrustProblem()) or cannot be solved
+/// has a reason in place of numbers. Requires that the parameter applies to the scenario.
+ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
+                        int jobs, const std::stop_token& stop = {}, const ThrustCurveProgress& progress = {});
+
+}  // namespace drillwave

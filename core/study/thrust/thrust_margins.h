@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The output `thrust_margin` of one case after another.
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "core/blow/thrust.h"
+#include "core/study/thrust/thrust_needs.h"
+#include "core/wave/problem.h"
+
+namespace drillwave {
+
+/// Shares what cases have in common: no further work for one that differs from an earlier one only in gap,
+/// frequency, impulse or feed. One for each thread.
+class ThrustMargins {
+  public:
+    /// Effective force over the largest of the four needs, less 1; the first of these is by `cor`, the e of
+    /// the case's own blow. nullopt where thrustMarginProblem() says why, where the gaps have no answer, and
+    /// on the stop token. `problem` is that of the scenario.
+    std::optional<double> of(const Scenario& scenario, const Problem& problem, const Estimate& cor,
+                             const std::stop_token& stop) {
+        if (!thrustMarginProblem(scenario).empty()) return std::nullopt;
+        const GapRebounds rebounds = m_finder.of(problem, stop);
+        if (!rebounds.quantile.known() || !rebounds.worst.known()) return std::nullopt;
+        return largestOf(thrustNeeds(scenario, cor, rebounds)).margin;
+    }
+
+  private:
+    GapReboundFinder m_finder;
+};
+
+}  // namespace drillwave

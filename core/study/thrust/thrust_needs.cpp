@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/thrust/thrust_needs.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/blow/thrust.h"
+
+namespace drillwave {
+
+namespace {
+
+ThrustNeed needOf(const Scenario& scenario, const Estimate& cor) {
+    const FeedVerdict verdict = *judgeFeed(scenario, cor.value);
+    ThrustNeed need{.cor = cor,
+                    .thrust = verdict.fullRate,
+                    .thrustUndamped = verdict.returned,
+                    .margin = verdict.margin(),
+                    .frequencyLimit = {},
+                    .feed = verdict.feed,
+                    .gapAtBlow = gapAtBlow(scenario, cor.value)};
+    if (const auto force = verdict.effective())
+        need.frequencyLimit = *scenario.drill.blowFrequency * std::max(*force, 0.0) / need.thrust;
+    return need;
+}
+
+}  // namespace
+
+std::string_view name(ThrustCase which) {
+    constexpr std::array<std::string_view, thrustCaseCount> names{"scenario", "gap_95_percent", "rigid_rock",
+                                                                  "elastic_worst_gap"};
+    return names[static_cast<std::size_t>(which)];
+}
+
+ThrustNeeds thrustNeeds(const Scenario& scenario, const Estimate& cor, const GapRebounds& rebounds) {
+    assert(thrustProblem(scenario).empty() && rebounds.quantile.known() && rebounds.worst.known());
+    return {needOf(scenario, cor), needOf(scenario, rebounds.quantile.cor), needOf(scenario, {1, 0}),
+            needOf(scenario, rebounds.worst.cor)};
+}
+
+const ThrustNeed& largestOf(const ThrustNeeds& needs) {
+    return *std::ranges::max_element(needs, {}, &ThrustNeed::thrust);
+}
+
+}  // namespace drillwave

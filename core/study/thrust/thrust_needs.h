@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What feed force blows need, from the one at hand to the worst.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "core/blow/feed_verdict.h"
+#include "core/model/scenario.h"
+#include "core/study/thrust/gap_rebounds.h"
+
+namespace drillwave {
+
+/// What the thrust is wanted for, from the case at hand to the worst.
+enum class ThrustCase {
+    scenario,      ///< the blow as given
+    gapQuantile,   ///< 95 % of all gaps of a period, in this rock
+    rigidRock,     ///< e = 1, the usual estimate
+    elasticWorst,  ///< γ = 1 at this stiffness, the worst of all gaps
+};
+inline constexpr std::array thrustCases{ThrustCase::scenario, ThrustCase::gapQuantile, ThrustCase::rigidRock,
+                                        ThrustCase::elasticWorst};
+inline constexpr std::size_t thrustCaseCount = thrustCases.size();
+
+/// "scenario", "gap_95_percent", "rigid_rock", "elastic_worst_gap".
+std::string_view name(ThrustCase which);
+
+/// What one case needs, by its own e. The need is a bracket: from the thrust f I0 (1+e) of full penetration
+/// to the f I0 (1+2e) that brings the bit back before the next blow even if nothing damps. Margin and
+/// frequency limit are about its lower end.
+struct ThrustNeed {
+    Estimate cor;
+    double thrust = 0;             ///< f I0 (1+e) [N]
+    double thrustUndamped = 0;     ///< f I0 (1+2e) [N]
+    std::optional<double> margin;  ///< effective force over `thrust`, less 1, with an installed thrust
+    /// Up to which blow frequency the effective force is at least `thrust` [Hz].
+    std::optional<double> frequencyLimit;
+    Feed feed = Feed::unknown;           ///< the effective force, judged by this e
+    std::optional<GapAtBlow> gapAtBlow;  ///< at the effective force, by this e
+};
+
+/// In the order of ThrustCase.
+using ThrustNeeds = std::array<ThrustNeed, thrustCaseCount>;
+
+/// By the e of the blow itself and those that its rock and gap may bring, which must be known. Requires
+/// thrustProblem() to be empty.
+ThrustNeeds thrustNeeds(const Scenario& scenario, const Estimate& cor, const GapRebounds& rebounds);
+
+/// The one with the largest `thrust`.
+const ThrustNeed& largestOf(const ThrustNeeds& needs);
+
+}  // namespace drillwave

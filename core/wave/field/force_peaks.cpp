@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/field/force_peaks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace drillwave {
+
+namespace {
+
+/// As shares of the largest force: what counts as a peak, and what parts two of them.
+constexpr double leastPeak = 0.01;
+constexpr double leastDip = 1e-9;
+
+/// Counts the rises and falls in a row of values.
+class PeakCounter {
+  public:
+    explicit PeakCounter(double largest) : m_least(leastPeak * largest), m_dip(leastDip * largest) {}
+
+    void pass(double force) {
+        m_turn = m_rising ? std::max(m_turn, force) : std::min(m_turn, force);
+        if (std::abs(force - m_turn) <= m_dip) return;
+        if (m_rising && m_turn > m_least) ++m_peaks;
+        m_rising = !m_rising;
+        m_turn = force;
+    }
+    int peaks() const { return m_peaks; }
+
+  private:
+    double m_least, m_dip;
+    double m_turn = 0;  // the last extremum so far
+    bool m_rising = true;
+    int m_peaks = 0;
+};
+
+using Bernstein = std::vector<double>;
+
+/// The slope of a piece over its share v of the length, 0 ≤ v ≤ 1, as Bernstein coefficients: their signs
+/// change at least as often as the slope does.
+Bernstein slopeOf(std::span<const double> c, double end) {
+    const std::size_t count = c.size() - 1;  // of degree count − 1
+    Bernstein slope(count);
+    double power = end;
+    for (std::size_t k = 0; k < count; ++k, power *= end) slope[k] = double(k + 1) * c[k + 1] * power;
+    // a_k / C(n, k), then summed binomially by differences run backwards.
+    double binomial = 1;
+    for (std::size_t k = 1; k < count; ++k) {
+        binomial *= double(count - k) / double(k);
+        slope[k] /= binomial;
+    }
+    for (std::size_t round = 1; round < count; ++round)
+        for (std::size_t j = count - 1; j >= round; --j) slope[j] += slope[j - 1];
+    return slope;
+}
+
+bool keepsItsSign(const Bernstein& slope) {
+    const auto [least, most] = std::ranges::minmax_element(slope);
+    return *least >= 0 || *most <= 0;
+}
+
+/// Halves at v = 1/2, by de Casteljau.
+std::pair<Bernstein, Bernstein> halves(Bernstein slope) {
+    Bernstein left(slope.size());
+    for (std::size_t round = 0; round < slope.size(); ++round) {
+        left[round] = slope.front();
+        for (std::size_t j = 0; j + 1 < slope.size() - round; ++j) slope[j] = (slope[j] + slope[j + 1]) / 2;
+        // What falls out on the right stays where it is, as the right half.
+    }
+    return {std::move(left), std::move(slope)};
+}
+
+/// Passes the ends of the stretches over which a piece only rises or only falls, but for what is too small to
+/// count: the stretch from v to v + width has that slope.
+template <class Pass>
+void passTurns(const Bernstein& slope, double v, double width, double negligible, const Pass& pass) {
+    double steepest = 0;
+    for (const double b : slope) steepest = std::max(steepest, std::abs(b));
+    if (keepsItsSign(slope) || steepest * width <= negligible) return pass(v + width);
+    const auto [left, right] = halves(slope);
+    passTurns(left, v, width / 2, negligible, pass);
+    passTurns(right, v + width / 2, width / 2, negligible, pass);
+}
+
+}  // namespace
+
+int forcePeaks(const Impact& impact) {
+    PeakCounter counter(impact.peakForce);
+    const double negligible = leastDip / 4 * impact.peakForce;
+    for (const PiecewisePolynomial::Piece& piece : impact.force.pieces()) {
+        const std::span<const double> c = impact.force.coefficients(piece);
+        const auto pass = [&](double v) { counter.pass(impact.force.value(piece, v * piece.length)); };
+        pass(0);
+        if (c.size() > 1)
+            passTurns(slopeOf(c, piece.length / piece.scale), 0, 1, negligible, pass);
+        else
+            pass(1);
+    }
+    counter.pass(0);
+    return counter.peaks();
+}
+
+}  // namespace drillwave

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Presets along an axis and in a map.
+#include <QTest>
+
+#include "core/model/scales.h"
+#include "ui/pages/study/preset_places.h"
+
+using namespace drillwave;
+
+namespace {
+
+Preset rock(const char* name, double stiffness, double gamma) {
+    return {.kind = PresetKind::rock,
+            .name = name,
+            .shape = {},
+            .shapeSource = {},
+            .values = {{findParameter("bit_rock.stiffness"), stiffness, "assumed"},
+                       {findParameter("bit_rock.gamma"), gamma, "assumed"}}};
+}
+
+const std::vector<Preset> rocks{rock("hard", 5e8, 0.2), rock("soft", 5e7, 0.1), rock("weak", 5e7, 0.3)};
+
+}  // namespace
+
+class TestPresetPlaces : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theyAscendAndShareAPlace();
+    void aGroupHasThePlaceOfWhatItMoves();
+    void otherParametersHaveNone();
+    void inAMapTheyArePointsOfBoth();
+    void withoutUnitsThereAreNone();
+};
+
+void TestPresetPlaces::theyAscendAndShareAPlace() {
+    const auto places = presetPlaces(rocks, *findParameter("bit_rock.stiffness"), Scenario());
+    QCOMPARE(places.size(), std::size_t{2});
+    QCOMPARE(places[0], (PresetPlace{QStringLiteral("soft, weak"), 5e7}));
+    QCOMPARE(places[1], (PresetPlace{QStringLiteral("hard"), 5e8}));
+}
+
+void TestPresetPlaces::aGroupHasThePlaceOfWhatItMoves() {
+    const Scenario scenario;
+    const auto places = presetPlaces(rocks, *findParameter("beta"), scenario);
+    QCOMPARE(places.size(), std::size_t{2});
+    QCOMPARE(places[1].si, 5e8 / scalesOf(scenario).stiffness);
+}
+
+void TestPresetPlaces::otherParametersHaveNone() {
+    QVERIFY(presetPlaces(rocks, *findParameter("rod.length"), Scenario()).empty());
+    QVERIFY(presetPoints(rocks, *findParameter("rod.length"), *findParameter("bit_rock.gamma"), Scenario())
+                .empty());
+}
+
+void TestPresetPlaces::inAMapTheyArePointsOfBoth() {
+    const auto points = presetPoints(rocks, *findParameter("bit_rock.gamma"),
+                                     *findParameter("bit_rock.stiffness"), Scenario());
+    QCOMPARE(points.size(), std::size_t{3});
+    QCOMPARE(points[2], (PresetPoint{QStringLiteral("weak"), 0.3, 5e7}));
+}
+
+void TestPresetPlaces::withoutUnitsThereAreNone() {
+    Scenario scenario;
+    scenario.form = ScenarioForm::dimensionless;
+    QVERIFY(presetPlaces(rocks, *findParameter("beta"), scenario).empty());
+}
+
+QTEST_MAIN(TestPresetPlaces)
+#include "tst_preset_places.moc"

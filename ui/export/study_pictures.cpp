@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/study_pictures.h"
+
+#include "ui/pages/gap/gap_plot.h"
+
+namespace drillwave {
+namespace {
+
+/// By the plot of a page: a Plot is made around a QCustomPlot, and has setStyle() and present(shown).
+template <class Plot, class Shown>
+Pictures drawnBy(const Shown& shown, Millimetres size, const std::string& title, const PictureOrder& order) {
+    QCustomPlot widget;
+    widget.setLocale(QLocale::c());
+    Plot plot(&widget);
+    plot.setStyle(PlotStyle::forPaper());
+    plot.present(shown);
+    return renderPictures(widget, size, QString::fromStdString(title), order);
+}
+
+ShownUnits unitsFor(const Scenario& scenario) {
+    return shownUnits(naturalUnits(scenario), scalesOf(scenario));
+}
+
+}  // namespace
+
+Pictures drawStudy(const GapReport& report, const PictureOrder& order) {
+    return drawnBy<GapPlot>(gapPicture(report, GapOutput::cor, unitsFor(report.scenario)), {180, 110},
+                            report.scenario.title, order);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pictures of studies, drawn by the plots of their pages.
+#pragma once
+
+#include "core/report/gap_report.h"
+#include "ui/export/pictures.h"
+
+namespace drillwave {
+
+/// What the page of each study shows at first, in naturalUnits(); see renderPictures().
+Pictures drawStudy(const GapReport& report, const PictureOrder& order);
+
+}  // namespace drillwave

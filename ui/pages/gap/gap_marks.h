@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Extremes, crossings of 1 and kinks of the curve over the gap, with their numbers.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <QObject>
+
+#include "ui/pages/gap/gap_picture.h"
+#include "ui/plot/plot_style.h"
+
+namespace drillwave {
+
+/// Items on a rect of a plot. Where there are too many kinks to be read, they are marked without numbers.
+/// Lives as a child of the plot.
+class GapMarks : public QObject {
+    Q_OBJECT
+
+  public:
+    GapMarks(QCustomPlot* plot, QCPAxisRect* rect);
+
+    /// Those of the picture in place of the last ones.
+    void present(const GapPicture& picture);
+    void clear();
+    void setStyle(const PlotStyle& style);
+
+  private:
+    void add(const GapMark& mark, const QString& words);
+    void applyStyle();
+
+    QCustomPlot* m_plot;
+    QCPAxisRect* m_rect;
+    PlotStyle m_style;
+    QVector<QCPItemTracer*> m_points;
+    QVector<QCPItemText*> m_words;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/gap/gap_plot.h"
+
+#include <algorithm>
+
+#include "core/text/units.h"
+#include "ui/pages/gap/gap_marks.h"
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr double besideShare = 0.28;  // width of the distribution over that of the curve
+
+QString percentText(double share, const QLocale& locale) {
+    return numberText(100 * share, 4, locale) + QChar(QChar::Nbsp) + QLatin1Char('%');
+}
+
+bool sameAxes(const GapPicture& a, const GapPicture& b) {
+    return a.output == b.output && a.gap.unit == b.gap.unit && a.value.unit == b.value.unit &&
+           a.from == b.from && a.to == b.to;
+}
+
+QCPAxisRect* newRect(QCustomPlot* plot) {
+    auto* rect = new QCPAxisRect(plot);
+    rect->setupFullAxesBox(false);
+    // Drawn in the order of these lines: axes() comes in another order in every run of the program.
+    for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight, QCPAxis::atTop, QCPAxis::atBottom}) {
+        rect->axis(side)->setLayer(QStringLiteral("axes"));
+        rect->axis(side)->grid()->setLayer(QStringLiteral("grid"));
+    }
+    return rect;
+}
+
+QVector<QCPCurveData> curveData(const QVector<QPointF>& points) {
+    QVector<QCPCurveData> data;
+    for (const QPointF& point : points) data.append(QCPCurveData(double(data.size()), point.x(), point.y()));
+    return data;
+}
+
+}  // namespace
+
+GapPlot::GapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
+    plot->setAutoAddPlottableToLegend(false);
+    plot->plotLayout()->clear();
+    addLegend();
+    addRects();
+    linkAxes();
+    addLines();
+    m_graph = plot->addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+    m_graph->setAdaptiveSampling(false);
+    m_shares = new QCPCurve(m_beside->axis(QCPAxis::atBottom), m_beside->axis(QCPAxis::atLeft));
+    m_shares->setName(tr("share of gaps, in bands of values"));
+    m_below = new QCPCurve(m_beside->axis(QCPAxis::atTop), m_beside->axis(QCPAxis::atLeft));
+    m_below->setName(tr("share of gaps below"));
+    for (QCPAbstractPlottable* curve :
+         {static_cast<QCPAbstractPlottable*>(m_graph), static_cast<QCPAbstractPlottable*>(m_shares),
+          static_cast<QCPAbstractPlottable*>(m_below)})
+        curve->addToLegend(m_legend);
+    m_marks = new GapMarks(plot, m_rect);
+    m_here = new HereMark(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+    m_message = new PlotMessage(plot);
+    for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
+    connect(plot, &QCustomPlot::beforeReplot, this, &GapPlot::placeBands);
+    setStyle(PlotStyle::forPaper());
+}
+
+void GapPlot::addLegend() {
+    auto* header = new QCPLayoutGrid;
+    header->setRowSpacing(0);
+    m_plot->plotLayout()->addElement(0, 0, header);
+    m_plot->plotLayout()->setRowStretchFactor(0, 1e-3);
+    m_plot->plotLayout()->setRowSpacing(0);
+    m_legend = new QCPLegend;
+    m_legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    m_legend->setMargins(QMargins(7, 6, 0, 0));
+    m_caption = new QCPTextElement(m_plot);
+    m_caption->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    m_caption->setMargins(QMargins(7, 0, 0, 4));
+    header->addElement(0, 0, m_legend);
+    header->addElement(1, 0, m_caption);
+    m_legend->setLayer(QStringLiteral("legend"));
+}
+
+void GapPlot::addRects() {
+    m_rect = newRect(m_plot);
+    m_beside = newRect(m_plot);
+    auto* row = new QCPLayoutGrid;
+    m_plot->plotLayout()->addElement(1, 0, row);
+    row->addElement(0, 0, m_rect);
+    row->addElement(0, 1, m_beside);
+    row->setColumnStretchFactor(1, besideShare);
+    row->setColumnSpacing(0);
+    auto* margins = new QCPMarginGroup(m_plot);
+    for (QCPAxisRect* rect : {m_rect, m_beside}) {
+        rect->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
+        rect->setMinimumMargins(QMargins(4, 4, 14, 4));
+    }
+    m_rect->axis(QCPAxis::atTop)->setTickLabels(true);
+    m_rect->axis(QCPAxis::atRight)->setTicks(false);
+    m_beside->axis(QCPAxis::atLeft)->setTickLabels(false);
+    m_beside->axis(QCPAxis::atRight)->setTicks(false);
+    m_beside->axis(QCPAxis::atTop)->setTickLabels(true);
+    for (const auto side : {QCPAxis::atTop, QCPAxis::atBottom}) {
+        m_beside->axis(side)->ticker()->setTickCount(3);
+        m_beside->axis(side)->setVisible(true);
+    }
+    m_beside->axis(QCPAxis::atBottom)->setLabel(tr("share in a band [%]"));
+    m_beside->axis(QCPAxis::atTop)->setLabel(tr("share below [%]"));
+}
+
+// Both rects have one axis of values, and the gap is on top in d0.
+void GapPlot::linkAxes() {
+    using Changed = void (QCPAxis::*)(const QCPRange&);
+    constexpr auto changed = static_cast<Changed>(&QCPAxis::rangeChanged);
+    QCPAxis* values = m_rect->axis(QCPAxis::atLeft);
+    QCPAxis* same = m_beside->axis(QCPAxis::atLeft);
+    connect(values, changed, same, [same](const QCPRange& range) { same->setRange(range); });
+    connect(same, changed, values, [values](const QCPRange& range) { values->setRange(range); });
+    QCPAxis* top = m_rect->axis(QCPAxis::atTop);
+    connect(m_rect->axis(QCPAxis::atBottom), changed, this, [this, top](const QCPRange& range) {
+        top->setRange(range.lower / m_picture.gap.factor, range.upper / m_picture.gap.factor);
+    });
+}
+
+void GapPlot::addLines() {
+    for (const int side : {0, 1}) {
+        QCPAxisRect* rect = side == 0 ? m_rect : m_beside;
+        QCPAxis* x = rect->axis(QCPAxis::atBottom);
+        QCPAxis* y = rect->axis(QCPAxis::atLeft);
+        const auto place = [&](QCPItemPosition& position) {
+            position.setAxes(x, y);
+            position.setAxisRect(rect);
+            position.setTypeX(QCPItemPosition::ptAxisRectRatio);
+            position.setTypeY(QCPItemPosition::ptPlotCoords);
+        };
+        auto* band = m_bands[side] = new QCPItemRect(m_plot);
+        band->setLayer(QStringLiteral("background"));
+        band->setSelectable(false);
+        band->setClipAxisRect(rect);
+        place(*band->topLeft);
+        place(*band->bottomRight);
+        for (QCPItemStraightLine*& line : m_lines[side]) {
+            line = new QCPItemStraightLine(m_plot);
+            line->setLayer(QStringLiteral("grid"));
+            line->setSelectable(false);
+            line->setClipAxisRect(rect);
+            place(*line->point1);
+            place(*line->point2);
+        }
+        if (side == 0) continue;
+        for (QCPItemText*& name : m_lineNames) {
+            name = new QCPItemText(m_plot);
+            name->setSelectable(false);
+            name->setClipAxisRect(rect);
+            name->setPadding(QMargins(4, 1, 4, 1));
+            name->setPositionAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            place(*name->position);
+        }
+    }
+    m_bandName = new QCPItemText(m_plot);
+    m_bandName->setSelectable(false);
+    m_bandName->setText(tr("super rebound, e > 1"));
+    m_bandName->setPadding(QMargins(6, 3, 6, 3));
+    m_bandName->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+    m_bandName->setClipAxisRect(m_rect);
+    m_bandName->position->setAxes(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+    m_bandName->position->setAxisRect(m_rect);
+    m_bandName->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+    m_bandName->position->setTypeY(QCPItemPosition::ptPlotCoords);
+}
+
+void GapPlot::present(const GapPicture& picture) {
+    const bool otherAxes = !m_picture.curve || !sameAxes(m_picture, picture);
+    m_picture = picture;
+    m_message->hide();
+    m_graph->setData(picture.curve);
+    m_graph->setName(tr("%1 over the gap").arg(gapOutputName(picture.output)));
+    m_rect->axis(QCPAxis::atLeft)
+        ->setLabel(picture.value.unit.isEmpty() ? gapOutputName(picture.output)
+                                                : picture.value.axisLabel(gapOutputName(picture.output)));
+    m_rect->axis(QCPAxis::atBottom)->setLabel(picture.gap.axisLabel(tr("gap d")));
+    QCPAxis* top = m_rect->axis(QCPAxis::atTop);
+    top->setTickLabels(!picture.gap.dimensionless);
+    top->setLabel(picture.gap.dimensionless ? QString() : tr("δ = gap / d₀"));
+    m_shares->data()->set(curveData(picture.shares), true);
+    m_below->data()->set(curveData(picture.below), true);
+    showSpread();
+    if (m_view->isFitted() || otherAxes) fit();
+    m_marks->present(picture);
+}
+
+void GapPlot::showNothing(const QString& message) {
+    m_picture = {};
+    m_graph->data()->clear();
+    m_shares->data()->clear();
+    m_below->data()->clear();
+    m_marks->clear();
+    m_here->setPlace({}, {});
+    m_caption->setText({});
+    m_summary = message;
+    m_message->show(message);
+    showSpread();
+}
+
+void GapPlot::setHere(const std::optional<QPointF>& place) {
+    if (place)
+        m_here->setPlace(place->x(), place->y());
+    else
+        m_here->setPlace({}, {});
+}
+
+// 5 %, mean and 95 %, through both rects.
+void GapPlot::showSpread() {
+    const bool isShown = m_picture.curve && m_picture.marks.size() > 0;
+    const GapSpread& spread = m_picture.spread;
+    const double values[] = {spread.quantiles.front().value, spread.mean.value,
+                             spread.quantiles.back().value};
+    const QString names[] = {tr("5 %"), tr("mean"), tr("95 %")};
+    for (int i = 0; i < 3; ++i) {
+        const double at = values[i] * m_picture.value.factor;
+        for (const auto& side : m_lines) {
+            side[i]->setVisible(isShown);
+            side[i]->point1->setCoords(0, at);
+            side[i]->point2->setCoords(1, at);
+        }
+        m_lineNames[i]->setVisible(isShown);
+        m_lineNames[i]->setText(names[i]);
+        m_lineNames[i]->position->setCoords(1, at);
+    }
+    if (!m_picture.curve) return;
+    m_summary = summary();
+    m_caption->setText(m_summary);
+}
+
+QString GapPlot::summary() const {
+    const QLocale locale = m_plot->locale();
+    const auto shown = [&](const Estimate& estimate) {
+        const QString text = numberText(estimate.value * m_picture.value.factor, 4, locale);
+        return m_picture.value.unit.isEmpty() ? text : text + QChar(QChar::Nbsp) + m_picture.value.unit;
+    };
+    const GapSpread& spread = m_picture.spread;
+    QString text =
+        (m_picture.isScattered ? tr("scattered gap: mean %1, 5–95 % %2…%3")
+                               : tr("all gaps alike: mean %1, 5–95 % %2…%3"))
+            .arg(shown(spread.mean), shown(spread.quantiles.front()), shown(spread.quantiles.back()));
+    if (m_picture.shareAboveOne)
+        text += tr(" · e > 1 at %1 of gaps").arg(percentText(*m_picture.shareAboveOne, locale));
+    if (m_picture.thrust)
+        text += tr(" · thrust for 95 % of gaps %1")
+                    .arg(numberText(*m_picture.thrust / 1000, 4, locale) + QChar(QChar::Nbsp) +
+                         QStringLiteral("kN"));
+    return text;
+}
+
+// Above 1, as far as that is in view: files do not clip.
+void GapPlot::placeBands() {
+    const QCPRange view = m_rect->axis(QCPAxis::atLeft)->range();
+    const bool isShown = m_picture.curve && m_picture.output == GapOutput::cor && view.upper > 1;
+    for (QCPItemRect* band : m_bands) {
+        band->setVisible(isShown);
+        band->topLeft->setCoords(0, view.upper);
+        band->bottomRight->setCoords(1, std::max(1.0, view.lower));
+    }
+    m_bandName->setVisible(isShown && view.lower < 1);
+    m_bandName->position->setCoords(0.5, 1);
+}
+
+void GapPlot::setStyle(const PlotStyle& style) {
+    m_style = style;
+    m_message->setStyle(style);
+    m_plot->setBackground(style.background);
+    for (QCPAxisRect* rect : {m_rect, m_beside}) style.applyTo(*rect);
+    m_beside->axis(QCPAxis::atTop)->grid()->setVisible(false);
+    style.applyTo(*m_legend);
+    style.applyTo(*m_caption);
+    m_graph->setPen(style.linePen(0));
+    m_shares->setPen(QPen(style.lines[0], 1));
+    m_shares->setBrush(style.areaBrush(0));
+    m_below->setPen(style.linePen(1));
+    for (QCPItemRect* band : m_bands) {
+        band->setPen(Qt::NoPen);
+        band->setBrush(style.areaBrush(2));
+    }
+    for (const auto& side : m_lines)
+        for (int i = 0; i < 3; ++i)
+            side[i]->setPen(QPen(style.zeroLine, 1, i == 1 ? Qt::DashDotLine : Qt::DashLine));
+    QColor behind = style.background;
+    behind.setAlpha(190);
+    for (QCPItemText* name : {m_lineNames[0], m_lineNames[1], m_lineNames[2], m_bandName}) {
+        name->setFont(style.font);
+        name->setColor(style.text);
+    }
+    for (QCPItemText* name : m_lineNames) name->setBrush(behind);
+    m_marks->setStyle(style);
+    m_here->setStyle(style);
+    if (!m_picture.curve) return;
+    showSpread();  // files have another locale
+    m_marks->present(m_picture);
+}
+
+void GapPlot::fit() {
+    m_view->fit([&] {
+        const double room = 0.02 * (m_picture.to - m_picture.from);
+        m_rect->axis(QCPAxis::atBottom)->setRange(m_picture.from - room, m_picture.to + room);
+        bool found = false;
+        QCPRange values = m_graph->getValueRange(found);
+        if (!found) values = {0, 1};
+        if (m_picture.output == GapOutput::cor) values.expand(1);
+        const double size = std::max(values.size(), 0.02 * std::abs(values.upper));
+        m_rect->axis(QCPAxis::atLeft)->setRange(values.lower - 0.1 * size, values.upper + 0.1 * size);
+        const auto shares = m_shares->getKeyRange(found);
+        m_beside->axis(QCPAxis::atBottom)->setRange(0, found && shares.upper > 0 ? 1.05 * shares.upper : 1);
+        m_beside->axis(QCPAxis::atTop)->setRange(0, 1.05);
+    });
+}
+
+}  // namespace drillwave

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/study/preset_places.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/model/assignments.h"
+#include "core/model/validation.h"
+
+namespace drillwave {
+namespace {
+
+bool sets(const Preset& preset, const Parameter& parameter) {
+    return std::ranges::any_of(preset.values, [&](const PresetValue& value) {
+        return value.parameter == &parameter || areRivals(value.parameter->key, parameter.key);
+    });
+}
+
+std::optional<Scenario> taken(const Preset& preset, const Scenario& scenario) {
+    if (scenario.form != ScenarioForm::dimensional) return std::nullopt;
+    const Scenario with = withPreset(scenario, preset);
+    if (!validate(with).empty()) return std::nullopt;
+    return with;
+}
+
+}  // namespace
+
+std::vector<PresetPlace> presetPlaces(std::span<const Preset> presets, const Parameter& parameter,
+                                      const Scenario& scenario) {
+    std::vector<PresetPlace> places;
+    for (const Preset& preset : presets) {
+        if (!sets(preset, parameter)) continue;
+        const std::optional<Scenario> with = taken(preset, scenario);
+        if (!with || !parameter.applies(*with)) continue;
+        if (const auto si = parameter.value(*with))
+            places.push_back({QString::fromStdString(preset.name), *si});
+    }
+    std::ranges::stable_sort(places, {}, &PresetPlace::si);
+    std::vector<PresetPlace> joined;
+    for (PresetPlace& place : places) {
+        if (!joined.empty() && joined.back().si == place.si)
+            joined.back().name += QStringLiteral(", ") + place.name;
+        else
+            joined.push_back(std::move(place));
+    }
+    return joined;
+}
+
+std::vector<PresetPoint> presetPoints(std::span<const Preset> presets, const Parameter& x, const Parameter& y,
+                                      const Scenario& scenario) {
+    std::vector<PresetPoint> points;
+    for (const Preset& preset : presets) {
+        if (!sets(preset, x) || !sets(preset, y)) continue;
+        const std::optional<Scenario> with = taken(preset, scenario);
+        if (!with || !x.applies(*with) || !y.applies(*with)) continue;
+        const auto atX = x.value(*with), atY = y.value(*with);
+        if (atX && atY) points.push_back({QString::fromStdString(preset.name), *atX, *atY});
+    }
+    return points;
+}
+
+}  // namespace drillwave
