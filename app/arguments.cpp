@@ -53,7 +53,7 @@ constexpr auto otherNames = std::to_array<std::pair<std::string_view, std::strin
 const OptionSpec* nearestOption(std::string_view name, std::span<const OptionSpec> options) {
     std::vector<std::string_view> names;
     for (const OptionSpec& option : options)
-        if (option.name.size() > 1) names.push_back(option.name);
+        if (option.isLong()) names.push_back(option.name);
     const auto other =
         std::ranges::find(otherNames, name, &std::pair<std::string_view, std::string_view>::first);
     const std::string_view near = other != otherNames.end() ? other->second : nearestName(name, names);
@@ -84,8 +84,12 @@ bool isOption(std::string_view word) {
 
 }  // namespace
 
+bool OptionSpec::isLong() const {
+    return name.size() > 1 || name == "x" || name == "y";
+}
+
 std::string OptionSpec::text() const {
-    return (name.size() == 1 ? "-" : "--") + std::string(name);
+    return (isLong() ? "--" : "-") + std::string(name);
 }
 
 Arguments Arguments::parse(std::span<const std::string> words, std::span<const OptionSpec> options) {
@@ -103,7 +107,7 @@ Arguments Arguments::parse(std::span<const std::string> words, std::span<const O
         }
         OptionWord given = split(word);
         const auto option = std::ranges::find(options, given.name, &OptionSpec::name);
-        if (option == options.end() || (option->name.size() > 1) != word.starts_with("--"))
+        if (option == options.end() || option->isLong() != word.starts_with("--"))
             refuseUnknown(word, given.name, options);
         if (option->times == OptionSpec::Times::once && arguments.has(option->name))
             refuse("`" + option->text() + "` is given twice; give it once");

@@ -18,6 +18,8 @@ struct OptionSpec {
     std::string_view help;   ///< one line
     enum class Times { once, repeated, list } times = Times::once;  ///< list: takes all KEY=… words behind it
 
+    /// Whether it has two dashes: words, and the axes x and y.
+    bool isLong() const;
     /// "--set" or "-j".
     std::string text() const;
 };

@@ -8,10 +8,10 @@
 namespace drillwave {
 
 std::span<const Command* const> commands() {
-    static const std::array all{&runCommand(),      &sweepCommand(),     &tableCommand(),
-                                &gapCommand(),      &thrustCommand(),    &figuresCommand(),
-                                &accuracyCommand(), &stabilityCommand(), &validateCommand(),
-                                &examplesCommand(), &presetsCommand()};
+    static const std::array all{
+        &runCommand(),      &sweepCommand(),    &tableCommand(),   &curveCommand(),    &mapCommand(),
+        &gapCommand(),      &thrustCommand(),   &figuresCommand(), &accuracyCommand(), &stabilityCommand(),
+        &validateCommand(), &examplesCommand(), &presetsCommand()};
     return all;
 }
 

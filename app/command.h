@@ -30,6 +30,8 @@ struct Command {
 const Command& runCommand();
 const Command& sweepCommand();
 const Command& tableCommand();
+const Command& curveCommand();
+const Command& mapCommand();
 const Command& gapCommand();
 const Command& thrustCommand();
 const Command& figuresCommand();

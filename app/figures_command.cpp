@@ -6,6 +6,7 @@
 #include "app/command.h"
 #include "app/interruption.h"
 #include "app/output_folder.h"
+#include "app/study_plots.h"
 #include "core/report/figures_page.h"
 #include "core/study/paper/figures.h"
 
@@ -21,26 +22,36 @@ std::string drawn(const Drawing& drawing, const Figure& figure, std::string_view
     return bytes;
 }
 
+/// Those of --plots; PNG and SVG without.
+std::vector<std::string> formatsOf(const Arguments& arguments) {
+    if (arguments.has("plots") && arguments.value("o").value_or("-") == "-")
+        throw CommandError(ExitCode::usage, "--plots is about files; add -o DIR to say where they go");
+    std::vector<std::string> formats = plotFormats(arguments);
+    return formats.empty() ? std::vector<std::string>{"png", "svg"} : formats;
+}
+
 /// The page last, so that a folder with a page is complete.
 FolderFiles filesOf(const std::vector<Figure>& figures, const std::vector<Discrepancy>& numbers,
-                    const Drawing& drawing, const Interruption& interruption) {
+                    const std::vector<std::string>& formats, const Drawing& drawing,
+                    const Interruption& interruption) {
     FolderFiles folder;
     for (const Figure& figure : figures) {
         for (const FigurePanel& panel : figure.panels)
             folder.files.push_back({panel.name + ".csv", panelCsv(panel)});
-        for (const std::string format : {"png", "svg"})
+        for (const std::string& format : formats)
             folder.files.push_back(
                 {"fig" + std::to_string(figure.number) + "." + format, drawn(drawing, figure, format)});
         interruption.check();
     }
     folder.files.push_back({"discrepancies.csv", discrepanciesCsv(numbers)});
-    folder.files.push_back({"index.html", figuresPage(figures, numbers)});
+    folder.files.push_back({"index.html", figuresPage(figures, numbers, formats)});
     return folder;
 }
 
 ExitCode runFigures(const Arguments& arguments, const Drawing* drawing) {
     const std::optional<std::string> directory = arguments.value("o");
     if (!directory) throw CommandError(ExitCode::usage, "needs -o DIR, the folder for the figures");
+    const std::vector<std::string> formats = formatsOf(arguments);
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const Interruption interruption;
     if (*directory != "-") checkFolder(*directory, {}, overwrite);
@@ -52,7 +63,7 @@ ExitCode runFigures(const Arguments& arguments, const Drawing* drawing) {
     }
     const std::vector<Figure> figures = paperFigures(interruption.token());
     interruption.check();
-    const FolderFiles folder = filesOf(figures, numbers, *drawing, interruption);
+    const FolderFiles folder = filesOf(figures, numbers, formats, *drawing, interruption);
     writeFolder(*directory, folder, overwrite, interruption);
     const auto agreeing = std::ranges::count_if(numbers, &Discrepancy::agrees);
     std::printf("%zu files in %s; %zu of %zu printed numbers agree, see index.html or discrepancies.csv\n",
@@ -68,10 +79,11 @@ const Command& figuresCommand() {
         .operands = "-o DIR",
         .summary = "the figures of the paper, and each number it prints beside the exact one",
         .details =
-            "DIR gets the data of Figs 3 to 8 as CSV, the figures as PNG and SVG, discrepancies.csv, and\n"
+            "DIR gets the data of Figs 3 to 8 as CSV, the figures as pictures, discrepancies.csv, and\n"
             "index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them,\n"
             "and with k0 = Z/t0, as it defines it.",
         .options = {{"o", "DIR", "where to write; - prints discrepancies.csv alone"},
+                    {"plots", "png,svg,pdf", "formats of the figures, png,svg if not given"},
                     {"force", "", "overwrite existing files"}},
         .leastOperands = 0,
         .mostOperands = 0,

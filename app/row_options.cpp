@@ -9,6 +9,7 @@
 #include "app/method_options.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
+#include "app/study_plots.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
@@ -28,7 +29,7 @@ OutputChoice outputsOf(const Arguments& arguments) {
 }
 
 /// What changes where the rows go and how fast, not what they are.
-constexpr std::string_view aboutTheFile[] = {"o", "force", "j"};
+constexpr std::string_view aboutTheFile[] = {"o", "force", "j", "plots"};
 
 bool readCount(std::string_view text, std::uint64_t& number) {
     const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -49,14 +50,19 @@ Shard shardOf(const Arguments& arguments) {
     return shard;
 }
 
-/// "2 rows: it needs more wave pieces than permitted …", and what to do about it.
-std::string reasonsOf(const RowCounts& counts, long workLimit) {
+int allThreads() {
+    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 1024U));
+}
+
+}  // namespace
+
+std::string reasonsOf(const RowCounts& counts, const std::string& noun, long workLimit) {
     std::string text;
     std::uint64_t told = 0;
     bool atLimit = false;
     for (const RowFailure& failure : counts.failures) {
-        text += (text.empty() ? "" : "; ") + std::to_string(failure.rows) +
-                (failure.rows == 1 ? " row: " : " rows: ") + failure.reason;
+        text += (text.empty() ? "" : "; ") + std::to_string(failure.rows) + " " + noun +
+                (failure.rows == 1 ? ": " : "s: ") + failure.reason;
         told += failure.rows;
         atLimit |= failure.reason.find("wave pieces") != std::string::npos;
     }
@@ -64,12 +70,6 @@ std::string reasonsOf(const RowCounts& counts, long workLimit) {
     if (atLimit) text += "; --work-limit, now " + std::to_string(workLimit) + ", permits more";
     return text;
 }
-
-int allThreads() {
-    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 1024U));
-}
-
-}  // namespace
 
 std::vector<OptionSpec> rowOptionSpecs() {
     std::vector<OptionSpec> options =
@@ -143,24 +143,27 @@ std::string RowFile::recordPath(const std::string& path) {
     return path == "-" || isDevice ? std::string() : path + ".yaml";
 }
 
-RowFile::RowFile(const RowOptions& options) : m_rows(options.path, options.overwrite) {
+RowFile::RowFile(const RowOptions& options)
+    : m_path(options.path), m_overwrite(options.overwrite), m_rows(options.path, options.overwrite) {
     if (const std::string path = recordPath(options.path); !path.empty())
         m_record.emplace(path, options.overwrite);
 }
 
-void RowFile::commit(const RowRecord& record) {
-    // Rows beside the record of others would be worse than none: both have room before one is put in place.
+void RowFile::commit(const RowRecord& record, const std::vector<NamedFile>& pictures) {
+    // Rows beside the record of others would be worse than none: all have room before one is put in place.
     m_rows.flush();
     if (m_record) {
         m_record->write(recordText(record));
         m_record->flush();
     }
+    PicturesBeside beside(m_path, pictures, m_overwrite);
+    beside.commit();
     m_rows.commit();
     if (m_record) m_record->commit();
 }
 
 ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options, RowFile& out,
-                   const Interruption& interruption) {
+                   const Interruption& interruption, const DrawRows& draw) {
     RowCounts counts;
     {
         ProgressBar bar(record.rows, "rows");
@@ -171,12 +174,12 @@ ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions
         counts = run(interruption.token(), csv, [&](const RowCounts& soFar) { bar.show(soFar.rows); });
     }
     if (counts.end == WorkEnd::stopped) interruption.check();
-    out.commit(record);
+    out.commit(record, draw ? draw() : std::vector<NamedFile>());
     if (counts.failed == 0) return ExitCode::done;
     throw CommandError(ExitCode::unsolvedOrFailed,
                        std::to_string(counts.failed) + " of " + std::to_string(counts.rows) +
                            " rows could not be solved: their output cells are empty; " +
-                           reasonsOf(counts, options.workLimit));
+                           reasonsOf(counts, "row", options.workLimit));
 }
 
 }  // namespace drillwave

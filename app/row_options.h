@@ -18,6 +18,7 @@
 #include "core/blow/method.h"
 #include "core/file/row_record.h"
 #include "core/file/scenario_file.h"
+#include "core/file/whole_folder.h"
 #include "core/report/row_csv.h"
 #include "core/study/rows/output_column.h"
 #include "core/study/rows/row_counts.h"
@@ -53,6 +54,10 @@ struct RowOptions {
 /// `method` is that of the result which FILE is. Throws CommandError (usage).
 RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoice>& method);
 
+/// "2 rows: it needs more wave pieces than permitted …", and what to do about it; `noun` names one of what is
+/// counted.
+std::string reasonsOf(const RowCounts& counts, const std::string& noun, long workLimit);
+
 /// The record of a run of `command` that writes these columns: all but its axes or cases. Throws
 /// ScenarioError where the scenario is too large for a file.
 RowRecord recordOf(std::string_view command, const Arguments& arguments, const RowOptions& options,
@@ -66,12 +71,15 @@ class RowFile {
     explicit RowFile(const RowOptions& options);
 
     void write(std::string_view text) { m_rows.write(text); }
-    void commit(const RowRecord& record);
+    /// With pictures beside it, see StudyPlots::besideFile().
+    void commit(const RowRecord& record, const std::vector<NamedFile>& pictures = {});
 
     /// "map.csv.yaml" beside "map.csv"; empty beside standard output or a device.
     static std::string recordPath(const std::string& path);
 
   private:
+    std::string m_path;
+    Overwrite m_overwrite;
     OutputFile m_rows;
     std::optional<OutputFile> m_record;
 };
@@ -79,9 +87,13 @@ class RowFile {
 /// A run of rows: sweep or table.
 using RunRows = std::function<RowCounts(std::stop_token, RowSink& sink, const RowProgress& progress)>;
 
-/// Runs into `out` and commits it with its record, with progress on a terminal. Failed rows are counted on
-/// stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an interruption leaves no file.
+/// Draws what has been run; no function where nothing is to be drawn.
+using DrawRows = std::function<std::vector<NamedFile>()>;
+
+/// Runs into `out` and commits it with its record and what is drawn then, with progress on a terminal. Failed
+/// rows are counted on stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an interruption
+/// leaves no file.
 ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options, RowFile& out,
-                   const Interruption& interruption);
+                   const Interruption& interruption, const DrawRows& draw = {});
 
 }  // namespace drillwave

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave sweep FILE --vary KEY=…
+#include "app/axis_argument.h"
 #include "app/command.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
+#include "app/study_plots.h"
 #include "core/study/rows/sweep_check.h"
-#include "core/text/decimal_text.h"
+#include "core/study/rows/sweep_rows.h"
 
 namespace drillwave {
 
@@ -12,18 +14,8 @@ namespace {
 
 std::vector<SweepAxis> axesOf(const Arguments& arguments) {
     std::vector<SweepAxis> axes;
-    for (const std::string& word : arguments.values("vary")) {
-        ParsedAxis parsed = parseAxis(word);
-        if (!parsed.problem.empty()) {
-            // A value that the parameter cannot take is like one in a file; anything else is a mistyped
-            // command.
-            const bool badValue = parsed.kind == ParsedAxis::Kind::badValue;
-            throw CommandError(badValue ? ExitCode::invalidScenario : ExitCode::usage,
-                               "--vary: " + parsed.problem);
-        }
-        checkNotSet(arguments, parsed.axis.key(), "--vary " + shortened(word));
-        axes.push_back(std::move(parsed.axis));
-    }
+    for (const std::string& word : arguments.values("vary"))
+        axes.push_back(axisArgument(arguments, "vary", word));
     if (axes.empty())
         throw CommandError(ExitCode::usage, "needs --vary KEY=START:STOP:COUNT[:log] or --vary KEY=A,B,C");
     return axes;
@@ -43,19 +35,21 @@ std::vector<RecordedAxis> recordedAxes(const std::vector<SweepAxis>& axes, const
     std::vector<RecordedAxis> recorded;
     for (const SweepAxis& axis : axes) {
         const std::string& word = words[recorded.size()];
-        recorded.push_back({axis.column().header, word.substr(word.find('=') + 1), axis.count});
+        recorded.push_back(recordedAxis(axis, word));
     }
     return recorded;
 }
 
-ExitCode runSweepCommand(const Arguments& arguments, const Drawing*) {
+ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const std::vector<SweepAxis> axes = axesOf(arguments);
+    const StudyPlots plots = StudyPlots::besideFile(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments);
     const ScenarioDocument& base = input.document;
     const RowOptions options = rowOptions(arguments, input.method);
     for (const std::string& output : {options.path, RowFile::recordPath(options.path)})
         checkOutputIsNoInput(output, path, base);
+    plots.check(path, base, options.overwrite);
     const Sweep sweep{.base = base.scenario,
                       .axes = axes,
                       .columns = options.columnsFor(sampleOf(base.scenario, axes)),
@@ -67,15 +61,23 @@ ExitCode runSweepCommand(const Arguments& arguments, const Drawing*) {
         throw CommandError(ExitCode::invalidScenario, std::move(problems));
     }
 
+    if (const std::string problem = plots.areWanted() ? pictureProblem(sweep) : std::string();
+        !problem.empty())
+        throw CommandError(ExitCode::usage, "--plots: " + problem);
+
     RowRecord record = recordOf("sweep", arguments, options, sweep.columns, base,
                                 rowsOf(sweep.shard, pointCount(sweep)).size());
     record.axes = recordedAxes(axes, arguments);
     const Interruption interruption;
     RowFile out(options);
+    SweepRows rows{.title = base.scenario.title, .axes = axes, .columns = sweep.columns, .numbers = {}};
     const auto run = [&](std::stop_token stop, RowSink& sink, const RowProgress& progress) {
-        return runSweep(sweep, options.jobs, stop, sink, progress);
+        if (!plots.areWanted()) return runSweep(sweep, options.jobs, stop, sink, progress);
+        RowKeeper keeper(sink, rows.numbers);
+        return runSweep(sweep, options.jobs, stop, keeper, progress);
     };
-    return writeRows(run, record, options, out, interruption);
+    return writeRows(run, record, options, out, interruption,
+                     [&] { return plots.draw(&rows, drawing, interruption); });
 }
 
 std::vector<OptionSpec> sweepOptions() {
@@ -83,6 +85,7 @@ std::vector<OptionSpec> sweepOptions() {
                                      "an axis: START:STOP:COUNT, START:STOP:COUNT:log or A,B,C",
                                      OptionSpec::Times::list}};
     for (const OptionSpec& option : rowOptionSpecs()) options.push_back(option);
+    options.push_back(plotsOptionSpec());
     return options;
 }
 
@@ -92,7 +95,8 @@ const Command& sweepCommand() {
     static const std::string details =
         "Every combination of the values of the axes is one row, later axes fastest. Values carry units\n"
         "where the parameter has one: --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine\n"
-        "FILE.csv.yaml beside FILE.csv says what the rows are: version, command, axes and scenario.\n" +
+        "FILE.csv.yaml beside FILE.csv says what the rows are: version, command, axes and scenario.\n"
+        "--plots draws one axis or two: curves along the one with more values, one for each of the other.\n" +
         outputHelp();
     static const Command command{
         .name = "sweep",
@@ -102,7 +106,7 @@ const Command& sweepCommand() {
         .options = sweepOptions(),
         .leastOperands = 1,
         .mostOperands = 1,
-        .draws = [](const Arguments&) { return false; },
+        .draws = asksForPlots,
         .run = runSweepCommand,
     };
     return command;

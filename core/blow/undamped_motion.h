@@ -8,7 +8,7 @@ namespace drillwave {
 /// rebounds with e (theory §10).
 struct UndampedMotion {
     enum class Kind {
-        pushedBack,  ///< φ ≤ 1: it never comes back to the rock
+        pushedBack,  ///< φ ≤ 1: the blows push the machine back, and no steady motion is left
         bouncing,  ///< 1 < φ < (1+e)/(1−e): one impact per blow, the bit off the rock when the hammer strikes
         resting,  ///< beyond: it has come to rest on the rock before every blow
     };

@@ -45,7 +45,7 @@ std::string recordText(const RowRecord& record) {
     if (!record.axes.empty()) text += "axes:\n";
     for (const RecordedAxis& axis : record.axes)
         text += "  - column: " + yamlScalar(axis.column) + "\n    values: " + yamlScalar(axis.values) +
-                "\n    count: " + std::to_string(axis.count) + "\n";
+                (axis.count > 0 ? "\n    count: " + std::to_string(axis.count) : std::string()) + "\n";
     text += "outputs:\n";
     for (const std::string& output : record.outputs) text += "  - " + yamlScalar(output) + "\n";
     return text + "scenario: |2\n" + block(record.scenario);

@@ -17,9 +17,9 @@ inline constexpr std::string_view rowRecordKey = "drillwave_result:";
 
 /// An axis of a sweep: its column, and its values as they were asked for.
 struct RecordedAxis {
-    std::string column;  ///< "rod.length [m]"
-    std::string values;  ///< "3 m:6 m:4"
-    std::uint64_t count = 0;
+    std::string column;       ///< "rod.length [m]"
+    std::string values;       ///< "3 m:6 m:4"
+    std::uint64_t count = 0;  ///< 0 where every line has its own
 };
 
 /// What a record says beside the version of the program.

@@ -79,7 +79,7 @@ std::string feedSentence(const FeedVerdict& verdict) {
 std::string gapAtBlowSentence(const GapAtBlow& found) {
     switch (found.motion.kind) {
         case UndampedMotion::Kind::pushedBack:
-            return "If nothing damps the rebound, the bit does not come back to the rock.";
+            return "No steady motion of the bit is left.";
         case UndampedMotion::Kind::bouncing:
             if (!found.motion.stable)
                 return "If nothing damps the rebound, the bit bounces without ever becoming steady, because "

@@ -29,10 +29,18 @@ std::string cell(std::string_view text) {
     return "<td>" + escaped(text) + "</td>";
 }
 
-std::string figureText(const Figure& figure) {
+/// A picture that browsers show in a page, the sharper one first, or a link to one that they open.
+std::string pictureText(const std::string& number, const std::vector<std::string>& formats) {
+    for (const std::string format : {"svg", "png"})
+        if (std::ranges::find(formats, format) != formats.end())
+            return "<img src=\"fig" + number + "." + format + "\" alt=\"Fig. " + number + "\">";
+    return "<a href=\"fig" + number + ".pdf\">fig" + number + ".pdf</a>";
+}
+
+std::string figureText(const Figure& figure, const std::vector<std::string>& formats) {
     const std::string number = std::to_string(figure.number);
-    std::string text = "<figure>\n<img src=\"fig" + number + ".svg\" alt=\"Fig. " + number +
-                       "\">\n<figcaption>Fig. " + number + ". " + escaped(figure.caption) + " Data:";
+    std::string text = "<figure>\n" + pictureText(number, formats) + "\n<figcaption>Fig. " + number + ". " +
+                       escaped(figure.caption) + " Data:";
     for (const FigurePanel& panel : figure.panels)
         text += " <a href=\"" + panel.name + ".csv\">" + panel.name + ".csv</a>";
     return text + "</figcaption>\n</figure>\n";
@@ -52,7 +60,8 @@ constexpr std::string_view style =
 
 }  // namespace
 
-std::string figuresPage(const std::vector<Figure>& figures, const std::vector<Discrepancy>& numbers) {
+std::string figuresPage(const std::vector<Figure>& figures, const std::vector<Discrepancy>& numbers,
+                        const std::vector<std::string>& formats) {
     const auto agreeing = std::ranges::count_if(numbers, &Discrepancy::agrees);
     std::string page =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -64,7 +73,7 @@ std::string figuresPage(const std::vector<Figure>& figures, const std::vector<Di
         "<th>difference</th><th></th><th>explanation</th></tr>\n";
     for (const Discrepancy& number : numbers) page += numberText(number);
     page += "</table>\n";
-    for (const Figure& figure : figures) page += figureText(figure);
+    for (const Figure& figure : figures) page += figureText(figure, formats);
     return page + "</body>\n</html>\n";
 }
 

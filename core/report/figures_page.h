@@ -10,7 +10,9 @@
 
 namespace drillwave {
 
-/// HTML with the figures (fig3.svg and so on beside it) and a table of every printed number.
-std::string figuresPage(const std::vector<Figure>& figures, const std::vector<Discrepancy>& numbers);
+/// HTML with the figures (fig3.svg and so on beside it, which are there in `formats`, of pictureFormats) and
+/// a table of every printed number.
+std::string figuresPage(const std::vector<Figure>& figures, const std::vector<Discrepancy>& numbers,
+                        const std::vector<std::string>& formats);
 
 }  // namespace drillwave

@@ -45,6 +45,8 @@ class TestStudies : public QObject {
     void thrustGivesNeedsMarginsAndAdvice();
     void thrustWithoutAnInstalledOneHasNoMargins();
     void thrustIsProportionalToFrequency();
+    void thrustAlongAParameterIsAStudyAtEachValue();
+    void weightAlongTheHoleIsPartOfTheFeed();
     void figuresFillAFolder();
     void figuresNeverOverwriteUnasked();
     void anInterruptedStudyLeavesNothing();
@@ -175,18 +177,74 @@ void TestStudies::thrustWithoutAnInstalledOneHasNoMargins() {
 
 void TestStudies::thrustIsProportionalToFrequency() {
     const QString drill = example("t38_medium_rock");
-    const auto rows = rowsOf(output({"thrust", drill, "--frequency", "30Hz:120Hz:4", "-o", "-"}));
+    const QByteArray csv = output({"thrust", drill, "--frequency", "30Hz:120Hz:4", "-o", "-"});
+    QCOMPARE(output({"thrust", drill, "--along", "drill.blow_frequency=30Hz:120Hz:4", "-o", "-"}), csv);
+    const auto rows = rowsOf(csv);
     QCOMPARE(rows[0][0], QByteArray("drill.blow_frequency [Hz]"));
-    QCOMPARE(rows[0].size(), 5);
+    QCOMPARE(rows[0].size(), 14);
     QCOMPARE(rows.size(), 5);
     for (int column = 1; column < 5; ++column) {
-        QCOMPARE(rows[4][column].toDouble(), 4 * rows[1][column].toDouble());
+        QVERIFY(std::abs(rows[4][column].toDouble() / (4 * rows[1][column].toDouble()) - 1) < 1e-14);
         const double here =
             json({"thrust", drill})["needs"][QString::fromUtf8(rows[0][column].chopped(4))]["thrust"]
                 .toDouble();
         QVERIFY(std::abs(rows[2][column].toDouble() / here - 1) < 1e-14);  // 60 Hz
     }
-    QCOMPARE(json({"thrust", drill, "--frequency", "40Hz,50Hz"})["frequencies"].toArray().size(), 2);
+    QCOMPARE(json({"thrust", drill, "--frequency", "40Hz,50Hz"})["along"]["points"].toArray().size(), 2);
+}
+
+// Each point is the study of its own scenario, and a sweep has its margin.
+void TestStudies::thrustAlongAParameterIsAStudyAtEachValue() {
+    const QString drill = example("t38_medium_rock");
+    const QJsonArray points =
+        json({"thrust", drill, "--along", "gamma=0.1:1:3"})["along"]["points"].toArray();
+    QCOMPARE(points.size(), 3);
+    const auto rows = rowsOf(output({"sweep", drill, "--vary", "gamma=0.1:1:3", "--outputs",
+                                     "thrust_margin,percussion_power,penetration_rate,force_peaks"}));
+    QCOMPARE(rows[0][2], QByteArray("percussion_power [W]"));
+    QCOMPARE(rows[0][3], QByteArray("penetration_rate [m/s]"));
+    for (int i = 0; i < 3; ++i) {
+        const QString gamma = QStringLiteral("gamma=%1").arg(points[i]["value"].toDouble(), 0, 'g', 17);
+        const QJsonObject alone = json({"thrust", drill, "--set", gamma});
+        QCOMPARE(points[i]["needs"].toObject(), alone["needs"].toObject());
+        QCOMPARE(rows[i + 1][1].toDouble(), alone["thrust_margin"].toDouble());
+        const QJsonObject run = json({"run", drill, "--set", gamma});
+        QCOMPARE(run["si"]["thrust_margin"].toDouble(), alone["thrust_margin"].toDouble());
+        QCOMPARE(rows[i + 1][2].toDouble(), run["si"]["percussion_power"].toDouble());
+        QCOMPARE(rows[i + 1][4].toDouble(), run["si"]["force_peaks"].toDouble());
+    }
+    // The default number of points, with nothing but rows.
+    QCOMPARE(rowsOf(output({"thrust", drill, "--along", "drill.thrust=2kN:20kN:log", "-o", "-"})).size(),
+             102);
+    for (const char* wrong :
+         {"pulse.shape=rectangular", "gamma=1", "gamma=0.1:1:100000", "gamma=1:2:3:4:5"}) {
+        const Finished result = run({"thrust", drill, "--along", wrong, "-o", "-"});
+        QCOMPARE(result.exitCode, QByteArray(wrong) == "gamma=1" ? 0 : 2);
+    }
+    const Finished both = run({"thrust", drill, "--along", "gamma=0.1:1", "--frequency", "40Hz,50Hz"});
+    QCOMPARE(both.exitCode, 2);
+    // A value that no scenario may have: empty cells, counted.
+    const Finished bad = run({"thrust", drill, "--along", "rod.diameter=14mm:38mm:2", "-o", "-"});
+    QCOMPARE(bad.exitCode, 6);
+    QVERIFY(bad.error.contains("1 of 2 points"));
+    QVERIFY(bad.out.contains("\n14,,,,,,,,,,,,,\n"));
+}
+
+// Down the hole the weight adds to the feed, and everything says so.
+void TestStudies::weightAlongTheHoleIsPartOfTheFeed() {
+    const QStringList steep{"thrust",           example("t38_medium_rock"), "--set",
+                            "drill.thrust=4kN", "drill.machine_mass=300kg", "drill.inclination=90deg"};
+    const QJsonObject thrust = json(steep);
+    const double weight = thrust["weight_along_hole"].toDouble();
+    QVERIFY(weight > 300 * 9.8);
+    QCOMPARE(thrust["effective_force"].toDouble(), 4000 + weight);
+    QCOMPARE(thrust["needs"]["rigid_rock"]["margin"].toDouble(), (4000 + weight) / 6120 - 1);
+    QCOMPARE(thrust["feed"].toString(), QString("back_in_time"));
+    QVERIFY(output(steep).contains("effective force of 7.25"));
+    const QJsonObject level = json({"thrust", example("t38_medium_rock")});
+    QVERIFY(level["weight_along_hole"].isNull());
+    QCOMPARE(level["effective_force"].toDouble(), 8000.0);
+    QCOMPARE(run({"thrust", example("t38_medium_rock"), "--set", "drill.inclination=91deg"}).exitCode, 5);
 }
 
 void TestStudies::figuresFillAFolder() {

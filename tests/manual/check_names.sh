@@ -31,7 +31,7 @@ sed -n '/shapeNames{/,/};/p' core/model/scenario.cpp | grep -o '"[a-z_]*"' | tr 
 sed -n 's/^ *\.name = "\([a-z]*\)",.*/\1/p' app/*_command.cpp | expect commands.md command 10
 # {"segments", "N", "of the …"} is --segments; -o and -j have one letter.
 grep -ho '{"[a-z-]*", "[^"]*", "[^" ]* ' app/*.cpp app/*.h | sed 's/{"\([a-z-]*\)".*/\1/' |
-    sed 's/^.$/-&/; s/^[a-z][a-z-].*/--&/' | expect commands.md option 12
+    sed 's/^[xy]$/--&/; s/^.$/-&/; s/^[a-z][a-z-].*/--&/' | expect commands.md option 12
 cat "$missing"
 [ ! -s "$missing" ] || exit 1
 echo "all names stand in the manual"

@@ -27,9 +27,16 @@ QCPRange rangeOf(const FigurePanel& panel, std::vector<double> FigureCurve::*val
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (const FigureCurve& curve : panel.curves) {
         if (curve.line == FigureCurve::Line::none) continue;
-        const auto [least, largest] = std::ranges::minmax(curve.*values);
-        low = std::min(low, least);
-        high = std::max(high, largest);
+        for (const double value : curve.*values) {
+            if (!std::isfinite(value)) continue;
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+    }
+    if (!(low < high)) {  // one value, or none
+        const double centre = low == high ? low : 0;
+        low = centre - std::max(1e-3 * std::abs(centre), 1e-6);
+        high = centre + std::max(1e-3 * std::abs(centre), 1e-6);
     }
     const double room = margin * (high - low);
     return {low - room, high + room};
@@ -73,7 +80,7 @@ void setAxes(const FigurePanel& panel, QCPAxisRect& rect) {
     x.setScaleType(QCPAxis::stLogarithmic);
     x.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
     x.setNumberFormat(QStringLiteral("g"));
-    x.setNumberPrecision(3);
+    x.setNumberPrecision(6);
 }
 
 /// Adds an element below the others, as high as it needs to be or taking what height is left.
@@ -115,19 +122,32 @@ void addPanel(QCustomPlot& plot, const FigurePanel& panel, const PlotStyle& styl
     style.applyTo(*legend);
 }
 
-}  // namespace
-
-QByteArray drawFigure(const Figure& figure, const QString& format) {
-    constexpr double width = 160, panelHeight = 95;
-    QCustomPlot plot;
+void layOut(QCustomPlot& plot, const std::vector<FigurePanel>& panels) {
     plot.setLocale(QLocale::c());
     plot.setAutoAddPlottableToLegend(false);
     plot.plotLayout()->clear();
     const PlotStyle style = PlotStyle::forPaper();
     plot.setBackground(style.background);
-    for (const FigurePanel& panel : figure.panels) addPanel(plot, panel, style);
-    const Millimetres size{width, panelHeight * static_cast<double>(figure.panels.size())};
-    return renderPlot(plot, size, format, QStringLiteral("Fig. %1").arg(figure.number));
+    for (const FigurePanel& panel : panels) addPanel(plot, panel, style);
+}
+
+Millimetres sizeOf(const std::vector<FigurePanel>& panels) {
+    constexpr double width = 160, panelHeight = 95;
+    return {width, panelHeight * static_cast<double>(panels.size())};
+}
+
+}  // namespace
+
+QByteArray drawFigure(const Figure& figure, const QString& format) {
+    QCustomPlot plot;
+    layOut(plot, figure.panels);
+    return renderPlot(plot, sizeOf(figure.panels), format, QStringLiteral("Fig. %1").arg(figure.number));
+}
+
+Pictures drawPanels(const std::vector<FigurePanel>& panels, const QString& title, const PictureOrder& order) {
+    QCustomPlot plot;
+    layOut(plot, panels);
+    return renderPictures(plot, sizeOf(panels), title, order);
 }
 
 }  // namespace drillwave

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure of the paper drawn from its data.
+// Panels of curves drawn from their data: figures of the paper, sweeps.
 #pragma once
 
 #include <QByteArray>
 #include <QString>
 
 #include "core/study/paper/figure_data.h"
+#include "ui/export/pictures.h"
 
 namespace drillwave {
 
 /// The panels below each other, in a format of plotFormats(), on white, text in the C locale; 160 mm wide.
 /// Requires a QApplication (any platform, also offscreen). Empty when it could not be drawn.
 QByteArray drawFigure(const Figure& figure, const QString& format);
+
+/// The same of other panels, see renderPictures().
+Pictures drawPanels(const std::vector<FigurePanel>& panels, const QString& title, const PictureOrder& order);
 
 }  // namespace drillwave

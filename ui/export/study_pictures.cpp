@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/study_pictures.h"
 
+#include "ui/export/figure_plot.h"
+#include "ui/export/sweep_panels.h"
 #include "ui/pages/gap/gap_plot.h"
 
 namespace drillwave {
@@ -26,6 +28,10 @@ ShownUnits unitsFor(const Scenario& scenario) {
 Pictures drawStudy(const GapReport& report, const PictureOrder& order) {
     return drawnBy<GapPlot>(gapPicture(report, GapOutput::cor, unitsFor(report.scenario)), {180, 110},
                             report.scenario.title, order);
+}
+
+Pictures drawStudy(const SweepRows& rows, const PictureOrder& order) {
+    return drawPanels(sweepPanels(rows), QString::fromStdString(rows.title), order);
 }
 
 }  // namespace drillwave

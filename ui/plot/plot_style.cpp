@@ -66,8 +66,8 @@ PlotStyle PlotStyle::forPaper() {
 
 QPen PlotStyle::linePen(int index) const {
     static const QList<qreal> dashes[lineKinds] = {{}, {6, 3}, {8, 3, 1.5, 3}, {1.5, 2.5}};
-    const int kind = index % lineKinds;
-    QPen pen(lines[kind], lineWidth);
+    const int kind = (index + index / lineKinds) % lineKinds;  // of dashes: sixteen pens that differ
+    QPen pen(lines[index % lineKinds], lineWidth);
     // On screen a solid line is drawn piece by piece. Between points crowded into one pixel the pieces are
     // too short to leave a mark by themselves: their caps must.
     pen.setCapStyle(dashes[kind].isEmpty() ? Qt::SquareCap : Qt::FlatCap);
@@ -102,8 +102,10 @@ void PlotStyle::applyTo(QCPLegend& legend) const {
     legend.setBrush(Qt::NoBrush);
     legend.setBorderPen(Qt::NoPen);
     for (int i = 0; i < legend.itemCount(); ++i) {
-        legend.item(i)->setFont(font);
-        legend.item(i)->setTextColor(text);
+        QCPAbstractLegendItem* item = legend.item(i);
+        if (!item) continue;  // a cell of the last row that is left over
+        item->setFont(font);
+        item->setTextColor(text);
     }
 }
 

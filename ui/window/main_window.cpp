@@ -17,6 +17,7 @@
 #include "ui/job/solve_status.h"
 #include "ui/job/study_status.h"
 #include "ui/pages/blow/blow_page.h"
+#include "ui/pages/gap/gap_page.h"
 #include "ui/pages/rock/rock_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/result/result_panel.h"
@@ -75,6 +76,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(new BlowPage(m_observation), PageGroup::thisBlow);
     m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
+    m_pages->add(new GapPage(m_document), PageGroup::studies);
     addMenus();
     addStatusBar();
     wire();

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <span>
 
+#include "core/study/rows/axis_scenario.h"
 #include "core/study/rows/sweep_check.h"
 
 namespace drillwave {
@@ -35,6 +36,13 @@ std::vector<SweepAxis> CurveQuestion::axes() const {
     if (family) all.push_back(*family);
     all.push_back(along);
     return all;
+}
+
+Scenario CurveQuestion::firstScenario() const {
+    const std::vector<SweepAxis> all = axes();
+    std::vector<double> values;
+    for (const SweepAxis& axis : all) values.push_back(axis.value(0));
+    return AxisScenario(base, all).set(values);
 }
 
 std::vector<std::string> problemsOf(const CurveQuestion& question) {

@@ -33,6 +33,8 @@ struct CurveQuestion {
     long workLimit = defaultWorkLimit;  ///< most wave pieces of a blow; beyond, it is not solved
 
     CurveRange range() const;
+    /// The base with the first value of every axis.
+    Scenario firstScenario() const;
     std::vector<SweepAxis> axes() const;  ///< the family, if there is one, and the parameter to go along
 };
 
@@ -43,7 +45,7 @@ inline constexpr std::size_t maximumCurveLines = 50;
 /// has no meaning here, ends that are no valid scenario. Empty when it can be studied.
 std::vector<std::string> problemsOf(const CurveQuestion& question);
 
-/// A part of the range, SI, and why it is not as the others.
+/// A part of the range, SI, and why it is not as the others (there may be other reasons within).
 struct CurveStretch {
     double start = 0;
     double end = 0;

@@ -97,7 +97,7 @@ CellOutput CellFitter::fit(CurveSampler& sampler, const CellTask& task, std::siz
 void addStretch(std::vector<CurveStretch>& stretches, const CurveRange& range, const FitPiece& piece,
                 std::string_view reason) {
     const double start = range.at(piece.start), end = range.at(piece.end);
-    if (!stretches.empty() && stretches.back().end == start && stretches.back().reason == reason)
+    if (!stretches.empty() && stretches.back().end == start)
         stretches.back().end = end;
     else
         stretches.push_back({start, end, std::string(reason)});

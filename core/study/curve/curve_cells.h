@@ -55,7 +55,7 @@ class CellFitter {
 /// order.
 void addCell(CurveLine& line, const CurveQuestion& question, CellTask& task);
 
-/// Appends where a piece is, or makes the last stretch longer, where it is for the same reason.
+/// Appends where a piece is, or makes the last stretch longer where it goes on.
 void addStretch(std::vector<CurveStretch>& stretches, const CurveRange& range, const FitPiece& piece,
                 std::string_view reason);
 

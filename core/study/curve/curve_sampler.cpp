@@ -17,6 +17,15 @@ std::uint64_t orderOf(const Impact& impact, const Problem& problem, Method metho
     return exactTimes ? eventOrder(impact, problem.hammer) : static_cast<std::uint64_t>(impact.contacts);
 }
 
+/// Of what blow after blow brings.
+double unitPerSecond(Measure measure, const Scenario& scenario) {
+    const Scales scales = scalesOf(scenario);
+    const double ofBlow = measure == Measure::watt    ? scales.energy
+                          : measure == Measure::speed ? scales.penetration
+                                                      : scales.impulse;
+    return scenario.drill.blowFrequency.value_or(1) * ofBlow;
+}
+
 }  // namespace
 
 CurveSampler::CurveSampler(const CurveQuestion& question, const std::vector<SweepAxis>& axes,
@@ -39,8 +48,7 @@ const Scenario& CurveSampler::scenarioAt(double share) {
 double CurveSampler::unitAt(double share, std::size_t output) {
     const OutputColumn& column = m_question.columns[output];
     const Scenario& scenario = scenarioAt(share);
-    if (column.output->measure == Measure::newton)
-        return scenario.drill.blowFrequency.value_or(1) * scalesOf(scenario).impulse;
+    if (column.output->isOnlySi()) return unitPerSecond(column.output->measure, scenario);
     return column.units == OutputUnits::si ? column.output->scale(scalesOf(scenario)) : 1;
 }
 

@@ -116,7 +116,7 @@ class Surveyor {
                            .value = found.value,
                            .residual = found.residual(m_level)};
         if (point.residual > coarsestAccuracy * step)
-            point.jumpWidth = std::abs(m_above.place - m_below.place);
+            point.jumpWidth = std::abs((m_above.place - m_below.place) / (end.place - start.place));
         finding.point = point;
         return finding;
     }

@@ -19,16 +19,16 @@ struct ContourPoint {
     double y = 0;         ///< SI
     double value = 0;     ///< the output there, in the units of the map
     double residual = 0;  ///< |value − level|
-    /// Where the output jumps across the level: how closely the place of the jump is enclosed [SI of the axis
-    /// along which the two points of the grid differ]. 0 where it takes the level: `residual` is then at most
-    /// contourAccuracy of the level or of the step between the two points, whichever is larger.
+    /// Where the output jumps across the level: how closely the place of the jump is enclosed, as a fraction
+    /// of the distance between the two points of the grid. 0 where it takes the level: `residual` is then
+    /// mostly below contourAccuracy, and always below a hundred times as much, of the level or of the step
+    /// between the two points, whichever is larger.
     double jumpWidth = 0;
     bool isJump() const { return jumpWidth > 0; }
     bool operator==(const ContourPoint&) const = default;
 };
 
-/// How near the level a point is placed: a hundredth of what theory promises for e, so that rounding hides
-/// none of it.
+/// How near the level a point is placed, of the level or the step: for e a hundredth of 1e-9.
 inline constexpr double contourAccuracy = 1e-11;
 
 /// One connected line; of a closed one the last point is the first again.

@@ -80,11 +80,20 @@ void MapGrid::fail(std::size_t column, std::size_t row, const std::string& reaso
     put(column, row, static_cast<Cell>(firstReason + place));
 }
 
-MapGrid::Extent MapGrid::extent() const {
-    Extent extent{none, none};
-    for (const double value : m_values) {
-        extent.least = std::fmin(extent.least, value);
-        extent.largest = std::fmax(extent.largest, value);
+std::optional<MapGrid::Extent> MapGrid::extent() const {
+    std::optional<Extent> extent;
+    for (std::size_t n = 0; n < m_values.size(); ++n) {
+        const double value = m_values[n];
+        if (std::isnan(value)) continue;
+        const Place place{n % columns(), n / columns()};
+        if (!extent) extent = {value, value, place, place};
+        if (value < extent->least) {
+            extent->least = value;
+            extent->leastPlace = place;
+        } else if (value > extent->largest) {
+            extent->largest = value;
+            extent->largestPlace = place;
+        }
     }
     return extent;
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -64,12 +65,13 @@ class MapGrid {
     void set(std::size_t column, std::size_t row, double value);
     void fail(std::size_t column, std::size_t row, const std::string& reason);
 
-    /// Smallest and largest value; NaN where there is none.
+    /// The smallest and the largest value, where they are first; nullopt where there is none.
     struct Extent {
-        double least;
-        double largest;
+        double least = 0;
+        double largest = 0;
+        Place leastPlace, largestPlace;
     };
-    Extent extent() const;
+    std::optional<Extent> extent() const;
 
     /// Whether the same points are there with the same values, bit for bit, and the same reasons.
     bool operator==(const MapGrid& other) const;

@@ -21,6 +21,8 @@ struct OutputColumn {
 
     /// "peak_force", or in SI "peak_force [N]"; what has no dimensionless number always has its unit.
     std::string header() const;
+    /// Whether its numbers are in a unit.
+    bool hasUnit() const { return units == OutputUnits::si || output->isOnlySi(); }
     Detail detail() const { return output->detail; }
     /// nullopt where there is no number (Output::value).
     std::optional<double> value(const OutputSource& source, const Scales& scales) const;

@@ -2,9 +2,12 @@
 // The judgement on the feed: thresholds of theory §10, one set of words, and nothing claimed beyond it.
 #include <QtTest>
 
+#include <cmath>
+
 #include "core/blow/feed_verdict.h"
 #include "core/blow/result_alerts.h"
 #include "core/model/alerts.h"
+#include "core/model/scales.h"
 #include "core/report/alert_words.h"
 #include "core/report/feed_words.h"
 
@@ -16,7 +19,8 @@ namespace {
 Scenario drill(std::optional<double> thrust) {
     Scenario scenario;
     scenario.pulse.impulse = 40;
-    scenario.drill = {.blowFrequency = 50, .thrust = thrust};
+    scenario.drill.blowFrequency = 50;
+    scenario.drill.thrust = thrust;
     return scenario;
 }
 
@@ -87,6 +91,47 @@ class TestFeedVerdict : public QObject {
         }
         QVERIFY(textOf(feedAdvice(Feed::fullRate)).contains("leaves the rock between blows"));
         QVERIFY(textOf(feedAdvice(Feed::backInTime)).contains("outside the model"));
+    }
+
+    // Straight down: all of the weight; 12° up: a part of it against the feed. Half of the mass is the rod's.
+    void weightAlongTheHoleCountsWhereAnInclinationIsGiven() {
+        Scenario scenario = drill(2900);
+        const RodProperties rod = propertiesOf(scenario.rod);
+        scenario.drill.machineMass = rod.mass;
+        QCOMPARE(*judgeFeed(scenario, 0.4)->effective(), 2900.0);
+        QVERIFY(!judgeFeed(scenario, 0.4)->force->weight);
+        scenario.drill.inclination = 90;
+        QCOMPARE(*judgeFeed(scenario, 0.4)->effective(), 2900 + 2 * rod.mass * 9.80665);
+        scenario.drill.inclination = -12;
+        const FeedVerdict verdict = *judgeFeed(scenario, 0.4);
+        const double weight = -2 * rod.mass * 9.80665 * std::sin(12 * std::acos(-1.0) / 180);
+        QVERIFY(std::abs(*verdict.force->weight / weight - 1) < 1e-14);
+        QCOMPARE(verdict.feed, Feed::penetrationLost);  // 2900 − 132 N, 2800 needed
+        QCOMPARE(*verdict.margin(), *verdict.effective() / 2800 - 1);
+        const QString sentence = textOf(feedSentence(verdict));
+        QVERIFY2(sentence.startsWith("The effective force of 2.7"), qPrintable(sentence));
+        QVERIFY2(sentence.contains("(thrust 2.9 kN, less 1"), qPrintable(sentence));
+        // The alert says the very same.
+        ImpactSummary summary;
+        summary.cor = 0.4;
+        QCOMPARE(alertText(resultAlerts(scenario, summary).at(0)), feedSentence(verdict));
+        scenario.drill.machineMass.reset();
+        QVERIFY(std::abs(*judgeFeed(scenario, 0.4)->force->weight / (weight / 2) - 1) < 1e-14);
+    }
+
+    // At the paper's thrust the bit hangs off the rock; in metres and in d0 it is the same gap.
+    void theGapAtTheBlowIsToldInMetresAndInD0() {
+        const Scenario scenario = drill(2800);
+        const GapAtBlow found = *gapAtBlow(scenario, 0.4);
+        QCOMPARE(found.feed, 1.4);
+        QCOMPARE(found.motion.kind, UndampedMotion::Kind::bouncing);
+        QVERIFY(std::abs(found.gap / (found.inD0 * scalesOf(scenario).penetration) - 1) < 1e-14);
+        const double v0 = 40 / propertiesOf(scenario.rod).mass;
+        QVERIFY(std::abs(found.gap / (0.192 * v0 / 50) - 1) < 1e-12);  // V = 1, a = 0.2, y = 0.2 − 0.008
+        QVERIFY(textOf(gapAtBlowSentence(found)).contains("off the rock when the hammer strikes"));
+        QVERIFY(!textOf(gapAtBlowSentence(*gapAtBlow(drill(9000), 0.4))).contains("off the rock"));
+        QVERIFY(textOf(gapAtBlowSentence(*gapAtBlow(drill(3000), 1.2))).contains("steady"));
+        QVERIFY(!gapAtBlow(drill({}), 0.4));
     }
 
     void withoutAFrequencyThereIsNoVerdict() {

@@ -48,20 +48,24 @@ class TestOutputs : public QObject {
     void siValuesDoNotDependOnTheUnitsOfTheScenario();
     void stressIsTheForceInTheRodOverItsArea();
     void thrustIsFrequencyTimesTheImpulseThatComesBack();
+    void powerAndRateAreThoseOfOneBlowTimesTheFrequency();
+    void theMarginNeedsAnInstalledThrust();
     void theWindowListsWhatHasAGroup();
 };
 
 void TestOutputs::everyOutputIsFoundByItsName() {
-    QCOMPARE(outputs().size(), std::size_t{21});
+    QCOMPARE(outputs().size(), std::size_t{25});
     for (const Output& output : outputs()) QCOMPARE(findOutput(output.name), &output);
     QCOMPARE(findOutput("peak"), nullptr);
 }
 
 void TestOutputs::everyOutputHasANumberWhereTheScenarioHasIt() {
-    const Blow drill = solveBlow(drillOf(50), {}, Detail::histories);
+    Scenario complete = drillOf(50);
+    complete.drill.thrust = 5000;
+    const Blow drill = solveBlow(complete, {}, Detail::histories);
     for (const Output& output : outputs()) {
         QVERIFY(output.problem(drill.scenario).empty());
-        const std::optional<double> value = output.value({drill.summary, drill.scenario});
+        const std::optional<double> value = output.value({drill.summary, drill.scenario, 0.1});
         QVERIFY2(value && std::isfinite(*value), std::string(output.name).c_str());
     }
     const Blow groups = solveBlow(groupsCase({0.5, 0.1, 10, 0.2}), {}, Detail::summary);
@@ -77,7 +81,7 @@ void TestOutputs::anOutputNeedsNoMoreThanItsDetail() {
     const Scenario scenario = drillOf(50);
     const Blow full = solveBlow(scenario, {}, Detail::histories);
     for (const Output& output : outputs()) {
-        if (output.measure == Measure::error) continue;  // rounding
+        if (output.measure == Measure::error || output.needsThrustStudy()) continue;  // rounding; no blow
         const Blow own = solveBlow(scenario, {}, output.detail);
         const double value = *output.value({own.summary, scenario});
         const double expected = *output.value({full.summary, scenario});
@@ -124,6 +128,34 @@ void TestOutputs::thrustIsFrequencyTimesTheImpulseThatComesBack() {
     QCOMPARE(thrust.detail, Detail::cor);
     QCOMPARE(thrust.problem(Scenario()), thrustProblem(Scenario()));
     QVERIFY(!thrust.problem(Scenario()).empty());
+}
+
+// Work and penetration of a blow, 50 times a second.
+void TestOutputs::powerAndRateAreThoseOfOneBlowTimesTheFrequency() {
+    const Blow blow = solveBlow(drillOf(50), {}, Detail::summary);
+    const double work = siOf(blow, "work_ratio") * blow.scales.energy;
+    QVERIFY(std::abs(siOf(blow, "percussion_power") / (50 * work) - 1) < 1e-14);
+    QVERIFY(std::abs(siOf(blow, "penetration_rate") / (50 * siOf(blow, "residual_penetration")) - 1) < 1e-14);
+    QCOMPARE(findOutput("percussion_power")->quantity(), Quantity::power);
+    QCOMPARE(findOutput("penetration_rate")->quantity(), Quantity::velocity);
+    for (const char* name : {"percussion_power", "penetration_rate"}) {
+        QVERIFY(findOutput(name)->isOnlySi());
+        QVERIFY(!valueOf(solveBlow(Scenario(), {}, Detail::summary), name));
+        const std::string problem = findOutput(name)->problem(Scenario());
+        QVERIFY(problem.find("drill.blow_frequency") != std::string::npos);
+        QVERIFY(problem.find("thrust") == std::string::npos);
+    }
+}
+
+void TestOutputs::theMarginNeedsAnInstalledThrust() {
+    const Output& margin = *findOutput("thrust_margin");
+    QVERIFY(!margin.isOnlySi());
+    QVERIFY(margin.needsThrustStudy());
+    QVERIFY(margin.problem(Scenario()).find("drill.blow_frequency") != std::string::npos);
+    QVERIFY(margin.problem(drillOf(50)).find("drill.thrust") != std::string::npos);
+    Scenario complete = drillOf(50);
+    complete.drill.thrust = 5000;
+    QVERIFY(margin.problem(complete).empty());
 }
 
 void TestOutputs::theWindowListsWhatHasAGroup() {

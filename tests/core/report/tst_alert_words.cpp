@@ -106,6 +106,13 @@ const std::vector<Example>& examples() {
            {"strength", 150e6, Quantity::stress}}},
          "The rod tires with every blow: tension reaches 160 MPa, 915 mm from the hammer at 4 ms, after the "
          "blow, in the waves left (which nothing damps here), against a strength of 150 MPa."},
+        {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.5}}},
+         "The waves of a blow make only n_b = 4.5 round trips until the next blow, and meet it undamped: "
+         "penetration may swing by 10 % up or down with frequency times length."},
+        {{warning, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.06}, {"whole", 4}}},
+         "The waves of a blow make only n_b = 4.06 round trips until the next blow, and meet it undamped and "
+         "nearly in step (n_b close to 4): penetration may swing by 10 % up or down; another blow frequency "
+         "or length tells."},
     };
     return all;
 }
@@ -141,6 +148,25 @@ class TestAlertWords : public QObject {
         QCOMPARE(name(AlertCode::reducedAccuracy), std::string_view("reduced_accuracy"));
         QCOMPARE(name(AlertCode::stressAboveYield), std::string_view("stress_above_yield"));
         QCOMPARE(name(AlertCode::stressAboveFatigue), std::string_view("stress_above_fatigue"));
+        QCOMPARE(name(AlertCode::residualWaves), std::string_view("residual_waves"));
+    }
+
+    // A string as long as ten rods: 1.2 round trips between blows of 60 Hz; nearly one at 70 Hz.
+    void wavesThatMeetTheNextBlowAreRemarkedOn() {
+        const auto remarks = [](double frequency, double length) {
+            Scenario scenario;
+            scenario.drill.blowFrequency = frequency;
+            scenario.rod.length = length;
+            return alertsFor(scenario);
+        };
+        QVERIFY(remarks(60, 3.66).empty());
+        const std::vector<Alert> some = remarks(60, 36.6);
+        QCOMPARE(some.size(), std::size_t{1});
+        QCOMPARE(some[0].code, AlertCode::residualWaves);
+        QCOMPARE(some[0].level, AlertLevel::information);
+        const std::vector<Alert> inStep = remarks(70, 36.6);
+        QCOMPARE(inStep[0].level, AlertLevel::warning);
+        QVERIFY(textOf(inStep[0]).contains("n_b close to 1"));
     }
 
     void noCodeIsLeftOut() {
@@ -163,7 +189,8 @@ class TestAlertWords : public QObject {
         QCOMPARE(alertsFor(scenario).at(0), examples()[0].alert);
         scenario = {};
         scenario.pulse.impulse = 40;
-        scenario.drill = {.blowFrequency = 50, .thrust = 1500};
+        scenario.drill.blowFrequency = 50;
+        scenario.drill.thrust = 1500;
         ImpactSummary summary;
         summary.cor = 0.4;
         const std::vector<Alert> alerts = resultAlerts(scenario, summary);

@@ -14,10 +14,10 @@ using namespace drillwave;
 
 namespace {
 
-constexpr Quantity quantities[] = {Quantity::ratio,    Quantity::length,    Quantity::area,
-                                   Quantity::stress,   Quantity::density,   Quantity::time,
-                                   Quantity::impulse,  Quantity::force,     Quantity::stiffness,
-                                   Quantity::velocity, Quantity::frequency, Quantity::energy};
+constexpr Quantity quantities[] = {
+    Quantity::ratio,     Quantity::length,  Quantity::area,  Quantity::stress,    Quantity::density,
+    Quantity::time,      Quantity::impulse, Quantity::force, Quantity::stiffness, Quantity::velocity,
+    Quantity::frequency, Quantity::energy,  Quantity::power, Quantity::mass,      Quantity::angle};
 
 /// Any finite double, all magnitudes alike.
 double anyDouble(std::mt19937_64& random) {
@@ -118,6 +118,11 @@ void TestUnits::factorsAgreeWithTheDefinitionOfTheUnits_data() {
     QTest::newRow("ft/min") << Quantity::velocity << "ft/min" << 0.3048 / 60;
     QTest::newRow("in/min") << Quantity::velocity << "in/min" << 0.0254 / 60;
     QTest::newRow("in^2") << Quantity::area << "in^2" << 0.0254 * 0.0254;
+    QTest::newRow("hp") << Quantity::power << "hp" << 550 * 0.3048 * pound * gravity;
+    QTest::newRow("lb") << Quantity::mass << "lb" << pound;
+    QTest::newRow("rad") << Quantity::angle << "rad" << 180 / std::acos(-1.0);
+    QTest::newRow("m/min") << Quantity::velocity << "m/min" << 1.0 / 60;
+    QTest::newRow("ft/min") << Quantity::velocity << "ft/min" << 0.3048 / 60;
     QTest::newRow("rpm") << Quantity::frequency << "rpm" << 1.0 / 60;
     QTest::newRow("km/h") << Quantity::velocity << "km/h" << 1.0 / 3.6;
     QTest::newRow("bar") << Quantity::stress << "bar" << 1e5;

@@ -11,13 +11,13 @@
 
 namespace drillwave {
 
-/// Items on a rect of a plot. Where there are too many kinks to be read, they are marked without numbers.
-/// Lives as a child of the plot.
+/// Points of a graph with words beside them that keep clear of the curve and of each other. Where there are
+/// too many kinks to be read, they are marked without numbers. Lives as a child of the plot.
 class GapMarks : public QObject {
     Q_OBJECT
 
   public:
-    GapMarks(QCustomPlot* plot, QCPAxisRect* rect);
+    explicit GapMarks(QCPGraph* graph);
 
     /// Those of the picture in place of the last ones.
     void present(const GapPicture& picture);
@@ -27,9 +27,9 @@ class GapMarks : public QObject {
   private:
     void add(const GapMark& mark, const QString& words);
     void applyStyle();
+    void placeWords();
 
-    QCustomPlot* m_plot;
-    QCPAxisRect* m_rect;
+    QCPGraph* m_graph;
     PlotStyle m_style;
     QVector<QCPItemTracer*> m_points;
     QVector<QCPItemText*> m_words;

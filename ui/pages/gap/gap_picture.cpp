@@ -69,7 +69,7 @@ void addDistribution(GapPicture& picture, const Histogram& histogram) {
     picture.below.append({0, histogram.low});
     double below = 0;
     for (int band = 0; band < bands; ++band) {
-        const double share = histogram.shares[static_cast<std::size_t>(band)];
+        const double share = 100 * histogram.shares[static_cast<std::size_t>(band)];
         const double bottom = histogram.low + band * histogram.width;
         const double top = bottom + histogram.width;
         below += share;
@@ -86,21 +86,26 @@ void addMarks(GapPicture& picture, const GapReport& report) {
     };
     const GapOutputStatistics& output = statistics.of(picture.output);
     if (output.largest.kind != GapExtreme::Kind::everywhere)
-        for (const bool upper : {true, false}) {
-            const GapExtreme& extreme = upper ? output.largest : output.least;
-            picture.marks.append(
-                {GapMark::Kind::extreme, place(extreme.gap.value, extreme.value.value), upper});
-        }
+        for (const GapExtreme& extreme : {output.largest, output.least})
+            picture.marks.append({GapMark::Kind::extreme, place(extreme.gap.value, extreme.value.value)});
     if (picture.output == GapOutput::cor)
         for (const GapCrossing& crossing : statistics.crossings)
-            picture.marks.append({GapMark::Kind::crossing, place(crossing.gap.value, 1), crossing.rising});
+            picture.marks.append({GapMark::Kind::crossing, place(crossing.gap.value, 1)});
     for (const GapKink& kink : statistics.kinks) {
-        const GapMark mark{GapMark::Kind::kink, place(kink.gap, report.curve.value(picture.output, kink.gap)),
-                           true};
+        const GapMark mark{GapMark::Kind::kink,
+                           place(kink.gap, report.curve.value(picture.output, kink.gap))};
         const auto isNamed = [&](const GapMark& other) { return other.at == mark.at; };
         if (std::ranges::none_of(picture.marks, isNamed)) picture.marks.append(mark);
     }
     std::ranges::sort(picture.marks, {}, [](const GapMark& mark) { return mark.at.x(); });
+}
+
+GapPicture emptyPicture(GapOutput output, const ShownUnits& units) {
+    GapPicture picture;
+    picture.output = output;
+    picture.gap = units.penetration;
+    picture.value = unitOf(output, units);
+    return picture;
 }
 
 }  // namespace
@@ -119,10 +124,7 @@ QString gapOutputName(GapOutput output) {
 
 GapPicture gapPicture(const GapReport& report, GapOutput output, const ShownUnits& units) {
     const GapCurve& curve = report.curve;
-    GapPicture picture;
-    picture.output = output;
-    picture.gap = units.penetration;
-    picture.value = unitOf(output, units);
+    GapPicture picture = emptyPicture(output, units);
     picture.from = curve.start * picture.gap.factor;
     picture.to = curve.end * picture.gap.factor;
     const std::vector<double> gaps = sampleGaps(curve);
@@ -146,7 +148,23 @@ GapPicture gapPicture(const GapReport& report, GapOutput output, const ShownUnit
             (picture.isScattered ? *statistics.normalShareAboveOne : statistics.shareAboveOne).value;
     const GapOutputStatistics& cor = statistics.of(GapOutput::cor);
     const GapSpread& spread = picture.isScattered ? *cor.normal : cor.uniform;
-    picture.thrust = thrustNeeded(report.scenario, spread.quantiles.back().value);
+    if (const auto thrust = thrustNeeded(report.scenario, spread.quantiles.back().value)) {
+        picture.thrustUnit = units.of(UnitKind::force, *thrust);
+        picture.thrust = *thrust * picture.thrustUnit.factor;
+    }
+    return picture;
+}
+
+GapPicture gapPreview(const std::vector<GapSample>& samples, GapOutput output, const ShownUnits& units) {
+    GapPicture picture = emptyPicture(output, units);
+    QVector<QCPGraphData> points;
+    for (const GapSample& sample : samples)
+        appendFinite(points, sample.gap * picture.gap.factor,
+                     sample.values[static_cast<std::size_t>(output)] * picture.value.factor);
+    picture.curve = graphData(points);
+    if (points.isEmpty()) return picture;
+    picture.from = points.first().key;
+    picture.to = points.last().key;
     return picture;
 }
 

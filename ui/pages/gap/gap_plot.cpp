@@ -50,18 +50,19 @@ GapPlot::GapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
     m_graph = plot->addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_graph->setAdaptiveSampling(false);
     m_shares = new QCPCurve(m_beside->axis(QCPAxis::atBottom), m_beside->axis(QCPAxis::atLeft));
-    m_shares->setName(tr("share of gaps, in bands of values"));
+    m_shares->setName(tr("share in a band"));
     m_below = new QCPCurve(m_beside->axis(QCPAxis::atTop), m_beside->axis(QCPAxis::atLeft));
-    m_below->setName(tr("share of gaps below"));
+    m_below->setName(tr("share below"));
     for (QCPAbstractPlottable* curve :
          {static_cast<QCPAbstractPlottable*>(m_graph), static_cast<QCPAbstractPlottable*>(m_shares),
           static_cast<QCPAbstractPlottable*>(m_below)})
         curve->addToLegend(m_legend);
-    m_marks = new GapMarks(plot, m_rect);
+    m_marks = new GapMarks(m_graph);
     m_here = new HereMark(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_message = new PlotMessage(plot);
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
-    connect(plot, &QCustomPlot::beforeReplot, this, &GapPlot::placeBands);
+    connect(plot, &QCustomPlot::afterLayout, this, &GapPlot::placeBands);
+    connect(plot, &QCustomPlot::beforeReplot, this, &GapPlot::breakCaption);
     setStyle(PlotStyle::forPaper());
 }
 
@@ -101,12 +102,13 @@ void GapPlot::addRects() {
     m_beside->axis(QCPAxis::atLeft)->setTickLabels(false);
     m_beside->axis(QCPAxis::atRight)->setTicks(false);
     m_beside->axis(QCPAxis::atTop)->setTickLabels(true);
-    for (const auto side : {QCPAxis::atTop, QCPAxis::atBottom}) {
-        m_beside->axis(side)->ticker()->setTickCount(3);
-        m_beside->axis(side)->setVisible(true);
-    }
-    m_beside->axis(QCPAxis::atBottom)->setLabel(tr("share in a band [%]"));
-    m_beside->axis(QCPAxis::atTop)->setLabel(tr("share below [%]"));
+    m_beside->axis(QCPAxis::atBottom)->ticker()->setTickCount(2);
+    auto halves = QSharedPointer<QCPAxisTickerFixed>::create();
+    halves->setTickStep(50);
+    halves->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+    m_beside->axis(QCPAxis::atTop)->setTicker(halves);
+    m_beside->axis(QCPAxis::atBottom)->setLabel(tr("in a band [%]"));
+    m_beside->axis(QCPAxis::atTop)->setLabel(tr("below [%]"));
 }
 
 // Both rects have one axis of values, and the gap is on top in d0.
@@ -151,6 +153,7 @@ void GapPlot::addLines() {
         if (side == 0) continue;
         for (QCPItemText*& name : m_lineNames) {
             name = new QCPItemText(m_plot);
+            name->setLayer(QStringLiteral("legend"));  // above the curves
             name->setSelectable(false);
             name->setClipAxisRect(rect);
             name->setPadding(QMargins(4, 1, 4, 1));
@@ -162,12 +165,13 @@ void GapPlot::addLines() {
     m_bandName->setSelectable(false);
     m_bandName->setText(tr("super rebound, e > 1"));
     m_bandName->setPadding(QMargins(6, 3, 6, 3));
-    m_bandName->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+    m_bandName->setPositionAlignment(Qt::AlignHCenter | Qt::AlignTop);
     m_bandName->setClipAxisRect(m_rect);
     m_bandName->position->setAxes(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_bandName->position->setAxisRect(m_rect);
     m_bandName->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
-    m_bandName->position->setTypeY(QCPItemPosition::ptPlotCoords);
+    m_bandName->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    m_bandName->position->setCoords(0.5, 0);
 }
 
 void GapPlot::present(const GapPicture& picture) {
@@ -175,7 +179,7 @@ void GapPlot::present(const GapPicture& picture) {
     m_picture = picture;
     m_message->hide();
     m_graph->setData(picture.curve);
-    m_graph->setName(tr("%1 over the gap").arg(gapOutputName(picture.output)));
+    m_graph->setName(gapOutputName(picture.output));
     m_rect->axis(QCPAxis::atLeft)
         ->setLabel(picture.value.unit.isEmpty() ? gapOutputName(picture.output)
                                                 : picture.value.axisLabel(gapOutputName(picture.output)));
@@ -229,8 +233,17 @@ void GapPlot::showSpread() {
         m_lineNames[i]->position->setCoords(1, at);
     }
     if (!m_picture.curve) return;
-    m_summary = summary();
+    m_summary = m_picture.shares.isEmpty() ? QString() : summary();
     m_caption->setText(m_summary);
+}
+
+// A narrow plot has a line for each part of it.
+void GapPlot::breakCaption() {
+    const double width = QFontMetricsF(m_caption->font()).horizontalAdvance(m_summary);
+    QString text = m_summary;
+    if (width > m_plot->viewport().width() - 20)
+        text.replace(QStringLiteral(" · "), QString(QLatin1Char('\n')));
+    if (m_picture.curve) m_caption->setText(text);
 }
 
 QString GapPlot::summary() const {
@@ -248,8 +261,8 @@ QString GapPlot::summary() const {
         text += tr(" · e > 1 at %1 of gaps").arg(percentText(*m_picture.shareAboveOne, locale));
     if (m_picture.thrust)
         text += tr(" · thrust for 95 % of gaps %1")
-                    .arg(numberText(*m_picture.thrust / 1000, 4, locale) + QChar(QChar::Nbsp) +
-                         QStringLiteral("kN"));
+                    .arg(numberText(*m_picture.thrust, 4, locale) + QChar(QChar::Nbsp) +
+                         m_picture.thrustUnit.unit);
     return text;
 }
 
@@ -262,8 +275,7 @@ void GapPlot::placeBands() {
         band->topLeft->setCoords(0, view.upper);
         band->bottomRight->setCoords(1, std::max(1.0, view.lower));
     }
-    m_bandName->setVisible(isShown && view.lower < 1);
-    m_bandName->position->setCoords(0.5, 1);
+    m_bandName->setVisible(isShown);
 }
 
 void GapPlot::setStyle(const PlotStyle& style) {
@@ -306,12 +318,14 @@ void GapPlot::fit() {
         bool found = false;
         QCPRange values = m_graph->getValueRange(found);
         if (!found) values = {0, 1};
-        if (m_picture.output == GapOutput::cor) values.expand(1);
         const double size = std::max(values.size(), 0.02 * std::abs(values.upper));
+        // Where super rebound begins, if that is not far off.
+        const bool isNear = values.upper > 1 - size && values.lower < 1 + size;
+        if (m_picture.output == GapOutput::cor && isNear) values.expand(1);
         m_rect->axis(QCPAxis::atLeft)->setRange(values.lower - 0.1 * size, values.upper + 0.1 * size);
         const auto shares = m_shares->getKeyRange(found);
-        m_beside->axis(QCPAxis::atBottom)->setRange(0, found && shares.upper > 0 ? 1.05 * shares.upper : 1);
-        m_beside->axis(QCPAxis::atTop)->setRange(0, 1.05);
+        m_beside->axis(QCPAxis::atBottom)->setRange(0, found && shares.upper > 0 ? 1.05 * shares.upper : 100);
+        m_beside->axis(QCPAxis::atTop)->setRange(0, 105);
     });
 }
 

@@ -5,6 +5,7 @@
 #include <random>
 #include <set>
 
+#include "core/model/assignments.h"
 #include "core/report/row_csv.h"
 #include "core/study/map/map.h"
 #include "core/study/map/map_rows.h"
@@ -38,7 +39,8 @@ double solvedAlone(const MapStudy& study, double x, double y) {
     const Problem problem = problemOf(scenario);
     const Impact impact = ExactSolver().solve(problem, study.output.detail());
     if (impact.outcome != Outcome::rebounded) return std::nan("");
-    return *study.output.value(summarizeWithWaves(impact, problem), scenario, scalesOf(scenario));
+    const ImpactSummary summary = summarizeWithWaves(impact, problem);
+    return *study.output.value({summary, scenario}, scalesOf(scenario));
 }
 
 bool isSame(double a, double b) {
@@ -262,7 +264,7 @@ void TestMap::whatCannotBeMappedIsSaid_data() {
     QTest::newRow("a corner that is no scenario")
         << mapOf(Scenario(), "rod.bore=0mm:40mm:4", "bit_rock.stiffness=10MN/m:20MN/m:4")
         << "at rod.bore = 40 mm, bit_rock.stiffness = 10 MN/m: rod.bore = 40 mm (must be less than the "
-           "diameter, 38 mm)";
+           "diameter of 38 mm)";
     QTest::newRow("SI without units")
         << mapOf(blowInGroups, "beta=1:2:4", "delta=0:1:4", "peak_force", OutputUnits::si)
         << "SI columns need a scenario in physical units; this one is given by its dimensionless groups";

@@ -41,9 +41,10 @@ void TestOutputColumn::columnsAskForNoMoreThanTheyNeed() {
 void TestOutputColumn::allAreThoseThatTheScenarioHas() {
     Scenario drill;
     drill.drill.blowFrequency = 50;
+    drill.drill.thrust = 5000;
     QCOMPARE(allOutputsOf(drill, OutputUnits::si).size(), outputs().size());
     const std::vector<OutputColumn> columns = allOutputsOf(Scenario(), OutputUnits::si);
-    QCOMPARE(columns.size() + 1, outputs().size());
+    QCOMPARE(columns.size() + 4, outputs().size());  // thrust, its margin, power, penetration rate
     QVERIFY(!headersOf(columns).contains("thrust [N]"));
     QVERIFY(chooseOutputs("all", OutputUnits::si).all);
 }

@@ -41,6 +41,7 @@ class TestSweepAxis : public QObject {
     void assigningSetsTheParameterInSi();
     void aParameterWithoutMeaningIsLeftAlone();
     void extremesHoldTheSmallestAndLargestValue();
+    void theCountMayBeLeftOutWhereOneIsAssumed();
     void wrongTextIsRefusedWithTheReason_data();
     void wrongTextIsRefusedWithTheReason();
 };
@@ -157,6 +158,23 @@ void TestSweepAxis::extremesHoldTheSmallestAndLargestValue() {
     QCOMPARE(range.extremes(), (std::vector<std::uint64_t>{0, 8}));
     const SweepAxis shapes = parseAxis("pulse.shape=half_sine,piston,rectangular").axis;
     QCOMPARE(shapes.extremes(), (std::vector<std::uint64_t>{0, 1, 2}));
+}
+
+void TestSweepAxis::theCountMayBeLeftOutWhereOneIsAssumed() {
+    QVERIFY(!parseAxis("beta=1:2").problem.empty());
+    for (const auto& [text, count, kind] : {std::tuple("beta=1:2", 101, SweepAxis::Kind::linear),
+                                            std::tuple("beta=1:2:log", 101, SweepAxis::Kind::logarithmic),
+                                            std::tuple("beta=1:2:7", 7, SweepAxis::Kind::linear),
+                                            std::tuple("beta=1:2:7:log", 7, SweepAxis::Kind::logarithmic),
+                                            std::tuple("beta=1,2,4", 3, SweepAxis::Kind::list)}) {
+        const ParsedAxis parsed = parseAxis(text, 101);
+        QCOMPARE(parsed.problem, std::string());
+        QCOMPARE(parsed.axis.count, std::uint64_t(count));
+        QCOMPARE(parsed.axis.kind, kind);
+    }
+    QVERIFY(!parseAxis("beta=1", 101).axis.list.empty());
+    QVERIFY(!parseAxis("beta=1:2:lgo", 101).problem.empty());
+    QVERIFY(!parseAxis("beta=0:2:log", 101).problem.empty());
 }
 
 void TestSweepAxis::wrongTextIsRefusedWithTheReason_data() {

@@ -6,6 +6,8 @@
 
 #include "core/blow/thrust.h"
 #include "core/model/scales.h"
+#include "core/study/thrust/thrust_curve.h"
+#include "core/study/thrust/thrust_margins.h"
 #include "core/study/thrust/thrust_study.h"
 #include "core/wave/exact/exact_solver.h"
 
@@ -38,7 +40,14 @@ class TestThrust : public QObject {
     void marginsAndFrequencyLimitFollowFromTheInstalledThrust();
     void eachNeedJudgesTheFeedByItsOwnRebound();
     void theMarginIsThatOfTheLargestNeed();
+    void weightAlongTheHoleCountsInEveryMargin();
     void theShareHeldIsTheShareOfGapsThatNeedLess();
+    void aMarginOnItsOwnIsThatOfTheStudy();
+    void whatIsSharedBetweenCasesChangesNothing();
+    void alongAParameterEveryPointIsAStudyOfItsOwn();
+    void pointsDoNotDependOnTheNumberOfThreads();
+    void aPointWithoutAnAnswerSaysWhy();
+    void aStopLeavesTheFinishedPoints();
     void theReferenceCaseHasOneRebound();
     void aStopEndsTheStudy();
 };
@@ -125,6 +134,118 @@ void TestThrust::theMarginIsThatOfTheLargestNeed() {
     const ThrustStudy study = studyThrust(scenario);
     QCOMPARE(*study.margin(), 4200 / study.need(ThrustCase::elasticWorst).thrust - 1);
     QVERIFY(*study.margin() < 0);
+}
+
+void TestThrust::weightAlongTheHoleCountsInEveryMargin() {
+    Scenario scenario = drill();
+    scenario.drill.thrust = 3000;
+    scenario.drill.machineMass = 200;
+    const ThrustStudy level = studyThrust(scenario);
+    scenario.drill.inclination = 90;
+    const ThrustStudy down = studyThrust(scenario);
+    const double weight = (200 + propertiesOf(scenario.rod).mass) * 9.80665;
+    for (const ThrustCase which : thrustCases) {
+        QCOMPARE(*level.need(which).margin, 3000 / level.need(which).thrust - 1);
+        QCOMPARE(*down.need(which).margin, (3000 + weight) / down.need(which).thrust - 1);
+        QVERIFY(std::abs(*down.need(which).frequencyLimit / (50 * (3000 + weight) / down.need(which).thrust) -
+                         1) < 1e-14);
+    }
+    QCOMPARE(level.verdict.feed, Feed::fullRate);
+    QCOMPARE(down.verdict.feed, Feed::backInTime);
+    QVERIFY(down.shareFull >= level.shareFull);
+    // Up, a machine as heavy as that is not lifted at any frequency.
+    scenario.drill.inclination = -90;
+    scenario.drill.machineMass = 1000;
+    QCOMPARE(*studyThrust(scenario).need(ThrustCase::rigidRock).frequencyLimit, 0.0);
+    QCOMPARE(studyThrust(scenario).verdict.feed, Feed::pushedBack);
+}
+
+void TestThrust::aMarginOnItsOwnIsThatOfTheStudy() {
+    Scenario scenario = drill(0.3);
+    const auto margin = [&] {
+        const Problem problem = problemOf(scenario);
+        const Impact impact = ExactSolver().solve(problem, Detail::cor);
+        return ThrustMargins().of(scenario, problem, {impact.cor, impact.corError}, {});
+    };
+    QVERIFY(!margin());
+    scenario.drill.thrust = 4200;
+    QCOMPARE(*margin(), *studyThrust(scenario).margin());
+    scenario.drill.blowFrequency.reset();
+    QVERIFY(!margin());
+}
+
+// A finder that has seen other rocks, rods and blows answers as a new one does.
+void TestThrust::whatIsSharedBetweenCasesChangesNothing() {
+    GapReboundFinder finder;
+    const auto problemWith = [](double gamma, PulseShape shape, double gap) {
+        Scenario scenario = drill(gamma);
+        scenario.pulse.shape = shape;
+        scenario.bitRock.gap = gap;
+        return problemOf(scenario);
+    };
+    for (const Problem& problem :
+         {problemWith(0.1, PulseShape::rectangular, 0), problemWith(0.3, PulseShape::rectangular, 0),
+          problemWith(0.1, PulseShape::rectangular, 1e-3), problemWith(0.1, PulseShape::halfSine, 0),
+          problemWith(0.3, PulseShape::rectangular, 0)}) {
+        const GapRebounds shared = finder.of(problem, {}), own = GapReboundFinder().of(problem, {});
+        QCOMPARE(shared.quantile.cor.value, own.quantile.cor.value);
+        QCOMPARE(shared.worst.cor.value, own.worst.cor.value);
+    }
+}
+
+void TestThrust::alongAParameterEveryPointIsAStudyOfItsOwn() {
+    Scenario scenario = drill();
+    scenario.drill.thrust = 4200;
+    for (const char* key : {"drill.blow_frequency", "gamma", "drill.thrust"}) {
+        const Parameter& parameter = *findParameter(key);
+        const double here = *parameter.value(scenario);
+        const std::vector<double> values{here / 2, here, here * 1.5};
+        const ThrustCurve curve = thrustAlong(scenario, parameter, values, 1);
+        QCOMPARE(curve.points.size(), values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            Scenario one = scenario;
+            parameter.assign(one, values[i]);
+            const ThrustStudy study = studyThrust(one);
+            QCOMPARE(curve.points[i].value, values[i]);
+            QCOMPARE(curve.points[i].verdict, study.verdict);
+            for (const ThrustCase which : thrustCases) {
+                QCOMPARE(curve.points[i].need(which).thrust, study.need(which).thrust);
+                QCOMPARE(curve.points[i].need(which).margin, study.need(which).margin);
+            }
+        }
+    }
+}
+
+void TestThrust::pointsDoNotDependOnTheNumberOfThreads() {
+    std::vector<double> values;
+    for (int i = 1; i <= 12; ++i) values.push_back(i / 12.0);
+    const Parameter& gamma = *findParameter("bit_rock.gamma");
+    const ThrustCurve one = thrustAlong(drill(), gamma, values, 1),
+                      four = thrustAlong(drill(), gamma, values, 4);
+    QCOMPARE(four.points.size(), values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        for (const ThrustCase which : thrustCases)
+            QCOMPARE(one.points[i].need(which).thrust, four.points[i].need(which).thrust);
+}
+
+void TestThrust::aPointWithoutAnAnswerSaysWhy() {
+    const std::vector<double> values{-1, 0.038};
+    const ThrustCurve curve = thrustAlong(drill(), *findParameter("rod.diameter"), values, 2);
+    QCOMPARE(curve.points.size(), std::size_t{2});
+    QVERIFY(curve.points[0].reason.find("greater than 0") != std::string::npos);
+    QVERIFY(curve.points[1].reason.empty());
+}
+
+void TestThrust::aStopLeavesTheFinishedPoints() {
+    std::stop_source stop;
+    const std::vector<double> values(50, 0.5);
+    const ThrustCurve curve = thrustAlong(drill(), *findParameter("bit_rock.gamma"), values, 1,
+                                          stop.get_token(), [&](const ThrustCurve& soFar) {
+                                              if (soFar.points.size() == 3) stop.request_stop();
+                                          });
+    QVERIFY(curve.stopped);
+    QVERIFY(curve.points.size() >= 3 && curve.points.size() < values.size());
+    for (const ThrustPoint& point : curve.points) QVERIFY(point.reason.empty());
 }
 
 void TestThrust::theShareHeldIsTheShareOfGapsThatNeedLess() {

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/axis_argument.h"
+
+#include "app/command_error.h"
+#include "app/scenario_argument.h"
+#include "core/text/decimal_text.h"
+
+namespace drillwave {
+
+namespace {
+
+/// Most levels: each is a search of its own.
+constexpr std::size_t mostLevels = 100;
+
+SweepAxis checked(ParsedAxis parsed, const Arguments& arguments, const std::string& option,
+                  const std::string& word) {
+    if (!parsed.problem.empty()) {
+        // A value that the parameter cannot take is like one in a file; anything else is a mistyped command.
+        const bool badValue = parsed.kind == ParsedAxis::Kind::badValue;
+        throw CommandError(badValue ? ExitCode::invalidScenario : ExitCode::usage,
+                           "--" + option + ": " + parsed.problem);
+    }
+    checkNotSet(arguments, parsed.axis.key(), "--" + option + " " + shortened(word));
+    return std::move(parsed.axis);
+}
+
+}  // namespace
+
+SweepAxis axisArgument(const Arguments& arguments, const std::string& option, const std::string& word) {
+    return checked(parseAxis(word), arguments, option, word);
+}
+
+SweepAxis rangeArgument(const Arguments& arguments, const std::string& option, const std::string& word) {
+    return checked(parseRange(word), arguments, option, word);
+}
+
+std::vector<double> levelArguments(const Arguments& arguments, Quantity quantity) {
+    std::vector<double> levels;
+    for (const std::string& word : arguments.values("level")) {
+        const TypedQuantity typed =
+            parseQuantity(word, quantity, BareNumber::inDefaultUnit, &unitsOf(quantity).front());
+        if (!typed.valid())
+            throw CommandError(ExitCode::usage, "--level " + shortened(word) + ": " + typed.problem);
+        levels.push_back(typed.si);
+    }
+    if (levels.size() > mostLevels)
+        throw CommandError(ExitCode::usage, "--level: at most " + std::to_string(mostLevels) + " levels");
+    return levels;
+}
+
+RecordedAxis recordedAxis(const SweepAxis& axis, const std::string& word) {
+    return {axis.column().header, word.substr(word.find('=') + 1), axis.count};
+}
+
+}  // namespace drillwave

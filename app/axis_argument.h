@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An axis of a study as a word of the command line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/arguments.h"
+#include "core/file/row_record.h"
+#include "core/study/rows/sweep_axis.h"
+
+namespace drillwave {
+
+/// The axis that `word` behind --`option` says, see parseAxis(). Throws CommandError: usage, also where --set
+/// sets what it varies; invalid scenario for a value that the parameter cannot take.
+SweepAxis axisArgument(const Arguments& arguments, const std::string& option, const std::string& word);
+
+/// The range that `word` says, see parseRange(); throws likewise.
+SweepAxis rangeArgument(const Arguments& arguments, const std::string& option, const std::string& word);
+
+/// Every --level, SI where they are of a quantity: then a unit may stand behind. Throws CommandError (usage).
+std::vector<double> levelArguments(const Arguments& arguments, Quantity quantity);
+
+/// The axis as it was asked for.
+RecordedAxis recordedAxis(const SweepAxis& axis, const std::string& word);
+
+}  // namespace drillwave

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// drillwave curve FILE --along KEY=…
+#include <algorithm>
+#include <chrono>
+
+#include "app/axis_argument.h"
+#include "app/command.h"
+#include "app/method_options.h"
+#include "app/progress_bar.h"
+#include "app/row_options.h"
+#include "app/scenario_argument.h"
+#include "core/report/curve_report.h"
+
+namespace drillwave {
+
+namespace {
+
+/// Levels are of all outputs: they have a unit where these have one in common.
+std::vector<double> levelsOf(const Arguments& arguments, const std::vector<OutputColumn>& columns) {
+    const auto quantityOf = [](const OutputColumn& column) {
+        return column.hasUnit() ? column.output->quantity() : Quantity::ratio;
+    };
+    const Quantity first = quantityOf(columns.front());
+    const bool isCommon =
+        std::ranges::all_of(columns, [&](const OutputColumn& column) { return quantityOf(column) == first; });
+    return levelArguments(arguments, isCommon ? first : Quantity::ratio);
+}
+
+CurveQuestion questionOf(const Arguments& arguments, const RowOptions& options, const Scenario& base) {
+    const std::optional<std::string> along = arguments.value("along");
+    if (!along) throw CommandError(ExitCode::usage, "needs --along KEY=START:STOP or KEY=START:STOP:log");
+    CurveQuestion question{.base = base,
+                           .along = rangeArgument(arguments, "along", *along),
+                           .family = {},
+                           .columns = {},
+                           .levels = {},
+                           .method = options.method,
+                           .workLimit = options.workLimit};
+    if (const std::optional<std::string> family = arguments.value("family"))
+        question.family = axisArgument(arguments, "family", *family);
+    question.columns = options.columnsFor(question.firstScenario());
+    question.levels = levelsOf(arguments, question.columns);
+    return question;
+}
+
+CurveReport study(const CurveQuestion& question, int jobs, const Interruption& interruption) {
+    constexpr double parts = 1000;
+    ProgressBar bar(static_cast<std::uint64_t>(parts));
+    const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    CurveReport report{studyCurve(question, jobs, interruption.token(), progress), 0, {}};
+    interruption.check();
+    report.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
+    return report;
+}
+
+void writeCsv(const CurveReport& report, const Arguments& arguments, const RowOptions& options,
+              const ScenarioDocument& base) {
+    const CurveQuestion& question = report.study.question;
+    RowRecord record = recordOf("curve", arguments, options, question.columns, base, rowCount(report.study));
+    if (question.family) record.axes.push_back(recordedAxis(*question.family, *arguments.value("family")));
+    record.axes.push_back(recordedAxis(question.along, *arguments.value("along")));
+    record.axes.back().count = 0;  // each line has its own points
+    RowFile out(options);
+    out.write(curveCsv(report.study));
+    out.commit(record);
+}
+
+/// Throws where a line has no answer, with the first reason.
+void checkSolved(const CurveStudy& study, const std::string& path) {
+    for (const CurveLine& line : study.lines)
+        for (const CurveOutput& output : line.outputs)
+            for (const CurveStretch& stretch : output.unsolved)
+                throw CommandError(ExitCode::unsolvedOrFailed,
+                                   path + ": could not be solved everywhere: from " +
+                                       std::string(study.question.along.key()) + " = " +
+                                       valueText(study.question.along, stretch.start) + " to " +
+                                       valueText(study.question.along, stretch.end) + ": " + stretch.reason);
+}
+
+ExitCode runCurve(const Arguments& arguments, const Drawing*) {
+    const std::string& path = arguments.operands().front();
+    const bool writesFile = arguments.has("o");
+    if (arguments.has("force") && !writesFile)
+        throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+    const ScenarioInput input = loadScenarioInput(path, arguments);
+    const ScenarioDocument& base = input.document;
+    const RowOptions options = rowOptions(arguments, input.method);
+    const CurveQuestion question = questionOf(arguments, options, base.scenario);
+    if (std::vector<std::string> problems = problemsOf(question); !problems.empty()) {
+        for (std::string& problem : problems) problem = path + ": " + problem;
+        throw CommandError(ExitCode::invalidScenario, std::move(problems));
+    }
+    if (writesFile)
+        for (const std::string& output : {options.path, RowFile::recordPath(options.path)}) {
+            checkOutputIsNoInput(output, path, base);
+            if (!output.empty()) checkOverwrite(output, options.overwrite);
+        }
+
+    const Interruption interruption;
+    remarkOnValues(base.scenario, path);
+    CurveReport report = study(question, options.jobs, interruption);
+    report.scenarioText = completeScenarioText(base);
+    if (writesFile) writeCsv(report, arguments, options, base);
+    if (!writesFile || options.path != "-")
+        writeFile("-", arguments.has("json") ? curveJson(report) : curveText(report), Overwrite::allowed);
+    checkSolved(report.study, path);
+    return ExitCode::done;
+}
+
+std::vector<OptionSpec> curveOptions() {
+    std::vector<OptionSpec> options = scenarioOptions(
+        {{"along", "KEY=RANGE", "the parameter to go along: START:STOP or START:STOP:log"},
+         {"family", "KEY=VALUES", "a line for each value: A,B,C, or START:STOP:COUNT[:log]"},
+         {"outputs", "A,B|all", "what to follow, cor if not given; see below"},
+         {"level", "X", "also where the outputs cross this value, in the unit of their columns",
+          OptionSpec::Times::repeated},
+         {"json", "", "print one JSON object in place of the tables"},
+         {"si", "", "outputs in SI"}});
+    for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
+    for (const OptionSpec& option : std::initializer_list<OptionSpec>{
+             {"work-limit", "N",
+              "wave pieces a blow may take, 1000000 if not given; else there is no answer"},
+             {"j", "N", "threads to use, all of them if not given"},
+             {"o", "FILE.csv",
+              "also write points of the lines, with FILE.csv.yaml beside it; - prints them instead"},
+             {"force", "", "overwrite existing files"}})
+        options.push_back(option);
+    return options;
+}
+
+}  // namespace
+
+const Command& curveCommand() {
+    static const std::string details =
+        "Follows outputs along a parameter by smooth pieces between kinks, which are found where the order\n"
+        "of events changes; no grid to be chosen. Tells where each output is least and largest, its local\n"
+        "extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not\n"
+        "smooth within the work permitted it is known by points alone, and the table says so.\n"
+        "Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log\n" +
+        outputHelp();
+    static const Command command{
+        .name = "curve",
+        .operands = "FILE",
+        .summary = "outputs along a parameter: extremes, kinks and crossings with places and errors",
+        .details = details,
+        .options = curveOptions(),
+        .leastOperands = 1,
+        .mostOperands = 1,
+        .draws = [](const Arguments&) { return false; },
+        .run = runCurve,
+    };
+    return command;
+}
+
+}  // namespace drillwave

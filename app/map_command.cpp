@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// drillwave map FILE --x KEY=… --y KEY=…
+#include <chrono>
+#include <cmath>
+
+#include "app/axis_argument.h"
+#include "app/command.h"
+#include "app/method_options.h"
+#include "app/progress_bar.h"
+#include "app/row_options.h"
+#include "app/scenario_argument.h"
+#include "core/report/map_report.h"
+#include "core/study/map/map_rows.h"
+#include "core/text/decimal_text.h"
+
+namespace drillwave {
+
+namespace {
+
+SweepAxis axisOf(const Arguments& arguments, const std::string& option) {
+    const std::optional<std::string> word = arguments.value(option);
+    if (!word)
+        throw CommandError(ExitCode::usage, "needs --x KEY=START:STOP:COUNT[:log] and --y likewise; --" +
+                                                option + " is missing");
+    return axisArgument(arguments, option, *word);
+}
+
+OutputColumn outputOf(const Arguments& arguments, OutputUnits units) {
+    const OutputChoice choice = chooseOutputs(arguments.value("output").value_or("cor"), units);
+    if (!choice.problem.empty()) throw CommandError(ExitCode::usage, "--output: " + choice.problem);
+    if (choice.columns.size() != 1)
+        throw CommandError(ExitCode::usage,
+                           "--output: a map has one output; for several take `drillwave sweep`");
+    return choice.columns.front();
+}
+
+std::vector<double> levelsOf(const Arguments& arguments, const OutputColumn& output) {
+    return levelArguments(arguments, output.hasUnit() ? output.output->quantity() : Quantity::ratio);
+}
+
+/// "map_contours.csv" beside "map.csv".
+std::string contoursPath(const std::string& path) {
+    constexpr std::string_view ending = ".csv";
+    const std::string stem = path.ends_with(ending) ? path.substr(0, path.size() - ending.size()) : path;
+    return stem + "_contours.csv";
+}
+
+/// The files of -o.
+struct MapFiles {
+    RowOptions rows;
+    std::string contours;  ///< empty where there are none
+};
+
+/// Finds out before anything is computed whether they can be written.
+MapFiles filesOf(const Arguments& arguments, const RowOptions& options, const ScenarioDocument& document) {
+    MapFiles files{options, {}};
+    const bool hasFile = arguments.has("o") && options.path != "-";
+    if (arguments.has("force") && !hasFile)
+        throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+    if (options.path == "-" && arguments.has("o"))
+        for (const char* option : {"level", "json"})
+            if (arguments.has(option))
+                throw CommandError(ExitCode::usage, std::string("--") + option +
+                                                        " has no place where -o - prints the map; give "
+                                                        "-o FILE.csv");
+    if (!hasFile) return files;
+    if (arguments.has("level")) files.contours = contoursPath(options.path);
+    for (const std::string& output : {options.path, RowFile::recordPath(options.path), files.contours}) {
+        if (output.empty()) continue;
+        checkOutputIsNoInput(output, arguments.operands().front(), document);
+        checkOverwrite(output, options.overwrite);
+    }
+    return files;
+}
+
+MapReport solve(const MapStudy& study, const std::vector<double>& levels, int jobs,
+                const Interruption& interruption) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    MapReport report{.study = study, .grid = {}, .contours = {}, .runTime = 0, .scenarioText = {}};
+    {
+        ProgressBar bar(study.x.count * study.y.count, "points");
+        report.grid = solveMap(study, jobs, interruption.token(),
+                               [&](const MapGrid& soFar) { bar.show(soFar.done()); });
+    }
+    interruption.check();
+    for (const double level : levels) {
+        std::optional<ProgressBar> bar;
+        report.contours.push_back(contourOf(study, report.grid, level, jobs, interruption.token(),
+                                            [&](std::uint64_t placed, std::uint64_t crossings) {
+                                                if (!bar) bar.emplace(crossings, "contour points");
+                                                bar->show(placed);
+                                            }));
+        interruption.check();
+    }
+    report.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
+    return report;
+}
+
+void writeFiles(const MapFiles& files, const MapReport& report, const RowRecord& record) {
+    RowFile rows(files.rows);
+    std::optional<OutputFile> contours;
+    if (!files.contours.empty()) {
+        contours.emplace(files.contours, files.rows.overwrite);
+        contours->write(contoursCsv(report));
+        contours->flush();
+    }
+    RowCsv csv([&](std::string_view text) {
+        rows.write(text);
+        return true;
+    });
+    giveRows(report.study, report.grid, csv);
+    rows.commit(record);
+    if (contours) contours->commit();
+}
+
+/// Done, or why not all of it is.
+ExitCode judge(const MapReport& report, long workLimit) {
+    const RowCounts counts{
+        .rows = report.grid.size(), .failed = report.grid.failed(), .failures = report.grid.failures()};
+    if (counts.failed == 0) return ExitCode::done;
+    throw CommandError(ExitCode::unsolvedOrFailed, std::to_string(counts.failed) + " of " +
+                                                       std::to_string(counts.rows) +
+                                                       " points could not be solved and have no output; " +
+                                                       reasonsOf(counts, "point", workLimit));
+}
+
+ExitCode runMap(const Arguments& arguments, const Drawing*) {
+    const std::string& path = arguments.operands().front();
+    const SweepAxis x = axisOf(arguments, "x"), y = axisOf(arguments, "y");
+    const ScenarioInput input = loadScenarioInput(path, arguments);
+    const ScenarioDocument& base = input.document;
+    const RowOptions options = rowOptions(arguments, input.method);
+    const MapStudy study{.base = base.scenario,
+                         .x = x,
+                         .y = y,
+                         .output = outputOf(arguments, options.units),
+                         .method = options.method,
+                         .workLimit = options.workLimit};
+    const std::vector<double> levels = levelsOf(arguments, study.output);
+    if (std::vector<std::string> problems = problemsOf(study); !problems.empty()) {
+        for (std::string& problem : problems) problem = path + ": " + problem;
+        throw CommandError(ExitCode::invalidScenario, std::move(problems));
+    }
+    const MapFiles files = filesOf(arguments, options, base);
+    RowRecord record = recordOf("map", arguments, options, {&study.output, 1}, base, x.count * y.count);
+    for (const auto& [axis, option] : {std::pair{&x, "x"}, {&y, "y"}})
+        record.axes.push_back(recordedAxis(*axis, *arguments.value(option)));
+
+    const Interruption interruption;
+    remarkOnValues(base.scenario, path);
+    MapReport report = solve(study, levels, options.jobs, interruption);
+    report.scenarioText = record.scenario;
+    if (arguments.has("o")) writeFiles(files, report, record);
+    if (!arguments.has("o") || options.path != "-")
+        writeFile("-", arguments.has("json") ? mapJson(report) : mapText(report), Overwrite::allowed);
+    return judge(report, options.workLimit);
+}
+
+std::vector<OptionSpec> mapOptions() {
+    std::vector<OptionSpec> options = scenarioOptions(
+        {{"x", "KEY=START:STOP:COUNT", "the first parameter and its values; :log behind for even ratios"},
+         {"y", "KEY=START:STOP:COUNT", "the second one likewise"},
+         {"output", "A", "what to map, cor if not given; see below"},
+         {"level", "X", "place the contour of this value; may be given again", OptionSpec::Times::repeated},
+         {"si", "", "the output in SI, and levels too, which may then carry units"},
+         {"json", "", "print one JSON object, with the contours, in place of the summary"}});
+    for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
+    for (const OptionSpec& option : std::initializer_list<OptionSpec>{
+             {"work-limit", "N",
+              "wave pieces a point may take, 1000000 (at worst 2 s) if not given; else it has no output"},
+             {"j", "N", "threads to use, all of them if not given"},
+             {"o", "FILE.csv",
+              "also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints "
+              "the points instead"},
+             {"force", "", "overwrite existing files"}})
+        options.push_back(option);
+    return options;
+}
+
+}  // namespace
+
+const Command& mapCommand() {
+    static const std::string details =
+        "FILE.csv has the rows of `drillwave sweep` over the same two axes, --y fastest. A contour has one\n"
+        "point between two neighbouring points on either side of the level, placed there by the solver, not\n"
+        "by interpolation: FILE_contours.csv says how near the level it is, or that the output jumps "
+        "there.\n" +
+        outputHelp();
+    static const Command command{
+        .name = "map",
+        .operands = "FILE",
+        .summary = "an output over two parameters, and its contours",
+        .details = details,
+        .options = mapOptions(),
+        .leastOperands = 1,
+        .mostOperands = 1,
+        .draws = [](const Arguments&) { return false; },
+        .run = runMap,
+    };
+    return command;
+}
+
+}  // namespace drillwave

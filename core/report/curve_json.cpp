@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/scales.h"
+#include "core/model/version.h"
+#include "core/report/curve_report.h"
+#include "core/report/json_value.h"
+
+namespace drillwave {
+
+namespace {
+
+JsonObject json(const CurveFeature& feature) {
+    JsonObject object{{"kind", name(feature.kind)},   {"shape", name(feature.shape)},
+                      {"x", feature.x.value},         {"x_error", feature.x.error},
+                      {"value", feature.value.value}, {"value_error", feature.value.error}};
+    using Kind = CurveFeature::Kind;
+    if (feature.kind == Kind::minimum || feature.kind == Kind::maximum) object["of_all"] = feature.ofAll;
+    if (feature.kind == Kind::crossing) {
+        object["level"] = feature.level;
+        object["rising"] = feature.rising;
+    }
+    if (feature.kind == Kind::jump) object["value_after"] = feature.valueAfter;
+    if (feature.shape == CurveFeature::Shape::cusp) {
+        object["slope_before"] = feature.slopeBefore;
+        object["slope_after"] = feature.slopeAfter;
+    }
+    return object;
+}
+
+JsonArray json(const std::vector<CurveStretch>& stretches) {
+    JsonArray array;
+    for (const CurveStretch& stretch : stretches)
+        array.emplace_back(
+            JsonObject{{"start", stretch.start}, {"stop", stretch.end}, {"reason", stretch.reason}});
+    return array;
+}
+
+JsonObject json(const CurveOutput& output) {
+    JsonArray features;
+    for (const CurveFeature& feature : output.features) features.emplace_back(json(feature));
+    return {{"features", features}, {"grid", json(output.grid)}, {"unsolved", json(output.unsolved)}};
+}
+
+/// Shapes by their name.
+Json familyJson(const SweepAxis& family, double value) {
+    if (family.kind == SweepAxis::Kind::shapes) return name(static_cast<PulseShape>(value));
+    return value;
+}
+
+JsonObject json(const CurveLine& line, const CurveQuestion& question) {
+    JsonObject outputs;
+    for (std::size_t i = 0; i < line.outputs.size(); ++i)
+        outputs[question.columns[i].output->name] = json(line.outputs[i]);
+    return {{"family", line.family ? familyJson(*question.family, *line.family) : Json()},
+            {"points", line.points.size()},
+            {"outputs", outputs}};
+}
+
+Json unitOf(const OutputColumn& column) {
+    const bool isSi = column.units == OutputUnits::si || column.output->isOnlySi();
+    return isSi ? unitJson(column.output->quantity()) : unitJson(Quantity::ratio);
+}
+
+JsonObject unitsJson(const CurveQuestion& question) {
+    JsonObject units{{question.along.key(), unitJson(question.along.parameter->quantity)}};
+    if (question.family && question.family->parameter)
+        units[question.family->key()] = unitJson(question.family->parameter->quantity);
+    for (const OutputColumn& column : question.columns) units[column.output->name] = unitOf(column);
+    return units;
+}
+
+}  // namespace
+
+std::string curveJson(const CurveReport& report) {
+    const CurveQuestion& question = report.study.question;
+    const CurveRange range = question.range();
+    JsonArray lines, levels;
+    for (const CurveLine& line : report.study.lines) lines.emplace_back(json(line, question));
+    for (const double level : question.levels) levels.emplace_back(level);
+    JsonObject object{
+        {"version", versionText},
+        {"title", question.base.title},
+        {"scenario", report.scenarioText},
+        {"groups", groupsJson(groupsOf(question.base))},
+        {"method", name(question.method.method)},
+        {"along", JsonObject{{"key", question.along.key()},
+                             {"start", range.start},
+                             {"stop", range.stop},
+                             {"log", range.spacing == CurveRange::Spacing::logarithmic}}},
+        {"family", question.family ? Json(question.family->key()) : Json()},
+        {"levels", levels},
+        {"lines", lines},
+        {"units", unitsJson(question)},
+        {"solves", report.study.solves},
+        {"run_time", report.runTime},
+    };
+    return Json(object).text();
+}
+
+}  // namespace drillwave
