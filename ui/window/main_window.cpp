@@ -45,10 +45,11 @@ constexpr int messageMilliseconds = 8000;
 QString statusText(const SolvedBlow& blow) {
     if (!blow.problem.isEmpty()) return MainWindow::tr("exact · not solved");
     const QLocale locale;
-    const int contacts = blow.impact.contacts;
-    return MainWindow::tr("exact · %1 · %2 · e = %3")
-        .arg(contacts == 1 ? MainWindow::tr("1 contact") : MainWindow::tr("%1 contacts").arg(contacts),
-             runTimeText(blow.runTime, locale), numberText(blow.summary.cor, 4, locale));
+    const int peaks = blow.summary.forcePeaks.value_or(0);
+    return MainWindow::tr("exact · %1 · %2 · e = %3 ± %4")
+        .arg(peaks == 1 ? MainWindow::tr("1 force peak") : MainWindow::tr("%1 force peaks").arg(peaks),
+             runTimeText(blow.runTime, locale), numberText(blow.summary.cor, 4, locale),
+             magnitudeText(blow.summary.corError, locale));
 }
 
 }  // namespace
