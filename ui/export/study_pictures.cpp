@@ -3,6 +3,7 @@
 
 #include "ui/export/figure_plot.h"
 #include "ui/export/sweep_panels.h"
+#include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/gap/gap_plot.h"
 
 namespace drillwave {
@@ -28,6 +29,14 @@ ShownUnits unitsFor(const Scenario& scenario) {
 Pictures drawStudy(const GapReport& report, const PictureOrder& order) {
     return drawnBy<GapPlot>(gapPicture(report, GapOutput::cor, unitsFor(report.scenario)), {180, 110},
                             report.scenario.title, order);
+}
+
+Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order) {
+    return drawnBy<ProofPlot>(accuracyPicture(accuracy, QLocale::c()), {160, 110}, {}, order);
+}
+
+Pictures drawStudy(const StabilityReport& report, const PictureOrder& order) {
+    return drawnBy<ProofPlot>(stabilityPicture(report, QLocale::c()), {180, 120}, {}, order);
 }
 
 Pictures drawStudy(const SweepRows& rows, const PictureOrder& order) {
