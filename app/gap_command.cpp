@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave gap FILE
-#include <chrono>
-
 #include "app/command.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
@@ -58,31 +56,13 @@ std::optional<NormalGap> normalOf(const Arguments& arguments, const Scenario& sc
     return normal;
 }
 
-GapCurve followGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
-                   const Interruption& interruption) {
+GapReport study(const Scenario& scenario, const std::optional<NormalGap>& normal,
+                const Interruption& interruption) {
     constexpr double parts = 1000;
     ProgressBar bar(static_cast<std::uint64_t>(parts));
     const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
-    const Problem problem = problemOf(scenario);
-    const double period = gapPeriodStart(problem);
-    const double start = normal ? std::min(lowestGap(*normal), period) : period;
-    GapCurve curve = gapCurve(problem, start, Detail::summary, interruption.token(), progress);
+    GapReport report = studyGap(scenario, normal, interruption.token(), progress);
     interruption.check();
-    return curve;
-}
-
-GapReport study(const Scenario& scenario, const std::optional<NormalGap>& normal,
-                const Interruption& interruption) {
-    using Clock = std::chrono::steady_clock;
-    const auto begin = Clock::now();
-    GapReport report{.scenario = scenario,
-                     .curve = followGap(scenario, normal, interruption),
-                     .normal = normal,
-                     .statistics = {},
-                     .runTime = 0,
-                     .scenarioText = {}};
-    if (report.curve.isComplete()) report.statistics = gapStatistics(report.curve, normal);
-    report.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
     return report;
 }
 

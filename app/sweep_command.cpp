@@ -96,7 +96,7 @@ const Command& sweepCommand() {
         "Every combination of the values of the axes is one row, later axes fastest. Values carry units\n"
         "where the parameter has one: --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine\n"
         "FILE.csv.yaml beside FILE.csv says what the rows are: version, command, axes and scenario.\n"
-        "--plots draws one axis or two: curves along the first, a curve for each value of the second.\n" +
+        "--plots draws one axis or two: curves along the one with more values, one for each of the other.\n" +
         outputHelp();
     static const Command command{
         .name = "sweep",

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/gap_report.h"
 
+#include <algorithm>
+#include <chrono>
+
 #include "core/text/handy_text.h"
 
 namespace drillwave {
@@ -12,6 +15,24 @@ std::string GapReport::periodRemark() const {
     return "The hammer still pushes when its first reflection is back: results have a period in the gap only "
            "from a gap of " +
            rounded(curve.periodStart) + " d0 on, and the statistics are over the period that begins there.";
+}
+
+GapReport studyGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
+                   const std::stop_token& stop, const GapProgress& progress) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    const Problem problem = problemOf(scenario);
+    const double period = gapPeriodStart(problem);
+    const double start = normal ? std::min(lowestGap(*normal), period) : period;
+    GapReport report{.scenario = scenario,
+                     .curve = gapCurve(problem, start, Detail::summary, stop, progress),
+                     .normal = normal,
+                     .statistics = {},
+                     .runTime = 0,
+                     .scenarioText = {}};
+    if (report.curve.isComplete()) report.statistics = gapStatistics(report.curve, normal);
+    report.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
+    return report;
 }
 
 }  // namespace drillwave

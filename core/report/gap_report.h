@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "core/model/scenario.h"
@@ -22,5 +23,10 @@ struct GapReport {
     /// What the reader should know about the period, empty when it begins at no gap.
     std::string periodRemark() const;
 };
+
+/// Follows all outputs over the gap and takes the statistics, all but scenarioText. The gap of the scenario
+/// does not matter. Statistics are there where the curve is complete.
+GapReport studyGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
+                   const std::stop_token& stop = {}, const GapProgress& progress = {});
 
 }  // namespace drillwave

@@ -112,7 +112,7 @@ void TestMaps::theRecordGivesTheSameMapAgain() {
 }
 
 void TestMaps::jsonHoldsRangeAndContours() {
-    const QJsonObject map = json(mapOf("paper_fig4a", {"--level", "1", "--json"}));
+    const QJsonObject map = json(mapOf("paper_fig4a", {"--level", "1"}));
     QCOMPARE(map["points"].toInt(), 1271);
     QCOMPARE(map["x"]["parameter"].toString(), QString("beta"));
     QCOMPARE(map["x"]["logarithmic"].toBool(), true);

@@ -4,16 +4,16 @@
 #include <QDeadlineTimer>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QProcess>
 #include <QThread>
 
 namespace drillwave::test {
 
-Finished run(const QStringList& words, const QProcessEnvironment& environment) {
-    QProcess process;
-    process.setProcessEnvironment(environment);
-    process.start(QStringLiteral(DRILLWAVE_PROGRAM), words);
+namespace {
+
+Finished finish(QProcess& process) {
     if (!process.waitForFinished(60000)) {
         process.kill();
         process.waitForFinished();
@@ -21,6 +21,25 @@ Finished run(const QStringList& words, const QProcessEnvironment& environment) {
     }
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
             process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+}  // namespace
+
+Finished run(const QStringList& words, const QProcessEnvironment& environment) {
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(DRILLWAVE_PROGRAM), words);
+    return finish(process);
+}
+
+Finished shell(const QString& line) {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    const QString folder = QFileInfo(QStringLiteral(DRILLWAVE_PROGRAM)).path();
+    environment.insert(QStringLiteral("PATH"), folder + QLatin1Char(':') + environment.value("PATH"));
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral("sh"), {QStringLiteral("-c"), line});
+    return finish(process);
 }
 
 const QJsonObject json(const QStringList& words) {

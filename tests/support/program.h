@@ -23,6 +23,9 @@ struct Finished {
 Finished run(const QStringList& words,
              const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment());
 
+/// A line for a shell that finds the built program as `drillwave`, as people paste it.
+Finished shell(const QString& line);
+
 /// What `words --json` prints; the test ends where that fails. Constant, so that its [] reads and never adds.
 const QJsonObject json(const QStringList& words);
 

@@ -4,8 +4,10 @@
 #include "core/file/preset_file.h"
 #include "ui/export/figure_plot.h"
 #include "ui/export/sweep_panels.h"
+#include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/gap/gap_plot.h"
 #include "ui/pages/stiffness/stiffness_plot.h"
+#include "ui/pages/thrust/thrust_plot.h"
 
 namespace drillwave {
 namespace {
@@ -47,6 +49,21 @@ Pictures drawStudy(const CurveReport& report, const PictureOrder& order) {
 Pictures drawStudy(const GapReport& report, const PictureOrder& order) {
     return drawnBy<GapPlot>(gapPicture(report, GapOutput::cor, unitsFor(report.scenario)), {180, 110},
                             report.scenario.title, order);
+}
+
+Pictures drawStudy(const ThrustReport& report, const PictureOrder& order) {
+    const Scenario& scenario = report.scenario;
+    const ThrustUnits units =
+        thrustUnits(scenario, report.along->axis.parameter->displayUnit(), unitsFor(scenario));
+    return drawnBy<ThrustPlot>(thrustPicture(*report.along, units), {180, 120}, scenario.title, order);
+}
+
+Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order) {
+    return drawnBy<ProofPlot>(accuracyPicture(accuracy, QLocale::c()), {160, 110}, {}, order);
+}
+
+Pictures drawStudy(const StabilityReport& report, const PictureOrder& order) {
+    return drawnBy<ProofPlot>(stabilityPicture(report, QLocale::c()), {180, 120}, {}, order);
 }
 
 Pictures drawStudy(const SweepRows& rows, const PictureOrder& order) {

@@ -13,13 +13,13 @@
 namespace drillwave {
 
 /// What the axes set, each numbered as it is there.
-Assignments assignmentsOf(const std::vector<SweepAxis>& axes);
+Assignments assignmentsOf(std::span<const SweepAxis> axes);
 
 /// Sets axes on top of a scenario. One for each thread.
 class AxisScenario {
   public:
     /// Both must outlive this.
-    AxisScenario(const Scenario& base, const std::vector<SweepAxis>& axes);
+    AxisScenario(const Scenario& base, std::span<const SweepAxis> axes);
 
     /// The base with a value (SI) for each axis, in the order in which a scenario takes them.
     const Scenario& set(std::span<const double> values);
@@ -32,10 +32,13 @@ class AxisScenario {
     }
 
   private:
+    void restore();
+
     const Scenario& m_base;
-    const std::vector<SweepAxis>& m_axes;
+    std::span<const SweepAxis> m_axes;
     Assignments m_assignments;
     std::optional<std::size_t> m_lastPulseAxis;
+    bool m_restoresPulse = false;  // some axis sets a number of the pulse
     Scenario m_scenario;
 };
 

@@ -28,7 +28,8 @@ std::string unknownOutput(std::string_view name) {
 }  // namespace
 
 std::string OutputColumn::header() const {
-    return hasUnit() ? withUnit(output->name, &unitsOf(output->quantity()).front()) : std::string(output->name);
+    return hasUnit() ? withUnit(output->name, &unitsOf(output->quantity()).front())
+                     : std::string(output->name);
 }
 
 std::optional<double> OutputColumn::value(const OutputSource& source, const Scales& scales) const {

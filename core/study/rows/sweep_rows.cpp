@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/rows/sweep_rows.h"
 
-#include <algorithm>
-
 namespace drillwave {
 
 std::size_t lineAxis(const std::vector<SweepAxis>& axes) {
-    const auto found = std::ranges::find_if(
-        axes, [](const SweepAxis& axis) { return axis.kind != SweepAxis::Kind::shapes && axis.count >= 2; });
-    return static_cast<std::size_t>(found - axes.begin());
+    std::size_t found = axes.size();
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        if (axes[i].kind == SweepAxis::Kind::shapes || axes[i].count < 2) continue;
+        if (found == axes.size() || axes[i].count > axes[found].count) found = i;
+    }
+    return found;
 }
 
 std::string pictureProblem(const Sweep& sweep) {

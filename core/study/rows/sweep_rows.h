@@ -24,8 +24,8 @@ inline constexpr std::uint64_t mostDrawnRows = 100'000;
 inline constexpr std::size_t mostDrawnOutputs = 8;
 inline constexpr std::uint64_t mostDrawnLines = 16;
 
-/// The axis along which curves of a sweep go: the first that is of numbers, with two values at least. Which
-/// of the axes, or their number where there is none.
+/// The axis along which curves of a sweep go: of those of numbers the one with most values, two at least.
+/// Which of the axes, or their number where there is none.
 std::size_t lineAxis(const std::vector<SweepAxis>& axes);
 
 /// Why there is no picture of a sweep and what to do; empty when there is one.

@@ -100,6 +100,14 @@ void addMarks(GapPicture& picture, const GapReport& report) {
     std::ranges::sort(picture.marks, {}, [](const CurveMark& mark) { return mark.at.x(); });
 }
 
+GapPicture emptyPicture(GapOutput output, const ShownUnits& units) {
+    GapPicture picture;
+    picture.output = output;
+    picture.gap = units.penetration;
+    picture.value = unitOf(output, units);
+    return picture;
+}
+
 }  // namespace
 
 QString gapOutputName(GapOutput output) {
@@ -116,10 +124,7 @@ QString gapOutputName(GapOutput output) {
 
 GapPicture gapPicture(const GapReport& report, GapOutput output, const ShownUnits& units) {
     const GapCurve& curve = report.curve;
-    GapPicture picture;
-    picture.output = output;
-    picture.gap = units.penetration;
-    picture.value = unitOf(output, units);
+    GapPicture picture = emptyPicture(output, units);
     picture.from = curve.start * picture.gap.factor;
     picture.to = curve.end * picture.gap.factor;
     const std::vector<double> gaps = sampleGaps(curve);
@@ -143,7 +148,23 @@ GapPicture gapPicture(const GapReport& report, GapOutput output, const ShownUnit
             (picture.isScattered ? *statistics.normalShareAboveOne : statistics.shareAboveOne).value;
     const GapOutputStatistics& cor = statistics.of(GapOutput::cor);
     const GapSpread& spread = picture.isScattered ? *cor.normal : cor.uniform;
-    picture.thrust = thrustNeeded(report.scenario, spread.quantiles.back().value);
+    if (const auto thrust = thrustNeeded(report.scenario, spread.quantiles.back().value)) {
+        picture.thrustUnit = units.of(UnitKind::force, *thrust);
+        picture.thrust = *thrust * picture.thrustUnit.factor;
+    }
+    return picture;
+}
+
+GapPicture gapPreview(const std::vector<GapSample>& samples, GapOutput output, const ShownUnits& units) {
+    GapPicture picture = emptyPicture(output, units);
+    QVector<QCPGraphData> points;
+    for (const GapSample& sample : samples)
+        appendFinite(points, sample.gap * picture.gap.factor,
+                     sample.values[static_cast<std::size_t>(output)] * picture.value.factor);
+    picture.curve = graphData(points);
+    if (points.isEmpty()) return picture;
+    picture.from = points.first().key;
+    picture.to = points.last().key;
     return picture;
 }
 

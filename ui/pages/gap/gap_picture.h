@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/report/gap_report.h"
+#include "ui/pages/gap/gap_study.h"
 #include "ui/pages/study/curve_marks.h"
 #include "ui/plot/graph_data.h"
 
@@ -31,11 +32,15 @@ struct GapPicture {
     GapSpread spread;                     ///< of the distribution that was asked for
     bool isScattered = false;             ///< that is normal, not of all gaps alike
     std::optional<double> shareAboveOne;  ///< of e
-    std::optional<double> thrust;         ///< for 95 % of gaps [N], where there is one
+    std::optional<double> thrust;         ///< for 95 % of gaps, where there is one
+    ShownUnit thrustUnit;                 ///< of it
 };
 
 /// Requires a complete curve with its statistics.
 GapPicture gapPicture(const GapReport& report, GapOutput output, const ShownUnits& units);
+
+/// A first look: blows at some gaps, ascending, and nothing that needs them all.
+GapPicture gapPreview(const std::vector<GapSample>& samples, GapOutput output, const ShownUnits& units);
 
 /// "COR e", "peak force Fm", "efficiency".
 QString gapOutputName(GapOutput output);

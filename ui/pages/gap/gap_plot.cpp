@@ -49,9 +49,9 @@ GapPlot::GapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
     m_graph = plot->addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_graph->setAdaptiveSampling(false);
     m_shares = new QCPCurve(m_beside->axis(QCPAxis::atBottom), m_beside->axis(QCPAxis::atLeft));
-    m_shares->setName(tr("share of gaps, in bands of values"));
+    m_shares->setName(tr("share in a band"));
     m_below = new QCPCurve(m_beside->axis(QCPAxis::atTop), m_beside->axis(QCPAxis::atLeft));
-    m_below->setName(tr("share of gaps below"));
+    m_below->setName(tr("share below"));
     for (QCPAbstractPlottable* curve :
          {static_cast<QCPAbstractPlottable*>(m_graph), static_cast<QCPAbstractPlottable*>(m_shares),
           static_cast<QCPAbstractPlottable*>(m_below)})
@@ -61,6 +61,7 @@ GapPlot::GapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
     m_message = new PlotMessage(plot);
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
     connect(plot, &QCustomPlot::afterLayout, this, &GapPlot::placeBands);
+    connect(plot, &QCustomPlot::beforeReplot, this, &GapPlot::breakCaption);
     setStyle(PlotStyle::forPaper());
 }
 
@@ -100,12 +101,13 @@ void GapPlot::addRects() {
     m_beside->axis(QCPAxis::atLeft)->setTickLabels(false);
     m_beside->axis(QCPAxis::atRight)->setTicks(false);
     m_beside->axis(QCPAxis::atTop)->setTickLabels(true);
-    for (const auto side : {QCPAxis::atTop, QCPAxis::atBottom}) {
-        m_beside->axis(side)->ticker()->setTickCount(3);
-        m_beside->axis(side)->setVisible(true);
-    }
-    m_beside->axis(QCPAxis::atBottom)->setLabel(tr("share in a band [%]"));
-    m_beside->axis(QCPAxis::atTop)->setLabel(tr("share below [%]"));
+    m_beside->axis(QCPAxis::atBottom)->ticker()->setTickCount(2);
+    auto halves = QSharedPointer<QCPAxisTickerFixed>::create();
+    halves->setTickStep(50);
+    halves->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+    m_beside->axis(QCPAxis::atTop)->setTicker(halves);
+    m_beside->axis(QCPAxis::atBottom)->setLabel(tr("in a band [%]"));
+    m_beside->axis(QCPAxis::atTop)->setLabel(tr("below [%]"));
 }
 
 // Both rects have one axis of values, and the gap is on top in d0.
@@ -176,7 +178,7 @@ void GapPlot::present(const GapPicture& picture) {
     m_picture = picture;
     m_message->hide();
     m_graph->setData(picture.curve);
-    m_graph->setName(tr("%1 over the gap").arg(gapOutputName(picture.output)));
+    m_graph->setName(gapOutputName(picture.output));
     m_rect->axis(QCPAxis::atLeft)
         ->setLabel(picture.value.unit.isEmpty() ? gapOutputName(picture.output)
                                                 : picture.value.axisLabel(gapOutputName(picture.output)));
@@ -230,8 +232,17 @@ void GapPlot::showSpread() {
         m_lineNames[i]->position->setCoords(1, at);
     }
     if (!m_picture.curve) return;
-    m_summary = summary();
+    m_summary = m_picture.shares.isEmpty() ? QString() : summary();
     m_caption->setText(m_summary);
+}
+
+// A narrow plot has a line for each part of it.
+void GapPlot::breakCaption() {
+    const double width = QFontMetricsF(m_caption->font()).horizontalAdvance(m_summary);
+    QString text = m_summary;
+    if (width > m_plot->viewport().width() - 20)
+        text.replace(QStringLiteral(" · "), QString(QLatin1Char('\n')));
+    if (m_picture.curve) m_caption->setText(text);
 }
 
 QString GapPlot::summary() const {
@@ -249,8 +260,8 @@ QString GapPlot::summary() const {
         text += tr(" · e > 1 at %1 of gaps").arg(percentText(*m_picture.shareAboveOne, locale));
     if (m_picture.thrust)
         text += tr(" · thrust for 95 % of gaps %1")
-                    .arg(numberText(*m_picture.thrust / 1000, 4, locale) + QChar(QChar::Nbsp) +
-                         QStringLiteral("kN"));
+                    .arg(numberText(*m_picture.thrust, 4, locale) + QChar(QChar::Nbsp) +
+                         m_picture.thrustUnit.unit);
     return text;
 }
 

@@ -43,6 +43,7 @@ class GapPlot : public QObject {
     void linkAxes();
     void addLines();
     void placeBands();
+    void breakCaption();
     void showSpread();
     QString summary() const;
 

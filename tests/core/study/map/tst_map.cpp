@@ -5,6 +5,7 @@
 #include <random>
 #include <set>
 
+#include "core/model/assignments.h"
 #include "core/report/row_csv.h"
 #include "core/study/map/map.h"
 #include "core/study/map/map_rows.h"
@@ -38,7 +39,8 @@ double solvedAlone(const MapStudy& study, double x, double y) {
     const Problem problem = problemOf(scenario);
     const Impact impact = ExactSolver().solve(problem, study.output.detail());
     if (impact.outcome != Outcome::rebounded) return std::nan("");
-    return *study.output.value(summarizeWithWaves(impact, problem), scenario, scalesOf(scenario));
+    const ImpactSummary summary = summarizeWithWaves(impact, problem);
+    return *study.output.value({summary, scenario}, scalesOf(scenario));
 }
 
 bool isSame(double a, double b) {

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page COR–gap: the numbers of `drillwave gap`, where the scenario is, and what a click does.
+#include <QComboBox>
+#include <QLabel>
+#include <QTest>
+
+#include "core/file/examples.h"
+#include "tests/support/program.h"
+#include "ui/form/quantity_field.h"
+#include "ui/pages/gap/gap_page.h"
+#include "ui/pages/gap/gap_plot.h"
+#include "ui/plot/here_mark.h"
+#include "ui/plot/plot_widget.h"
+
+using namespace drillwave;
+
+namespace {
+
+const Parameter& parameter(const char* key) {
+    return *findParameter(key);
+}
+
+}  // namespace
+
+class TestGapPage : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init();
+    void outOfSightNothingIsComputed();
+    void aGapThatIsDraggedMovesTheMarkAndAsksNothing();
+    void theCurveIsThatOfTheCommand_data();
+    void theCurveIsThatOfTheCommand();
+    void aScatteredGapIsStudiedAsItIsTyped();
+    void aClickTakesTheGapOverAsOneStep();
+    void aClickOnTheDistributionTakesNothingOver();
+    void otherResultsAreShownWithoutAnotherStudy();
+    void aRodWithoutWavesSaysThatTheGapDoesNotMatter();
+    void aScatterThatCannotBeIsSaid();
+
+  private:
+    void start(const char* example);
+    bool isDone() const { return m_page->activity()->state() == StudyState::finished; }
+    QCPGraph* graph() const { return m_page->findChild<GapPlot*>()->graph(); }
+    HereMark* here() const { return m_page->findChild<HereMark*>(); }
+    QByteArray exported() const { return m_page->exports().first().csv(); }
+    void click(QPointF at);
+
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<GapPage> m_page;
+};
+
+void TestGapPage::init() {
+    QLocale::setDefault(QLocale::c());
+    start("t38_medium_rock");
+}
+
+void TestGapPage::start(const char* name) {
+    m_page.reset();
+    m_document = std::make_unique<Document>();
+    m_document->startFrom(findExample(name)->text, QString::fromLatin1(name));
+    m_page = std::make_unique<GapPage>(*m_document);
+    m_page->resize(900, 600);
+}
+
+void TestGapPage::click(QPointF at) {
+    const QPoint pixel(int(graph()->keyAxis()->coordToPixel(at.x())),
+                       int(graph()->valueAxis()->coordToPixel(at.y())));
+    QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, pixel);
+}
+
+void TestGapPage::outOfSightNothingIsComputed() {
+    m_document->assign(parameter("bit_rock.stiffness"), 2e8, m_document->newGesture());
+    QCOMPARE(m_page->studies(), 0);
+    m_page->show();
+    QTRY_VERIFY(isDone());
+    QCOMPARE(m_page->studies(), 1);
+    QVERIFY(graph()->dataCount() > 400);
+}
+
+void TestGapPage::aGapThatIsDraggedMovesTheMarkAndAsksNothing() {
+    m_page->show();
+    QTRY_VERIFY(isDone());
+    QVERIFY(here()->x().has_value());
+    const double d0 = scalesOf(m_document->scenario()).penetration;
+    const int gesture = m_document->newGesture();
+    for (const double gap : {0.2, 0.4, 0.6, 2.25}) {
+        m_document->assign(parameter("bit_rock.gap"), gap * d0, gesture);
+        const double shown = gap > 1 ? gap - 2 : gap;
+        QVERIFY(std::abs(*here()->x() / (shown * d0 * 1000) - 1) < 1e-12);
+        const double y = *here()->y();
+        // The solver at that very gap; the curve is known to 1e-10.
+        const double cor = solveBlow(m_document->scenario(), {}, Detail::cor).impact.cor;
+        QVERIFY2(std::abs(y - cor) < 2e-10, qPrintable(QString::number(y - cor)));
+    }
+    QCOMPARE(m_page->studies(), 1);
+}
+
+void TestGapPage::theCurveIsThatOfTheCommand_data() {
+    QTest::addColumn<QString>("example");
+    QTest::addColumn<bool>("scattered");
+    QTest::newRow("units") << "t38_medium_rock" << false;
+    QTest::newRow("units, scattered") << "t38_medium_rock" << true;
+    QTest::newRow("groups") << "paper_fig8_minimum" << false;
+    QTest::newRow("groups, scattered") << "paper_fig8_minimum" << true;
+    QTest::newRow("piston") << "t51_soft_rock" << false;
+}
+
+// What Export writes is what the copied command prints, byte for byte.
+void TestGapPage::theCurveIsThatOfTheCommand() {
+    QFETCH(QString, example);
+    QFETCH(bool, scattered);
+    start(qPrintable(example));
+    m_document->assign(parameter("gamma"), 0.37, m_document->newGesture());
+    m_document->assign(parameter("delta"), 0.123456789, m_document->newGesture());
+    m_page->findChild<QComboBox*>("scatter")->setCurrentIndex(scattered ? 1 : 0);
+    m_page->show();
+    QTRY_VERIFY(isDone());
+    const test::Finished command = test::shell(m_page->command());
+    QVERIFY2(command.exitCode == 0, command.error.constData());
+    QVERIFY(command.out.count('\n') > 400);
+    QCOMPARE(exported(), command.out);
+    QCOMPARE(m_page->command().contains("--gap-deviation"), scattered);
+    // And the curve on show goes through these points.
+    const QList<QByteArray> last = command.out.trimmed().split('\n').last().split(',');
+    const double scale = m_document->scenario().form == ScenarioForm::dimensional ? 1000 : 1;
+    QCOMPARE((graph()->data()->constEnd() - 1)->key, last[0].toDouble() * scale);
+    QCOMPARE((graph()->data()->constEnd() - 1)->value, last[1].toDouble());
+}
+
+void TestGapPage::aScatteredGapIsStudiedAsItIsTyped() {
+    m_page->show();
+    m_page->findChild<QComboBox*>("scatter")->setCurrentIndex(1);
+    auto* mean = m_page->findChild<QuantityField*>("mean");
+    QVERIFY(mean && mean->isVisible());
+    mean->selectAll();
+    QTest::keyClicks(mean, "1.5 mm");
+    auto* deviation = m_page->findChild<QuantityField*>("deviation");
+    deviation->selectAll();
+    QTest::keyClicks(deviation, "300 um");
+    QTRY_VERIFY(isDone());
+    QVERIFY2(m_page->command().contains("--gap-mean '1.5 mm' --gap-deviation '0.3 mm'"),
+             qPrintable(m_page->command()));
+    const QString summary = m_page->findChild<GapPlot*>()->textSummary();
+    QVERIFY2(summary.startsWith("scattered gap"), qPrintable(summary));
+    deviation->selectAll();
+    QTest::keyClicks(deviation, "0 mm");
+    QVERIFY(deviation->problem().contains("deviation"));
+}
+
+void TestGapPage::aClickTakesTheGapOverAsOneStep() {
+    m_page->show();
+    QTRY_VERIFY(isDone());
+    QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+    m_page->plot()->replot();
+    click({1.2, 0.35});
+    QCOMPARE(m_document->undoStack().count(), 1);
+    QVERIFY(std::abs(m_document->scenario().bitRock.gap - 1.2e-3) < 1e-5);
+    QVERIFY(std::abs(*here()->x() - m_document->scenario().bitRock.gap * 1000) < 1e-9);
+    QCOMPARE(m_page->studies(), 1);
+    m_document->undoStack().undo();
+    QCOMPARE(m_document->scenario().bitRock.gap, 0.0);
+}
+
+void TestGapPage::aClickOnTheDistributionTakesNothingOver() {
+    m_page->show();
+    QTRY_VERIFY(isDone());
+    QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+    m_page->plot()->replot();
+    const QCPAxisRect* beside = m_page->plot()->axisRects().last();
+    QVERIFY(m_page->findChild<GapPlot*>()->isDistribution(beside));
+    QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, beside->rect().center());
+    QCOMPARE(m_document->undoStack().count(), 0);
+}
+
+void TestGapPage::otherResultsAreShownWithoutAnotherStudy() {
+    m_page->show();
+    QTRY_VERIFY(isDone());
+    const double cor = graph()->data()->constBegin()->value;
+    m_page->findChild<QComboBox*>("output")->setCurrentIndex(1);
+    QCOMPARE(m_page->studies(), 1);
+    const double force = graph()->data()->constBegin()->value;
+    QVERIFY(force > 100 && force < 400);  // kN
+    QVERIFY(cor < 1);
+    QVERIFY(graph()->valueAxis()->label().contains("kN"));
+}
+
+void TestGapPage::aRodWithoutWavesSaysThatTheGapDoesNotMatter() {
+    start("reference_case");
+    m_page->show();
+    QTRY_VERIFY(isDone());
+    QVERIFY(m_page->findChild<QLabel*>("words")->text().contains("does not depend on the gap"));
+    QVERIFY(graph()->dataCount() > 0);
+}
+
+void TestGapPage::aScatterThatCannotBeIsSaid() {
+    start("paper_fig8_minimum");
+    m_page->show();
+    m_page->findChild<QComboBox*>("scatter")->setCurrentIndex(1);
+    auto* deviation = m_page->findChild<QuantityField*>("deviation");
+    deviation->selectAll();
+    QTest::keyClicks(deviation, "101");
+    QVERIFY(deviation->problem().contains("100"));
+    QTRY_VERIFY(isDone());
+}
+
+QTEST_MAIN(TestGapPage)
+#include "tst_gap_page.moc"

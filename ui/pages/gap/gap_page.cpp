@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/gap/gap_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/file/result_scenario.h"
+#include "core/report/blow_csv.h"
+#include "core/report/gap_json.h"
+#include "ui/form/choice_box.h"
+#include "ui/pages/gap/gap_plot.h"
+#include "ui/pages/gap/scatter_fields.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+namespace {
+
+bool isDimensional(const Scenario& scenario) {
+    return scenario.form == ScenarioForm::dimensional;
+}
+
+}  // namespace
+
+GapPage::GapPage(Document& document, QWidget* parent)
+    : StudyPage(document, parent),
+      m_output(outputBox()),
+      m_scatter(new ScatterFields(this)),
+      m_study(&answer) {
+    PlotWidget* plot = arrange({m_output, m_scatter});
+    m_plot = new GapPlot(plot);
+    plot->setAccessibleName(tr("Result over the gap, and how its values are distributed"));
+    plot->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
+    watch(m_study.job());
+    connect(m_output, &QComboBox::currentIndexChanged, this, &GapPage::present);
+    connect(m_scatter, &ScatterFields::changed, this, &GapPage::askSoon);
+    connect(plot, &PlotWidget::fitRequested, m_plot, &GapPlot::fit);
+    connect(plot, &PlotWidget::clicked, this, [this](const QCPAxisRect* rect, QPointF at) {
+        if (!m_plot->isDistribution(rect)) take(at.x());
+    });
+}
+
+ChoiceBox* GapPage::outputBox() {
+    auto* box = new ChoiceBox(this);
+    box->setObjectName(QStringLiteral("output"));
+    box->setAccessibleName(tr("Result"));
+    box->setToolTip(tr("Which result is shown"));
+    for (const GapOutput output : {GapOutput::cor, GapOutput::peakForce, GapOutput::efficiency})
+        box->addItem(gapOutputName(output), static_cast<int>(output));
+    return box;
+}
+
+GapOutput GapPage::output() const {
+    return static_cast<GapOutput>(m_output->currentData().toInt());
+}
+
+void GapPage::ask() {
+    m_scatter->present(scenario());
+    m_study.ask(gapQuestion(scenario(), m_scatter->normal()));
+}
+
+GapPage::Shown GapPage::wanted() const {
+    Shown wanted{.answer = m_study.job().value(), .output = output(), .units = {}};
+    if (!wanted.answer) return wanted;
+    const Scenario& studied = wanted.answer->report.scenario;
+    const Scales scales = scalesOf(studied);
+    wanted.units = blow() && isDimensional(studied)
+                       ? shownUnits(blow()->request.units, scales, blow()->request.chosenUnits)
+                       : shownUnits(naturalUnits(studied), scales);
+    return wanted;
+}
+
+void GapPage::present() {
+    Shown shown = wanted();
+    if (!shown.answer) return;
+    if (!(shown == m_shown)) {
+        m_shown = std::move(shown);
+        draw();
+    }
+    placeHere();
+}
+
+void GapPage::draw() {
+    const GapAnswer& found = *m_shown.answer;
+    m_picture = found.isComplete() ? gapPicture(found.report, m_shown.output, m_shown.units)
+                                   : gapPreview(found.samples, m_shown.output, m_shown.units);
+    m_plot->present(m_picture);
+    CurveMeaning meaning;
+    if (!m_picture.gap.dimensionless) meaning.xUnit = m_picture.gap.unit;
+    meaning.yUnit = m_picture.value.unit;
+    if (found.isComplete())
+        meaning.value = [answer = m_shown.answer, output = m_shown.output, gap = m_picture.gap.factor,
+                         value = m_picture.value.factor, from = found.report.curve.start](double x) {
+            return answer->report.curve.value(output, std::max(from, x / gap)) * value;
+        };
+    plot()->setMeaning(m_plot->graph(), meaning);
+    plot()->setAccessibleDescription(m_plot->textSummary());
+    say(sentence());
+    plot()->replot(QCustomPlot::rpQueuedReplot);
+}
+
+// In the period that is shown: beyond it everything repeats.
+void GapPage::placeHere() {
+    const GapCurve& curve = m_shown.answer->report.curve;
+    if (!m_shown.answer->isComplete() || !m_study.job().isCurrent()) return m_plot->setHere({});
+    double gap = groupsOf(scenario()).delta;
+    if (gap < curve.start) return m_plot->setHere({});  // before all periods
+    if (gap >= curve.end) gap = curve.periodStart + (gap - std::floor(gap));
+    m_plot->setHere(
+        QPointF(gap * m_picture.gap.factor, curve.value(m_shown.output, gap) * m_picture.value.factor));
+}
+
+// A click in the plot.
+void GapPage::take(double shownGap) {
+    if (!m_shown.answer) return;
+    const double gap = std::max(0.0, shownGap / m_picture.gap.factor);
+    if (isDimensional(scenario()))
+        load({{findParameter("bit_rock.gap"), gap * scalesOf(scenario()).penetration}});
+    else
+        load({{findParameter("delta"), gap}});
+}
+
+QString GapPage::sentence() const {
+    const GapReport& report = m_shown.answer->report;
+    if (!m_shown.answer->isComplete()) return tr("A first look; the curve follows.");
+    if (const std::string remark = report.periodRemark(); !remark.empty())
+        return QString::fromStdString(remark);
+    const QLocale locale;
+    const QString period =
+        m_picture.gap.dimensionless ? tr("d₀") : tr("d₀ = %1").arg(quantityText(1, m_picture.gap, locale));
+    return tr("Results repeat with every %1 of gap. A click in the plot takes over the gap there.")
+        .arg(period);
+}
+
+QByteArray GapPage::csv() const {
+    GapReport report = m_study.value()->report;
+    const OutputUnits units = isDimensional(report.scenario) ? OutputUnits::si : OutputUnits::dimensionless;
+    return QByteArray::fromStdString(scenarioHeader(completeScenarioText(document().contents())) +
+                                     gapCsv(report, units));
+}
+
+QStringList GapPage::commandWords() const {
+    QStringList words{QStringLiteral("gap")};
+    words << m_scatter->commandWords();
+    if (isDimensional(scenario())) words << QStringLiteral("--si");
+    return words;
+}
+
+}  // namespace drillwave
