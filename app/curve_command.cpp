@@ -10,7 +10,9 @@
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
-#include "core/report/curve_report.h"
+#include "core/report/curve_csv.h"
+#include "core/report/curve_json.h"
+#include "core/report/curve_text.h"
 
 namespace drillwave {
 

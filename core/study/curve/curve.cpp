@@ -2,9 +2,12 @@
 #include "core/study/curve/curve.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <span>
+#include <utility>
 
+#include "core/study/curve/curve_lines.h"
 #include "core/study/rows/axis_scenario.h"
 #include "core/study/rows/sweep_check.h"
 
@@ -69,6 +72,12 @@ std::optional<double> CurveLine::value(double x, std::size_t output) const {
 std::optional<double> CurveLine::error(double x, std::size_t output) const {
     const FitPiece* piece = solvedPieceAt(outputs[output].pieces, range.shareOf(x));
     return piece ? std::optional(piece->error.front()) : std::nullopt;
+}
+
+CurveStudy studyCurve(const CurveQuestion& question, int jobs, std::stop_token stop,
+                      const CurveProgress& progress) {
+    assert(jobs >= 1 && !question.columns.empty() && problemsOf(question).empty());
+    return followLines(question, jobs, std::move(stop), progress);
 }
 
 bool CurveStudy::isComplete() const {
