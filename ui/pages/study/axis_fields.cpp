@@ -10,20 +10,36 @@
 
 #include "ui/form/choice_box.h"
 #include "ui/form/quantity_field.h"
+#include "ui/pages/study/flow_layout.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {
+namespace {
+
+QHBoxLayout* rowOf(QWidget* widget) {
+    auto* layout = new QHBoxLayout(widget);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    return layout;
+}
+
+}  // namespace
 
 AxisFields::AxisFields(const QString& words, std::vector<std::string_view> preferred, QWidget* parent)
     : QWidget(parent),
       m_preferred(std::move(preferred)),
       m_words(words),
-      m_layout(new QHBoxLayout(this)),
+      m_layout(new FlowLayout(this)),
       m_parameters(new ChoiceBox(this)),
       m_logarithmic(new QCheckBox(tr("log"), this)) {
-    auto* label = new QLabel(words, this);
+    // Label and box do not part.
+    auto* choice = new QWidget(this);
+    auto* choiceLayout = rowOf(choice);
+    auto* label = new QLabel(words, choice);
     label->setBuddy(m_parameters);
+    choiceLayout->addWidget(label);
+    choiceLayout->addWidget(m_parameters);
     m_parameters->setObjectName(QStringLiteral("parameter"));
     m_parameters->setAccessibleName(tr("%1: parameter").arg(words));
     m_logarithmic->setObjectName(QStringLiteral("logarithmic"));
@@ -31,8 +47,7 @@ AxisFields::AxisFields(const QString& words, std::vector<std::string_view> prefe
     m_logarithmic->setToolTip(tr("Even ratios in place of even steps"));
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(4);
-    m_layout->addWidget(label);
-    m_layout->addWidget(m_parameters);
+    m_layout->addWidget(choice);
     m_layout->addWidget(m_logarithmic);
     connect(m_parameters, &QComboBox::currentIndexChanged, this, &AxisFields::choose);
     connect(m_logarithmic, &QCheckBox::toggled, this, [this](bool logarithmic) {
@@ -74,37 +89,45 @@ void AxisFields::setRange(const StudyRange& range) {
 
 // A field is of one quantity for its life.
 void AxisFields::addFields() {
-    if (m_fields) m_fields->deleteLater();
-    m_fields = new QWidget(this);
-    auto* layout = new QHBoxLayout(m_fields);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    const Parameter& parameter = *m_range.parameter;
-    const auto addField = [&](const QString& words, const QString& name, double StudyRange::*end) {
-        UnitChoice& units = UnitChoice::shared();
-        auto* field = new QuantityField(parameter.quantity, units.fieldUnit(parameter), m_fields);
-        connect(&units, &UnitChoice::changed, field,
-                [field, &units, &parameter] { field->setUnit(units.fieldUnit(parameter)); });
-        field->setObjectName(name);
-        field->setAccessibleName(QStringLiteral("%1: %2 %3").arg(m_words, parameterName(parameter), words));
-        field->setTaker([this, end](double si) { return take(end, si); });
-        auto* label = new QLabel(words, m_fields);
-        label->setBuddy(field);
-        layout->addWidget(label);
-        layout->addWidget(field);
-        if (QToolButton* unit = field->unitButton()) {
-            unit->setAccessibleName(tr("%1, unit").arg(field->accessibleName()));
-            layout->addWidget(unit);
-        }
-        return field;
-    };
+    for (QuantityField* old : {m_start, m_stop}) {
+        if (!old) continue;
+        m_layout->removeWidget(old->parentWidget());
+        old->parentWidget()->hide();
+        old->parentWidget()->deleteLater();
+    }
+    m_layout->removeWidget(m_logarithmic);
     m_start = addField(tr("from"), QStringLiteral("start"), &StudyRange::start);
     m_stop = addField(tr("to"), QStringLiteral("stop"), &StudyRange::stop);
-    m_layout->insertWidget(m_layout->count() - 1, m_fields);
-    m_fields->show();
+    m_layout->addWidget(m_logarithmic);
     setTabOrder(m_parameters, m_start);
     setTabOrder(m_start, m_stop);
     setTabOrder(m_stop, m_logarithmic);
+    updateGeometry();
+}
+
+// In a row with its name and its unit, which stay together.
+QuantityField* AxisFields::addField(const QString& words, const QString& name, double StudyRange::*end) {
+    const Parameter& parameter = *m_range.parameter;
+    auto* row = new QWidget(this);
+    auto* layout = rowOf(row);
+    UnitChoice& units = UnitChoice::shared();
+    auto* field = new QuantityField(parameter.quantity, units.fieldUnit(parameter), row);
+    connect(&units, &UnitChoice::changed, field,
+            [field, &units, &parameter] { field->setUnit(units.fieldUnit(parameter)); });
+    field->setObjectName(name);
+    field->setAccessibleName(QStringLiteral("%1: %2 %3").arg(m_words, parameterName(parameter), words));
+    field->setTaker([this, end](double si) { return take(end, si); });
+    auto* label = new QLabel(words, row);
+    label->setBuddy(field);
+    layout->addWidget(label);
+    layout->addWidget(field);
+    if (QToolButton* unit = field->unitButton()) {
+        unit->setAccessibleName(tr("%1, unit").arg(field->accessibleName()));
+        layout->addWidget(unit);
+    }
+    m_layout->addWidget(row);
+    row->show();
+    return field;
 }
 
 QString AxisFields::take(double StudyRange::*end, double si) {

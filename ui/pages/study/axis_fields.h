@@ -9,12 +9,12 @@
 #include "ui/pages/study/study_range.h"
 
 class QCheckBox;
-class QHBoxLayout;
 class QLabel;
 
 namespace drillwave {
 
 class ChoiceBox;
+class FlowLayout;
 class QuantityField;
 
 /// A box of the parameters that apply to the scenario, fields for both ends, and linear or logarithmic. Text
@@ -44,16 +44,16 @@ class AxisFields : public QWidget {
   private:
     void choose();
     void addFields();
+    QuantityField* addField(const QString& words, const QString& name, double StudyRange::*end);
     QString take(double StudyRange::*end, double si);
 
     std::vector<std::string_view> m_preferred;
     QString m_words;
     Scenario m_scenario;
     StudyRange m_range;
-    QHBoxLayout* m_layout;
+    FlowLayout* m_layout;
     ChoiceBox* m_parameters;
-    QWidget* m_fields = nullptr;  // of the ends; another one for each parameter
-    QuantityField* m_start = nullptr;
+    QuantityField* m_start = nullptr;  // another one for each parameter
     QuantityField* m_stop = nullptr;
     QCheckBox* m_logarithmic;
 };

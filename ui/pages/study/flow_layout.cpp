@@ -30,8 +30,23 @@ QLayoutItem* FlowLayout::takeAt(int index) {
 QSize FlowLayout::minimumSize() const {
     QSize least;
     for (const auto& item : m_items) least = least.expandedTo(item->minimumSize());
+    return withMargins(least);
+}
+
+// In one line.
+QSize FlowLayout::sizeHint() const {
+    QSize line(-spacing(), 0);
+    for (const auto& item : m_items) {
+        if (item->isEmpty()) continue;
+        const QSize size = item->sizeHint();
+        line = {line.width() + spacing() + size.width(), std::max(line.height(), size.height())};
+    }
+    return withMargins(line);
+}
+
+QSize FlowLayout::withMargins(const QSize& inside) const {
     const QMargins margins = contentsMargins();
-    return least + QSize(margins.left() + margins.right(), margins.top() + margins.bottom());
+    return inside + QSize(margins.left() + margins.right(), margins.top() + margins.bottom());
 }
 
 void FlowLayout::setGeometry(const QRect& area) {
@@ -42,26 +57,34 @@ void FlowLayout::setGeometry(const QRect& area) {
 // Items of a line are centred on it. Returns the height that is needed.
 int FlowLayout::arrange(const QRect& area, Moving moving) const {
     const QRect inside = area.marginsRemoved(contentsMargins());
-    std::vector<std::pair<QLayoutItem*, int>> line;  // with their places
+    struct Placed {
+        QLayoutItem* item;
+        int left;
+        QSize size;
+    };
+    std::vector<Placed> line;
     int x = inside.left(), y = inside.top(), height = 0;
     const auto endLine = [&] {
         if (moving == Moving::yes)
-            for (const auto& [item, left] : line) {
-                const QSize size = item->sizeHint().boundedTo({inside.width(), height});
-                item->setGeometry({{left, y + (height - size.height()) / 2}, size});
-            }
+            for (const Placed& placed : line)
+                placed.item->setGeometry(
+                    {{placed.left, y + (height - placed.size.height()) / 2}, placed.size});
         line.clear();
     };
     for (const auto& item : m_items) {
         if (item->isEmpty()) continue;
-        const QSize size = item->sizeHint();
+        QSize size = item->sizeHint();
+        if (size.width() > inside.width()) {
+            size.setWidth(inside.width());
+            if (item->hasHeightForWidth()) size.setHeight(item->heightForWidth(inside.width()));
+        }
         if (!line.empty() && x + size.width() > inside.right() + 1) {
             endLine();
             y += height + spacing();
             x = inside.left();
             height = 0;
         }
-        line.emplace_back(item.get(), x);
+        line.push_back({item.get(), x, size});
         x += size.width() + spacing();
         height = std::max(height, size.height());
     }

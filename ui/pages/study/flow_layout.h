@@ -8,7 +8,8 @@
 
 namespace drillwave {
 
-/// Items side by side at their preferred sizes, in as many lines as the width asks for.
+/// Items side by side at their preferred sizes, in as many lines as the width asks for. What is wider than
+/// the whole width, such as a row of its own kind, is given that and the height that it needs then.
 class FlowLayout : public QLayout {
     Q_OBJECT
 
@@ -24,10 +25,11 @@ class FlowLayout : public QLayout {
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override { return arrange({0, 0, width, 0}, Moving::no); }
     QSize minimumSize() const override;
-    QSize sizeHint() const override { return minimumSize(); }
+    QSize sizeHint() const override;
     void setGeometry(const QRect& area) override;
 
   private:
+    QSize withMargins(const QSize& inside) const;
     enum class Moving { no, yes };
     int arrange(const QRect& area, Moving moving) const;
 
