@@ -22,6 +22,13 @@
 using namespace drillwave;
 using namespace drillwave::test;
 
+namespace {
+
+// For a study of a hundred points on a machine that is busy with other tests.
+constexpr int patience = 60'000;
+
+}  // namespace
+
 class TestThrustPage : public QObject {
     Q_OBJECT
 
@@ -70,7 +77,7 @@ void TestThrustPage::init() {
 void TestThrustPage::showPage() {
     m_page->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
-    QTRY_VERIFY(isAnswered());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     m_page->plot()->replot();
 }
 
@@ -128,7 +135,7 @@ void TestThrustPage::theExportIsWhatTheCopiedCommandWrites() {
     QVERIFY(m_document->save(path).isEmpty());
     m_page->show();
     chooseAxis(key, start, stop, logarithmic);
-    QTRY_VERIFY(isAnswered());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     const QString command = m_page->command();
     QVERIFY2(command.startsWith(QStringLiteral("drillwave thrust ") + path), qPrintable(command));
     QStringList typed = QProcess::splitCommand(QString(command).replace(QLatin1Char('\''), QLatin1Char('"')));
@@ -182,7 +189,7 @@ void TestThrustPage::draggingTheFeedIsOneUndoStep() {
     QVERIFY2(std::abs(after - expected) < 150, qPrintable(QString::number(after)));
     QCOMPARE(m_document->undoStack().count(), 1);
     drag(feedPixel() + QPointF(0, 60), -30);
-    QTRY_VERIFY(isAnswered());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     m_document->undoStack().undo();
     while (m_document->undoStack().canUndo()) m_document->undoStack().undo();
     QCOMPARE(*m_document->scenario().drill.thrust, before);
@@ -194,7 +201,7 @@ void TestThrustPage::aDragBesideTheLineDoesNotMoveIt() {
     QCOMPARE(m_document->undoStack().count(), 0);
     // Over the thrust itself the line is where thrust is what it is.
     chooseAxis("drill.thrust", 1000, 20'000, false);
-    QTRY_VERIFY(isAnswered());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     m_page->plot()->replot();
     drag(feedPixel(), 30);
     QCOMPARE(m_document->undoStack().count(), 0);
@@ -228,11 +235,11 @@ void TestThrustPage::aCurvedLineIsDraggedWhereItWasTaken() {
     showPage();
     const QPointF at = feedPixel();
     drag(at, 25);
-    QTRY_VERIFY(isAnswered());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     m_page->plot()->replot();
     const auto height = m_page->thrustPlot().heightAboveFeed(at + QPointF(0, 25));
     QVERIFY(height);
-    QVERIFY2(std::abs(*height) <= 2, qPrintable(QString::number(*height)));
+    QVERIFY2(std::abs(*height) <= 4, qPrintable(QString::number(*height)));  // of rounded pixels and thrusts
 }
 
 void TestThrustPage::aClickTakesOverTheFrequencyThere() {
@@ -262,7 +269,7 @@ void TestThrustPage::whatLacksIsSaidAndCanBeEntered() {
     QVERIFY(field->isVisible());  // not gone with the first digit
     QTest::keyClick(field, Qt::Key_Return);
     QCOMPARE(*m_document->scenario().drill.blowFrequency, 55.0);
-    QTRY_VERIFY(isAnswered());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     QVERIFY(!field->isVisible());
     QVERIFY2(words().contains(QStringLiteral("drill.thrust")), qPrintable(words()));
     QVERIFY(m_page->exports().first().obstacle().isEmpty());
