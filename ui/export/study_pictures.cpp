@@ -3,6 +3,7 @@
 
 #include "ui/export/figure_plot.h"
 #include "ui/export/sweep_panels.h"
+#include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/gap/gap_plot.h"
 #include "ui/pages/thrust/thrust_plot.h"
 
@@ -36,6 +37,14 @@ Pictures drawStudy(const ThrustReport& report, const PictureOrder& order) {
     const ThrustUnits units =
         thrustUnits(scenario, report.along->axis.parameter->displayUnit(), unitsFor(scenario));
     return drawnBy<ThrustPlot>(thrustPicture(*report.along, units), {180, 120}, scenario.title, order);
+}
+
+Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order) {
+    return drawnBy<ProofPlot>(accuracyPicture(accuracy, QLocale::c()), {160, 110}, {}, order);
+}
+
+Pictures drawStudy(const StabilityReport& report, const PictureOrder& order) {
+    return drawnBy<ProofPlot>(stabilityPicture(report, QLocale::c()), {180, 120}, {}, order);
 }
 
 Pictures drawStudy(const SweepRows& rows, const PictureOrder& order) {
