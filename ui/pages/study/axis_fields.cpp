@@ -17,11 +17,11 @@
 namespace drillwave {
 namespace {
 
-QHBoxLayout* rowOf(QWidget* widget) {
-    auto* layout = new QHBoxLayout(widget);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    return layout;
+QHBoxLayout* rowIn(QWidget& part) {
+    auto* row = new QHBoxLayout(&part);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    return row;
 }
 
 }  // namespace
@@ -30,25 +30,25 @@ AxisFields::AxisFields(const QString& words, std::vector<std::string_view> prefe
     : QWidget(parent),
       m_preferred(std::move(preferred)),
       m_words(words),
-      m_layout(new FlowLayout(this)),
       m_parameters(new ChoiceBox(this)),
+      m_startPart(new QWidget(this)),
+      m_stopPart(new QWidget(this)),
       m_logarithmic(new QCheckBox(tr("log"), this)) {
-    // Label and box do not part.
-    auto* choice = new QWidget(this);
-    auto* choiceLayout = rowOf(choice);
-    auto* label = new QLabel(words, choice);
+    auto* label = new QLabel(words, this);
     label->setBuddy(m_parameters);
-    choiceLayout->addWidget(label);
-    choiceLayout->addWidget(m_parameters);
     m_parameters->setObjectName(QStringLiteral("parameter"));
     m_parameters->setAccessibleName(tr("%1: parameter").arg(words));
     m_logarithmic->setObjectName(QStringLiteral("logarithmic"));
     m_logarithmic->setAccessibleName(tr("%1: logarithmic").arg(words));
     m_logarithmic->setToolTip(tr("Even ratios in place of even steps"));
-    m_layout->setContentsMargins(0, 0, 0, 0);
-    m_layout->setSpacing(4);
-    m_layout->addWidget(choice);
-    m_layout->addWidget(m_logarithmic);
+    auto* choice = new QWidget(this);
+    for (QWidget* part : {choice, m_startPart, m_stopPart}) rowIn(*part);
+    choice->layout()->addWidget(label);
+    choice->layout()->addWidget(m_parameters);
+    auto* layout = new FlowLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* part : {choice, m_startPart, m_stopPart, static_cast<QWidget*>(m_logarithmic)})
+        layout->addWidget(part);
     connect(m_parameters, &QComboBox::currentIndexChanged, this, &AxisFields::choose);
     connect(m_logarithmic, &QCheckBox::toggled, this, [this](bool logarithmic) {
         StudyRange range = m_range;
@@ -89,27 +89,24 @@ void AxisFields::setRange(const StudyRange& range) {
 
 // A field is of one quantity for its life.
 void AxisFields::addFields() {
-    for (QuantityField* old : {m_start, m_stop}) {
-        if (!old) continue;
-        m_layout->removeWidget(old->parentWidget());
-        old->parentWidget()->hide();
-        old->parentWidget()->deleteLater();
-    }
-    m_layout->removeWidget(m_logarithmic);
-    m_start = addField(tr("from"), QStringLiteral("start"), &StudyRange::start);
-    m_stop = addField(tr("to"), QStringLiteral("stop"), &StudyRange::stop);
-    m_layout->addWidget(m_logarithmic);
+    m_start = addField(*m_startPart, tr("from"), QStringLiteral("start"), &StudyRange::start);
+    m_stop = addField(*m_stopPart, tr("to"), QStringLiteral("stop"), &StudyRange::stop);
     setTabOrder(m_parameters, m_start);
     setTabOrder(m_start, m_stop);
     setTabOrder(m_stop, m_logarithmic);
-    updateGeometry();
 }
 
-// In a row with its name and its unit, which stay together.
-QuantityField* AxisFields::addField(const QString& words, const QString& name, double StudyRange::*end) {
+// In place of the one that is there.
+QuantityField* AxisFields::addField(QWidget& part, const QString& words, const QString& name,
+                                    double StudyRange::*end) {
+    if (QLayoutItem* before = part.layout()->takeAt(0)) {
+        before->widget()->hide();
+        before->widget()->deleteLater();
+        delete before;
+    }
     const Parameter& parameter = *m_range.parameter;
-    auto* row = new QWidget(this);
-    auto* layout = rowOf(row);
+    auto* row = new QWidget(&part);
+    QHBoxLayout* layout = rowIn(*row);
     UnitChoice& units = UnitChoice::shared();
     auto* field = new QuantityField(parameter.quantity, units.fieldUnit(parameter), row);
     connect(&units, &UnitChoice::changed, field,
@@ -125,7 +122,7 @@ QuantityField* AxisFields::addField(const QString& words, const QString& name, d
         unit->setAccessibleName(tr("%1, unit").arg(field->accessibleName()));
         layout->addWidget(unit);
     }
-    m_layout->addWidget(row);
+    part.layout()->addWidget(row);
     row->show();
     return field;
 }

@@ -9,12 +9,10 @@
 #include "ui/pages/study/study_range.h"
 
 class QCheckBox;
-class QLabel;
 
 namespace drillwave {
 
 class ChoiceBox;
-class FlowLayout;
 class QuantityField;
 
 /// A box of the parameters that apply to the scenario, fields for both ends, and linear or logarithmic. Text
@@ -44,16 +42,18 @@ class AxisFields : public QWidget {
   private:
     void choose();
     void addFields();
-    QuantityField* addField(const QString& words, const QString& name, double StudyRange::*end);
+    QuantityField* addField(QWidget& part, const QString& words, const QString& name,
+                            double StudyRange::*end);
     QString take(double StudyRange::*end, double si);
 
     std::vector<std::string_view> m_preferred;
     QString m_words;
     Scenario m_scenario;
     StudyRange m_range;
-    FlowLayout* m_layout;
     ChoiceBox* m_parameters;
-    QuantityField* m_start = nullptr;  // another one for each parameter
+    QWidget* m_startPart;  // where the fields are, another one for each parameter
+    QWidget* m_stopPart;
+    QuantityField* m_start = nullptr;
     QuantityField* m_stop = nullptr;
     QCheckBox* m_logarithmic;
 };

@@ -30,23 +30,27 @@ QLayoutItem* FlowLayout::takeAt(int index) {
 QSize FlowLayout::minimumSize() const {
     QSize least;
     for (const auto& item : m_items) least = least.expandedTo(item->minimumSize());
-    return withMargins(least);
+    const QMargins margins = contentsMargins();
+    return least + QSize(margins.left() + margins.right(), margins.top() + margins.bottom());
 }
 
-// In one line.
 QSize FlowLayout::sizeHint() const {
+    const QMargins margins = contentsMargins();
     QSize line(-spacing(), 0);
     for (const auto& item : m_items) {
         if (item->isEmpty()) continue;
         const QSize size = item->sizeHint();
         line = {line.width() + spacing() + size.width(), std::max(line.height(), size.height())};
     }
-    return withMargins(line);
+    return line.expandedTo({0, 0}) +
+           QSize(margins.left() + margins.right(), margins.top() + margins.bottom());
 }
 
-QSize FlowLayout::withMargins(const QSize& inside) const {
-    const QMargins margins = contentsMargins();
-    return inside + QSize(margins.left() + margins.right(), margins.top() + margins.bottom());
+// Of an item in a line of that width.
+QSize FlowLayout::sizeIn(const QLayoutItem& item, int width) const {
+    const QSize size = item.sizeHint();
+    if (size.width() <= width) return size;
+    return {width, item.hasHeightForWidth() ? item.heightForWidth(width) : size.height()};
 }
 
 void FlowLayout::setGeometry(const QRect& area) {
@@ -57,34 +61,26 @@ void FlowLayout::setGeometry(const QRect& area) {
 // Items of a line are centred on it. Returns the height that is needed.
 int FlowLayout::arrange(const QRect& area, Moving moving) const {
     const QRect inside = area.marginsRemoved(contentsMargins());
-    struct Placed {
-        QLayoutItem* item;
-        int left;
-        QSize size;
-    };
-    std::vector<Placed> line;
+    std::vector<std::pair<QLayoutItem*, int>> line;  // with their places
     int x = inside.left(), y = inside.top(), height = 0;
     const auto endLine = [&] {
         if (moving == Moving::yes)
-            for (const Placed& placed : line)
-                placed.item->setGeometry(
-                    {{placed.left, y + (height - placed.size.height()) / 2}, placed.size});
+            for (const auto& [item, left] : line) {
+                const QSize size = sizeIn(*item, inside.width());
+                item->setGeometry({{left, y + (height - size.height()) / 2}, size});
+            }
         line.clear();
     };
     for (const auto& item : m_items) {
         if (item->isEmpty()) continue;
-        QSize size = item->sizeHint();
-        if (size.width() > inside.width()) {
-            size.setWidth(inside.width());
-            if (item->hasHeightForWidth()) size.setHeight(item->heightForWidth(inside.width()));
-        }
+        const QSize size = sizeIn(*item, inside.width());
         if (!line.empty() && x + size.width() > inside.right() + 1) {
             endLine();
             y += height + spacing();
             x = inside.left();
             height = 0;
         }
-        line.push_back({item.get(), x, size});
+        line.emplace_back(item.get(), x);
         x += size.width() + spacing();
         height = std::max(height, size.height());
     }

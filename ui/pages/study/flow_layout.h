@@ -8,8 +8,8 @@
 
 namespace drillwave {
 
-/// Items side by side at their preferred sizes, in as many lines as the width asks for. What is wider than
-/// the whole width, such as a row of its own kind, is given that and the height that it needs then.
+/// Items side by side at their preferred sizes, in as many lines as the width asks for. An item that is wider
+/// than a line has a line of its own, in which one that flows itself goes on below.
 class FlowLayout : public QLayout {
     Q_OBJECT
 
@@ -25,13 +25,14 @@ class FlowLayout : public QLayout {
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override { return arrange({0, 0, width, 0}, Moving::no); }
     QSize minimumSize() const override;
+    /// All in one line.
     QSize sizeHint() const override;
     void setGeometry(const QRect& area) override;
 
   private:
-    QSize withMargins(const QSize& inside) const;
     enum class Moving { no, yes };
     int arrange(const QRect& area, Moving moving) const;
+    QSize sizeIn(const QLayoutItem& item, int width) const;
 
     std::vector<std::unique_ptr<QLayoutItem>> m_items;
 };
