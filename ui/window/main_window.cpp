@@ -16,9 +16,12 @@
 #include "ui/form/scenario_panel.h"
 #include "ui/job/solve_status.h"
 #include "ui/job/study_status.h"
+#include "ui/pages/accuracy/accuracy_page.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/gap/gap_page.h"
+#include "ui/pages/map/map_page.h"
 #include "ui/pages/rock/rock_page.h"
+#include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/number_text.h"
@@ -77,6 +80,9 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
     m_pages->add(new GapPage(m_document), PageGroup::studies);
+    m_pages->add(new MapPage(m_document), PageGroup::studies);
+    m_pages->add(new ThrustPage(m_document), PageGroup::studies);
+    m_pages->add(new AccuracyPage(m_document), PageGroup::studies);
     addMenus();
     addStatusBar();
     wire();
