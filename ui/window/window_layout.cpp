@@ -111,7 +111,9 @@ void WindowLayout::shareOneSide() {
 
 // That both docks need, and a page that is to be of use.
 int WindowLayout::widthSideBySide() const {
-    int width = std::max(usefulPageWidth, m_window->centralWidget()->minimumSizeHint().width());
+    // One more than the least: a window that has been made as narrow as it can be has the docks come
+    // together.
+    int width = std::max(usefulPageWidth, m_window->centralWidget()->minimumSizeHint().width() + 1);
     for (const QDockWidget* dock : std::as_const(m_docks))
         width += dock->widget()->minimumSizeHint().width() +
                  m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);

@@ -82,7 +82,7 @@ void TestLayout::everythingCanBeReadAndReached_data() {
             for (const bool dark : {false, true}) add(example, size, dark, usualPoints, UnitSystem::si);
     for (const bool dark : {false, true})
         add("t38_medium_rock", {3200, 1800}, dark, usualPoints, UnitSystem::si);
-    add("t38_medium_rock", {1366, 768}, false, 16, UnitSystem::si);
+    add("t38_medium_rock", {1440, 900}, false, 16, UnitSystem::si);
     add("t38_medium_rock", {1920, 1080}, true, 16, UnitSystem::si);
     add("t38_medium_rock", {1000, 650}, false, usualPoints, UnitSystem::us);
 }

@@ -185,7 +185,7 @@ void TestPageTabs::f6GoesRoundTheAreas() {
     press(*window, Qt::Key_F6, Qt::ShiftModifier);
     QVERIFY(isIn(areas[1]));
     window->findChild<QDockWidget*>("result")->show();
-    window->resize(900, 650);
+    window->resize(1000, 650);
     QTRY_VERIFY(!window->tabifiedDockWidgets(window->findChild<QDockWidget*>("result")).isEmpty());
     press(*window, Qt::Key_F6, {});
     QVERIFY(isIn(areas[2]));
