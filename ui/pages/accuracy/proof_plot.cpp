@@ -115,6 +115,7 @@ void ProofPlot::present(const ProofPicture& picture) {
         m_markName->setText(picture.markName);
     }
     applyStyle();
+    setNumbersVisible(true);
     if (m_view->isFitted() || otherAxes) fit();
 }
 
@@ -127,6 +128,11 @@ void ProofPlot::showNothing(const QString& message) {
     m_mark->setVisible(false);
     m_markName->setVisible(false);
     m_message->show(message);
+    setNumbersVisible(false);
+}
+
+void ProofPlot::setNumbersVisible(bool visible) {
+    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) axis->setTickLabels(visible);
 }
 
 void ProofPlot::addSeries(const ProofSeries& series, int index) {

@@ -10,7 +10,8 @@ namespace drillwave {
 namespace {
 
 constexpr int mostNamedKinks = 6;
-constexpr int gapToPoint = 5;  // [px]
+constexpr int gapToPoint = 5;     // [px]
+constexpr int unreadable = 1000;  // worse than any curve behind words
 
 // Where words may stand beside their point, the best first: QCPItemText aligns that corner of itself with it.
 constexpr Qt::Alignment alignments[] = {Qt::AlignLeft | Qt::AlignBottom,    Qt::AlignRight | Qt::AlignBottom,
@@ -26,7 +27,6 @@ QRectF boxOf(QPointF at, QSizeF size, Qt::Alignment alignment) {
 
 // How much would be hidden behind words there.
 int hitsOf(const QRectF& box, const QPolygonF& curve, const QVector<QRectF>& taken, const QRectF& inside) {
-    constexpr int unreadable = 1000;  // worse than any curve
     const QRectF words = box.adjusted(gapToPoint, gapToPoint, -gapToPoint, -gapToPoint);
     int hits = inside.contains(words) ? 0 : 2 * unreadable;
     for (const QRectF& other : taken) hits += other.intersects(words) ? unreadable : 0;
@@ -70,7 +70,10 @@ void GapMarks::present(const GapPicture& picture) {
     const auto isKink = [](const GapMark& mark) { return mark.kind == GapMark::Kind::kink; };
     const bool namesKinks = std::ranges::count_if(picture.marks, isKink) <= mostNamedKinks;
     const QLocale locale = m_graph->parentPlot()->locale();
-    for (const GapMark& mark : picture.marks)
+    // Where there is no room for all words, those of extremes are the last to go.
+    QVector<GapMark> marks = picture.marks;
+    std::ranges::stable_sort(marks, {}, &GapMark::kind);
+    for (const GapMark& mark : std::as_const(marks))
         add(mark, isKink(mark) && !namesKinks ? QString() : wordsOf(mark, picture, locale));
     applyStyle();
 }
@@ -140,7 +143,8 @@ void GapMarks::placeWords() {
             best = box;
             words->setPositionAlignment(alignment);
         }
-        taken.append(best);
+        words->setVisible(least < unreadable);
+        if (least < unreadable) taken.append(best);
     }
 }
 

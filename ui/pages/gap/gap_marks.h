@@ -11,8 +11,8 @@
 
 namespace drillwave {
 
-/// Points of a graph with words beside them that keep clear of the curve and of each other. Where there are
-/// too many kinks to be read, they are marked without numbers. Lives as a child of the plot.
+/// Points of a graph with words beside them that keep clear of the curve and of each other, or are left out
+/// where there is no room. Lives as a child of the plot.
 class GapMarks : public QObject {
     Q_OBJECT
 

@@ -17,8 +17,8 @@ namespace drillwave {
 
 /// A place of the curve that is named.
 struct GapMark {
-    enum class Kind { extreme, crossing, kink } kind = Kind::kink;
-    QPointF at;  ///< gap and value as shown
+    enum class Kind { extreme, crossing, kink } kind = Kind::kink;  ///< the most telling first
+    QPointF at;                                                     ///< gap and value as shown
     bool operator==(const GapMark&) const = default;
 };
 
