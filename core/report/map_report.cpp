@@ -30,7 +30,7 @@ std::string counted(std::uint64_t count, const std::string& noun) {
 }
 
 void addRange(const MapReport& report, TextGrid& table) {
-    const std::optional<MapGrid::Extent> extent = report.grid.extent();
+    const std::optional<MapGrid::Extent>& extent = report.grid.extent();
     if (!extent) return;
     const auto add = [&](const char* label, double value, const MapGrid::Place& place) {
         table.add({label, outputText(report.study.output, value), "at " + placeText(report, place)});
@@ -62,7 +62,7 @@ JsonObject axisJson(const SweepAxis& axis) {
 }
 
 Json rangeJson(const MapReport& report) {
-    const std::optional<MapGrid::Extent> extent = report.grid.extent();
+    const std::optional<MapGrid::Extent>& extent = report.grid.extent();
     if (!extent) return {};
     const auto json = [&](double value, const MapGrid::Place& place) {
         return JsonObject{

@@ -5,6 +5,7 @@
 #include "ui/export/sweep_panels.h"
 #include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/gap/gap_plot.h"
+#include "ui/pages/thrust/thrust_plot.h"
 
 namespace drillwave {
 namespace {
@@ -29,6 +30,13 @@ ShownUnits unitsFor(const Scenario& scenario) {
 Pictures drawStudy(const GapReport& report, const PictureOrder& order) {
     return drawnBy<GapPlot>(gapPicture(report, GapOutput::cor, unitsFor(report.scenario)), {180, 110},
                             report.scenario.title, order);
+}
+
+Pictures drawStudy(const ThrustReport& report, const PictureOrder& order) {
+    const Scenario& scenario = report.scenario;
+    const ThrustUnits units =
+        thrustUnits(scenario, report.along->axis.parameter->displayUnit(), unitsFor(scenario));
+    return drawnBy<ThrustPlot>(thrustPicture(*report.along, units), {180, 120}, scenario.title, order);
 }
 
 Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/report/gap_report.h"
+#include "core/report/thrust_report.h"
 #include "core/study/proof/accuracy.h"
 #include "core/study/proof/stability.h"
 #include "core/study/rows/sweep_rows.h"
@@ -12,6 +13,8 @@ namespace drillwave {
 
 /// What the page of each study shows at first, in naturalUnits(); see renderPictures().
 Pictures drawStudy(const GapReport& report, const PictureOrder& order);
+/// Of a report along a parameter.
+Pictures drawStudy(const ThrustReport& report, const PictureOrder& order);
 Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order);
 Pictures drawStudy(const StabilityReport& report, const PictureOrder& order);
 /// Has no page: the rows as curves, see sweepPanels().

@@ -29,6 +29,15 @@ QString thrustNeededText(const SolvedBlow& blow) {
                                          forceText(blow.feed->returned, blow));
 }
 
+QString worstNeedText(const WorstNeed& worst, const SolvedBlow& blow) {
+    if (!blow.feed) return {};
+    const QString soon = QStringLiteral("…");
+    const std::optional<double> thrust = worst.thrust();
+    if (!thrust) return worst.isCurrent() ? QString() : soon;
+    const QString text = forceText(*thrust, blow);
+    return worst.isCurrent() ? text : QStringLiteral("(%1) %2").arg(text, soon);
+}
+
 QString thrustInstalledText(const SolvedBlow& blow) {
     const std::optional<double>& installed = blow.scenario.drill.thrust;
     return installed ? forceText(*installed, blow) : QString();

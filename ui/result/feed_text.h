@@ -6,11 +6,15 @@
 #include <QString>
 
 #include "ui/job/solved_blow.h"
+#include "ui/result/worst_need.h"
 
 namespace drillwave {
 
 /// The bracket of what this blow needs: full penetration, to the bit back in time without a damper.
 QString thrustNeededText(const SolvedBlow& blow);
+
+/// The largest of four needs; marked by an ellipsis while it is not of this blow.
+QString worstNeedText(const WorstNeed& worst, const SolvedBlow& blow);
 
 QString thrustInstalledText(const SolvedBlow& blow);
 

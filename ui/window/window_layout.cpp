@@ -3,10 +3,13 @@
 
 #include <QDockWidget>
 #include <QEvent>
+#include <QLayout>
 #include <QMainWindow>
 #include <QMenu>
 #include <QScreen>
+#include <QStyle>
 #include <QTimer>
+#include <algorithm>
 
 #include "ui/text/settings.h"
 #include "ui/window/on_screen.h"
@@ -17,6 +20,7 @@ namespace {
 // Raised when docks or toolbars change so that an old layout no longer fits.
 constexpr int layoutVersion = 2;
 constexpr QSize usualSize{1440, 900};
+constexpr int usefulPageWidth = 480;  // narrower, a plot beside both docks can hardly be read
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
 const QString stackedKey = QStringLiteral("window/stacked");
@@ -62,7 +66,7 @@ bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Show && !std::exchange(m_restored, true))
         QTimer::singleShot(0, this, &WindowLayout::restore);
     else if (event->type() == QEvent::Resize && m_restored)
-        QTimer::singleShot(0, this, &WindowLayout::stack);
+        stackSoon();
     return QObject::eventFilter(watched, event);
 }
 
@@ -73,13 +77,19 @@ void WindowLayout::restore() {
         reset();
     for (QDockWidget* dock : std::as_const(m_docks))
         if (dock->isFloating()) keepOnScreen(*dock);
-    stack();
-    if (m_window->size() == m_firstSize) fitOnScreen(*m_window);  // only now its frame is known
+    // What the docks ask for side by side has widened a window of the first size, perhaps beyond the screen.
+    const bool isFirst = m_firstSize.isValid() &&
+                         m_window->size() == m_firstSize.expandedTo(m_window->minimumSizeHint());
+    stack(isFirst ? m_firstSize.width() : m_window->width());
+    if (!isFirst) return;
+    m_window->layout()->activate();
+    m_window->resize(m_firstSize);
+    fitOnScreen(*m_window);  // only now its frame is known
 }
 
 void WindowLayout::reset() {
     m_stacked = false;
-    QTimer::singleShot(0, this, &WindowLayout::stack);
+    stackSoon();
     QList<int> widths;
     int wanted = m_page->minimumSizeHint().width();
     for (qsizetype i = 0; i < m_docks.size(); ++i) {
@@ -99,15 +109,30 @@ bool WindowLayout::isSideBySide() const {
            m_window->dockWidgetArea(m_docks[0]) != m_window->dockWidgetArea(m_docks[1]);
 }
 
-void WindowLayout::stack() {
-    int wanted = m_window->centralWidget()->minimumSizeHint().width();
+void WindowLayout::shareOneSide() {
+    m_window->tabifyDockWidget(m_docks[0], m_docks[1]);
+    m_docks[0]->raise();
+    m_stacked = true;
+}
+
+// That both docks need, and a page that is to be of use.
+int WindowLayout::widthSideBySide() const {
+    int width = std::max(usefulPageWidth, m_window->centralWidget()->minimumSizeHint().width());
     for (const QDockWidget* dock : std::as_const(m_docks))
-        wanted += dock->widget()->minimumSizeHint().width();
-    if (!m_stacked && m_window->width() < wanted && isSideBySide()) {
-        m_window->tabifyDockWidget(m_docks[0], m_docks[1]);
-        m_docks[0]->raise();
-        m_stacked = true;
-    } else if (m_stacked && m_window->width() >= wanted) {
+        width += dock->widget()->minimumSizeHint().width() +
+                 m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
+    return width;
+}
+
+void WindowLayout::stackSoon() {
+    QTimer::singleShot(0, this, [this] { stack(m_window->width()); });
+}
+
+// The docks share a side, or do so no more, as the width of the window wants it.
+void WindowLayout::stack(int width) {
+    if (!m_stacked && width < widthSideBySide() && isSideBySide()) {
+        shareOneSide();
+    } else if (m_stacked && width >= widthSideBySide()) {
         m_stacked = false;
         m_window->addDockWidget(areas[1], m_docks[1]);
     }

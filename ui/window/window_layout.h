@@ -33,7 +33,10 @@ class WindowLayout : public QObject {
   private:
     void restore();
     void reset();
-    void stack();
+    void stack(int width);
+    void stackSoon();
+    void shareOneSide();
+    int widthSideBySide() const;
     bool isSideBySide() const;
 
     QMainWindow* m_window;

@@ -71,6 +71,16 @@ void MapGrid::put(std::size_t column, std::size_t row, Cell cell) {
 void MapGrid::set(std::size_t column, std::size_t row, double value) {
     m_values[index(column, row)] = value;
     put(column, row, solved);
+    if (std::isnan(value)) return;
+    const Place place{column, row};
+    if (!m_extent) m_extent = {value, value, place, place};
+    if (value < m_extent->least) {
+        m_extent->least = value;
+        m_extent->leastPlace = place;
+    } else if (value > m_extent->largest) {
+        m_extent->largest = value;
+        m_extent->largestPlace = place;
+    }
 }
 
 void MapGrid::fail(std::size_t column, std::size_t row, const std::string& reason) {
@@ -78,24 +88,6 @@ void MapGrid::fail(std::size_t column, std::size_t row, const std::string& reaso
     const bool isFull = m_failures.size() + 1 >= maximumMapReasons;
     const std::size_t place = addFailure(m_failures, {isKnown || !isFull ? reason : "other reasons", 1});
     put(column, row, static_cast<Cell>(firstReason + place));
-}
-
-std::optional<MapGrid::Extent> MapGrid::extent() const {
-    std::optional<Extent> extent;
-    for (std::size_t n = 0; n < m_values.size(); ++n) {
-        const double value = m_values[n];
-        if (std::isnan(value)) continue;
-        const Place place{n % columns(), n / columns()};
-        if (!extent) extent = {value, value, place, place};
-        if (value < extent->least) {
-            extent->least = value;
-            extent->leastPlace = place;
-        } else if (value > extent->largest) {
-            extent->largest = value;
-            extent->largestPlace = place;
-        }
-    }
-    return extent;
 }
 
 bool MapGrid::operator==(const MapGrid& other) const {

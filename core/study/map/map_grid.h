@@ -65,13 +65,13 @@ class MapGrid {
     void set(std::size_t column, std::size_t row, double value);
     void fail(std::size_t column, std::size_t row, const std::string& reason);
 
-    /// The smallest and the largest value, where they are first; nullopt where there is none.
+    /// The smallest and the largest value so far, where they were first; nullopt where there is none.
     struct Extent {
         double least = 0;
         double largest = 0;
         Place leastPlace, largestPlace;
     };
-    std::optional<Extent> extent() const;
+    const std::optional<Extent>& extent() const { return m_extent; }
 
     /// Whether the same points are there with the same values, bit for bit, and the same reasons.
     bool operator==(const MapGrid& other) const;
@@ -91,6 +91,7 @@ class MapGrid {
     std::vector<double> m_values;  // row after row
     std::vector<Cell> m_cells;     // firstReason + place in m_failures where not solved
     std::vector<RowFailure> m_failures;
+    std::optional<Extent> m_extent;
     std::size_t m_done = 0;
     int m_coarsest = 0;  // logarithm of the coarsest stride
     std::vector<std::size_t>

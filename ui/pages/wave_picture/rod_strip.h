@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "ui/job/solved_blow.h"
-#include "ui/pages/wave_picture/colour_scale.h"
+#include "ui/plot/colour_scale.h"
 #include "ui/pages/wave_picture/wave_picture.h"
 
 namespace drillwave {

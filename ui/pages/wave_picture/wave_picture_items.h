@@ -7,7 +7,7 @@
 #include <QImage>
 
 #include "ui/job/solved_blow.h"
-#include "ui/pages/wave_picture/colour_scale.h"
+#include "ui/plot/colour_scale.h"
 #include "ui/pages/wave_picture/wave_picture.h"
 #include "ui/plot/plot_style.h"
 

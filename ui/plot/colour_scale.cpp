@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/wave_picture/colour_scale.h"
+#include "ui/plot/colour_scale.h"
 
 #include <qcustomplot.h>
 
@@ -12,6 +12,7 @@ namespace {
 
 constexpr int coloursPerSide = 512;
 constexpr double blueHue = 252, orangeHue = 52;  // [degrees]
+constexpr double rampStart = 285, rampEnd = 100;
 constexpr double mostChroma = 0.15;
 
 struct LinearRgb {
@@ -47,12 +48,16 @@ QRgb colourOf(double lightness, double chroma, double hue) {
 
 }  // namespace
 
-ColourScale::ColourScale(double middle, double ends) : m_colours(2 * coloursPerSide + 1) {
+ColourScale::ColourScale(Kind kind, double below, double middle, double above)
+    : m_colours(2 * coloursPerSide + 1) {
     for (int i = -coloursPerSide; i <= coloursPerSide; ++i) {
-        const double size = std::abs(i) / double(coloursPerSide);
-        const double chroma = mostChroma * (1 - (1 - size) * (1 - size));
-        m_colours[static_cast<std::size_t>(coloursPerSide + i)] =
-            colourOf(middle + (ends - middle) * size, chroma, i < 0 ? blueHue : orangeHue);
+        const double share = i / double(coloursPerSide), size = std::abs(share);
+        const double lightness = middle + ((i < 0 ? below : above) - middle) * size;
+        const double chroma = mostChroma * (kind == Kind::ramp ? 0.75 : 1 - (1 - size) * (1 - size));
+        const double hue = kind == Kind::ramp ? rampStart + (rampEnd - rampStart) * (share + 1) / 2
+                           : i < 0            ? blueHue
+                                              : orangeHue;
+        m_colours[static_cast<std::size_t>(coloursPerSide + i)] = colourOf(lightness, chroma, hue);
     }
 }
 

@@ -4,7 +4,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "ui/pages/wave_picture/colour_scale.h"
+#include "ui/plot/colour_scale.h"
 
 using namespace drillwave;
 

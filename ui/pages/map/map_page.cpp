@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/map/map_page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+
+#include "core/file/preset_file.h"
+#include "core/model/assignments.h"
+#include "core/report/row_csv.h"
+#include "core/study/map/map_rows.h"
+#include "ui/form/choice_box.h"
+#include "ui/pages/map/level_field.h"
+#include "ui/pages/map/map_crosshair.h"
+#include "ui/pages/map/map_plot.h"
+#include "ui/pages/study/axis_fields.h"
+#include "ui/pages/study/output_box.h"
+#include "ui/plot/plot_widget.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int pointsEachWay[] = {50, 100, 200, 400, 1000, 2000, 4000};
+constexpr int usualPoints = 200;
+
+/// A number that is easily read, as fine as pixels are.
+double readable(double shown) {
+    constexpr int digits = 4;
+    return QString::number(shown, 'g', digits).toDouble();
+}
+
+QWidget* labelled(const QString& words, QWidget* control, QWidget* parent) {
+    auto* box = new QWidget(parent);
+    auto* layout = new QHBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    auto* label = new QLabel(words, box);
+    label->setBuddy(control);
+    layout->addWidget(label);
+    layout->addWidget(control);
+    return box;
+}
+
+}  // namespace
+
+MapPage::MapPage(Document& document, QWidget* parent)
+    : StudyPage(document, parent),
+      m_x(new AxisFields(tr("x"), {"bit_rock.stiffness", "beta"}, this)),
+      m_y(new AxisFields(tr("y"), {"bit_rock.gamma", "delta"}, this)),
+      m_output(new OutputBox(this)),
+      m_points(pointsBox()),
+      m_levels(new LevelField(this)),
+      m_newest(std::make_shared<std::atomic<int>>(0)),
+      m_study(&answer) {
+    m_x->setObjectName(QStringLiteral("x"));
+    m_y->setObjectName(QStringLiteral("y"));
+    PlotWidget* plot =
+        arrange({m_x, m_y, labelled(tr("colour"), m_output, this), labelled(tr("contours"), m_levels, this),
+                 labelled(tr("points"), m_points, this)});
+    m_plot = new MapPlot(plot);
+    plot->setAccessibleName(tr("Result over two parameters"));
+    plot->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
+    plot->setDataText([this](char separator) {
+        QByteArray text = csv();
+        return separator == ',' ? text : text.replace(',', separator);
+    });
+    plot->installEventFilter(this);
+    watch(m_study.job());
+    wire();
+}
+
+ChoiceBox* MapPage::pointsBox() {
+    auto* box = new ChoiceBox(this);
+    box->setObjectName(QStringLiteral("points"));
+    box->setAccessibleName(tr("Points of the map"));
+    box->setToolTip(tr("How many values each of the two parameters takes"));
+    for (const int points : pointsEachWay) box->addItem(QStringLiteral("%1 × %1").arg(points), points);
+    box->setCurrentIndex(box->findData(usualPoints));
+    return box;
+}
+
+void MapPage::wire() {
+    for (const AxisFields* fields : {m_x, m_y})
+        connect(fields, &AxisFields::changed, this, &MapPage::askSoon);
+    connect(m_points, &QComboBox::currentIndexChanged, this, &MapPage::askSoon);
+    connect(m_levels, &LevelField::changed, this, &MapPage::askSoon);
+    connect(m_output, &OutputBox::changed, this, [this] {
+        takeUsualLevels();
+        askSoon();
+    });
+    connect(plot(), &PlotWidget::fitRequested, m_plot, &MapPlot::fit);
+    connect(plot(), &PlotWidget::clicked, this, [this](const QCPAxisRect* rect, QPointF at) {
+        if (!m_plot->isMap(rect)) return;
+        if (const auto place = m_plot->pointAt(at)) {
+            const MapGrid& grid = m_plot->picture()->grid();
+            load(inOrder(grid.xs()[place->column], grid.ys()[place->row]));
+        }
+    });
+    MapCrosshair* crosshair = m_plot->crosshair();
+    connect(crosshair, &MapCrosshair::dragStarted, this, [this] { m_gesture = document().newGesture(); });
+    connect(crosshair, &MapCrosshair::dragged, this, &MapPage::dragTo);
+    takeUsualLevels();
+}
+
+ShownUnits MapPage::unitsFor(const Scenario& scenario) const {
+    const Scales scales = scalesOf(scenario);
+    if (!blow() || scenario.form == ScenarioForm::dimensionless)
+        return shownUnits(naturalUnits(scenario), scales);
+    return shownUnits(blow()->request.units, scales, blow()->request.chosenUnits);
+}
+
+OutputColumn MapPage::column() const {
+    return {&m_output->output(), mapUnits(m_output->output(), unitsFor(scenario()).system)};
+}
+
+QString MapPage::axisWord(const AxisFields& fields) const {
+    const StudyRange& range = fields.range();
+    return QString::fromStdString(range.text() + ":" + std::to_string(m_points->currentData().toInt()) +
+                                  range.tail());
+}
+
+// Of the words of the command, so that both have the same values.
+MapStudy MapPage::study() const {
+    return {.base = scenario(),
+            .x = parseAxis(axisWord(*m_x).toStdString()).axis,
+            .y = parseAxis(axisWord(*m_y).toStdString()).axis,
+            .output = column()};
+}
+
+// Of a parameter that the fields have chosen themselves: all there is of the elasticity, two periods of the
+// gap.
+void MapPage::offer(AxisFields& fields) {
+    const Parameter* before = fields.range().parameter;
+    fields.present(scenario());
+    const Parameter* parameter = fields.range().parameter;
+    if (!parameter || parameter == before) return;
+    if (parameter->key.ends_with("gamma")) fields.setRange({parameter, 0.01, 1, false});
+    if (parameter->key == "delta") fields.setRange({parameter, 0, 2, false});
+}
+
+void MapPage::takeUsualLevels() {
+    const std::optional<double> level = decisiveLevel(m_output->output());
+    m_levels->setLevels(level ? std::vector<double>{*level} : std::vector<double>{});
+}
+
+void MapPage::ask() {
+    offer(*m_x);
+    offer(*m_y);
+    m_output->present(scenario());
+    if (!m_x->isValid() || !m_y->isValid()) return;
+    MapQuestion question{
+        .study = study(), .levels = m_levels->levels(), .number = *m_newest + 1, .newest = m_newest};
+    const double factor = mapUnit(question.study.output, scenario(), unitsFor(scenario())).factor;
+    for (double& level : question.levels) level /= factor;
+    const std::vector<std::string> problems = problemsOf(question.study);
+    m_problem = problems.empty() ? QString() : QString::fromStdString(problems.front());
+    if (!m_problem.isEmpty()) return m_study.job().cancel();
+    const int number = question.number;
+    if (m_study.ask(std::move(question))) *m_newest = number;
+}
+
+void MapPage::present() {
+    if (!m_problem.isEmpty()) {
+        m_shown.reset();
+        m_plot->showNothing(m_problem);
+        say(QString());
+        plot()->replot(QCustomPlot::rpQueuedReplot);
+        return;
+    }
+    const std::shared_ptr<const MapReport> report = m_study.job().value();
+    if (!report) return;
+    const ShownUnits units = unitsFor(report->study.base);
+    if (report != m_shown || !(units == m_shownUnits)) {
+        m_shown = report;
+        m_shownUnits = units;
+        draw();
+    }
+    placeHere();
+    speak();
+}
+
+void MapPage::draw() {
+    const MapPicture picture = mapPicture(m_shown, m_shownUnits);
+    m_plot->present(picture);
+    const SweepAxis &x = m_shown->study.x, &y = m_shown->study.y;
+    if (x.parameter->applies(scenario()) && y.parameter->applies(scenario()))
+        m_plot->setPresets(presetPoints(builtInPresets(), *x.parameter, *y.parameter, scenario()));
+    CurveMeaning meaning;
+    meaning.xUnit = picture.x.unit;
+    meaning.yUnit = picture.output.unit;
+    plot()->setMeaning(m_plot->cutAlongX(), meaning);
+    plot()->setAccessibleDescription(m_plot->textSummary());
+    plot()->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void MapPage::placeHere() {
+    const auto shown = [&](const SweepAxis& axis, double factor) -> std::optional<double> {
+        if (!axis.parameter->applies(scenario())) return std::nullopt;
+        const std::optional<double> si = axis.parameter->value(scenario());
+        return si ? std::optional(*si * factor) : std::nullopt;
+    };
+    const MapPicture& picture = *m_plot->picture();
+    const auto x = shown(m_shown->study.x, picture.x.factor), y = shown(m_shown->study.y, picture.y.factor);
+    m_plot->setHere(x && y ? std::optional(QPointF(*x, *y)) : std::nullopt);
+}
+
+void MapPage::speak() {
+    say(m_plot->textSummary() + QLatin1Char('\n') + (m_readout.isEmpty() ? hereText() : m_readout));
+}
+
+// The blow of the crosshair, solved on its own.
+QString MapPage::hereText() const {
+    const QString help = tr("A click takes over a point, the crosshair can be dragged.");
+    if (!blow() || !blow()->problem.isEmpty()) return help;
+    const OutputColumn& column = m_shown->study.output;
+    const auto value = column.value({blow()->summary, blow()->scenario}, blow()->scales);
+    if (!value) return help;
+    return tr("here %1. %2").arg(m_plot->picture()->outputText(*value, QLocale()), help);
+}
+
+std::vector<ParameterValue> MapPage::inOrder(double x, double y) const {
+    const MapStudy& study = m_shown->study;
+    const ParameterValue values[] = {{study.x.parameter, x}, {study.y.parameter, y}};
+    const Assignments assignments({study.x.key(), study.y.key()});
+    std::vector<ParameterValue> ordered;
+    for (const std::size_t i : assignments.order()) ordered.push_back(values[i]);
+    return ordered;
+}
+
+void MapPage::dragTo(QPointF place) {
+    if (!m_shown) return;
+    const MapPicture& picture = *m_plot->picture();
+    const QPointF before = *m_plot->crosshair()->place();
+    // A line that stays keeps its value, with all digits.
+    const auto si = [&](const Parameter& parameter, const Unit& unit, double shown, double stayed) {
+        return shown == stayed ? *parameter.value(scenario()) : unit.toSi(readable(shown));
+    };
+    const MapStudy& study = m_shown->study;
+    document().assign(inOrder(si(*study.x.parameter, *picture.xUnit, place.x(), before.x()),
+                              si(*study.y.parameter, *picture.yUnit, place.y(), before.y())),
+                      m_gesture);
+}
+
+QByteArray MapPage::csv() const {
+    const MapReport* report = m_study.value();
+    if (!report) return {};
+    QByteArray bytes;
+    RowCsv sink([&](std::string_view text) {
+        bytes.append(text.data(), qsizetype(text.size()));
+        return true;
+    });
+    giveRows(report->study, report->grid, sink);
+    return bytes;
+}
+
+QStringList MapPage::commandWords() const {
+    if (!m_problem.isEmpty() || !m_x->isValid() || !m_y->isValid()) return {};
+    QStringList words{
+        QStringLiteral("map"),
+        QStringLiteral("--x"),
+        axisWord(*m_x),
+        QStringLiteral("--y"),
+        axisWord(*m_y),
+        QStringLiteral("--output"),
+        QString::fromUtf8(m_output->output().name.data(), qsizetype(m_output->output().name.size()))};
+    if (column().units == OutputUnits::si) words << QStringLiteral("--si");
+    return words;
+}
+
+bool MapPage::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == plot() && (event->type() == QEvent::MouseMove || event->type() == QEvent::Leave)) {
+        m_readout = event->type() == QEvent::Leave
+                        ? QString()
+                        : m_plot->readout(static_cast<QMouseEvent*>(event)->position());
+        if (m_shown) speak();
+    }
+    return StudyPage::eventFilter(watched, event);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page Map: a result over two parameters, with contours, cuts, and a crosshair that moves both of them.
+#pragma once
+
+#include "ui/job/asked_study.h"
+#include "ui/pages/map/map_picture.h"
+#include "ui/pages/map/map_question.h"
+#include "ui/pages/study/study_page.h"
+#include "ui/pages/study/study_range.h"
+
+namespace drillwave {
+
+class AxisFields;
+class ChoiceBox;
+class LevelField;
+class MapPlot;
+class OutputBox;
+
+class MapPage : public StudyPage {
+    Q_OBJECT
+
+  public:
+    explicit MapPage(Document& document, QWidget* parent = nullptr);
+
+    QString title() const override { return tr("Map"); }
+    MapPlot* map() const { return m_plot; }
+    /// How many studies were started.
+    int studies() const { return m_study.started(); }
+    /// What there is of the map, of the question asked last or of an earlier one; nullptr at first.
+    const MapReport* report() const { return m_study.value(); }
+
+  protected:
+    void ask() override;
+    void present() override;
+    QByteArray csv() const override;
+    QStringList commandWords() const override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    ChoiceBox* pointsBox();
+    void wire();
+    /// Units on show, for the scales of a scenario.
+    ShownUnits unitsFor(const Scenario& scenario) const;
+    OutputColumn column() const;
+    QString axisWord(const AxisFields& fields) const;
+    MapStudy study() const;
+    void offer(AxisFields& fields);
+    void takeUsualLevels();
+    void draw();
+    void placeHere();
+    void speak();
+    QString hereText() const;
+    void dragTo(QPointF place);
+    std::vector<ParameterValue> inOrder(double x, double y) const;
+
+    AxisFields* m_x;
+    AxisFields* m_y;
+    OutputBox* m_output;
+    ChoiceBox* m_points;
+    LevelField* m_levels;
+    MapPlot* m_plot = nullptr;
+    QString m_problem;  // why the controls say no map
+    QString m_readout;  // of what is below the pointer
+    int m_gesture = 0;  // of the crosshair
+    std::shared_ptr<const MapReport> m_shown;
+    ShownUnits m_shownUnits;
+    std::shared_ptr<std::atomic<int>> m_newest;
+    AskedStudy<MapQuestion, MapReport> m_study;  // goes first: its thread works
+};
+
+}  // namespace drillwave

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/map/map_picture.h"
+
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/model/scales.h"
+#include "ui/pages/study/output_box.h"
+#include "ui/pages/study/parameter_names.h"
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+namespace {
+
+/// A side of the level has at least this share of the whole scale: where values hardly pass the level they
+/// shall not look as far from it as those on the other side.
+constexpr double leastSide = 0.1;
+
+QString label(const QString& name, const ShownUnit& unit) {
+    return unit.unit.isEmpty() ? name : unit.axisLabel(name);
+}
+
+QString text(const QString& name, double value, const ShownUnit& unit, const QLocale& locale) {
+    const QString number = numberText(value * unit.factor, 5, locale);
+    return name + QStringLiteral(" = ") +
+           (unit.unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit.unit);
+}
+
+QString name(const SweepAxis& axis) {
+    return parameterName(*axis.parameter);
+}
+
+const Unit& axisUnit(const SweepAxis& axis, const ShownUnits& units) {
+    const auto kind = kindOf(*axis.parameter);
+    const auto own = kind ? units.chosen.find(*kind) : units.chosen.end();
+    return own != units.chosen.end() ? *own->second : customaryUnit(*axis.parameter, units.system);
+}
+
+/// Of a result in SI, from the unit of what is dimensionless.
+ShownUnit inSi(ShownUnit unit, double scale) {
+    unit.factor /= scale;
+    return unit;
+}
+
+}  // namespace
+
+double MapColours::share(double value) const {
+    if (!level) return 2 * (value - least) / (largest - least) - 1;
+    const double side = leastSide * (largest - least);
+    if (value < *level) return (value - *level) / std::max(*level - least, side);
+    return (value - *level) / std::max(largest - *level, side);
+}
+
+// Made once: a millisecond of colour spaces.
+const ColourScale& MapColours::scale() const {
+    static const ColourScale aboutLevel = ColourScale::aboutLevel(), ramp = ColourScale::ramp();
+    return level ? aboutLevel : ramp;
+}
+
+QCPColorGradient MapColours::gradient() const {
+    constexpr int stops = 128;
+    const ColourScale& colours = scale();
+    QMap<double, QColor> map;
+    for (int i = 0; i <= stops; ++i)
+        map[double(i) / stops] =
+            QColor::fromRgb(colours.colour(share(least + (largest - least) * i / stops)));
+    QCPColorGradient gradient;
+    gradient.setColorStops(map);
+    return gradient;
+}
+
+QString MapPicture::xLabel() const {
+    return label(name(report->study.x), x);
+}
+
+QString MapPicture::yLabel() const {
+    return label(name(report->study.y), y);
+}
+
+QString MapPicture::outputLabel() const {
+    return label(outputName(*report->study.output.output), output);
+}
+
+QString MapPicture::xText(double si, const QLocale& locale) const {
+    return text(name(report->study.x), si, x, locale);
+}
+
+QString MapPicture::yText(double si, const QLocale& locale) const {
+    return text(name(report->study.y), si, y, locale);
+}
+
+QString MapPicture::outputText(double value, const QLocale& locale) const {
+    return text(outputName(*report->study.output.output), value, output, locale);
+}
+
+std::optional<double> decisiveLevel(const Output& output) {
+    if (output.name == "cor") return 1;
+    if (output.name == "thrust_margin") return 0;
+    return std::nullopt;
+}
+
+OutputUnits mapUnits(const Output& output, UnitSystem system) {
+    const bool isNumber = output.quantity() == Quantity::ratio;
+    return isNumber || system == UnitSystem::dimensionless ? OutputUnits::dimensionless : OutputUnits::si;
+}
+
+ShownUnit mapUnit(const OutputColumn& output, const Scenario& scenario, const ShownUnits& units) {
+    constexpr double aThrust = 1e4, aPower = 1e4, aRate = 1e-2;  // [N], [W], [m/s]: sizes usual with drills
+    const Scales scales = output.units == OutputUnits::si ? scalesOf(scenario) : Scales{};
+    switch (output.output->measure) {
+        case Measure::number:
+        case Measure::error:
+        case Measure::work:
+        case Measure::share:
+            return {};
+        case Measure::time:
+            return inSi(units.time, scales.time);
+        case Measure::impulse:
+            return inSi(units.impulse, scales.impulse);
+        case Measure::force:
+            return inSi(units.force, scales.force);
+        case Measure::penetration:
+            return inSi(units.penetration, scales.penetration);
+        case Measure::stress:
+            return inSi(units.stress, scales.stress);
+        case Measure::newton:
+            return units.of(UnitKind::force, aThrust);
+        case Measure::watt:
+            return units.of(UnitKind::power, aPower);
+        case Measure::speed:
+            return units.of(UnitKind::rate, aRate);
+    }
+    return {};
+}
+
+MapPicture mapPicture(std::shared_ptr<const MapReport> report, const ShownUnits& units) {
+    const MapStudy& study = report->study;
+    const Unit &xUnit = axisUnit(study.x, units), &yUnit = axisUnit(study.y, units);
+    MapPicture picture{.report = report,
+                       .xUnit = &xUnit,
+                       .yUnit = &yUnit,
+                       .x = shownUnit(xUnit),
+                       .y = shownUnit(yUnit),
+                       .output = mapUnit(study.output, study.base, units),
+                       .colours = {}};
+    if (const std::optional<MapGrid::Extent>& extent = report->grid.extent()) {
+        MapColours& colours = picture.colours;
+        colours.level = decisiveLevel(*study.output.output);
+        colours.least = extent->least;
+        colours.largest = extent->largest;
+        if (!(colours.largest > colours.least)) {
+            const double room = std::max(std::abs(colours.least), 1.0) / 100;
+            colours.least -= room;
+            colours.largest += room;
+        }
+    }
+    return picture;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is drawn of a map: its values in the units on show, and which colour stands for which.
+#pragma once
+
+#include <QPointF>
+#include <QString>
+#include <memory>
+#include <optional>
+
+#include "core/report/map_report.h"
+#include "ui/plot/colour_scale.h"
+#include "ui/text/shown_units.h"
+
+class QCPColorGradient;
+
+namespace drillwave {
+
+/// How values become colours: about a level that matters, or from the smallest to the largest.
+struct MapColours {
+    double least = 0;             ///< in the units of the map, as the next two
+    double largest = 1;           ///< > least
+    std::optional<double> level;  ///< that matters: e = 1, margin 0
+
+    /// Of a value, −1 … 1 for ColourScale::colour(); NaN for none.
+    double share(double value) const;
+    const ColourScale& scale() const;
+    /// For a bar from `least` to `largest`.
+    QCPColorGradient gradient() const;
+};
+
+/// A map and the units in which it is shown: shown = value in the map · factor.
+struct MapPicture {
+    std::shared_ptr<const MapReport> report;
+    const Unit* xUnit = nullptr;  ///< of the axes
+    const Unit* yUnit = nullptr;
+    ShownUnit x, y, output;  ///< without a `unit` for plain numbers
+    MapColours colours;
+
+    const MapGrid& grid() const { return report->grid; }
+    /// What the axes and the colours are called, with units.
+    QString xLabel() const;
+    QString yLabel() const;
+    QString outputLabel() const;
+    /// "k = 120 MN/m", "COR e = 0.4297".
+    QString xText(double si, const QLocale& locale) const;
+    QString yText(double si, const QLocale& locale) const;
+    QString outputText(double value, const QLocale& locale) const;
+};
+
+/// The level of an output that decides something: 1 of e, 0 of the margin of the thrust.
+std::optional<double> decisiveLevel(const Output& output);
+
+/// In which numbers a map of an output is asked for where results are shown in such units.
+OutputUnits mapUnits(const Output& output, UnitSystem system);
+
+/// The unit in which such a map is shown.
+ShownUnit mapUnit(const OutputColumn& output, const Scenario& scenario, const ShownUnits& units);
+
+/// `units` are those on show. The report has points.
+MapPicture mapPicture(std::shared_ptr<const MapReport> report, const ShownUnits& units);
+
+}  // namespace drillwave

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/map/map_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/pages/map/map_crosshair.h"
+#include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr double cutShare = 0.28;  // of the map's size
+
+QCPAxisRect* newRect(QCustomPlot* plot) {
+    auto* rect = new QCPAxisRect(plot);
+    rect->setupFullAxesBox(false);
+    // Drawn in the order of these lines: axes() comes in another order in every run of the program.
+    for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight, QCPAxis::atTop, QCPAxis::atBottom}) {
+        rect->axis(side)->setLayer(QStringLiteral("axes"));
+        rect->axis(side)->grid()->setLayer(QStringLiteral("grid"));
+    }
+    for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) rect->axis(side)->setTicks(false);
+    return rect;
+}
+
+void setScale(QCPAxis* axis, SweepAxis::Kind kind) {
+    const bool logarithmic = kind == SweepAxis::Kind::logarithmic;
+    axis->setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    axis->setTicker(logarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
+                                : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+}
+
+QCPRange rangeOf(const SweepAxis& axis, double factor) {
+    QCPRange range(axis.start * factor, axis.stop * factor);
+    range.normalize();
+    if (range.size() > 0) return range;
+    const double room = range.lower == 0 ? 1 : std::abs(range.lower) / 20;  // a map of one value
+    return {range.lower - room, range.upper + room};
+}
+
+bool isSameMap(const MapPicture& a, const MapPicture& b) {
+    const auto isSameAxis = [](const SweepAxis& one, const SweepAxis& other) {
+        return one.parameter == other.parameter && one.kind == other.kind && one.start == other.start &&
+               one.stop == other.stop;
+    };
+    return isSameAxis(a.report->study.x, b.report->study.x) &&
+           isSameAxis(a.report->study.y, b.report->study.y) && a.x == b.x && a.y == b.y;
+}
+
+/// Lines one after the other, with gaps between.
+QVector<QCPCurveData> curveData(const Contour& contour, const MapPicture& picture) {
+    QVector<QCPCurveData> data;
+    for (const ContourLine& line : contour.lines) {
+        if (!data.isEmpty()) data.append(QCPCurveData(double(data.size()), qQNaN(), qQNaN()));
+        for (const ContourPoint& point : line)
+            data.append(
+                QCPCurveData(double(data.size()), point.x * picture.x.factor, point.y * picture.y.factor));
+    }
+    return data;
+}
+
+/// The first solid, others dashed.
+QPen contourPen(const PlotStyle& style, int number) {
+    QPen pen(style.text, 1.8);
+    if (number % 3 == 1) pen.setDashPattern({6, 3});
+    if (number % 3 == 2) pen.setDashPattern({2, 2});
+    return pen;
+}
+
+/// The middle of the longest line: where its name stands.
+QPointF middleOf(const Contour& contour, const MapPicture& picture) {
+    const auto longest = std::ranges::max_element(contour.lines, {}, &ContourLine::size);
+    const ContourPoint& point = (*longest)[longest->size() / 2];
+    return {point.x * picture.x.factor, point.y * picture.y.factor};
+}
+
+}  // namespace
+
+MapPlot::MapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
+    plot->setAutoAddPlottableToLegend(false);
+    plot->plotLayout()->clear();
+    addRects();
+    m_raster = new MapRaster(plot, m_map);
+    m_raster->setLayer(QStringLiteral("background"));
+    linkAxes();
+    m_alongX = plot->addGraph(m_below->axis(QCPAxis::atBottom), m_below->axis(QCPAxis::atLeft));
+    m_alongX->setAdaptiveSampling(true);
+    m_alongY = new QCPCurve(m_beside->axis(QCPAxis::atBottom), m_beside->axis(QCPAxis::atLeft));
+    m_crosshair = new MapCrosshair(plot, m_map, m_below, m_beside);
+    m_message = new PlotMessage(plot);
+    for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_map->axis(side));
+    m_view->setEmpty(true);
+    setStyle(PlotStyle::forPaper());
+    m_bar->setVisible(false);
+}
+
+void MapPlot::addRects() {
+    m_map = newRect(m_plot);
+    m_below = newRect(m_plot);
+    m_beside = newRect(m_plot);
+    m_bar = new QCPColorScale(m_plot);
+    m_bar->setType(QCPAxis::atRight);
+    m_bar->setBarWidth(14);
+    m_bar->setRangeDrag(false);
+    m_bar->setRangeZoom(false);
+    QCPLayoutGrid* grid = m_plot->plotLayout();
+    grid->addElement(0, 0, m_map);
+    grid->addElement(0, 1, m_beside);
+    grid->addElement(0, 2, m_bar);
+    grid->addElement(1, 0, m_below);
+    grid->setColumnStretchFactor(1, cutShare);
+    grid->setColumnStretchFactor(2, 1e-3);
+    grid->setRowStretchFactor(1, cutShare);
+    grid->setColumnSpacing(0);
+    grid->setRowSpacing(0);
+    auto* sides = new QCPMarginGroup(m_plot);
+    auto* ends = new QCPMarginGroup(m_plot);
+    for (QCPAxisRect* rect : {m_map, m_below}) rect->setMarginGroup(QCP::msLeft | QCP::msRight, sides);
+    for (QCPLayoutElement* element : std::initializer_list<QCPLayoutElement*>{m_map, m_beside, m_bar})
+        element->setMarginGroup(QCP::msTop | QCP::msBottom, ends);
+    for (QCPAxisRect* rect : {m_map, m_below, m_beside}) rect->setMinimumMargins(QMargins(4, 10, 12, 4));
+    m_below->setMinimumMargins(QMargins(4, 4, 12, 4));
+    m_map->axis(QCPAxis::atBottom)->setTickLabels(false);  // they stand below the cut
+    m_beside->axis(QCPAxis::atLeft)->setTickLabels(false);
+    m_beside->axis(QCPAxis::atBottom)->ticker()->setTickCount(3);
+    m_below->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
+}
+
+// The cuts go along with the map.
+void MapPlot::linkAxes() {
+    using Changed = void (QCPAxis::*)(const QCPRange&);
+    constexpr auto changed = static_cast<Changed>(&QCPAxis::rangeChanged);
+    const auto link = [&](QCPAxis* a, QCPAxis* b) {
+        connect(a, changed, b, [b](const QCPRange& range) { b->setRange(range); });
+        connect(b, changed, a, [a](const QCPRange& range) { a->setRange(range); });
+        connect(a, &QCPAxis::scaleTypeChanged, b, [b](QCPAxis::ScaleType type) { b->setScaleType(type); });
+    };
+    link(m_map->axis(QCPAxis::atBottom), m_below->axis(QCPAxis::atBottom));
+    link(m_map->axis(QCPAxis::atLeft), m_beside->axis(QCPAxis::atLeft));
+}
+
+void MapPlot::present(const MapPicture& picture) {
+    const bool isOther = !m_picture || !isSameMap(*m_picture, picture);
+    m_picture = picture;
+    m_message->hide();
+    m_bar->setVisible(true);
+    m_view->setEmpty(false);
+    m_raster->present(&picture);
+    if (isOther) {
+        const MapStudy& study = picture.report->study;
+        m_view->adjust([&] {
+            for (QCPAxisRect* rect : {m_map, m_below}) setScale(rect->axis(QCPAxis::atBottom), study.x.kind);
+            for (QCPAxisRect* rect : {m_map, m_beside}) setScale(rect->axis(QCPAxis::atLeft), study.y.kind);
+        });
+        placePresets();
+    }
+    setLabels();
+    showContours();
+    showCuts();
+    m_summary = summary();
+    if (m_view->isFitted() || isOther) fit();
+}
+
+void MapPlot::showNothing(const QString& message) {
+    m_picture.reset();
+    m_view->setEmpty(true);
+    m_raster->present(nullptr);
+    m_bar->setVisible(false);
+    m_alongX->data()->clear();
+    m_alongY->data()->clear();
+    showContours();
+    placePresets();
+    m_crosshair->setPlace({});
+    m_summary = message;
+    m_message->show(message);
+}
+
+void MapPlot::setLabels() {
+    const MapPicture& picture = *m_picture;
+    const double factor = picture.output.factor;
+    const QCPRange values(picture.colours.least * factor, picture.colours.largest * factor);
+    m_map->axis(QCPAxis::atLeft)->setLabel(picture.yLabel());
+    m_below->axis(QCPAxis::atBottom)->setLabel(picture.xLabel());
+    m_below->axis(QCPAxis::atLeft)->setLabel(picture.outputLabel());
+    m_beside->axis(QCPAxis::atBottom)->setLabel(picture.outputLabel());
+    m_bar->setLabel(picture.outputLabel());
+    m_bar->setGradient(picture.colours.gradient());
+    m_bar->setDataRange(values);
+    const double room = 0.05 * values.size();
+    m_below->axis(QCPAxis::atLeft)->setRange(values.lower - room, values.upper + room);
+    m_beside->axis(QCPAxis::atBottom)->setRange(values.lower - room, values.upper + room);
+}
+
+void MapPlot::showContours() {
+    for (QCPCurve* curve : m_contours) m_plot->removePlottable(curve);
+    for (QCPItemText* text : m_levels) m_plot->removeItem(text);
+    m_contours.clear();
+    m_levels.clear();
+    if (!m_picture) return;
+    int number = 0;
+    for (const Contour& contour : m_picture->report->contours) {
+        if (contour.lines.empty()) continue;
+        const QVector<QCPCurveData> data = curveData(contour, *m_picture);
+        QColor halo = m_style.background;
+        halo.setAlpha(200);
+        for (const QPen& pen : {QPen(halo, 4), contourPen(m_style, number)}) {
+            auto* curve = new QCPCurve(m_map->axis(QCPAxis::atBottom), m_map->axis(QCPAxis::atLeft));
+            curve->setSelectable(QCP::stNone);
+            curve->setPen(pen);
+            curve->data()->set(data, true);
+            m_contours.append(curve);
+        }
+        auto* text = new QCPItemText(m_plot);
+        text->setSelectable(false);
+        text->setClipAxisRect(m_map);
+        text->position->setAxes(m_map->axis(QCPAxis::atBottom), m_map->axis(QCPAxis::atLeft));
+        text->position->setAxisRect(m_map);
+        text->position->setCoords(middleOf(contour, *m_picture));
+        text->setText(numberText(contour.level * m_picture->output.factor, 4, m_plot->locale()));
+        text->setPadding(QMargins(4, 1, 4, 1));
+        text->setFont(m_style.font);
+        text->setColor(m_style.text);
+        text->setBrush(halo);
+        m_levels.append(text);
+        ++number;
+    }
+}
+
+// Through the row and the column of points nearest to the crosshair.
+void MapPlot::showCuts() {
+    if (!m_picture) return;
+    const MapGrid& grid = m_picture->grid();
+    m_cut = MapGrid::Place{grid.columns() / 2, grid.rows() / 2};
+    if (const auto& here = m_crosshair->place())
+        if (const auto found = pointAt(*here)) m_cut = found;
+    const double factor = m_picture->output.factor;
+    QVector<QCPGraphData> alongX;
+    for (std::size_t column = 0; column < grid.columns(); ++column)
+        if (grid.isThere(column, m_cut->row))
+            alongX.append({grid.xs()[column] * m_picture->x.factor, grid.value(column, m_cut->row) * factor});
+    QVector<QCPCurveData> alongY;
+    for (std::size_t row = 0; row < grid.rows(); ++row)
+        if (grid.isThere(m_cut->column, row))
+            alongY.append(
+                {double(row), grid.value(m_cut->column, row) * factor, grid.ys()[row] * m_picture->y.factor});
+    m_alongX->data()->set(alongX);
+    m_alongX->setName(tr("at %1").arg(m_picture->yText(grid.ys()[m_cut->row], m_plot->locale())));
+    m_alongY->data()->set(alongY, true);
+}
+
+void MapPlot::setHere(const std::optional<QPointF>& place) {
+    m_crosshair->setPlace(place);
+    if (m_picture && place && pointAt(*place) != m_cut) {
+        showCuts();
+        if (m_plot->isVisible()) m_plot->replot(QCustomPlot::rpQueuedReplot);
+    }
+}
+
+void MapPlot::setPresets(const std::vector<PresetPoint>& presets) {
+    if (presets == m_presets) return;
+    m_presets = presets;
+    placePresets();
+}
+
+void MapPlot::placePresets() {
+    for (QCPAbstractItem* item : m_presetItems) m_plot->removeItem(item);
+    m_presetItems.clear();
+    if (!m_picture) return;
+    QColor behind = m_style.background;
+    behind.setAlpha(170);
+    bool above = false;  // names of neighbours stand on different sides
+    for (const PresetPoint& preset : m_presets) {
+        const QPointF at(preset.x * m_picture->x.factor, preset.y * m_picture->y.factor);
+        const auto column = AxisPlaces(m_picture->report->study.x).nearest(preset.x);
+        const bool leftward = column && 4 * *column > 3 * m_picture->grid().columns();
+        above = !above;
+        auto* mark = new QCPItemTracer(m_plot);
+        mark->setStyle(QCPItemTracer::tsSquare);
+        mark->setSize(7);
+        auto* text = new QCPItemText(m_plot);
+        text->setText(preset.name);
+        text->setPositionAlignment((leftward ? Qt::AlignRight : Qt::AlignLeft) |
+                                   (above ? Qt::AlignBottom : Qt::AlignTop));
+        text->setPadding(QMargins(6, 4, 6, 4));
+        for (QCPItemPosition* position : {mark->position, text->position}) {
+            position->setType(QCPItemPosition::ptPlotCoords);
+            position->setAxes(m_map->axis(QCPAxis::atBottom), m_map->axis(QCPAxis::atLeft));
+            position->setAxisRect(m_map);
+            position->setCoords(at);
+        }
+        for (QCPAbstractItem* item :
+             {static_cast<QCPAbstractItem*>(mark), static_cast<QCPAbstractItem*>(text)}) {
+            item->setSelectable(false);
+            item->setClipAxisRect(m_map);
+            m_presetItems.append(item);
+        }
+        mark->setPen(QPen(m_style.text, 1.5));
+        mark->setBrush(m_style.background);
+        text->setFont(m_style.font);
+        text->setColor(m_style.text);
+        text->setBrush(behind);
+    }
+}
+
+void MapPlot::setStyle(const PlotStyle& style) {
+    m_style = style;
+    m_message->setStyle(style);
+    m_plot->setBackground(style.background);
+    QCPAxisRect* bar = m_bar->axis()->axisRect();
+    for (QCPAxisRect* rect : {m_map, m_below, m_beside, bar}) style.applyTo(*rect);
+    for (QCPAxis* axis : m_map->axes()) axis->grid()->setVisible(false);
+    for (QCPAxis* axis : m_map->axes() + bar->axes()) {
+        // Outside: inside they would be lost in the colours.
+        axis->setTickLength(0, axis->tickLabels() ? 4 : 0);
+        axis->setSubTickLength(0, axis->tickLabels() ? 2 : 0);
+    }
+    m_alongX->setPen(style.linePen(0));
+    m_alongY->setPen(style.linePen(0));
+    m_raster->setStyle(style);
+    m_crosshair->setStyle(style);
+    showContours();
+    placePresets();
+    if (m_picture) m_summary = summary();  // files have another locale
+}
+
+void MapPlot::fit() {
+    m_view->fit([&] {
+        if (!m_picture) return;
+        const MapStudy& study = m_picture->report->study;
+        m_map->axis(QCPAxis::atBottom)->setRange(rangeOf(study.x, m_picture->x.factor));
+        m_map->axis(QCPAxis::atLeft)->setRange(rangeOf(study.y, m_picture->y.factor));
+    });
+}
+
+std::optional<MapGrid::Place> MapPlot::pointAt(QPointF shown) const {
+    if (!m_picture) return std::nullopt;
+    const auto column = AxisPlaces(m_picture->report->study.x).nearest(shown.x() / m_picture->x.factor);
+    const auto row = AxisPlaces(m_picture->report->study.y).nearest(shown.y() / m_picture->y.factor);
+    if (!column || !row) return std::nullopt;
+    return MapGrid::Place{*column, *row};
+}
+
+QString MapPlot::readout(QPointF pixel) const {
+    if (!m_picture || !m_map->rect().contains(pixel.toPoint())) return {};
+    const auto place = pointAt({m_map->axis(QCPAxis::atBottom)->pixelToCoord(pixel.x()),
+                                m_map->axis(QCPAxis::atLeft)->pixelToCoord(pixel.y())});
+    if (!place) return {};
+    const MapGrid& grid = m_picture->grid();
+    const QLocale locale = m_plot->locale();
+    const double value = grid.value(place->column, place->row);
+    QString result = m_picture->outputText(value, locale);
+    if (!grid.isThere(place->column, place->row))
+        result = tr("not solved yet");
+    else if (const auto reason = grid.reason(place->column, place->row); !reason.empty())
+        result = tr("not solved: %1").arg(fromView(reason));
+    else if (std::isnan(value))
+        result = tr("no such result here");
+    return tr("%1 · %2 · %3")
+        .arg(m_picture->xText(grid.xs()[place->column], locale),
+             m_picture->yText(grid.ys()[place->row], locale), result);
+}
+
+QString MapPlot::summary() const {
+    const QLocale locale = m_plot->locale();
+    const MapGrid& grid = m_picture->grid();
+    const auto& extent = grid.extent();
+    if (!extent) return grid.failed() > 0 ? tr("No point could be solved.") : tr("The map follows.");
+    QString text = tr("%1 … %2").arg(m_picture->outputText(extent->least, locale),
+                                     numberText(extent->largest * m_picture->output.factor, 5, locale));
+    for (const Contour& contour : m_picture->report->contours)
+        if (contour.lines.empty())
+            text += tr(" · nowhere %1").arg(numberText(contour.level * m_picture->output.factor, 4, locale));
+    if (const auto failed = grid.failed(); failed > 0)
+        text += tr(" · %1 of %2 points not solved (hatched)").arg(failed).arg(grid.size());
+    return text;
+}
+
+}  // namespace drillwave

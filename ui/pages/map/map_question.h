@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The study of the page Map: what is asked, and the answer while it grows.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "core/report/map_report.h"
+#include "ui/job/study_job.h"
+
+namespace drillwave {
+
+/// What is asked.
+struct MapQuestion {
+    MapStudy study;
+    std::vector<double> levels;  ///< in the units of the map
+    int number = 0;              ///< of the page's questions
+    /// The number of the page's newest question: who sees that it is another one makes room for it.
+    std::shared_ptr<const std::atomic<int>> newest;
+
+    /// Whether the answer is the same. The two parameters that vary may have any value, so that a crosshair
+    /// that is dragged asks nothing new; the title does not matter.
+    bool operator==(const MapQuestion& other) const;
+};
+
+/// Throws nothing; a map that is stopped has the points that it has. What there is so far is shown within
+/// about 100 ms even where blows are slow, and after that now and then.
+MapReport answer(const MapQuestion& question, const StudyFeed<MapReport>& feed);
+
+}  // namespace drillwave
