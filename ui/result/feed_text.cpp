@@ -39,8 +39,12 @@ QString worstNeedText(const WorstNeed& worst, const SolvedBlow& blow) {
 }
 
 QString thrustInstalledText(const SolvedBlow& blow) {
-    const std::optional<double>& installed = blow.scenario.drill.thrust;
-    return installed ? forceText(*installed, blow) : QString();
+    const std::optional<FeedForce> feed = feedForceOf(blow.scenario);
+    if (!feed) return {};
+    const QString thrust = forceText(feed->thrust, blow);
+    if (!feed->weight) return thrust;
+    return QCoreApplication::translate("drillwave::FeedText", "%1, effective %2")
+        .arg(thrust, forceText(feed->effective(), blow));
 }
 
 QString thrustMarginText(const SolvedBlow& blow) {

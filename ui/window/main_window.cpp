@@ -70,7 +70,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
       m_pages(new PageTabs(this)),
       m_solveStatus(new SolveStatus(this)),
       m_studyStatus(new StudyStatus(this)),
-      m_layout(new WindowLayout(this, m_pages)) {
+      m_layout(new WindowLayout(this)) {
     m_job->setParent(this);
     const Example& example = defaultExample();
     m_document.startFrom(example.text, QString::fromStdString(example.name));

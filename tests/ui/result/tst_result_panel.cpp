@@ -138,6 +138,17 @@ class TestResultPanel : public QObject {
         QVERIFY(!panel.text().contains("Thrust"));
     }
 
+    // Straight up, half a ton less of it.
+    void weightAlongTheHoleIsToldBesideTheThrust() {
+        Scenario scenario = drillOf(8e3);
+        scenario.drill.inclination = -90;
+        scenario.drill.machineMass = 500 - propertiesOf(scenario.rod).mass;
+        ResultPanel panel;
+        panel.present(solved(scenario, UnitSystem::si));
+        QCOMPARE(valueOf(panel, "Thrust: installed"), QString("8 kN, effective 3.097 kN"));
+        QVERIFY2(valueOf(panel, "Thrust: margin").startsWith("−"), qPrintable(panel.text()));
+    }
+
     void whatADrillerDecidesByComesFirst() {
         ResultPanel panel;
         panel.present(solved(drillOf(8e3), UnitSystem::si));

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/thrust/missing_fields.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 
 #include "core/model/parameter.h"
 #include "ui/form/quantity_field.h"
+#include "ui/pages/study/flow_layout.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
 
 MissingFields::MissingFields(const std::vector<std::string_view>& keys, QWidget* parent) : QWidget(parent) {
-    auto* layout = new QHBoxLayout(this);
+    auto* layout = new FlowLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
     for (const std::string_view key : keys) {
         const Parameter& parameter = *findParameter(key);
         auto* label = new QLabel(tr("enter the %1:").arg(parameterName(parameter)), this);
@@ -35,6 +34,7 @@ MissingFields::MissingFields(const std::vector<std::string_view>& keys, QWidget*
             layout->addWidget(part);
         m_fields.push_back({&parameter, label, field, field->unitButton()});
     }
+    hide();  // until something is missing: a page keeps no room for it
 }
 
 void MissingFields::present(const Scenario& scenario) {

@@ -51,7 +51,7 @@ bool ThrustDrag::eventFilter(QObject* /*watched*/, QEvent* event) {
         m_dragging = true;
         m_grabbedAt = *m_plot.heightAboveFeed(mouse->position());
         m_widget.setFocus(Qt::MouseFocusReason);
-        emit begun();
+        emit begun(m_widget.yAxis->pixelToCoord(mouse->position().y() + m_grabbedAt));
         return true;
     }
     if (m_dragging) {

@@ -23,9 +23,10 @@ class ThrustDrag : public QObject {
     void setEnabled(bool enabled);
 
   signals:
-    /// The user has taken hold of it: the moves that follow belong together.
-    void begun();
-    /// To that force, in shown units.
+    /// The user has taken hold of the line where it is at that force, in shown units: the moves that follow
+    /// belong together.
+    void begun(double force);
+    /// That point of the line has been moved to that force.
     void moved(double force);
 
   protected:

@@ -9,6 +9,7 @@
 #include "core/file/result_scenario.h"
 #include "core/report/blow_csv.h"
 #include "core/report/feed_words.h"
+#include "core/report/thrust_report.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/thrust/missing_fields.h"
 #include "ui/pages/thrust/thrust_drag.h"
@@ -61,8 +62,8 @@ ThrustPage::ThrustPage(Document& document, QWidget* parent)
     connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
         if (isVisible()) present();
     });
-    connect(m_drag, &ThrustDrag::begun, this, [this] { m_gesture = this->document().newGesture(); });
-    connect(m_drag, &ThrustDrag::moved, this, &ThrustPage::takeForce);
+    connect(m_drag, &ThrustDrag::begun, this, &ThrustPage::hold);
+    connect(m_drag, &ThrustDrag::moved, this, &ThrustPage::moveHeld);
 }
 
 void ThrustPage::ask() {
@@ -106,6 +107,8 @@ void ThrustPage::draw(const ThrustAnswer& answer) {
     const std::optional<GapAtBlow>& gap = answer.here.need(ThrustCase::scenario).gapAtBlow;
     if (gap && gap->motion.kind == UndampedMotion::Kind::bouncing)
         words += QLatin1Char(' ') + QString::fromStdString(gapAtBlowSentence(*gap));
+    if (const std::string margin = marginSentence(answer.here.needs); !margin.empty())
+        words += QLatin1Char(' ') + QString::fromStdString(margin);
     say(words);
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -136,13 +139,18 @@ void ThrustPage::takeParameter(double shown) {
            readable(shown, axis, axis.coordToPixel(shown)) / m_units.along.factor}});
 }
 
-// The line is the effective force: the weight along the hole stays, and the thrust follows the hand.
-void ThrustPage::takeForce(double shown) {
-    const std::optional<FeedForce> feed = feedForceOf(scenario());
-    if (!feed) return;
+void ThrustPage::hold(double shownForce) {
+    m_held = {document().newGesture(), scenario().drill.thrust.value_or(0),
+              shownForce / m_units.force.factor};
+}
+
+// The line is the effective force, wherever it was taken hold of: the thrust moves by as much.
+void ThrustPage::moveHeld(double shownForce) {
     const QCPAxis& axis = *plot()->yAxis;
-    const double force = readable(shown, axis, axis.coordToPixel(shown)) / m_units.force.factor;
-    document().assign(*findParameter(thrustKey), std::max(0.0, force - feed->weight.value_or(0)), m_gesture);
+    const double thrust = m_held.thrust + shownForce / m_units.force.factor - m_held.force;
+    const double shown = std::max(0.0, thrust * m_units.force.factor);
+    document().assign(*findParameter(thrustKey),
+                      readable(shown, axis, axis.coordToPixel(shown)) / m_units.force.factor, m_held.gesture);
 }
 
 QList<PageExport> ThrustPage::exports() const {

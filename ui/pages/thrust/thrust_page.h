@@ -38,7 +38,8 @@ class ThrustPage : public StudyPage {
     void placeHere(const ThrustAnswer& answer);
     void showNothing(const QString& why);
     void takeParameter(double shown);
-    void takeForce(double shown);
+    void hold(double shownForce);
+    void moveHeld(double shownForce);
 
     AxisFields* m_axis;
     MissingFields* m_missing;
@@ -46,7 +47,13 @@ class ThrustPage : public StudyPage {
     ThrustPlot* m_plot = nullptr;
     ThrustDrag* m_drag = nullptr;
     ThrustUnits m_units;
-    int m_gesture = 0;  // of the drag
+    // The line of the feed while it is dragged: the thrust, and the force where it was taken hold of [N].
+    struct Held {
+        int gesture = 0;
+        double thrust = 0;
+        double force = 0;
+    };
+    Held m_held;
     std::shared_ptr<const ThrustAnswer> m_shown;
     AskedStudy<ThrustQuestion, ThrustAnswer> m_study;  // goes first: its thread works
 };

@@ -7,6 +7,12 @@
 #include "core/blow/thrust.h"
 
 namespace drillwave {
+namespace {
+
+// A scenario may be large, and each look at the study is a copy of it.
+constexpr std::size_t pointsAtATime = 8;
+
+}  // namespace
 
 SweepAxis axisOf(const StudyRange& range) {
     const ParsedAxis parsed = parseAxis(range.text() + range.tail(), customaryThrustPoints);
@@ -27,6 +33,7 @@ ThrustAnswer ThrustStudent::answer(const ThrustQuestion& question, const StudyFe
     found.along.curve = thrustAlong(question.scenario, parameter, valuesOf(found.along.axis), m_finder,
                                     feed.stop, [&](const ThrustCurve& soFar) {
                                         feed.tell({soFar.points.size(), wanted});
+                                        if (soFar.points.size() % pointsAtATime != 0) return;
                                         found.along.curve = soFar;
                                         feed.show(found);
                                     });

@@ -67,7 +67,7 @@ ThrustTable::ThrustTable(QWidget* parent) : QTableWidget(rows, int(thrustCaseCou
     setTabKeyNavigation(false);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
     setWordWrap(false);
 }
 
@@ -108,7 +108,15 @@ void ThrustTable::clearNumbers() {
 
 // All rows in view, whatever the font.
 QSize ThrustTable::sizeHint() const {
-    return {500, horizontalHeader()->sizeHint().height() + verticalHeader()->length() + 2 * frameWidth()};
+    return {500, heightOf(verticalHeader()->length())};
+}
+
+QSize ThrustTable::minimumSizeHint() const {
+    return {200, heightOf(2 * verticalHeader()->defaultSectionSize())};
+}
+
+int ThrustTable::heightOf(int contents) const {
+    return horizontalHeader()->sizeHint().height() + contents + 2 * frameWidth();
 }
 
 }  // namespace drillwave

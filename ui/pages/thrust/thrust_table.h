@@ -20,9 +20,11 @@ class ThrustTable : public QTableWidget {
     void clearNumbers();
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return {200, sizeHint().height()}; }
+    /// Two rows; the others are scrolled to.
+    QSize minimumSizeHint() const override;
 
   private:
+    int heightOf(int contents) const;
     void setText(int row, ThrustCase which, const QString& text, const QString& more = {});
     void presentGap(ThrustCase which, const std::optional<GapAtBlow>& found, const ShownUnit& unit);
 };

@@ -9,6 +9,7 @@
 
 #include "core/file/examples.h"
 #include "core/report/feed_words.h"
+#include "core/report/thrust_report.h"
 #include "core/study/thrust/thrust_study.h"
 #include "tests/support/program.h"
 #include "tests/support/window.h"
@@ -20,6 +21,13 @@
 
 using namespace drillwave;
 using namespace drillwave::test;
+
+namespace {
+
+// For a study of a hundred points on a machine that is busy with other tests.
+constexpr int patience = 60'000;
+
+}  // namespace
 
 class TestThrustPage : public QObject {
     Q_OBJECT
@@ -36,6 +44,7 @@ class TestThrustPage : public QObject {
     void aDragBesideTheLineDoesNotMoveIt();
     void theLineOfTheFeedFollowsTheScenario();
     void weightAlongTheHoleStaysWhileTheThrustIsDragged();
+    void aCurvedLineIsDraggedWhereItWasTaken();
     void aClickTakesOverTheFrequencyThere();
     void whatLacksIsSaidAndCanBeEntered();
     void aDimensionlessScenarioIsToldWhatItNeeds();
@@ -68,7 +77,7 @@ void TestThrustPage::init() {
 void TestThrustPage::showPage() {
     m_page->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
-    QTRY_VERIFY(isAnswered());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     m_page->plot()->replot();
 }
 
@@ -126,7 +135,7 @@ void TestThrustPage::theExportIsWhatTheCopiedCommandWrites() {
     QVERIFY(m_document->save(path).isEmpty());
     m_page->show();
     chooseAxis(key, start, stop, logarithmic);
-    QTRY_VERIFY(isAnswered());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     const QString command = m_page->command();
     QVERIFY2(command.startsWith(QStringLiteral("drillwave thrust ") + path), qPrintable(command));
     QStringList typed = QProcess::splitCommand(QString(command).replace(QLatin1Char('\''), QLatin1Char('"')));
@@ -155,7 +164,8 @@ void TestThrustPage::theCurvesAreTheNeedsOfEachPoint() {
 void TestThrustPage::theTableAndTheSentenceAreThoseOfTheStudy() {
     showPage();
     const ThrustStudy study = studyThrust(m_document->scenario());
-    QCOMPARE(words().left(60), QString::fromStdString(feedSentence(study.verdict)).left(60));
+    QVERIFY2(words().startsWith(QString::fromStdString(feedSentence(study.verdict))), qPrintable(words()));
+    QVERIFY2(words().endsWith(QString::fromStdString(marginSentence(study.needs))), qPrintable(words()));
     auto* table = m_page->findChild<QTableWidget*>(QStringLiteral("needs"));
     for (const ThrustCase which : thrustCases) {
         const QString need = table->item(0, int(which))->text();
@@ -179,7 +189,7 @@ void TestThrustPage::draggingTheFeedIsOneUndoStep() {
     QVERIFY2(std::abs(after - expected) < 150, qPrintable(QString::number(after)));
     QCOMPARE(m_document->undoStack().count(), 1);
     drag(feedPixel() + QPointF(0, 60), -30);
-    QTRY_VERIFY(isAnswered());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     m_document->undoStack().undo();
     while (m_document->undoStack().canUndo()) m_document->undoStack().undo();
     QCOMPARE(*m_document->scenario().drill.thrust, before);
@@ -191,7 +201,7 @@ void TestThrustPage::aDragBesideTheLineDoesNotMoveIt() {
     QCOMPARE(m_document->undoStack().count(), 0);
     // Over the thrust itself the line is where thrust is what it is.
     chooseAxis("drill.thrust", 1000, 20'000, false);
-    QTRY_VERIFY(isAnswered());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     m_page->plot()->replot();
     drag(feedPixel(), 30);
     QCOMPARE(m_document->undoStack().count(), 0);
@@ -214,6 +224,22 @@ void TestThrustPage::weightAlongTheHoleStaysWhileTheThrustIsDragged() {
     const FeedForce after = *feedForceOf(m_document->scenario());
     QCOMPARE(*after.weight, *before.weight);
     QVERIFY(after.thrust < before.thrust && after.thrust > before.thrust - 2000);
+}
+
+// Over the inclination it is a curve: what is taken hold of stays in the hand.
+void TestThrustPage::aCurvedLineIsDraggedWhereItWasTaken() {
+    m_document->assign(*findParameter("drill.machine_mass"), 400, m_document->newGesture());
+    m_document->assign(*findParameter("drill.inclination"), 90, m_document->newGesture());
+    m_page->show();
+    chooseAxis("drill.inclination", -60, 60, false);
+    showPage();
+    const QPointF at = feedPixel();
+    drag(at, 25);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    m_page->plot()->replot();
+    const auto height = m_page->thrustPlot().heightAboveFeed(at + QPointF(0, 25));
+    QVERIFY(height);
+    QVERIFY2(std::abs(*height) <= 4, qPrintable(QString::number(*height)));  // of rounded pixels and thrusts
 }
 
 void TestThrustPage::aClickTakesOverTheFrequencyThere() {
@@ -243,7 +269,7 @@ void TestThrustPage::whatLacksIsSaidAndCanBeEntered() {
     QVERIFY(field->isVisible());  // not gone with the first digit
     QTest::keyClick(field, Qt::Key_Return);
     QCOMPARE(*m_document->scenario().drill.blowFrequency, 55.0);
-    QTRY_VERIFY(isAnswered());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     QVERIFY(!field->isVisible());
     QVERIFY2(words().contains(QStringLiteral("drill.thrust")), qPrintable(words()));
     QVERIFY(m_page->exports().first().obstacle().isEmpty());
