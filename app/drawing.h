@@ -17,11 +17,12 @@
 namespace drillwave {
 
 struct GapReport;
+struct MapReport;
 struct SweepRows;
 
 /// What a study has found. One that can be drawn has its line here, and its drawStudy() in
 /// ui/export/study_pictures.h.
-using StudyValue = std::variant<const GapReport*, const SweepRows*>;
+using StudyValue = std::variant<const GapReport*, const MapReport*, const SweepRows*>;
 
 /// Draws; what it draws with is another program's matter (desktop.h). All of them throw CommandError
 /// (unwritable output) where something could not be drawn, and give not all pictures after a stop.

@@ -4,6 +4,7 @@
 #include "ui/export/figure_plot.h"
 #include "ui/export/sweep_panels.h"
 #include "ui/pages/gap/gap_plot.h"
+#include "ui/pages/map/map_plot.h"
 
 namespace drillwave {
 namespace {
@@ -28,6 +29,13 @@ ShownUnits unitsFor(const Scenario& scenario) {
 Pictures drawStudy(const GapReport& report, const PictureOrder& order) {
     return drawnBy<GapPlot>(gapPicture(report, GapOutput::cor, unitsFor(report.scenario)), {180, 110},
                             report.scenario.title, order);
+}
+
+// The report outlives the picture.
+Pictures drawStudy(const MapReport& report, const PictureOrder& order) {
+    const std::shared_ptr<const MapReport> shared(std::shared_ptr<const MapReport>(), &report);
+    return drawnBy<MapPlot>(mapPicture(shared, unitsFor(report.study.base)), {180, 140},
+                            report.study.base.title, order);
 }
 
 Pictures drawStudy(const SweepRows& rows, const PictureOrder& order) {

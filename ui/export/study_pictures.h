@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/report/gap_report.h"
+#include "core/report/map_report.h"
 #include "core/study/rows/sweep_rows.h"
 #include "ui/export/pictures.h"
 
@@ -10,6 +11,7 @@ namespace drillwave {
 
 /// What the page of each study shows at first, in naturalUnits(); see renderPictures().
 Pictures drawStudy(const GapReport& report, const PictureOrder& order);
+Pictures drawStudy(const MapReport& report, const PictureOrder& order);
 /// Has no page: the rows as curves, see sweepPanels().
 Pictures drawStudy(const SweepRows& rows, const PictureOrder& order);
 
