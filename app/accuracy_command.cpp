@@ -8,6 +8,7 @@
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
+#include "app/study_plots.h"
 #include "core/file/result_scenario.h"
 #include "core/report/accuracy_json.h"
 #include "core/report/accuracy_text.h"
@@ -55,16 +56,20 @@ Accuracy measure(const Scenario& scenario, const std::vector<int>& ladder, const
     return accuracy;
 }
 
-ExitCode runAccuracy(const Arguments& arguments, const Drawing*) {
+ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const std::vector<int> ladder = ladderOf(arguments);
     const std::string directory = arguments.value("o").value_or(std::string());
+    const StudyPlots plots = StudyPlots::inFolder(arguments, "accuracy");
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     const bool inFolder = !directory.empty() && directory != "-";
     if (inFolder) {
         checkOutputIsNoInput(directory + "/" + csvName, path, document);
-        checkFolder(directory, {csvName}, overwrite);
+        std::vector<std::string> names = plots.names();
+        names.push_back(csvName);
+        checkFolder(directory, names, overwrite);
+        plots.check(path, document, overwrite);
     }
 
     const Interruption interruption;
@@ -79,7 +84,11 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing*) {
         writeFile("-", csv, Overwrite::allowed);
         return ExitCode::done;
     }
-    if (inFolder) writeFolder(directory, {{{csvName, csv}}, {}}, overwrite, interruption);
+    if (inFolder) {
+        FolderFiles folder{plots.draw(&accuracy, drawing, interruption), {}};
+        folder.files.push_back({csvName, csv});
+        writeFolder(directory, folder, overwrite, interruption);
+    }
     writeFile("-",
               arguments.has("json") ? accuracyJson(document.scenario, scenario, accuracy)
                                     : accuracyText(document.scenario, accuracy),
@@ -101,10 +110,11 @@ const Command& accuracyCommand() {
             {{"segments", "A,B,C", "of the lattice, in place of 100 to 20000"},
              {"json", "", "print one JSON object in place of the table"},
              {"o", "DIR", "also write accuracy.csv into DIR; - prints it instead of the table"},
+             plotsOptionSpec(),
              {"force", "", "overwrite an existing file"}}),
         .leastOperands = 1,
         .mostOperands = 1,
-        .draws = [](const Arguments&) { return false; },
+        .draws = asksForPlots,
         .run = runAccuracy,
     };
     return command;

@@ -68,13 +68,6 @@ Blow solve(const Scenario& scenario, const MethodChoice& choice, Detail detail, 
     return blow.runTime < quick ? solveOnce() : blow;
 }
 
-/// For the JSON, which has all outputs.
-void addThrustMargin(Blow& blow, const std::stop_token& stop) {
-    if (!blow.isSolved()) return;
-    blow.thrustMargin =
-        ThrustMargins().of(blow.scenario, blow.solved, {blow.impact.cor, blow.impact.corError}, stop);
-}
-
 void writeFiles(const RunFiles& files, const SolvedRun& run, const Drawing* drawing,
                 const Interruption& interruption) {
     std::vector<NamedFile> pictures;

@@ -6,6 +6,7 @@
 #include "app/interruption.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
+#include "app/study_plots.h"
 #include "core/report/stability_report.h"
 
 namespace drillwave {
@@ -14,20 +15,37 @@ namespace {
 
 constexpr char csvName[] = "stability.csv";
 
-ExitCode runStability(const Arguments& arguments, const Drawing*) {
+ExitCode endOf(const StabilityReport& report) {
+    return report.failed() + report.notSolved() > 0 ? ExitCode::unsolvedOrFailed : ExitCode::done;
+}
+
+ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
-    const std::optional<std::string> directory = arguments.value("o");
-    if (directory) checkFolder(*directory, {csvName}, overwrite);
+    const std::string directory = arguments.value("o").value_or(std::string());
+    const bool inFolder = !directory.empty() && directory != "-";
+    const StudyPlots plots = StudyPlots::inFolder(arguments, "stability");
+    std::vector<std::string> names = plots.names();
+    names.push_back(csvName);
+    if (inFolder) checkFolder(directory, names, overwrite);
     const Interruption interruption;
     const std::vector<StabilityCase> cases = stabilityCases();
     ProgressBar bar(cases.size(), "cases");
     const int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     const StabilityReport report =
-        checkStability(cases, jobs, interruption.token(), [&bar](std::uint64_t done) { bar.show(done); });
+        checkStability(cases, jobs, interruption.token(),
+                       [&bar](const StabilityReport& soFar) { bar.show(soFar.rows.size()); });
     interruption.check();
-    if (directory) writeFolder(*directory, {{{csvName, stabilityCsv(report)}}, {}}, overwrite, interruption);
+    if (directory == "-") {
+        writeFile("-", stabilityCsv(report), Overwrite::allowed);
+        return endOf(report);
+    }
+    if (inFolder) {
+        FolderFiles folder{plots.draw(&report, drawing, interruption), {}};
+        folder.files.push_back({csvName, stabilityCsv(report)});
+        writeFolder(directory, folder, overwrite, interruption);
+    }
     writeFile("-", arguments.has("json") ? stabilityJson(report) : stabilityText(report), Overwrite::allowed);
-    return report.failed() + report.notSolved() > 0 ? ExitCode::unsolvedOrFailed : ExitCode::done;
+    return endOf(report);
 }
 
 }  // namespace
@@ -52,11 +70,12 @@ const Command& stabilityCommand() {
             "and\n"
             "tau below 0.1 with exponential and piston blows.",
         .options = {{"json", "", "print one JSON object with all cases"},
-                    {"o", "DIR", "write stability.csv into this folder"},
+                    {"o", "DIR", "write stability.csv into this folder; - prints it instead of the summary"},
+                    plotsOptionSpec(),
                     {"force", "", "overwrite an existing file"}},
         .leastOperands = 0,
         .mostOperands = 0,
-        .draws = [](const Arguments&) { return false; },
+        .draws = asksForPlots,
         .run = runStability,
     };
     return command;

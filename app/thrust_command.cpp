@@ -6,6 +6,7 @@
 #include "app/progress_bar.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
+#include "app/study_plots.h"
 #include "core/blow/thrust.h"
 #include "core/file/result_scenario.h"
 #include "core/model/parameter_text.h"
@@ -84,7 +85,7 @@ void checkQuestion(const Scenario& scenario, const std::optional<SweepAxis>& axi
     if (!problem.empty()) throw CommandError(ExitCode::invalidScenario, path + ": " + problem);
 }
 
-ExitCode runThrust(const Arguments& arguments, const Drawing*) {
+ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const std::optional<std::string> csvPath = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
@@ -93,6 +94,7 @@ ExitCode runThrust(const Arguments& arguments, const Drawing*) {
         throw CommandError(ExitCode::usage, "-o writes the table of --along; add --along KEY=START:STOP");
     if (arguments.has("force") && !csvPath)
         throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+    const StudyPlots plots = StudyPlots::besideFile(arguments);
     const int jobs = jobsOf(arguments);
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     ThrustReport report;
@@ -102,13 +104,15 @@ ExitCode runThrust(const Arguments& arguments, const Drawing*) {
     if (csvPath) {
         checkOutputIsNoInput(*csvPath, path, document);
         checkOverwrite(*csvPath, overwrite);
+        plots.check(path, document, overwrite);
     }
 
     const Interruption interruption;
     remarkOnValues(report.scenario, path);
     if (axis) report.along = ThrustAlong{*axis, curveAlong(report.scenario, *axis, jobs, interruption)};
     if (csvPath)
-        writeFile(*csvPath, scenarioHeader(report.scenarioText) + thrustCsv(*report.along), overwrite);
+        writeBeside(*csvPath, scenarioHeader(report.scenarioText) + thrustCsv(*report.along),
+                    plots.draw(&report, drawing, interruption), overwrite);
     if (csvPath != "-") {
         report.study = study(report.scenario, interruption);
         if (!report.study.reason.empty())
@@ -152,10 +156,11 @@ const Command& thrustCommand() {
              {"j", "N", "threads for --along, all of them if not given"},
              {"json", "", "print one JSON object in place of the tables"},
              {"o", "FILE.csv", "also write the table of --along; - prints it instead"},
+             plotsOptionSpec(),
              {"force", "", "overwrite an existing file"}}),
         .leastOperands = 1,
         .mostOperands = 1,
-        .draws = [](const Arguments&) { return false; },
+        .draws = asksForPlots,
         .run = runThrust,
     };
     return command;

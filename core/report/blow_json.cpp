@@ -21,7 +21,8 @@ Json outputJson(const Blow& blow, const Output& output, const Scales& scales) {
 JsonObject dimensionlessJson(const Blow& blow) {
     JsonObject object;
     for (const Output& output : outputs())
-        if (!output.isOnlySi()) object[output.name] = outputJson(blow, output, {});
+        if (!output.isOnlySi() && output.problem(blow.scenario).empty())
+            object[output.name] = outputJson(blow, output, {});
     return object;
 }
 

@@ -105,8 +105,7 @@ std::string verdict(const ThrustReport& report) {
         text += paragraph(gapAtBlowSentence(*gap));
     if (const std::optional<double> share = report.study.shareFull)
         text += paragraph("It is at least f I0 (1+e) at " + rounded(*share * 100, 4) +
-                          " % of all gaps in this rock. Margin over the largest of the four needs: " +
-                          signedPercent(*report.study.margin()) + ".");
+                          " % of all gaps in this rock. " + marginSentence(report.study.needs));
     for (const Alert& alert : alertsFor(report.scenario))
         if (alert.code == AlertCode::residualWaves) text += paragraph(alertText(alert));
     return text;
@@ -160,6 +159,14 @@ JsonObject alongJson(const ThrustAlong& along) {
 }
 
 }  // namespace
+
+std::string marginSentence(const ThrustNeeds& needs) {
+    const ThrustNeed& largest = largestOf(needs);
+    if (!largest.margin) return {};
+    const auto which = static_cast<ThrustCase>(&largest - needs.data());
+    return std::string("Margin over the largest of the four needs (") + label(which) +
+           "): " + signedPercent(*largest.margin) + ".";
+}
 
 std::string thrustText(const ThrustReport& report) {
     const Drill& drill = report.scenario.drill;

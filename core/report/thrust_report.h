@@ -19,6 +19,10 @@ struct ThrustReport {
     std::string scenarioText;  ///< gives the same scenario again
 };
 
+/// The effective force over the largest of the needs, and which that is, in a sentence; empty where no thrust
+/// is installed.
+std::string marginSentence(const ThrustNeeds& needs);
+
 /// Tables for people, and what the installed thrust means at the rig.
 std::string thrustText(const ThrustReport& report);
 

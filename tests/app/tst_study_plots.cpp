@@ -54,6 +54,7 @@ class TestStudyPlots : public QObject {
     void picturesRespectWhatIsThere();
     void aSweepNamesItsCurves();
     void figuresComeInTheFormatsOfChoice();
+    void accuracyIsDrawnIntoItsFolder();
     void whatCannotBeDrawnIsRefused_data();
     void whatCannotBeDrawnIsRefused();
 
@@ -67,6 +68,8 @@ void TestStudyPlots::everyStudyIsDrawn_data() {
     QTest::addColumn<QStringList>("texts");  // that a picture holds
     const QString drill = example("t38_medium_rock");
     QTest::newRow("gap") << QStringList{"gap", drill} << QStringList{"gap d [mm]", "COR e", "mean"};
+    QTest::newRow("thrust") << QStringList{"thrust", drill, "--along", "drill.blow_frequency=20Hz:100Hz"}
+                            << QStringList{"thrust [kN]", "bit back in time", "worst gap", "installed 8"};
     QTest::newRow("gap, scattered") << QStringList{"gap", drill, "--gap-deviation", "0.3 mm"}
                                     << QStringList{"scattered gap", "thrust for 95 % of gaps"};
     QTest::newRow("sweep") << QStringList{"sweep",     drill,
@@ -153,6 +156,17 @@ void TestStudyPlots::figuresComeInTheFormatsOfChoice() {
     QVERIFY(read(folder + "/index.html").contains("src=\"fig3.png\""));
 }
 
+void TestStudyPlots::accuracyIsDrawnIntoItsFolder() {
+    const QString folder = path("accuracy");
+    const QStringList words{
+        "accuracy", example("paper_fig4a"), "--segments", "100,200", "-o", folder, "--plots", "png,pdf"};
+    const Finished finished = run(words);
+    QVERIFY2(finished.exitCode == 0, finished.error.constData());
+    QCOMPARE(filesIn(folder), (QStringList{"accuracy.csv", "accuracy.pdf", "accuracy.png"}));
+    QVERIFY(curvePixels(QImage(folder + "/accuracy.png")) > 200);
+    QCOMPARE(run(words).exitCode, 4);
+}
+
 void TestStudyPlots::whatCannotBeDrawnIsRefused_data() {
     QTest::addColumn<QStringList>("words");
     QTest::addColumn<int>("exitCode");
@@ -166,6 +180,8 @@ void TestStudyPlots::whatCannotBeDrawnIsRefused_data() {
     row("on standard output", {"gap", paper, "--plots", "png", "-o", "-"}, "add -o FILE.csv");
     row("beside a device", {"gap", paper, "--plots", "png", "-o", "/dev/null"}, "no place for pictures");
     row("another format", {"gap", paper, "--plots", "gif", "-o", path("x.csv")}, "choose from png, svg, pdf");
+    row("accuracy on standard output", {"accuracy", paper, "--plots", "png", "-o", "-"}, "add -o DIR");
+    row("stability without a folder", {"stability", "--plots", "png"}, "add -o DIR");
     row("figures on standard output", {"figures", "--plots", "png", "-o", "-"}, "add -o DIR");
     row("three axes", sweep + QStringList{"beta=1,2", "gamma=0.5,1", "tau=1,2"}, "one axis or two, not 3");
     row("no axis of numbers", sweep + QStringList{"pulse.shape=rectangular,half_sine"},

@@ -217,6 +217,14 @@ QString Document::applyPreset(const Preset& preset) {
     return {};
 }
 
+QString Document::useScenario(const Scenario& scenario, const QString& step) {
+    std::vector<InputProblem> problems = m_check(scenario);
+    if (!problems.empty())
+        return lines(ScenarioError(ScenarioError::Kind::invalid, scenario.title, std::move(problems)));
+    push(scenario, step);
+    return {};
+}
+
 QString Document::useTable(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     const QString name =

@@ -66,6 +66,8 @@ class Document : public QObject {
     void setTitle(const QString& title);
     /// Takes the values of a preset as one undo step. Returns why not; then nothing has changed.
     QString applyPreset(const Preset& preset);
+    /// Takes another scenario as one undo step of that name. Returns why not; then nothing has changed.
+    QString useScenario(const Scenario& scenario, const QString& step);
     /// Takes the hammer blow from a CSV file of times and forces, as one undo step. Returns why not, line by
     /// line; then nothing has changed.
     QString useTable(const QString& path);

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "core/file/result_scenario.h"
+#include "core/study/thrust/thrust_margins.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/plot_export.h"
 #include "ui/plot/plot_rendering.h"
@@ -156,6 +157,7 @@ void ExportMenu::saveEverything() {
 void ExportMenu::writeFolder(const QString& folder, SolvedRun run, ExistingFiles existing) {
     run.units = customaryUnits(run.blow.scenario);
     const WaitCursor wait;
+    addThrustMargin(run.blow);
     const std::vector<std::string> formats(pictureFormats.begin(), pictureFormats.end());
     Pictures pictures = drawBlowPlots(run.blow.scenario, run.blow.impact, formats);
     if (!pictures.problem.isEmpty()) return fail(pictures.problem);

@@ -2,16 +2,25 @@
 // The pictures of studies, drawn by the plots of their pages.
 #pragma once
 
+#include "core/report/curve_report.h"
 #include "core/report/gap_report.h"
 #include "core/report/map_report.h"
+#include "core/report/thrust_report.h"
+#include "core/study/proof/accuracy.h"
+#include "core/study/proof/stability.h"
 #include "core/study/rows/sweep_rows.h"
 #include "ui/export/pictures.h"
 
 namespace drillwave {
 
 /// What the page of each study shows at first, in naturalUnits(); see renderPictures().
+Pictures drawStudy(const CurveReport& report, const PictureOrder& order);
 Pictures drawStudy(const GapReport& report, const PictureOrder& order);
 Pictures drawStudy(const MapReport& report, const PictureOrder& order);
+/// Of a report along a parameter.
+Pictures drawStudy(const ThrustReport& report, const PictureOrder& order);
+Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order);
+Pictures drawStudy(const StabilityReport& report, const PictureOrder& order);
 /// Has no page: the rows as curves, see sweepPanels().
 Pictures drawStudy(const SweepRows& rows, const PictureOrder& order);
 

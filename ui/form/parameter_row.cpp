@@ -16,7 +16,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTit
       m_message(new QLabel(parent)) {
     m_field->setStepAtZero((parameter.plausible.high - parameter.plausible.low) / 100);
     m_slider->setFocusPolicy(Qt::ClickFocus);
-    m_slider->setMinimumWidth(44);
+    m_slider->setMinimumWidth(36);
     m_message->setWordWrap(true);
     m_message->setVisible(false);
     m_message->setTextInteractionFlags(Qt::TextSelectableByMouse);

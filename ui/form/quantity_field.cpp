@@ -272,7 +272,7 @@ void QuantityField::changeEvent(QEvent* event) {
 
 QSize QuantityField::sizeHint() const {
     QSize size = QAbstractSpinBox::sizeHint();
-    size.setWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.000e-0000")) + 28);
+    size.setWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.00000e-00")) + 22);
     return size;
 }
 

@@ -13,6 +13,8 @@
 namespace drillwave {
 namespace {
 
+const QString groupsSection = QStringLiteral("groups");
+
 std::optional<PresetKind> presetsOf(const QString& section) {
     if (section == QLatin1String("rod")) return PresetKind::rod;
     if (section == QLatin1String("pulse")) return PresetKind::hammer;
@@ -29,14 +31,14 @@ ScenarioPanel::ScenarioPanel(Document& document, Questions& questions, QWidget* 
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setWidget(new QWidget);
     auto* layout = new QVBoxLayout(widget());
-    layout->setContentsMargins(6, 6, 6, 6);
-    layout->setSpacing(8);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(6);
     addTitle();
-    addSection(QStringLiteral("groups"), tr("Groups"));
     addSection(QStringLiteral("rod"), tr("Rod"));
     addSection(QStringLiteral("pulse"), tr("Hammer blow"));
     addSection(QStringLiteral("bit_rock"), tr("Bit and rock"));
     addSection(QStringLiteral("drill"), tr("Drill"));
+    addSection(groupsSection, tr("Groups"));
     layout->addStretch();
     alignColumns();
     connect(&document, &Document::scenarioChanged, this, &ScenarioPanel::showScenario);
@@ -65,10 +67,10 @@ void ScenarioPanel::addTitle() {
 void ScenarioPanel::addSection(const QString& section, const QString& title) {
     auto* box = new SectionBox(title, widget());
     box->setObjectName(section);
-    box->rememberAs(QStringLiteral("panel/") + section);
+    if (section != groupsSection) box->rememberAs(QStringLiteral("panel/") + section);
     auto* grid = new QGridLayout(box->content());
-    grid->setContentsMargins(8, 0, 0, 0);
-    grid->setHorizontalSpacing(6);
+    grid->setContentsMargins(4, 0, 0, 0);
+    grid->setHorizontalSpacing(5);
     grid->setVerticalSpacing(3);
     grid->setColumnStretch(1, 1);
     m_sections.append({box, grid, {}});
@@ -138,6 +140,7 @@ void ScenarioPanel::alignColumns() {
 
 void ScenarioPanel::showScenario() {
     const Scenario& scenario = m_document.scenario();
+    placeGroups(scenario.form);
     const QString title = QString::fromStdString(scenario.title);
     if (m_title->text() != title) m_title->setText(title);
     showPresets();
@@ -147,6 +150,40 @@ void ScenarioPanel::showScenario() {
         const bool used = std::ranges::any_of(
             section.rows, [&](const ParameterRow* row) { return row->parameter().applies(scenario); });
         section.box->setVisible(used || section.box->objectName() == QLatin1String("pulse"));
+    }
+}
+
+// What follows from the rest comes last, folded; what is all that is given comes first. Each is remembered
+// as it was left.
+void ScenarioPanel::placeGroups(ScenarioForm form) {
+    if (m_placedFor == form) return;
+    m_placedFor = form;
+    const bool first = form == ScenarioForm::dimensionless;
+    const auto groups = std::ranges::find_if(
+        m_sections, [](const Section& each) { return each.box->objectName() == groupsSection; });
+    if (first)
+        std::rotate(m_sections.begin(), groups, std::next(groups));
+    else
+        std::rotate(groups, std::next(groups), m_sections.end());
+    SectionBox* box = first ? m_sections.first().box : m_sections.last().box;
+    auto* layout = static_cast<QVBoxLayout*>(widget()->layout());
+    layout->insertWidget(first ? layout->indexOf(m_title) + 1 : layout->count() - 1, box);
+    box->rememberAs(QStringLiteral("panel/") + (first ? QStringLiteral("givenGroups") : groupsSection),
+                    first ? SectionBox::Begin::open : SectionBox::Begin::folded);
+    orderTabs();
+}
+
+// The keyboard goes from top to bottom.
+void ScenarioPanel::orderTabs() {
+    QWidgetList chain;
+    for (const Section& section : std::as_const(m_sections))
+        for (QWidget* next = section.box->nextInFocusChain(); next != section.box;
+             next = next->nextInFocusChain())
+            if (section.box->isAncestorOf(next)) chain.append(next);
+    QWidget* before = m_title;
+    for (QWidget* next : std::as_const(chain)) {
+        setTabOrder(before, next);
+        before = next;
     }
 }
 

@@ -44,6 +44,8 @@ class ScenarioPanel : public QScrollArea {
     void beginDrag();
     void endDrag();
     void alignColumns();
+    void placeGroups(ScenarioForm form);
+    void orderTabs();
     void showScenario();
     void showPresets();
 
@@ -62,6 +64,7 @@ class ScenarioPanel : public QScrollArea {
     QList<Section> m_sections;
     int m_gesture = m_document.newGesture();  // until edits have ended
     bool m_dragged = false;                   // a slider is held
+    std::optional<ScenarioForm> m_placedFor;  // where the groups are
 };
 
 }  // namespace drillwave

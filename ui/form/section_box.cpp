@@ -35,9 +35,9 @@ void SectionBox::setOpen(bool open) {
     m_content->setVisible(open);
 }
 
-void SectionBox::rememberAs(const QString& key) {
+void SectionBox::rememberAs(const QString& key, Begin begin) {
     m_key = key;
-    setOpen(Settings().value(key, true).toBool());
+    setOpen(Settings().value(key, begin == Begin::open).toBool());
 }
 
 }  // namespace drillwave

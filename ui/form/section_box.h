@@ -18,8 +18,9 @@ class SectionBox : public QWidget {
     QString title() const { return m_header->text(); }
     bool isOpen() const { return m_content->isVisibleTo(this); }
     void setOpen(bool open);
+    enum class Begin { open, folded };
     /// Keeps whether it is open under that key of the settings, and is now as it was left.
-    void rememberAs(const QString& key);
+    void rememberAs(const QString& key, Begin begin = Begin::open);
 
   private:
     QToolButton* m_header;

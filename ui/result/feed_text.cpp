@@ -29,9 +29,22 @@ QString thrustNeededText(const SolvedBlow& blow) {
                                          forceText(blow.feed->returned, blow));
 }
 
+QString worstNeedText(const WorstNeed& worst, const SolvedBlow& blow) {
+    if (!blow.feed) return {};
+    const QString soon = QStringLiteral("…");
+    const std::optional<double> thrust = worst.thrust();
+    if (!thrust) return worst.isCurrent() ? QString() : soon;
+    const QString text = forceText(*thrust, blow);
+    return worst.isCurrent() ? text : QStringLiteral("(%1) %2").arg(text, soon);
+}
+
 QString thrustInstalledText(const SolvedBlow& blow) {
-    const std::optional<double>& installed = blow.scenario.drill.thrust;
-    return installed ? forceText(*installed, blow) : QString();
+    const std::optional<FeedForce> feed = feedForceOf(blow.scenario);
+    if (!feed) return {};
+    const QString thrust = forceText(feed->thrust, blow);
+    if (!feed->weight) return thrust;
+    return QCoreApplication::translate("drillwave::FeedText", "%1, effective %2")
+        .arg(thrust, forceText(feed->effective(), blow));
 }
 
 QString thrustMarginText(const SolvedBlow& blow) {

@@ -58,6 +58,18 @@ QString outputText(const Output& output, const SolvedBlow& blow) {
     return {};
 }
 
+QString impulseText(const Output& output, const SolvedBlow& blow) {
+    const QString text = outputText(output, blow);
+    const std::optional<double> share = output.value({blow.summary, blow.scenario});
+    if (!share || blow.units.impulse.dimensionless) return text;
+    return text + QStringLiteral(" = ") + numberText(*share, 3, QLocale()) + QChar(QChar::Nbsp) +
+           QStringLiteral("I₀");
+}
+
+QString corErrorText(const SolvedBlow& blow) {
+    return words("Numerical error ± %1").arg(magnitudeText(blow.summary.corError, QLocale()));
+}
+
 QString placeText(const Output& output, const SolvedBlow& blow) {
     if (!output.force || !blow.summary.rodForces) return {};
     const RodForce& force = (*blow.summary.rodForces).*output.force;
@@ -65,7 +77,7 @@ QString placeText(const Output& output, const SolvedBlow& blow) {
     const QString time = shown(force.time, blow.units.time);
     if (blow.request.units == UnitSystem::dimensionless)
         return words("at x/L = %1, t = %2").arg(numberText(force.section, 3, QLocale()), time);
-    return words("%1 from the hammer, t = %2").arg(shown(force.section, blow.units.length), time);
+    return words("%1 from the hammer, %2").arg(shown(force.section, blow.units.length), time);
 }
 
 }  // namespace drillwave

@@ -12,6 +12,12 @@ namespace drillwave {
 /// An output in the units of the blow; empty where there is none.
 QString outputText(const Output& output, const SolvedBlow& blow);
 
+/// An impulse in its unit, and as a multiple of that of the hammer: "72.92 N s = 1.43 I₀".
+QString impulseText(const Output& output, const SolvedBlow& blow);
+
+/// "numerical error ± 6·10⁻¹⁴".
+QString corErrorText(const SolvedBlow& blow);
+
 /// Where in the rod a largest force is, and when. Empty where there is none.
 QString placeText(const Output& output, const SolvedBlow& blow);
 

@@ -33,6 +33,17 @@ std::optional<EnergyPart> partOf(const Output& output) {
     return std::nullopt;
 }
 
+// Of the values that are read first.
+void makeHeavy(QLabel& label) {
+    QFont font = label.font();
+    font.setPointSizeF(font.pointSizeF() * 1.15);
+    font.setBold(true);
+    label.setFont(font);
+}
+
+const QString nothing = QStringLiteral("–");
+const QString worstName = QStringLiteral("worstNeed");
+
 QString words(std::string_view text) {
     return ResultPanel::tr(std::string(text).c_str());
 }
@@ -45,15 +56,16 @@ ResultPanel::ResultPanel(QWidget* parent) : QScrollArea(parent), m_veil(new Stal
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setWidget(new QWidget);
     auto* layout = new QVBoxLayout(widget());
-    layout->setContentsMargins(6, 6, 6, 6);
-    layout->setSpacing(8);
-    addHeadline();
-    addOutputs(tr("Impact"), OutputGroup::impact);
-    addEnergy();
-    addOutputs(tr("Stress in the rod"), OutputGroup::stress);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(6);
     addThrust();
-    addAlerts();
+    addEnergy();
+    addPenetration();
+    addRebound();
+    addStress();
+    addTimes();
     addEvents();
+    addAlerts();
     alignColumns();
     layout->addStretch();
     auto* copyAll = new QAction(tr("&Copy results"), this);
@@ -62,12 +74,13 @@ ResultPanel::ResultPanel(QWidget* parent) : QScrollArea(parent), m_veil(new Stal
     connect(copyAll, &QAction::triggered, this, &ResultPanel::copy);
     addAction(copyAll);
     setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(&m_worst, &WorstNeed::changed, this, &ResultPanel::showWorst);
 }
 
-void ResultPanel::addOutputs(const QString& title, OutputGroup group) {
+QList<ResultPanel::Entry> ResultPanel::entriesOf(const std::function<bool(const Output&)>& wanted) const {
     QList<Entry> entries;
     for (const Output& output : outputs()) {
-        if (output.group != group) continue;
+        if (output.group == OutputGroup::none || !wanted(output)) continue;
         entries.append({words(output.label), words(output.note),
                         [&output](const SolvedBlow& blow) { return outputText(output, blow); },
                         partOf(output)});
@@ -76,36 +89,101 @@ void ResultPanel::addOutputs(const QString& title, OutputGroup group) {
                             tr("Where in the rod it is first that large, and when"),
                             [&output](const SolvedBlow& blow) { return placeText(output, blow); }});
     }
-    addNumbers(title, entries);
-}
-
-void ResultPanel::addEnergy() {
-    addOutputs(tr("Energy"), OutputGroup::energy);
-    m_energy = new EnergyBar(widget());
-    QGridLayout* grid = m_grids.last();
-    grid->addWidget(m_energy, grid->rowCount(), 0, 1, 3);
+    return entries;
 }
 
 void ResultPanel::addThrust() {
     addNumbers(
         tr("Thrust"),
-        {{tr("needed"),
-          tr("Thrust for full penetration, f·I₀·(1 + e), up to that which brings the bit back before the "
-             "next "
-             "blow even if nothing damps, f·I₀·(1 + 2e), with the e of this blow"),
-          thrustNeededText},
-         {tr("installed"), tr("Feed force of the drill rig"), thrustInstalledText},
-         {tr("margin"),
-          tr("Installed thrust less f·I₀·(1 + e) of this blow, and as a share of it; `drillwave thrust` adds "
-             "the margins of other gaps and rocks"),
+        {{tr("feed"),
+          tr("What the feed force does between the blows"),
+          feedText,
+          {},
+          feedMeaning,
+          Weight::heavy},
+         {tr("margin"), tr("Feed force less f·I₀·(1 + e) of this blow, and as a share of it"),
           thrustMarginText},
-         {tr("feed"), tr("What the installed thrust does between the blows"), feedText, {}, feedMeaning}});
+         {tr("needed"),
+          tr("Thrust for full penetration, f·I₀·(1 + e), up to that which brings the bit back before the "
+             "next blow even if nothing damps, f·I₀·(1 + 2e), with the e of this blow"),
+          thrustNeededText},
+         {tr("worst of 4 needs"),
+          tr("The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid rock, "
+             "and "
+             "of the worst gap on elastic rock"),
+          [this](const SolvedBlow& blow) { return worstNeedText(m_worst, blow); },
+          {},
+          [this](const SolvedBlow&) { return m_worst.problem(); },
+          Weight::usual,
+          worstName},
+         {tr("installed"), tr("Feed force of the drill rig"), thrustInstalledText}});
+}
+
+void ResultPanel::addEnergy() {
+    // The power behind the work that it comes from.
+    QList<Entry> first = entriesOf([](const Output& output) { return output.measure == Measure::work; });
+    first += entriesOf([](const Output& output) { return output.measure == Measure::watt; });
+    addNumbers(tr("Energy"), first);
+    SectionBox* section = m_rows.last().section;
+    QGridLayout* grid = m_grids.last();
+    m_energy = new EnergyBar(section->content());
+    grid->addWidget(m_energy, grid->rowCount(), 0, 1, 3);
+    const auto isShare = [](const Output& output) {
+        return output.group == OutputGroup::energy && output.measure != Measure::work &&
+               output.measure != Measure::watt;
+    };
+    for (const Entry& entry : entriesOf(isShare)) addRow(section, grid, entry);
+}
+
+// What stays, before what is largest for a moment.
+void ResultPanel::addPenetration() {
+    QList<Entry> entries =
+        entriesOf([](const Output& output) { return output.name == "residual_penetration"; });
+    for (const Output& output : outputs())
+        if (output.measure == Measure::speed && output.group == OutputGroup::impact)
+            entries.append({words(output.label), words(output.note), [&output](const SolvedBlow& blow) {
+                                const QString text = outputText(output, blow);
+                                return text.isEmpty() ? text : QStringLiteral("≤ ") + text;
+                            }});
+    entries += entriesOf([](const Output& output) {
+        return output.measure == Measure::penetration && output.name != "residual_penetration";
+    });
+    addNumbers(tr("Penetration"), entries);
+}
+
+void ResultPanel::addRebound() {
+    Entry cor{tr("COR e"),
+              tr("Coefficient of restitution: momentum after the blow over momentum before it, reversed, "
+                 "e = −pf/p0"),
+              [](const SolvedBlow& blow) { return numberText(blow.summary.cor, 4, QLocale()); },
+              {},
+              corErrorText,
+              Weight::heavy,
+              QStringLiteral("cor")};
+    QList<Entry> entries{cor};
+    for (const Output& output : outputs())
+        if (output.measure == Measure::impulse && output.group == OutputGroup::impact)
+            entries.append({words(output.label), words(output.note),
+                            [&output](const SolvedBlow& blow) { return impulseText(output, blow); }});
+    addNumbers(tr("Rebound"), entries);
+}
+
+void ResultPanel::addStress() {
+    addNumbers(tr("Stress in the rod"),
+               entriesOf([](const Output& output) { return output.group == OutputGroup::stress; }));
+}
+
+void ResultPanel::addTimes() {
+    addNumbers(tr("Force and times"), entriesOf([](const Output& output) {
+                   return output.group == OutputGroup::impact && output.measure != Measure::penetration &&
+                          output.measure != Measure::speed && output.measure != Measure::impulse;
+               }));
 }
 
 void ResultPanel::addAlerts() {
     m_alerts = new AlertList;
     auto* layout = new QVBoxLayout(addSection(tr("Alerts"))->content());
-    layout->setContentsMargins(8, 0, 0, 0);
+    layout->setContentsMargins(4, 0, 0, 0);
     layout->addWidget(m_alerts);
     connect(m_alerts, &AlertList::parameterChosen, this, &ResultPanel::parameterChosen);
 }
@@ -116,60 +194,48 @@ SectionBox* ResultPanel::addSection(const QString& title) {
     return box;
 }
 
-void ResultPanel::addHeadline() {
-    auto* title = new QLabel(tr("Coefficient of restitution e"), widget());
-    m_cor = new QLabel(widget());
-    m_error = new QLabel(widget());
-    QFont large = m_cor->font();
-    large.setPointSizeF(large.pointSizeF() * 1.9);
-    large.setBold(true);
-    m_cor->setFont(large);
-    m_cor->setObjectName(QStringLiteral("cor"));
-    m_cor->setToolTip(tr("Momentum after the blow over momentum before it, reversed: e = −pf/p0"));
-    for (QLabel* label : {m_cor, m_error}) makeSelectable(*label);
-    auto* line = new QHBoxLayout;
-    line->addWidget(m_cor);
-    line->addWidget(m_error, 1, Qt::AlignBottom);
-    auto* layout = static_cast<QVBoxLayout*>(widget()->layout());
-    layout->addWidget(title);
-    layout->addLayout(line);
-}
-
 void ResultPanel::addNumbers(const QString& title, const QList<Entry>& entries) {
     SectionBox* section = addSection(title);
     QWidget* content = section->content();
     auto* grid = new QGridLayout(content);
-    grid->setContentsMargins(8, 0, 0, 0);
-    grid->setHorizontalSpacing(8);
+    grid->setContentsMargins(4, 0, 0, 0);
+    grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(3);
     grid->setColumnStretch(1, 1);
     m_grids.append(grid);
-    for (const Entry& entry : entries) {
-        auto* name = new QLabel(entry.name, content);
-        auto* value = new QLabel(content);
-        name->setToolTip(entry.meaning);
-        value->setToolTip(entry.meaning);
-        value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        makeSelectable(*value);
-        name->setBuddy(value);
-        if (entry.name.isEmpty()) {
-            name->setText({});
-            name->hide();
-            grid->addWidget(value, grid->rowCount(), 1, 1, 2);
-            m_rows.append({section, name, value, entry.meaning, entry.text, entry.note});
-            continue;
-        }
-        const int row = grid->rowCount();
+    for (const Entry& entry : entries) addRow(section, grid, entry);
+}
+
+void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const Entry& entry) {
+    QWidget* content = section->content();
+    auto* name = new QLabel(entry.name, content);
+    auto* value = new QLabel(content);
+    name->setToolTip(entry.meaning);
+    value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    makeSelectable(*value);
+    name->setBuddy(value);
+    if (entry.weight == Weight::heavy) makeHeavy(*value);
+    const int row = grid->rowCount();
+    if (entry.name.isEmpty()) {
+        name->hide();
+        grid->addWidget(value, row, 1, 1, 2);
+    } else if (entry.weight == Weight::heavy) {
+        auto* line = new QHBoxLayout;
+        line->addWidget(name);
+        line->addWidget(value, 1);
+        grid->addLayout(line, row, 1, 1, 2);
+    } else {
         if (entry.part) grid->addWidget(new EnergySwatch(*entry.part, content), row, 0);
         grid->addWidget(name, row, 1);
         grid->addWidget(value, row, 2);
-        m_rows.append({section, name, value, entry.meaning, entry.text, entry.note});
     }
+    value->setObjectName(entry.objectName);
+    m_rows.append({section, name, value, entry.meaning, entry.text, entry.note});
 }
 
 void ResultPanel::addEvents() {
     auto* layout = new QVBoxLayout(addSection(tr("Events"))->content());
-    layout->setContentsMargins(8, 0, 0, 0);
+    layout->setContentsMargins(4, 0, 0, 0);
     m_events = new EventTable(widget());
     layout->addWidget(m_events);
     connect(m_events, &EventTable::timeChosen, this, &ResultPanel::timeChosen);
@@ -178,7 +244,7 @@ void ResultPanel::addEvents() {
 // One set of columns through all sections, wide enough for every number: a panel whose width follows the
 // values would jump while they are dragged.
 void ResultPanel::alignColumns() {
-    const QString widest = QStringLiteral("−8888.8 kN (+8888 %)");
+    const QString widest = QStringLiteral("−88.88 kN (+8888 %)");
     const int value = fontMetrics().horizontalAdvance(widest);
     for (QGridLayout* grid : std::as_const(m_grids)) grid->setColumnMinimumWidth(2, value);
 }
@@ -194,8 +260,6 @@ void ResultPanel::setOutOfDate(bool outOfDate) {
 
 QString ResultPanel::text() const {
     QString text = m_veil->isHidden() ? QString() : StaleVeil::words() + QLatin1Char('\n');
-    text += tr("coefficient of restitution e") + QLatin1Char('\t') +
-            QStringLiteral("%1 %2").arg(m_cor->text(), m_error->text()).trimmed() + QLatin1Char('\n');
     for (const Row& row : m_rows)
         if (!row.section->isHidden())
             text += row.section->title() + QStringLiteral(": ") + row.name->text() + QLatin1Char('\t') +
@@ -208,21 +272,13 @@ void ResultPanel::copy() const {
 }
 
 void ResultPanel::present(const SolvedBlowPtr& blow) {
+    m_blow = blow;
     const bool solved = blow->problem.isEmpty();
-    const QString nothing = QStringLiteral("–");
-    m_cor->setText(solved ? numberText(blow->summary.cor, 4, QLocale()) : nothing);
-    m_cor->setAccessibleName(tr("Coefficient of restitution: %1").arg(m_cor->text()));
-    m_error->setText(solved ? QStringLiteral("± ") + magnitudeText(blow->summary.corError, QLocale())
-                            : QString());
-    m_error->setAccessibleName(tr("Numerical error of the coefficient of restitution"));
+    m_worst.ask(*blow);
     QSet<SectionBox*> filled;
     for (const Row& row : std::as_const(m_rows)) {
-        const QString text = solved ? row.text(*blow) : QString();
-        row.value->setText(text.isEmpty() ? nothing : text);
-        if (!text.isEmpty()) filled.insert(row.section);
-        const QString note = solved && row.note ? row.note(*blow) : QString();
-        row.value->setToolTip(note.isEmpty() ? row.meaning : row.meaning + QStringLiteral(".\n") + note);
-        row.value->setAccessibleName(QStringLiteral("%1: %2").arg(row.name->text(), row.value->text()));
+        showRow(row);
+        if (row.value->text() != nothing) filled.insert(row.section);
     }
     // Without frequency and feed force there is nothing to say about the thrust.
     for (const Row& row : std::as_const(m_rows))
@@ -233,6 +289,21 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
     else
         m_energy->clear();
     m_events->present(blow);
+}
+
+void ResultPanel::showRow(const Row& row) {
+    const bool solved = m_blow->problem.isEmpty();
+    const QString text = solved ? row.text(*m_blow) : QString();
+    row.value->setText(text.isEmpty() ? nothing : text);
+    const QString note = solved && row.note ? row.note(*m_blow) : QString();
+    row.value->setToolTip(note.isEmpty() ? row.meaning : row.meaning + QStringLiteral(".\n") + note);
+    row.value->setAccessibleName(QStringLiteral("%1: %2").arg(row.name->text(), row.value->text()));
+}
+
+void ResultPanel::showWorst() {
+    if (!m_blow) return;
+    for (const Row& row : std::as_const(m_rows))
+        if (row.value->objectName() == worstName) showRow(row);
 }
 
 QSize ResultPanel::sizeHint() const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of a solved blow, what happened at the bit, and what to know about it.
+// The numbers of a solved blow, in the order in which a driller decides by them, what happened at the bit,
+// and what to know about it.
 #pragma once
 
 #include <QLabel>
@@ -14,6 +15,7 @@
 #include "ui/result/alert_list.h"
 #include "ui/result/energy_bar.h"
 #include "ui/result/stale_veil.h"
+#include "ui/result/worst_need.h"
 
 class QGridLayout;
 
@@ -57,27 +59,36 @@ class ResultPanel : public QScrollArea {
         Text text;
         Text note;
     };
+    enum class Weight { usual, heavy };
     struct Entry {
         QString name;
         QString meaning;
         Text text;
         std::optional<EnergyPart> part = {};
         Text note = nullptr;  ///< more to say about the value of this blow, in its tooltip
+        Weight weight = Weight::usual;
+        QString objectName = {};
     };
 
     SectionBox* addSection(const QString& title);
     void addNumbers(const QString& title, const QList<Entry>& entries);
-    void addHeadline();
-    void addOutputs(const QString& title, OutputGroup group);
-    void addEnergy();
+    void addRow(SectionBox* section, QGridLayout* grid, const Entry& entry);
+    QList<Entry> entriesOf(const std::function<bool(const Output&)>& wanted) const;
     void addThrust();
+    void addEnergy();
+    void addPenetration();
+    void addRebound();
+    void addStress();
+    void addTimes();
     void addAlerts();
     void addEvents();
     void alignColumns();
     void copy() const;
+    void showRow(const Row& row);
+    void showWorst();
 
-    QLabel* m_cor = nullptr;
-    QLabel* m_error = nullptr;
+    SolvedBlowPtr m_blow;
+    WorstNeed m_worst;
     QList<Row> m_rows;
     QList<QGridLayout*> m_grids;
     EnergyBar* m_energy = nullptr;

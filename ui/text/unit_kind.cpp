@@ -32,6 +32,7 @@ constexpr Units<1> metrePerMinute{"m/min"}, footPerMinute{"ft/min"};
 constexpr Units<1> hertz{"Hz"}, blowsPerMinute{"bpm"};
 constexpr Units<1> squareMillimetre{"mm^2"}, squareInch{"in^2"};
 constexpr Units<1> gigapascal{"GPa"}, megapsi{"Mpsi"};
+constexpr Units<1> kilogram{"kg"}, poundMass{"lb"}, degree{"deg"};
 constexpr Units<1> kilogramPerVolume{"kg/m^3"}, poundPerVolume{"lb/ft^3"};
 
 constexpr UnitKindRow rows[] = {
@@ -61,6 +62,8 @@ constexpr UnitKindRow rows[] = {
      gigapascal, megapsi},
     {UnitKind::density, Quantity::density, "density", QT_TRANSLATE_NOOP("UnitKind", "density"),
      kilogramPerVolume, poundPerVolume},
+    {UnitKind::mass, Quantity::mass, "mass", QT_TRANSLATE_NOOP("UnitKind", "mass"), kilogram, poundMass},
+    {UnitKind::angle, Quantity::angle, "angle", QT_TRANSLATE_NOOP("UnitKind", "angle"), degree, degree},
 };
 
 }  // namespace

@@ -30,6 +30,8 @@ enum class UnitKind {
     area,
     modulus,
     density,
+    mass,
+    angle,
 };
 
 /// One of a kind for each value; a kind that is not there has the units of the system.

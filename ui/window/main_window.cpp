@@ -16,10 +16,13 @@
 #include "ui/form/scenario_panel.h"
 #include "ui/job/solve_status.h"
 #include "ui/job/study_status.h"
+#include "ui/pages/accuracy/accuracy_page.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/rock/rock_page.h"
+#include "ui/pages/stiffness/stiffness_page.h"
+#include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/number_text.h"
@@ -44,10 +47,11 @@ constexpr int messageMilliseconds = 8000;
 QString statusText(const SolvedBlow& blow) {
     if (!blow.problem.isEmpty()) return MainWindow::tr("exact · not solved");
     const QLocale locale;
-    const int contacts = blow.impact.contacts;
-    return MainWindow::tr("exact · %1 · %2 · e = %3")
-        .arg(contacts == 1 ? MainWindow::tr("1 contact") : MainWindow::tr("%1 contacts").arg(contacts),
-             runTimeText(blow.runTime, locale), numberText(blow.summary.cor, 4, locale));
+    const int peaks = blow.summary.forcePeaks.value_or(0);
+    return MainWindow::tr("exact · %1 · %2 · e = %3 ± %4")
+        .arg(peaks == 1 ? MainWindow::tr("1 force peak") : MainWindow::tr("%1 force peaks").arg(peaks),
+             runTimeText(blow.runTime, locale), numberText(blow.summary.cor, 4, locale),
+             magnitudeText(blow.summary.corError, locale));
 }
 
 }  // namespace
@@ -66,7 +70,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
       m_pages(new PageTabs(this)),
       m_solveStatus(new SolveStatus(this)),
       m_studyStatus(new StudyStatus(this)),
-      m_layout(new WindowLayout(this, m_pages)) {
+      m_layout(new WindowLayout(this)) {
     m_job->setParent(this);
     const Example& example = defaultExample();
     m_document.startFrom(example.text, QString::fromStdString(example.name));
@@ -76,8 +80,11 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(new BlowPage(m_observation), PageGroup::thisBlow);
     m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
+    m_pages->add(new StiffnessPage(m_document), PageGroup::studies);
     m_pages->add(new GapPage(m_document), PageGroup::studies);
     m_pages->add(new MapPage(m_document), PageGroup::studies);
+    m_pages->add(new ThrustPage(m_document), PageGroup::studies);
+    m_pages->add(new AccuracyPage(m_document), PageGroup::studies);
     addMenus();
     addStatusBar();
     wire();

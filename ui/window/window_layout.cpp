@@ -6,7 +6,9 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QScreen>
+#include <QStyle>
 #include <QTimer>
+#include <algorithm>
 
 #include "ui/text/settings.h"
 #include "ui/window/on_screen.h"
@@ -17,6 +19,7 @@ namespace {
 // Raised when docks or toolbars change so that an old layout no longer fits.
 constexpr int layoutVersion = 2;
 constexpr QSize usualSize{1440, 900};
+constexpr int usefulPageWidth = 480;  // narrower, a plot beside both docks can hardly be read
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
 const QString stackedKey = QStringLiteral("window/stacked");
@@ -24,8 +27,7 @@ constexpr Qt::DockWidgetArea areas[] = {Qt::LeftDockWidgetArea, Qt::RightDockWid
 
 }  // namespace
 
-WindowLayout::WindowLayout(QMainWindow* window, const QWidget* page)
-    : QObject(window), m_window(window), m_page(page) {
+WindowLayout::WindowLayout(QMainWindow* window) : QObject(window), m_window(window) {
     window->installEventFilter(this);
 }
 
@@ -35,6 +37,8 @@ void WindowLayout::addDock(const QString& title, const QString& name, QWidget* c
     dock->setWidget(content);
     m_window->addDockWidget(areas[m_docks.size()], dock);
     m_docks.append(dock);
+    // Side by side they would widen a window that is to be small before anybody has asked.
+    if (m_docks.size() == 2) shareOneSide();
 }
 
 void WindowLayout::addTo(QMenu& menu) {
@@ -78,19 +82,18 @@ void WindowLayout::restore() {
 }
 
 void WindowLayout::reset() {
-    m_stacked = false;
-    QTimer::singleShot(0, this, &WindowLayout::stack);
-    QList<int> widths;
-    int wanted = m_page->minimumSizeHint().width();
-    for (qsizetype i = 0; i < m_docks.size(); ++i) {
-        m_docks[i]->setFloating(false);
-        if (m_window->dockWidgetArea(m_docks[i]) != areas[i]) m_window->addDockWidget(areas[i], m_docks[i]);
-        m_docks[i]->show();
-        widths.append(m_docks[i]->widget()->sizeHint().width());
-        wanted += widths.last();
+    for (QDockWidget* dock : std::as_const(m_docks)) {
+        dock->setFloating(false);
+        dock->show();
     }
-    // A small window stays small: docks that ask for more than there is would widen it.
-    if (wanted <= m_window->width()) m_window->resizeDocks(m_docks, widths, Qt::Horizontal);
+    if (m_window->width() < widthSideBySide()) return shareOneSide();
+    m_stacked = false;
+    QList<int> widths;
+    for (qsizetype i = 0; i < m_docks.size(); ++i) {
+        m_window->addDockWidget(areas[i], m_docks[i]);
+        widths.append(m_docks[i]->widget()->sizeHint().width());
+    }
+    m_window->resizeDocks(m_docks, widths, Qt::Horizontal);
 }
 
 bool WindowLayout::isSideBySide() const {
@@ -99,15 +102,28 @@ bool WindowLayout::isSideBySide() const {
            m_window->dockWidgetArea(m_docks[0]) != m_window->dockWidgetArea(m_docks[1]);
 }
 
-void WindowLayout::stack() {
-    int wanted = m_window->centralWidget()->minimumSizeHint().width();
+void WindowLayout::shareOneSide() {
+    m_window->addDockWidget(areas[0], m_docks[0]);
+    m_window->tabifyDockWidget(m_docks[0], m_docks[1]);
+    m_docks[0]->raise();
+    m_stacked = true;
+}
+
+// That both docks need, and a page that is to be of use.
+int WindowLayout::widthSideBySide() const {
+    // One more than the least: a window that has been made as narrow as it can be has the docks come
+    // together.
+    int width = std::max(usefulPageWidth, m_window->centralWidget()->minimumSizeHint().width() + 1);
     for (const QDockWidget* dock : std::as_const(m_docks))
-        wanted += dock->widget()->minimumSizeHint().width();
-    if (!m_stacked && m_window->width() < wanted && isSideBySide()) {
-        m_window->tabifyDockWidget(m_docks[0], m_docks[1]);
-        m_docks[0]->raise();
-        m_stacked = true;
-    } else if (m_stacked && m_window->width() >= wanted) {
+        width += dock->widget()->minimumSizeHint().width() +
+                 m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
+    return width;
+}
+
+void WindowLayout::stack() {
+    if (!m_stacked && m_window->width() < widthSideBySide() && isSideBySide()) {
+        shareOneSide();
+    } else if (m_stacked && m_window->width() >= widthSideBySide()) {
         m_stacked = false;
         m_window->addDockWidget(areas[1], m_docks[1]);
     }

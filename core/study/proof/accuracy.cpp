@@ -45,8 +45,9 @@ double cost(const MethodChoice& choice) {
 /// Does the rows one after the other.
 class Study {
   public:
-    Study(const Scenario& scenario, const std::stop_token& stop, const AccuracyProgress& progress)
-        : m_problem(problemOf(scenario)), m_stop(stop), m_progress(progress) {
+    Study(const Scenario& scenario, const std::stop_token& stop, const AccuracyProgress& progress,
+          const AccuracyRows& onRow)
+        : m_problem(problemOf(scenario)), m_stop(stop), m_progress(progress), m_onRow(onRow) {
         m_result.groups = groupsOf(scenario);
     }
 
@@ -62,6 +63,7 @@ class Study {
             if (m_stop.stop_requested()) break;
             m_result.rows.push_back(row(choice));
             m_done += cost(choice);
+            if (m_onRow && !m_stop.stop_requested()) m_onRow(m_result);
         }
         m_result.isStopped = m_stop.stop_requested();
         if (!m_result.isStopped) relate();
@@ -131,6 +133,7 @@ class Study {
 
     /// What follows from several rows.
     void relate() {
+        m_result.isRelated = true;
         const AccuracyRow* paper = moved(paperSegments);
         const bool isKnown = paper && paper->outcome == Outcome::rebounded;
         const double paperTime = isKnown ? paper->time.median : unknown;
@@ -181,6 +184,7 @@ class Study {
     Problem m_problem;
     std::stop_token m_stop;
     const AccuracyProgress& m_progress;
+    const AccuracyRows& m_onRow;
     MethodSolver m_solver;
     Accuracy m_result;
     double m_total = 0, m_done = 0;
@@ -194,9 +198,10 @@ std::vector<int> latticeLadder() {
 }
 
 Accuracy measureAccuracy(const Scenario& scenario, const std::vector<int>& ladder,
-                         const std::stop_token& stop, const AccuracyProgress& progress) {
+                         const std::stop_token& stop, const AccuracyProgress& progress,
+                         const AccuracyRows& onRow) {
     assert(validate(scenario).empty() && std::ranges::is_sorted(ladder));
-    return Study(scenario, stop, progress).run(ladder);
+    return Study(scenario, stop, progress, onRow).run(ladder);
 }
 
 }  // namespace drillwave

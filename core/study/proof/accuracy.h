@@ -48,6 +48,7 @@ struct Accuracy {
     EquationResiduals residuals;    ///< of the exact histories
     double latticeOrder = 0;        ///< least-squares slope of the error in e over the whole ladder
     bool isStopped = false;         ///< rows are missing
+    bool isRelated = false;         ///< all rows are there, and what follows from several of them
 };
 
 /// The ladder of the lattice: 100, 200, 500 … 20 000 segments. The paper used the last but one, 10 000, and
@@ -58,10 +59,14 @@ inline constexpr int paperSegments = 10'000;
 /// Told how much of the work is done, 0 … 1.
 using AccuracyProgress = std::function<void(double done)>;
 
+/// Told what there is whenever a row is done; what follows from several rows is missing.
+using AccuracyRows = std::function<void(const Accuracy& soFar)>;
+
 /// Solves, compares and measures. `scenario` must be valid; `ladder` holds numbers of segments in growing
 /// order. Speeds are known only if it holds paperSegments. latticeLadder() takes some ten seconds, most of it
 /// for moved waves.
 Accuracy measureAccuracy(const Scenario& scenario, const std::vector<int>& ladder,
-                         const std::stop_token& stop = {}, const AccuracyProgress& progress = {});
+                         const std::stop_token& stop = {}, const AccuracyProgress& progress = {},
+                         const AccuracyRows& onRow = {});
 
 }  // namespace drillwave

@@ -70,12 +70,17 @@ void checkHistories(StabilityRow& row, const Problem& problem, ExactSolver& solv
             "not at its end: the front end returns by", *row.reach);
 }
 
+constexpr double near = 1e-10;  // how far off neighbours are
+
+/// The stated error covers input moved by 16 roundings: what hangs on the last digits hangs more on
+/// neighbours, if not in proportion.
+double changeMark(const StabilityRow& row) {
+    constexpr double movedBy = 16 * std::numeric_limits<double>::epsilon();
+    return marks.change + 10 * row.corError * near / movedBy;
+}
+
 void checkContinuity(StabilityRow& row, const Problem& problem, ExactSolver& solver,
                      const std::stop_token& stop) {
-    const double near = 1e-10;
-    // The stated error covers input moved by 16 roundings: what hangs on the last digits hangs more on this,
-    // if not in proportion.
-    const double movedBy = 16 * std::numeric_limits<double>::epsilon();
     std::array<Problem, 4> neighbours{problem, problem, problem, problem};
     neighbours[0].law.beta *= 1 + near;
     neighbours[1].law.gamma *= 1 - near;
@@ -87,8 +92,7 @@ void checkContinuity(StabilityRow& row, const Problem& problem, ExactSolver& sol
             impact.outcome == Outcome::rebounded ? std::abs(impact.cor - row.cor) : INFINITY;
         row.change = std::max(row.change, change);
     }
-    require(row, row.change <= marks.change + 10 * row.corError * near / movedBy,
-            "not continuous: e changes by", row.change);
+    require(row, row.change <= changeMark(row), "not continuous: e changes by", row.change);
 }
 
 /// Rigid rock: e → 1 once the blow ends before it returns. Soft rock, reference case: e → √γ.
@@ -153,6 +157,22 @@ StabilityRow check(const StabilityCase& stabilityCase, ExactSolver& solver, Latt
 
 }  // namespace
 
+StabilityWorst worstOf(const StabilityRow& row) {
+    if (row.outcome != Outcome::rebounded) return {"not solved", INFINITY};
+    StabilityWorst worst{"momentum", std::abs(row.momentumResidual) / marks.momentum};
+    const auto consider = [&](std::string_view measure, std::optional<double> value, double mark) {
+        if (value && *value / mark > worst.ratio) worst = {measure, *value / mark};
+    };
+    consider("energy", std::abs(row.energyResidual), marks.energy);
+    if (row.leastForce) consider("pull", -*row.leastForce, marks.pull);
+    consider("return", row.reach, marks.reach);
+    consider("continuity", row.change, changeMark(row));
+    consider("limit", row.limitDistance, marks.limit);
+    consider("lattice", row.latticeDistance, marks.lattice);
+    consider("stated error", row.boundDistance, marks.bound);
+    return worst;
+}
+
 std::size_t StabilityReport::notSolved() const {
     return static_cast<std::size_t>(std::count_if(
         rows.begin(), rows.end(), [](const StabilityRow& row) { return row.outcome != Outcome::rebounded; }));
@@ -164,7 +184,7 @@ std::size_t StabilityReport::failed() const {
 }
 
 StabilityReport checkStability(const std::vector<StabilityCase>& cases, int jobs, std::stop_token stop,
-                               const std::function<void(std::uint64_t)>& progress) {
+                               const StabilityProgress& progress) {
     struct Chunk {
         std::size_t index = 0;
         StabilityRow row;
@@ -183,7 +203,7 @@ StabilityReport checkStability(const std::vector<StabilityCase>& cases, int jobs
     };
     const auto deliver = [&](Chunk& chunk) {
         report.rows.push_back(std::move(chunk.row));
-        progress(report.rows.size());
+        progress(report);
         return true;
     };
     report.stopped = processInOrder<Chunk>(jobs, stop, fill, makeWorker, deliver) == WorkEnd::stopped;

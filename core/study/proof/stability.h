@@ -7,6 +7,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/study/proof/stability_cases.h"
@@ -51,6 +52,13 @@ struct StabilityRow {
     bool passed() const { return outcome == Outcome::rebounded && failures.empty(); }
 };
 
+/// How near a case is to failing: of its measures the one that is largest over its mark.
+struct StabilityWorst {
+    std::string_view measure;  ///< "momentum", "energy" …; "not solved"
+    double ratio = 0;          ///< at most 1 where the case passes; infinite where it was not solved
+};
+StabilityWorst worstOf(const StabilityRow& row);
+
 struct StabilityReport {
     std::vector<StabilityRow> rows;  ///< in the order of the cases
     bool stopped = false;            ///< rows are missing
@@ -58,8 +66,11 @@ struct StabilityReport {
     std::size_t failed() const;  ///< solved, but a check failed
 };
 
-/// Solves and checks every case on `jobs` threads. `progress` is told how many rows are done.
+/// Told on the calling thread what there is, whenever a row is done.
+using StabilityProgress = std::function<void(const StabilityReport& soFar)>;
+
+/// Solves and checks every case on `jobs` threads.
 StabilityReport checkStability(const std::vector<StabilityCase>& cases, int jobs, std::stop_token stop,
-                               const std::function<void(std::uint64_t)>& progress);
+                               const StabilityProgress& progress);
 
 }  // namespace drillwave

@@ -151,15 +151,31 @@ void addChatter(std::vector<StabilityCase>& cases) {
 }
 
 /// A measured blow in little: steep front, ripples, a tail.
+const TablePoints& tablePoints() {
+    static const TablePoints points{{0, 0},      {0.02, 0.4},  {0.05, 0.9}, {0.1, 1},    {0.2, 0.82},
+                                    {0.3, 0.93}, {0.45, 0.71}, {0.6, 0.8},  {0.75, 0.3}, {1, 0}};
+    return points;
+}
+
 PulseForce tableForce() {
     Scenario scenario;
     scenario.pulse.shape = PulseShape::table;
-    scenario.pulse.tablePoints = {{0, 0},      {0.02, 0.4},  {0.05, 0.9}, {0.1, 1},    {0.2, 0.82},
-                                  {0.3, 0.93}, {0.45, 0.71}, {0.6, 0.8},  {0.75, 0.3}, {1, 0}};
+    scenario.pulse.tablePoints = tablePoints();
     return pulseForceOf(scenario);
 }
 
 }  // namespace
+
+Scenario scenarioOf(const StabilityCase& stabilityCase) {
+    Scenario scenario;
+    scenario.title = stabilityCase.name;
+    scenario.form = ScenarioForm::dimensionless;
+    scenario.groups = stabilityCase.groups;
+    scenario.pulse.shape = stabilityCase.shape;
+    scenario.pulse.piston.impedanceRatio = stabilityCase.impedanceRatio;
+    if (stabilityCase.shape == PulseShape::table) scenario.pulse.tablePoints = tablePoints();
+    return scenario;
+}
 
 Problem problemOf(const StabilityCase& stabilityCase) {
     return problemOf(stabilityCase.shape == PulseShape::table

@@ -18,6 +18,9 @@ struct StabilityCase {
     bool operator==(const StabilityCase&) const = default;
 };
 
+/// The case as a scenario of its groups, named by it.
+Scenario scenarioOf(const StabilityCase& stabilityCase);
+
 /// What is to be solved in a case.
 Problem problemOf(const StabilityCase& stabilityCase);
 

@@ -26,39 +26,6 @@ std::string obstacle(const Scenario& scenario, const Parameter& parameter, doubl
     return thrustProblem(scenario);
 }
 
-/// One for each thread.
-class PointMaker {
-  public:
-    PointMaker(const Scenario& base, const Parameter& parameter) : m_base(base), m_parameter(parameter) {}
-
-    ThrustPoint make(double value, const std::stop_token& stop) {
-        ThrustPoint point{.value = value, .needs = {}, .verdict = {}, .reason = {}};
-        const Scenario scenario = scenarioAt(m_base, m_parameter, value);
-        point.reason = obstacle(scenario, m_parameter, value);
-        if (!point.reason.empty()) return point;
-        const Problem problem = problemOf(scenario);
-        const Impact impact = m_solver.solve(problem, Detail::cor, stop);
-        if (impact.outcome != Outcome::rebounded) {
-            point.reason = impact.reason;
-            return point;
-        }
-        const GapRebounds rebounds = m_finder.of(problem, stop);
-        for (const GapRebound* rebound : {&rebounds.quantile, &rebounds.worst})
-            if (!rebound->known()) point.reason = rebound->stopped ? "stopped" : rebound->reason;
-        if (!point.reason.empty()) return point;
-        point.needs = thrustNeeds(scenario, {impact.cor, impact.corError}, rebounds);
-        point.verdict = *judgeFeed(scenario, impact.cor);
-        point.roundTrips = *roundTripsBetweenBlows(scenario);
-        return point;
-    }
-
-  private:
-    const Scenario& m_base;
-    const Parameter& m_parameter;
-    ExactSolver m_solver;
-    GapReboundFinder m_finder;
-};
-
 /// Whether all points are one blow at one gap or another, for which one thread is enough: it finds the rest
 /// in its memory.
 bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const double> values) {
@@ -71,6 +38,14 @@ bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const
     };
     const std::optional<Problem> first = blowAt(values.front());
     return first && first == blowAt(values.back());
+}
+
+ThrustPoint pointAt(const Scenario& base, const Parameter& parameter, double value, GapReboundFinder& finder,
+                    const std::stop_token& stop) {
+    const Scenario scenario = scenarioAt(base, parameter, value);
+    if (std::string problem = obstacle(scenario, parameter, value); !problem.empty())
+        return {.value = value, .needs = {}, .verdict = {}, .reason = std::move(problem)};
+    return thrustPoint(scenario, value, finder, stop);
 }
 
 struct Chunk {
@@ -93,8 +68,8 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
         return true;
     };
     const auto makeWorker = [&] {
-        return [maker = PointMaker(base, parameter)](Chunk& chunk, const std::stop_token& ending) mutable {
-            chunk.point = maker.make(chunk.value, ending);
+        return [&, finder = GapReboundFinder()](Chunk& chunk, const std::stop_token& ending) mutable {
+            chunk.point = pointAt(base, parameter, chunk.value, finder, ending);
         };
     };
     const auto deliver = [&](Chunk& chunk) {
@@ -104,6 +79,41 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
     };
     curve.stopped = processInOrder<Chunk>(jobs, stop, fill, makeWorker, deliver) == WorkEnd::stopped;
     return curve;
+}
+
+ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
+                        GapReboundFinder& finder, const std::stop_token& stop,
+                        const ThrustCurveProgress& progress) {
+    assert(parameter.applies(base));
+    ThrustCurve curve;
+    for (const double value : values) {
+        ThrustPoint point = pointAt(base, parameter, value, finder, stop);
+        curve.stopped = stop.stop_requested();
+        if (curve.stopped) return curve;
+        curve.points.push_back(std::move(point));
+        if (progress) progress(curve);
+    }
+    return curve;
+}
+
+ThrustPoint thrustPoint(const Scenario& scenario, double value, GapReboundFinder& finder,
+                        const std::stop_token& stop) {
+    assert(thrustProblem(scenario).empty());
+    ThrustPoint point{.value = value, .needs = {}, .verdict = {}, .reason = {}};
+    const Problem problem = problemOf(scenario);
+    const Impact impact = ExactSolver().solve(problem, Detail::cor, stop);
+    if (impact.outcome != Outcome::rebounded) {
+        point.reason = impact.reason;
+        return point;
+    }
+    const GapRebounds rebounds = finder.of(problem, stop);
+    for (const GapRebound* rebound : {&rebounds.quantile, &rebounds.worst})
+        if (!rebound->known()) point.reason = rebound->stopped ? "stopped" : rebound->reason;
+    if (!point.reason.empty()) return point;
+    point.needs = thrustNeeds(scenario, {impact.cor, impact.corError}, rebounds);
+    point.verdict = *judgeFeed(scenario, impact.cor);
+    point.roundTrips = *roundTripsBetweenBlows(scenario);
+    return point;
 }
 
 }  // namespace drillwave

@@ -40,4 +40,13 @@ using ThrustCurveProgress = std::function<void(const ThrustCurve&)>;
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
                         int jobs, const std::stop_token& stop = {}, const ThrustCurveProgress& progress = {});
 
+/// The same on the calling thread, with what the finder remembers of earlier curves.
+ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
+                        GapReboundFinder& finder, const std::stop_token& stop = {},
+                        const ThrustCurveProgress& progress = {});
+
+/// The point of the scenario as it is, `value` being that of the parameter in it (NaN where it has none).
+ThrustPoint thrustPoint(const Scenario& scenario, double value, GapReboundFinder& finder,
+                        const std::stop_token& stop = {});
+
 }  // namespace drillwave

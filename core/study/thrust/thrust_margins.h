@@ -5,11 +5,15 @@
 #include <optional>
 #include <stop_token>
 
-#include "core/blow/thrust.h"
+#include "core/blow/blow.h"
 #include "core/study/thrust/thrust_needs.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
+
+/// Blow::thrustMargin of a blow that is solved, for files and JSON, which have all outputs: a study of all
+/// gaps.
+void addThrustMargin(Blow& blow, const std::stop_token& stop = {});
 
 /// Shares what cases have in common: no further work for one that differs from an earlier one only in gap,
 /// frequency, impulse or feed. One for each thread.
@@ -19,12 +23,7 @@ class ThrustMargins {
     /// the case's own blow. nullopt where thrustMarginProblem() says why, where the gaps have no answer, and
     /// on the stop token. `problem` is that of the scenario.
     std::optional<double> of(const Scenario& scenario, const Problem& problem, const Estimate& cor,
-                             const std::stop_token& stop) {
-        if (!thrustMarginProblem(scenario).empty()) return std::nullopt;
-        const GapRebounds rebounds = m_finder.of(problem, stop);
-        if (!rebounds.quantile.known() || !rebounds.worst.known()) return std::nullopt;
-        return largestOf(thrustNeeds(scenario, cor, rebounds)).margin;
-    }
+                             const std::stop_token& stop);
 
   private:
     GapReboundFinder m_finder;

@@ -18,7 +18,8 @@ Scenario overloadedDrill() {
     scenario.rod.length = 40;  // outside its usual range
     scenario.rod.yieldStrength = 100e6;
     scenario.rod.fatigueStrength = 10e6;
-    scenario.drill = {.blowFrequency = 50, .thrust = 100};
+    scenario.drill.blowFrequency = 50;
+    scenario.drill.thrust = 100;
     return scenario;
 }
 

@@ -108,7 +108,7 @@ void TestParameter::rulesFitWhatTheValuesDo() {
         QVERIFY2(!parameter.value(scenario) && scenario == Scenario(), key);
         ++cleared;
     }
-    QCOMPARE(cleared, 7);
+    QCOMPARE(cleared, 9);
 }
 
 void TestParameter::aValueThatWasSetReadsBackExactly() {

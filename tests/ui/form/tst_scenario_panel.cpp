@@ -49,6 +49,7 @@ class TestScenarioPanel : public QObject {
     void aValueBeyondTheSliderIsMarked();
     void aSliderSaysWhyItStopsAndGoesBack();
     void foldedSectionsStayFolded();
+    void groupsAreLastAndFoldedWhereTheyFollow();
     void wrongTextForTheDiameterBringsTheAreaBack();
     void undoTakesBackFiveHundredRandomEdits();
 
@@ -203,6 +204,7 @@ void TestScenarioPanel::aTableIsNamedRelativeToItsScenario() {
 void TestScenarioPanel::aDragEndsEvenWhenThePanelIsHidden() {
     QSignalSpy started(m->panel.get(), &ScenarioPanel::dragStarted);
     QSignalSpy ended(m->panel.get(), &ScenarioPanel::dragEnded);
+    m->find<SectionBox>("groups").setOpen(true);
     QuantitySlider& beta = slider("beta.slider");
     beta.setSliderDown(true);
     beta.setValue(700);
@@ -276,6 +278,33 @@ void TestScenarioPanel::foldedSectionsStayFolded() {
     QVERIFY(!rod.isOpen());
     m->makePanel();
     QVERIFY(!m->find<SectionBox>("rod").isOpen());
+    QVERIFY(m->find<SectionBox>("drill").isOpen());
+}
+
+void TestScenarioPanel::groupsAreLastAndFoldedWhereTheyFollow() {
+    const auto below = [this](const char* upper, const char* lower) {
+        QCoreApplication::processEvents();
+        return m->find<SectionBox>(upper).y() < m->find<SectionBox>(lower).y();
+    };
+    auto& groups = m->find<SectionBox>("groups");
+    for (const auto& [upper, lower] : {std::pair("rod", "pulse"), std::pair("pulse", "bit_rock"),
+                                       std::pair("bit_rock", "drill"), std::pair("drill", "groups")})
+        QVERIFY2(below(upper, lower), lower);
+    QVERIFY(!groups.isOpen());
+    // All that a scenario without units is given by.
+    m->document.startFrom(findExample("paper_fig4b")->text, QStringLiteral("example"));
+    QVERIFY(below("groups", "pulse"));
+    QVERIFY(groups.isOpen());
+    QWidget* next = m->find<QLineEdit>("title").nextInFocusChain();
+    while (!(next->focusPolicy() & Qt::TabFocus) || !next->isVisible()) next = next->nextInFocusChain();
+    QVERIFY(groups.isAncestorOf(next));
+    // Each is left as it was.
+    QTest::mouseClick(groups.findChild<QToolButton*>(), Qt::LeftButton);
+    m->document.startFrom(defaultExample().text, QStringLiteral("example"));
+    QVERIFY(below("drill", "groups"));
+    QVERIFY(!groups.isOpen());
+    QTest::mouseClick(groups.findChild<QToolButton*>(), Qt::LeftButton);
+    m->makePanel();
     QVERIFY(m->find<SectionBox>("groups").isOpen());
 }
 

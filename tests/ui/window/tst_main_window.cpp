@@ -194,7 +194,7 @@ void TestMainWindow::aDragIsOneStepAndUndoRestoresTheBytes() {
 
 void TestMainWindow::wrongTextIsExplainedBelowItsRow() {
     const double before = cor();
-    type(field("gamma"), QStringLiteral("1.3"));
+    type(field("bit_rock.gamma"), QStringLiteral("1.3"));
     settle();
     QCOMPARE(cor(), before);
     const QList<QLabel*> labels = part<ScenarioPanel>(window()).findChildren<QLabel*>();

@@ -15,6 +15,11 @@
 #include "ui/text/number_text.h"
 
 namespace drillwave {
+namespace {
+
+constexpr int hintChars = 125;  // wide enough for a hint beside the other words
+
+}  // namespace
 
 BlowPage::BlowPage(Observation& observation, QWidget* parent)
     : PlotPage(parent),
@@ -172,7 +177,9 @@ void BlowPage::setGhost(const SolvedBlowPtr& before) {
 
 void BlowPage::resizeEvent(QResizeEvent* event) {
     PlotPage::resizeEvent(event);
-    m_hint->setText(width() > 720 ? tr("wheel zooms · drag moves · double-click fits") : QString());
+    m_hint->setText(width() > hintChars * fontMetrics().averageCharWidth()
+                        ? tr("wheel zooms · drag moves · double-click fits")
+                        : QString());
 }
 
 }  // namespace drillwave

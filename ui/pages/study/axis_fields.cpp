@@ -10,17 +10,29 @@
 
 #include "ui/form/choice_box.h"
 #include "ui/form/quantity_field.h"
+#include "ui/pages/study/flow_layout.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {
+namespace {
+
+QHBoxLayout* rowIn(QWidget& part) {
+    auto* row = new QHBoxLayout(&part);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    return row;
+}
+
+}  // namespace
 
 AxisFields::AxisFields(const QString& words, std::vector<std::string_view> preferred, QWidget* parent)
     : QWidget(parent),
       m_preferred(std::move(preferred)),
       m_words(words),
-      m_layout(new QHBoxLayout(this)),
       m_parameters(new ChoiceBox(this)),
+      m_startPart(new QWidget(this)),
+      m_stopPart(new QWidget(this)),
       m_logarithmic(new QCheckBox(tr("log"), this)) {
     auto* label = new QLabel(words, this);
     label->setBuddy(m_parameters);
@@ -29,11 +41,14 @@ AxisFields::AxisFields(const QString& words, std::vector<std::string_view> prefe
     m_logarithmic->setObjectName(QStringLiteral("logarithmic"));
     m_logarithmic->setAccessibleName(tr("%1: logarithmic").arg(words));
     m_logarithmic->setToolTip(tr("Even ratios in place of even steps"));
-    m_layout->setContentsMargins(0, 0, 0, 0);
-    m_layout->setSpacing(4);
-    m_layout->addWidget(label);
-    m_layout->addWidget(m_parameters);
-    m_layout->addWidget(m_logarithmic);
+    auto* choice = new QWidget(this);
+    for (QWidget* part : {choice, m_startPart, m_stopPart}) rowIn(*part);
+    choice->layout()->addWidget(label);
+    choice->layout()->addWidget(m_parameters);
+    auto* layout = new FlowLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* part : {choice, m_startPart, m_stopPart, static_cast<QWidget*>(m_logarithmic)})
+        layout->addWidget(part);
     connect(m_parameters, &QComboBox::currentIndexChanged, this, &AxisFields::choose);
     connect(m_logarithmic, &QCheckBox::toggled, this, [this](bool logarithmic) {
         StudyRange range = m_range;
@@ -74,37 +89,42 @@ void AxisFields::setRange(const StudyRange& range) {
 
 // A field is of one quantity for its life.
 void AxisFields::addFields() {
-    if (m_fields) m_fields->deleteLater();
-    m_fields = new QWidget(this);
-    auto* layout = new QHBoxLayout(m_fields);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    const Parameter& parameter = *m_range.parameter;
-    const auto addField = [&](const QString& words, const QString& name, double StudyRange::*end) {
-        UnitChoice& units = UnitChoice::shared();
-        auto* field = new QuantityField(parameter.quantity, units.fieldUnit(parameter), m_fields);
-        connect(&units, &UnitChoice::changed, field,
-                [field, &units, &parameter] { field->setUnit(units.fieldUnit(parameter)); });
-        field->setObjectName(name);
-        field->setAccessibleName(QStringLiteral("%1: %2 %3").arg(m_words, parameterName(parameter), words));
-        field->setTaker([this, end](double si) { return take(end, si); });
-        auto* label = new QLabel(words, m_fields);
-        label->setBuddy(field);
-        layout->addWidget(label);
-        layout->addWidget(field);
-        if (QToolButton* unit = field->unitButton()) {
-            unit->setAccessibleName(tr("%1, unit").arg(field->accessibleName()));
-            layout->addWidget(unit);
-        }
-        return field;
-    };
-    m_start = addField(tr("from"), QStringLiteral("start"), &StudyRange::start);
-    m_stop = addField(tr("to"), QStringLiteral("stop"), &StudyRange::stop);
-    m_layout->insertWidget(m_layout->count() - 1, m_fields);
-    m_fields->show();
+    m_start = addField(*m_startPart, tr("from"), QStringLiteral("start"), &StudyRange::start);
+    m_stop = addField(*m_stopPart, tr("to"), QStringLiteral("stop"), &StudyRange::stop);
     setTabOrder(m_parameters, m_start);
     setTabOrder(m_start, m_stop);
     setTabOrder(m_stop, m_logarithmic);
+}
+
+// In place of the one that is there.
+QuantityField* AxisFields::addField(QWidget& part, const QString& words, const QString& name,
+                                    double StudyRange::*end) {
+    if (QLayoutItem* before = part.layout()->takeAt(0)) {
+        before->widget()->hide();
+        before->widget()->deleteLater();
+        delete before;
+    }
+    const Parameter& parameter = *m_range.parameter;
+    auto* row = new QWidget(&part);
+    QHBoxLayout* layout = rowIn(*row);
+    UnitChoice& units = UnitChoice::shared();
+    auto* field = new QuantityField(parameter.quantity, units.fieldUnit(parameter), row);
+    connect(&units, &UnitChoice::changed, field,
+            [field, &units, &parameter] { field->setUnit(units.fieldUnit(parameter)); });
+    field->setObjectName(name);
+    field->setAccessibleName(QStringLiteral("%1: %2 %3").arg(m_words, parameterName(parameter), words));
+    field->setTaker([this, end](double si) { return take(end, si); });
+    auto* label = new QLabel(words, row);
+    label->setBuddy(field);
+    layout->addWidget(label);
+    layout->addWidget(field);
+    if (QToolButton* unit = field->unitButton()) {
+        unit->setAccessibleName(tr("%1, unit").arg(field->accessibleName()));
+        layout->addWidget(unit);
+    }
+    part.layout()->addWidget(row);
+    row->show();
+    return field;
 }
 
 QString AxisFields::take(double StudyRange::*end, double si) {

@@ -9,8 +9,6 @@
 #include "ui/pages/study/study_range.h"
 
 class QCheckBox;
-class QHBoxLayout;
-class QLabel;
 
 namespace drillwave {
 
@@ -44,15 +42,17 @@ class AxisFields : public QWidget {
   private:
     void choose();
     void addFields();
+    QuantityField* addField(QWidget& part, const QString& words, const QString& name,
+                            double StudyRange::*end);
     QString take(double StudyRange::*end, double si);
 
     std::vector<std::string_view> m_preferred;
     QString m_words;
     Scenario m_scenario;
     StudyRange m_range;
-    QHBoxLayout* m_layout;
     ChoiceBox* m_parameters;
-    QWidget* m_fields = nullptr;  // of the ends; another one for each parameter
+    QWidget* m_startPart;  // where the fields are, another one for each parameter
+    QWidget* m_stopPart;
     QuantityField* m_start = nullptr;
     QuantityField* m_stop = nullptr;
     QCheckBox* m_logarithmic;

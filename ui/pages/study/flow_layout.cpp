@@ -34,6 +34,25 @@ QSize FlowLayout::minimumSize() const {
     return least + QSize(margins.left() + margins.right(), margins.top() + margins.bottom());
 }
 
+QSize FlowLayout::sizeHint() const {
+    const QMargins margins = contentsMargins();
+    QSize line(-spacing(), 0);
+    for (const auto& item : m_items) {
+        if (item->isEmpty()) continue;
+        const QSize size = item->sizeHint();
+        line = {line.width() + spacing() + size.width(), std::max(line.height(), size.height())};
+    }
+    return line.expandedTo({0, 0}) +
+           QSize(margins.left() + margins.right(), margins.top() + margins.bottom());
+}
+
+// Of an item in a line of that width.
+QSize FlowLayout::sizeIn(const QLayoutItem& item, int width) const {
+    const QSize size = item.sizeHint();
+    if (size.width() <= width) return size;
+    return {width, item.hasHeightForWidth() ? item.heightForWidth(width) : size.height()};
+}
+
 void FlowLayout::setGeometry(const QRect& area) {
     QLayout::setGeometry(area);
     arrange(area, Moving::yes);
@@ -47,14 +66,14 @@ int FlowLayout::arrange(const QRect& area, Moving moving) const {
     const auto endLine = [&] {
         if (moving == Moving::yes)
             for (const auto& [item, left] : line) {
-                const QSize size = item->sizeHint().boundedTo({inside.width(), height});
+                const QSize size = sizeIn(*item, inside.width());
                 item->setGeometry({{left, y + (height - size.height()) / 2}, size});
             }
         line.clear();
     };
     for (const auto& item : m_items) {
         if (item->isEmpty()) continue;
-        const QSize size = item->sizeHint();
+        const QSize size = sizeIn(*item, inside.width());
         if (!line.empty() && x + size.width() > inside.right() + 1) {
             endLine();
             y += height + spacing();

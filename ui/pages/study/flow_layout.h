@@ -8,7 +8,8 @@
 
 namespace drillwave {
 
-/// Items side by side at their preferred sizes, in as many lines as the width asks for.
+/// Items side by side at their preferred sizes, in as many lines as the width asks for. An item that is wider
+/// than a line has a line of its own, in which one that flows itself goes on below.
 class FlowLayout : public QLayout {
     Q_OBJECT
 
@@ -24,12 +25,14 @@ class FlowLayout : public QLayout {
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override { return arrange({0, 0, width, 0}, Moving::no); }
     QSize minimumSize() const override;
-    QSize sizeHint() const override { return minimumSize(); }
+    /// All in one line.
+    QSize sizeHint() const override;
     void setGeometry(const QRect& area) override;
 
   private:
     enum class Moving { no, yes };
     int arrange(const QRect& area, Moving moving) const;
+    QSize sizeIn(const QLayoutItem& item, int width) const;
 
     std::vector<std::unique_ptr<QLayoutItem>> m_items;
 };

@@ -133,6 +133,7 @@ void StudyPage::showWords() {
     m_words->setText(!m_refusal.isEmpty() ? QStringLiteral("⚠ ") + m_refusal
                      : !problem.isEmpty() ? QStringLiteral("⚠ ") + problem
                                           : m_sentence);
+    layout()->activate();  // a sentence of more lines has its room at once
 }
 
 void StudyPage::load(const std::vector<ParameterValue>& values) {

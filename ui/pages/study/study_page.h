@@ -37,7 +37,7 @@ class StudyPage : public PlotPage {
     StudyActivity* activity() const override { return m_activity; }
 
     /// The command that writes the same CSV as exports(), see commandText(). Empty where there is none now.
-    QString command() const;
+    virtual QString command() const;
 
   public slots:
     void copyCommand();

@@ -17,7 +17,7 @@ std::vector<StabilityCase> everyNth(std::size_t n) {
     return some;
 }
 
-void ignoreProgress(std::uint64_t) {}
+void ignoreProgress(const StabilityReport&) {}
 
 }  // namespace
 

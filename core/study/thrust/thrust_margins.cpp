@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/thrust/thrust_margins.h"
+
+#include "core/blow/thrust.h"
+
+namespace drillwave {
+
+void addThrustMargin(Blow& blow, const std::stop_token& stop) {
+    if (!blow.isSolved()) return;
+    blow.thrustMargin =
+        ThrustMargins().of(blow.scenario, blow.solved, {blow.impact.cor, blow.impact.corError}, stop);
+}
+
+std::optional<double> ThrustMargins::of(const Scenario& scenario, const Problem& problem, const Estimate& cor,
+                                        const std::stop_token& stop) {
+    if (!thrustMarginProblem(scenario).empty()) return std::nullopt;
+    const GapRebounds rebounds = m_finder.of(problem, stop);
+    if (!rebounds.quantile.known() || !rebounds.worst.known()) return std::nullopt;
+    return largestOf(thrustNeeds(scenario, cor, rebounds)).margin;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page Accuracy: run by its button alone, what is done stays, a click loads a case.
+#include <QLabel>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTest>
+
+#include "core/report/accuracy_columns.h"
+#include "tests/support/program.h"
+#include "ui/pages/accuracy/accuracy_page.h"
+#include "ui/pages/accuracy/proof_picture.h"
+#include "ui/pages/accuracy/proof_plot.h"
+#include "ui/pages/accuracy/proof_table.h"
+#include "ui/plot/plot_widget.h"
+
+using namespace drillwave;
+
+class TestAccuracyPage : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void init();
+    void nothingIsRunUnasked();
+    void theBoundOfTheSolverIsThereAtOnce();
+    void whatIsDoneStaysWhenCancelled();
+    void anotherScenarioTakesTheMeasurementAway();
+    void thePictureShowsTheNumbersOfTheStudy();
+    void theTableShowsTheColumnsOfTheCommand();
+    void theWorstCaseComesFirst();
+    void aClickLoadsACaseAsOneStep();
+    void theCommandIsThatOfTheTab();
+
+  private:
+    QPushButton* button() const { return m_page->findChild<QPushButton*>("run"); }
+    QTabWidget* tabs() const { return m_page->findChild<QTabWidget*>("proofs"); }
+    QTableView* table(const char* name) const { return m_page->findChild<QTableView*>(name); }
+    QString words() const { return m_page->findChild<QLabel*>("words")->text(); }
+    int points() const;
+
+    Accuracy m_measured;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<AccuracyPage> m_page;
+};
+
+// Of two small lattices: quick, and all that a picture needs.
+void TestAccuracyPage::initTestCase() {
+    QLocale::setDefault(QLocale::c());
+    Scenario scenario;
+    scenario.form = ScenarioForm::dimensionless;
+    m_measured = measureAccuracy(scenario, {100, 200});
+}
+
+void TestAccuracyPage::init() {
+    m_page.reset();
+    m_document = std::make_unique<Document>();
+    m_document->start();
+    m_page = std::make_unique<AccuracyPage>(*m_document);
+    m_page->resize(900, 700);
+}
+
+int TestAccuracyPage::points() const {
+    int count = 0;
+    for (int i = 0; i < m_page->plot()->graphCount(); ++i) count += m_page->plot()->graph(i)->dataCount();
+    return count;
+}
+
+void TestAccuracyPage::nothingIsRunUnasked() {
+    m_page->show();
+    tabs()->setCurrentIndex(1);
+    tabs()->setCurrentIndex(0);
+    m_document->assign(*findParameter("bit_rock.stiffness"), 2e8, m_document->newGesture());
+    QCOMPARE(m_page->studies(), 0);
+    QCOMPARE(points(), 0);
+    QVERIFY(!m_page->exports().first().obstacle().isEmpty());
+}
+
+void TestAccuracyPage::theBoundOfTheSolverIsThereAtOnce() {
+    m_page->show();
+    SolveRequest request;
+    request.scenario = m_document->scenario();
+    request.units = UnitSystem::si;
+    MethodSolver solver;
+    const SolvedBlowPtr blow = solveBlow(request, solver);
+    m_page->setResult(blow);
+    QVERIFY2(words().contains(QStringLiteral("0.429738")), qPrintable(words()));
+    QVERIFY2(words().contains(QStringLiteral("7·10⁻¹⁴")), qPrintable(words()));
+    QCOMPARE(m_page->studies(), 0);
+}
+
+void TestAccuracyPage::whatIsDoneStaysWhenCancelled() {
+    m_page->show();
+    QTest::mouseClick(button(), Qt::LeftButton);
+    QCOMPARE(m_page->studies(), 1);
+    QCOMPARE(button()->text(), QStringLiteral("Cancel"));
+    const QAbstractItemModel* rows = table("accuracyTable")->model();
+    QTRY_VERIFY(rows->rowCount() >= 2);
+    QTest::mouseClick(button(), Qt::LeftButton);
+    QCOMPARE(m_page->activity()->state(), StudyState::stopped);
+    QVERIFY(rows->rowCount() >= 2);
+    QVERIFY(points() >= 2);
+    QVERIFY(button()->text().startsWith(QStringLiteral("Run")));
+    QVERIFY2(words().startsWith(QStringLiteral("e is right to")), qPrintable(words()));
+    // What there is can be written.
+    QVERIFY(m_page->exports().first().obstacle().isEmpty());
+    QVERIFY(m_page->exports().first().csv().contains("\nexact,"));
+}
+
+void TestAccuracyPage::anotherScenarioTakesTheMeasurementAway() {
+    m_page->show();
+    button()->click();
+    const QAbstractItemModel* rows = table("accuracyTable")->model();
+    QTRY_VERIFY(rows->rowCount() >= 1);
+    m_document->assign(*findParameter("bit_rock.stiffness"), 2e8, m_document->newGesture());
+    QCOMPARE(m_page->activity()->state(), StudyState::stopped);
+    QCOMPARE(rows->rowCount(), 0);
+    QCOMPARE(points(), 0);
+    QVERIFY(!m_page->exports().first().obstacle().isEmpty());
+    m_document->undoStack().undo();
+    QVERIFY(rows->rowCount() >= 1);
+}
+
+void TestAccuracyPage::thePictureShowsTheNumbersOfTheStudy() {
+    const ProofPicture picture = accuracyPicture(m_measured, QLocale::c());
+    QCOMPARE(picture.series.size(), std::size_t{4});  // exact, two lattices, closed form
+    int shown = 0;
+    for (const ProofSeries& series : picture.series)
+        for (qsizetype i = 0; i < series.at.size(); ++i, ++shown) {
+            const AccuracyRow& row = m_measured.rows[std::size_t(series.rows[i])];
+            QCOMPARE(series.at[i].x(), row.time.median);
+            QCOMPARE(series.at[i].y(), std::max(row.corError, 1e-17));
+        }
+    QCOMPARE(shown, int(m_measured.rows.size()));
+}
+
+void TestAccuracyPage::theTableShowsTheColumnsOfTheCommand() {
+    ProofTable rows;
+    rows.present(std::make_shared<const Accuracy>(m_measured));
+    QCOMPARE(rows.rowCount(), int(m_measured.rows.size()));
+    int column = 1;
+    for (const AccuracyColumn& each : accuracyColumns) {
+        if (each.title.empty()) continue;
+        QCOMPARE(rows.headerData(column, Qt::Horizontal).toString().toStdString(), std::string(each.title));
+        ++column;
+    }
+    QCOMPARE(rows.columnCount(), column);
+    QCOMPARE(rows.index(0, 0).data().toString(), QStringLiteral("exact"));
+}
+
+void TestAccuracyPage::theWorstCaseComesFirst() {
+    StabilityReport report;
+    for (const StabilityCase& each : stabilityCases()) {
+        if (report.rows.size() == 40) break;
+        report.rows.push_back(checkStability({each}, 1, {}, [](const StabilityReport&) {}).rows.front());
+    }
+    report.rows[17].momentumResidual = 1;
+    ProofTable rows;
+    rows.present(std::make_shared<const StabilityReport>(report));
+    QCOMPARE(rows.studyRow(0), std::size_t{17});
+    QCOMPARE(rows.index(0, 1).data().toString(), QStringLiteral("momentum"));
+    double last = HUGE_VAL;
+    for (int i = 0; i < rows.rowCount(); ++i) {
+        const double ratio = worstOf(report.rows[rows.studyRow(i)]).ratio;
+        QVERIFY(ratio <= last);
+        QVERIFY(i == 0 || ratio <= 1);  // every other case has passed
+        last = ratio;
+    }
+}
+
+void TestAccuracyPage::aClickLoadsACaseAsOneStep() {
+    m_page->show();
+    tabs()->setCurrentIndex(1);
+    button()->click();
+    QTableView* cases = table("stabilityTable");
+    QTRY_VERIFY_WITH_TIMEOUT(cases->model()->rowCount() > 3, 30000);
+    button()->click();
+    QCOMPARE(m_page->activity()->state(), StudyState::stopped);
+    const QModelIndex second = cases->model()->index(1, 0);
+    const QString name = second.data().toString();
+    QTest::mouseClick(cases->viewport(), Qt::LeftButton, {}, cases->visualRect(second).center());
+    QCOMPARE(m_document->undoStack().count(), 1);
+    QCOMPARE(QString::fromStdString(m_document->scenario().title), name);
+    QVERIFY(m_document->scenario().form == ScenarioForm::dimensionless);
+    QVERIFY2(m_document->undoStack().undoText().contains(name),
+             qPrintable(m_document->undoStack().undoText()));
+    // The cases are no scenario's: they stay.
+    QVERIFY(cases->model()->rowCount() > 3);
+    m_document->undoStack().undo();
+    QVERIFY(m_document->scenario().form == ScenarioForm::dimensional);
+}
+
+void TestAccuracyPage::theCommandIsThatOfTheTab() {
+    QVERIFY(m_page->command().startsWith(QStringLiteral("drillwave accuracy - -o - <<'END'\n")));
+    tabs()->setCurrentIndex(1);
+    QCOMPARE(m_page->command(), QStringLiteral("drillwave stability -o -"));
+}
+
+QTEST_MAIN(TestAccuracyPage)
+#include "tst_accuracy_page.moc"

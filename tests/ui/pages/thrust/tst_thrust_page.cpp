@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page Thrust: the numbers of the command, the feed in the hand, and what it says where something lacks.
+#include <QLabel>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/file/examples.h"
+#include "core/report/feed_words.h"
+#include "core/report/thrust_report.h"
+#include "core/study/thrust/thrust_study.h"
+#include "tests/support/program.h"
+#include "tests/support/window.h"
+#include "ui/form/quantity_field.h"
+#include "ui/pages/study/axis_fields.h"
+#include "ui/pages/thrust/thrust_page.h"
+#include "ui/pages/thrust/thrust_plot.h"
+#include "ui/plot/plot_widget.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+namespace {
+
+// For a study of a hundred points on a machine that is busy with other tests.
+constexpr int patience = 60'000;
+
+}  // namespace
+
+class TestThrustPage : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void init();
+    void aPageThatCannotBeSeenComputesNothing();
+    void theExportIsWhatTheCopiedCommandWrites_data();
+    void theExportIsWhatTheCopiedCommandWrites();
+    void theCurvesAreTheNeedsOfEachPoint();
+    void theTableAndTheSentenceAreThoseOfTheStudy();
+    void draggingTheFeedIsOneUndoStep();
+    void aDragBesideTheLineDoesNotMoveIt();
+    void theLineOfTheFeedFollowsTheScenario();
+    void weightAlongTheHoleStaysWhileTheThrustIsDragged();
+    void aCurvedLineIsDraggedWhereItWasTaken();
+    void aClickTakesOverTheFrequencyThere();
+    void whatLacksIsSaidAndCanBeEntered();
+    void aDimensionlessScenarioIsToldWhatItNeeds();
+
+  private:
+    void showPage();
+    bool isAnswered() const;
+    QString words() const { return m_page->findChild<QLabel*>(QStringLiteral("words"))->text(); }
+    QPointF feedPixel() const;
+    void drag(QPointF from, double pixels) const;
+    void chooseAxis(const char* key, double start, double stop, bool logarithmic) const;
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<ThrustPage> m_page;
+};
+
+void TestThrustPage::initTestCase() {
+    keepSettingsIn(m_folder.path());
+}
+
+void TestThrustPage::init() {
+    m_page.reset();
+    m_document = std::make_unique<Document>();
+    QVERIFY(m_document->open(example(QStringLiteral("t38_medium_rock"))).isEmpty());
+    m_page = std::make_unique<ThrustPage>(*m_document);
+    m_page->resize(900, 700);
+}
+
+void TestThrustPage::showPage() {
+    m_page->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    m_page->plot()->replot();
+}
+
+bool TestThrustPage::isAnswered() const {
+    return m_page->activity()->state() == StudyState::finished && m_page->activity()->isCurrent();
+}
+
+QPointF TestThrustPage::feedPixel() const {
+    const QCPGraphDataContainer& line = *m_page->thrustPlot().feed()->data();
+    const QCPGraphData& middle = *line.at(line.size() / 3);
+    return {m_page->plot()->xAxis->coordToPixel(middle.key),
+            m_page->plot()->yAxis->coordToPixel(middle.value)};
+}
+
+void TestThrustPage::drag(QPointF from, double pixels) const {
+    PlotWidget* plot = m_page->plot();
+    QTest::mousePress(plot, Qt::LeftButton, {}, from.toPoint());
+    for (int step = 1; step <= 4; ++step)
+        QTest::mouseMove(plot, (from + QPointF(0, pixels * step / 4)).toPoint());
+    QTest::mouseRelease(plot, Qt::LeftButton, {}, (from + QPointF(0, pixels)).toPoint());
+}
+
+void TestThrustPage::chooseAxis(const char* key, double start, double stop, bool logarithmic) const {
+    m_page->findChild<AxisFields*>()->setRange({findParameter(key), start, stop, logarithmic});
+}
+
+void TestThrustPage::aPageThatCannotBeSeenComputesNothing() {
+    m_document->assign(*findParameter("drill.thrust"), 6000, m_document->newGesture());
+    QTest::qWait(0);
+    QCOMPARE(m_page->studies(), 0);
+    showPage();
+    QCOMPARE(m_page->studies(), 1);
+    m_page->hide();
+    m_document->assign(*findParameter("drill.thrust"), 7000, m_document->newGesture());
+    QCOMPARE(m_page->studies(), 1);
+}
+
+void TestThrustPage::theExportIsWhatTheCopiedCommandWrites_data() {
+    QTest::addColumn<QByteArray>("key");
+    QTest::addColumn<double>("start");
+    QTest::addColumn<double>("stop");
+    QTest::addColumn<bool>("logarithmic");
+    QTest::newRow("frequency") << QByteArray("drill.blow_frequency") << 31.7 << 97.3 << false;
+    QTest::newRow("stiffness") << QByteArray("bit_rock.stiffness") << 3.1e7 << 2.9e8 << true;
+    QTest::newRow("diameter, partly impossible") << QByteArray("rod.diameter") << 0.0127 << 0.039 << false;
+}
+
+void TestThrustPage::theExportIsWhatTheCopiedCommandWrites() {
+    QFETCH(QByteArray, key);
+    QFETCH(double, start);
+    QFETCH(double, stop);
+    QFETCH(bool, logarithmic);
+    m_document->assign(*findParameter("drill.inclination"), 33.3, m_document->newGesture());
+    const QString path = m_folder.filePath(QStringLiteral("drill.yaml"));
+    QVERIFY(m_document->save(path).isEmpty());
+    m_page->show();
+    chooseAxis(key, start, stop, logarithmic);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    const QString command = m_page->command();
+    QVERIFY2(command.startsWith(QStringLiteral("drillwave thrust ") + path), qPrintable(command));
+    QStringList typed = QProcess::splitCommand(QString(command).replace(QLatin1Char('\''), QLatin1Char('"')));
+    typed.removeFirst();
+    const Finished finished = run(typed);
+    QVERIFY(finished.exitCode == 0 || finished.exitCode == 6);
+    QCOMPARE(m_page->exports().first().csv(), finished.out);
+    QVERIFY(finished.out.count('\n') > 101);
+}
+
+void TestThrustPage::theCurvesAreTheNeedsOfEachPoint() {
+    showPage();
+    const Parameter& frequency = *findParameter("drill.blow_frequency");
+    for (const ThrustCase which : thrustCases) {
+        const QCPGraphDataContainer& line = *m_page->thrustPlot().need(which)->data();
+        QCOMPARE(line.size(), 101);
+        for (const int i : {0, 50, 100}) {
+            Scenario scenario = m_document->scenario();
+            frequency.assign(scenario, line.at(i)->key);  // Hz
+            const double expected = studyThrust(scenario).need(which).thrust / 1000;
+            QVERIFY(std::abs(line.at(i)->value / expected - 1) < 1e-14);
+        }
+    }
+}
+
+void TestThrustPage::theTableAndTheSentenceAreThoseOfTheStudy() {
+    showPage();
+    const ThrustStudy study = studyThrust(m_document->scenario());
+    QVERIFY2(words().startsWith(QString::fromStdString(feedSentence(study.verdict))), qPrintable(words()));
+    QVERIFY2(words().endsWith(QString::fromStdString(marginSentence(study.needs))), qPrintable(words()));
+    auto* table = m_page->findChild<QTableWidget*>(QStringLiteral("needs"));
+    for (const ThrustCase which : thrustCases) {
+        const QString need = table->item(0, int(which))->text();
+        const double shown = QLocale().toDouble(need.section(QLatin1Char(' '), 0, 0));
+        QVERIFY2(std::abs(shown * 1000 / study.need(which).thrust - 1) < 1e-3, qPrintable(need));
+        const QString margin = table->item(1, int(which))->text();
+        QVERIFY2(margin.startsWith(QLatin1Char('+')) && margin.endsWith(QLatin1Char('%')),
+                 qPrintable(margin));
+    }
+}
+
+void TestThrustPage::draggingTheFeedIsOneUndoStep() {
+    showPage();
+    const double before = *m_document->scenario().drill.thrust;
+    drag(feedPixel(), 60);
+    const double after = *m_document->scenario().drill.thrust;
+    QVERIFY(after < before);
+    const double expected =
+        before - 1000 * (m_page->plot()->yAxis->pixelToCoord(0) - m_page->plot()->yAxis->pixelToCoord(60));
+    // To the pixel, and no digits beyond it.
+    QVERIFY2(std::abs(after - expected) < 150, qPrintable(QString::number(after)));
+    QCOMPARE(m_document->undoStack().count(), 1);
+    drag(feedPixel() + QPointF(0, 60), -30);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    m_document->undoStack().undo();
+    while (m_document->undoStack().canUndo()) m_document->undoStack().undo();
+    QCOMPARE(*m_document->scenario().drill.thrust, before);
+}
+
+void TestThrustPage::aDragBesideTheLineDoesNotMoveIt() {
+    showPage();
+    drag(feedPixel() + QPointF(0, -40), 30);
+    QCOMPARE(m_document->undoStack().count(), 0);
+    // Over the thrust itself the line is where thrust is what it is.
+    chooseAxis("drill.thrust", 1000, 20'000, false);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    m_page->plot()->replot();
+    drag(feedPixel(), 30);
+    QCOMPARE(m_document->undoStack().count(), 0);
+}
+
+void TestThrustPage::theLineOfTheFeedFollowsTheScenario() {
+    showPage();
+    m_document->assign(*findParameter("drill.thrust"), 5000, m_document->newGesture());
+    QTRY_COMPARE(m_page->thrustPlot().feed()->data()->at(7)->value, 5.0);
+}
+
+void TestThrustPage::weightAlongTheHoleStaysWhileTheThrustIsDragged() {
+    m_document->assign(*findParameter("drill.machine_mass"), 400, m_document->newGesture());
+    m_document->assign(*findParameter("drill.inclination"), 90, m_document->newGesture());
+    showPage();
+    const FeedForce before = *feedForceOf(m_document->scenario());
+    QVERIFY(std::abs(m_page->thrustPlot().feed()->data()->at(7)->value * 1000 / before.effective() - 1) <
+            1e-12);
+    drag(feedPixel(), 20);
+    const FeedForce after = *feedForceOf(m_document->scenario());
+    QCOMPARE(*after.weight, *before.weight);
+    QVERIFY(after.thrust < before.thrust && after.thrust > before.thrust - 2000);
+}
+
+// Over the inclination it is a curve: what is taken hold of stays in the hand.
+void TestThrustPage::aCurvedLineIsDraggedWhereItWasTaken() {
+    m_document->assign(*findParameter("drill.machine_mass"), 400, m_document->newGesture());
+    m_document->assign(*findParameter("drill.inclination"), 90, m_document->newGesture());
+    m_page->show();
+    chooseAxis("drill.inclination", -60, 60, false);
+    showPage();
+    const QPointF at = feedPixel();
+    drag(at, 25);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    m_page->plot()->replot();
+    const auto height = m_page->thrustPlot().heightAboveFeed(at + QPointF(0, 25));
+    QVERIFY(height);
+    QVERIFY2(std::abs(*height) <= 4, qPrintable(QString::number(*height)));  // of rounded pixels and thrusts
+}
+
+void TestThrustPage::aClickTakesOverTheFrequencyThere() {
+    showPage();
+    PlotWidget* plot = m_page->plot();
+    const QPointF at(plot->xAxis->coordToPixel(80), plot->yAxis->coordToPixel(1));
+    QTest::mouseClick(plot, Qt::LeftButton, {}, at.toPoint());
+    const double frequency = *m_document->scenario().drill.blowFrequency;
+    QVERIFY2(std::abs(frequency - 80) < 0.5, qPrintable(QString::number(frequency)));
+    QCOMPARE(formatNumber(frequency).size() <= 4, true);
+    QCOMPARE(m_document->undoStack().count(), 1);
+    QVERIFY(m_document->undoStack().undoText().contains(QStringLiteral("frequency")));
+}
+
+void TestThrustPage::whatLacksIsSaidAndCanBeEntered() {
+    m_document->clear(*findParameter("drill.blow_frequency"), m_document->newGesture());
+    m_document->clear(*findParameter("drill.thrust"), m_document->newGesture());
+    m_page->show();
+    QTRY_VERIFY2(words().contains(QStringLiteral("drill.blow_frequency")), qPrintable(words()));
+    QVERIFY(m_page->command().isEmpty());
+    QVERIFY(!m_page->exports().first().obstacle().isEmpty());
+    auto* field = m_page->findChild<QuantityField*>(QStringLiteral("missing.drill.blow_frequency"));
+    QVERIFY(field->isVisible());
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("55"));
+    QVERIFY(field->isVisible());  // not gone with the first digit
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(*m_document->scenario().drill.blowFrequency, 55.0);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    QVERIFY(!field->isVisible());
+    QVERIFY2(words().contains(QStringLiteral("drill.thrust")), qPrintable(words()));
+    QVERIFY(m_page->exports().first().obstacle().isEmpty());
+    QVERIFY(m_page->thrustPlot().feed()->data()->isEmpty());
+    QVERIFY(m_page->findChild<QuantityField*>(QStringLiteral("missing.drill.thrust"))->isVisible());
+}
+
+void TestThrustPage::aDimensionlessScenarioIsToldWhatItNeeds() {
+    showPage();
+    QVERIFY(m_document->open(example(QStringLiteral("paper_fig4b"))).isEmpty());
+    QTRY_VERIFY2(words().contains(QStringLiteral("physical units")), qPrintable(words()));
+    QVERIFY(m_page->thrustPlot().need(ThrustCase::scenario)->data()->isEmpty());
+    QVERIFY(m_page->command().isEmpty());
+}
+
+QTEST_MAIN(TestThrustPage)
+#include "tst_thrust_page.moc"

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/accuracy/accuracy_page.h"
+
+#include <QHeaderView>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "core/file/result_scenario.h"
+#include "core/report/accuracy_json.h"
+#include "core/report/blow_csv.h"
+#include "core/report/stability_report.h"
+#include "ui/pages/accuracy/proof_picture.h"
+#include "ui/pages/accuracy/proof_plot.h"
+#include "ui/pages/accuracy/proof_table.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+
+AccuracyPage::AccuracyPage(Document& document, QWidget* parent)
+    : StudyPage(document, parent),
+      m_run(new QPushButton(this)),
+      m_tabs(new QTabWidget(this)),
+      m_accuracyTable(new ProofTable(this)),
+      m_stabilityTable(new ProofTable(this)),
+      m_study(&prove) {
+    m_run->setObjectName(QStringLiteral("run"));
+    PlotWidget* plot = arrange({m_run});
+    m_plot = new ProofPlot(plot);
+    plot->setAccessibleName(tr("Error against run time, or the hardest cases against their marks"));
+    plot->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
+    m_tabs->setObjectName(QStringLiteral("proofs"));
+    m_tabs->setDocumentMode(true);
+    addTable(m_accuracyTable, QStringLiteral("accuracyTable"), tr("This scenario"));
+    QTableView* cases =
+        addTable(m_stabilityTable, QStringLiteral("stabilityTable"), tr("Stiff and extreme cases"));
+    cases->setToolTip(tr("The worst first; a click loads a case"));
+    static_cast<QVBoxLayout*>(layout())->addWidget(m_tabs, 1);
+    watch(m_study.job());
+    connect(m_run, &QPushButton::clicked, this, &AccuracyPage::runOrCancel);
+    connect(m_tabs, &QTabWidget::currentChanged, this, &AccuracyPage::present);
+    connect(plot, &PlotWidget::fitRequested, m_plot, &ProofPlot::fit);
+    connect(plot, &PlotWidget::clicked, this, [this, plot](const QCPAxisRect*, QPointF at) {
+        const QPointF pixel(plot->xAxis->coordToPixel(at.x()), plot->yAxis->coordToPixel(at.y()));
+        if (proof() != Proof::stability || !m_stability) return;
+        if (const std::optional<int> row = m_plot->rowAt(pixel)) loadCase(static_cast<std::size_t>(*row));
+    });
+    connect(cases, &QTableView::clicked, this,
+            [this](const QModelIndex& index) { loadCase(m_stabilityTable->studyRow(index.row())); });
+    connect(cases, &QTableView::activated, this,
+            [this](const QModelIndex& index) { loadCase(m_stabilityTable->studyRow(index.row())); });
+}
+
+QTableView* AccuracyPage::addTable(ProofTable* model, const QString& name, const QString& title) {
+    auto* table = new QTableView(m_tabs);
+    table->setObjectName(name);
+    table->setAccessibleName(title);
+    table->setModel(model);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setTabKeyNavigation(false);
+    table->setWordWrap(false);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing() + 6);
+    table->horizontalHeader()->setDefaultSectionSize(table->fontMetrics().averageCharWidth() * 13);
+    m_tabs->addTab(table, title);
+    return table;
+}
+
+Proof AccuracyPage::proof() const {
+    return m_tabs->currentIndex() == 1 ? Proof::stability : Proof::accuracy;
+}
+
+bool AccuracyPage::isRunning() const {
+    return m_study.job().state() == StudyState::running;
+}
+
+void AccuracyPage::runOrCancel() {
+    if (isRunning()) return m_study.job().cancel();
+    m_study.ask({.proof = proof(), .scenario = scenario(), .run = ++m_runs});
+}
+
+// Run by the button alone; what is measured for another scenario is of no use.
+void AccuracyPage::ask() {
+    if (isRunning() && m_study.question()->proof == Proof::accuracy &&
+        m_study.question()->scenario != scenario())
+        m_study.job().cancel();
+}
+
+// Each study keeps what it has found while the other one runs.
+void AccuracyPage::takeOver() {
+    if (const ProofAnswer* answer = m_study.value()) {
+        if (answer->stability) m_stability = answer->stability;
+        if (answer->accuracy && answer->accuracy != m_accuracy) {
+            m_accuracy = answer->accuracy;
+            m_accuracyOf = answer->question.scenario;
+        }
+    }
+}
+
+void AccuracyPage::present() {
+    takeOver();
+    m_run->setText(isRunning() ? tr("Cancel") : proof() == Proof::accuracy ? tr("Run 10 s") : tr("Run 20 s"));
+    m_run->setToolTip(proof() == Proof::accuracy
+                          ? tr("Solve this scenario with every method and measure errors and times")
+                          : tr("Solve and check some thousand stiff and extreme cases"));
+    if (proof() == Proof::accuracy)
+        presentAccuracy();
+    else
+        presentStability();
+    say(sentence());
+    plot()->setCurrent(hasAll());
+}
+
+void AccuracyPage::presentAccuracy() {
+    const bool isOfThis = m_accuracy && m_accuracyOf == scenario() && !m_accuracy->rows.empty();
+    const void* wanted = isOfThis ? m_accuracy.get() : nullptr;
+    if (wanted && wanted == m_shown) return;
+    m_shown = wanted;
+    if (isOfThis) {
+        m_plot->present(accuracyPicture(*m_accuracy, QLocale()));
+        m_accuracyTable->present(m_accuracy);
+    } else {
+        m_plot->showNothing(isRunning()
+                                ? tr("Solving exactly, and in long double …")
+                                : tr("Run compares all methods on this scenario: error against time."));
+        if (m_accuracyTable->rowCount() > 0) m_accuracyTable->clear();
+    }
+    plot()->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void AccuracyPage::presentStability() {
+    const bool isThere = m_stability && !m_stability->rows.empty();
+    const void* wanted = isThere ? m_stability.get() : nullptr;
+    if (wanted && wanted == m_shown) return;
+    m_shown = wanted;
+    if (isThere) {
+        m_plot->present(stabilityPicture(*m_stability, QLocale()));
+        m_stabilityTable->present(m_stability);
+    } else {
+        m_plot->showNothing(tr("Run solves and checks some thousand stiff and extreme cases."));
+    }
+    plot()->replot(QCustomPlot::rpQueuedReplot);
+}
+
+QString AccuracyPage::sentence() const {
+    const QLocale locale;
+    if (proof() == Proof::stability)
+        return m_stability && !m_stability->rows.empty()
+                   ? tr("%1. A click loads a case.").arg(stabilitySentence(*m_stability, locale))
+                   : tr("Cases that break solvers, each with all its checks: the worst first.");
+    if (m_accuracy && m_accuracyOf == scenario() && !m_accuracy->rows.empty())
+        return accuracySentence(*m_accuracy, locale) + QLatin1Char('.');
+    if (!blow() || !blow()->isSolved()) return tr("How right the numbers are, and what other methods give.");
+    return tr("e = %1 is right to %2, the bound that the exact solver states.")
+        .arg(numberText(blow()->impact.cor, 6, locale), magnitudeText(blow()->impact.corError, locale));
+}
+
+void AccuracyPage::loadCase(std::size_t row) {
+    const StabilityCase& chosen = m_stability->rows[row].stabilityCase;
+    document().useScenario(scenarioOf(chosen),
+                           tr("load the case %1").arg(QString::fromStdString(chosen.name)));
+}
+
+bool AccuracyPage::hasAll() const {
+    if (isRunning()) return false;
+    if (proof() == Proof::stability)
+        return m_stability && !m_stability->stopped && !m_stability->rows.empty();
+    return m_accuracy && m_accuracyOf == scenario() && !m_accuracy->rows.empty();
+}
+
+QList<PageExport> AccuracyPage::exports() const {
+    QList<PageExport> all = StudyPage::exports();
+    for (PageExport& each : all)
+        each.obstacle = [this] {
+            if (hasAll()) return QString();
+            return isRunning() ? tr("The study is not finished yet.")
+                               : tr("There is nothing to write: run the study first.");
+        };
+    return all;
+}
+
+QByteArray AccuracyPage::csv() const {
+    if (proof() == Proof::stability) return QByteArray::fromStdString(stabilityCsv(*m_stability));
+    return QByteArray::fromStdString(scenarioHeader(completeScenarioText(document().contents())) +
+                                     accuracyCsv(*m_accuracy));
+}
+
+QStringList AccuracyPage::commandWords() const {
+    return {QStringLiteral("accuracy")};
+}
+
+// The extreme cases are no scenario's.
+QString AccuracyPage::command() const {
+    return proof() == Proof::stability ? QStringLiteral("drillwave stability -o -") : StudyPage::command();
+}
+
+}  // namespace drillwave

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page Accuracy: how right the numbers are, for this scenario and for the hardest ones.
+#pragma once
+
+#include "ui/job/asked_study.h"
+#include "ui/pages/accuracy/proof_study.h"
+#include "ui/pages/study/study_page.h"
+
+class QPushButton;
+class QTableView;
+class QTabWidget;
+
+namespace drillwave {
+
+class ProofPlot;
+class ProofTable;
+
+/// Both studies are run by a button alone. A study of another scenario is not shown.
+class AccuracyPage : public StudyPage {
+    Q_OBJECT
+
+  public:
+    explicit AccuracyPage(Document& document, QWidget* parent = nullptr);
+
+    QString title() const override { return tr("Accuracy"); }
+    QList<PageExport> exports() const override;
+    QString command() const override;
+    /// How many studies were started.
+    int studies() const { return m_study.started(); }
+
+  protected:
+    void ask() override;
+    void present() override;
+    QByteArray csv() const override;
+    QStringList commandWords() const override;
+
+  private:
+    Proof proof() const;
+    bool isRunning() const;
+    void runOrCancel();
+    void takeOver();
+    void presentAccuracy();
+    void presentStability();
+    void loadCase(std::size_t row);
+    QTableView* addTable(ProofTable* model, const QString& name, const QString& title);
+    bool hasAll() const;
+    QString sentence() const;
+
+    QPushButton* m_run;
+    QTabWidget* m_tabs;
+    ProofTable* m_accuracyTable;
+    ProofTable* m_stabilityTable;
+    ProofPlot* m_plot = nullptr;
+    std::shared_ptr<const Accuracy> m_accuracy;  // of the present scenario
+    std::shared_ptr<const StabilityReport> m_stability;
+    Scenario m_accuracyOf;
+    const void* m_shown = nullptr;  // what the plot draws
+    int m_runs = 0;
+    AskedStudy<ProofQuestion, ProofAnswer> m_study;  // goes first: its thread works
+};
+
+}  // namespace drillwave

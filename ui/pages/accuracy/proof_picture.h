@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is drawn of the proofs: error against run time, and how near the extreme cases are to failing.
+#pragma once
+
+#include <QPointF>
+#include <QString>
+#include <QStringList>
+#include <QVector>
+#include <optional>
+#include <vector>
+
+#include "core/study/proof/accuracy.h"
+#include "core/study/proof/stability.h"
+
+namespace drillwave {
+
+/// Points of one kind.
+struct ProofSeries {
+    QString name;
+    enum class Points { joined, apart, star } points = Points::apart;
+    QVector<QPointF> at;  ///< both numbers positive
+    QStringList
+        labels;  ///< beside the points, one each, empty ones too; none at all where there are no labels
+    QVector<int> rows;  ///< which row of the study each point is
+};
+
+/// Points on two logarithmic axes.
+struct ProofPicture {
+    QString xLabel;
+    QString yLabel;
+    QString caption;  ///< one sentence
+    std::vector<ProofSeries> series;
+    std::optional<double> mark;  ///< a level on the vertical axis that is not to be passed
+    QString markName;
+};
+
+/// Error of e against run time, a line for each lattice, the exact solution as a star (theory §9). Errors
+/// below what a double can tell are shown there.
+ProofPicture accuracyPicture(const Accuracy& accuracy, const QLocale& locale);
+
+/// "e is right to 6·10⁻¹⁴ in 1 µs; the paper's 10 000 segments give 1·10⁻⁹ in 145 ms"; of what there is.
+QString accuracySentence(const Accuracy& accuracy, const QLocale& locale);
+
+/// For each case its worst measure over the mark that is not to be passed, against β/γ, the stiffest rate.
+ProofPicture stabilityPicture(const StabilityReport& report, const QLocale& locale);
+
+/// "4 631 cases, all passed; the nearest to its mark: …"; of what there is.
+QString stabilitySentence(const StabilityReport& report, const QLocale& locale);
+
+/// "lattice, moved waves, 10000".
+QString rowName(const AccuracyRow& row);
+
+}  // namespace drillwave

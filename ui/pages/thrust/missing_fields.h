@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a study needs and the scenario lacks, to be entered on the spot.
+#pragma once
+
+#include <QWidget>
+#include <string_view>
+#include <vector>
+
+#include "core/model/scenario.h"
+
+class QLabel;
+
+namespace drillwave {
+
+class QuantityField;
+struct Parameter;
+
+/// A field for each of some optional parameters, shown while the scenario might have it and does not.
+class MissingFields : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit MissingFields(const std::vector<std::string_view>& keys, QWidget* parent = nullptr);
+
+    void present(const Scenario& scenario);
+
+  signals:
+    /// The user has entered a value (SI) to the end.
+    void entered(const drillwave::Parameter* parameter, double si);
+
+  private:
+    struct Field {
+        const Parameter* parameter;
+        QLabel* label;
+        QuantityField* field;
+        QWidget* unit;
+    };
+    std::vector<Field> m_fields;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/thrust/regime_bands.h"
+
+#include <algorithm>
+
+#include "core/report/feed_words.h"
+#include "ui/text/shown_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr Feed regimes[] = {Feed::pushedBack, Feed::penetrationLost, Feed::fullRate, Feed::backInTime};
+constexpr int shades[] = {44, 24, 10, 0};  // alpha of the text's colour: the worse, the darker
+
+}  // namespace
+
+RegimeBands::RegimeBands(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
+    for (std::size_t i = 0; i < bandCount; ++i) {
+        m_bands[i] = new QCPCurve(plot->xAxis, plot->yAxis);
+        m_bands[i]->removeFromLegend();
+        m_bands[i]->setSelectable(QCP::stNone);
+        m_bands[i]->setLayer(QStringLiteral("background"));
+        m_bands[i]->setPen(Qt::NoPen);
+        m_names[i] = new QCPItemText(plot);
+        m_names[i]->setSelectable(false);
+        m_names[i]->setText(fromView(feedWord(regimes[i])));
+        m_names[i]->setPadding(QMargins(6, 1, 6, 1));
+        m_names[i]->setPositionAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        m_names[i]->setLayer(QStringLiteral("axes"));  // above the curves
+        m_names[i]->setVisible(false);
+    }
+    connect(plot, &QCustomPlot::afterLayout, this, &RegimeBands::place);
+}
+
+void RegimeBands::present(const ThrustPicture& picture) {
+    m_thresholds = {picture.balance, picture.fullRate, picture.returned};
+    place();
+}
+
+// As far as the bands are in view: files do not clip.
+void RegimeBands::place() {
+    const QCPRange view = m_plot->yAxis->range();
+    const QCPRange along = m_plot->xAxis->range();
+    const auto edge = [&](std::size_t i, double level) {
+        QVector<QPointF> line;
+        for (const QPointF& point : m_thresholds[std::min(i, bandCount - 2)]) {
+            if (!along.contains(point.x())) continue;
+            line.append(
+                {point.x(), std::clamp(i < bandCount - 1 ? point.y() : level, view.lower, view.upper)});
+        }
+        return line;
+    };
+    QVector<QPointF> floor = edge(bandCount - 1, view.lower);
+    for (std::size_t i = 0; i < bandCount; ++i) {
+        const QVector<QPointF> ceiling = edge(i, view.upper);
+        QVector<QCPCurveData> outline;
+        for (const QPointF& point : floor) outline.append({double(outline.size()), point.x(), point.y()});
+        for (auto point = ceiling.rbegin(); point != ceiling.rend(); ++point)
+            outline.append({double(outline.size()), point->x(), point->y()});
+        m_bands[i]->data()->set(outline, true);
+        placeName(i, floor, ceiling);
+        floor = ceiling;
+    }
+}
+
+// At the right end, where the bands are widest along a frequency, and only where there is room for it.
+void RegimeBands::placeName(std::size_t band, const QVector<QPointF>& floor,
+                            const QVector<QPointF>& ceiling) {
+    QCPItemText* name = m_names[band];
+    name->setVisible(false);
+    if (floor.size() < 2) return;
+    const qsizetype at = floor.size() - 1 - floor.size() / 50;
+    const double room =
+        m_plot->yAxis->coordToPixel(floor[at].y()) - m_plot->yAxis->coordToPixel(ceiling[at].y());
+    if (room < QFontMetricsF(name->font()).height()) return;
+    name->setVisible(true);
+    name->position->setCoords(floor[at].x(), (floor[at].y() + ceiling[at].y()) / 2);
+}
+
+void RegimeBands::setStyle(const PlotStyle& style) {
+    QColor behind = style.background;
+    behind.setAlpha(190);
+    for (std::size_t i = 0; i < bandCount; ++i) {
+        QColor shade = style.text;
+        shade.setAlpha(shades[i]);
+        m_bands[i]->setBrush(shade);
+        m_names[i]->setFont(style.font);
+        m_names[i]->setColor(style.text);
+        m_names[i]->setBrush(behind);  // curves may pass there
+    }
+}
+
+}  // namespace drillwave

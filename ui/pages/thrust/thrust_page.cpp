@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/thrust/thrust_page.h"
+
+#include <QBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "core/blow/thrust.h"
+#include "core/file/result_scenario.h"
+#include "core/report/blow_csv.h"
+#include "core/report/feed_words.h"
+#include "core/report/thrust_report.h"
+#include "ui/pages/study/axis_fields.h"
+#include "ui/pages/thrust/missing_fields.h"
+#include "ui/pages/thrust/thrust_drag.h"
+#include "ui/pages/thrust/thrust_plot.h"
+#include "ui/pages/thrust/thrust_table.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/unit_choice.h"
+
+namespace drillwave {
+namespace {
+
+constexpr std::string_view thrustKey = "drill.thrust";
+
+// A value that the hand has chosen to a pixel needs no more digits than that.
+double readable(double value, const QCPAxis& axis, double pixel) {
+    const double step = std::abs(axis.pixelToCoord(pixel + 1) - axis.pixelToCoord(pixel));
+    if (!(step > 0) || !std::isfinite(step)) return value;
+    const int digits = static_cast<int>(std::floor(std::log10(step)));
+    const double unit = std::pow(10.0, digits);
+    // Through text: 0.3, not 0.30000000000000004.
+    return *parseNumber(formatNumber(std::round(value / unit)) + "e" + std::to_string(digits));
+}
+
+}  // namespace
+
+ThrustPage::ThrustPage(Document& document, QWidget* parent)
+    : StudyPage(document, parent),
+      m_axis(new AxisFields(tr("over"), {"drill.blow_frequency"}, this)),
+      m_missing(new MissingFields({"drill.blow_frequency", thrustKey}, this)),
+      m_table(new ThrustTable(this)),
+      m_study([student = std::make_shared<ThrustStudent>()](const ThrustQuestion& question,
+                                                            const StudyFeed<ThrustAnswer>& feed) {
+          return student->answer(question, feed);
+      }) {
+    PlotWidget* widget = arrange({m_axis, m_missing});
+    static_cast<QBoxLayout*>(layout())->addWidget(m_table);
+    m_plot = new ThrustPlot(widget);
+    m_drag = new ThrustDrag(*widget, *m_plot);
+    widget->setAccessibleName(tr("Needs of the thrust"));
+    widget->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
+    watch(m_study.job());
+    connect(m_axis, &AxisFields::changed, this, &ThrustPage::askSoon);
+    connect(m_missing, &MissingFields::entered, this, [this](const Parameter* parameter, double si) {
+        load({{parameter, si}});
+    });
+    connect(widget, &PlotWidget::fitRequested, m_plot, &ThrustPlot::fit);
+    connect(widget, &PlotWidget::clicked, this,
+            [this](const QCPAxisRect*, QPointF at) { takeParameter(at.x()); });
+    connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
+        if (isVisible()) present();
+    });
+    connect(m_drag, &ThrustDrag::begun, this, &ThrustPage::hold);
+    connect(m_drag, &ThrustDrag::moved, this, &ThrustPage::moveHeld);
+}
+
+void ThrustPage::ask() {
+    m_missing->present(scenario());
+    {
+        const QSignalBlocker quiet(m_axis);  // what it chooses now is asked for right here
+        m_axis->present(scenario());
+    }
+    m_study.ask({scenario(), m_axis->range()});
+}
+
+void ThrustPage::present() {
+    const std::shared_ptr<const ThrustAnswer> answer = m_study.job().value();
+    if (!answer) return;
+    if (!answer->problem.empty()) return showNothing(QString::fromStdString(answer->problem));
+    if (!answer->here.reason.empty()) return showNothing(QString::fromStdString(answer->here.reason));
+    const UnitChoice& choice = UnitChoice::shared();
+    const ThrustUnits units =
+        thrustUnits(answer->scenario, choice.fieldUnit(*answer->along.axis.parameter),
+                    shownUnits(choice.physicalSystem(), scalesOf(answer->scenario), choice.chosen()));
+    if (answer != m_shown || !(units == m_units)) {
+        m_shown = answer;
+        m_units = units;
+        draw(*answer);
+    }
+    placeHere(*answer);
+}
+
+void ThrustPage::draw(const ThrustAnswer& answer) {
+    m_plot->present(thrustPicture(answer.along, m_units));
+    for (const ThrustCase which : thrustCases) {
+        CurveMeaning meaning;
+        meaning.xUnit = m_units.along.unit;
+        meaning.yUnit = m_units.force.unit;
+        plot()->setMeaning(m_plot->need(which), meaning);
+        plot()->setMeaning(m_plot->feed(), meaning);
+    }
+    plot()->setAccessibleDescription(m_plot->textSummary());
+    m_table->present(answer.here.needs, m_units);
+    QString words = QString::fromStdString(feedSentence(answer.here.verdict));
+    const std::optional<GapAtBlow>& gap = answer.here.need(ThrustCase::scenario).gapAtBlow;
+    if (gap && gap->motion.kind == UndampedMotion::Kind::bouncing)
+        words += QLatin1Char(' ') + QString::fromStdString(gapAtBlowSentence(*gap));
+    if (const std::string margin = marginSentence(answer.here.needs); !margin.empty())
+        words += QLatin1Char(' ') + QString::fromStdString(margin);
+    say(words);
+    plot()->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ThrustPage::placeHere(const ThrustAnswer& answer) {
+    const std::optional<double> force = answer.here.verdict.effective();
+    const bool isShown = m_study.job().isCurrent() && std::isfinite(answer.here.value);
+    m_plot->setHere(isShown ? std::optional(answer.here.value * m_units.along.factor) : std::nullopt,
+                    force ? std::optional(*force * m_units.force.factor) : std::nullopt);
+    m_drag->setEnabled(force && answer.along.axis.key() != thrustKey);
+}
+
+void ThrustPage::showNothing(const QString& why) {
+    m_shown = nullptr;
+    m_drag->setEnabled(false);
+    m_plot->showNothing(why);
+    m_table->clearNumbers();
+    say(why);
+    plot()->setAccessibleDescription(why);
+    plot()->replot(QCustomPlot::rpQueuedReplot);
+}
+
+// A click in the plot.
+void ThrustPage::takeParameter(double shown) {
+    if (!m_shown) return;
+    const QCPAxis& axis = *plot()->xAxis;
+    load({{m_shown->along.axis.parameter,
+           readable(shown, axis, axis.coordToPixel(shown)) / m_units.along.factor}});
+}
+
+void ThrustPage::hold(double shownForce) {
+    m_held = {document().newGesture(), scenario().drill.thrust.value_or(0),
+              shownForce / m_units.force.factor};
+}
+
+// The line is the effective force, wherever it was taken hold of: the thrust moves by as much.
+void ThrustPage::moveHeld(double shownForce) {
+    const QCPAxis& axis = *plot()->yAxis;
+    const double thrust = m_held.thrust + shownForce / m_units.force.factor - m_held.force;
+    const double shown = std::max(0.0, thrust * m_units.force.factor);
+    document().assign(*findParameter(thrustKey),
+                      readable(shown, axis, axis.coordToPixel(shown)) / m_units.force.factor, m_held.gesture);
+}
+
+QList<PageExport> ThrustPage::exports() const {
+    QList<PageExport> all = StudyPage::exports();
+    for (PageExport& each : all)
+        each.obstacle = [this, before = each.obstacle] {
+            if (QString obstacle = before(); !obstacle.isEmpty()) return obstacle;
+            return m_shown ? QString() : QString::fromStdString(m_study.value()->problem);
+        };
+    return all;
+}
+
+QByteArray ThrustPage::csv() const {
+    return QByteArray::fromStdString(scenarioHeader(completeScenarioText(document().contents())) +
+                                     thrustCsv(m_study.value()->along));
+}
+
+QStringList ThrustPage::commandWords() const {
+    if (!thrustProblem(scenario()).empty()) return {};
+    const StudyRange& range = m_axis->range();
+    return {QStringLiteral("thrust"), QStringLiteral("--along"),
+            QString::fromStdString(range.text() + range.tail())};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/thrust/thrust_plot.h"
+
+#include <algorithm>
+
+#include "ui/pages/thrust/regime_bands.h"
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+namespace {
+
+bool sameAxes(const ThrustPicture& a, const ThrustPicture& b) {
+    return a.key == b.key && a.isLogarithmic == b.isLogarithmic && a.from == b.from && a.to == b.to &&
+           a.units.along.unit == b.units.along.unit && a.units.force.unit == b.units.force.unit;
+}
+
+GraphData dataOf(const QVector<QPointF>& line) {
+    QVector<QCPGraphData> points;
+    for (const QPointF& point : line) appendFinite(points, point.x(), point.y());
+    return graphData(points);
+}
+
+}  // namespace
+
+ThrustPlot::ThrustPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
+    plot->axisRect()->setupFullAxesBox(true);
+    for (QCPAxis* far : {plot->xAxis2, plot->yAxis2}) far->setTicks(false);
+    plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
+    addHeader();
+    m_bands = new RegimeBands(plot);
+    for (const ThrustCase which : thrustCases) {
+        const auto i = static_cast<std::size_t>(which);
+        m_upper[i] = plot->addGraph();
+        m_upper[i]->removeFromLegend();
+        m_upper[i]->setSelectable(QCP::stNone);
+        m_lower[i] = plot->addGraph();
+        m_lower[i]->setName(thrustCaseName(which));
+    }
+    m_feed = plot->addGraph();
+    m_feedName = new QCPItemText(plot);
+    m_feedName->setSelectable(false);
+    m_feedName->setPadding(QMargins(6, 2, 6, 2));
+    m_feedName->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
+    m_here = new HereMark(plot, plot->xAxis, plot->yAxis);
+    m_message = new PlotMessage(plot);
+    for (const QCPAxis* axis : {plot->xAxis, plot->yAxis}) m_view->watch(axis);
+    connect(plot, &QCustomPlot::beforeReplot, this, &ThrustPlot::followLegend);
+    setStyle(PlotStyle::forPaper());
+    showNothing({});
+}
+
+// Above the plot, where it can hide no part of a curve.
+void ThrustPlot::addHeader() {
+    m_plot->plotLayout()->insertRow(0);
+    auto* header = new QCPLayoutGrid;
+    header->setRowSpacing(0);
+    m_plot->plotLayout()->addElement(0, 0, header);
+    header->addElement(0, 0, m_plot->legend);
+    m_plot->plotLayout()->setRowStretchFactor(0, 1e-3);
+    m_plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    m_plot->legend->setWrap(3);
+    m_plot->legend->setVisible(true);
+    m_plot->legend->setMargins(QMargins(7, 6, 0, 0));
+    m_caption =
+        new QCPTextElement(m_plot, tr("each need from f I₀ (1 + e), full penetration, to f I₀ (1 + 2e), bit "
+                                      "back in time undamped"));
+    m_caption->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    m_caption->setMargins(QMargins(7, 0, 0, 2));
+    header->addElement(1, 0, m_caption);
+}
+
+void ThrustPlot::present(const ThrustPicture& picture) {
+    const bool otherAxes = !sameAxes(m_picture, picture);
+    m_picture = picture;
+    m_message->hide();
+    for (std::size_t i = 0; i < thrustCaseCount; ++i) {
+        m_lower[i]->setData(picture.needs[i].fullRate);
+        m_upper[i]->setData(picture.needs[i].returned);
+    }
+    m_feed->setData(dataOf(picture.feed));
+    m_feed->setName(picture.isWeighted ? tr("effective force, with weight along the hole")
+                                       : tr("installed thrust"));
+    m_plot->xAxis->setScaleType(picture.isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    m_plot->xAxis->setTicker(picture.isLogarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
+                                                   : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+    m_plot->xAxis->setLabel(
+        picture.units.along.unit.isEmpty() ? picture.along : picture.units.along.axisLabel(picture.along));
+    m_plot->yAxis->setLabel(picture.units.force.axisLabel(tr("thrust")));
+    if (m_view->isFitted() || otherAxes) fit();
+    m_bands->present(picture);
+    nameFeed();
+    m_summary =
+        tr("Needs of the thrust over %1, for this blow, 95 % of all gaps, rigid rock and the worst gap "
+           "on elastic rock, each from full penetration to the bit back in time; behind them what the "
+           "feed does by the rebound of this blow.")
+            .arg(picture.along);
+}
+
+void ThrustPlot::showNothing(const QString& message) {
+    m_picture = {};
+    const auto nothing = QSharedPointer<QCPGraphDataContainer>::create();
+    for (QCPGraph* graph : m_lower) graph->setData(nothing);
+    for (QCPGraph* graph : m_upper) graph->setData(nothing);
+    m_feed->setData(nothing);
+    m_bands->clear();
+    m_here->setPlace({}, {});
+    nameFeed();
+    m_message->show(message);
+    m_summary = message;
+}
+
+void ThrustPlot::setHere(std::optional<double> along, std::optional<double> force) {
+    m_here->setPlace(along, force);
+}
+
+// Both ends of a bracket are one entry.
+void ThrustPlot::followLegend() {
+    for (std::size_t i = 0; i < thrustCaseCount; ++i) m_upper[i]->setVisible(m_lower[i]->visible());
+    m_feedName->setVisible(m_feed->visible() && !m_picture.feed.isEmpty());
+}
+
+void ThrustPlot::nameFeed() {
+    if (m_picture.feed.isEmpty()) return;
+    const QPointF start = m_picture.feed.first();
+    m_feedName->setText(QStringLiteral("%1 %2").arg(
+        m_picture.isWeighted ? tr("effective") : tr("installed"),
+        numberText(start.y(), 4, m_plot->locale()) + QChar(QChar::Nbsp) + m_picture.units.force.unit));
+    m_feedName->position->setCoords(start);
+}
+
+std::optional<double> ThrustPlot::heightAboveFeed(QPointF pixel) const {
+    if (m_picture.feed.isEmpty() || !m_plot->axisRect()->rect().contains(pixel.toPoint()))
+        return std::nullopt;
+    const double x = m_plot->xAxis->pixelToCoord(pixel.x());
+    const auto next = std::ranges::lower_bound(m_picture.feed, x, {}, &QPointF::x);
+    if (next == m_picture.feed.end() || next == m_picture.feed.begin()) return std::nullopt;
+    const QPointF before = *std::prev(next);
+    const double share = (x - before.x()) / (next->x() - before.x());
+    return m_plot->yAxis->coordToPixel(before.y() + share * (next->y() - before.y())) - pixel.y();
+}
+
+void ThrustPlot::setStyle(const PlotStyle& style) {
+    m_message->setStyle(style);
+    m_plot->setBackground(style.background);
+    style.applyTo(*m_plot->axisRect());
+    style.applyTo(*m_plot->legend);
+    style.applyTo(*m_caption);
+    m_bands->setStyle(style);
+    for (std::size_t i = 0; i < thrustCaseCount; ++i) {
+        const int kind = static_cast<int>(i);
+        m_lower[i]->setPen(style.linePen(kind));
+        QPen thin = style.linePen(kind);
+        thin.setWidthF(0.8);
+        m_upper[i]->setPen(thin);
+        m_lower[i]->setBrush(style.areaBrush(kind));
+        m_lower[i]->setChannelFillGraph(m_upper[i]);
+    }
+    m_feed->setPen(QPen(style.text, 2.4));
+    m_feedName->setFont(style.font);
+    m_feedName->setColor(style.text);
+    m_here->setStyle(style);
+    if (!m_picture.feed.isEmpty()) nameFeed();  // files have another locale
+}
+
+void ThrustPlot::fit() {
+    m_view->fit([&] {
+        double most = 0;
+        for (const QCPGraph* graph : m_upper)
+            for (const QCPGraphData& point : *graph->data()) most = std::max(most, point.value);
+        for (const QPointF& point : m_picture.feed) most = std::max(most, point.y());
+        m_plot->xAxis->setRange(m_picture.from, m_picture.to);
+        m_plot->yAxis->setRange(0, most > 0 ? 1.06 * most : 1);
+    });
+}
+
+}  // namespace drillwave

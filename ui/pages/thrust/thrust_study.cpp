@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/thrust/thrust_study.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "core/blow/thrust.h"
+
+namespace drillwave {
+namespace {
+
+// A scenario may be large, and each look at the study is a copy of it.
+constexpr std::size_t pointsAtATime = 8;
+
+}  // namespace
+
+SweepAxis axisOf(const StudyRange& range) {
+    const ParsedAxis parsed = parseAxis(range.text() + range.tail(), customaryThrustPoints);
+    assert(parsed.problem.empty());
+    return parsed.axis;
+}
+
+ThrustAnswer ThrustStudent::answer(const ThrustQuestion& question, const StudyFeed<ThrustAnswer>& feed) {
+    ThrustAnswer found{.scenario = question.scenario,
+                       .along = {axisOf(question.range), {}},
+                       .here = {},
+                       .problem = thrustProblem(question.scenario)};
+    if (!found.problem.empty()) return found;
+    const Parameter& parameter = *question.range.parameter;
+    const double value = parameter.value(question.scenario).value_or(std::nan(""));
+    found.here = thrustPoint(question.scenario, value, m_finder, feed.stop);
+    const std::size_t wanted = found.along.axis.count;
+    found.along.curve = thrustAlong(question.scenario, parameter, valuesOf(found.along.axis), m_finder,
+                                    feed.stop, [&](const ThrustCurve& soFar) {
+                                        feed.tell({soFar.points.size(), wanted});
+                                        if (soFar.points.size() % pointsAtATime != 0) return;
+                                        found.along.curve = soFar;
+                                        feed.show(found);
+                                    });
+    return found;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the page Thrust studies.
+#pragma once
+
+#include <memory>
+
+#include "core/report/thrust_csv.h"
+#include "ui/job/study_job.h"
+#include "ui/pages/study/study_range.h"
+
+namespace drillwave {
+
+struct ThrustQuestion {
+    Scenario scenario;
+    StudyRange range;
+    bool operator==(const ThrustQuestion&) const = default;
+};
+
+/// What there is of it so far.
+struct ThrustAnswer {
+    Scenario scenario;  ///< as it was asked
+    ThrustAlong along;
+    ThrustPoint here;     ///< of the scenario itself; its reason says why there are no numbers
+    std::string problem;  ///< thrustProblem(): then there is nothing else
+    bool isComplete() const { return problem.empty() && along.curve.points.size() == along.axis.count; }
+};
+
+/// The axis that the command line reads from the range: the same values, in the same unit.
+SweepAxis axisOf(const StudyRange& range);
+
+/// Answers one question after another. What depends on the gap is remembered from one to the next, so that a
+/// thrust that is dragged costs next to nothing. On one thread at a time.
+class ThrustStudent {
+  public:
+    ThrustAnswer answer(const ThrustQuestion& question, const StudyFeed<ThrustAnswer>& feed);
+
+  private:
+    GapReboundFinder m_finder;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The four needs of the thrust in numbers.
+#pragma once
+
+#include <QTableWidget>
+
+#include "ui/pages/thrust/thrust_picture.h"
+
+namespace drillwave {
+
+/// A column for each need, and rows of what is known of it.
+class ThrustTable : public QTableWidget {
+    Q_OBJECT
+
+  public:
+    explicit ThrustTable(QWidget* parent = nullptr);
+
+    /// Of the scenario as it is; cells are empty where nothing is known.
+    void present(const ThrustNeeds& needs, const ThrustUnits& units);
+    void clearNumbers();
+
+    QSize sizeHint() const override;
+    /// Two rows; the others are scrolled to.
+    QSize minimumSizeHint() const override;
+
+  private:
+    int heightOf(int contents) const;
+    void setText(int row, ThrustCase which, const QString& text, const QString& more = {});
+    void presentGap(ThrustCase which, const std::optional<GapAtBlow>& found, const ShownUnit& unit);
+};
+
+}  // namespace drillwave

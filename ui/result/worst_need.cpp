@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/result/worst_need.h"
+
+#include "core/blow/thrust.h"
+
+namespace drillwave {
+namespace {
+
+// While values are dragged the study would only take the time of the blows.
+constexpr std::chrono::milliseconds rest{100};
+
+}  // namespace
+
+WorstNeed::WorstNeed(QObject* parent) : QObject(parent) {
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(rest);
+    connect(&m_rest, &QTimer::timeout, this, &WorstNeed::run);
+    connect(&m_job, &StudyActivity::changed, this, &WorstNeed::changed);
+}
+
+void WorstNeed::ask(const SolvedBlow& blow) {
+    std::optional<Scenario> asked;
+    if (blow.problem.isEmpty() && thrustProblem(blow.request.scenario).empty()) {
+        asked = blow.request.scenario;
+        asked->title.clear();
+    }
+    if (asked == m_scenario) return;
+    m_scenario = std::move(asked);
+    m_due = m_scenario.has_value();
+    if (m_due)
+        m_rest.start();
+    else
+        m_rest.stop();
+    m_job.cancel();
+}
+
+void WorstNeed::run() {
+    m_due = false;
+    m_job.submit([scenario = *m_scenario](const StudyFeed<ThrustStudy>& feed) {
+        return studyThrust(scenario, feed.stop);
+    });
+}
+
+std::optional<double> WorstNeed::thrust() const {
+    const auto& study = m_job.value();
+    if (!m_scenario || !study || !study->reason.empty() || study->stopped) return std::nullopt;
+    return study->largestNeed().thrust;
+}
+
+QString WorstNeed::problem() const {
+    const auto& study = m_job.value();
+    return study ? QString::fromStdString(study->reason) : m_job.problem();
+}
+
+bool WorstNeed::isCurrent() const {
+    return !m_due && m_job.isCurrent() && m_job.state() != StudyState::running;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The largest of the four needs of the thrust, which takes a study of all gaps: found beside the blow.
+#pragma once
+
+#include <QTimer>
+#include <optional>
+
+#include "core/study/thrust/thrust_study.h"
+#include "ui/job/solved_blow.h"
+#include "ui/job/study_job.h"
+
+namespace drillwave {
+
+/// Follows the blow on show as soon as its values rest. What was found for an earlier one stays meanwhile.
+class WorstNeed : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit WorstNeed(QObject* parent = nullptr);
+
+    /// Of this blow from now on; one without a thrust has none.
+    void ask(const SolvedBlow& blow);
+    /// f I0 (1+e) [N] by the largest e of the four; nothing where there is none, or none yet.
+    std::optional<double> thrust() const;
+    /// Why there is none, in a sentence; may be empty.
+    QString problem() const;
+    /// Whether thrust() is that of the blow asked for last.
+    bool isCurrent() const;
+
+  signals:
+    void changed();
+
+  private:
+    void run();
+
+    std::optional<Scenario> m_scenario;  // with a thrust
+    StudyJob<ThrustStudy> m_job;
+    bool m_due = false;  // asked, and not run yet
+    QTimer m_rest;
+};
+
+}  // namespace drillwave
