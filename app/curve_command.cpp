@@ -9,6 +9,7 @@
 #include "app/progress_bar.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
+#include "app/study_plots.h"
 #include "core/report/curve_report.h"
 
 namespace drillwave {
@@ -56,7 +57,7 @@ CurveReport study(const CurveQuestion& question, int jobs, const Interruption& i
 }
 
 void writeCsv(const CurveReport& report, const Arguments& arguments, const RowOptions& options,
-              const ScenarioDocument& base) {
+              const ScenarioDocument& base, const std::vector<NamedFile>& pictures) {
     const CurveQuestion& question = report.study.question;
     RowRecord record = recordOf("curve", arguments, options, question.columns, base, rowCount(report.study));
     if (question.family) record.axes.push_back(recordedAxis(*question.family, *arguments.value("family")));
@@ -64,7 +65,7 @@ void writeCsv(const CurveReport& report, const Arguments& arguments, const RowOp
     record.axes.back().count = 0;  // each line has its own points
     RowFile out(options);
     out.write(curveCsv(report.study));
-    out.commit(record);
+    out.commit(record, pictures);
 }
 
 /// Throws where a line has no answer, with the first reason.
@@ -79,11 +80,12 @@ void checkSolved(const CurveStudy& study, const std::string& path) {
                                        valueText(study.question.along, stretch.end) + ": " + stretch.reason);
 }
 
-ExitCode runCurve(const Arguments& arguments, const Drawing*) {
+ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const bool writesFile = arguments.has("o");
     if (arguments.has("force") && !writesFile)
         throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+    const StudyPlots plots = StudyPlots::besideFile(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments);
     const ScenarioDocument& base = input.document;
     const RowOptions options = rowOptions(arguments, input.method);
@@ -98,11 +100,13 @@ ExitCode runCurve(const Arguments& arguments, const Drawing*) {
             if (!output.empty()) checkOverwrite(output, options.overwrite);
         }
 
+    plots.check(path, base, options.overwrite);
+
     const Interruption interruption;
     remarkOnValues(base.scenario, path);
     CurveReport report = study(question, options.jobs, interruption);
     report.scenarioText = completeScenarioText(base);
-    if (writesFile) writeCsv(report, arguments, options, base);
+    if (writesFile) writeCsv(report, arguments, options, base, plots.draw(&report, drawing, interruption));
     if (!writesFile || options.path != "-")
         writeFile("-", arguments.has("json") ? curveJson(report) : curveText(report), Overwrite::allowed);
     checkSolved(report.study, path);
@@ -125,6 +129,7 @@ std::vector<OptionSpec> curveOptions() {
              {"j", "N", "threads to use, all of them if not given"},
              {"o", "FILE.csv",
               "also write points of the lines, with FILE.csv.yaml beside it; - prints them instead"},
+             plotsOptionSpec(),
              {"force", "", "overwrite existing files"}})
         options.push_back(option);
     return options;
@@ -148,7 +153,7 @@ const Command& curveCommand() {
         .options = curveOptions(),
         .leastOperands = 1,
         .mostOperands = 1,
-        .draws = [](const Arguments&) { return false; },
+        .draws = asksForPlots,
         .run = runCurve,
     };
     return command;

@@ -11,6 +11,7 @@
 #include "tests/support/themes.h"
 #include "tests/support/window_parts.h"
 #include "ui/job/solve_job.h"
+#include "ui/job/study_activity.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
 #include "ui/window/page_tabs.h"
@@ -19,12 +20,13 @@ using namespace drillwave;
 
 namespace {
 
-const QSize sizes[] = {{1000, 650}, {1440, 900}, {1920, 1080}};
+const QSize sizes[] = {{1000, 650}, {1440, 900}, {3200, 1800}};
 
 // Also what is shown late, such as a finer raster for the size on screen.
 void settle(MainWindow& window) {
+    const StudyActivity* study = part<PageTabs>(window).current().activity();
     do QTest::qWait(200);
-    while (part<SolveJob>(window).isBusy());
+    while (part<SolveJob>(window).isBusy() || (study && study->state() == StudyState::running));
 }
 
 bool drawPages(MainWindow& window, const QDir& folder, const char* theme, int scale) {
@@ -33,6 +35,8 @@ bool drawPages(MainWindow& window, const QDir& folder, const char* theme, int sc
         pages->setCurrentIndex(page);
         for (const QSize size : sizes) {
             window.resize(size);
+            settle(window);
+            window.resize(size);  // a narrow window has moved its docks together
             settle(window);
             const QString name =
                 QStringLiteral("%1_%2_%3x%4_%5x.png")

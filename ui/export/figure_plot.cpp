@@ -75,6 +75,7 @@ void setAxes(const FigurePanel& panel, QCPAxisRect& rect) {
     y.setLabel(printed(panel.yLabel));
     for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) rect.axis(side)->setTicks(false);
     x.setRange(rangeOf(panel, &FigureCurve::x, 0));
+    if (panel.xFrom) x.setRangeLower(*panel.xFrom);
     y.setRange(rangeOf(panel, &FigureCurve::y, 0.06));
     if (!panel.logarithmicX) return;
     x.setScaleType(QCPAxis::stLogarithmic);

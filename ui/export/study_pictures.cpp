@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/study_pictures.h"
 
+#include "core/file/preset_file.h"
 #include "ui/export/figure_plot.h"
 #include "ui/export/sweep_panels.h"
 #include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/gap/gap_plot.h"
+#include "ui/pages/stiffness/stiffness_plot.h"
 #include "ui/pages/thrust/thrust_plot.h"
 
 namespace drillwave {
@@ -26,6 +28,23 @@ ShownUnits unitsFor(const Scenario& scenario) {
 }
 
 }  // namespace
+
+// Of several outputs the first: the page shows one at a time.
+Pictures drawStudy(const CurveReport& report, const PictureOrder& order) {
+    const CurveQuestion& asked = report.study.question;
+    StiffnessStudy study;
+    study.question.curve = asked;
+    study.curve = report.study;
+    std::optional<double> here;
+    if (asked.family && asked.family->parameter && asked.family->parameter->applies(asked.base))
+        here = asked.family->parameter->value(asked.base);
+    const bool isSi = asked.columns.front().units == OutputUnits::si;
+    const ShownUnits units =
+        shownUnits(isSi ? UnitSystem::si : UnitSystem::dimensionless, scalesOf(asked.base));
+    const Unit& unit = customaryUnit(*asked.along.parameter, UnitSystem::si);
+    return drawnBy<StiffnessPlot>(stiffnessPicture(study, units, unit, here, builtInPresets(), QLocale::c()),
+                                  {180, 120}, asked.base.title, order);
+}
 
 Pictures drawStudy(const GapReport& report, const PictureOrder& order) {
     return drawnBy<GapPlot>(gapPicture(report, GapOutput::cor, unitsFor(report.scenario)), {180, 110},

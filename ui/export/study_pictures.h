@@ -2,6 +2,7 @@
 // The pictures of studies, drawn by the plots of their pages.
 #pragma once
 
+#include "core/report/curve_report.h"
 #include "core/report/gap_report.h"
 #include "core/report/thrust_report.h"
 #include "core/study/proof/accuracy.h"
@@ -12,6 +13,7 @@
 namespace drillwave {
 
 /// What the page of each study shows at first, in naturalUnits(); see renderPictures().
+Pictures drawStudy(const CurveReport& report, const PictureOrder& order);
 Pictures drawStudy(const GapReport& report, const PictureOrder& order);
 /// Of a report along a parameter.
 Pictures drawStudy(const ThrustReport& report, const PictureOrder& order);

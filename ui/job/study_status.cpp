@@ -30,8 +30,8 @@ void keepPlace(QWidget* widget) {
 }  // namespace
 
 QString progressText(const StudyProgress& progress, double seconds, const QLocale& locale) {
-    QString text = locale.toString(qulonglong(progress.done));
-    if (progress.wanted > 0) text += QLatin1Char('/') + locale.toString(qulonglong(progress.wanted));
+    QString text = QString::number(progress.done);
+    if (progress.wanted > 0) text += QLatin1Char('/') + QString::number(progress.wanted);
     if (seconds < rateSeconds || progress.done == 0) return text;
     const double rate = double(progress.done) / seconds;
     const auto left = double(progress.wanted) - double(progress.done);

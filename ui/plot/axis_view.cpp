@@ -133,6 +133,7 @@ void fitLogarithmic(QCPAxis& axis) {
 }
 
 void setTickDigits(QCPAxis& axis) {
+    if (axis.numberFormat().startsWith(QLatin1Char('e'))) return;  // powers of ten have none
     const QVector<double> ticks = axis.tickVector();
     if (ticks.size() < 2) return;
     const double magnitude = std::max(std::abs(ticks.first()), std::abs(ticks.last()));

@@ -33,7 +33,7 @@ void setScale(QCPAxis& axis, QCPAxis::ScaleType scale);
 /// On a logarithmic axis the range of the positive values of the visible curves, at most 9 decades of them.
 void fitLogarithmic(QCPAxis& axis);
 
-/// As many digits on the ticks as tell them apart, six at least.
+/// As many digits on the ticks as tell them apart, six at least; ticks that are powers of ten stay so.
 void setTickDigits(QCPAxis& axis);
 
 }  // namespace drillwave

@@ -14,7 +14,11 @@ HelpMenu::HelpMenu(Questions& questions, QWidget* window)
 void HelpMenu::showMouseAndKeys() {
     m_questions.tell(
         m_window, Questions::Tone::information, tr("Mouse and keys"),
-        tr("Plots\n"
+        tr("Window\n"
+           "Ctrl+Tab, Ctrl+Shift+Tab: next page, previous page; F6, Shift+F6: scenario, page, result\n"
+           "Ctrl+I, Ctrl+U, Ctrl+D: SI, US units, dimensionless\n"
+           "\n"
+           "Plots\n"
            "Wheel: zoom at the pointer; over an axis, that axis only\n"
            "Drag: move; Shift+drag or right button: zoom to a box\n"
            "Double-click or Home: fit; Backspace or Alt+Left: zoom back\n"

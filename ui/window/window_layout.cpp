@@ -3,7 +3,6 @@
 
 #include <QDockWidget>
 #include <QEvent>
-#include <QLayout>
 #include <QMainWindow>
 #include <QMenu>
 #include <QScreen>
@@ -28,8 +27,7 @@ constexpr Qt::DockWidgetArea areas[] = {Qt::LeftDockWidgetArea, Qt::RightDockWid
 
 }  // namespace
 
-WindowLayout::WindowLayout(QMainWindow* window, const QWidget* page)
-    : QObject(window), m_window(window), m_page(page) {
+WindowLayout::WindowLayout(QMainWindow* window) : QObject(window), m_window(window) {
     window->installEventFilter(this);
 }
 
@@ -39,6 +37,8 @@ void WindowLayout::addDock(const QString& title, const QString& name, QWidget* c
     dock->setWidget(content);
     m_window->addDockWidget(areas[m_docks.size()], dock);
     m_docks.append(dock);
+    // Side by side they would widen a window that is to be small before anybody has asked.
+    if (m_docks.size() == 2) shareOneSide();
 }
 
 void WindowLayout::addTo(QMenu& menu) {
@@ -66,7 +66,7 @@ bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Show && !std::exchange(m_restored, true))
         QTimer::singleShot(0, this, &WindowLayout::restore);
     else if (event->type() == QEvent::Resize && m_restored)
-        stackSoon();
+        QTimer::singleShot(0, this, &WindowLayout::stack);
     return QObject::eventFilter(watched, event);
 }
 
@@ -77,30 +77,23 @@ void WindowLayout::restore() {
         reset();
     for (QDockWidget* dock : std::as_const(m_docks))
         if (dock->isFloating()) keepOnScreen(*dock);
-    // What the docks ask for side by side has widened a window of the first size, perhaps beyond the screen.
-    const bool isFirst = m_firstSize.isValid() &&
-                         m_window->size() == m_firstSize.expandedTo(m_window->minimumSizeHint());
-    stack(isFirst ? m_firstSize.width() : m_window->width());
-    if (!isFirst) return;
-    m_window->layout()->activate();
-    m_window->resize(m_firstSize);
-    fitOnScreen(*m_window);  // only now its frame is known
+    stack();
+    if (m_window->size() == m_firstSize) fitOnScreen(*m_window);  // only now its frame is known
 }
 
 void WindowLayout::reset() {
-    m_stacked = false;
-    stackSoon();
-    QList<int> widths;
-    int wanted = m_page->minimumSizeHint().width();
-    for (qsizetype i = 0; i < m_docks.size(); ++i) {
-        m_docks[i]->setFloating(false);
-        if (m_window->dockWidgetArea(m_docks[i]) != areas[i]) m_window->addDockWidget(areas[i], m_docks[i]);
-        m_docks[i]->show();
-        widths.append(m_docks[i]->widget()->sizeHint().width());
-        wanted += widths.last();
+    for (QDockWidget* dock : std::as_const(m_docks)) {
+        dock->setFloating(false);
+        dock->show();
     }
-    // A small window stays small: docks that ask for more than there is would widen it.
-    if (wanted <= m_window->width()) m_window->resizeDocks(m_docks, widths, Qt::Horizontal);
+    if (m_window->width() < widthSideBySide()) return shareOneSide();
+    m_stacked = false;
+    QList<int> widths;
+    for (qsizetype i = 0; i < m_docks.size(); ++i) {
+        m_window->addDockWidget(areas[i], m_docks[i]);
+        widths.append(m_docks[i]->widget()->sizeHint().width());
+    }
+    m_window->resizeDocks(m_docks, widths, Qt::Horizontal);
 }
 
 bool WindowLayout::isSideBySide() const {
@@ -110,6 +103,7 @@ bool WindowLayout::isSideBySide() const {
 }
 
 void WindowLayout::shareOneSide() {
+    m_window->addDockWidget(areas[0], m_docks[0]);
     m_window->tabifyDockWidget(m_docks[0], m_docks[1]);
     m_docks[0]->raise();
     m_stacked = true;
@@ -117,22 +111,19 @@ void WindowLayout::shareOneSide() {
 
 // That both docks need, and a page that is to be of use.
 int WindowLayout::widthSideBySide() const {
-    int width = std::max(usefulPageWidth, m_window->centralWidget()->minimumSizeHint().width());
+    // One more than the least: a window that has been made as narrow as it can be has the docks come
+    // together.
+    int width = std::max(usefulPageWidth, m_window->centralWidget()->minimumSizeHint().width() + 1);
     for (const QDockWidget* dock : std::as_const(m_docks))
         width += dock->widget()->minimumSizeHint().width() +
                  m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
     return width;
 }
 
-void WindowLayout::stackSoon() {
-    QTimer::singleShot(0, this, [this] { stack(m_window->width()); });
-}
-
-// The docks share a side, or do so no more, as the width of the window wants it.
-void WindowLayout::stack(int width) {
-    if (!m_stacked && width < widthSideBySide() && isSideBySide()) {
+void WindowLayout::stack() {
+    if (!m_stacked && m_window->width() < widthSideBySide() && isSideBySide()) {
         shareOneSide();
-    } else if (m_stacked && width >= widthSideBySide()) {
+    } else if (m_stacked && m_window->width() >= widthSideBySide()) {
         m_stacked = false;
         m_window->addDockWidget(areas[1], m_docks[1]);
     }

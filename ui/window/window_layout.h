@@ -17,8 +17,8 @@ class WindowLayout : public QObject {
     Q_OBJECT
 
   public:
-    /// `page` is what the docks leave room for. addDock() and restoreSize() come before the window is shown.
-    WindowLayout(QMainWindow* window, const QWidget* page);
+    /// addDock() and restoreSize() come before the window is shown.
+    explicit WindowLayout(QMainWindow* window);
 
     /// The first is on the left, the second on the right. `name` tells them apart in what is kept.
     void addDock(const QString& title, const QString& name, QWidget* content);
@@ -33,14 +33,12 @@ class WindowLayout : public QObject {
   private:
     void restore();
     void reset();
-    void stack(int width);
-    void stackSoon();
+    void stack();
     void shareOneSide();
     int widthSideBySide() const;
     bool isSideBySide() const;
 
     QMainWindow* m_window;
-    const QWidget* m_page;
     QList<QDockWidget*> m_docks;
     bool m_restored = false;
     QSize m_firstSize;       // where there is none of the last run

@@ -35,6 +35,7 @@ struct CurveQuestion {
     CurveRange range() const;
     /// The base with the first value of every axis.
     Scenario firstScenario() const;
+    bool operator==(const CurveQuestion&) const = default;
     std::vector<SweepAxis> axes() const;  ///< the family, if there is one, and the parameter to go along
 };
 

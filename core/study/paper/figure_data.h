@@ -2,6 +2,7 @@
 // A figure as data: panels of curves, for tables and for plots.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct FigurePanel {
     std::string yKey;    ///< name of the column where the curves have one each of their own
     std::string yLabel;
     bool logarithmicX = false;
+    std::optional<double> xFrom = {};  ///< where the axis begins, if before the data
     std::vector<FigureCurve> curves;
 };
 

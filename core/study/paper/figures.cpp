@@ -61,7 +61,8 @@ FigurePanel wavePanel(const char* name, const char* title, const Groups& groups)
                       .xKey = "time",
                       .xLabel = "time t/t0",
                       .yKey = "normal_force",
-                      .yLabel = "normal force N/F0",
+                      .yLabel = "normal force N/F0, tension positive",
+                      .xFrom = 0,
                       .curves = {}};
     constexpr std::array<const char*, 4> names{"N0p", "N1n", "N2p", "N3n"};
     const Impact impact = solvePaperCase(groups, Detail::histories);

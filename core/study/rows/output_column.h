@@ -26,6 +26,7 @@ struct OutputColumn {
     Detail detail() const { return output->detail; }
     /// nullopt where there is no number (Output::value).
     std::optional<double> value(const OutputSource& source, const Scales& scales) const;
+    bool operator==(const OutputColumn&) const = default;
 };
 
 /// The columns chosen, or why not.

@@ -38,6 +38,7 @@ struct SweepAxis {
     std::string readBackProblem(const Scenario& scenario, double value) const;
     /// Where the extreme values are: two indices, all of them for shapes.
     std::vector<std::uint64_t> extremes() const;
+    bool operator==(const SweepAxis&) const = default;
 };
 
 /// Most values that one axis may have, and most points of a grid.

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tests/support/own_clock.h"
+#include "tests/support/gap_watch.h"
 #include "ui/job/solve_job.h"
 
 using namespace drillwave;
@@ -42,22 +42,6 @@ struct SlowSolver {
         auto blow = std::make_shared<SolvedBlow>();
         blow->request = request;
         return blow;
-    }
-};
-
-// The longest time between two turns of the event loop that a timer of 1 ms sees.
-struct GapWatch {
-    using Milliseconds = std::chrono::duration<double, std::milli>;
-    std::chrono::nanoseconds own = ownClock();
-    std::chrono::steady_clock::time_point wall = std::chrono::steady_clock::now();
-    Milliseconds longestOwn{0};
-    Milliseconds longestWall{0};
-
-    void turn() {
-        const auto ownNow = ownClock();
-        const auto wallNow = std::chrono::steady_clock::now();
-        longestOwn = std::max(longestOwn, Milliseconds(ownNow - std::exchange(own, ownNow)));
-        longestWall = std::max(longestWall, Milliseconds(wallNow - std::exchange(wall, wallNow)));
     }
 };
 

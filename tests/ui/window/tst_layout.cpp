@@ -2,6 +2,7 @@
 // Every page at every size, light and dark: nothing is cut off, covered, nameless or faint.
 #include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -13,13 +14,12 @@
 #include "ui/job/solve_job.h"
 #include "ui/text/settings.h"
 #include "ui/window/page_tabs.h"
+#include "ui/window/units_choice.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
 
 namespace {
-
-constexpr int widestSmallWindow = 1100;
 
 // By its menu, so that its explanation is on show as well.
 void openExample(MainWindow& window, const QString& name) {
@@ -27,6 +27,14 @@ void openExample(MainWindow& window, const QString& name) {
     for (QAction* action : window.findChildren<QAction*>())
         if (action->text() == title) return action->trigger();
     QFAIL(qPrintable(title));
+}
+
+QStringList docksOverThePage(const MainWindow& window) {
+    QStringList found;
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+        if (dock->isVisible() && dock->geometry().intersects(window.centralWidget()->geometry()))
+            found.append(dock->windowTitle() + QStringLiteral(" over the page"));
+    return found;
 }
 
 }  // namespace
@@ -42,6 +50,7 @@ class TestLayout : public QObject {
 
   private:
     QTemporaryDir m_folder;
+    QFont m_font = QApplication::font();
     ScriptedAnswers m_answers;
 };
 
@@ -52,6 +61,7 @@ void TestLayout::initTestCase() {
 
 void TestLayout::cleanup() {
     QApplication::setPalette(QPalette());
+    QApplication::setFont(m_font);
     Settings().clear();
 }
 
@@ -59,37 +69,59 @@ void TestLayout::everythingCanBeReadAndReached_data() {
     QTest::addColumn<QString>("example");
     QTest::addColumn<QSize>("size");
     QTest::addColumn<bool>("dark");
+    QTest::addColumn<int>("points");
+    QTest::addColumn<UnitSystem>("units");
+    constexpr int usualPoints = 9;
+    const auto add = [](const char* example, const QSize& size, bool dark, int points, UnitSystem units) {
+        QTest::addRow("%s, %d × %d, %s, %d pt%s", example, size.width(), size.height(),
+                      dark ? "dark" : "light", points, units == UnitSystem::us ? ", US units" : "")
+            << QString::fromLatin1(example) << size << dark << points << units;
+    };
     for (const char* example : {"t38_medium_rock", "t51_soft_rock", "paper_fig4b", "reference_case"})
-        for (const QSize size : {QSize(1000, 650), QSize(1440, 900), QSize(1920, 1080)})
-            for (const bool dark : {false, true})
-                QTest::addRow("%s, %d × %d, %s", example, size.width(), size.height(),
-                              dark ? "dark" : "light")
-                    << QString::fromLatin1(example) << size << dark;
+        for (const QSize size : {QSize(1000, 650), QSize(1440, 900)})
+            for (const bool dark : {false, true}) add(example, size, dark, usualPoints, UnitSystem::si);
+    for (const bool dark : {false, true})
+        add("t38_medium_rock", {3200, 1800}, dark, usualPoints, UnitSystem::si);
+    add("t38_medium_rock", {1440, 900}, false, 16, UnitSystem::si);
+    add("t38_medium_rock", {1920, 1080}, true, 16, UnitSystem::si);
+    add("t38_medium_rock", {1000, 650}, false, usualPoints, UnitSystem::us);
 }
 
 void TestLayout::everythingCanBeReadAndReached() {
     QFETCH(QString, example);
     QFETCH(QSize, size);
     QFETCH(bool, dark);
+    QFETCH(int, points);
+    QFETCH(UnitSystem, units);
     QApplication::setPalette(dark ? darkPalette() : lightPalette());
+    QFont font = QApplication::font();
+    font.setPointSize(points);
+    QApplication::setFont(font);
     MainWindow window(std::make_unique<ScriptedQuestions>(m_answers), exactSolve());
+    part<UnitsChoice>(window).choose(units);
     openExample(window, example);
     window.resize(size);
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QCoreApplication::processEvents();
+    window.resize(size);  // now that the docks may have come together for want of room
+    QCoreApplication::processEvents();
     auto* pages = window.findChild<PageTabs*>();
     QStringList problems;
-    // The numbers of the result panel are never cut: a small window grows by what they need.
-    if (window.width() > std::max(size.width(), widestSmallWindow) || window.height() > size.height())
+    if (window.width() > size.width() || window.height() > size.height())
         problems.append(QStringLiteral("wants %1 × %2").arg(window.width()).arg(window.height()));
     for (int page = 0; page < pages->count(); ++page) {
         pages->setCurrentIndex(page);
         QTRY_VERIFY(!part<SolveJob>(window).isBusy());
         QCoreApplication::processEvents();
-        const QStringList found =
-            clippedTexts(window) + overlaps(window) + namelessControls(window) + faintTexts(window);
+        QCoreApplication::processEvents();  // what the last event has asked for
+        const QStringList found = clippedTexts(window) + overlaps(window) + docksOverThePage(window) +
+                                  namelessControls(window) + faintTexts(window);
         for (const QString& each : found)
             problems.append(pages->page(page).title() + QStringLiteral(": ") + each);
+        if (window.width() > size.width() || window.height() > size.height())
+            problems.append(pages->page(page).title() +
+                            QStringLiteral(" wants %1 × %2").arg(window.width()).arg(window.height()));
     }
     QVERIFY2(problems.isEmpty(), qPrintable(problems.join(QLatin1Char('\n'))));
 }

@@ -123,6 +123,7 @@ void AccuracyPage::presentAccuracy() {
     if (isOfThis) {
         m_plot->present(accuracyPicture(*m_accuracy, QLocale()));
         m_accuracyTable->present(m_accuracy);
+        widenNames();
     } else {
         m_plot->showNothing(isRunning()
                                 ? tr("Solving exactly, and in long double …")
@@ -140,21 +141,27 @@ void AccuracyPage::presentStability() {
     if (isThere) {
         m_plot->present(stabilityPicture(*m_stability, QLocale()));
         m_stabilityTable->present(m_stability);
+        widenNames();
     } else {
         m_plot->showNothing(tr("Run solves and checks some thousand stiff and extreme cases."));
     }
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
+// Once: then the widths are the user's.
+void AccuracyPage::widenNames() {
+    auto* table = qobject_cast<QTableView*>(m_tabs->currentWidget());
+    constexpr int letters = 30;
+    if (table->columnWidth(0) == table->horizontalHeader()->defaultSectionSize())
+        table->setColumnWidth(0, letters * table->fontMetrics().averageCharWidth());
+}
+
 QString AccuracyPage::sentence() const {
-    const QLocale locale;
     if (proof() == Proof::stability)
-        return m_stability && !m_stability->rows.empty()
-                   ? tr("%1. A click loads a case.").arg(stabilitySentence(*m_stability, locale))
-                   : tr("Cases that break solvers, each with all its checks: the worst first.");
-    if (m_accuracy && m_accuracyOf == scenario() && !m_accuracy->rows.empty())
-        return accuracySentence(*m_accuracy, locale) + QLatin1Char('.');
+        return tr(
+            "Cases that break solvers, each with all its checks, the worst first. A click loads a case.");
     if (!blow() || !blow()->isSolved()) return tr("How right the numbers are, and what other methods give.");
+    const QLocale locale;
     return tr("e = %1 is right to %2, the bound that the exact solver states.")
         .arg(numberText(blow()->impact.cor, 6, locale), magnitudeText(blow()->impact.corError, locale));
 }

@@ -43,6 +43,7 @@ class AccuracyPage : public StudyPage {
     void presentStability();
     void loadCase(std::size_t row);
     QTableView* addTable(ProofTable* model, const QString& name, const QString& title);
+    void widenNames();
     bool hasAll() const;
     QString sentence() const;
 

@@ -40,7 +40,7 @@ QCPRange decadesOf(const ProofPicture& picture, double (QPointF::*coordinate)() 
             most = std::max(most, (point.*coordinate)());
         }
     if (!(least <= most)) return {1e-3, 1};
-    constexpr double room = 2.2;  // a factor
+    constexpr double room = 3;  // a factor
     return {least / room, most * room};
 }
 
@@ -69,6 +69,8 @@ ProofPlot::ProofPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(ne
     plot->legend->setWrap(4);
     header->addElement(0, 0, plot->legend);
     header->addElement(1, 0, m_caption);
+    // Takes what width is left: a legend without entries would keep the axes as narrow as itself.
+    header->addElement(0, 1, new QCPTextElement(plot));
     m_mark = new QCPItemStraightLine(plot);
     m_mark->setSelectable(false);
     m_mark->setClipAxisRect(plot->axisRect());
@@ -115,6 +117,7 @@ void ProofPlot::present(const ProofPicture& picture) {
         m_markName->setText(picture.markName);
     }
     applyStyle();
+    setNumbersVisible(true);
     if (m_view->isFitted() || otherAxes) fit();
 }
 
@@ -127,6 +130,11 @@ void ProofPlot::showNothing(const QString& message) {
     m_mark->setVisible(false);
     m_markName->setVisible(false);
     m_message->show(message);
+    setNumbersVisible(false);
+}
+
+void ProofPlot::setNumbersVisible(bool visible) {
+    for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) axis->setTickLabels(visible);
 }
 
 void ProofPlot::addSeries(const ProofSeries& series, int index) {
@@ -143,9 +151,9 @@ void ProofPlot::addSeries(const ProofSeries& series, int index) {
         label->setClipAxisRect(m_plot->axisRect());
         label->setText(series.labels[i]);
         label->setPadding(QMargins(8, 3, 8, 3));
-        // Two lines of the same errors: beside the slower one on its right, beside the other on its left.
+        // Two lines that fall to the right: words above the upper one, below the other.
         label->setPositionAlignment(index % 2 == 1 ? Qt::AlignLeft | Qt::AlignBottom
-                                                   : Qt::AlignRight | Qt::AlignVCenter);
+                                                   : Qt::AlignRight | Qt::AlignTop);
         label->position->setCoords(series.at[i]);
         m_labels.append(label);
     }
@@ -182,10 +190,13 @@ void ProofPlot::applyStyle() {
 void ProofPlot::fit() {
     m_view->fit([&] {
         QCPRange times = decadesOf(m_picture, &QPointF::x, {});
-        constexpr double wordsRoom = 12;  // a factor, for those on the right
-        if (!m_labels.isEmpty()) times.upper *= wordsRoom;
+        QCPRange errors = decadesOf(m_picture, &QPointF::y, m_picture.mark);
+        if (!m_labels.isEmpty()) {  // room for words, factors
+            times.upper *= 12;
+            errors.upper *= 4;
+        }
         m_plot->xAxis->setRange(times);
-        m_plot->yAxis->setRange(decadesOf(m_picture, &QPointF::y, m_picture.mark));
+        m_plot->yAxis->setRange(errors);
     });
 }
 

@@ -35,6 +35,7 @@ class ProofPlot : public QObject {
     void clear();
     void addSeries(const ProofSeries& series, int index);
     void applyStyle();
+    void setNumbersVisible(bool visible);
 
     QCustomPlot* m_plot;
     QCPTextElement* m_caption;

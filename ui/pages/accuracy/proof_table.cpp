@@ -69,7 +69,7 @@ QString stabilityCell(const StabilityRow& row, int column) {
         case 7:
             return numberText(groups.delta, 4, locale);
         case 8:
-            return isSolved ? numberText(row.cor, 6, locale) : QStringLiteral("–");
+            return isSolved ? numberText(row.cor, 4, locale) : QStringLiteral("–");
         case 9:
             return isSolved ? magnitudeText(row.corError, locale) : QStringLiteral("–");
         default:

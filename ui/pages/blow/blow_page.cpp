@@ -17,7 +17,7 @@
 namespace drillwave {
 namespace {
 
-constexpr int hintChars = 103;  // wide enough for a hint beside the other words
+constexpr int hintChars = 125;  // wide enough for a hint beside the other words
 
 }  // namespace
 

@@ -87,17 +87,17 @@ void addMarks(GapPicture& picture, const GapReport& report) {
     const GapOutputStatistics& output = statistics.of(picture.output);
     if (output.largest.kind != GapExtreme::Kind::everywhere)
         for (const GapExtreme& extreme : {output.largest, output.least})
-            picture.marks.append({GapMark::Kind::extreme, place(extreme.gap.value, extreme.value.value)});
+            picture.marks.append({CurveMark::Kind::extreme, place(extreme.gap.value, extreme.value.value)});
     if (picture.output == GapOutput::cor)
         for (const GapCrossing& crossing : statistics.crossings)
-            picture.marks.append({GapMark::Kind::crossing, place(crossing.gap.value, 1)});
+            picture.marks.append({CurveMark::Kind::crossing, place(crossing.gap.value, 1)});
     for (const GapKink& kink : statistics.kinks) {
-        const GapMark mark{GapMark::Kind::kink,
-                           place(kink.gap, report.curve.value(picture.output, kink.gap))};
-        const auto isNamed = [&](const GapMark& other) { return other.at == mark.at; };
+        const CurveMark mark{CurveMark::Kind::kink,
+                             place(kink.gap, report.curve.value(picture.output, kink.gap))};
+        const auto isNamed = [&](const CurveMark& other) { return other.at == mark.at; };
         if (std::ranges::none_of(picture.marks, isNamed)) picture.marks.append(mark);
     }
-    std::ranges::sort(picture.marks, {}, [](const GapMark& mark) { return mark.at.x(); });
+    std::ranges::sort(picture.marks, {}, [](const CurveMark& mark) { return mark.at.x(); });
 }
 
 GapPicture emptyPicture(GapOutput output, const ShownUnits& units) {

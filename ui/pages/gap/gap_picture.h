@@ -9,18 +9,12 @@
 
 #include "core/report/gap_report.h"
 #include "ui/pages/gap/gap_study.h"
+#include "ui/pages/study/curve_marks.h"
 #include "ui/plot/graph_data.h"
 
 class QCPCurveData;
 
 namespace drillwave {
-
-/// A place of the curve that is named.
-struct GapMark {
-    enum class Kind { extreme, crossing, kink } kind = Kind::kink;
-    QPointF at;  ///< gap and value as shown
-    bool operator==(const GapMark&) const = default;
-};
 
 /// An output over the gap, and beside it how its values are distributed. In the units of `gap` and `value`;
 /// built away from the window's thread, never changed once built.
@@ -34,8 +28,8 @@ struct GapPicture {
     QVector<QPointF>
         shares;              ///< outline of the distribution: share of gaps [%] in each band of values, value
     QVector<QPointF> below;  ///< share of gaps [%] with at most that value, value
-    QVector<GapMark> marks;  ///< by gap
-    GapSpread spread;        ///< of the distribution that was asked for
+    QVector<CurveMark> marks;             ///< by gap
+    GapSpread spread;                     ///< of the distribution that was asked for
     bool isScattered = false;             ///< that is normal, not of all gaps alike
     std::optional<double> shareAboveOne;  ///< of e
     std::optional<double> thrust;         ///< for 95 % of gaps, where there is one

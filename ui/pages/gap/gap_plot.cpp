@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/text/units.h"
-#include "ui/pages/gap/gap_marks.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -57,7 +56,7 @@ GapPlot::GapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
          {static_cast<QCPAbstractPlottable*>(m_graph), static_cast<QCPAbstractPlottable*>(m_shares),
           static_cast<QCPAbstractPlottable*>(m_below)})
         curve->addToLegend(m_legend);
-    m_marks = new GapMarks(m_graph);
+    m_marks = new CurveMarks(m_graph);
     m_here = new HereMark(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_message = new PlotMessage(plot);
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
@@ -191,7 +190,7 @@ void GapPlot::present(const GapPicture& picture) {
     m_below->data()->set(curveData(picture.below), true);
     showSpread();
     if (m_view->isFitted() || otherAxes) fit();
-    m_marks->present(picture);
+    m_marks->present(picture.marks, picture.gap, picture.value);
 }
 
 void GapPlot::showNothing(const QString& message) {
@@ -308,7 +307,7 @@ void GapPlot::setStyle(const PlotStyle& style) {
     m_here->setStyle(style);
     if (!m_picture.curve) return;
     showSpread();  // files have another locale
-    m_marks->present(m_picture);
+    m_marks->present(m_picture.marks, m_picture.gap, m_picture.value);
 }
 
 void GapPlot::fit() {

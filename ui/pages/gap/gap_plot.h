@@ -15,8 +15,6 @@
 
 namespace drillwave {
 
-class GapMarks;
-
 /// Draws the picture of a study of the gap, on screen and in files alike. Lives as a child of the plot.
 class GapPlot : public QObject {
     Q_OBJECT
@@ -61,7 +59,7 @@ class GapPlot : public QObject {
     QCPItemText* m_bandName = nullptr;
     QCPItemStraightLine* m_lines[2][3] = {};  // 5 %, mean, 95 %, in both rects
     QCPItemText* m_lineNames[3] = {};
-    GapMarks* m_marks = nullptr;
+    CurveMarks* m_marks = nullptr;
     HereMark* m_here = nullptr;
     PlotMessage* m_message;
     GapPicture m_picture;

@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 #include "core/blow/impact_summary.h"
@@ -13,8 +12,6 @@
 
 namespace drillwave {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double mostMean = 1e6;  // d0, as the command
 
@@ -37,10 +34,8 @@ class Preview {
         for (int parts = 2; parts <= mostParts; parts *= 2) {
             for (int i = 1; i < parts; i += 2) take(start + double(i) / parts);
             if (m_feed.stop.stop_requested()) return;
-            if (Clock::now() - m_begin < worthIt) {
-                if (parts == 4) return;  // the whole curve is there in a moment
-                continue;
-            }
+            if (parts < 4) continue;
+            if (m_pieces < worthIt) return;  // the whole curve is there in a moment
             m_feed.show({.report = {.scenario = m_question.scenario,
                                     .curve = {},
                                     .normal = m_question.normal,
@@ -52,12 +47,13 @@ class Preview {
     }
 
   private:
-    static constexpr std::chrono::milliseconds worthIt{20};  // for five blows
+    static constexpr long worthIt = 100'000;  // wave pieces of five blows: the whole curve takes seconds
 
     void take(double gap) {
         if (m_feed.stop.stop_requested()) return;
         m_problem.gap = gap;
         const Impact impact = m_solver.solve(m_problem, Detail::summary, m_feed.stop);
+        m_pieces += impact.pieces;
         if (impact.outcome != Outcome::rebounded) return;
         const ImpactSummary summary = summarize(impact, m_problem);
         const GapSample sample{gap, {summary.cor, summary.peakForce, summary.energy.rockWork}};
@@ -69,7 +65,7 @@ class Preview {
     Problem m_problem;
     ExactSolver m_solver;
     std::vector<GapSample> m_samples;
-    Clock::time_point m_begin = Clock::now();
+    long m_pieces = 0;
 };
 
 }  // namespace

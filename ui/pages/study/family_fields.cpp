@@ -9,6 +9,7 @@
 #include "ui/form/choice_box.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/text/typed_text.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -43,6 +44,9 @@ FamilyFields::FamilyFields(const QString& words, std::vector<StudyFamily> prefer
     layout->addWidget(label);
     layout->addWidget(m_parameters);
     layout->addWidget(m_values);
+    connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
+        if (m_problem.isEmpty()) showValues();
+    });
     connect(m_parameters, &QComboBox::currentIndexChanged, this, &FamilyFields::choose);
     connect(m_values, &QLineEdit::textEdited, this, &FamilyFields::read);
 }
@@ -80,9 +84,10 @@ void FamilyFields::showValues() {
     QStringList texts;
     if (m_family.parameter)
         for (const double si : m_family.values)
-            texts << localText(QString::fromStdString(formatQuantity(si, m_family.parameter->quantity,
-                                                                     m_family.parameter->displayUnit())),
-                               locale());
+            texts << localText(
+                QString::fromStdString(formatQuantity(si, m_family.parameter->quantity,
+                                                      UnitChoice::shared().fieldUnit(*m_family.parameter))),
+                locale());
     m_values->setText(texts.join(QStringLiteral("; ")));
     m_problem.clear();
 }
@@ -93,8 +98,9 @@ void FamilyFields::read() {
     for (const QString& item : items(m_values->text(), locale())) {
         const PlainText plain = plainText(item.trimmed(), locale());
         const Parameter& parameter = *family.parameter;
-        const TypedQuantity typed = parseQuantity(plain.text.toStdString(), parameter.quantity,
-                                                  BareNumber::inDefaultUnit, &parameter.displayUnit());
+        const TypedQuantity typed =
+            parseQuantity(plain.text.toStdString(), parameter.quantity, BareNumber::inDefaultUnit,
+                          &UnitChoice::shared().fieldUnit(parameter));
         if (!plain.problem.isEmpty())
             m_problem = plain.problem;
         else if (!typed.valid())

@@ -34,6 +34,7 @@ MissingFields::MissingFields(const std::vector<std::string_view>& keys, QWidget*
             layout->addWidget(part);
         m_fields.push_back({&parameter, label, field, field->unitButton()});
     }
+    hide();  // until something is missing: a page keeps no room for it
 }
 
 void MissingFields::present(const Scenario& scenario) {

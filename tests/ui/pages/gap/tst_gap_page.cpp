@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "core/file/examples.h"
+#include "core/wave/exact/exact_solver.h"
 #include "tests/support/program.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/gap/gap_page.h"
@@ -37,6 +38,8 @@ class TestGapPage : public QObject {
     void otherResultsAreShownWithoutAnotherStudy();
     void aRodWithoutWavesSaysThatTheGapDoesNotMatter();
     void aScatterThatCannotBeIsSaid();
+    void aSlowCurveIsShownCoarseFirst();
+    void aQuickCurveIsNotShownTwice();
 
   private:
     void start(const char* example);
@@ -202,6 +205,44 @@ void TestGapPage::aScatterThatCannotBeIsSaid() {
     QTest::keyClicks(deviation, "101");
     QVERIFY(deviation->problem().contains("100"));
     QTRY_VERIFY(isDone());
+}
+
+// A measured blow of many points: five blows, then nine, and so on, long before the curve.
+void TestGapPage::aSlowCurveIsShownCoarseFirst() {
+    Scenario scenario;
+    scenario.pulse.shape = PulseShape::table;
+    std::vector<TablePoint> points;
+    constexpr int count = 8000;
+    for (int i = 0; i <= count; ++i)
+        points.push_back({200e-6 * i / count, 2e5 * std::sin(M_PI * i / count) * (1 + 0.1 * (i % 2))});
+    scenario.pulse.tablePoints = points;
+    std::stop_source stop;
+    std::vector<GapAnswer> shown;
+    const StudyFeed<GapAnswer> feed{stop.get_token(), [](StudyProgress) {},
+                                    [&](GapAnswer so) {
+                                        shown.push_back(std::move(so));
+                                        if (shown.size() == 2) stop.request_stop();
+                                    }};
+    answer(gapQuestion(scenario, {}), feed);
+    QCOMPARE(shown.size(), std::size_t{2});
+    QCOMPARE(shown[0].samples.size(), std::size_t{5});
+    QCOMPARE(shown[1].samples.size(), std::size_t{9});
+    for (std::size_t i = 0; i < 9; ++i) QCOMPARE(shown[1].samples[i].gap, double(i) / 8);
+    Problem problem = problemOf(scenario);
+    problem.gap = 0.5;
+    QCOMPARE(shown[1].samples[4].values[0], ExactSolver().solve(problem, Detail::summary).cor);
+    QVERIFY(!shown[1].isComplete());
+    const ShownUnits units = shownUnits(UnitSystem::si, scalesOf(scenario));
+    const GapPicture picture = gapPreview(shown[1].samples, GapOutput::cor, units);
+    QCOMPARE(picture.curve->size(), 9);
+    QVERIFY(picture.shares.isEmpty());
+}
+
+void TestGapPage::aQuickCurveIsNotShownTwice() {
+    int shown = 0;
+    const StudyFeed<GapAnswer> feed{{}, [](StudyProgress) {}, [&](const GapAnswer&) { ++shown; }};
+    QVERIFY(answer(gapQuestion(Scenario(), {}), feed).isComplete());
+    QCOMPARE(shown, 0);
 }
 
 QTEST_MAIN(TestGapPage)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/gap/gap_marks.h"
+#include "ui/pages/study/curve_marks.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,8 +9,10 @@
 namespace drillwave {
 namespace {
 
-constexpr int mostNamedKinks = 6;
-constexpr int gapToPoint = 5;  // [px]
+constexpr int mostNamed = 6;  // of kinks, and of crossings
+constexpr int mostNamedExtremes = 8;
+constexpr int gapToPoint = 5;     // [px]
+constexpr int unreadable = 1000;  // words over other words, worse than over any curve
 
 // Where words may stand beside their point, the best first: QCPItemText aligns that corner of itself with it.
 constexpr Qt::Alignment alignments[] = {Qt::AlignLeft | Qt::AlignBottom,    Qt::AlignRight | Qt::AlignBottom,
@@ -26,7 +28,6 @@ QRectF boxOf(QPointF at, QSizeF size, Qt::Alignment alignment) {
 
 // How much would be hidden behind words there.
 int hitsOf(const QRectF& box, const QPolygonF& curve, const QVector<QRectF>& taken, const QRectF& inside) {
-    constexpr int unreadable = 1000;  // worse than any curve
     const QRectF words = box.adjusted(gapToPoint, gapToPoint, -gapToPoint, -gapToPoint);
     int hits = inside.contains(words) ? 0 : 2 * unreadable;
     for (const QRectF& other : taken) hits += other.intersects(words) ? unreadable : 0;
@@ -34,55 +35,62 @@ int hitsOf(const QRectF& box, const QPolygonF& curve, const QVector<QRectF>& tak
                       curve, [&](const QPointF& point) { return words.contains(point); }));
 }
 
-QPolygonF inPixels(const QCPGraph& graph) {
+// All curves in view of the rect.
+QPolygonF inPixels(const QCPAxisRect& rect) {
     QPolygonF points;
-    for (auto point = graph.data()->constBegin(); point != graph.data()->constEnd(); ++point)
-        points.append(graph.coordsToPixels(point->key, point->value));
+    for (const QCPGraph* graph : rect.graphs())
+        for (auto point = graph->data()->constBegin(); point != graph->data()->constEnd(); ++point)
+            if (graph->realVisibility()) points.append(graph->coordsToPixels(point->key, point->value));
     return points;
 }
 
-QString wordsOf(const GapMark& mark, const GapPicture& picture, const QLocale& locale) {
+QString wordsOf(const CurveMark& mark, const ShownUnit& xUnit, const ShownUnit& yUnit,
+                const QLocale& locale) {
     const auto shown = [&](double value, const ShownUnit& unit) {
         const QString number = numberText(value, 4, locale);
         return unit.unit.isEmpty() || unit.dimensionless ? number : number + QChar(QChar::Nbsp) + unit.unit;
     };
-    const QString gap = shown(mark.at.x(), picture.gap);
+    const QString place = shown(mark.at.x(), xUnit);
     switch (mark.kind) {
-        case GapMark::Kind::extreme:
-            return GapMarks::tr("%1 at %2").arg(shown(mark.at.y(), picture.value), gap);
-        case GapMark::Kind::crossing:
-            return gap;
-        case GapMark::Kind::kink:
+        case CurveMark::Kind::extreme:
+            return CurveMarks::tr("%1 at %2").arg(shown(mark.at.y(), yUnit), place);
+        case CurveMark::Kind::crossing:
+            return place;
+        case CurveMark::Kind::kink:
             break;
     }
-    return GapMarks::tr("kink %1").arg(gap);
+    return CurveMarks::tr("kink %1").arg(place);
 }
 
 }  // namespace
 
-GapMarks::GapMarks(QCPGraph* graph)
+CurveMarks::CurveMarks(QCPGraph* graph)
     : QObject(graph->parentPlot()), m_graph(graph), m_style(PlotStyle::forPaper()) {
-    connect(graph->parentPlot(), &QCustomPlot::afterLayout, this, &GapMarks::placeWords);
+    connect(graph->parentPlot(), &QCustomPlot::afterLayout, this, &CurveMarks::placeWords);
 }
 
-void GapMarks::present(const GapPicture& picture) {
+void CurveMarks::present(const QVector<CurveMark>& marks, const ShownUnit& x, const ShownUnit& y) {
     clear();
-    const auto isKink = [](const GapMark& mark) { return mark.kind == GapMark::Kind::kink; };
-    const bool namesKinks = std::ranges::count_if(picture.marks, isKink) <= mostNamedKinks;
+    const auto isNamed = [&](CurveMark::Kind kind) {
+        const auto count = std::ranges::count(marks, kind, &CurveMark::kind);
+        return count <= (kind == CurveMark::Kind::extreme ? mostNamedExtremes : mostNamed);
+    };
     const QLocale locale = m_graph->parentPlot()->locale();
-    for (const GapMark& mark : picture.marks)
-        add(mark, isKink(mark) && !namesKinks ? QString() : wordsOf(mark, picture, locale));
+    QVector<CurveMark> byWeight = marks;  // where there is no room for all words, the later ones give way
+    std::ranges::stable_sort(byWeight, {}, &CurveMark::kind);
+    for (const CurveMark& mark : byWeight)
+        add(mark, isNamed(mark.kind) ? wordsOf(mark, x, y, locale) : QString());
     applyStyle();
 }
 
-void GapMarks::clear() {
+void CurveMarks::clear() {
     for (QCPItemTracer* point : m_points) m_graph->parentPlot()->removeItem(point);
     for (QCPItemText* words : m_words) m_graph->parentPlot()->removeItem(words);
     m_points.clear();
     m_words.clear();
 }
 
-void GapMarks::add(const GapMark& mark, const QString& words) {
+void CurveMarks::add(const CurveMark& mark, const QString& words) {
     const auto prepare = [&](QCPAbstractItem& item, QCPItemPosition& position) {
         item.setSelectable(false);
         item.setClipAxisRect(m_graph->keyAxis()->axisRect());
@@ -91,8 +99,8 @@ void GapMarks::add(const GapMark& mark, const QString& words) {
     };
     auto* point = new QCPItemTracer(m_graph->parentPlot());
     prepare(*point, *point->position);
-    point->setStyle(mark.kind == GapMark::Kind::kink ? QCPItemTracer::tsSquare : QCPItemTracer::tsCircle);
-    point->setSize(mark.kind == GapMark::Kind::kink ? 5 : 7);
+    point->setStyle(mark.kind == CurveMark::Kind::kink ? QCPItemTracer::tsSquare : QCPItemTracer::tsCircle);
+    point->setSize(mark.kind == CurveMark::Kind::kink ? 5 : 7);
     m_points.append(point);
     if (words.isEmpty()) return;
     auto* text = new QCPItemText(m_graph->parentPlot());
@@ -102,25 +110,28 @@ void GapMarks::add(const GapMark& mark, const QString& words) {
     m_words.append(text);
 }
 
-void GapMarks::setStyle(const PlotStyle& style) {
+void CurveMarks::setStyle(const PlotStyle& style) {
     m_style = style;
     applyStyle();
 }
 
-void GapMarks::applyStyle() {
+void CurveMarks::applyStyle() {
     for (QCPItemTracer* point : m_points) {
-        point->setPen(QPen(m_style.lines[0], 1.5));
+        point->setPen(QPen(m_graph->pen().color(), 1.5));
         point->setBrush(m_style.background);
     }
     for (QCPItemText* words : m_words) {
         words->setFont(m_style.font);
         words->setColor(m_style.text);
+        QColor behind = m_style.background;
+        behind.setAlpha(150);
+        words->setBrush(behind);
     }
 }
 
-void GapMarks::placeWords() {
+void CurveMarks::placeWords() {
     if (m_words.isEmpty()) return;
-    const QPolygonF curve = inPixels(*m_graph);
+    const QPolygonF curve = inPixels(*m_graph->keyAxis()->axisRect());
     const QRectF inside = m_graph->keyAxis()->axisRect()->rect();
     QVector<QRectF> taken;
     for (QCPItemText* words : m_words) {
@@ -140,7 +151,8 @@ void GapMarks::placeWords() {
             best = box;
             words->setPositionAlignment(alignment);
         }
-        taken.append(best);
+        words->setVisible(least < unreadable);
+        if (words->visible()) taken.append(best);
     }
 }
 

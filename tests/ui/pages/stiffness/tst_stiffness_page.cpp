@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page COR–stiffness: the numbers of the study, one undo step a click, nothing out of sight.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileInfo>
+#include <QLabel>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/report/curve_report.h"
+#include "tests/support/window.h"
+#include "ui/pages/stiffness/stiffness_page.h"
+#include "ui/pages/stiffness/stiffness_plot.h"
+#include "ui/pages/study/axis_fields.h"
+#include "ui/pages/study/family_fields.h"
+#include "ui/pages/study/output_box.h"
+#include "ui/plot/plot_widget.h"
+
+using namespace drillwave;
+
+namespace {
+
+SolvedBlowPtr solved(const Document& document) {
+    MethodSolver solver;
+    SolveRequest request;
+    request.scenario = document.scenario();
+    request.units = naturalUnits(document.scenario());
+    return solveBlow(request, solver);
+}
+
+}  // namespace
+
+class TestStiffnessPage : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void init();
+    void theNumbersAreThoseOfTheStudy();
+    void theFileIsThatOfTheCommand_data();
+    void theFileIsThatOfTheCommand();
+    void outOfSightNothingIsComputed();
+    void aDragOfWhatIsVariedAsksNothing();
+    void whereTheScenarioIsFollowsTheBlow();
+    void aClickOnACurveIsOneUndoStep();
+    void aClickNearAMarkTakesItsPlace();
+    void theScenarioHasItsOwnCurve();
+    void referencesHaveTheirLeastReboundWhereThePaperHasIt();
+    void referencesOfScenariosWithUnitsStandAtTheirStiffness();
+    void theClosedFormEndsWithItsDomain();
+    void presetsAreNamedWhereTheyLie();
+    void whatCannotBeStudiedIsSaid();
+
+  private:
+    void open(const char* text);
+    void openElastic();
+    void showPage();
+    void finish();
+    const StiffnessStudy& study() const { return *m_page->study().value(); }
+
+    QTemporaryDir m_settings;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<StiffnessPage> m_page;
+};
+
+void TestStiffnessPage::initTestCase() {
+    test::keepSettingsIn(m_settings.path());
+    QLocale::setDefault(QLocale::c());
+}
+
+void TestStiffnessPage::init() {
+    m_page.reset();
+    m_document = std::make_unique<Document>();
+    m_document->start();
+    m_page = std::make_unique<StiffnessPage>(*m_document);
+    m_page->resize(900, 700);
+}
+
+void TestStiffnessPage::open(const char* text) {
+    QCOMPARE(m_document->startFrom(text, QStringLiteral("test")), QString());
+}
+
+void TestStiffnessPage::openElastic() {
+    open(
+        "drillwave: 1\ndimensionless: {beta: 0.5, gamma: 1, tau: 10, delta: 0}\n"
+        "pulse: {shape: rectangular}\n");
+}
+
+void TestStiffnessPage::finish() {
+    QTRY_COMPARE_WITH_TIMEOUT(m_page->activity()->state(), StudyState::finished, 60000);
+}
+
+void TestStiffnessPage::showPage() {
+    m_page->setResult(solved(*m_document));
+    m_page->show();
+    finish();
+}
+
+void TestStiffnessPage::theNumbersAreThoseOfTheStudy() {
+    openElastic();
+    showPage();
+    const CurveQuestion& asked = study().question.curve;
+    QCOMPARE(asked.along.key(), std::string_view("beta"));
+    const CurveStudy direct = studyCurve(asked, 1);
+    QCOMPARE(study().curve.lines.size(), direct.lines.size());
+    for (std::size_t line = 0; line < direct.lines.size(); ++line) {
+        QVERIFY(study().curve.lines[line].values == direct.lines[line].values);
+        QVERIFY(study().curve.lines[line].outputs[0].features == direct.lines[line].outputs[0].features);
+    }
+    // dimensionless e is shown as it is
+    const QVector<QCPGraph*>& graphs = m_page->stiffnessPlot()->graphs();
+    QVERIFY(graphs.size() >= int(direct.lines.size()));
+    for (int i = 0; i < int(direct.lines.size()); ++i)
+        for (int n = 0; n < graphs[i]->dataCount(); ++n)
+            QCOMPARE(graphs[i]->data()->at(n)->value, direct.lines[std::size_t(i)].values[0][std::size_t(n)]);
+}
+
+void TestStiffnessPage::theFileIsThatOfTheCommand_data() {
+    QTest::addColumn<bool>("dimensional");
+    QTest::newRow("groups") << false;
+    QTest::newRow("units") << true;
+}
+
+void TestStiffnessPage::theFileIsThatOfTheCommand() {
+    QFETCH(bool, dimensional);
+    if (!dimensional) openElastic();
+    if (dimensional) m_page->output()->setOutput(*findOutput("peak_force"));
+    showPage();
+    if (dimensional) m_page->output()->setOutput(*findOutput("peak_force"));
+    finish();
+    const QString command = m_page->command();
+    QVERIFY2(command.startsWith("drillwave curve"), qPrintable(command));
+    QProcess shell;
+    QStringList path{QFileInfo(QStringLiteral(DRILLWAVE_PROGRAM)).path(), qEnvironmentVariable("PATH")};
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("PATH", path.join(':'));
+    shell.setProcessEnvironment(environment);
+    shell.start("/bin/sh", {"-c", command});
+    QVERIFY(shell.waitForFinished(60000));
+    QCOMPARE(shell.readAllStandardError(), QByteArray());
+    const QByteArray written = shell.readAllStandardOutput();
+    QVERIFY(written.size() > 10000);
+    QCOMPARE(m_page->exports().first().csv(), written);
+}
+
+void TestStiffnessPage::outOfSightNothingIsComputed() {
+    for (const double stiffness : {2e8, 3e8})
+        m_document->assign(*findParameter("rod.length"), stiffness / 1e8, m_document->newGesture());
+    m_page->setResult(solved(*m_document));
+    QCOMPARE(m_page->study().started(), 0);
+    showPage();
+    QCOMPARE(m_page->study().started(), 1);
+    m_page->hide();
+    m_document->assign(*findParameter("rod.length"), 4, m_document->newGesture());
+    m_page->setResult(solved(*m_document));
+    QCOMPARE(m_page->study().started(), 1);
+}
+
+void TestStiffnessPage::aDragOfWhatIsVariedAsksNothing() {
+    showPage();
+    for (const double stiffness : {1.2e8, 1.4e8, 1.6e8})
+        m_document->assign(*findParameter("bit_rock.stiffness"), stiffness, m_document->newGesture());
+    QCOMPARE(m_page->study().started(), 1);
+    m_document->assign(*findParameter("rod.length"), 4, m_document->newGesture());
+    QCOMPARE(m_page->study().started(), 2);
+    finish();
+}
+
+void TestStiffnessPage::whereTheScenarioIsFollowsTheBlow() {
+    showPage();
+    m_document->assign(*findParameter("bit_rock.stiffness"), 2e8, m_document->newGesture());
+    m_page->setResult(solved(*m_document));
+    const auto* here = m_page->stiffnessPlot()->findChild<HereMark*>();
+    if (!here) here = m_page->plot()->findChild<HereMark*>();
+    QVERIFY(here && here->x() && here->y());
+    QVERIFY(std::abs(*here->x() - 200) < 1e-9);  // MN/m
+    const StiffnessPicture& picture = m_page->stiffnessPlot()->picture();
+    const CurveLine& own = study().curve.lines[std::size_t(picture.markedLine()->number)];
+    QVERIFY(std::abs(*here->y() - *own.value(2e8, 0)) < 1e-9);
+}
+
+void TestStiffnessPage::aClickOnACurveIsOneUndoStep() {
+    showPage();
+    const QUndoStack& undo = m_document->undoStack();
+    const int before = undo.count();
+    const StiffnessPlot* plot = m_page->stiffnessPlot();
+    const QCPGraph* elastic = nullptr;
+    for (int i = 0; i < plot->graphs().size(); ++i)
+        if (plot->picture().lines[i].name.contains("1") && study().curve.lines[std::size_t(i)].family == 1.0)
+            elastic = plot->graphs()[i];
+    QVERIFY(elastic);
+    const auto point = elastic->data()->at(elastic->dataCount() / 2);
+    emit m_page->plot()->clicked(elastic->keyAxis()->axisRect(), {point->key, point->value}, Qt::NoModifier);
+    QCOMPARE(undo.count(), before + 1);
+    QVERIFY(undo.undoText().contains("stiffness"));
+    QCOMPARE(m_document->scenario().bitRock.gamma, 1.0);
+    // four digits of what is under the pointer
+    QVERIFY(std::abs(m_document->scenario().bitRock.stiffness / (point->key * 1e6) - 1) < 1e-3);
+    m_document->undoStack().undo();
+    QCOMPARE(m_document->scenario().bitRock.gamma, 0.1);
+    // away from all curves only the parameter is taken
+    emit m_page->plot()->clicked(elastic->keyAxis()->axisRect(), {150, 1e6}, Qt::NoModifier);
+    QCOMPARE(m_document->scenario().bitRock.stiffness, 1.5e8);
+    QCOMPARE(m_document->scenario().bitRock.gamma, 0.1);
+    finish();
+}
+
+void TestStiffnessPage::aClickNearAMarkTakesItsPlace() {
+    openElastic();
+    showPage();
+    const StiffnessPlot* plot = m_page->stiffnessPlot();
+    const CurveFeature* largest = study().curve.lines.back().outputs[0].extreme(CurveFeature::Kind::maximum);
+    QVERIFY(largest);
+    const StiffnessPlot::Target target = plot->targetAt({largest->x.value * 1.002, largest->value.value});
+    QCOMPARE(target.x, largest->x.value);
+    emit m_page->plot()->clicked(nullptr, {largest->x.value * 1.002, largest->value.value}, Qt::NoModifier);
+    QCOMPARE(m_document->scenario().groups.beta, largest->x.value);
+    finish();
+}
+
+void TestStiffnessPage::theScenarioHasItsOwnCurve() {
+    m_document->assign(*findParameter("bit_rock.gamma"), 0.2, m_document->newGesture());
+    showPage();
+    QCOMPARE(study().curve.lines.size(), 5u);
+    QCOMPARE(*study().curve.lines.back().family, 0.2);
+    QVERIFY(m_page->stiffnessPlot()->picture().markedLine()->isHere);
+    m_page->findChild<QCheckBox*>("own")->setChecked(false);
+    finish();
+    QCOMPARE(study().curve.lines.size(), 4u);
+}
+
+/// Half a unit of the last digit in theory §7.
+void TestStiffnessPage::referencesHaveTheirLeastReboundWhereThePaperHasIt() {
+    openElastic();
+    showPage();
+    m_page->findChild<QComboBox*>("reference")->setCurrentIndex(1);
+    finish();
+    QVERIFY(study().reference);
+    const CurveFeature* least =
+        study().reference->lines.back().outputs[0].extreme(CurveFeature::Kind::minimum);
+    QVERIFY(std::abs(least->x.value - 2.57847) < 5e-6 && std::abs(least->value.value - 0.9710054) < 5e-8);
+    m_page->findChild<QComboBox*>("reference")->setCurrentIndex(2);
+    finish();
+    // over k0 = Z/t0 it is at a twentieth: τ = 10
+    QVERIFY(std::abs(*study().reference->lines.back().value(2.57847 / 20, 0) - 0.9710054) < 5e-8);
+}
+
+void TestStiffnessPage::referencesOfScenariosWithUnitsStandAtTheirStiffness() {
+    showPage();
+    m_page->findChild<QComboBox*>("reference")->setCurrentIndex(2);
+    finish();
+    const auto& lines = m_page->stiffnessPlot()->picture().lines;
+    const auto elastic = std::ranges::find_if(lines, [](const StiffnessLine& line) {
+        return line.kind == StiffnessLine::Kind::reference && line.number == 3;
+    });
+    QVERIFY(elastic != lines.end());
+    // the same rod without waves by its own scenario
+    Scenario scenario = m_document->scenario();
+    scenario.pulse.shape = PulseShape::rigidBody;
+    scenario.bitRock.gamma = 1;
+    const auto point = elastic->points->at(elastic->points->size() / 2);
+    scenario.bitRock.stiffness = point->key * 1e6;
+    const Blow blow = solveBlow(scenario, {}, Detail::cor);
+    QVERIFY(std::abs(blow.summary.cor - point->value) < 1e-9);
+}
+
+void TestStiffnessPage::theClosedFormEndsWithItsDomain() {
+    openElastic();
+    showPage();
+    m_page->findChild<QCheckBox*>("closedForm")->setChecked(true);
+    finish();
+    const auto isClosed = [](const StiffnessLine& line) {
+        return line.kind == StiffnessLine::Kind::closedForm;
+    };
+    const auto& lines = m_page->stiffnessPlot()->picture().lines;
+    QCOMPARE(std::ranges::count_if(lines, isClosed), 1);  // γ = 1 alone
+    const CurveLine& closed = study().closedForm->lines.back();
+    const CurveLine& exact = study().curve.lines.back();
+    QVERIFY(!closed.value(0.06, 0) && closed.value(1, 0));
+    // it neglects exp(−2τ), 2e-9
+    QVERIFY(std::abs(*closed.value(1, 0) - *exact.value(1, 0)) < 1e-8);
+}
+
+void TestStiffnessPage::presetsAreNamedWhereTheyLie() {
+    showPage();
+    const StiffnessPicture& picture = m_page->stiffnessPlot()->picture();
+    QVERIFY(picture.bands.size() >= 4);
+    QCOMPARE(picture.aboveName, QString("β"));
+    for (const StiffnessBand& band : picture.bands) {
+        QVERIFY(band.from <= band.at && band.at <= band.to && band.to < 1.2 * band.from);
+        QVERIFY(!band.name.isEmpty());
+    }
+    openElastic();
+    finish();
+    m_page->setResult(solved(*m_document));
+    QVERIFY(m_page->stiffnessPlot()->picture().bands.isEmpty());
+}
+
+void TestStiffnessPage::whatCannotBeStudiedIsSaid() {
+    showPage();
+    StudyFamily family{findParameter("beta"), {1, 2}};
+    m_page->family()->setFamily(family);
+    QTRY_VERIFY(m_page->findChild<QLabel*>("words")->text().contains("set the same thing"));
+    QCOMPARE(m_page->stiffnessPlot()->graphs().size(), 0);
+    QVERIFY(!m_page->exports().first().obstacle().isEmpty());
+    m_page->family()->setFamily({});
+    finish();
+    QCOMPARE(m_page->stiffnessPlot()->graphs().size(), 1);
+}
+
+QTEST_MAIN(TestStiffnessPage)
+#include "tst_stiffness_page.moc"

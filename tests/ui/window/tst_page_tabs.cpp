@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tabs of the pages: their groups, and how one gets from one to the next.
+#include <QAction>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/support/window.h"
+#include "tests/support/window_parts.h"
+#include "ui/form/scenario_panel.h"
+#include "ui/job/study_status.h"
+#include "ui/result/result_panel.h"
+#include "ui/text/settings.h"
+#include "ui/window/page_tabs.h"
+#include "ui/window/tab_strip.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+namespace {
+
+class EmptyPage : public Page {
+  public:
+    explicit EmptyPage(const QString& title) : m_title(title) {}
+    QString title() const override { return m_title; }
+    PreparePage prepare() const override { return {}; }
+    void setResult(const SolvedBlowPtr& /*blow*/) override {}
+    void fit() override {}
+    QList<PageExport> exports() const override { return {}; }
+    void setCurrent(bool /*current*/) override {}
+
+  private:
+    QString m_title;
+};
+
+QStringList texts(const QTabBar& bar) {
+    QStringList all;
+    for (int i = 0; i < bar.count(); ++i) all << bar.tabText(i);
+    return all;
+}
+
+}  // namespace
+
+class TestPageTabs : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void pagesStandInTheirGroups();
+    void captionsAreNeverChosen();
+    void theChosenTabIsInViewInANarrowWindow();
+    void tabsAreAboveTheDocksOverTheWholeWidth();
+    void theKeysGoRoundThePages();
+    void f6GoesRoundTheAreas();
+    void onlyTheStudyOfThePageOnShowIsFollowed();
+
+  private:
+    void press(QWidget& window, Qt::Key key, Qt::KeyboardModifiers modifiers) {
+        QTest::keyClick(window.windowHandle(), key, modifiers);
+    }
+
+    QTemporaryDir m_folder;
+    ScriptedAnswers m_answers;
+};
+
+void TestPageTabs::initTestCase() {
+    QLocale::setDefault(QLocale::c());
+    keepSettingsIn(m_folder.path());
+}
+
+void TestPageTabs::pagesStandInTheirGroups() {
+    QWidget window;
+    PageTabs pages(&window);
+    // In any order.
+    pages.add(new EmptyPage("Gap"), PageGroup::studies);
+    pages.add(new EmptyPage("Blow"), PageGroup::thisBlow);
+    pages.add(new EmptyPage("Map"), PageGroup::studies);
+    pages.add(new EmptyPage("Rock"), PageGroup::thisBlow);
+    QCOMPARE(texts(*pages.strip()), QStringList({"THIS BLOW", "Blow", "Rock", "STUDIES", "Gap", "Map"}));
+    QCOMPARE(pages.count(), 4);
+    QCOMPARE(pages.page(1).title(), QString("Rock"));
+    QCOMPARE(pages.page(2).title(), QString("Gap"));
+    for (int i = 0; i < pages.count(); ++i) {
+        pages.setCurrentIndex(i);
+        QCOMPARE(pages.strip()->tabText(pages.strip()->currentIndex()), pages.page(i).title());
+        QCOMPARE(&pages.current(), &pages.page(i));
+    }
+    pages.strip()->setCurrentIndex(1);
+    QCOMPARE(pages.current().title(), QString("Blow"));
+}
+
+void TestPageTabs::captionsAreNeverChosen() {
+    QWidget window;
+    PageTabs pages(&window);
+    pages.add(new EmptyPage("Blow"), PageGroup::thisBlow);
+    pages.add(new EmptyPage("Gap"), PageGroup::studies);
+    TabStrip& strip = *pages.strip();
+    window.show();
+    for (int i = 0; i < strip.count(); ++i) {
+        QTest::mouseClick(&strip, Qt::LeftButton, {}, strip.tabRect(i).center());
+        QVERIFY(strip.pageAt(strip.currentIndex()));
+        QCOMPARE(strip.pageAt(strip.currentIndex()), pages.currentWidget());
+    }
+    strip.setFocus();
+    for (const Qt::Key key : {Qt::Key_Right, Qt::Key_Right, Qt::Key_Left, Qt::Key_Left, Qt::Key_Home}) {
+        QTest::keyClick(&strip, key);
+        QVERIFY(strip.pageAt(strip.currentIndex()));
+    }
+    strip.choose(1);
+    strip.choose(1);
+    QVERIFY(strip.pageAt(strip.currentIndex()));
+}
+
+void TestPageTabs::theChosenTabIsInViewInANarrowWindow() {
+    TabStrip strip;
+    QList<QWidget*> pages;
+    for (int i = 0; i < 10; ++i) {
+        pages.append(new QWidget(&strip));
+        pages.last()->hide();
+        strip.insertPage(i, pages.last(), QStringLiteral("a page with a name %1").arg(i));
+    }
+    strip.resize(400, strip.sizeHint().height());
+    strip.show();
+    for (int i = 0; i < 10; ++i) {
+        strip.setCurrentIndex(i);
+        const QRect tab = strip.tabRect(i);
+        QVERIFY2(tab.left() >= 0 && tab.right() <= 400, qPrintable(strip.tabText(i)));
+    }
+    strip.setCurrentIndex(9);
+    strip.resize(300, strip.height());
+    QVERIFY(strip.tabRect(9).right() <= 300 && strip.tabRect(9).left() >= 0);
+}
+
+void TestPageTabs::tabsAreAboveTheDocksOverTheWholeWidth() {
+    const auto window = newWindow(m_answers);
+    window->resize(1440, 900);
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+    const TabStrip& strip = *part<PageTabs>(*window).strip();
+    const int bottom = strip.mapTo(window.get(), QPoint(0, strip.height())).y();
+    for (const QDockWidget* dock : window->findChildren<QDockWidget*>()) QTRY_VERIFY(dock->y() >= bottom - 1);
+    QVERIFY(strip.mapTo(window.get(), QPoint()).x() < 20);
+    QVERIFY(strip.width() > 1200);
+    QCOMPARE(strip.tabText(0), QString("THIS BLOW"));
+}
+
+void TestPageTabs::theKeysGoRoundThePages() {
+    const auto window = newWindow(m_answers);
+    window->show();
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    auto& pages = part<PageTabs>(*window);
+    pages.setCurrentIndex(0);
+    for (int i = 1; i <= pages.count(); ++i) {
+        press(*window, Qt::Key_Tab, Qt::ControlModifier);
+        QCOMPARE(pages.currentIndex(), i % pages.count());
+    }
+    press(*window, Qt::Key_Tab, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(pages.currentIndex(), pages.count() - 1);
+}
+
+void TestPageTabs::f6GoesRoundTheAreas() {
+    const auto window = newWindow(m_answers);
+    window->resize(1440, 900);
+    window->show();
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    const QList<QWidget*> areas{&part<ScenarioPanel>(*window), &part<PageTabs>(*window),
+                                &part<ResultPanel>(*window)};
+    const auto isIn = [](const QWidget* area) {
+        const QWidget* focus = QApplication::focusWidget();
+        return focus && (area == focus || area->isAncestorOf(focus));
+    };
+    auto* field = areas[0]->findChild<QWidget*>("bit_rock.gap");
+    field->setFocus();
+    for (const int area : {1, 2, 0, 1}) {
+        press(*window, Qt::Key_F6, {});
+        QVERIFY2(isIn(areas[area]), qPrintable(QString::number(area)));
+    }
+    press(*window, Qt::Key_F6, Qt::ShiftModifier);
+    QCOMPARE(QApplication::focusWidget() == field || field->isAncestorOf(QApplication::focusWidget()), true);
+    // An area that is closed is passed over; one behind another comes to the front.
+    window->findChild<QDockWidget*>("result")->hide();
+    press(*window, Qt::Key_F6, Qt::ShiftModifier);
+    QVERIFY(isIn(areas[1]));
+    window->findChild<QDockWidget*>("result")->show();
+    window->resize(1000, 650);
+    QTRY_VERIFY(!window->tabifiedDockWidgets(window->findChild<QDockWidget*>("result")).isEmpty());
+    press(*window, Qt::Key_F6, {});
+    QVERIFY(isIn(areas[2]));
+    QTRY_VERIFY(areas[2]->isVisible());
+}
+
+void TestPageTabs::onlyTheStudyOfThePageOnShowIsFollowed() {
+    const auto window = newWindow(m_answers);
+    part<StudyStatus>(*window).setPatience(std::chrono::milliseconds(0));
+    window->show();
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    auto& pages = part<PageTabs>(*window);
+    for (int i = 0; i < pages.count(); ++i) {
+        pages.setCurrentIndex(i);
+        QCoreApplication::processEvents();
+        for (int other = 0; other < pages.count(); ++other)
+            if (const StudyActivity* activity = pages.page(other).activity(); activity && other != i)
+                QVERIFY2(activity->state() != StudyState::running, qPrintable(pages.page(other).title()));
+        const QString text = part<StudyStatus>(*window).text();
+        QVERIFY2(text.isEmpty() || text.startsWith(pages.page(i).title()), qPrintable(text));
+    }
+}
+
+QTEST_MAIN(TestPageTabs)
+#include "tst_page_tabs.moc"

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/stiffness/stiffness_page.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QThread>
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/model/assignments.h"
+#include "core/report/curve_report.h"
+#include "ui/pages/stiffness/stiffness_plot.h"
+#include "ui/pages/study/axis_fields.h"
+#include "ui/pages/study/family_fields.h"
+#include "ui/pages/study/output_box.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/unit_choice.h"
+
+namespace drillwave {
+namespace {
+
+std::vector<StudyFamily> preferredFamilies() {
+    const std::vector<double> gammas{0.01, 0.1, 0.3, 1};
+    return {{findParameter("bit_rock.gamma"), gammas}, {findParameter("gamma"), gammas}};
+}
+
+StiffnessStudy solve(const StiffnessQuestion& question, const StudyFeed<StiffnessStudy>& feed) {
+    constexpr double parts = 1000;
+    if (const std::vector<std::string> problems = problemsOf(question.curve); !problems.empty())
+        throw std::runtime_error(problems.front());
+    return studyStiffness(question, std::max(1, QThread::idealThreadCount()), feed.stop, [&](double done) {
+        feed.tell({static_cast<std::size_t>(done * parts), static_cast<std::size_t>(parts)});
+    });
+}
+
+/// What the study sets itself does not matter to it: no other question while it is dragged.
+void takeOut(Scenario& scenario, const Parameter& parameter, double value) {
+    if (!Assignments({parameter.key}).movePulse()) parameter.assign(scenario, value);
+}
+
+/// As many digits as a pixel is worth.
+double readable(double value) {
+    return QString::number(value, 'g', 4).toDouble();  // C locale, whatever the user's
+}
+
+}  // namespace
+
+StiffnessPage::StiffnessPage(Document& document, QWidget* parent)
+    : StudyPage(document, parent), m_study(solve) {
+    PlotWidget* plot = arrange(makeControls());
+    m_stiffness = new StiffnessPlot(plot);
+    watch(m_study.job());
+    plot->setAccessibleName(tr("A result over a parameter"));
+    plot->followPalette([this](const PlotStyle& style) { m_stiffness->setStyle(style); });
+    connect(plot, &PlotWidget::fitRequested, m_stiffness, &StiffnessPlot::fit);
+    connect(plot, &PlotWidget::clicked, this, &StiffnessPage::click);
+    connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
+        m_shownStudy = nullptr;
+        askSoon();
+    });
+}
+
+QList<QWidget*> StiffnessPage::makeControls() {
+    m_axis = new AxisFields(tr("vary"), {"bit_rock.stiffness", "beta"}, this);
+    m_family = new FamilyFields(tr("family"), preferredFamilies(), this);
+    m_own = new QCheckBox(tr("this scenario"), this);
+    m_own->setObjectName(QStringLiteral("own"));
+    m_own->setToolTip(tr("A curve for the value of the family that the scenario has, too"));
+    m_own->setChecked(true);
+    m_output = new OutputBox(this);
+    m_closedForm = new QCheckBox(tr("closed form"), this);
+    m_closedForm->setObjectName(QStringLiteral("closedForm"));
+    m_closedForm->setToolTip(
+        tr("The paper's analytical solution, dashed where it holds: rectangular blow, elastic rock (γ = 1)"));
+    m_reference = new QComboBox(this);
+    m_reference->setObjectName(QStringLiteral("reference"));
+    m_reference->setAccessibleName(tr("Rod without waves"));
+    m_reference->setToolTip(
+        tr("The rod that arrives without waves, dotted, over its stiffness in one of two units"));
+    m_reference->addItem(tr("no rod without waves"));
+    m_reference->addItem(tr("rod without waves, k₀ = Z/(2T)"));
+    m_reference->addItem(tr("rod without waves, k₀ = Z/t₀"));
+    connect(m_axis, &AxisFields::changed, this, &StiffnessPage::askSoon);
+    connect(m_family, &FamilyFields::changed, this, &StiffnessPage::askSoon);
+    connect(m_output, &OutputBox::changed, this, &StiffnessPage::askSoon);
+    connect(m_reference, &QComboBox::currentIndexChanged, this, &StiffnessPage::askSoon);
+    for (QCheckBox* box : {m_own, m_closedForm})
+        connect(box, &QCheckBox::toggled, this, &StiffnessPage::askSoon);
+    return {m_axis, m_output, m_family, m_own, m_closedForm, m_reference};
+}
+
+/// The value of the family's parameter in the scenario.
+std::optional<double> StiffnessPage::hereOfFamily() const {
+    const Parameter* parameter = m_family->family().parameter;
+    if (!parameter || !parameter->applies(scenario())) return std::nullopt;
+    return parameter->value(scenario());
+}
+
+/// With that of the scenario among its values, where it is wanted.
+StudyFamily StiffnessPage::askedFamily() const {
+    StudyFamily family = m_family->family();
+    const std::optional<double> own = hereOfFamily();
+    if (!family.parameter || !m_own->isChecked() || !own) return family;
+    if (std::ranges::find(family.values, *own) == family.values.end()) family.values.push_back(*own);
+    return family;
+}
+
+std::optional<StiffnessQuestion> StiffnessPage::question() const {
+    const StudyRange& range = m_axis->range();
+    if (!range.parameter) return std::nullopt;
+    const bool isPhysical = scenario().form == ScenarioForm::dimensional &&
+                            UnitChoice::shared().system() != UnitSystem::dimensionless;
+    StiffnessQuestion asked;
+    CurveQuestion& curve = asked.curve;
+    curve.base = scenario();
+    curve.base.title.clear();
+    curve.along = parseRange(range.text() + range.tail()).axis;
+    if (!curve.along.parameter) return std::nullopt;
+    takeOut(curve.base, *range.parameter, range.start);
+    if (const StudyFamily family = askedFamily(); family.parameter) {
+        curve.family = parseAxis(family.text()).axis;
+        takeOut(curve.base, *family.parameter, family.values.front());
+    }
+    curve.columns = {{&m_output->output(), isPhysical ? OutputUnits::si : OutputUnits::dimensionless}};
+    if (m_output->output().name == "cor") curve.levels = {1};
+    asked.reference = static_cast<ReferenceScale>(m_reference->currentIndex());
+    asked.closedForm = m_closedForm->isChecked();
+    return asked;
+}
+
+void StiffnessPage::ask() {
+    m_axis->present(scenario());
+    m_family->present(scenario());
+    m_output->present(scenario());
+    m_presets.reload();
+    std::optional<StiffnessQuestion> asked = question();
+    if (!asked) return;
+    m_reference->setEnabled(asked->hasReference());
+    m_closedForm->setEnabled(asked->curve.base.pulse.shape == PulseShape::rectangular);
+    m_study.ask(std::move(*asked));
+}
+
+void StiffnessPage::present() {
+    if (m_study.job().state() == StudyState::failed) {
+        m_shownStudy = nullptr;
+        m_stiffness->showNothing(m_study.job().problem());
+        plot()->replot(QCustomPlot::rpQueuedReplot);
+        return;
+    }
+    const StiffnessStudy* study = m_study.value();
+    if (!study || study->curve.stopped || !blow()) return;
+    const CurveQuestion& asked = study->question.curve;
+    std::vector<Preset> presets;
+    for (const PresetSource& source : m_presets.sources())
+        presets.insert(presets.end(), source.presets.begin(), source.presets.end());
+    if (study != m_shownStudy) {
+        m_shownStudy = study;
+        const Unit& unit = UnitChoice::shared().fieldUnit(*asked.along.parameter);
+        const StiffnessPicture picture =
+            stiffnessPicture(*study, blow()->units, unit, hereOfFamily(), presets, QLocale());
+        m_stiffness->present(picture);
+        for (int i = 0; i < picture.lines.size(); ++i) {
+            CurveMeaning meaning;
+            meaning.xUnit = picture.x.unit;
+            meaning.yUnit = picture.value.unit;
+            plot()->setMeaning(m_stiffness->graphs()[i], meaning);
+        }
+        plot()->setAccessibleDescription(picture.summary);
+        say(picture.summary);
+        plot()->replot(QCustomPlot::rpQueuedReplot);
+    }
+    showHere();
+}
+
+/// By the blow that is on show, which follows the hand.
+void StiffnessPage::showHere() {
+    const StiffnessPicture& picture = m_stiffness->picture();
+    if (!picture.output || !m_shownStudy) return;
+    const Parameter& along = *m_shownStudy->question.curve.along.parameter;
+    if (!along.applies(blow()->scenario)) return m_stiffness->setHere({}, {});
+    const std::optional<double> x = along.value(blow()->scenario);
+    std::optional<double> y;
+    if (blow()->problem.isEmpty()) y = picture.output->value({blow()->summary, blow()->scenario});
+    const bool isSi = m_shownStudy->question.curve.columns.front().units == OutputUnits::si;
+    if (y && isSi) y = *y * picture.output->scale(scalesOf(blow()->scenario));
+    m_stiffness->setHere(x ? std::optional(*x * picture.x.factor) : std::nullopt,
+                         y ? std::optional(*y * picture.valueFactor) : std::nullopt);
+}
+
+QByteArray StiffnessPage::csv() const {
+    const StiffnessStudy* study = m_study.value();
+    return study ? QByteArray::fromStdString(curveCsv(study->curve)) : QByteArray();
+}
+
+QStringList StiffnessPage::commandWords() const {
+    const std::optional<StiffnessQuestion> asked = question();
+    if (!asked) return {};
+    const StudyRange& range = m_axis->range();
+    QStringList words{QStringLiteral("curve"), QStringLiteral("--along"),
+                      fromView(range.text() + range.tail())};
+    if (const StudyFamily family = askedFamily(); family.parameter)
+        words << QStringLiteral("--family") << fromView(family.text());
+    const CurveQuestion& curve = asked->curve;
+    words << QStringLiteral("--outputs") << fromView(curve.columns.front().output->name);
+    for (const double level : curve.levels)
+        words << QStringLiteral("--level") << fromView(formatNumber(level));
+    if (curve.columns.front().units == OutputUnits::si) words << QStringLiteral("--si");
+    return words;
+}
+
+void StiffnessPage::click(QCPAxisRect*, QPointF coordinates, Qt::KeyboardModifiers modifiers) {
+    if (modifiers != Qt::NoModifier || !m_shownStudy) return;
+    const StiffnessPlot::Target target = m_stiffness->targetAt(coordinates);
+    const StiffnessPicture& picture = m_stiffness->picture();
+    const CurveQuestion& asked = m_shownStudy->question.curve;
+    const bool isExact = target.x != coordinates.x();
+    const Unit& unit = UnitChoice::shared().fieldUnit(*asked.along.parameter);
+    std::vector<ParameterValue> values;
+    if (target.line >= 0 && asked.family && !picture.lines[target.line].isHere)
+        values.push_back({asked.family->parameter,
+                          *m_shownStudy->curve.lines[std::size_t(picture.lines[target.line].number)].family});
+    values.push_back({asked.along.parameter, unit.toSi(isExact ? target.x : readable(target.x))});
+    load(values);
+}
+
+}  // namespace drillwave

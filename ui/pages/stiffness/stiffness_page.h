@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Page COR–stiffness: any result over any parameter, at first e over the stiffness of the rock.
+#pragma once
+
+#include "ui/document/preset_library.h"
+#include "ui/job/asked_study.h"
+#include "ui/pages/stiffness/stiffness_study.h"
+#include "ui/pages/study/study_page.h"
+#include "ui/pages/study/study_range.h"
+
+class QCheckBox;
+class QComboBox;
+class QCPAxisRect;
+
+namespace drillwave {
+
+class AxisFields;
+class FamilyFields;
+class OutputBox;
+class StiffnessPlot;
+
+/// A click loads the point under it, on a curve with the value of its family.
+class StiffnessPage : public StudyPage {
+    Q_OBJECT
+
+  public:
+    explicit StiffnessPage(Document& document, QWidget* parent = nullptr);
+
+    QString title() const override { return tr("COR–stiffness"); }
+    StiffnessPlot* stiffnessPlot() const { return m_stiffness; }
+    AxisFields* axis() const { return m_axis; }
+    FamilyFields* family() const { return m_family; }
+    OutputBox* output() const { return m_output; }
+    const AskedStudy<StiffnessQuestion, StiffnessStudy>& study() const { return m_study; }
+
+  protected:
+    void ask() override;
+    void present() override;
+    QByteArray csv() const override;
+    QStringList commandWords() const override;
+
+  private:
+    QList<QWidget*> makeControls();
+    std::optional<StiffnessQuestion> question() const;
+    StudyFamily askedFamily() const;
+    std::optional<double> hereOfFamily() const;
+    void showHere();
+    void click(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
+
+    AxisFields* m_axis;
+    FamilyFields* m_family;
+    QCheckBox* m_own;
+    OutputBox* m_output;
+    QCheckBox* m_closedForm;
+    QComboBox* m_reference;
+    StiffnessPlot* m_stiffness = nullptr;
+    PresetLibrary m_presets;
+    const StiffnessStudy* m_shownStudy = nullptr;
+    AskedStudy<StiffnessQuestion, StiffnessStudy> m_study;
+};
+
+}  // namespace drillwave

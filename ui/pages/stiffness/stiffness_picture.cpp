@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/stiffness/stiffness_picture.h"
+
+#include <qcustomplot.h>
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "core/model/scales.h"
+#include "ui/pages/study/output_box.h"
+#include "ui/pages/study/parameter_names.h"
+#include "ui/pages/study/preset_places.h"
+#include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
+
+namespace drillwave {
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("drillwave::StiffnessPicture", text);
+}
+
+/// How a column of the study is shown. Shares, works and plain numbers stay as they are.
+ShownUnit unitOf(const OutputColumn& column, const ShownUnits& units, double size) {
+    switch (column.output->measure) {
+        case Measure::number:
+        case Measure::error:
+        case Measure::work:
+        case Measure::share:
+            return {};
+        case Measure::time:
+            return units.time;
+        case Measure::impulse:
+            return units.impulse;
+        case Measure::force:
+            return units.force;
+        case Measure::penetration:
+            return units.penetration;
+        case Measure::stress:
+            return units.stress;
+        case Measure::newton:
+            return units.of(UnitKind::force, size);
+        case Measure::watt:
+            return units.of(UnitKind::power, size);
+        case Measure::speed:
+            return units.of(UnitKind::rate, size);
+    }
+    return {};
+}
+
+double largestOf(const CurveStudy& study) {
+    double largest = 0;
+    for (const CurveLine& line : study.lines)
+        for (const double value : line.values.front())
+            if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    return largest;
+}
+
+/// A group that goes with the parameter, as the axis above shows it.
+void addAbove(StiffnessPicture& picture, const CurveQuestion& question) {
+    if (question.base.form != ScenarioForm::dimensional) return;
+    const Scales scales = scalesOf(question.base);
+    const auto show = [&](const char* group, double perSi) {
+        const Parameter& parameter = *findParameter(group);
+        picture.aboveName = shownSymbol(parameter.symbol);
+        picture.aboveFactor = perSi / picture.x.factor;
+    };
+    const std::string_view key = question.along.key();
+    if (key == "bit_rock.stiffness") show("beta", 1 / scales.stiffness);
+    if (key == "bit_rock.gap") show("delta", 1 / scales.penetration);
+    if (key == "rod.length") show("tau", groupsOf(question.base).tau / question.base.rod.length);
+}
+
+QString familyName(const CurveStudy& study, const CurveLine& line, const QLocale& locale) {
+    if (!line.family) return {};
+    if (!study.question.family->parameter)
+        return fromView(name(static_cast<PulseShape>(*line.family)))
+            .replace(QLatin1Char('_'), QLatin1Char(' '));
+    const Parameter& parameter = *study.question.family->parameter;
+    const Unit& unit = parameter.displayUnit();
+    const QString symbol =
+        parameter.symbol.empty() ? fromView(parameter.label) : shownSymbol(parameter.symbol);
+    QString text = symbol + QStringLiteral(" = ") + numberText(unit.fromSi(*line.family), 4, locale);
+    if (!unit.name.empty()) text += QChar(QChar::Nbsp) + fromView(unit.name);
+    return text;
+}
+
+QString nameOf(StiffnessLine::Kind kind, const QString& family, bool isHere) {
+    switch (kind) {
+        case StiffnessLine::Kind::curve:
+            if (family.isEmpty()) return tr("this scenario");
+            return isHere ? tr("%1, this scenario").arg(family) : family;
+        case StiffnessLine::Kind::reference:
+            return family.isEmpty() ? tr("rod without waves") : tr("%1, rod without waves").arg(family);
+        case StiffnessLine::Kind::closedForm:
+            return family.isEmpty() ? tr("closed form") : tr("%1, closed form").arg(family);
+    }
+    return {};
+}
+
+/// Its points; a gap where there is no answer. Empty where there is none anywhere.
+GraphData pointsOf(const CurveLine& line, double xFactor, double valueFactor) {
+    QVector<QCPGraphData> points;
+    bool any = false;
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        const double value = line.values.front()[i] * valueFactor;
+        any |= std::isfinite(value);
+        points.append({line.points[i] * xFactor, value});
+    }
+    return any ? graphData(points) : GraphData();
+}
+
+CurveMark markOf(const CurveFeature& feature, double xFactor, double valueFactor) {
+    using Kind = CurveFeature::Kind;
+    CurveMark mark;
+    if (feature.kind == Kind::minimum || feature.kind == Kind::maximum) mark.kind = CurveMark::Kind::extreme;
+    if (feature.kind == Kind::crossing) mark.kind = CurveMark::Kind::crossing;
+    mark.at = {feature.x.value * xFactor, feature.value.value * valueFactor};
+    return mark;
+}
+
+/// What is marked: not the ends of the range, nor what is the same everywhere.
+bool isMarked(const CurveFeature& feature) {
+    return feature.shape != CurveFeature::Shape::end && feature.shape != CurveFeature::Shape::everywhere;
+}
+
+void addLines(StiffnessPicture& picture, const CurveStudy& study, StiffnessLine::Kind kind, double xFactor,
+              std::optional<double> here, const QLocale& locale) {
+    for (std::size_t i = 0; i < study.lines.size(); ++i) {
+        const CurveLine& from = study.lines[i];
+        const bool isHere = !from.family || from.family == here;
+        GraphData points = pointsOf(from, xFactor, picture.valueFactor);
+        if (!points) continue;
+        picture.lines.append({kind, nameOf(kind, familyName(study, from, locale), isHere), points,
+                              static_cast<int>(i), isHere && kind == StiffnessLine::Kind::curve});
+    }
+}
+
+void addMarks(StiffnessPicture& picture, const StiffnessStudy& study) {
+    for (int i = 0; i < picture.lines.size(); ++i)
+        if (picture.lines[i].kind == StiffnessLine::Kind::curve &&
+            (picture.lines[i].isHere || picture.marked < 0 || !picture.lines[picture.marked].isHere))
+            picture.marked = i;
+    for (std::size_t i = 0; i < study.curve.lines.size(); ++i) {
+        const bool isNamed = picture.marked >= 0 && picture.lines[picture.marked].number == int(i);
+        for (const CurveFeature& feature : study.curve.lines[i].outputs.front().features) {
+            if (!isMarked(feature)) continue;
+            const CurveMark mark = markOf(feature, picture.x.factor, picture.valueFactor);
+            if (isNamed)
+                picture.marks.append(mark);
+            else if (mark.kind != CurveMark::Kind::kink)
+                picture.extremes.append(mark.at);
+        }
+    }
+}
+
+/// Around the value of each preset, as wide as can be seen, but no further than halfway to the next.
+void addBands(StiffnessPicture& picture, const CurveQuestion& question, std::span<const Preset> presets) {
+    constexpr double halfWidth = 0.012;  // of the range
+    const CurveRange range{picture.from, picture.to, question.range().spacing};
+    const std::vector<PresetPlace> places = presetPlaces(presets, *question.along.parameter, question.base);
+    const auto shareOf = [&](const PresetPlace& place) { return range.shareOf(place.si * picture.x.factor); };
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double at = places[i].si * picture.x.factor;
+        if (at < picture.from || at > picture.to) continue;
+        const double share = shareOf(places[i]);
+        const double before = i == 0 ? 1 : (share - shareOf(places[i - 1])) / 2;
+        const double after = i + 1 == places.size() ? 1 : (shareOf(places[i + 1]) - share) / 2;
+        picture.bands.append({places[i].name, range.at(share - std::min(halfWidth, before)),
+                              range.at(share + std::min(halfWidth, after)), at});
+    }
+}
+
+/// Of the line that is marked.
+QString summaryOf(const StiffnessPicture& picture, const StiffnessStudy& study, const QLocale& locale) {
+    const StiffnessLine* line = picture.markedLine();
+    if (!line) return tr("There is no answer anywhere in this range.");
+    const CurveOutput& output = study.curve.lines[static_cast<std::size_t>(line->number)].outputs.front();
+    const auto shown = [&](double value, const ShownUnit& unit) {
+        const QString number = numberText(value, 5, locale);
+        return unit.unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit.unit;
+    };
+    QStringList parts;
+    const auto add = [&](CurveFeature::Kind kind, const QString& words) {
+        const CurveFeature* found = output.extreme(kind);
+        if (!found || found->shape == CurveFeature::Shape::everywhere) return;
+        const QString text = words.arg(shown(found->value.value * picture.valueFactor, picture.value),
+                                       shown(found->x.value * picture.x.factor, picture.x));
+        parts << (found->shape == CurveFeature::Shape::end ? tr("%1 (end of the range)").arg(text) : text);
+    };
+    add(CurveFeature::Kind::maximum, tr("largest %1 at %2"));
+    add(CurveFeature::Kind::minimum, tr("least %1 at %2"));
+    QStringList crossings;
+    for (const CurveFeature& feature : output.features)
+        if (feature.kind == CurveFeature::Kind::crossing)
+            crossings << shown(feature.x.value * picture.x.factor, picture.x);
+    constexpr int mostTold = 6;
+    if (crossings.size() > mostTold)
+        parts << tr("1 is crossed %1 times").arg(crossings.size());
+    else if (!crossings.isEmpty())
+        parts << tr("1 at %1").arg(crossings.join(QStringLiteral("; ")));
+    QString text = line->name + QStringLiteral(": ") + parts.join(QStringLiteral(" · "));
+    if (!output.grid.empty()) text += tr(" · known by points alone in a part of the range");
+    if (!output.unsolved.empty())
+        text += tr(" · no answer in a part of the range: %1").arg(fromView(output.unsolved.front().reason));
+    return text;
+}
+
+}  // namespace
+
+StiffnessPicture stiffnessPicture(const StiffnessStudy& study, const ShownUnits& units, const Unit& xUnit,
+                                  std::optional<double> here, std::span<const Preset> presets,
+                                  const QLocale& locale) {
+    const CurveQuestion& question = study.question.curve;
+    const OutputColumn& column = question.columns.front();
+    StiffnessPicture picture;
+    picture.xName = parameterName(*question.along.parameter);
+    picture.x = shownUnit(xUnit);
+    picture.from = question.along.start * picture.x.factor;
+    picture.to = question.along.stop * picture.x.factor;
+    picture.logarithmic = question.along.kind == SweepAxis::Kind::logarithmic;
+    picture.output = column.output;
+    picture.value = unitOf(column, units, largestOf(study.curve));
+    // Columns in SI were scaled by the study, in which the scales may change along the parameter.
+    const bool isScaled = column.units == OutputUnits::si && !column.output->isOnlySi();
+    picture.valueFactor =
+        picture.value.factor / (isScaled ? column.output->scale(scalesOf(question.base)) : 1);
+    addAbove(picture, question);
+    addLines(picture, study.curve, StiffnessLine::Kind::curve, picture.x.factor, here, locale);
+    addMarks(picture, study);
+    if (study.reference) {
+        const bool isStiffness = question.along.key() == "bit_rock.stiffness";
+        const double perBeta = isStiffness ? scalesOf(question.base).stiffness : 1;
+        addLines(picture, *study.reference, StiffnessLine::Kind::reference, perBeta * picture.x.factor, here,
+                 locale);
+    }
+    if (study.closedForm)
+        addLines(picture, *study.closedForm, StiffnessLine::Kind::closedForm, picture.x.factor, here, locale);
+    addBands(picture, question, presets);
+    picture.summary = summaryOf(picture, study, locale);
+    return picture;
+}
+
+}  // namespace drillwave

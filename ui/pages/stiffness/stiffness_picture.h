@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is drawn of a study along a parameter.
+#pragma once
+
+#include <QLocale>
+#include <QString>
+#include <QVector>
+#include <optional>
+#include <span>
+
+#include "core/model/preset.h"
+#include "ui/pages/stiffness/stiffness_study.h"
+#include "ui/pages/study/curve_marks.h"
+#include "ui/plot/graph_data.h"
+
+namespace drillwave {
+
+/// One curve.
+struct StiffnessLine {
+    enum class Kind { curve, reference, closedForm } kind = Kind::curve;
+    QString name;
+    GraphData points;
+    int number = 0;       ///< of its value in the family: curves of one value look alike
+    bool isHere = false;  ///< of the present scenario
+};
+
+/// A name on a part of the range.
+struct StiffnessBand {
+    QString name;
+    double from = 0, to = 0;  ///< as shown
+    double at = 0;            ///< the value itself
+};
+
+/// All in the units of `x` and `value`; never changed once built.
+struct StiffnessPicture {
+    QString xName;  ///< "stiffness k"
+    ShownUnit x;
+    double from = 0, to = 0;  ///< the range as shown
+    bool logarithmic = false;
+    QString aboveName;       ///< of a second axis above; empty for none
+    double aboveFactor = 1;  ///< what it shows over what the axis below shows
+    const Output* output = nullptr;
+    ShownUnit value;
+    double valueFactor = 1;  ///< what is shown over what the study has
+    QVector<StiffnessLine> lines;
+    int marked = -1;            ///< the line that the marks are of
+    QVector<CurveMark> marks;   ///< by place
+    QVector<QPointF> extremes;  ///< of the other lines
+    QVector<StiffnessBand> bands;
+    QString summary;
+
+    const StiffnessLine* markedLine() const { return marked < 0 ? nullptr : &lines[marked]; }
+};
+
+/// `here` is the value of the family in the present scenario: its line is the one that is marked; without a
+/// line of that value the last is. Presets are named where they set the parameter.
+StiffnessPicture stiffnessPicture(const StiffnessStudy& study, const ShownUnits& units, const Unit& xUnit,
+                                  std::optional<double> here, std::span<const Preset> presets,
+                                  const QLocale& locale);
+
+}  // namespace drillwave

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/stiffness/stiffness_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/pages/study/output_box.h"
+#include "ui/plot/axis_view.h"
+
+namespace drillwave {
+namespace {
+
+constexpr double nearPixels = 9;
+
+bool sameAxes(const StiffnessPicture& a, const StiffnessPicture& b) {
+    return a.xName == b.xName && a.x == b.x && a.from == b.from && a.to == b.to &&
+           a.logarithmic == b.logarithmic && a.output == b.output && a.value.unit == b.value.unit;
+}
+
+QString labelOf(const QString& words, const ShownUnit& unit) {
+    return unit.unit.isEmpty() ? words : unit.axisLabel(words);
+}
+
+}  // namespace
+
+StiffnessPlot::StiffnessPlot(QCustomPlot* plot)
+    : QObject(plot), m_plot(plot), m_message(nullptr), m_view(new FittedView(this)) {
+    plot->setAutoAddPlottableToLegend(false);
+    addRect();
+    m_one = new QCPItemStraightLine(plot);
+    m_one->setLayer(QStringLiteral("grid"));
+    m_one->setSelectable(false);
+    for (QCPItemPosition* position : {m_one->point1, m_one->point2}) {
+        position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+        position->setTypeY(QCPItemPosition::ptPlotCoords);
+    }
+    m_one->point1->setCoords(0, 1);
+    m_one->point2->setCoords(1, 1);
+    m_extremes = plot->addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+    m_extremes->setLineStyle(QCPGraph::lsNone);
+    m_here = new HereMark(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+    m_message = new PlotMessage(plot);
+    for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
+    connect(plot, &QCustomPlot::afterLayout, this, &StiffnessPlot::placeBands);
+    setStyle(PlotStyle::forPaper());
+}
+
+void StiffnessPlot::addRect() {
+    m_plot->plotLayout()->clear();
+    m_legend = new QCPLegend;
+    m_legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    m_legend->setWrap(4);
+    m_legend->setMargins(QMargins(7, 6, 7, 4));
+    m_plot->plotLayout()->addElement(0, 0, m_legend);
+    m_legend->setLayer(QStringLiteral("legend"));
+    m_plot->plotLayout()->setRowStretchFactor(0, 1e-3);
+    m_plot->plotLayout()->setRowSpacing(0);
+    m_rect = new QCPAxisRect(m_plot);
+    m_rect->setupFullAxesBox(false);
+    // Drawn in the order of these lines: axes() comes in another order in every run of the program.
+    for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight, QCPAxis::atTop, QCPAxis::atBottom}) {
+        m_rect->axis(side)->setLayer(QStringLiteral("axes"));
+        m_rect->axis(side)->grid()->setLayer(QStringLiteral("grid"));
+    }
+    m_rect->setMinimumMargins(QMargins(4, 4, 14, 4));
+    m_rect->axis(QCPAxis::atRight)->setTicks(false);
+    m_plot->plotLayout()->addElement(1, 0, m_rect);
+    using Changed = void (QCPAxis::*)(const QCPRange&);
+    connect(m_rect->axis(QCPAxis::atBottom), static_cast<Changed>(&QCPAxis::rangeChanged), this,
+            [this](const QCPRange& range) {
+                m_rect->axis(QCPAxis::atTop)
+                    ->setRange(range.lower * m_picture.aboveFactor, range.upper * m_picture.aboveFactor);
+            });
+}
+
+void StiffnessPlot::present(const StiffnessPicture& picture) {
+    const bool otherAxes = m_picture.lines.isEmpty() || !sameAxes(m_picture, picture);
+    m_picture = picture;
+    m_message->hide();
+    makeGraphs();
+    QVector<QCPGraphData> extremes;
+    for (const QPointF& point : picture.extremes) extremes.append({point.x(), point.y()});
+    m_extremes->data()->set(extremes);
+    showAxes();
+    addBandItems();
+    m_one->setVisible(picture.output && picture.output->name == "cor");
+    setStyle(m_style);
+    if (m_view->isFitted() || otherAxes) fit();
+    dropMarks();
+    if (picture.marked < 0) return;
+    m_marks = std::make_unique<CurveMarks>(m_graphs[picture.marked]);
+    m_marks->setStyle(m_style);
+    m_marks->present(picture.marks, picture.x, picture.value);
+}
+
+void StiffnessPlot::showNothing(const QString& message) {
+    m_picture = {};
+    dropMarks();
+    makeGraphs();
+    addBandItems();
+    m_extremes->data()->clear();
+    m_one->setVisible(false);
+    m_here->setPlace({}, {});
+    m_message->show(message);
+}
+
+void StiffnessPlot::dropMarks() {
+    if (m_marks) m_marks->clear();
+    m_marks.reset();
+}
+
+// The ones there are stay as long as their names do: what was hidden by its legend entry stays hidden.
+void StiffnessPlot::makeGraphs() {
+    const bool sameNames = m_graphs.size() == m_picture.lines.size() &&
+                           std::equal(m_graphs.begin(), m_graphs.end(), m_picture.lines.begin(),
+                                      [](const QCPGraph* graph, const StiffnessLine& line) {
+                                          return graph->name() == line.name;
+                                      });
+    if (!sameNames) {
+        dropMarks();
+        for (QCPGraph* graph : m_graphs) m_plot->removeGraph(graph);
+        m_legend->clearItems();
+        m_graphs.clear();
+        for (const StiffnessLine& line : m_picture.lines) {
+            QCPGraph* graph =
+                m_plot->addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+            graph->setAdaptiveSampling(false);
+            graph->setName(line.name);
+            graph->addToLegend(m_legend);
+            m_graphs.append(graph);
+        }
+    }
+    for (int i = 0; i < m_graphs.size(); ++i) m_graphs[i]->setData(m_picture.lines[i].points);
+}
+
+void StiffnessPlot::showAxes() {
+    QCPAxis* below = m_rect->axis(QCPAxis::atBottom);
+    QCPAxis* above = m_rect->axis(QCPAxis::atTop);
+    m_view->adjust([&] {
+        const auto scale = m_picture.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear;
+        if (below->scaleType() != scale) below->setRange(m_picture.from, m_picture.to);
+        setScale(*below, scale);
+    });
+    below->setLabel(labelOf(m_picture.xName, m_picture.x));
+    above->setLabel(m_picture.aboveName);
+    above->setTickLabels(!m_picture.aboveName.isEmpty());
+    if (m_picture.output)
+        m_rect->axis(QCPAxis::atLeft)->setLabel(labelOf(outputName(*m_picture.output), m_picture.value));
+}
+
+void StiffnessPlot::addBandItems() {
+    const auto remove = [this](auto& items) {
+        for (auto* item : items) m_plot->removeItem(item);
+        items.clear();
+    };
+    remove(m_bands);
+    remove(m_bandNames);
+    const auto prepare = [this](QCPAbstractItem& item, const QString& layer,
+                                std::initializer_list<QCPItemPosition*> positions) {
+        item.setLayer(layer);
+        item.setSelectable(false);
+        item.setClipAxisRect(m_rect);
+        for (QCPItemPosition* position : positions) {
+            position->setAxes(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+            position->setAxisRect(m_rect);
+            position->setTypeX(QCPItemPosition::ptPlotCoords);
+            position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+        }
+    };
+    for (const StiffnessBand& band : m_picture.bands) {
+        auto* area = new QCPItemRect(m_plot);
+        prepare(*area, QStringLiteral("background"), {area->topLeft, area->bottomRight});
+        area->setPen(Qt::NoPen);
+        m_bands.append(area);
+        auto* name = new QCPItemText(m_plot);
+        prepare(*name, QStringLiteral("axes"), {name->position});
+        name->setText(band.name);
+        name->setPadding(QMargins(3, 2, 3, 2));
+        m_bandNames.append(name);
+    }
+}
+
+// As far as they are in view: files do not clip. Names stand in turns, so that neighbours have room.
+void StiffnessPlot::placeBands() {
+    const QCPRange view = m_rect->axis(QCPAxis::atBottom)->range();
+    for (int i = 0; i < m_bands.size(); ++i) {
+        const StiffnessBand& band = m_picture.bands[i];
+        const double from = std::max(band.from, view.lower), to = std::min(band.to, view.upper);
+        m_bands[i]->setVisible(from < to);
+        m_bands[i]->topLeft->setCoords(from, 0);
+        m_bands[i]->bottomRight->setCoords(to, 1);
+        const bool isInView = view.contains(band.at);
+        m_bandNames[i]->setVisible(isInView);
+        const double height = QFontMetricsF(m_bandNames[i]->font()).lineSpacing() + 4;
+        const int row = i % 2;
+        m_bandNames[i]->position->setCoords(band.at,
+                                            1 - (row + 0.2) * height / std::max(1, m_rect->height()));
+        const double share = (m_rect->axis(QCPAxis::atBottom)->coordToPixel(band.at) - m_rect->left()) /
+                             std::max(1, m_rect->width());
+        m_bandNames[i]->setPositionAlignment(Qt::AlignBottom | (share > 0.85   ? Qt::AlignRight
+                                                                : share < 0.15 ? Qt::AlignLeft
+                                                                               : Qt::AlignHCenter));
+    }
+}
+
+void StiffnessPlot::setHere(std::optional<double> x, std::optional<double> y) {
+    m_here->setPlace(x, y);
+}
+
+void StiffnessPlot::setStyle(const PlotStyle& style) {
+    m_style = style;
+    if (m_message) m_message->setStyle(style);
+    m_plot->setBackground(style.background);
+    style.applyTo(*m_rect);
+    m_rect->axis(QCPAxis::atTop)->grid()->setVisible(false);
+    style.applyTo(*m_legend);
+    for (int i = 0; i < m_graphs.size(); ++i) {
+        const StiffnessLine& line = m_picture.lines[i];
+        QPen pen = style.linePen(line.number);
+        switch (line.kind) {
+            case StiffnessLine::Kind::curve:
+                if (line.isHere) pen.setWidthF(1.6 * pen.widthF());
+                break;
+            case StiffnessLine::Kind::reference:
+                pen.setWidthF(0.6 * pen.widthF());
+                pen.setDashPattern({2, 3});
+                pen.setCapStyle(Qt::FlatCap);
+                break;
+            case StiffnessLine::Kind::closedForm:
+                pen = QPen(style.text, pen.widthF());
+                pen.setDashPattern({7, 5});
+                pen.setCapStyle(Qt::FlatCap);
+                break;
+        }
+        m_graphs[i]->setPen(pen);
+    }
+    m_extremes->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(style.text, 1), style.background, 5));
+    m_one->setPen(QPen(style.text, 1, Qt::DashDotLine));
+    for (int i = 0; i < m_bands.size(); ++i) {
+        m_bands[i]->setBrush(style.areaBrush(2));
+        m_bandNames[i]->setFont(style.font);
+        m_bandNames[i]->setColor(style.text);
+    }
+    if (m_marks) m_marks->setStyle(style);
+    m_here->setStyle(style);
+}
+
+void StiffnessPlot::fit() {
+    m_view->fit([&] {
+        if (m_picture.lines.isEmpty()) return;
+        const double room = 0.02;
+        const double span = m_picture.to - m_picture.from;
+        const double ratio = std::pow(m_picture.to / m_picture.from, room);
+        m_rect->axis(QCPAxis::atBottom)
+            ->setRange(m_picture.logarithmic ? m_picture.from / ratio : m_picture.from - room * span,
+                       m_picture.logarithmic ? m_picture.to * ratio : m_picture.to + room * span);
+        std::optional<QCPRange> values;
+        for (const QCPGraph* graph : m_graphs) {
+            bool found = false;
+            const QCPRange own = graph->getValueRange(found);
+            if (!found || !graph->visible()) continue;
+            if (values)
+                values->expand(own);
+            else
+                values = own;
+        }
+        if (!values) values = QCPRange(0, 1);
+        const double size = std::max(values->size(), 0.02 * std::abs(values->upper));
+        // Names of presets stand at the bottom.
+        const double below = m_picture.bands.isEmpty() ? 0.06 : 0.16;
+        m_rect->axis(QCPAxis::atLeft)->setRange(values->lower - below * size, values->upper + 0.08 * size);
+    });
+}
+
+StiffnessPlot::Target StiffnessPlot::targetAt(QPointF coordinates) const {
+    const QCPAxis* x = m_rect->axis(QCPAxis::atBottom);
+    const QCPAxis* y = m_rect->axis(QCPAxis::atLeft);
+    const auto distance = [&](QPointF other) {
+        return std::hypot(x->coordToPixel(other.x()) - x->coordToPixel(coordinates.x()),
+                          y->coordToPixel(other.y()) - y->coordToPixel(coordinates.y()));
+    };
+    Target target{coordinates.x(), -1};
+    double nearest = nearPixels;
+    for (const CurveMark& mark : m_picture.marks) {
+        if (distance(mark.at) >= nearest) continue;
+        nearest = distance(mark.at);
+        target = {mark.at.x(), m_picture.marked};
+    }
+    if (target.line >= 0) return target;
+    for (int i = 0; i < m_graphs.size(); ++i) {
+        if (m_picture.lines[i].kind != StiffnessLine::Kind::curve || !m_graphs[i]->realVisibility()) continue;
+        const auto data = m_graphs[i]->data();
+        auto after = data->findBegin(coordinates.x(), false);
+        if (after == data->constEnd()) continue;
+        const auto before = after == data->constBegin() ? after : std::prev(after);
+        const double width = after->key - before->key;
+        const double share = width > 0 ? (coordinates.x() - before->key) / width : 0;
+        const double value = before->value + share * (after->value - before->value);
+        if (!(distance({coordinates.x(), value}) < nearest)) continue;
+        nearest = distance({coordinates.x(), value});
+        target.line = i;
+    }
+    return target;
+}
+
+}  // namespace drillwave

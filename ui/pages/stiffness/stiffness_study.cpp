@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/stiffness/stiffness_study.h"
+
+#include "core/model/scales.h"
+
+namespace drillwave {
+namespace {
+
+/// The curve itself is most of the work.
+constexpr double shareOfCurve = 0.8;
+
+SweepAxis inGroups(SweepAxis axis, std::string_view group, double unit) {
+    axis.parameter = findParameter(group);
+    axis.unit = &unitsOf(Quantity::ratio).front();
+    axis.start /= unit;
+    axis.stop /= unit;
+    for (double& value : axis.list) value /= unit;
+    return axis;
+}
+
+/// By its groups alone, which is all that e depends on.
+CurveQuestion referenceOf(const StiffnessQuestion& question) {
+    CurveQuestion reference = question.curve;
+    const Groups groups = groupsOf(question.curve.base);
+    reference.base = {};
+    reference.base.form = ScenarioForm::dimensionless;
+    reference.base.groups = groups;
+    reference.base.pulse.shape = PulseShape::rigidBody;
+    // e depends on k/(Z/2T) and γ alone: with τ = 1/2 that is β.
+    if (question.reference == ReferenceScale::byTransit) reference.base.groups.tau = 0.5;
+    const bool isStiffness = question.curve.along.key() == "bit_rock.stiffness";
+    reference.along =
+        inGroups(question.curve.along, "beta", isStiffness ? scalesOf(question.curve.base).stiffness : 1);
+    if (reference.family) reference.family = inGroups(*reference.family, "gamma", 1);
+    for (OutputColumn& column : reference.columns) column.units = OutputUnits::dimensionless;
+    reference.levels.clear();
+    reference.method = {};
+    return reference;
+}
+
+CurveQuestion closedFormOf(const CurveQuestion& question) {
+    CurveQuestion closed = question;
+    closed.method.method = Method::closedForm;
+    closed.levels.clear();
+    return closed;
+}
+
+bool isGamma(const SweepAxis& axis) {
+    return axis.key() == "gamma" || axis.key() == "bit_rock.gamma";
+}
+
+}  // namespace
+
+bool StiffnessQuestion::hasReference() const {
+    const std::string_view along = curve.along.key();
+    return (along == "beta" || along == "bit_rock.stiffness") && (!curve.family || isGamma(*curve.family)) &&
+           curve.columns.front().output->name == "cor";
+}
+
+StiffnessStudy studyStiffness(const StiffnessQuestion& question, int jobs, std::stop_token stop,
+                              const CurveProgress& progress) {
+    const auto part = [&](double before, double share) {
+        return [&progress, before, share](double done) {
+            if (progress) progress(before + share * done);
+        };
+    };
+    StiffnessStudy study{.question = question,
+                         .curve = studyCurve(question.curve, jobs, stop, part(0, shareOfCurve)),
+                         .reference = {},
+                         .closedForm = {}};
+    constexpr double shareOfRest = (1 - shareOfCurve) / 2;
+    if (question.reference != ReferenceScale::none && question.hasReference())
+        if (const CurveQuestion asked = referenceOf(question); problemsOf(asked).empty())
+            study.reference = studyCurve(asked, jobs, stop, part(shareOfCurve, shareOfRest));
+    if (question.closedForm && question.curve.base.pulse.shape == PulseShape::rectangular)
+        study.closedForm = studyCurve(closedFormOf(question.curve), jobs, stop,
+                                      part(shareOfCurve + shareOfRest, shareOfRest));
+    return study;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the page COR–stiffness computes: an output along a parameter, and what it is compared with.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+
+#include "core/study/curve/curve.h"
+
+namespace drillwave {
+
+/// The rod that arrives without waves, whose rebound depends on stiffness and γ alone: over which stiffness
+/// it is drawn.
+enum class ReferenceScale {
+    none,       ///< not at all
+    byTransit,  ///< in k0 = Z/(2T), as in the paper's figures
+    byPulse,    ///< in k0 = Z/t0, as everything else
+};
+
+struct StiffnessQuestion {
+    CurveQuestion curve;
+    ReferenceScale reference = ReferenceScale::none;
+    bool closedForm = false;  ///< where it holds
+    bool operator==(const StiffnessQuestion&) const = default;
+
+    /// Whether there is a reference: e along stiffness or β, for a family of γ or none.
+    bool hasReference() const;
+};
+
+struct StiffnessStudy {
+    StiffnessQuestion question;
+    CurveStudy curve;
+    /// Of e along β, for the same family; β is k over the k0 of the ReferenceScale.
+    std::optional<CurveStudy> reference;
+    std::optional<CurveStudy> closedForm;
+};
+
+/// The curve is that of studyCurve(), bit for bit. Requires problemsOf(question.curve) to be empty.
+StiffnessStudy studyStiffness(const StiffnessQuestion& question, int jobs, std::stop_token stop = {},
+                              const CurveProgress& progress = {});
+
+}  // namespace drillwave
