@@ -42,6 +42,9 @@ CurveQuestion questionOf(const Arguments& arguments, const RowOptions& options, 
     if (const std::optional<std::string> family = arguments.value("family"))
         question.family = axisArgument(arguments, "family", *family);
     question.columns = options.columnsFor(question.firstScenario());
+    if (options.allOutputs)
+        std::erase_if(question.columns,
+                      [](const OutputColumn& column) { return column.output->needsThrustStudy(); });
     question.levels = levelsOf(arguments, question.columns);
     return question;
 }

@@ -51,6 +51,11 @@ Scenario CurveQuestion::firstScenario() const {
 std::vector<std::string> problemsOf(const CurveQuestion& question) {
     std::vector<std::string> problems = problemsOf(
         Sweep{.base = question.base, .axes = question.axes(), .columns = question.columns, .shard = {}});
+    for (const OutputColumn& column : question.columns)
+        if (column.output->needsThrustStudy())
+            problems.push_back(
+                std::string(column.output->name) +
+                " takes a study of all gaps at every point; `drillwave thrust --along` has it");
     if (question.family && question.family->count > maximumCurveLines)
         problems.push_back("a family has at most " + std::to_string(maximumCurveLines) + " lines, this one " +
                            std::to_string(question.family->count));
