@@ -27,7 +27,7 @@ GapPage::GapPage(Document& document, QWidget* parent)
       m_output(outputBox()),
       m_scatter(new ScatterFields(this)),
       m_study(&answer) {
-    PlotWidget* plot = arrange({m_output, m_scatter});
+    PlotWidget* plot = arrange(QList<QWidget*>{m_output, m_scatter} + m_scatter->fields());
     m_plot = new GapPlot(plot);
     plot->setAccessibleName(tr("Result over the gap, and how its values are distributed"));
     plot->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
