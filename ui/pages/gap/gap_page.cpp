@@ -99,10 +99,10 @@ void GapPage::draw() {
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
-// In the period that is shown: beyond it everything repeats.
+// On the curve that is shown, and in its period: beyond it everything repeats.
 void GapPage::placeHere() {
     const GapCurve& curve = m_shown.answer->report.curve;
-    if (!m_shown.answer->isComplete() || !m_study.job().isCurrent()) return m_plot->setHere({});
+    if (!m_shown.answer->isComplete()) return m_plot->setHere({});
     double gap = groupsOf(scenario()).delta;
     if (gap < curve.start) return m_plot->setHere({});  // before all periods
     if (gap >= curve.end) gap = curve.periodStart + (gap - std::floor(gap));
