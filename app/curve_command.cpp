@@ -10,7 +10,9 @@
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
-#include "core/report/curve_report.h"
+#include "core/report/curve_csv.h"
+#include "core/report/curve_json.h"
+#include "core/report/curve_text.h"
 
 namespace drillwave {
 
@@ -40,6 +42,9 @@ CurveQuestion questionOf(const Arguments& arguments, const RowOptions& options, 
     if (const std::optional<std::string> family = arguments.value("family"))
         question.family = axisArgument(arguments, "family", *family);
     question.columns = options.columnsFor(question.firstScenario());
+    if (options.allOutputs)
+        std::erase_if(question.columns,
+                      [](const OutputColumn& column) { return column.output->needsThrustStudy(); });
     question.levels = levelsOf(arguments, question.columns);
     return question;
 }

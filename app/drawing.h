@@ -19,6 +19,7 @@ namespace drillwave {
 struct Accuracy;
 struct CurveReport;
 struct GapReport;
+struct MapReport;
 struct StabilityReport;
 struct SweepRows;
 struct ThrustReport;
@@ -26,7 +27,7 @@ struct ThrustReport;
 /// What a study has found. One that can be drawn has its line here, and its drawStudy() in
 /// ui/export/study_pictures.h.
 using StudyValue = std::variant<const Accuracy*, const StabilityReport*, const CurveReport*, const GapReport*,
-                                const SweepRows*, const ThrustReport*>;
+                                const MapReport*, const SweepRows*, const ThrustReport*>;
 
 /// Draws; what it draws with is another program's matter (desktop.h). All of them throw CommandError
 /// (unwritable output) where something could not be drawn, and give not all pictures after a stop.

@@ -9,6 +9,7 @@
 #include "app/progress_bar.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
+#include "app/study_plots.h"
 #include "core/report/map_report.h"
 #include "core/study/map/map_rows.h"
 #include "core/text/decimal_text.h"
@@ -97,8 +98,10 @@ MapReport solve(const MapStudy& study, const std::vector<double>& levels, int jo
     return report;
 }
 
-void writeFiles(const MapFiles& files, const MapReport& report, const RowRecord& record) {
+void writeFiles(const MapFiles& files, const MapReport& report, const RowRecord& record,
+                const std::vector<NamedFile>& pictures) {
     RowFile rows(files.rows);
+    PicturesBeside beside(files.rows.path, pictures, files.rows.overwrite);
     std::optional<OutputFile> contours;
     if (!files.contours.empty()) {
         contours.emplace(files.contours, files.rows.overwrite);
@@ -110,8 +113,9 @@ void writeFiles(const MapFiles& files, const MapReport& report, const RowRecord&
         return true;
     });
     giveRows(report.study, report.grid, csv);
-    rows.commit(record);
+    beside.commit();
     if (contours) contours->commit();
+    rows.commit(record);
 }
 
 /// Done, or why not all of it is.
@@ -125,9 +129,10 @@ ExitCode judge(const MapReport& report, long workLimit) {
                                                        reasonsOf(counts, "point", workLimit));
 }
 
-ExitCode runMap(const Arguments& arguments, const Drawing*) {
+ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const SweepAxis x = axisOf(arguments, "x"), y = axisOf(arguments, "y");
+    const StudyPlots plots = StudyPlots::besideFile(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments);
     const ScenarioDocument& base = input.document;
     const RowOptions options = rowOptions(arguments, input.method);
@@ -143,6 +148,7 @@ ExitCode runMap(const Arguments& arguments, const Drawing*) {
         throw CommandError(ExitCode::invalidScenario, std::move(problems));
     }
     const MapFiles files = filesOf(arguments, options, base);
+    plots.check(path, base, options.overwrite);
     RowRecord record = recordOf("map", arguments, options, {&study.output, 1}, base, x.count * y.count);
     for (const auto& [axis, option] : {std::pair{&x, "x"}, {&y, "y"}})
         record.axes.push_back(recordedAxis(*axis, *arguments.value(option)));
@@ -151,7 +157,7 @@ ExitCode runMap(const Arguments& arguments, const Drawing*) {
     remarkOnValues(base.scenario, path);
     MapReport report = solve(study, levels, options.jobs, interruption);
     report.scenarioText = record.scenario;
-    if (arguments.has("o")) writeFiles(files, report, record);
+    if (arguments.has("o")) writeFiles(files, report, record, plots.draw(&report, drawing, interruption));
     if (!arguments.has("o") || options.path != "-")
         writeFile("-", arguments.has("json") ? mapJson(report) : mapText(report), Overwrite::allowed);
     return judge(report, options.workLimit);
@@ -173,6 +179,7 @@ std::vector<OptionSpec> mapOptions() {
              {"o", "FILE.csv",
               "also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints "
               "the points instead"},
+             plotsOptionSpec(),
              {"force", "", "overwrite existing files"}})
         options.push_back(option);
     return options;
@@ -195,7 +202,7 @@ const Command& mapCommand() {
         .options = mapOptions(),
         .leastOperands = 1,
         .mostOperands = 1,
-        .draws = [](const Arguments&) { return false; },
+        .draws = asksForPlots,
         .run = runMap,
     };
     return command;

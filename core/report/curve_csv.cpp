@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/report/curve_report.h"
+#include "core/report/curve_csv.h"
+
 #include "core/text/number_text.h"
 
 namespace drillwave {

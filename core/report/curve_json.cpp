@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/curve_json.h"
+
 #include "core/model/scales.h"
 #include "core/model/version.h"
-#include "core/report/curve_report.h"
 #include "core/report/json_value.h"
 
 namespace drillwave {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include "core/report/curve_text.h"
 
-#include "core/report/curve_report.h"
+#include <algorithm>
+#include <span>
+
 #include "core/report/report_text.h"
 
 namespace drillwave {

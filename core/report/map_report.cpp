@@ -47,6 +47,8 @@ std::string contourText(const MapReport& report, const Contour& contour) {
     } else {
         text += counted(contour.pointCount(), "point") + " on " + counted(contour.lines.size(), "line") +
                 ", within " + boundText(contour.worstResidual());
+        if (report.study.output.hasUnit())
+            text += " " + std::string(unitsOf(report.study.output.output->quantity()).front().name);
         if (const std::uint64_t jumps = contour.jumpCount(); jumps > 0)
             text += ", but for " + std::to_string(jumps) + " where it jumps across";
     }

@@ -181,6 +181,8 @@ void TestCurves::whatIsWrongIsSaid_data() {
     add("set and varied", {"--along", "beta=1:2", "--set", "beta=3"}, 2, "beta");
     add("one quantity twice", {"--along", "beta=1:2", "--family", "beta=1,2"}, 5, "set the same thing");
     add("an unknown output", {"--along", "beta=1:2", "--outputs", "corr"}, 2, "did you mean `cor`?");
+    add("a study at every point", {"--along", "drill.thrust=8kN:9kN", "--outputs", "thrust_margin"}, 5,
+        "study of all gaps");
     add("a level that is none", {"--along", "beta=1:2", "--level", "one"}, 2, "--level one");
     add("SI without units", {"--along", "beta=1:2", "--si"}, 5, "SI columns need");
     add("force without a file", {"--along", "beta=1:2", "--force"}, 2, "--force is about the file of -o");
@@ -190,7 +192,8 @@ void TestCurves::whatIsWrongIsSaid() {
     QFETCH(QStringList, words);
     QFETCH(int, exitCode);
     QFETCH(QString, message);
-    const Finished finished = run(QStringList{"curve", example("paper_fig4b")} + words);
+    const char* name = words.contains("thrust_margin") ? "t38_medium_rock" : "paper_fig4b";
+    const Finished finished = run(QStringList{"curve", example(name)} + words);
     QCOMPARE(finished.exitCode, exitCode);
     QVERIFY2(finished.error.contains(message.toUtf8()), finished.error.constData());
     QCOMPARE(finished.error.trimmed().count('\n'), 0);

@@ -51,6 +51,7 @@ class TestMaps : public QObject {
     void jsonHoldsRangeAndContours();
     void levelsInSiTakeUnits();
     void pointsWithoutASolutionAreCounted();
+    void picturesStandBesideThePoints();
     void whatIsWrongIsSaid_data();
     void whatIsWrongIsSaid();
 };
@@ -161,6 +162,20 @@ void TestMaps::pointsWithoutASolutionAreCounted() {
     QVERIFY(finished.error.contains("--work-limit, now 100, permits more"));
     QCOMPARE(finished.error.count('\n'), 1);
     QVERIFY(finished.out.contains(QByteArray::number(qlonglong(empty)) + " points not solved: "));
+}
+
+void TestMaps::picturesStandBesideThePoints() {
+    QTemporaryDir folder;
+    for (const char* name : {"map", "again"})
+        output(mapOf("paper_fig4a", {"--level", "1", "--plots", "png,svg", "-o",
+                                     folder.filePath(QLatin1String(name) + ".csv")}));
+    QCOMPARE(QDir(folder.path()).entryList({"map*"}, QDir::Files, QDir::Name),
+             (QStringList{"map.csv", "map.csv.yaml", "map.png", "map.svg", "map_contours.csv"}));
+    QVERIFY(content(folder.filePath("map.png")).startsWith("\x89PNG"));
+    QVERIFY(content(folder.filePath("map.svg")).contains("<svg"));
+    for (const char* ending : {".png", ".svg"})
+        QVERIFY(content(folder.filePath("map") + ending) == content(folder.filePath("again") + ending));
+    QCOMPARE(run(mapOf("paper_fig4a", {"--plots", "png"})).exitCode, 2);
 }
 
 void TestMaps::whatIsWrongIsSaid_data() {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Milliseconds from a keystroke in a field to the new pixels of the whole window, page by page: bench_window
-// [REPEATS], 50 by default. Not run by ctest but for a trial: times depend on the machine.
+// Milliseconds from a keystroke in a field to the new pixels of the whole window, page by page, and from a
+// step of a slider to those of a whole new map: bench_window [REPEATS], 50 by default. Not run by ctest but
+// for a trial: times depend on the machine.
 #include <QApplication>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
@@ -13,6 +15,8 @@
 #include "ui/form/quantity_field.h"
 #include "ui/form/scenario_panel.h"
 #include "ui/job/solve_job.h"
+#include "ui/pages/map/map_page.h"
+#include "ui/pages/map/map_plot.h"
 #include "ui/pages/plot_page.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
@@ -68,6 +72,8 @@ void measurePage(MainWindow& window, const QString& name, int repeats) {
     auto* page = static_cast<PlotPage*>(window.findChild<PageTabs*>()->currentWidget());
     PaintWatch watch(window);
     page->plot()->installEventFilter(&watch);
+    // Where the plot does not depend on the field, as a map does not on its own parameters, words do.
+    if (auto* words = page->findChild<QLabel*>(QStringLiteral("words"))) words->installEventFilter(&watch);
     auto* field = part<ScenarioPanel>(window).findChild<QuantityField*>(QStringLiteral("gamma"));
     field->setFocus();
     field->findChild<QLineEdit*>()->setCursorPosition(9);
@@ -79,6 +85,49 @@ void measurePage(MainWindow& window, const QString& name, int repeats) {
     }
     std::ranges::sort(times);
     std::printf("%-16s %8.1f %8.1f %8.1f\n", qPrintable(name), times[times.size() / 2], times.front(),
+                times.back());
+}
+
+// Notices when all of the map of the present scenario has been painted.
+class MapWatch : public QObject {
+  public:
+    MapWatch(MainWindow& window, MapPage& page) : m_window(window), m_page(page) {}
+    bool isPainted() const { return m_painted; }
+    void expect() { m_painted = false; }
+
+  protected:
+    bool eventFilter(QObject* /*plot*/, QEvent* event) override {
+        const std::optional<MapPicture>& picture = m_page.map()->picture();
+        if (event->type() == QEvent::Paint && picture && picture->grid().isComplete() &&
+            picture->report->study.base == m_window.document().scenario())
+            m_painted = true;
+        return false;
+    }
+
+  private:
+    MainWindow& m_window;
+    MapPage& m_page;
+    bool m_painted = false;
+};
+
+// The gap, which is on neither axis, in steps of one gesture: a map of 200 × 200 blows each.
+void measureDragOnMap(MainWindow& window, int repeats) {
+    auto& page = part<MapPage>(window);
+    part<PageTabs>(window).setCurrentWidget(&page);
+    settle(window);
+    MapWatch watch(window, page);
+    page.plot()->installEventFilter(&watch);
+    const int gesture = window.document().newGesture();
+    std::vector<double> times;
+    for (int i = 0; i < repeats; ++i) {
+        watch.expect();
+        const Clock::time_point start = Clock::now();
+        window.document().assign(*findParameter("bit_rock.gap"), (i + 1) * 1e-5, gesture);
+        while (!watch.isPainted()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    }
+    std::ranges::sort(times);
+    std::printf("%-16s %8.1f %8.1f %8.1f\n", "a drag on Map", times[times.size() / 2], times.front(),
                 times.back());
 }
 
@@ -107,4 +156,5 @@ int main(int argc, char** argv) {
         settle(window);
         measurePage(window, pages->page(page).title(), repeats);
     }
+    measureDragOnMap(window, repeats);
 }

@@ -6,6 +6,7 @@
 #include "ui/export/sweep_panels.h"
 #include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/gap/gap_plot.h"
+#include "ui/pages/map/map_plot.h"
 #include "ui/pages/stiffness/stiffness_plot.h"
 #include "ui/pages/thrust/thrust_plot.h"
 
@@ -49,6 +50,13 @@ Pictures drawStudy(const CurveReport& report, const PictureOrder& order) {
 Pictures drawStudy(const GapReport& report, const PictureOrder& order) {
     return drawnBy<GapPlot>(gapPicture(report, GapOutput::cor, unitsFor(report.scenario)), {180, 110},
                             report.scenario.title, order);
+}
+
+// The report outlives the picture.
+Pictures drawStudy(const MapReport& report, const PictureOrder& order) {
+    const std::shared_ptr<const MapReport> shared(std::shared_ptr<const MapReport>(), &report);
+    return drawnBy<MapPlot>(mapPicture(shared, unitsFor(report.study.base)), {180, 140},
+                            report.study.base.title, order);
 }
 
 Pictures drawStudy(const ThrustReport& report, const PictureOrder& order) {

@@ -4,6 +4,7 @@
 
 #include "core/report/curve_report.h"
 #include "core/report/gap_report.h"
+#include "core/report/map_report.h"
 #include "core/report/thrust_report.h"
 #include "core/study/proof/accuracy.h"
 #include "core/study/proof/stability.h"
@@ -15,6 +16,7 @@ namespace drillwave {
 /// What the page of each study shows at first, in naturalUnits(); see renderPictures().
 Pictures drawStudy(const CurveReport& report, const PictureOrder& order);
 Pictures drawStudy(const GapReport& report, const PictureOrder& order);
+Pictures drawStudy(const MapReport& report, const PictureOrder& order);
 /// Of a report along a parameter.
 Pictures drawStudy(const ThrustReport& report, const PictureOrder& order);
 Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order);

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <cstddef>
+#include <cstdint>
 
 namespace drillwave {
 
@@ -32,6 +33,8 @@ class StudyActivity : public QObject {
     QString problem() const { return m_problem; }
     /// Whether what there is to show is of the study asked for last, not of an earlier one.
     virtual bool isCurrent() const = 0;
+    /// How many values have come, of earlier studies too: while it grows the window keeps up with the hand.
+    std::uint64_t answers() const { return m_answers; }
     virtual void cancel() = 0;
 
   signals:
@@ -42,6 +45,7 @@ class StudyActivity : public QObject {
     StudyState m_state = StudyState::idle;
     StudyProgress m_progress;
     QString m_problem;
+    std::uint64_t m_answers = 0;
 };
 
 }  // namespace drillwave

@@ -156,6 +156,7 @@ void StudyJob<Value>::fetch() {
     }
     if (mail.study <= m_dropped) return;
     if (mail.value) {
+        ++m_answers;
         m_value = mail.value;
         m_valueOf = mail.study;
     }
@@ -166,6 +167,7 @@ template <class Value>
 void StudyJob<Value>::end(std::uint64_t number, const End& end) {
     fetch();
     if (end.value) {
+        ++m_answers;
         m_value = end.value;
         m_valueOf = number;
     }

@@ -2,9 +2,12 @@
 #include "core/study/curve/curve.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <span>
+#include <utility>
 
+#include "core/study/curve/curve_lines.h"
 #include "core/study/rows/axis_scenario.h"
 #include "core/study/rows/sweep_check.h"
 
@@ -48,6 +51,11 @@ Scenario CurveQuestion::firstScenario() const {
 std::vector<std::string> problemsOf(const CurveQuestion& question) {
     std::vector<std::string> problems = problemsOf(
         Sweep{.base = question.base, .axes = question.axes(), .columns = question.columns, .shard = {}});
+    for (const OutputColumn& column : question.columns)
+        if (column.output->needsThrustStudy())
+            problems.push_back(
+                std::string(column.output->name) +
+                " takes a study of all gaps at every point; `drillwave thrust --along` has it");
     if (question.family && question.family->count > maximumCurveLines)
         problems.push_back("a family has at most " + std::to_string(maximumCurveLines) + " lines, this one " +
                            std::to_string(question.family->count));
@@ -69,6 +77,12 @@ std::optional<double> CurveLine::value(double x, std::size_t output) const {
 std::optional<double> CurveLine::error(double x, std::size_t output) const {
     const FitPiece* piece = solvedPieceAt(outputs[output].pieces, range.shareOf(x));
     return piece ? std::optional(piece->error.front()) : std::nullopt;
+}
+
+CurveStudy studyCurve(const CurveQuestion& question, int jobs, std::stop_token stop,
+                      const CurveProgress& progress) {
+    assert(jobs >= 1 && !question.columns.empty() && problemsOf(question).empty());
+    return followLines(question, jobs, std::move(stop), progress);
 }
 
 bool CurveStudy::isComplete() const {

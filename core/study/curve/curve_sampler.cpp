@@ -2,6 +2,7 @@
 #include "core/study/curve/curve_sampler.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/model/scales.h"
@@ -10,6 +11,8 @@
 namespace drillwave {
 
 namespace {
+
+constexpr double lastDigits = 64 * std::numeric_limits<double>::epsilon();
 
 /// What is smooth while it stays the same. The lattice has the events only to a step.
 std::uint64_t orderOf(const Impact& impact, const Problem& problem, Method method) {
@@ -82,7 +85,8 @@ FitSample CurveSampler::operator()(double share, std::size_t output) {
         return sample;
     }
     sample.values[0] = blow.values[output];
-    sample.error = blow.corError * unitAt(share, output);
+    // Times may be long and forces large: they are known to some of their last digits.
+    sample.error = blow.corError * unitAt(share, output) + lastDigits * std::abs(blow.values[output]);
     sample.order = blow.order;
     return sample;
 }

@@ -131,13 +131,17 @@ Zero<Real> firstZero(const Real* c, int count, Real end, Real start = 0) {
         while (count > 0 && c[0] == 0) ++c, --count;
     if (count == 0) return {};
     if (start == 0 && c[0] < 0) return Zero<Real>::at(0);
-    Real slopeSum = 0, curvature = 0;
+    Real slopeSum = 0, falling = 0;
     for (int k = 1; k < count; ++k) {
-        const Real size = std::abs(c[k]);
-        slopeSum += size;
-        curvature += Real(k * (k - 1)) * size;
+        slopeSum += std::abs(c[k]);
+        falling += std::max(-c[k], Real(0));
     }
     if (start == 0 && c[0] > slopeSum) return {};  // p cannot reach zero on [0, 1]
+    // Nor if what falls is not enough, by more than all rounding of the march below.
+    constexpr Real rounding = 4 * PowerSeries<Real>::capacity * std::numeric_limits<Real>::epsilon();
+    if (start == 0 && c[0] - falling > rounding * (std::abs(c[0]) + slopeSum)) return {};
+    Real curvature = 0;
+    for (int k = 1; k < count; ++k) curvature += Real(k * (k - 1)) * std::abs(c[k]);
     const Real noise = 4 * std::numeric_limits<Real>::epsilon() * (std::abs(c[0]) + slopeSum);
     Real u = start;
     switch (marchToZero(c, count, end, curvature, noise, u, 24)) {

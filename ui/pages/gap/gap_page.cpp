@@ -27,7 +27,7 @@ GapPage::GapPage(Document& document, QWidget* parent)
       m_output(outputBox()),
       m_scatter(new ScatterFields(this)),
       m_study(&answer) {
-    PlotWidget* plot = arrange({m_output, m_scatter});
+    PlotWidget* plot = arrange(QList<QWidget*>{m_output, m_scatter} + m_scatter->fields());
     m_plot = new GapPlot(plot);
     plot->setAccessibleName(tr("Result over the gap, and how its values are distributed"));
     plot->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
@@ -99,10 +99,10 @@ void GapPage::draw() {
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
-// In the period that is shown: beyond it everything repeats.
+// On the curve that is shown, and in its period: beyond it everything repeats.
 void GapPage::placeHere() {
     const GapCurve& curve = m_shown.answer->report.curve;
-    if (!m_shown.answer->isComplete() || !m_study.job().isCurrent()) return m_plot->setHere({});
+    if (!m_shown.answer->isComplete()) return m_plot->setHere({});
     double gap = groupsOf(scenario()).delta;
     if (gap < curve.start) return m_plot->setHere({});  // before all periods
     if (gap >= curve.end) gap = curve.periodStart + (gap - std::floor(gap));

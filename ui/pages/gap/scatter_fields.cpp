@@ -24,10 +24,26 @@ const Unit& unitOf(Quantity quantity) {
     return quantity == Quantity::length ? *findUnit(quantity, "mm") : unitsOf(quantity).front();
 }
 
+void layOut(QWidget& row) {
+    auto* layout = new QHBoxLayout(&row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+}
+
+QWidget* newBox(QWidget* parent) {
+    auto* box = new QWidget(parent);
+    layOut(*box);
+    box->hide();
+    return box;
+}
+
 }  // namespace
 
 ScatterFields::ScatterFields(QWidget* parent)
-    : QWidget(parent), m_layout(new QHBoxLayout(this)), m_choice(new ChoiceBox(this)) {
+    : QWidget(parent),
+      m_choice(new ChoiceBox(this)),
+      m_meanBox(newBox(parent)),
+      m_deviationBox(newBox(parent)) {
     auto* label = new QLabel(tr("gap"), this);
     label->setBuddy(m_choice);
     m_choice->setObjectName(QStringLiteral("scatter"));
@@ -37,10 +53,9 @@ ScatterFields::ScatterFields(QWidget* parent)
            "distribution cut off at no gap"));
     m_choice->addItem(tr("all alike"));
     m_choice->addItem(tr("mean ± deviation"));
-    m_layout->setContentsMargins(0, 0, 0, 0);
-    m_layout->setSpacing(4);
-    m_layout->addWidget(label);
-    m_layout->addWidget(m_choice);
+    layOut(*this);
+    layout()->addWidget(label);
+    layout()->addWidget(m_choice);
     connect(m_choice, &QComboBox::currentIndexChanged, this, &ScatterFields::choose);
 }
 
@@ -67,32 +82,34 @@ void ScatterFields::choose() {
     emit changed();
 }
 
+// A field is of one quantity for its life.
 void ScatterFields::addFields() {
-    if (m_fields) m_fields->deleteLater();
-    m_fields = nullptr;
+    for (QWidget* box : fields()) {
+        for (QWidget* child : box->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+            child->setObjectName({});
+            child->hide();
+            child->deleteLater();
+        }
+        box->setVisible(isScattered());
+    }
     if (!isScattered()) return;
-    m_fields = new QWidget(this);
-    auto* layout = new QHBoxLayout(m_fields);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    QuantityField* mean = addField(tr("mean"), "mean", &ScatterFields::m_mean);
-    QuantityField* deviation = addField(QStringLiteral("±"), "deviation", &ScatterFields::m_deviation);
+    QuantityField* mean = addField(m_meanBox, tr("mean"), "mean", &ScatterFields::m_mean);
+    QuantityField* deviation =
+        addField(m_deviationBox, QStringLiteral("±"), "deviation", &ScatterFields::m_deviation);
     deviation->setAccessibleName(tr("standard deviation of the gap"));
     // A length that is read at a glance.
     m_deviation = deviation->rounded(m_deviation);
     deviation->setValue(m_deviation);
-    m_layout->addWidget(m_fields);
-    m_fields->show();
     setTabOrder(m_choice, mean);
     setTabOrder(mean, deviation);
 }
 
-QuantityField* ScatterFields::addField(const QString& words, const char* name, double ScatterFields::*value) {
+QuantityField* ScatterFields::addField(QWidget* box, const QString& words, const char* name,
+                                       double ScatterFields::*value) {
     const Quantity quantity = quantityOf(m_scenario);
     UnitChoice& units = UnitChoice::shared();
     const Parameter& gap = *findParameter("bit_rock.gap");
-    auto* field =
-        new QuantityField(quantity, isDimensional() ? units.fieldUnit(gap) : unitOf(quantity), m_fields);
+    auto* field = new QuantityField(quantity, isDimensional() ? units.fieldUnit(gap) : unitOf(quantity), box);
     if (isDimensional())
         connect(&units, &UnitChoice::changed, field, [&, field] { field->setUnit(units.fieldUnit(gap)); });
     field->setObjectName(QString::fromLatin1(name));
@@ -100,13 +117,16 @@ QuantityField* ScatterFields::addField(const QString& words, const char* name, d
     field->setStepAtZero(0.01 * m_d0);
     field->setValue(this->*value);
     field->setTaker([this, value](double si) { return take(value, si); });
-    auto* label = new QLabel(words, m_fields);
+    auto* label = new QLabel(words, box);
     label->setBuddy(field);
-    m_fields->layout()->addWidget(label);
-    m_fields->layout()->addWidget(field);
+    QList<QWidget*> row{label, field};
     if (QToolButton* unit = field->unitButton()) {
         unit->setAccessibleName(tr("%1, unit").arg(field->accessibleName()));
-        m_fields->layout()->addWidget(unit);
+        row << unit;
+    }
+    for (QWidget* each : row) {
+        box->layout()->addWidget(each);
+        each->show();
     }
     return field;
 }

@@ -8,9 +8,6 @@
 #include "core/model/scenario.h"
 #include "core/study/gap/gap_distribution.h"
 
-class QHBoxLayout;
-class QToolButton;
-
 namespace drillwave {
 
 class ChoiceBox;
@@ -21,7 +18,11 @@ class ScatterFields : public QWidget {
     Q_OBJECT
 
   public:
-    explicit ScatterFields(QWidget* parent = nullptr);
+    explicit ScatterFields(QWidget* parent);
+
+    /// The fields of mean and deviation, beside this, shown where they say something: siblings of it, so that
+    /// a row of controls can wrap between them.
+    QList<QWidget*> fields() const { return {m_meanBox, m_deviationBox}; }
 
     /// Takes over whether there are units, and what d0 is.
     void present(const Scenario& scenario);
@@ -37,7 +38,8 @@ class ScatterFields : public QWidget {
   private:
     void choose();
     void addFields();
-    QuantityField* addField(const QString& words, const char* name, double ScatterFields::*value);
+    QuantityField* addField(QWidget* box, const QString& words, const char* name,
+                            double ScatterFields::*value);
     QString take(double ScatterFields::*value, double si);
     QString problem() const;
     bool isScattered() const;
@@ -47,9 +49,9 @@ class ScatterFields : public QWidget {
     double m_d0 = 1;         // in the units of the fields: m, or 1
     double m_mean = 0;       // m, or d0
     double m_deviation = 0;  // m, or d0; 0 before the first choice
-    QHBoxLayout* m_layout;
     ChoiceBox* m_choice;
-    QWidget* m_fields = nullptr;  // of one quantity for its life
+    QWidget* m_meanBox;
+    QWidget* m_deviationBox;
 };
 
 }  // namespace drillwave

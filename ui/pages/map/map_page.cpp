@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QMouseEvent>
 
-#include "core/file/preset_file.h"
 #include "core/model/assignments.h"
 #include "core/report/row_csv.h"
 #include "core/study/map/map_rows.h"
@@ -175,33 +174,19 @@ void MapPage::present() {
         m_shownUnits = units;
         draw();
     }
-    placeHere();
+    m_plot->setHere(m_plot->picture()->placeOf(scenario()));
     speak();
 }
 
 void MapPage::draw() {
     const MapPicture picture = mapPicture(m_shown, m_shownUnits);
     m_plot->present(picture);
-    const SweepAxis &x = m_shown->study.x, &y = m_shown->study.y;
-    if (x.parameter->applies(scenario()) && y.parameter->applies(scenario()))
-        m_plot->setPresets(presetPoints(builtInPresets(), *x.parameter, *y.parameter, scenario()));
     CurveMeaning meaning;
     meaning.xUnit = picture.x.unit;
     meaning.yUnit = picture.output.unit;
     plot()->setMeaning(m_plot->cutAlongX(), meaning);
     plot()->setAccessibleDescription(m_plot->textSummary());
     plot()->replot(QCustomPlot::rpQueuedReplot);
-}
-
-void MapPage::placeHere() {
-    const auto shown = [&](const SweepAxis& axis, double factor) -> std::optional<double> {
-        if (!axis.parameter->applies(scenario())) return std::nullopt;
-        const std::optional<double> si = axis.parameter->value(scenario());
-        return si ? std::optional(*si * factor) : std::nullopt;
-    };
-    const MapPicture& picture = *m_plot->picture();
-    const auto x = shown(m_shown->study.x, picture.x.factor), y = shown(m_shown->study.y, picture.y.factor);
-    m_plot->setHere(x && y ? std::optional(QPointF(*x, *y)) : std::nullopt);
 }
 
 void MapPage::speak() {

@@ -47,7 +47,6 @@ class MapPage : public StudyPage {
     void offer(AxisFields& fields);
     void takeUsualLevels();
     void draw();
-    void placeHere();
     void speak();
     QString hereText() const;
     void dragTo(QPointF place);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/file/preset_file.h"
 #include "core/model/scales.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
@@ -45,6 +46,16 @@ ShownUnit inSi(ShownUnit unit, double scale) {
 }
 
 }  // namespace
+
+std::optional<QPointF> MapPicture::placeOf(const Scenario& scenario) const {
+    const auto shown = [&](const SweepAxis& axis, const ShownUnit& unit) -> std::optional<double> {
+        if (!axis.parameter->applies(scenario)) return std::nullopt;
+        const std::optional<double> si = axis.parameter->value(scenario);
+        return si ? std::optional(*si * unit.factor) : std::nullopt;
+    };
+    const auto atX = shown(report->study.x, x), atY = shown(report->study.y, y);
+    return atX && atY ? std::optional(QPointF(*atX, *atY)) : std::nullopt;
+}
 
 double MapColours::share(double value) const {
     if (!level) return 2 * (value - least) / (largest - least) - 1;
@@ -138,13 +149,15 @@ ShownUnit mapUnit(const OutputColumn& output, const Scenario& scenario, const Sh
 MapPicture mapPicture(std::shared_ptr<const MapReport> report, const ShownUnits& units) {
     const MapStudy& study = report->study;
     const Unit &xUnit = axisUnit(study.x, units), &yUnit = axisUnit(study.y, units);
-    MapPicture picture{.report = report,
-                       .xUnit = &xUnit,
-                       .yUnit = &yUnit,
-                       .x = shownUnit(xUnit),
-                       .y = shownUnit(yUnit),
-                       .output = mapUnit(study.output, study.base, units),
-                       .colours = {}};
+    MapPicture picture{
+        .report = report,
+        .xUnit = &xUnit,
+        .yUnit = &yUnit,
+        .x = shownUnit(xUnit),
+        .y = shownUnit(yUnit),
+        .output = mapUnit(study.output, study.base, units),
+        .colours = {},
+        .presets = presetPoints(builtInPresets(), *study.x.parameter, *study.y.parameter, study.base)};
     if (const std::optional<MapGrid::Extent>& extent = report->grid.extent()) {
         MapColours& colours = picture.colours;
         colours.level = decisiveLevel(*study.output.output);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/report/map_report.h"
+#include "ui/pages/study/preset_places.h"
 #include "ui/plot/colour_scale.h"
 #include "ui/text/shown_units.h"
 
@@ -35,6 +36,7 @@ struct MapPicture {
     const Unit* yUnit = nullptr;
     ShownUnit x, y, output;  ///< without a `unit` for plain numbers
     MapColours colours;
+    std::vector<PresetPoint> presets;
 
     const MapGrid& grid() const { return report->grid; }
     /// What the axes and the colours are called, with units.
@@ -45,6 +47,8 @@ struct MapPicture {
     QString xText(double si, const QLocale& locale) const;
     QString yText(double si, const QLocale& locale) const;
     QString outputText(double value, const QLocale& locale) const;
+    /// Where a scenario is, in shown units; nullopt where it has no value of a parameter.
+    std::optional<QPointF> placeOf(const Scenario& scenario) const;
 };
 
 /// The level of an output that decides something: 1 of e, 0 of the margin of the thrust.
@@ -56,7 +60,7 @@ OutputUnits mapUnits(const Output& output, UnitSystem system);
 /// The unit in which such a map is shown.
 ShownUnit mapUnit(const OutputColumn& output, const Scenario& scenario, const ShownUnits& units);
 
-/// `units` are those on show. The report has points.
+/// `units` are those on show, for the study's scenario. With the built-in presets.
 MapPicture mapPicture(std::shared_ptr<const MapReport> report, const ShownUnits& units);
 
 }  // namespace drillwave

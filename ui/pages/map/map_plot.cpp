@@ -85,9 +85,7 @@ MapPlot::MapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
     m_raster = new MapRaster(plot, m_map);
     m_raster->setLayer(QStringLiteral("background"));
     linkAxes();
-    m_alongX = plot->addGraph(m_below->axis(QCPAxis::atBottom), m_below->axis(QCPAxis::atLeft));
-    m_alongX->setAdaptiveSampling(true);
-    m_alongY = new QCPCurve(m_beside->axis(QCPAxis::atBottom), m_beside->axis(QCPAxis::atLeft));
+    addCuts();
     m_crosshair = new MapCrosshair(plot, m_map, m_below, m_beside);
     m_message = new PlotMessage(plot);
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_map->axis(side));
@@ -128,6 +126,12 @@ void MapPlot::addRects() {
     m_below->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
 }
 
+void MapPlot::addCuts() {
+    m_alongX = m_plot->addGraph(m_below->axis(QCPAxis::atBottom), m_below->axis(QCPAxis::atLeft));
+    m_alongX->setAdaptiveSampling(true);
+    m_alongY = new QCPCurve(m_beside->axis(QCPAxis::atBottom), m_beside->axis(QCPAxis::atLeft));
+}
+
 // The cuts go along with the map.
 void MapPlot::linkAxes() {
     using Changed = void (QCPAxis::*)(const QCPRange&);
@@ -143,7 +147,9 @@ void MapPlot::linkAxes() {
 
 void MapPlot::present(const MapPicture& picture) {
     const bool isOther = !m_picture || !isSameMap(*m_picture, picture);
+    const bool hasOtherPresets = isOther || m_picture->presets != picture.presets;
     m_picture = picture;
+    if (!m_crosshair->place()) m_crosshair->setPlace(picture.placeOf(picture.report->study.base));
     m_message->hide();
     m_bar->setVisible(true);
     m_view->setEmpty(false);
@@ -154,8 +160,8 @@ void MapPlot::present(const MapPicture& picture) {
             for (QCPAxisRect* rect : {m_map, m_below}) setScale(rect->axis(QCPAxis::atBottom), study.x.kind);
             for (QCPAxisRect* rect : {m_map, m_beside}) setScale(rect->axis(QCPAxis::atLeft), study.y.kind);
         });
-        placePresets();
     }
+    if (hasOtherPresets) placePresets();
     setLabels();
     showContours();
     showCuts();
@@ -170,6 +176,7 @@ void MapPlot::showNothing(const QString& message) {
     m_bar->setVisible(false);
     m_alongX->data()->clear();
     m_alongY->data()->clear();
+    for (QCPAxisRect* rect : {m_below, m_beside}) rect->axis(QCPAxis::atTop)->setLabel({});
     showContours();
     placePresets();
     m_crosshair->setPlace({});
@@ -246,8 +253,11 @@ void MapPlot::showCuts() {
             alongY.append(
                 {double(row), grid.value(m_cut->column, row) * factor, grid.ys()[row] * m_picture->y.factor});
     m_alongX->data()->set(alongX);
-    m_alongX->setName(tr("at %1").arg(m_picture->yText(grid.ys()[m_cut->row], m_plot->locale())));
     m_alongY->data()->set(alongY, true);
+    const QString atY = m_picture->yText(grid.ys()[m_cut->row], m_plot->locale());
+    m_alongX->setName(atY);
+    m_below->axis(QCPAxis::atTop)->setLabel(atY);
+    m_beside->axis(QCPAxis::atTop)->setLabel(m_picture->xText(grid.xs()[m_cut->column], m_plot->locale()));
 }
 
 void MapPlot::setHere(const std::optional<QPointF>& place) {
@@ -258,12 +268,6 @@ void MapPlot::setHere(const std::optional<QPointF>& place) {
     }
 }
 
-void MapPlot::setPresets(const std::vector<PresetPoint>& presets) {
-    if (presets == m_presets) return;
-    m_presets = presets;
-    placePresets();
-}
-
 void MapPlot::placePresets() {
     for (QCPAbstractItem* item : m_presetItems) m_plot->removeItem(item);
     m_presetItems.clear();
@@ -271,7 +275,7 @@ void MapPlot::placePresets() {
     QColor behind = m_style.background;
     behind.setAlpha(170);
     bool above = false;  // names of neighbours stand on different sides
-    for (const PresetPoint& preset : m_presets) {
+    for (const PresetPoint& preset : m_picture->presets) {
         const QPointF at(preset.x * m_picture->x.factor, preset.y * m_picture->y.factor);
         const auto column = AxisPlaces(m_picture->report->study.x).nearest(preset.x);
         const bool leftward = column && 4 * *column > 3 * m_picture->grid().columns();
@@ -322,7 +326,9 @@ void MapPlot::setStyle(const PlotStyle& style) {
     m_crosshair->setStyle(style);
     showContours();
     placePresets();
-    if (m_picture) m_summary = summary();  // files have another locale
+    if (!m_picture) return;
+    showCuts();  // files have another locale
+    m_summary = summary();
 }
 
 void MapPlot::fit() {

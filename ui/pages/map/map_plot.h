@@ -9,7 +9,6 @@
 
 #include "ui/pages/map/map_picture.h"
 #include "ui/pages/map/map_raster.h"
-#include "ui/pages/study/preset_places.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_style.h"
@@ -30,10 +29,8 @@ class MapPlot : public QObject {
     void present(const MapPicture& picture);
     /// No map, and `message` in its place (why there is none).
     void showNothing(const QString& message);
-    /// Where the present scenario is, in shown units; nothing where it is not in the map.
+    /// Where the present scenario is, in shown units: at first that of the map.
     void setHere(const std::optional<QPointF>& place);
-    /// Named points, in SI.
-    void setPresets(const std::vector<PresetPoint>& presets);
     void setStyle(const PlotStyle& style);
     /// The whole map in view.
     void fit();
@@ -53,6 +50,7 @@ class MapPlot : public QObject {
 
   private:
     void addRects();
+    void addCuts();
     void linkAxes();
     void showContours();
     void showCuts();
@@ -71,7 +69,6 @@ class MapPlot : public QObject {
     QVector<QCPCurve*> m_contours;  // each with its halo before it
     QVector<QCPItemText*> m_levels;
     QVector<QCPAbstractItem*> m_presetItems;
-    std::vector<PresetPoint> m_presets;
     MapCrosshair* m_crosshair = nullptr;
     PlotMessage* m_message;
     std::optional<MapPicture> m_picture;

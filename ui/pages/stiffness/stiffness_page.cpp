@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "core/model/assignments.h"
-#include "core/report/curve_report.h"
+#include "core/report/curve_csv.h"
 #include "ui/pages/stiffness/stiffness_plot.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/family_fields.h"

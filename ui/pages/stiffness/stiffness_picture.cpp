@@ -92,7 +92,7 @@ QString nameOf(StiffnessLine::Kind kind, const QString& family, bool isHere) {
             if (family.isEmpty()) return tr("this scenario");
             return isHere ? tr("%1, this scenario").arg(family) : family;
         case StiffnessLine::Kind::reference:
-            return family.isEmpty() ? tr("rod without waves") : tr("%1, rod without waves").arg(family);
+            return family.isEmpty() ? tr("rod without waves") : tr("%1, no waves").arg(family);
         case StiffnessLine::Kind::closedForm:
             return family.isEmpty() ? tr("closed form") : tr("%1, closed form").arg(family);
     }

@@ -11,6 +11,7 @@ namespace drillwave {
 namespace {
 
 constexpr double nearPixels = 9;
+constexpr int mostColumns = 5;  // of the legend
 
 bool sameAxes(const StiffnessPicture& a, const StiffnessPicture& b) {
     return a.xName == b.xName && a.x == b.x && a.from == b.from && a.to == b.to &&
@@ -42,6 +43,7 @@ StiffnessPlot::StiffnessPlot(QCustomPlot* plot)
     m_message = new PlotMessage(plot);
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
     connect(plot, &QCustomPlot::afterLayout, this, &StiffnessPlot::placeBands);
+    connect(plot, &QCustomPlot::beforeReplot, this, &StiffnessPlot::wrapLegend);
     setStyle(PlotStyle::forPaper());
 }
 
@@ -49,7 +51,6 @@ void StiffnessPlot::addRect() {
     m_plot->plotLayout()->clear();
     m_legend = new QCPLegend;
     m_legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    m_legend->setWrap(4);
     m_legend->setMargins(QMargins(7, 6, 7, 4));
     m_plot->plotLayout()->addElement(0, 0, m_legend);
     m_legend->setLayer(QStringLiteral("legend"));
@@ -107,6 +108,20 @@ void StiffnessPlot::showNothing(const QString& message) {
 void StiffnessPlot::dropMarks() {
     if (m_marks) m_marks->clear();
     m_marks.reset();
+}
+
+// As many names in a line as have room.
+void StiffnessPlot::wrapLegend() {
+    double widest = 1;
+    const QFontMetricsF metrics(m_legend->font());
+    for (const StiffnessLine& line : m_picture.lines)
+        widest = std::max(widest, metrics.horizontalAdvance(line.name));
+    const double item =
+        widest + m_legend->iconSize().width() + m_legend->iconTextPadding() + m_legend->columnSpacing() + 4;
+    const int columns = std::clamp(static_cast<int>(m_plot->width() / item), 1, mostColumns);
+    if (columns == m_legend->wrap()) return;
+    m_legend->setWrap(columns);
+    m_legend->setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
 }
 
 // The ones there are stay as long as their names do: what was hidden by its legend entry stays hidden.

@@ -52,6 +52,7 @@ class StiffnessPlot : public QObject {
     void showAxes();
     void placeBands();
     void dropMarks();
+    void wrapLegend();
 
     QCustomPlot* m_plot;
     QCPAxisRect* m_rect = nullptr;

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "core/file/scenario_file.h"
 #include "ui/pages/study/command_text.h"
@@ -96,10 +97,12 @@ void StudyPage::askNow() {
 // What is shown is the job's, which may still be of an earlier question.
 void StudyPage::follow() {
     const bool answered = m_activity->isCurrent();
-    if (answered) {
+    const bool isNews = std::exchange(m_answers, m_activity->answers()) != m_activity->answers();
+    if (answered || isNews) {
         m_late.stop();
         m_veil->hide();
-    } else if (m_activity->state() == StudyState::running && !m_late.isActive() && m_veil->isHidden()) {
+    }
+    if (!answered && m_activity->state() == StudyState::running && !m_late.isActive() && m_veil->isHidden()) {
         m_late.start();
     }
     plot()->setCurrent(m_inputCurrent && answered && m_activity->state() != StudyState::running);

@@ -87,6 +87,7 @@ class StudyPage : public PlotPage {
     QString m_refusal;  // why a value could not be taken over
     StaleVeil* m_veil = nullptr;
     QTimer m_late;
+    std::uint64_t m_answers = 0;  // of the job, when it was looked at last
 };
 
 }  // namespace drillwave

@@ -2,6 +2,7 @@
 #include "ui/pages/thrust/regime_bands.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/report/feed_words.h"
 #include "ui/text/shown_text.h"
@@ -34,6 +35,7 @@ RegimeBands::RegimeBands(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
 
 void RegimeBands::present(const ThrustPicture& picture) {
     m_thresholds = {picture.balance, picture.fullRate, picture.returned};
+    m_feed = picture.feed;
     place();
 }
 
@@ -63,18 +65,27 @@ void RegimeBands::place() {
     }
 }
 
-// At the right end, where the bands are widest along a frequency, and only where there is room for it.
+// As far to the right as there is room: along a frequency the bands are widest there.
 void RegimeBands::placeName(std::size_t band, const QVector<QPointF>& floor,
                             const QVector<QPointF>& ceiling) {
     QCPItemText* name = m_names[band];
     name->setVisible(false);
-    if (floor.size() < 2) return;
-    const qsizetype at = floor.size() - 1 - floor.size() / 50;
-    const double room =
-        m_plot->yAxis->coordToPixel(floor[at].y()) - m_plot->yAxis->coordToPixel(ceiling[at].y());
-    if (room < QFontMetricsF(name->font()).height()) return;
-    name->setVisible(true);
-    name->position->setCoords(floor[at].x(), (floor[at].y() + ceiling[at].y()) / 2);
+    for (const double share : {0.98, 0.8, 0.6, 0.4}) {
+        const auto at = static_cast<qsizetype>(share * double(floor.size() - 1));
+        if (floor.size() < 2 || !hasRoom(*name, floor[at], ceiling[at])) continue;
+        name->setVisible(true);
+        name->position->setCoords(floor[at].x(), (floor[at].y() + ceiling[at].y()) / 2);
+        return;
+    }
+}
+
+bool RegimeBands::hasRoom(const QCPItemText& name, QPointF floor, QPointF ceiling) const {
+    const auto pixel = [&](double force) { return m_plot->yAxis->coordToPixel(force); };
+    const double height = QFontMetricsF(name.font()).height();
+    if (pixel(floor.y()) - pixel(ceiling.y()) < height) return false;
+    const auto feed = std::ranges::find(m_feed, floor.x(), &QPointF::x);
+    const double middle = (pixel(floor.y()) + pixel(ceiling.y())) / 2;
+    return feed == m_feed.end() || std::abs(pixel(feed->y()) - middle) > height;
 }
 
 void RegimeBands::setStyle(const PlotStyle& style) {

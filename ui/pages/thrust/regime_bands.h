@@ -29,11 +29,13 @@ class RegimeBands : public QObject {
 
     void place();
     void placeName(std::size_t band, const QVector<QPointF>& floor, const QVector<QPointF>& ceiling);
+    bool hasRoom(const QCPItemText& name, QPointF floor, QPointF ceiling) const;
 
     QCustomPlot* m_plot;
     std::array<QCPCurve*, bandCount> m_bands{};
     std::array<QCPItemText*, bandCount> m_names{};
     std::array<QVector<QPointF>, bandCount - 1> m_thresholds;  // between them, from below
+    QVector<QPointF> m_feed;                                   // which names make way for
 };
 
 }  // namespace drillwave

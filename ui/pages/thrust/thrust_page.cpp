@@ -68,10 +68,12 @@ ThrustPage::ThrustPage(Document& document, QWidget* parent)
 
 void ThrustPage::ask() {
     m_missing->present(scenario());
-    {
+    // Without units nothing can be studied, and no parameter would be the one to begin with.
+    if (scenario().form == ScenarioForm::dimensional) {
         const QSignalBlocker quiet(m_axis);  // what it chooses now is asked for right here
         m_axis->present(scenario());
     }
+    m_axis->setEnabled(scenario().form == ScenarioForm::dimensional);
     m_study.ask({scenario(), m_axis->range()});
 }
 

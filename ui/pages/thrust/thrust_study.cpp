@@ -21,11 +21,10 @@ SweepAxis axisOf(const StudyRange& range) {
 }
 
 ThrustAnswer ThrustStudent::answer(const ThrustQuestion& question, const StudyFeed<ThrustAnswer>& feed) {
-    ThrustAnswer found{.scenario = question.scenario,
-                       .along = {axisOf(question.range), {}},
-                       .here = {},
-                       .problem = thrustProblem(question.scenario)};
+    ThrustAnswer found{
+        .scenario = question.scenario, .along = {}, .here = {}, .problem = thrustProblem(question.scenario)};
     if (!found.problem.empty()) return found;
+    found.along.axis = axisOf(question.range);
     const Parameter& parameter = *question.range.parameter;
     const double value = parameter.value(question.scenario).value_or(std::nan(""));
     found.here = thrustPoint(question.scenario, value, m_finder, feed.stop);

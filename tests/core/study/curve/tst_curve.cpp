@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/report/curve_report.h"
+#include "core/report/curve_csv.h"
 #include "core/study/curve/curve.h"
 #include "core/study/curve/curve_sampler.h"
 #include "core/text/units.h"

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QTest>
+#include <QToolButton>
 
 #include "core/file/examples.h"
 #include "core/wave/exact/exact_solver.h"
@@ -38,6 +39,7 @@ class TestGapPage : public QObject {
     void otherResultsAreShownWithoutAnotherStudy();
     void aRodWithoutWavesSaysThatTheGapDoesNotMatter();
     void aScatterThatCannotBeIsSaid();
+    void fieldsFollowTheFormOfTheScenario();
     void aSlowCurveIsShownCoarseFirst();
     void aQuickCurveIsNotShownTwice();
 
@@ -204,6 +206,22 @@ void TestGapPage::aScatterThatCannotBeIsSaid() {
     deviation->selectAll();
     QTest::keyClicks(deviation, "101");
     QVERIFY(deviation->problem().contains("100"));
+    QTRY_VERIFY(isDone());
+}
+
+void TestGapPage::fieldsFollowTheFormOfTheScenario() {
+    m_page->show();
+    m_page->findChild<QComboBox*>("scatter")->setCurrentIndex(1);
+    QVERIFY(m_page->findChild<QuantityField*>("mean")->unitButton()->isVisible());
+    // A page is no wider than its widest control, whatever is chosen.
+    QVERIFY(m_page->minimumSizeHint().width() < 376);
+    QVERIFY(m_document->startFrom(findExample("paper_fig4b")->text, "paper").isEmpty());
+    QTRY_VERIFY(isDone());
+    auto* mean = m_page->findChild<QuantityField*>("mean");
+    QVERIFY(mean->isVisible() && !mean->unitButton());
+    QCOMPARE(*m_page->findChild<QuantityField*>("deviation")->value(), 0.1);
+    m_page->findChild<QComboBox*>("scatter")->setCurrentIndex(0);
+    QVERIFY(!m_page->findChild<QuantityField*>("mean"));
     QTRY_VERIFY(isDone());
 }
 

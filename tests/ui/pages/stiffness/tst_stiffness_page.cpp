@@ -8,7 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/report/curve_report.h"
+#include "core/report/curve_csv.h"
 #include "tests/support/window.h"
 #include "ui/pages/stiffness/stiffness_page.h"
 #include "ui/pages/stiffness/stiffness_plot.h"

@@ -22,18 +22,23 @@ class StiffnessPage : public StudyPage {
   public:
     explicit StiffnessPage(Document& document)
         : StudyPage(document), m_study([this](double stiffness, const StudyFeed<double>& feed) {
-              while (m_slow && !feed.stop.stop_requested()) QThread::msleep(1);
+              while ((m_slow || stiffness >= m_held) && !feed.stop.stop_requested()) QThread::msleep(1);
               return stiffness;
           }) {
         arrange({});
         watch(m_study.job());
     }
-    ~StiffnessPage() override { m_slow = false; }
+    ~StiffnessPage() override {
+        m_slow = false;
+        m_held = HUGE_VAL;
+    }
 
     QString title() const override { return QStringLiteral("Stiffness"); }
     int started() const { return m_study.started(); }
     double shown() const { return m_shown; }
     void setSlow(bool slow) { m_slow = slow; }
+    /// Studies of that stiffness and more do not end.
+    void hold(double stiffness) { m_held = stiffness; }
     void loadStiffness(double si) { load({{findParameter("bit_rock.stiffness"), si}}); }
 
   protected:
@@ -47,6 +52,7 @@ class StiffnessPage : public StudyPage {
 
   private:
     std::atomic<bool> m_slow = false;
+    std::atomic<double> m_held = HUGE_VAL;
     double m_shown = 0;
     AskedStudy<double, double> m_study;
 };
@@ -62,6 +68,7 @@ class TestStudyPage : public QObject {
     void theSameQuestionIsAskedOnce();
     void outOfSightItsStudyStopsAndIsAskedAgainLater();
     void whatIsLateIsVeiled();
+    void answersToEarlierQuestionsLiftTheVeil();
     void aClickIsOneUndoStep();
     void whatCannotBeTakenOverIsSaid();
     void anUnfinishedStudyIsNotWritten();
@@ -122,6 +129,26 @@ void TestStudyPage::whatIsLateIsVeiled() {
     QTRY_VERIFY(veil->isHidden());
     QVERIFY(m_page->plot()->isCurrent());
     QCOMPARE(m_page->shown(), 3e8);
+}
+
+// While a value is dragged every answer is of an earlier one: what follows the hand is not stale.
+void TestStudyPage::answersToEarlierQuestionsLiftTheVeil() {
+    m_page->show();
+    QTRY_COMPARE(m_page->activity()->state(), StudyState::finished);
+    m_page->hold(3e8);
+    m_page->loadStiffness(3e8);
+    m_page->loadStiffness(4e8);  // waits for the one before
+    auto* veil = m_page->findChild<StaleVeil*>();
+    veil->show();  // as after a moment; the first study may be stopped for the second then
+    bool wasLifted = false;
+    const auto lifted = [&] { return wasLifted = wasLifted || veil->isHidden(); };
+    m_page->hold(3.5e8);
+    QTRY_VERIFY(lifted());
+    QCOMPARE(m_page->shown(), 3e8);
+    QVERIFY(!m_page->plot()->isCurrent());
+    m_page->hold(HUGE_VAL);
+    QTRY_COMPARE(m_page->shown(), 4e8);
+    QTRY_VERIFY(veil->isHidden());
 }
 
 void TestStudyPage::aClickIsOneUndoStep() {

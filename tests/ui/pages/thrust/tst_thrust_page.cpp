@@ -48,6 +48,7 @@ class TestThrustPage : public QObject {
     void aClickTakesOverTheFrequencyThere();
     void whatLacksIsSaidAndCanBeEntered();
     void aDimensionlessScenarioIsToldWhatItNeeds();
+    void bandsEndAtTheAxes();
 
   private:
     void showPage();
@@ -283,6 +284,42 @@ void TestThrustPage::aDimensionlessScenarioIsToldWhatItNeeds() {
     QTRY_VERIFY2(words().contains(QStringLiteral("physical units")), qPrintable(words()));
     QVERIFY(m_page->thrustPlot().need(ThrustCase::scenario)->data()->isEmpty());
     QVERIFY(m_page->command().isEmpty());
+    // One that it begins with leaves the choice of what comes next as it was.
+    m_page = std::make_unique<ThrustPage>(*m_document);
+    m_page->show();
+    QTRY_VERIFY2(words().contains(QStringLiteral("physical units")), qPrintable(words()));
+    QVERIFY(m_document->open(example(QStringLiteral("t38_medium_rock"))).isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    QVERIFY(m_page->command().contains(QStringLiteral("--along 'drill.blow_frequency=")));
+}
+
+// Files do not clip, and names are not put where there is no room.
+void TestThrustPage::bandsEndAtTheAxes() {
+    showPage();
+    PlotWidget* plot = m_page->plot();
+    const auto names = [&] {
+        QStringList shown;
+        for (int i = 0; i < plot->itemCount(); ++i)
+            if (const auto* text = qobject_cast<QCPItemText*>(plot->item(i)); text && text->visible())
+                shown << text->text();
+        return shown;
+    };
+    QVERIFY(names().contains(QString::fromUtf8(feedWord(Feed::penetrationLost).data())));
+    plot->xAxis->setRange(40, 70);
+    plot->yAxis->setRange(0.5, 2);
+    plot->replot();
+    int bands = 0;
+    for (int i = 0; i < plot->plottableCount(); ++i) {
+        const auto* band = qobject_cast<QCPCurve*>(plot->plottable(i));
+        if (!band || band->data()->isEmpty()) continue;
+        ++bands;
+        for (const QCPCurveData& point : *band->data()) {
+            QVERIFY(plot->xAxis->range().contains(point.key));
+            QVERIFY(plot->yAxis->range().contains(point.value));
+        }
+    }
+    QVERIFY(bands >= 1);
+    QVERIFY(!names().contains(QString::fromUtf8(feedWord(Feed::penetrationLost).data())));
 }
 
 QTEST_MAIN(TestThrustPage)

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The study of a curve, pass by pass: cells fitted, and what is not smooth solved at points.
+#include "core/study/curve/curve_lines.h"
+
 #include <algorithm>
-#include <cassert>
 #include <iterator>
 #include <limits>
 #include <utility>
 
 #include "core/numeric/ordered_work.h"
-#include "core/study/curve/curve.h"
 #include "core/study/curve/curve_cells.h"
 #include "core/study/curve/curve_features.h"
 #include "core/study/curve/curve_points.h"
@@ -137,9 +136,8 @@ class Study {
 
 }  // namespace
 
-CurveStudy studyCurve(const CurveQuestion& question, int jobs, std::stop_token stop,
-                      const CurveProgress& progress) {
-    assert(jobs >= 1 && !question.columns.empty() && problemsOf(question).empty());
+CurveStudy followLines(const CurveQuestion& question, int jobs, std::stop_token stop,
+                       const CurveProgress& progress) {
     return Study(question, jobs, std::move(stop), progress).run();
 }
 
