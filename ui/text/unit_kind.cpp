@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 namespace drillwave {
 namespace {
@@ -66,6 +67,9 @@ constexpr UnitKindRow rows[] = {
     {UnitKind::angle, Quantity::angle, "angle", QT_TRANSLATE_NOOP("UnitKind", "angle"), degree, degree},
 };
 
+// Thousands of pounds are usual: the step to kips comes a decade late.
+constexpr double usStep = 10;
+
 }  // namespace
 
 std::span<const UnitKindRow> unitKinds() {
@@ -78,11 +82,13 @@ const UnitKindRow& rowOf(UnitKind kind) {
 
 const Unit& handyUnit(UnitKind kind, double size, UnitSystem system) {
     const UnitKindRow& row = rowOf(kind);
+    const auto names = system == UnitSystem::us ? row.us : row.si;
+    const double step = names.data() == row.si.data() ? 1 : usStep;
     const Unit* chosen = nullptr;
-    for (const std::string_view name : system == UnitSystem::us ? row.us : row.si) {
+    for (const std::string_view name : names) {
         chosen = findUnit(row.quantity, name);
         assert(chosen);
-        if (size >= chosen->factor()) break;
+        if (size >= chosen->factor() * step) break;
     }
     return *chosen;
 }
@@ -105,7 +111,9 @@ const Unit& customaryUnit(const Parameter& parameter, UnitSystem system) {
     if (!kind || system != UnitSystem::us) return parameter.displayUnit();
     const UnitKindRow& row = rowOf(*kind);
     // What both share keeps the prefix of the table of parameters.
-    return row.us.data() == row.si.data() ? parameter.displayUnit() : *findUnit(row.quantity, row.us.front());
+    if (row.us.data() == row.si.data()) return parameter.displayUnit();
+    const double middle = std::sqrt(parameter.plausible.low * parameter.plausible.high);
+    return handyUnit(*kind, middle, system);
 }
 
 }  // namespace drillwave

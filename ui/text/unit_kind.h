@@ -52,13 +52,13 @@ std::span<const UnitKindRow> unitKinds();
 const UnitKindRow& rowOf(UnitKind kind);
 
 /// The unit of the system in which a value of that size (SI) is best read: the largest that the size is not
-/// less than one of, or the smallest. That of SI where `system` is dimensionless.
+/// less than one of, ten of in US units, or the smallest. That of SI where `system` is dimensionless.
 const Unit& handyUnit(UnitKind kind, double size, UnitSystem system);
 
 /// nullopt for a ratio.
 std::optional<UnitKind> kindOf(const Parameter& parameter);
 
-/// In which a parameter is customarily given in a system.
+/// In which a parameter is customarily given in a system: for US units, what suits its plausible values.
 const Unit& customaryUnit(const Parameter& parameter, UnitSystem system);
 
 }  // namespace drillwave

@@ -61,9 +61,11 @@ class TestStaleResult : public QObject {
                 gate->wait(request.stop);
                 return solveBlow(request, *solver);
             });
+        m_window->resize(1440, 900);  // room for the result beside the scenario
         m_window->show();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
         QTRY_VERIFY(status().isCurrent() && !part<SolveJob>(*m_window).isBusy());
+        QTRY_VERIFY(!panel().text().contains(QStringLiteral("worst of 4 needs\t…")));
         status().setPatience(0ms);
     }
 
@@ -81,14 +83,18 @@ class TestStaleResult : public QObject {
         QCOMPARE(status().text(), QStringLiteral("solving …"));
         QVERIFY(status().button()->isVisible());
         QCOMPARE(status().button()->text(), QStringLiteral("Cancel"));
-        const QList<StaleVeil*> veils = m_window->findChildren<StaleVeil*>();
-        QCOMPARE(veils.size(), 2);
-        for (const StaleVeil* veil : veils) QVERIFY(veil->isVisible());
+        // Of the page and the panel; studies that are not on show have their own.
+        const auto seen = [this] {
+            QList<StaleVeil*> veils = m_window->findChildren<StaleVeil*>();
+            veils.removeIf([](const StaleVeil* veil) { return !veil->isVisible(); });
+            return veils.size();
+        };
+        QCOMPARE(seen(), 2);
         QCOMPARE(panel().text(), StaleVeil::words() + QLatin1Char('\n') + before);
         m_gate->open = true;
         QTRY_VERIFY(status().isCurrent());
         QVERIFY(!status().isMarked() && !status().button()->isVisible());
-        for (const StaleVeil* veil : veils) QVERIFY(!veil->isVisible());
+        QCOMPARE(seen(), 0);
         QVERIFY(status().text().contains(QStringLiteral("e = ")));
         QVERIFY(m_window->shown()->request.scenario == m_window->document().scenario());
     }

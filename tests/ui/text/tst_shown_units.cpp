@@ -51,7 +51,8 @@ void TestShownUnits::prefixesSuitTheSize_data() {
     QTest::addColumn<UnitSystem>("system");
     QTest::addColumn<QString>("unit");
     QTest::newRow("thrust") << UnitKind::force << 8e3 << UnitSystem::si << "kN";
-    QTest::newRow("thrust, US") << UnitKind::force << 8e3 << UnitSystem::us << "kip";
+    QTest::newRow("thrust, US") << UnitKind::force << 8e3 << UnitSystem::us << "lbf";
+    QTest::newRow("force of the hammer, US") << UnitKind::force << 255e3 << UnitSystem::us << "kip";
     QTest::newRow("small force, US") << UnitKind::force << 800.0 << UnitSystem::us << "lbf";
     QTest::newRow("smaller than all") << UnitKind::force << 1e-9 << UnitSystem::si << "N";
     QTest::newRow("nothing") << UnitKind::force << 0.0 << UnitSystem::si << "N";
@@ -85,6 +86,10 @@ void TestShownUnits::fieldsHaveCustomaryUnits_data() {
                                << "kip/in";
     QTest::newRow("frequency") << "drill.blow_frequency"
                                << "bpm";
+    QTest::newRow("hammer") << "pulse.force"
+                            << "kip";
+    QTest::newRow("thrust") << "drill.thrust"
+                            << "lbf";
     QTest::newRow("group") << "beta"
                            << "";
 }

@@ -337,7 +337,7 @@ void TestMainWindow::usUnitsAreThoseOfFieldsResultsAndPlots() {
     QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
     QCOMPARE(field("rod.diameter").unit().name, std::string_view("in"));
     QCOMPARE(field("rod.youngs_modulus").unit().name, std::string_view("Mpsi"));
-    QCOMPARE(field("drill.thrust").unit().name, std::string_view("kip"));
+    QCOMPARE(field("drill.thrust").unit().name, std::string_view("lbf"));
     QCOMPARE(*field("rod.length").value(), length);
     const QString results = part<ResultPanel>(window()).text();
     for (const char* unit : {"kip", "ft lbf", "ksi", "lbf s", "in\n"})

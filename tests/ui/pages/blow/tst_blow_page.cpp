@@ -100,9 +100,9 @@ void TestBlowPage::thePlaceIsGivenInMetresWhereThereIsALength() {
     scenario.rod.length = 3.66;
     m_page->setResult(solved(*m_page, scenario, UnitSystem::si));
     QVERIFY(label("place")->isVisible());
-    QCOMPARE(label("place")->text(), QStringLiteral("1.83 m from the struck end"));
+    QCOMPARE(label("place")->text(), QStringLiteral("1.83\u00a0m from the struck end"));
     m_observation->setSection(1);
-    QCOMPARE(label("place")->text(), QStringLiteral("3.66 m from the struck end"));
+    QCOMPARE(label("place")->text(), QStringLiteral("3.66\u00a0m from the struck end"));
     m_page->setResult(solved(*m_page, dimensionless({0.5, 0.1, 10, 0}), UnitSystem::dimensionless));
     QVERIFY(!label("place")->isVisible());
 }
