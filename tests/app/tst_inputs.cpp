@@ -16,25 +16,6 @@ namespace {
 
 const QString program = QStringLiteral(DRILLWAVE_PROGRAM);
 
-/// A line of a shell, with $drillwave, in that folder.
-Finished shell(const QString& line, const QString& folder = QDir::tempPath()) {
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    // The shell itself would complain of a locale that is not installed.
-    const QString locale = environment.value("LC_ALL");
-    environment.remove("LC_ALL");
-    environment.insert("drillwave", "env LC_ALL=" + locale + " " + program);
-    process.setProcessEnvironment(environment);
-    process.setWorkingDirectory(folder);
-    process.start("bash", {"-c", line});
-    if (!process.waitForFinished(60000)) {
-        process.kill();
-        process.waitForFinished();
-        return {};
-    }
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
 QJsonObject scenarioOf(const QStringList& words) {
     const Finished finished = run(QStringList{"run"} + words + QStringList{"--json"});
     if (finished.exitCode != 0) qFatal("%s", finished.error.constData());
@@ -67,7 +48,7 @@ void TestInputs::scenariosComeFromPipes_data() {
     for (const char* command :
          {"run %1 --json | grep -v run_time", "sweep %1 --vary beta=1,2", "gap %1 -o -", "thrust %1",
           "validate %1", "accuracy %1 --segments 100 -o - | cut -d, -f1-6"}) {
-        const QString line = QStringLiteral("$drillwave ") + command;
+        const QString line = QStringLiteral("drillwave ") + command;
         QTest::newRow(qPrintable(QString("- ") + command)) << line.arg("- < %1");
         QTest::newRow(qPrintable(QString("/dev/stdin ") + command)) << "cat %1 | " + line.arg("/dev/stdin");
         QTest::newRow(qPrintable(QString("<(…) ") + command)) << line.arg("<(cat %1)");
@@ -93,15 +74,14 @@ void TestInputs::scenariosComeFromPipes() {
 void TestInputs::resultsComeFromPipes() {
     const QTemporaryDir folder;
     const QString file = example("t38_medium_rock");
-    const QByteArray expected = shell("$drillwave run " + file + " --json | grep -v run_time").out;
+    const QByteArray expected = shell("drillwave run " + file + " --json | grep -v run_time").out;
     QVERIFY(expected.size() > 1000);
-    QCOMPARE(shell("$drillwave run " + file + " --json | $drillwave run - --json | grep -v run_time").out,
+    QCOMPARE(shell("drillwave run " + file + " --json | drillwave run - --json | grep -v run_time").out,
              expected);
     QCOMPARE(run({"run", file, "-o", folder.path()}).exitCode, 0);
-    QCOMPARE(shell("$drillwave run - --json < histories.csv | grep -v run_time", folder.path()).out,
-             expected);
+    QCOMPARE(shell("drillwave run - --json < histories.csv | grep -v run_time", folder.path()).out, expected);
     // As a result without its leading "# " is a scenario.
-    QCOMPARE(shell("sed -n 's/^# \\{0,1\\}//p' histories.csv | $drillwave run - --json | grep -v run_time",
+    QCOMPARE(shell("sed -n 's/^# \\{0,1\\}//p' histories.csv | drillwave run - --json | grep -v run_time",
                    folder.path())
                  .out,
              expected);
@@ -110,14 +90,14 @@ void TestInputs::resultsComeFromPipes() {
 void TestInputs::problemsOfAPipeAreThoseOfStandardInput() {
     const Finished invalid = shell(
         "printf 'drillwave: 1\\ndimensionless: {beta: -1, gamma: 1, tau: 1, delta: 0}\\npulse: {shape: "
-        "rectangular}\\n' | $drillwave run -");
+        "rectangular}\\n' | drillwave run -");
     QCOMPARE(invalid.exitCode, 5);
     QVERIFY2(invalid.error.startsWith("standard input:2:"), invalid.error);
-    const Finished closed = shell("$drillwave run - <&-");
+    const Finished closed = shell("drillwave run - <&-");
     QCOMPARE(closed.exitCode, 3);
     QCOMPARE(closed.error.count('\n'), 1);
     QVERIFY2(closed.error.contains("cannot be read"), closed.error);
-    QVERIFY(shell("$drillwave run - < /dev/null").exitCode != 0);
+    QVERIFY(shell("drillwave run - < /dev/null").exitCode != 0);
 }
 
 void TestInputs::anEndlessPipeIsRefused() {
@@ -127,8 +107,8 @@ void TestInputs::anEndlessPipeIsRefused() {
 #else
     const QString limit = QStringLiteral("ulimit -v 2000000; ");
 #endif
-    for (const char* line : {"$drillwave run - < /dev/zero", "yes '# x' | $drillwave run -",
-                             "yes '{ \"scenario\": [' | $drillwave run -"}) {
+    for (const char* line : {"drillwave run - < /dev/zero", "yes '# x' | drillwave run -",
+                             "yes '{ \"scenario\": [' | drillwave run -"}) {
         const Finished finished = shell(limit + line);
         QVERIFY2(finished.exitCode == 3 || finished.exitCode == 5, finished.error);
         QCOMPARE(finished.error.count('\n'), 1);
@@ -137,11 +117,11 @@ void TestInputs::anEndlessPipeIsRefused() {
 
 void TestInputs::tablesComeFromPipes_data() {
     QTest::addColumn<QString>("line");
-    QTest::newRow("-") << "$drillwave table %1 - < cases.csv";
-    QTest::newRow("/dev/stdin") << "cat cases.csv | $drillwave table %1 /dev/stdin";
-    QTest::newRow("<(…)") << "$drillwave table %1 <(cat cases.csv)";
-    QTest::newRow("named pipe") << "mkfifo pipe; cat cases.csv > pipe & $drillwave table %1 pipe";
-    QTest::newRow("both") << "$drillwave table <(cat %1) - < cases.csv";
+    QTest::newRow("-") << "drillwave table %1 - < cases.csv";
+    QTest::newRow("/dev/stdin") << "cat cases.csv | drillwave table %1 /dev/stdin";
+    QTest::newRow("<(…)") << "drillwave table %1 <(cat cases.csv)";
+    QTest::newRow("named pipe") << "mkfifo pipe; cat cases.csv > pipe & drillwave table %1 pipe";
+    QTest::newRow("both") << "drillwave table <(cat %1) - < cases.csv";
 }
 
 void TestInputs::tablesComeFromPipes() {
@@ -164,7 +144,7 @@ void TestInputs::aLongTableFromAPipeTakesNoMemory() {
     // 30 MB of rows, whose last one is wrong: all of them are read. A program takes some 25 MB by itself.
     const Finished finished = shell(
         "(echo beta,note; for i in {1..30}; do yes \"1,$(printf %0990d 0)\" | head -n 1000; done; echo x,) | "
-        "($drillwave table " +
+        "(drillwave table " +
         example("paper_fig4b") +
         " - > /dev/null & pid=$!; while kill -0 $pid 2>/dev/null; do "
         "grep VmHWM /proc/$pid/status 2>/dev/null; sleep 0.02; done; wait $pid)");
@@ -178,14 +158,14 @@ void TestInputs::aLongTableFromAPipeTakesNoMemory() {
 
 void TestInputs::examplesGoByTheirName() {
     const QTemporaryDir folder;
-    const Finished named = shell("$drillwave run t38_medium_rock --json | grep -v run_time", folder.path());
+    const Finished named = shell("drillwave run t38_medium_rock --json | grep -v run_time", folder.path());
     QCOMPARE(named.out,
-             shell("$drillwave run " + example("t38_medium_rock") + " --json | grep -v run_time").out);
-    QCOMPARE(shell("$drillwave gap paper_fig4b", folder.path()).exitCode, 0);
-    QCOMPARE(shell("$drillwave validate paper_fig4b", folder.path()).exitCode, 0);
+             shell("drillwave run " + example("t38_medium_rock") + " --json | grep -v run_time").out);
+    QCOMPARE(shell("drillwave gap paper_fig4b", folder.path()).exitCode, 0);
+    QCOMPARE(shell("drillwave validate paper_fig4b", folder.path()).exitCode, 0);
     // A file of that name goes first.
     write(folder.filePath("t38_medium_rock"), read(example("paper_fig4b")));
-    QVERIFY(shell("$drillwave run t38_medium_rock", folder.path()).out.contains("tau 10"));
+    QVERIFY(shell("drillwave run t38_medium_rock", folder.path()).out.contains("tau 10"));
 }
 
 void TestInputs::presetsAreListedWithTheirSources() {

@@ -32,13 +32,18 @@ Finished run(const QStringList& words, const QProcessEnvironment& environment) {
     return finish(process);
 }
 
-Finished shell(const QString& line) {
+Finished shell(const QString& line, const QString& folder) {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    const QString folder = QFileInfo(QStringLiteral(DRILLWAVE_PROGRAM)).path();
-    environment.insert(QStringLiteral("PATH"), folder + QLatin1Char(':') + environment.value("PATH"));
+    const QString programs = QFileInfo(QStringLiteral(DRILLWAVE_PROGRAM)).path();
+    environment.insert(QStringLiteral("PATH"), programs + QLatin1Char(':') + environment.value("PATH"));
+    // The shell itself would complain of a locale that is not installed.
+    const QString own = QStringLiteral("drillwave() { env LC_ALL='%1' drillwave \"$@\"; }\n")
+                            .arg(environment.value(QStringLiteral("LC_ALL")));
+    environment.remove(QStringLiteral("LC_ALL"));
     process.setProcessEnvironment(environment);
-    process.start(QStringLiteral("sh"), {QStringLiteral("-c"), line});
+    process.setWorkingDirectory(folder);
+    process.start(QStringLiteral("bash"), {QStringLiteral("-c"), own + line});
     return finish(process);
 }
 

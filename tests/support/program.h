@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QDir>
 #include <QJsonObject>
 #include <QProcess>
 #include <QProcessEnvironment>
@@ -23,8 +24,8 @@ struct Finished {
 Finished run(const QStringList& words,
              const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment());
 
-/// A line for a shell that finds the built program as `drillwave`, as people paste it.
-Finished shell(const QString& line);
+/// A line for a shell in that folder that finds the built program as `drillwave`, as people paste it.
+Finished shell(const QString& line, const QString& folder = QDir::tempPath());
 
 /// What `words --json` prints; the test ends where that fails. Constant, so that its [] reads and never adds.
 const QJsonObject json(const QStringList& words);
