@@ -53,6 +53,7 @@ std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor) {
     if (!balance || !force) return std::nullopt;
     GapAtBlow found{.motion = {}, .feed = force->effective() / *balance};
     found.motion = undampedMotion(found.feed, cor);
+    found.isBackInTime = found.feed >= 1 + 2 * cor;  // (T35)
     found.roundTrips = *roundTripsBetweenBlows(scenario);
     found.gap = found.motion.gap * scalesOf(scenario).velocity / *scenario.drill.blowFrequency;  // (T37)
     found.inD0 = found.motion.gap * found.roundTrips;                                            // (T37)

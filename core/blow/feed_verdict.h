@@ -56,8 +56,10 @@ struct GapAtBlow {
     UndampedMotion motion;
     double feed = 0;        ///< φ = F/(f I0)
     double roundTrips = 0;  ///< n_b = 1/(2 T f)
-    double gap = 0;         ///< y v0/f [m] (T37), 0 but where it bounces
-    double inD0 = 0;        ///< the same, y n_b [d0]
+    /// φ ≥ 1 + 2e: a bit that was at rest is back in time, and yet may bounce on and on in this motion.
+    bool isBackInTime = false;
+    double gap = 0;   ///< y v0/f [m] (T37), 0 but where it bounces
+    double inD0 = 0;  ///< the same, y n_b [d0]
 };
 
 /// For blows with that COR, e ≥ 0. nullopt where there is no verdict, or no thrust is installed.

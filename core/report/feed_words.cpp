@@ -84,8 +84,11 @@ std::string gapAtBlowSentence(const GapAtBlow& found) {
             if (!found.motion.stable)
                 return "If nothing damps the rebound, the bit bounces without ever becoming steady, because "
                        "e is not below 1.";
-            return "If nothing damps the rebound, the bit is " + inHandyUnit(found.gap, Quantity::length, 3) +
-                   " (" + rounded(found.inD0, 3) + " d0) off the rock when the hammer strikes.";
+            return (found.isBackInTime
+                        ? "It may go on bouncing all the same if nothing damps the rebound; the bit is then "
+                        : "If nothing damps the rebound, the bit is ") +
+                   inHandyUnit(found.gap, Quantity::length, 3) + " (" + rounded(found.inD0, 3) +
+                   " d0) off the rock when the hammer strikes.";
         case UndampedMotion::Kind::resting:
             return "Even if nothing damps the rebound, the bit has come to rest on the rock before every "
                    "blow.";

@@ -129,7 +129,12 @@ class TestFeedVerdict : public QObject {
         const double v0 = 40 / propertiesOf(scenario.rod).mass;
         QVERIFY(std::abs(found.gap / (0.192 * v0 / 50) - 1) < 1e-12);  // V = 1, a = 0.2, y = 0.2 − 0.008
         QVERIFY(textOf(gapAtBlowSentence(found)).contains("off the rock when the hammer strikes"));
+        QVERIFY(!found.isBackInTime);
         QVERIFY(!textOf(gapAtBlowSentence(*gapAtBlow(drill(9000), 0.4))).contains("off the rock"));
+        // Back in time after a rest, and yet a steady bounce: φ = 2 is between 1.8 and 2.33.
+        const GapAtBlow between = *gapAtBlow(drill(4000), 0.4);
+        QVERIFY(between.isBackInTime && between.gap > 0);
+        QVERIFY(textOf(gapAtBlowSentence(between)).startsWith("It may go on bouncing"));
         QVERIFY(textOf(gapAtBlowSentence(*gapAtBlow(drill(3000), 1.2))).contains("steady"));
         QVERIFY(!gapAtBlow(drill({}), 0.4));
     }
