@@ -5,8 +5,8 @@
 #include <QWidget>
 
 #include "ui/job/solved_blow.h"
-#include "ui/plot/colour_scale.h"
 #include "ui/pages/wave_picture/wave_picture.h"
+#include "ui/plot/colour_scale.h"
 
 namespace drillwave {
 

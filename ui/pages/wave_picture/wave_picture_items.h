@@ -7,8 +7,8 @@
 #include <QImage>
 
 #include "ui/job/solved_blow.h"
-#include "ui/plot/colour_scale.h"
 #include "ui/pages/wave_picture/wave_picture.h"
+#include "ui/plot/colour_scale.h"
 #include "ui/plot/plot_style.h"
 
 namespace drillwave {
