@@ -230,9 +230,9 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("frequency without unit")
         << QStringList{"thrust", drill, "--frequency", "40:50:3"} << 5 << "has no unit";
     QTest::newRow("frequency of nothing")
-        << QStringList{"thrust", drill, "--frequency", "40Hz:50Hz"} << 2 << "--frequency: ";
+        << QStringList{"thrust", drill, "--frequency", "40Hz:50Hz:0"} << 2 << "--frequency: ";
     QTest::newRow("thrust file without a table")
-        << QStringList{"thrust", drill, "-o", "x.csv"} << 2 << "add --frequency";
+        << QStringList{"thrust", drill, "-o", "x.csv"} << 2 << "add --along";
     QTest::newRow("figures without a folder") << QStringList{"figures"} << 2 << "needs -o DIR";
     QTest::newRow("figures of a file") << QStringList{"figures", paper, "-o", "x"} << 2 << "too much";
     QTest::newRow("figures into no folder")

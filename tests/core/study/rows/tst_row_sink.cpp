@@ -107,6 +107,7 @@ void TestRowSink::theCsvReadsBackAsTheNumbers() {
     // shape.
     Scenario base;
     base.drill.blowFrequency = 60;
+    base.drill.thrust = 8000;
     const Sweep sweep = sweepOf(
         base, {"pulse.shape=half_sine,triangular", "rod.length=10ft:20ft:7", "bit_rock.gap=0mm,1.3mm"}, "all",
         OutputUnits::si);
