@@ -35,6 +35,7 @@
 #include "ui/window/help_menu.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/recovery_offer.h"
+#include "ui/window/study_menu.h"
 #include "ui/window/tab_strip.h"
 #include "ui/window/units_choice.h"
 #include "ui/window/window_layout.h"
@@ -150,6 +151,7 @@ void MainWindow::addMenus() {
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     edit->addActions({undo, redo});
     addViewMenu();
+    menuBar()->addMenu(new StudyMenu(*m_pages, this));
     menuBar()->addMenu(new HelpMenu(*m_questions, this));
 }
 

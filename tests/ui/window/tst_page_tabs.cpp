@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tabs of the pages: their groups, and how one gets from one to the next.
 #include <QAction>
+#include <QClipboard>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenuBar>
@@ -15,6 +16,7 @@
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
 #include "ui/window/page_tabs.h"
+#include "ui/window/study_menu.h"
 #include "ui/window/tab_strip.h"
 
 using namespace drillwave;
@@ -56,6 +58,7 @@ class TestPageTabs : public QObject {
     void theKeysGoRoundThePages();
     void f6GoesRoundTheAreas();
     void onlyTheStudyOfThePageOnShowIsFollowed();
+    void theStudyMenuHasTheStudies();
 
   private:
     void press(QWidget& window, Qt::Key key, Qt::KeyboardModifiers modifiers) {
@@ -207,6 +210,27 @@ void TestPageTabs::onlyTheStudyOfThePageOnShowIsFollowed() {
         const QString text = part<StudyStatus>(*window).text();
         QVERIFY2(text.isEmpty() || text.startsWith(pages.page(i).title()), qPrintable(text));
     }
+}
+
+void TestPageTabs::theStudyMenuHasTheStudies() {
+    const auto window = newWindow(m_answers);
+    window->show();
+    auto& pages = part<PageTabs>(*window);
+    auto& menu = part<StudyMenu>(*window);
+    pages.setCurrentIndex(0);
+    emit menu.aboutToShow();
+    QVERIFY(!menu.actions().last()->isEnabled());
+    for (QAction* action : menu.actions()) {
+        if (action->isSeparator()) break;
+        action->trigger();
+        QCOMPARE(pages.current().title(), action->text());
+    }
+    emit menu.aboutToShow();
+    QAction* copy = menu.actions().at(menu.actions().size() - 2);
+    QVERIFY(copy->isEnabled());
+    QGuiApplication::clipboard()->clear();
+    copy->trigger();
+    QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("drillwave ")));
 }
 
 QTEST_MAIN(TestPageTabs)

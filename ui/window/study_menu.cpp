@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/study_menu.h"
+
+#include "ui/pages/study/study_page.h"
+#include "ui/window/page_tabs.h"
+
+namespace drillwave {
+
+StudyMenu::StudyMenu(PageTabs& pages, QWidget* window) : QMenu(tr("&Study"), window), m_pages(pages) {
+    for (int index = 0; index < pages.count(); ++index)
+        if (qobject_cast<StudyPage*>(&pages.page(index)))
+            addAction(pages.page(index).title(), this, [&pages, index] { pages.setCurrentIndex(index); });
+    addSeparator();
+    m_copy = addAction(tr("&Copy as command line"), this, [this] { current()->copyCommand(); });
+    m_cancel = addAction(tr("C&ancel"), this, [this] { current()->activity()->cancel(); });
+    connect(this, &QMenu::aboutToShow, this, &StudyMenu::update);
+}
+
+StudyPage* StudyMenu::current() const {
+    return qobject_cast<StudyPage*>(&m_pages.current());
+}
+
+void StudyMenu::update() {
+    const StudyPage* page = current();
+    m_copy->setEnabled(page);
+    m_cancel->setEnabled(page && page->activity()->state() == StudyState::running);
+}
+
+}  // namespace drillwave
