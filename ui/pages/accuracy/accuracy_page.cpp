@@ -92,12 +92,15 @@ void AccuracyPage::ask() {
 
 // Each study keeps what it has found while the other one runs.
 void AccuracyPage::takeOver() {
-    if (const ProofAnswer* answer = m_study.value()) {
-        if (answer->stability) m_stability = answer->stability;
-        if (answer->accuracy && answer->accuracy != m_accuracy) {
-            m_accuracy = answer->accuracy;
-            m_accuracyOf = answer->question.scenario;
-        }
+    const ProofAnswer* answer = m_study.value();
+    if (!answer) return;
+    bool& isWhole = answer->question.proof == Proof::accuracy ? m_accuracyIsWhole : m_stabilityIsWhole;
+    if (std::exchange(m_taken, answer) != answer) isWhole = false;
+    if (m_study.job().state() == StudyState::finished && m_study.job().isCurrent()) isWhole = true;
+    if (answer->stability) m_stability = answer->stability;
+    if (answer->accuracy && answer->accuracy != m_accuracy) {
+        m_accuracy = answer->accuracy;
+        m_accuracyOf = answer->question.scenario;
     }
 }
 
@@ -144,6 +147,7 @@ void AccuracyPage::presentStability() {
         widenNames();
     } else {
         m_plot->showNothing(tr("Run solves and checks some thousand stiff and extreme cases."));
+        if (m_stabilityTable->rowCount() > 0) m_stabilityTable->clear();
     }
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -167,6 +171,7 @@ QString AccuracyPage::sentence() const {
 }
 
 void AccuracyPage::loadCase(std::size_t row) {
+    if (!m_stability || row >= m_stability->rows.size()) return;
     const StabilityCase& chosen = m_stability->rows[row].stabilityCase;
     document().useScenario(scenarioOf(chosen),
                            tr("load the case %1").arg(QString::fromStdString(chosen.name)));
@@ -174,20 +179,15 @@ void AccuracyPage::loadCase(std::size_t row) {
 
 bool AccuracyPage::hasAll() const {
     if (isRunning()) return false;
-    if (proof() == Proof::stability)
-        return m_stability && !m_stability->stopped && !m_stability->rows.empty();
-    return m_accuracy && m_accuracyOf == scenario() && !m_accuracy->rows.empty();
+    if (proof() == Proof::stability) return m_stabilityIsWhole && m_stability && !m_stability->rows.empty();
+    return m_accuracyIsWhole && m_accuracy && m_accuracyOf == scenario() && !m_accuracy->rows.empty();
 }
 
-QList<PageExport> AccuracyPage::exports() const {
-    QList<PageExport> all = StudyPage::exports();
-    for (PageExport& each : all)
-        each.obstacle = [this] {
-            if (hasAll()) return QString();
-            return isRunning() ? tr("The study is not finished yet.")
-                               : tr("There is nothing to write: run the study first.");
-        };
-    return all;
+QString AccuracyPage::obstacle() const {
+    if (hasAll()) return {};
+    if (isRunning()) return tr("The study is not finished yet.");
+    return m_shown ? tr("The study was stopped before its end: run it again.")
+                   : tr("There is nothing to write: run the study first.");
 }
 
 QByteArray AccuracyPage::csv() const {

@@ -23,7 +23,6 @@ class AccuracyPage : public StudyPage {
     explicit AccuracyPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Accuracy"); }
-    QList<PageExport> exports() const override;
     QString command() const override;
     /// How many studies were started.
     int studies() const { return m_study.started(); }
@@ -31,6 +30,7 @@ class AccuracyPage : public StudyPage {
   protected:
     void ask() override;
     void present() override;
+    QString obstacle() const override;
     QByteArray csv() const override;
     QStringList commandWords() const override;
 
@@ -55,6 +55,9 @@ class AccuracyPage : public StudyPage {
     std::shared_ptr<const Accuracy> m_accuracy;  // of the present scenario
     std::shared_ptr<const StabilityReport> m_stability;
     Scenario m_accuracyOf;
+    const void* m_taken = nullptr;   // the answer taken over last
+    bool m_accuracyIsWhole = false;  // no rows are missing
+    bool m_stabilityIsWhole = false;
     const void* m_shown = nullptr;  // what the plot draws
     int m_runs = 0;
     AskedStudy<ProofQuestion, ProofAnswer> m_study;  // goes first: its thread works

@@ -19,7 +19,9 @@
 namespace drillwave {
 namespace {
 
-constexpr int pointsEachWay[] = {50, 100, 200, 400, 1000, 2000, 4000};
+// More are for the command: their picture is no better, and their numbers would have to be kept several
+// times.
+constexpr int pointsEachWay[] = {50, 100, 200, 400, 1000};
 constexpr int usualPoints = 200;
 
 /// A number that is easily read, as fine as pixels are.
@@ -224,6 +226,10 @@ void MapPage::dragTo(QPointF place) {
     document().assign(inOrder(si(*study.x.parameter, *picture.xUnit, place.x(), before.x()),
                               si(*study.y.parameter, *picture.yUnit, place.y(), before.y())),
                       m_gesture);
+}
+
+QString MapPage::obstacle() const {
+    return m_problem.isEmpty() ? StudyPage::obstacle() : m_problem;
 }
 
 QByteArray MapPage::csv() const {

@@ -32,6 +32,7 @@ class MapPage : public StudyPage {
   protected:
     void ask() override;
     void present() override;
+    QString obstacle() const override;
     QByteArray csv() const override;
     QStringList commandWords() const override;
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -15,8 +15,9 @@ QString parameterName(const Parameter& parameter) {
 void offerParameters(QComboBox& box, const Scenario& scenario) {
     const QSignalBlocker quiet(&box);
     const Parameter* chosen = chosenParameter(box);
+    // Parameters, and the separators between them, which have no text.
     for (int i = box.count() - 1; i >= 0; --i)
-        if (!box.itemData(i).toString().isEmpty()) box.removeItem(i);
+        if (!box.itemData(i).toString().isEmpty() || box.itemText(i).isEmpty()) box.removeItem(i);
     QString section;
     for (const Parameter& parameter : parameters()) {
         if (!parameter.applies(scenario)) continue;

@@ -98,14 +98,14 @@ void StudyPage::askNow() {
 void StudyPage::follow() {
     const bool answered = m_activity->isCurrent();
     const bool isNews = std::exchange(m_answers, m_activity->answers()) != m_activity->answers();
-    if (answered || isNews) {
+    if (answered || isNews || m_activity->state() == StudyState::failed) {
         m_late.stop();
         m_veil->hide();
     }
     if (!answered && m_activity->state() == StudyState::running && !m_late.isActive() && m_veil->isHidden()) {
         m_late.start();
     }
-    plot()->setCurrent(m_inputCurrent && answered && m_activity->state() != StudyState::running);
+    plot()->setCurrent(m_inputCurrent && obstacle().isEmpty());
     showWords();
     if (isVisible()) present();
 }
@@ -152,13 +152,16 @@ QList<PageExport> StudyPage::exports() const {
     numbers.fileStem = QStringLiteral("_study");
     numbers.csv = [this] { return csv(); };
     numbers.content = PageExport::Content::wholeFile;
-    for (PageExport& each : all)
-        each.obstacle = [this] {
-            return m_activity->state() == StudyState::running || !m_activity->isCurrent()
-                       ? tr("The study is not finished yet.")
-                       : QString();
-        };
+    for (PageExport& each : all) each.obstacle = [this] { return obstacle(); };
     return all;
+}
+
+// What was stopped has holes, and is not what the command writes.
+QString StudyPage::obstacle() const {
+    if (m_activity->state() == StudyState::failed) return m_activity->problem();
+    if (m_activity->state() == StudyState::stopped) return tr("The study was stopped before its end.");
+    const bool finished = m_activity->state() == StudyState::finished && m_activity->isCurrent();
+    return finished ? QString() : tr("The study is not finished yet.");
 }
 
 QString StudyPage::command() const {

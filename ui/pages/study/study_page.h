@@ -48,6 +48,8 @@ class StudyPage : public PlotPage {
     /// Shows what the job has, in the units of blow(), and where the present scenario is. Called whenever one
     /// of them has changed; blow() is nullptr before the first, and may be unsolved.
     virtual void present() = 0;
+    /// Why what is shown is not handed on now; empty when it can be.
+    virtual QString obstacle() const;
     /// The file that the command of command() writes, of the finished study.
     virtual QByteArray csv() const = 0;
     /// Name and words of the command, in front of "-o": {"gap", "--gap-mean", "1 mm"}. Empty where there is

@@ -27,11 +27,11 @@ constexpr std::string_view thrustKey = "drill.thrust";
 // A value that the hand has chosen to a pixel needs no more digits than that.
 double readable(double value, const QCPAxis& axis, double pixel) {
     const double step = std::abs(axis.pixelToCoord(pixel + 1) - axis.pixelToCoord(pixel));
-    if (!(step > 0) || !std::isfinite(step)) return value;
-    const int digits = static_cast<int>(std::floor(std::log10(step)));
-    const double unit = std::pow(10.0, digits);
+    if (!(step > 0) || !std::isfinite(step) || value == 0) return value;
+    constexpr int most = 15;  // digits that a double keeps
+    const double digits = std::floor(std::log10(std::abs(value) / step)) + 1;
     // Through text: 0.3, not 0.30000000000000004.
-    return *parseNumber(formatNumber(std::round(value / unit)) + "e" + std::to_string(digits));
+    return QString::number(value, 'g', std::clamp(int(digits), 1, most)).toDouble();
 }
 
 }  // namespace
@@ -155,14 +155,9 @@ void ThrustPage::moveHeld(double shownForce) {
                       readable(shown, axis, axis.coordToPixel(shown)) / m_units.force.factor, m_held.gesture);
 }
 
-QList<PageExport> ThrustPage::exports() const {
-    QList<PageExport> all = StudyPage::exports();
-    for (PageExport& each : all)
-        each.obstacle = [this, before = each.obstacle] {
-            if (QString obstacle = before(); !obstacle.isEmpty()) return obstacle;
-            return m_shown ? QString() : QString::fromStdString(m_study.value()->problem);
-        };
-    return all;
+QString ThrustPage::obstacle() const {
+    if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
+    return m_shown ? QString() : QString::fromStdString(m_study.value()->problem);
 }
 
 QByteArray ThrustPage::csv() const {

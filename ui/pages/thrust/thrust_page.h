@@ -22,7 +22,6 @@ class ThrustPage : public StudyPage {
     explicit ThrustPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Thrust"); }
-    QList<PageExport> exports() const override;
     /// How many studies were started.
     int studies() const { return m_study.started(); }
     const ThrustPlot& thrustPlot() const { return *m_plot; }
@@ -30,6 +29,7 @@ class ThrustPage : public StudyPage {
   protected:
     void ask() override;
     void present() override;
+    QString obstacle() const override;
     QByteArray csv() const override;
     QStringList commandWords() const override;
 

@@ -103,9 +103,8 @@ void TestAccuracyPage::whatIsDoneStaysWhenCancelled() {
     QVERIFY(rows->rowCount() >= 2);
     QVERIFY(points() >= 2);
     QVERIFY(button()->text().startsWith(QStringLiteral("Run")));
-    // What there is can be written.
-    QVERIFY(m_page->exports().first().obstacle().isEmpty());
-    QVERIFY(m_page->exports().first().csv().contains("\nexact,"));
+    // But it is not all that the command writes.
+    QVERIFY(!m_page->exports().first().obstacle().isEmpty());
 }
 
 void TestAccuracyPage::anotherScenarioTakesTheMeasurementAway() {

@@ -297,14 +297,14 @@ void TestMapPage::thePointerReadsThePointBelowIt() {
 void TestMapPage::aCancelledMapKeepsWhatIsThere() {
     open("t38_medium_rock");
     auto* points = m_page->findChild<QComboBox*>(QStringLiteral("points"));
-    points->setCurrentIndex(points->findData(4000));
-    QTRY_VERIFY(report().grid.columns() == 4000 && report().grid.stride() > 0);
+    points->setCurrentIndex(points->findData(1000));
+    QTRY_VERIFY(report().grid.columns() == 1000 && report().grid.stride() > 0);
     m_page->activity()->cancel();
     QCOMPARE(m_page->activity()->state(), StudyState::stopped);
     QVERIFY(report().grid.done() > 0);
     QVERIFY(!report().grid.isComplete());
     QVERIFY(m_page->map()->picture()->grid().done() > 0);
-    QVERIFY(!m_page->exports().first().obstacle().isEmpty() || m_page->activity()->isCurrent());
+    QVERIFY(!m_page->exports().first().obstacle().isEmpty());
 }
 
 void TestMapPage::whatCannotBeMappedIsSaid() {

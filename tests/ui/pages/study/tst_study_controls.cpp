@@ -78,6 +78,10 @@ void TestStudyControls::theFirstThatAppliesIsChosen() {
     scenario.bitRock.stiffness *= 2;  // the range stays where it is
     axis.present(scenario);
     QCOMPARE(changed.count(), 1);
+    const auto* box = axis.findChild<QComboBox*>(QStringLiteral("parameter"));
+    const int offered = box->count();
+    for (int i = 0; i < 5; ++i) axis.present(scenario);
+    QCOMPARE(box->count(), offered);
     scenario.form = ScenarioForm::dimensionless;
     axis.present(scenario);
     QCOMPARE(axis.range().parameter, findParameter("beta"));

@@ -72,6 +72,7 @@ class TestStudyPage : public QObject {
     void aClickIsOneUndoStep();
     void whatCannotBeTakenOverIsSaid();
     void anUnfinishedStudyIsNotWritten();
+    void aStoppedStudyIsNotWritten();
     void theCommandNamesTheFileOrBringsTheScenario();
     void aShellTakesEveryWordWhole();
 
@@ -179,6 +180,15 @@ void TestStudyPage::anUnfinishedStudyIsNotWritten() {
     QTRY_COMPARE(m_page->activity()->state(), StudyState::finished);
     QVERIFY(m_page->exports().first().obstacle().isEmpty());
     QCOMPARE(m_page->exports().first().csv(), QByteArray::number(m_page->shown()));
+}
+
+void TestStudyPage::aStoppedStudyIsNotWritten() {
+    m_page->setSlow(true);
+    m_page->show();
+    QTRY_COMPARE(m_page->activity()->state(), StudyState::running);
+    m_page->activity()->cancel();
+    QVERIFY(!m_page->exports().first().obstacle().isEmpty());
+    QVERIFY(!m_page->plot()->isCurrent());
 }
 
 void TestStudyPage::theCommandNamesTheFileOrBringsTheScenario() {
