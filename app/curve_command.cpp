@@ -90,6 +90,8 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
     const bool writesFile = arguments.has("o");
     if (arguments.has("force") && !writesFile)
         throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+    if (arguments.has("json") && arguments.value("o") == "-")
+        throw CommandError(ExitCode::usage, "--json and -o - would both print to standard output; take one");
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments);
     const ScenarioDocument& base = input.document;

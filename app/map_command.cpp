@@ -122,6 +122,11 @@ void writeFiles(const MapFiles& files, const MapReport& report, const RowRecord&
 ExitCode judge(const MapReport& report, long workLimit) {
     const RowCounts counts{
         .rows = report.grid.size(), .failed = report.grid.failed(), .failures = report.grid.failures()};
+    for (const Contour& contour : report.contours)
+        if (counts.failed == 0 && contour.unplaced > 0)
+            throw CommandError(ExitCode::unsolvedOrFailed,
+                               std::to_string(contour.unplaced) +
+                                   " points of a contour could not be placed: " + contour.reason);
     if (counts.failed == 0) return ExitCode::done;
     throw CommandError(ExitCode::unsolvedOrFailed, std::to_string(counts.failed) + " of " +
                                                        std::to_string(counts.rows) +

@@ -94,6 +94,8 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
         throw CommandError(ExitCode::usage, "-o writes the table of --along; add --along KEY=START:STOP");
     if (arguments.has("force") && !csvPath)
         throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+    if (csvPath == "-" && arguments.has("json"))
+        throw CommandError(ExitCode::usage, "--json and -o - would both print to standard output; take one");
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const int jobs = jobsOf(arguments);
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
