@@ -21,6 +21,7 @@ struct PresetValue {
     const Parameter* parameter = nullptr;
     double si = 0;
     std::string source;  ///< never empty; begins with "assumed" where there is none
+    bool operator==(const PresetValue&) const = default;
 };
 
 /// What it names it sets; everything else of the scenario stays.
@@ -30,6 +31,7 @@ struct Preset {
     std::optional<PulseShape> shape;  ///< of a hammer, else nothing
     std::string shapeSource;
     std::vector<PresetValue> values;  ///< in the order of parameters()
+    bool operator==(const Preset&) const = default;
 };
 
 /// The scenario with the preset's values; the hammer of a `piston` has the rod's material unless the preset

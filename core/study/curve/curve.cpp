@@ -49,6 +49,7 @@ Scenario CurveQuestion::firstScenario() const {
 }
 
 std::vector<std::string> problemsOf(const CurveQuestion& question) {
+    if (std::string problem = followProblem(question.along); !problem.empty()) return {std::move(problem)};
     std::vector<std::string> problems = problemsOf(
         Sweep{.base = question.base, .axes = question.axes(), .columns = question.columns, .shard = {}});
     for (const OutputColumn& column : question.columns)

@@ -96,19 +96,20 @@ std::string readRange(ParsedAxis& parsed, const std::vector<std::string_view>& p
     return logarithmProblem(axis);
 }
 
-/// Narrower ranges, of their larger end, have fewer values than places of their features are to have.
-constexpr double narrowestRange = 1e-4;
+std::string followedForm(std::string_view key) {
+    return std::string(key) + " needs START:STOP or START:STOP:log";
+}
+
+std::string shapesProblem() {
+    return std::string(pulseShapeKey) + " has no numbers to go along; make a family of shapes";
+}
 
 std::string readFollowedRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts) {
     SweepAxis& axis = parsed.axis;
-    const std::string key(axis.key());
-    if (parts.size() < 2 || parts.size() > 3) return key + " needs START:STOP or START:STOP:log";
+    if (parts.size() < 2 || parts.size() > 3) return followedForm(axis.key());
     if (std::string problem = readEnds(parsed, parts, 1, "end"); !problem.empty()) return problem;
     axis.count = 2;
-    if (!(axis.start < axis.stop)) return "the range of " + key + " must end above its beginning";
-    if (axis.stop - axis.start < narrowestRange * std::max(std::abs(axis.start), std::abs(axis.stop)))
-        return "the range of " + key + " is too narrow: it must be at least 1e-4 of its end";
-    return logarithmProblem(axis);
+    return followProblem(axis);
 }
 
 std::string readList(ParsedAxis& parsed, const std::vector<std::string_view>& items) {
@@ -169,8 +170,7 @@ std::string readFollowedAxis(ParsedAxis& parsed, std::string_view text) {
     if (std::string problem = readKey(parsed, text, "KEY=START:STOP or KEY=START:STOP:log", values);
         !problem.empty())
         return problem;
-    if (!parsed.axis.parameter)
-        return std::string(pulseShapeKey) + " has no numbers to go along; make a family of shapes";
+    if (!parsed.axis.parameter) return shapesProblem();
     return readFollowedRange(parsed, split(values, ':'));
 }
 
@@ -233,6 +233,19 @@ ParsedAxis parseRange(std::string_view text) {
     ParsedAxis parsed;
     parsed.problem = readFollowedAxis(parsed, text);
     return parsed;
+}
+
+std::string followProblem(const SweepAxis& axis) {
+    // Narrower ranges, of their larger end, have fewer values than places of their features are to have.
+    constexpr double narrowest = 1e-4;
+    const std::string key(axis.key());
+    if (!axis.parameter) return shapesProblem();
+    if (axis.kind != SweepAxis::Kind::linear && axis.kind != SweepAxis::Kind::logarithmic)
+        return followedForm(key);
+    if (!(axis.start < axis.stop)) return "the range of " + key + " must end above its beginning";
+    if (axis.stop - axis.start < narrowest * std::max(std::abs(axis.start), std::abs(axis.stop)))
+        return "the range of " + key + " is too narrow: it must be at least 1e-4 of its end";
+    return logarithmProblem(axis);
 }
 
 ParsedAxis parseAxis(std::string_view text, std::optional<std::uint64_t> assumedCount) {

@@ -56,6 +56,10 @@ struct ParsedAxis {
 /// two values. What it refuses besides is a range that is too narrow to tell its values apart.
 ParsedAxis parseRange(std::string_view text);
 
+/// Why no curve can follow the axis from `start` up to `stop`, whatever made it: what parseRange() refuses of
+/// an axis whose ends are values of its parameter. Empty when one can.
+std::string followProblem(const SweepAxis& axis);
+
 /// Reads "KEY=START:STOP:COUNT", "KEY=START:STOP:COUNT:log" or "KEY=A,B,C"; units on the values where the
 /// parameter has one ("rod.length=3m:6m:4"). Every value is inside the hard range of the parameter.
 /// Where `assumedCount` is given, the COUNT of a range may be left out.

@@ -5,7 +5,7 @@
 #include <QComboBox>
 #include <QThread>
 #include <algorithm>
-#include <stdexcept>
+#include <utility>
 
 #include "core/model/assignments.h"
 #include "core/report/curve_csv.h"
@@ -27,8 +27,6 @@ std::vector<StudyFamily> preferredFamilies() {
 
 StiffnessStudy solve(const StiffnessQuestion& question, const StudyFeed<StiffnessStudy>& feed) {
     constexpr double parts = 1000;
-    if (const std::vector<std::string> problems = problemsOf(question.curve); !problems.empty())
-        throw std::runtime_error(problems.front());
     return studyStiffness(question, std::max(1, QThread::idealThreadCount()), feed.stop, [&](double done) {
         feed.tell({static_cast<std::size_t>(done * parts), static_cast<std::size_t>(parts)});
     });
@@ -55,10 +53,7 @@ StiffnessPage::StiffnessPage(Document& document, QWidget* parent)
     plot->followPalette([this](const PlotStyle& style) { m_stiffness->setStyle(style); });
     connect(plot, &PlotWidget::fitRequested, m_stiffness, &StiffnessPlot::fit);
     connect(plot, &PlotWidget::clicked, this, &StiffnessPage::click);
-    connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
-        m_shownStudy = nullptr;
-        askSoon();
-    });
+    connect(&UnitChoice::shared(), &UnitChoice::changed, this, &StiffnessPage::askSoon);
 }
 
 QList<QWidget*> StiffnessPage::makeControls() {
@@ -68,7 +63,7 @@ QList<QWidget*> StiffnessPage::makeControls() {
     m_own->setObjectName(QStringLiteral("own"));
     m_own->setToolTip(tr("A curve for the value of the family that the scenario has, too"));
     m_own->setChecked(true);
-    m_output = new OutputBox(this);
+    m_output = new OutputBox(this, OfferedOutputs::ofOneBlow);
     m_closedForm = new QCheckBox(tr("closed form"), this);
     m_closedForm->setObjectName(QStringLiteral("closedForm"));
     m_closedForm->setToolTip(
@@ -90,9 +85,7 @@ QList<QWidget*> StiffnessPage::makeControls() {
     return {m_axis, m_output, m_family, m_own, m_closedForm, m_reference};
 }
 
-/// The value of the family's parameter in the scenario.
-std::optional<double> StiffnessPage::hereOfFamily() const {
-    const Parameter* parameter = m_family->family().parameter;
+std::optional<double> StiffnessPage::hereOf(const Parameter* parameter) const {
     if (!parameter || !parameter->applies(scenario())) return std::nullopt;
     return parameter->value(scenario());
 }
@@ -100,92 +93,129 @@ std::optional<double> StiffnessPage::hereOfFamily() const {
 /// With that of the scenario among its values, where it is wanted.
 StudyFamily StiffnessPage::askedFamily() const {
     StudyFamily family = m_family->family();
-    const std::optional<double> own = hereOfFamily();
-    if (!family.parameter || !m_own->isChecked() || !own) return family;
+    const std::optional<double> own = hereOf(family.parameter);
+    if (!m_own->isChecked() || !own) return family;
     if (std::ranges::find(family.values, *own) == family.values.end()) family.values.push_back(*own);
     return family;
 }
 
-std::optional<StiffnessQuestion> StiffnessPage::question() const {
+// Of the words of the command, so that both have the same values.
+StiffnessPage::Wish StiffnessPage::wish() const {
     const StudyRange& range = m_axis->range();
-    if (!range.parameter) return std::nullopt;
+    if (!range.parameter) return {};
     const bool isPhysical = scenario().form == ScenarioForm::dimensional &&
                             UnitChoice::shared().system() != UnitSystem::dimensionless;
     StiffnessQuestion asked;
     CurveQuestion& curve = asked.curve;
     curve.base = scenario();
     curve.base.title.clear();
-    curve.along = parseRange(range.text() + range.tail()).axis;
-    if (!curve.along.parameter) return std::nullopt;
+    const ParsedAxis along = parseRange(range.text() + range.tail());
+    if (!along.problem.empty()) return {{}, QString::fromStdString(along.problem)};
+    curve.along = along.axis;
     takeOut(curve.base, *range.parameter, range.start);
     if (const StudyFamily family = askedFamily(); family.parameter) {
-        curve.family = parseAxis(family.text()).axis;
+        const ParsedAxis values = parseAxis(family.text());
+        if (!values.problem.empty()) return {{}, QString::fromStdString(values.problem)};
+        curve.family = values.axis;
         takeOut(curve.base, *family.parameter, family.values.front());
     }
     curve.columns = {{&m_output->output(), isPhysical ? OutputUnits::si : OutputUnits::dimensionless}};
     if (m_output->output().name == "cor") curve.levels = {1};
     asked.reference = static_cast<ReferenceScale>(m_reference->currentIndex());
     asked.closedForm = m_closedForm->isChecked();
-    return asked;
+    QStringList problems;
+    for (const std::string& problem : problemsOf(curve)) problems << QString::fromStdString(problem);
+    if (!problems.isEmpty()) return {{}, problems.join(QLatin1Char('\n'))};
+    return {std::move(asked), {}};
 }
 
 void StiffnessPage::ask() {
     m_axis->present(scenario());
     m_family->present(scenario());
     m_output->present(scenario());
-    m_presets.reload();
-    std::optional<StiffnessQuestion> asked = question();
-    if (!asked) return;
-    m_reference->setEnabled(asked->hasReference());
-    m_closedForm->setEnabled(asked->curve.base.pulse.shape == PulseShape::rectangular);
-    m_study.ask(std::move(*asked));
+    Wish now = wish();
+    m_problem = now.problem;
+    if (!now.question) return m_study.job().cancel();
+    m_reference->setEnabled(now.question->hasReference());
+    m_closedForm->setEnabled(now.question->curve.base.pulse.shape == PulseShape::rectangular);
+    m_study.ask(std::move(*now.question));
+}
+
+// In the place of the curves, and none of them to be clicked or written.
+void StiffnessPage::refuse(const QString& problem) {
+    m_shown = {};
+    m_stiffness->showNothing(problem);
+    plot()->setAccessibleDescription(problem);
+    say(problem);
+    plot()->replot(QCustomPlot::rpQueuedReplot);
+}
+
+StiffnessPage::Shown StiffnessPage::wanted() const {
+    Shown shown;
+    shown.study = m_study.job().value();
+    const CurveQuestion& asked = shown.study->question.curve;
+    const Scales scales = scalesOf(asked.base);
+    shown.units = asked.base.form == ScenarioForm::dimensional
+                      ? shownUnits(blow()->request.units, scales, blow()->request.chosenUnits)
+                      : shownUnits(naturalUnits(asked.base), scales);
+    shown.xUnit = &UnitChoice::shared().fieldUnit(*asked.along.parameter);
+    if (asked.family) shown.here = hereOf(asked.family->parameter);
+    for (const PresetSource& source : m_presets.sources())
+        shown.presets.insert(shown.presets.end(), source.presets.begin(), source.presets.end());
+    return shown;
 }
 
 void StiffnessPage::present() {
-    if (m_study.job().state() == StudyState::failed) {
-        m_shownStudy = nullptr;
-        m_stiffness->showNothing(m_study.job().problem());
-        plot()->replot(QCustomPlot::rpQueuedReplot);
-        return;
-    }
-    const StiffnessStudy* study = m_study.value();
-    if (!study || study->curve.stopped || !blow()) return;
-    const CurveQuestion& asked = study->question.curve;
-    std::vector<Preset> presets;
-    for (const PresetSource& source : m_presets.sources())
-        presets.insert(presets.end(), source.presets.begin(), source.presets.end());
-    if (study != m_shownStudy) {
-        m_shownStudy = study;
-        const Unit& unit = UnitChoice::shared().fieldUnit(*asked.along.parameter);
-        const StiffnessPicture picture =
-            stiffnessPicture(*study, blow()->units, unit, hereOfFamily(), presets, QLocale());
-        m_stiffness->present(picture);
-        for (int i = 0; i < picture.lines.size(); ++i) {
-            CurveMeaning meaning;
-            meaning.xUnit = picture.x.unit;
-            meaning.yUnit = picture.value.unit;
-            plot()->setMeaning(m_stiffness->graphs()[i], meaning);
-        }
-        plot()->setAccessibleDescription(picture.summary);
-        say(picture.summary);
-        plot()->replot(QCustomPlot::rpQueuedReplot);
+    if (!m_problem.isEmpty()) return refuse(m_problem);
+    if (m_study.job().state() == StudyState::failed) return refuse(m_study.job().problem());
+    if (!m_study.value() || m_study.value()->curve.stopped || !blow()) return;
+    if (Shown shown = wanted(); !(shown == m_shown)) {
+        m_shown = std::move(shown);
+        draw();
     }
     showHere();
+}
+
+void StiffnessPage::draw() {
+    const StiffnessPicture picture = stiffnessPicture(*m_shown.study, m_shown.units, *m_shown.xUnit,
+                                                      m_shown.here, m_shown.presets, QLocale());
+    m_stiffness->present(picture);
+    for (int i = 0; i < picture.lines.size(); ++i) {
+        CurveMeaning meaning;
+        meaning.xUnit = picture.x.unit;
+        meaning.yUnit = picture.value.unit;
+        plot()->setMeaning(m_stiffness->graphs()[i], meaning);
+    }
+    plot()->setAccessibleDescription(picture.summary);
+    say(picture.summary);
+    plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
 /// By the blow that is on show, which follows the hand.
 void StiffnessPage::showHere() {
     const StiffnessPicture& picture = m_stiffness->picture();
-    if (!picture.output || !m_shownStudy) return;
-    const Parameter& along = *m_shownStudy->question.curve.along.parameter;
+    if (!picture.output || !m_shown.study) return;
+    const Parameter& along = *m_shown.study->question.curve.along.parameter;
     if (!along.applies(blow()->scenario)) return m_stiffness->setHere({}, {});
     const std::optional<double> x = along.value(blow()->scenario);
     std::optional<double> y;
     if (blow()->problem.isEmpty()) y = picture.output->value({blow()->summary, blow()->scenario});
-    const bool isSi = m_shownStudy->question.curve.columns.front().units == OutputUnits::si;
+    const bool isSi = m_shown.study->question.curve.columns.front().units == OutputUnits::si;
     if (y && isSi) y = *y * picture.output->scale(scalesOf(blow()->scenario));
     m_stiffness->setHere(x ? std::optional(*x * picture.x.factor) : std::nullopt,
                          y ? std::optional(*y * picture.valueFactor) : std::nullopt);
+}
+
+void StiffnessPage::showEvent(QShowEvent* event) {
+    if (!event->spontaneous()) m_presets.reload();
+    StudyPage::showEvent(event);
+}
+
+QList<PageExport> StiffnessPage::exports() const {
+    QList<PageExport> all = StudyPage::exports();
+    for (PageExport& each : all)
+        each.obstacle = [this, other = each.obstacle] { return m_problem.isEmpty() ? other() : m_problem; };
+    return all;
 }
 
 QByteArray StiffnessPage::csv() const {
@@ -194,7 +224,7 @@ QByteArray StiffnessPage::csv() const {
 }
 
 QStringList StiffnessPage::commandWords() const {
-    const std::optional<StiffnessQuestion> asked = question();
+    const std::optional<StiffnessQuestion> asked = wish().question;
     if (!asked) return {};
     const StudyRange& range = m_axis->range();
     QStringList words{QStringLiteral("curve"), QStringLiteral("--along"),
@@ -210,17 +240,17 @@ QStringList StiffnessPage::commandWords() const {
 }
 
 void StiffnessPage::click(QCPAxisRect*, QPointF coordinates, Qt::KeyboardModifiers modifiers) {
-    if (modifiers != Qt::NoModifier || !m_shownStudy) return;
+    if (modifiers != Qt::NoModifier || !m_shown.study) return;
     const StiffnessPlot::Target target = m_stiffness->targetAt(coordinates);
     const StiffnessPicture& picture = m_stiffness->picture();
-    const CurveQuestion& asked = m_shownStudy->question.curve;
+    const CurveQuestion& asked = m_shown.study->question.curve;
     const bool isExact = target.x != coordinates.x();
-    const Unit& unit = UnitChoice::shared().fieldUnit(*asked.along.parameter);
     std::vector<ParameterValue> values;
     if (target.line >= 0 && asked.family && !picture.lines[target.line].isHere)
-        values.push_back({asked.family->parameter,
-                          *m_shownStudy->curve.lines[std::size_t(picture.lines[target.line].number)].family});
-    values.push_back({asked.along.parameter, unit.toSi(isExact ? target.x : readable(target.x))});
+        values.push_back(
+            {asked.family->parameter,
+             *m_shown.study->curve.lines[std::size_t(picture.lines[target.line].number)].family});
+    values.push_back({asked.along.parameter, m_shown.xUnit->toSi(isExact ? target.x : readable(target.x))});
     load(values);
 }
 

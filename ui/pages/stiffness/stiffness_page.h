@@ -7,6 +7,7 @@
 #include "ui/pages/stiffness/stiffness_study.h"
 #include "ui/pages/study/study_page.h"
 #include "ui/pages/study/study_range.h"
+#include "ui/text/shown_units.h"
 
 class QCheckBox;
 class QComboBox;
@@ -32,18 +33,38 @@ class StiffnessPage : public StudyPage {
     FamilyFields* family() const { return m_family; }
     OutputBox* output() const { return m_output; }
     const AskedStudy<StiffnessQuestion, StiffnessStudy>& study() const { return m_study; }
+    QList<PageExport> exports() const override;
 
   protected:
     void ask() override;
     void present() override;
     QByteArray csv() const override;
     QStringList commandWords() const override;
+    void showEvent(QShowEvent* event) override;
 
   private:
+    /// What the controls say: a question, or why there is none. Neither before the first scenario.
+    struct Wish {
+        std::optional<StiffnessQuestion> question;
+        QString problem;
+    };
+    /// All that the picture is made of.
+    struct Shown {
+        std::shared_ptr<const StiffnessStudy> study;
+        ShownUnits units;
+        const Unit* xUnit = nullptr;
+        std::optional<double> here;  // of the family, in the present scenario
+        std::vector<Preset> presets;
+        bool operator==(const Shown&) const = default;
+    };
     QList<QWidget*> makeControls();
-    std::optional<StiffnessQuestion> question() const;
+    Wish wish() const;
     StudyFamily askedFamily() const;
-    std::optional<double> hereOfFamily() const;
+    std::optional<double> hereOf(const Parameter* parameter) const;
+    /// Requires a study and a blow.
+    Shown wanted() const;
+    void refuse(const QString& problem);
+    void draw();
     void showHere();
     void click(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
 
@@ -55,7 +76,8 @@ class StiffnessPage : public StudyPage {
     QComboBox* m_reference;
     StiffnessPlot* m_stiffness = nullptr;
     PresetLibrary m_presets;
-    const StiffnessStudy* m_shownStudy = nullptr;
+    QString m_problem;  // why the controls say no curve
+    Shown m_shown;
     AskedStudy<StiffnessQuestion, StiffnessStudy> m_study;
 };
 

@@ -7,7 +7,7 @@
 
 namespace drillwave {
 
-OutputBox::OutputBox(QWidget* parent) : ChoiceBox(parent) {
+OutputBox::OutputBox(QWidget* parent, OfferedOutputs offered) : ChoiceBox(parent), m_offered(offered) {
     setObjectName(QStringLiteral("output"));
     setAccessibleName(tr("Result"));
     setToolTip(tr("Which result is shown"));
@@ -24,6 +24,7 @@ void OutputBox::present(const Scenario& scenario) {
         clear();
         for (const Output& output : outputs()) {
             if (!output.problem(scenario).empty()) continue;
+            if (m_offered == OfferedOutputs::ofOneBlow && output.needsThrustStudy()) continue;
             addItem(outputName(output), fromView(output.name));
             setItemData(count() - 1, fromView(output.meaning), Qt::ToolTipRole);
         }

@@ -7,12 +7,15 @@
 
 namespace drillwave {
 
+/// Which outputs a study can have: thrust_margin takes a study of all gaps for every value.
+enum class OfferedOutputs { all, ofOneBlow };
+
 /// The outputs that a scenario has; e at first.
 class OutputBox : public ChoiceBox {
     Q_OBJECT
 
   public:
-    explicit OutputBox(QWidget* parent = nullptr);
+    explicit OutputBox(QWidget* parent = nullptr, OfferedOutputs offered = OfferedOutputs::all);
 
     /// Offers what the scenario has; what is chosen stays, or is e where it has that no more.
     void present(const Scenario& scenario);
@@ -24,6 +27,7 @@ class OutputBox : public ChoiceBox {
     void changed();
 
   private:
+    OfferedOutputs m_offered;
     QString m_shown;
 };
 

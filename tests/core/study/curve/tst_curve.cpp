@@ -82,6 +82,8 @@ class TestCurve : public QObject {
     void aStopEndsTheWork();
     void whatCannotBeFollowedIsRefused_data();
     void whatCannotBeFollowedIsRefused();
+    void anAxisThatNoTextSaidIsRefusedAlike_data();
+    void anAxisThatNoTextSaidIsRefusedAlike();
 };
 
 // theory §7: half a unit of the last digit that is given there.
@@ -458,6 +460,39 @@ void TestCurve::whatCannotBeFollowedIsRefused() {
         if (!family.isEmpty()) asked.family = parseAxis(family.toStdString()).axis;
         problems = problemsOf(asked);
     }
+    QCOMPARE(problems.size(), 1u);
+    QVERIFY2(problems[0].find(problem.toStdString()) != std::string::npos, problems[0].c_str());
+}
+
+void TestCurve::anAxisThatNoTextSaidIsRefusedAlike_data() {
+    QTest::addColumn<SweepAxis>("along");
+    QTest::addColumn<QString>("problem");
+    const auto add = [](const char* name, SweepAxis::Kind kind, double start, double stop,
+                        const char* problem) {
+        SweepAxis axis = parseRange("beta=1:2").axis;
+        axis.kind = kind;
+        axis.start = start;
+        axis.stop = stop;
+        QTest::newRow(name) << axis << problem;
+    };
+    using AxisKind = SweepAxis::Kind;
+    add("downwards", AxisKind::linear, 2, 1, "must end above its beginning");
+    add("downwards by ratios", AxisKind::logarithmic, 2, 1, "must end above its beginning");
+    add("a point", AxisKind::linear, 1, 1, "must end above its beginning");
+    add("no number", AxisKind::linear, std::nan(""), 1, "must end above its beginning");
+    add("narrow", AxisKind::linear, 1, 1.00001, "too narrow");
+    add("from 0 by ratios", AxisKind::logarithmic, 0, 1, "must begin and end above 0");
+    QTest::newRow("a list") << parseAxis("beta=1,2").axis << "beta needs START:STOP";
+    QTest::newRow("shapes") << parseAxis("pulse.shape=half_sine").axis << "no numbers to go along";
+}
+
+void TestCurve::anAxisThatNoTextSaidIsRefusedAlike() {
+    QFETCH(SweepAxis, along);
+    QFETCH(QString, problem);
+    CurveQuestion asked = question(PulseShape::rectangular, {0.5, 0.1, 10, 0}, "beta=1:2");
+    QVERIFY(problemsOf(asked).empty());
+    asked.along = along;
+    const std::vector<std::string> problems = problemsOf(asked);
     QCOMPARE(problems.size(), 1u);
     QVERIFY2(problems[0].find(problem.toStdString()) != std::string::npos, problems[0].c_str());
 }

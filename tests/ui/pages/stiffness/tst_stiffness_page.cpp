@@ -2,9 +2,11 @@
 // The page COR–stiffness: the numbers of the study, one undo step a click, nothing out of sight.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QFileInfo>
 #include <QLabel>
 #include <QProcess>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -15,18 +17,30 @@
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/family_fields.h"
 #include "ui/pages/study/output_box.h"
+#include "ui/plot/plot_message.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/text/unit_choice.h"
 
 using namespace drillwave;
 
 namespace {
 
-SolvedBlowPtr solved(const Document& document) {
+SolvedBlowPtr solved(const Document& document, UnitSystem units) {
     MethodSolver solver;
     SolveRequest request;
     request.scenario = document.scenario();
-    request.units = naturalUnits(document.scenario());
+    request.units = units;
     return solveBlow(request, solver);
+}
+
+SolvedBlowPtr solved(const Document& document) {
+    return solved(document, naturalUnits(document.scenario()));
+}
+
+QStringList namesOf(const QVector<StiffnessBand>& bands) {
+    QStringList names;
+    for (const StiffnessBand& band : bands) names << band.name;
+    return names;
 }
 
 }  // namespace
@@ -51,12 +65,22 @@ class TestStiffnessPage : public QObject {
     void theClosedFormEndsWithItsDomain();
     void presetsAreNamedWhereTheyLie();
     void whatCannotBeStudiedIsSaid();
+    void aRangeThatCannotBeFollowedShowsNoCurve_data();
+    void aRangeThatCannotBeFollowedShowsNoCurve();
+    void familiesOutOfRangeAreSaid();
+    void whatTakesAStudyAtEveryPointIsNotOffered();
+    void anotherValueOfTheFamilyIsThisScenario();
+    void otherUnitsAreShownWithoutAnotherStudy();
+    void aStudyBeforeItsBlowIsShownInItsOwnScales();
+    void presetsAreReadAsThePageIsShown();
 
   private:
     void open(const char* text);
     void openElastic();
     void showPage();
     void finish();
+    QString words() const { return m_page->findChild<QLabel*>("words")->text(); }
+    const QCPGraph* graphOf(double family) const;
     const StiffnessStudy& study() const { return *m_page->study().value(); }
 
     QTemporaryDir m_settings;
@@ -66,6 +90,7 @@ class TestStiffnessPage : public QObject {
 
 void TestStiffnessPage::initTestCase() {
     test::keepSettingsIn(m_settings.path());
+    qputenv("XDG_CONFIG_HOME", m_settings.path().toUtf8());
     QLocale::setDefault(QLocale::c());
 }
 
@@ -307,6 +332,154 @@ void TestStiffnessPage::whatCannotBeStudiedIsSaid() {
     m_page->family()->setFamily({});
     finish();
     QCOMPARE(m_page->stiffnessPlot()->graphs().size(), 1);
+}
+
+const QCPGraph* TestStiffnessPage::graphOf(double family) const {
+    const StiffnessPlot& plot = *m_page->stiffnessPlot();
+    for (int i = 0; i < plot.graphs().size(); ++i) {
+        const StiffnessLine& line = plot.picture().lines[i];
+        if (study().curve.lines[std::size_t(line.number)].family == family) return plot.graphs()[i];
+    }
+    return nullptr;
+}
+
+void TestStiffnessPage::aRangeThatCannotBeFollowedShowsNoCurve_data() {
+    QTest::addColumn<double>("start");
+    QTest::addColumn<double>("stop");
+    QTest::addColumn<QString>("problem");
+    QTest::newRow("downwards") << 1e9 << 1e7 << "must end above its beginning";
+    QTest::newRow("narrow") << 1e8 << 1.00001e8 << "too narrow";
+}
+
+void TestStiffnessPage::aRangeThatCannotBeFollowedShowsNoCurve() {
+    QFETCH(double, start);
+    QFETCH(double, stop);
+    QFETCH(QString, problem);
+    showPage();
+    const StudyRange good = m_page->axis()->range();
+    const qsizetype curves = m_page->stiffnessPlot()->graphs().size();
+    QVERIFY(curves > 1 && !m_page->command().isEmpty());
+    m_page->axis()->setRange({good.parameter, start, stop, true});
+    QVERIFY2(words().contains(problem), qPrintable(words()));
+    const auto* message = m_page->plot()->findChild<PlotMessage*>();
+    QVERIFY(message->item().visible() &&
+            message->item().text().simplified().contains(problem.section(' ', 0, 1)));
+    QVERIFY(m_page->stiffnessPlot()->graphs().isEmpty());
+    QVERIFY(m_page->command().isEmpty());
+    for (const PageExport& each : m_page->exports()) QVERIFY(each.obstacle().contains(problem));
+    // neither a blow nor a click brings the last curve back
+    m_page->setResult(solved(*m_document));
+    const int steps = m_document->undoStack().count();
+    emit m_page->plot()->clicked(nullptr, {150, 1}, Qt::NoModifier);
+    QVERIFY(m_page->stiffnessPlot()->graphs().isEmpty());
+    QCOMPARE(m_document->undoStack().count(), steps);
+    QCOMPARE(m_page->study().started(), 1);
+    m_page->axis()->setRange(good);
+    QCOMPARE(m_page->stiffnessPlot()->graphs().size(), curves);
+    QVERIFY(!message->item().visible() && !words().contains(problem));
+    QCOMPARE(m_page->exports().first().obstacle(), QString());
+    QCOMPARE(m_page->study().started(), 1);
+}
+
+void TestStiffnessPage::familiesOutOfRangeAreSaid() {
+    showPage();
+    m_page->family()->setFamily({findParameter("bit_rock.gamma"), {0.5, 2}});
+    QVERIFY2(words().contains("must be in (0, 1]"), qPrintable(words()));
+    QVERIFY(m_page->stiffnessPlot()->graphs().isEmpty());
+    QVERIFY(m_page->command().isEmpty());
+    QCOMPARE(m_page->study().started(), 1);
+}
+
+void TestStiffnessPage::whatTakesAStudyAtEveryPointIsNotOffered() {
+    m_document->assign(*findParameter("drill.blow_frequency"), 50, m_document->newGesture());
+    m_document->assign(*findParameter("drill.thrust"), 8e3, m_document->newGesture());
+    showPage();
+    OutputBox all;
+    all.present(m_document->scenario());
+    QVERIFY(all.findData("thrust_margin") >= 0);
+    QCOMPARE(m_page->output()->findData("thrust_margin"), -1);
+    QCOMPARE(m_page->output()->count(), all.count() - 1);
+}
+
+void TestStiffnessPage::anotherValueOfTheFamilyIsThisScenario() {
+    showPage();
+    QVERIFY(words().contains("0.1, this scenario"));
+    m_document->assign(*findParameter("bit_rock.gamma"), 0.3, m_document->newGesture());
+    m_page->setResult(solved(*m_document));
+    QCOMPARE(m_page->study().started(), 1);
+    QVERIFY2(words().contains("0.3, this scenario"), qPrintable(words()));
+    QVERIFY(graphOf(0.3)->name().contains("this scenario"));
+    // the curve that was the scenario's is another value now
+    const QCPGraph* other = graphOf(0.1);
+    QVERIFY(!other->name().contains("this scenario"));
+    const auto point = other->data()->at(other->dataCount() / 2);
+    emit m_page->plot()->clicked(other->keyAxis()->axisRect(), {point->key, point->value}, Qt::NoModifier);
+    QCOMPARE(m_document->scenario().bitRock.gamma, 0.1);
+}
+
+void TestStiffnessPage::otherUnitsAreShownWithoutAnotherStudy() {
+    showPage();
+    m_page->output()->setOutput(*findOutput("peak_force"));
+    finish();
+    const StiffnessPicture& picture = m_page->stiffnessPlot()->picture();
+    QCOMPARE(picture.value.unit, QString("kN"));
+    const double before = graphOf(0.1)->data()->at(10)->value;
+    const auto restore = qScopeGuard([] { UnitChoice::shared().choose(UnitSystem::si); });
+    UnitChoice::shared().choose(UnitSystem::us);
+    m_page->setResult(solved(*m_document, UnitSystem::us));
+    QCOMPARE(m_page->study().started(), 2);
+    QVERIFY2(picture.value.unit.startsWith("klbf") || picture.value.unit.startsWith("kip") ||
+                 picture.value.unit.startsWith("lbf"),
+             qPrintable(picture.value.unit));
+    const double inPounds = before * 1e3 / 4.4482216152605;
+    const double shown = graphOf(0.1)->data()->at(10)->value;
+    const double factor = picture.value.unit.startsWith("lbf") ? 1 : 1e-3;
+    QVERIFY(std::abs(shown / (inPounds * factor) - 1) < 1e-12);
+}
+
+void TestStiffnessPage::aStudyBeforeItsBlowIsShownInItsOwnScales() {
+    showPage();
+    m_page->output()->setOutput(*findOutput("peak_force"));
+    finish();
+    const Scenario before = m_document->scenario();
+    m_document->assign(*findParameter("pulse.duration"), 1.5 * before.pulse.duration,
+                       m_document->newGesture());
+    finish();
+    QVERIFY(scalesOf(m_document->scenario()).force < 0.7 * scalesOf(before).force);
+    const StiffnessPicture& picture = m_page->stiffnessPlot()->picture();
+    const auto isInKilonewtons = [&] {
+        const CurveLine& line = study().curve.lines[2];
+        const QCPGraph* graph = graphOf(*line.family);
+        return picture.value.unit == "kN" &&
+               std::abs(graph->data()->at(10)->value / (line.values[0][10] * 1e-3) - 1) < 1e-12;
+    };
+    QCOMPARE(study().question.curve.base.pulse.duration, 1.5 * before.pulse.duration);
+    QVERIFY(isInKilonewtons());
+    m_page->setResult(solved(*m_document));
+    QVERIFY(isInKilonewtons());
+}
+
+void TestStiffnessPage::presetsAreReadAsThePageIsShown() {
+    showPage();
+    QVERIFY(QDir().mkpath(PresetLibrary::folder()));
+    QFile file(QDir(PresetLibrary::folder()).filePath("presets.yaml"));
+    const auto remove = qScopeGuard([&] { file.remove(); });
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(
+        "drillwave_presets: 1\nrocks:\n  - name: my own rock\n    stiffness: [123 MN/m, \"assumed\"]\n    "
+        "gamma: [0.1, \"assumed\"]\n");
+    file.close();
+    // no disk while something is dragged
+    m_document->assign(*findParameter("rod.length"), 4, m_document->newGesture());
+    finish();
+    m_page->setResult(solved(*m_document));
+    const StiffnessPicture& picture = m_page->stiffnessPlot()->picture();
+    QVERIFY(!namesOf(picture.bands).join(' ').contains("my own rock"));
+    m_page->hide();
+    m_page->show();
+    QVERIFY2(namesOf(picture.bands).join(' ').contains("my own rock"),
+             qPrintable(namesOf(picture.bands).join(", ")));
+    QCOMPARE(m_page->study().started(), 2);
 }
 
 QTEST_MAIN(TestStiffnessPage)
