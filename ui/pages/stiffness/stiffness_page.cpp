@@ -211,11 +211,8 @@ void StiffnessPage::showEvent(QShowEvent* event) {
     StudyPage::showEvent(event);
 }
 
-QList<PageExport> StiffnessPage::exports() const {
-    QList<PageExport> all = StudyPage::exports();
-    for (PageExport& each : all)
-        each.obstacle = [this, other = each.obstacle] { return m_problem.isEmpty() ? other() : m_problem; };
-    return all;
+QString StiffnessPage::obstacle() const {
+    return m_problem.isEmpty() ? StudyPage::obstacle() : m_problem;
 }
 
 QByteArray StiffnessPage::csv() const {

@@ -33,11 +33,11 @@ class StiffnessPage : public StudyPage {
     FamilyFields* family() const { return m_family; }
     OutputBox* output() const { return m_output; }
     const AskedStudy<StiffnessQuestion, StiffnessStudy>& study() const { return m_study; }
-    QList<PageExport> exports() const override;
 
   protected:
     void ask() override;
     void present() override;
+    QString obstacle() const override;
     QByteArray csv() const override;
     QStringList commandWords() const override;
     void showEvent(QShowEvent* event) override;
