@@ -13,24 +13,6 @@ using namespace drillwave::test;
 
 namespace {
 
-QByteArray content(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) qFatal("%s cannot be read", qPrintable(path));
-    return file.readAll();
-}
-
-QByteArray output(const QStringList& words) {
-    const Finished finished = run(words);
-    if (finished.exitCode != 0) qFatal("%s", finished.error.constData());
-    return finished.out;
-}
-
-QList<QList<QByteArray>> rowsOf(const QByteArray& csv) {
-    QList<QList<QByteArray>> rows;
-    for (const QByteArray& line : csv.trimmed().split('\n')) rows << line.split(',');
-    return rows;
-}
-
 QJsonArray featuresOf(const QJsonObject& curve, const char* output = "cor", int line = 0) {
     return curve["lines"][line]["outputs"][QLatin1String(output)]["features"].toArray();
 }
@@ -121,15 +103,15 @@ void TestCurves::theRecordGivesTheSameCurveAgain() {
     const QString first = folder.filePath("a.csv"), second = folder.filePath("b.csv");
     output({"curve", example("t38_medium_rock"), "--along", "bit_rock.stiffness=20MN/m:500MN/m:log", "--set",
             "gamma=0.3", "-o", first});
-    const QByteArray record = content(first + ".yaml");
+    const QByteArray record = read(first + ".yaml");
     QVERIFY(record.contains("command: ") && record.contains("drillwave curve"));
     QVERIFY(record.contains("values: 20MN/m:500MN/m:log"));
     output({"curve", first + ".yaml", "--along", "bit_rock.stiffness=20MN/m:500MN/m:log", "-o", second});
-    QCOMPARE(content(second), content(first));
+    QCOMPARE(read(second), read(first));
     const Finished again = run({"curve", first + ".yaml", "--along", "beta=1:2", "-o", second});
     QCOMPARE(again.exitCode, 4);
     output({"curve", first + ".yaml", "--along", "beta=1:2", "-o", second, "--force"});
-    QVERIFY(content(second) != content(first));
+    QVERIFY(read(second) != read(first));
 }
 
 void TestCurves::theBytesDoNotDependOnTheNumberOfThreads() {

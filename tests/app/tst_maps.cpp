@@ -16,24 +16,6 @@ namespace {
 
 const QStringList xAndY{"--x", "beta=0.1:10:41:log", "--y", "delta=0:2:31"};
 
-QByteArray content(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) qFatal("%s cannot be read", qPrintable(path));
-    return file.readAll();
-}
-
-QByteArray output(const QStringList& words) {
-    const Finished finished = run(words);
-    if (finished.exitCode != 0) qFatal("%s", finished.error.constData());
-    return finished.out;
-}
-
-QList<QList<QByteArray>> rowsOf(const QByteArray& csv) {
-    QList<QList<QByteArray>> rows;
-    for (const QByteArray& line : csv.trimmed().split('\n')) rows << line.split(',');
-    return rows;
-}
-
 QStringList mapOf(const QString& name, const QStringList& more) {
     return QStringList{"map", example(name)} + xAndY + more;
 }
@@ -72,8 +54,8 @@ void TestMaps::theBytesDoNotDependOnTheNumberOfThreads() {
     for (const char* jobs : {"1", "2", "7"}) {
         const QString path = folder.filePath(QString("%1.csv").arg(jobs));
         output(mapOf("paper_fig4a", {"--level", "1", "--level=1.2", "-j", jobs, "-o", path}));
-        maps << content(path);
-        contours << content(folder.filePath(QString("%1_contours.csv").arg(jobs)));
+        maps << read(path);
+        contours << read(folder.filePath(QString("%1_contours.csv").arg(jobs)));
     }
     QVERIFY(maps[0] == maps[1] && maps[0] == maps[2]);
     QVERIFY(contours[0] == contours[1] && contours[0] == contours[2]);
@@ -84,7 +66,7 @@ void TestMaps::theBytesDoNotDependOnTheNumberOfThreads() {
 void TestMaps::contourPointsSolveToTheirLevel() {
     QTemporaryDir folder;
     const QByteArray text = output(mapOf("paper_fig4a", {"--level", "1", "-o", folder.filePath("map.csv")}));
-    const auto rows = rowsOf(content(folder.filePath("map_contours.csv")));
+    const auto rows = rowsOf(read(folder.filePath("map_contours.csv")));
     QCOMPARE(rows[0].join(','), QByteArray("level,line,beta,delta,cor,residual,jump_width"));
     QVERIFY(rows.size() > 100);
     for (int n = 1; n < rows.size(); ++n) {
@@ -102,13 +84,13 @@ void TestMaps::theRecordGivesTheSameMapAgain() {
     QTemporaryDir folder;
     const QString path = folder.filePath("map.csv"), again = folder.filePath("again.csv");
     output(mapOf("paper_fig4a", {"--set", "gamma=0.5", "--level", "1", "-o", path}));
-    const QByteArray record = content(path + ".yaml");
+    const QByteArray record = read(path + ".yaml");
     QVERIFY(record.contains("--set gamma=0.5"));
     QVERIFY(record.contains("--x beta=0.1:10:41:log --y delta=0:2:31"));
     QVERIFY(record.contains("--level 1"));
     QVERIFY(record.contains("rows: 1271"));
     output(QStringList{"map", path + ".yaml"} + xAndY + QStringList{"-o", again});
-    QCOMPARE(content(again), content(path));
+    QCOMPARE(read(again), read(path));
     QVERIFY(!QFile::exists(folder.filePath("again_contours.csv")));
 }
 
@@ -140,7 +122,7 @@ void TestMaps::levelsInSiTakeUnits() {
         const QString path = folder.filePath(QString("%1.csv").arg(contours.size()));
         output({"map", example("t38_medium_rock"), "--x", "bit_rock.stiffness=10MN/m:1000MN/m:9:log", "--y",
                 "gamma=0.1:1:9", "--output", "peak_force", "--si", "--level", level, "-o", path});
-        contours << content(path.chopped(4) + "_contours.csv");
+        contours << read(path.chopped(4) + "_contours.csv");
     }
     QCOMPARE(contours[0], contours[1]);
     QVERIFY(contours[0].startsWith(
@@ -154,7 +136,7 @@ void TestMaps::pointsWithoutASolutionAreCounted() {
     const Finished finished = run({"map", example("paper_fig4b"), "--x", "beta=1e-7:10:12:log", "--y",
                                    "gamma=0.1:0.5:5", "--work-limit", "100", "-o", path});
     QCOMPARE(finished.exitCode, 6);
-    const auto rows = rowsOf(content(path));
+    const auto rows = rowsOf(read(path));
     const auto empty = std::ranges::count_if(rows, [](const auto& row) { return row[2].isEmpty(); });
     QVERIFY(empty > 0 && empty < 60);
     QVERIFY(finished.error.startsWith("drillwave map: " + QByteArray::number(qlonglong(empty)) +
@@ -171,10 +153,10 @@ void TestMaps::picturesStandBesideThePoints() {
                                      folder.filePath(QLatin1String(name) + ".csv")}));
     QCOMPARE(QDir(folder.path()).entryList({"map*"}, QDir::Files, QDir::Name),
              (QStringList{"map.csv", "map.csv.yaml", "map.png", "map.svg", "map_contours.csv"}));
-    QVERIFY(content(folder.filePath("map.png")).startsWith("\x89PNG"));
-    QVERIFY(content(folder.filePath("map.svg")).contains("<svg"));
+    QVERIFY(read(folder.filePath("map.png")).startsWith("\x89PNG"));
+    QVERIFY(read(folder.filePath("map.svg")).contains("<svg"));
     for (const char* ending : {".png", ".svg"})
-        QVERIFY(content(folder.filePath("map") + ending) == content(folder.filePath("again") + ending));
+        QVERIFY(read(folder.filePath("map") + ending) == read(folder.filePath("again") + ending));
     QCOMPARE(run(mapOf("paper_fig4a", {"--plots", "png"})).exitCode, 2);
 }
 

@@ -15,18 +15,6 @@ namespace {
 
 const QString referenceCases = QStringLiteral(DRILLWAVE_SOURCE_DIR "/tests/cases/reference.csv");
 
-QByteArray output(const QStringList& words) {
-    const Finished finished = run(words);
-    if (finished.exitCode != 0) qFatal("%s", finished.error.constData());
-    return finished.out;
-}
-
-QList<QList<QByteArray>> cells(const QByteArray& csv) {
-    QList<QList<QByteArray>> rows;
-    for (const QByteArray& line : csv.trimmed().split('\n')) rows << line.split(',');
-    return rows;
-}
-
 }  // namespace
 
 class TestRows : public QObject {
@@ -66,7 +54,8 @@ void TestRows::theReferenceCasesAgree() {
     QFETCH(QString, output);
     QFETCH(bool, relative);
     QFETCH(double, tolerance);
-    const auto rows = cells(::output({"table", example("paper_fig4a"), referenceCases, "--outputs", output}));
+    const auto rows =
+        rowsOf(::output({"table", example("paper_fig4a"), referenceCases, "--outputs", output}));
     QCOMPARE(rows.size(), 81);
     const qsizetype column = rows[0].indexOf(output.toUtf8());
     QCOMPARE(rows[0].last(), output.toUtf8());
@@ -82,8 +71,8 @@ void TestRows::theReferenceCasesAgree() {
 // The column of the reference is an energy in I0²/(Z t0); the output is a fraction of W, and W0 is 1/(2τ) in
 // that unit.
 void TestRows::theReferenceWorkOnTheRockAgrees() {
-    const auto rows =
-        cells(output({"table", example("paper_fig4a"), referenceCases, "--outputs", "work_ratio,rock_work"}));
+    const auto rows = rowsOf(
+        output({"table", example("paper_fig4a"), referenceCases, "--outputs", "work_ratio,rock_work"}));
     const qsizetype energy = rows[0].indexOf("rock_work");
     const qsizetype tau = rows[0].indexOf("tau");
     for (const auto& row : rows.mid(1)) {
@@ -222,7 +211,7 @@ void TestRows::unsolvedRowsAreWrittenEmptyAndExitCodeIsSix() {
         finished.error);
     QVERIFY2(finished.error.contains("--work-limit, now 1000000, permits more"), finished.error);
     QCOMPARE(finished.error.count('\n'), 1);
-    const auto rows = cells(finished.out);
+    const auto rows = rowsOf(finished.out);
     QCOMPARE(rows.size(), 4);
     QCOMPARE(rows[2], QList<QByteArray>({"1e-300", ""}));
     QVERIFY(!rows[3][1].isEmpty());
@@ -231,12 +220,12 @@ void TestRows::unsolvedRowsAreWrittenEmptyAndExitCodeIsSix() {
 // A limit of pieces, not of seconds: the same cells are empty on every machine.
 void TestRows::theWorkOfARowHasALimit() {
     const QStringList words{"sweep", example("paper_fig4b"), "--vary", "beta=0.5,1e-7", "-j1"};
-    const auto whole = cells(output(words));
+    const auto whole = rowsOf(output(words));
     QVERIFY(!whole[1][1].isEmpty() && !whole[2][1].isEmpty());
     const Finished limited = run(words + QStringList{"--work-limit", "10000"});
     QCOMPARE(limited.exitCode, 6);
     QVERIFY2(limited.error.contains("--work-limit, now 10000,"), limited.error);
-    const auto rows = cells(limited.out);
+    const auto rows = rowsOf(limited.out);
     QCOMPARE(rows[1], whole[1]);
     QVERIFY(rows[2][1].isEmpty());
     QCOMPARE(run(words + QStringList{"--work-limit", "0"}).exitCode, 2);

@@ -14,23 +14,7 @@
 
 using namespace drillwave::test;
 
-namespace {
-
-QByteArray output(const QStringList& words) {
-    const Finished finished = run(words);
-    if (finished.exitCode != 0) qFatal("%s", finished.error.constData());
-    return finished.out;
-}
-
-/// Rows of a CSV behind its "#" lines.
-QList<QList<QByteArray>> rowsOf(const QByteArray& csv) {
-    QList<QList<QByteArray>> rows;
-    for (const QByteArray& line : csv.trimmed().split('\n'))
-        if (!line.startsWith('#')) rows << line.split(',');
-    return rows;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 class TestStudies : public QObject {
     Q_OBJECT

@@ -32,6 +32,19 @@ Finished run(const QStringList& words, const QProcessEnvironment& environment) {
     return finish(process);
 }
 
+QByteArray output(const QStringList& words) {
+    const Finished finished = run(words);
+    if (finished.exitCode != 0) qFatal("%s", finished.error.constData());
+    return finished.out;
+}
+
+QList<QList<QByteArray>> rowsOf(const QByteArray& csv) {
+    QList<QList<QByteArray>> rows;
+    for (const QByteArray& line : csv.trimmed().split('\n'))
+        if (!line.startsWith('#')) rows << line.split(',');
+    return rows;
+}
+
 Finished shell(const QString& line, const QString& folder) {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();

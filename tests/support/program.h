@@ -24,6 +24,12 @@ struct Finished {
 Finished run(const QStringList& words,
              const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment());
 
+/// What `words` prints; the test ends where that fails.
+QByteArray output(const QStringList& words);
+
+/// The cells of a CSV without quotes, line by line, without its "#" lines.
+QList<QList<QByteArray>> rowsOf(const QByteArray& csv);
+
 /// A line for a shell in that folder that finds the built program as `drillwave`, as people paste it.
 Finished shell(const QString& line, const QString& folder = QDir::tempPath());
 

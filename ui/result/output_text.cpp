@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "ui/result/output_unit.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -38,24 +39,9 @@ QString outputText(const Output& output, const SolvedBlow& blow) {
             return shown(value, blow.units.energy);
         case Measure::share:
             return percent(value);
-        case Measure::time:
-            return shown(value, blow.units.time);
-        case Measure::impulse:
-            return shown(value, blow.units.impulse);
-        case Measure::force:
-            return shown(value, blow.units.force);
-        case Measure::penetration:
-            return shown(value, blow.units.penetration);
-        case Measure::stress:
-            return shown(value, blow.units.stress);
-        case Measure::newton:
-            return shown(value, blow.units.of(UnitKind::force, value));
-        case Measure::watt:
-            return shown(value, blow.units.of(UnitKind::power, value));
-        case Measure::speed:
-            return shown(value, blow.units.of(UnitKind::rate, value));
+        default:
+            return shown(value, outputUnit(output, blow.units, value));
     }
-    return {};
 }
 
 QString impulseText(const Output& output, const SolvedBlow& blow) {

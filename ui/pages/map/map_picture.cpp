@@ -10,6 +10,7 @@
 #include "core/model/scales.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
+#include "ui/result/output_unit.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -37,12 +38,6 @@ const Unit& axisUnit(const SweepAxis& axis, const ShownUnits& units) {
     const auto kind = kindOf(*axis.parameter);
     const auto own = kind ? units.chosen.find(*kind) : units.chosen.end();
     return own != units.chosen.end() ? *own->second : customaryUnit(*axis.parameter, units.system);
-}
-
-/// Of a result in SI, from the unit of what is dimensionless.
-ShownUnit inSi(ShownUnit unit, double scale) {
-    unit.factor /= scale;
-    return unit;
 }
 
 }  // namespace
@@ -120,30 +115,11 @@ OutputUnits mapUnits(const Output& output, UnitSystem system) {
 ShownUnit mapUnit(const OutputColumn& output, const Scenario& scenario, const ShownUnits& units) {
     constexpr double aThrust = 1e4, aPower = 1e4, aRate = 1e-2;  // [N], [W], [m/s]: sizes usual with drills
     const Scales scales = output.units == OutputUnits::si ? scalesOf(scenario) : Scales{};
-    switch (output.output->measure) {
-        case Measure::number:
-        case Measure::error:
-        case Measure::work:
-        case Measure::share:
-            return {};
-        case Measure::time:
-            return inSi(units.time, scales.time);
-        case Measure::impulse:
-            return inSi(units.impulse, scales.impulse);
-        case Measure::force:
-            return inSi(units.force, scales.force);
-        case Measure::penetration:
-            return inSi(units.penetration, scales.penetration);
-        case Measure::stress:
-            return inSi(units.stress, scales.stress);
-        case Measure::newton:
-            return units.of(UnitKind::force, aThrust);
-        case Measure::watt:
-            return units.of(UnitKind::power, aPower);
-        case Measure::speed:
-            return units.of(UnitKind::rate, aRate);
-    }
-    return {};
+    const Measure measure = output.output->measure;
+    const double size = measure == Measure::newton ? aThrust : measure == Measure::watt ? aPower : aRate;
+    ShownUnit unit = outputUnit(*output.output, units, size);
+    unit.factor /= output.output->scale(scales);
+    return unit;
 }
 
 MapPicture mapPicture(std::shared_ptr<const MapReport> report, const ShownUnits& units) {

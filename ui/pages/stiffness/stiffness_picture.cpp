@@ -11,6 +11,7 @@
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/pages/study/preset_places.h"
+#include "ui/result/output_unit.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
@@ -19,34 +20,6 @@ namespace {
 
 QString tr(const char* text) {
     return QCoreApplication::translate("drillwave::StiffnessPicture", text);
-}
-
-/// How a column of the study is shown. Shares, works and plain numbers stay as they are.
-ShownUnit unitOf(const OutputColumn& column, const ShownUnits& units, double size) {
-    switch (column.output->measure) {
-        case Measure::number:
-        case Measure::error:
-        case Measure::work:
-        case Measure::share:
-            return {};
-        case Measure::time:
-            return units.time;
-        case Measure::impulse:
-            return units.impulse;
-        case Measure::force:
-            return units.force;
-        case Measure::penetration:
-            return units.penetration;
-        case Measure::stress:
-            return units.stress;
-        case Measure::newton:
-            return units.of(UnitKind::force, size);
-        case Measure::watt:
-            return units.of(UnitKind::power, size);
-        case Measure::speed:
-            return units.of(UnitKind::rate, size);
-    }
-    return {};
 }
 
 double largestOf(const CurveStudy& study) {
@@ -221,7 +194,7 @@ StiffnessPicture stiffnessPicture(const StiffnessStudy& study, const ShownUnits&
     picture.to = question.along.stop * picture.x.factor;
     picture.logarithmic = question.along.kind == SweepAxis::Kind::logarithmic;
     picture.output = column.output;
-    picture.value = unitOf(column, units, largestOf(study.curve));
+    picture.value = outputUnit(*column.output, units, largestOf(study.curve));
     // Columns in SI were scaled by the study, in which the scales may change along the parameter.
     const bool isScaled = column.units == OutputUnits::si && !column.output->isOnlySi();
     picture.valueFactor =
