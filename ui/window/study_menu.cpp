@@ -11,13 +11,19 @@ StudyMenu::StudyMenu(PageTabs& pages, QWidget* window) : QMenu(tr("&Study"), win
         if (qobject_cast<StudyPage*>(&pages.page(index)))
             addAction(pages.page(index).title(), this, [&pages, index] { pages.setCurrentIndex(index); });
     addSeparator();
-    m_copy = addAction(tr("&Copy as command line"), this, [this] { current()->copyCommand(); });
-    m_cancel = addAction(tr("C&ancel"), this, [this] { current()->activity()->cancel(); });
+    m_copy = addAction(tr("&Copy as command line"), this, [this] {
+        if (StudyPage* page = current()) page->copyCommand();
+    });
+    m_cancel = addAction(tr("C&ancel"), this, [this] {
+        if (StudyPage* page = current()) page->activity()->cancel();
+    });
     connect(this, &QMenu::aboutToShow, this, &StudyMenu::update);
+    connect(&pages, &QStackedWidget::currentChanged, this, &StudyMenu::update);
+    update();
 }
 
 StudyPage* StudyMenu::current() const {
-    return qobject_cast<StudyPage*>(&m_pages.current());
+    return qobject_cast<StudyPage*>(m_pages.currentWidget());
 }
 
 void StudyMenu::update() {
