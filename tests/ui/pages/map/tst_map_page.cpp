@@ -290,7 +290,7 @@ void TestMapPage::thePointerReadsThePointBelowIt() {
     QTest::mouseMove(m_page->plot(), pixelOf(grid.xs()[20], grid.ys()[12]));
     auto* words = m_page->findChild<QLabel*>(QStringLiteral("words"));
     QTRY_VERIFY(words->text().contains(QStringLiteral("stiffness β = ")));
-    const QString value = QString::number(grid.value(20, 12), 'g', 3);
+    const QString value = QLocale().toString(grid.value(20, 12), 'g', 3);
     QVERIFY2(words->text().contains(value), qPrintable(words->text()));
 }
 
