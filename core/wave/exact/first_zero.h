@@ -59,6 +59,23 @@ struct LocalPolynomial {
     }
 };
 
+/// p(u) and p'(u) by two Horner schemes in u², of the even and of the odd powers: they do not wait for each
+/// other.
+template <class Real>
+std::array<Real, 2> valueAndSlope(const Real* c, int count, Real u) {
+    const Real square = u * u;
+    Real even = 0, odd = 0, evenSlope = 0, oddSlope = 0;
+    int k = count - 1;
+    if (k % 2 == 0) even = c[k--];
+    for (; k > 0; k -= 2) {
+        oddSlope = oddSlope * square + odd;
+        odd = odd * square + c[k];
+        evenSlope = evenSlope * square + even;
+        even = even * square + c[k - 1];
+    }
+    return {even + u * odd, odd + 2 * u * (evenSlope + u * oddSlope)};
+}
+
 /// Where a march along a polynomial ended.
 enum class MarchEnd { zero, passed, exhausted };
 
@@ -68,11 +85,7 @@ template <class Real>
 MarchEnd marchToZero(const Real* c, int count, Real end, Real curvature, Real noise, Real& u, int mostSteps) {
     const Real tiny = std::numeric_limits<Real>::min();
     for (int step = 0; step < mostSteps; ++step) {
-        Real value = 0, slope = 0;
-        for (int k = count - 1; k >= 0; --k) {
-            slope = slope * u + value;
-            value = value * u + c[k];
-        }
+        auto [value, slope] = valueAndSlope(c, count, u);
         if (step > 0 && value <= noise && slope <= 0) return MarchEnd::zero;
         value = std::max(value, Real(0));
         // largest h with value + slope h − curvature h²/2 ≥ 0
@@ -131,14 +144,17 @@ Zero<Real> firstZero(const Real* c, int count, Real end, Real start = 0) {
         while (count > 0 && c[0] == 0) ++c, --count;
     if (count == 0) return {};
     if (start == 0 && c[0] < 0) return Zero<Real>::at(0);
-    Real slopeSum = 0, curvature = 0;
-    for (int k = 1; k < count; ++k) {
-        const Real size = std::abs(c[k]);
-        slopeSum += size;
-        curvature += Real(k * (k - 1)) * size;
+    // Lower bounds of p and p'' over [0, 1] by Horner's scheme: c_k + u r(u) ≥ c_k + min(least r, 0). They
+    // see how coefficients of alternating signs cancel.
+    Real size = 0, least = 0, bend = 0;
+    for (int k = count - 1; k >= 0; --k) {
+        size += std::abs(c[k]);
+        least = c[k] + std::min(least, Real(0));
+        if (k > 1) bend = Real(k * (k - 1)) * c[k] + std::min(bend, Real(0));
     }
-    if (start == 0 && c[0] > slopeSum) return {};  // p cannot reach zero on [0, 1]
-    const Real noise = 4 * std::numeric_limits<Real>::epsilon() * (std::abs(c[0]) + slopeSum);
+    const Real noise = 4 * std::numeric_limits<Real>::epsilon() * size;
+    if (start == 0 && least > noise) return {};
+    const Real curvature = -std::min(bend, Real(0));
     Real u = start;
     switch (marchToZero(c, count, end, curvature, noise, u, 24)) {
         case MarchEnd::zero:
