@@ -35,6 +35,7 @@ class BlowPage : public PlotPage {
     void setUpSection();
     void showSection(double section);
     void showPlace();
+    void reserveInstant();
     void showInstant();
     void setMeanings();
     void carryCursors();
