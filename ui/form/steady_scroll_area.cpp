@@ -15,7 +15,8 @@ SteadyScrollArea::SteadyScrollArea(QWidget* parent) : QScrollArea(parent) {
 void SteadyScrollArea::resizeEvent(QResizeEvent* event) {
     QScrollArea::resizeEvent(event);
     const QScrollBar* bar = verticalScrollBar();
-    const QMargins margins(0, 0, bar->isVisibleTo(this) ? 0 : bar->sizeHint().width(), 0);
+    const bool isNeeded = bar->minimum() < bar->maximum();
+    const QMargins margins(0, 0, isNeeded ? 0 : bar->sizeHint().width(), 0);
     if (margins != viewportMargins()) setViewportMargins(margins);
 }
 

@@ -14,12 +14,13 @@ namespace {
 
 constexpr int cellColumns = 3;  // of two lines each
 constexpr int margin = 3;
-constexpr int choiceWidth = 110;
+constexpr int choiceWidth = 96;
+constexpr int digitsWhereNarrow = 5;
 constexpr int lineGap = 1;
 
-QString cellText(const ReadingCell& cell, const QLocale& locale) {
+QString cellText(const ReadingCell& cell, const QLocale& locale, int digits) {
     if (cell.name.isEmpty()) return {};
-    const QString number = cell.text(locale);
+    const QString number = cell.text(locale, digits);
     return cell.label.isEmpty() ? number : cell.label + QLatin1Char(' ') + number;
 }
 
@@ -58,7 +59,7 @@ CursorBar::CursorBar(QWidget* parent)
     connect(m_choice, &QComboBox::activated, this,
             [this](int index) { emit curveChosen(m_curves.at(index)); });
     m_grid->setContentsMargins(8, margin, 4, margin);
-    m_grid->setHorizontalSpacing(10);
+    m_grid->setHorizontalSpacing(8);
     m_grid->setVerticalSpacing(lineGap);
     arrange();
 }
@@ -95,7 +96,10 @@ void CursorBar::arrange() {
 
 void CursorBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
-    if (isWide(event->size().width()) != isWide(event->oldSize().width())) arrange();
+    if (isWide(event->size().width()) != isWide(event->oldSize().width())) {
+        arrange();
+        writeCells();
+    }
 }
 
 void CursorBar::setCurves(const QList<QCPGraph*>& curves, const QCPGraph* chosen) {
@@ -115,13 +119,18 @@ void CursorBar::setCurves(const QList<QCPGraph*>& curves, const QCPGraph* chosen
 void CursorBar::present(const ReadingCells& cells, Of of) {
     m_cells = cells;
     m_text = readingText(cells, locale());
-    for (qsizetype i = 0; i < m_labels.size(); ++i) {
-        const ReadingCell cell = cells.value(i);
-        m_labels[i]->setText(cellText(cell, locale()));
-        m_labels[i]->setToolTip(cell.name);
-    }
+    writeCells();
     m_close->setEnabled(of == Of::cursors);
     setAccessibleName(of == Of::cursors ? tr("Cursors: %1").arg(m_text) : tr("In view: %1").arg(m_text));
+}
+
+void CursorBar::writeCells() {
+    const int digits = isWide(width()) ? readingDigits : digitsWhereNarrow;
+    for (qsizetype i = 0; i < m_labels.size(); ++i) {
+        const ReadingCell cell = m_cells.value(i);
+        m_labels[i]->setText(cellText(cell, locale(), digits));
+        m_labels[i]->setToolTip(cell.name);
+    }
 }
 
 void CursorBar::copy() const {

@@ -45,6 +45,7 @@ class CursorBar : public QFrame {
   private:
     bool isWide(int width) const;
     void arrange();
+    void writeCells();
 
     QComboBox* m_choice;
     QGridLayout* m_grid;

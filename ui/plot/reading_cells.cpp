@@ -10,7 +10,6 @@
 namespace drillwave {
 namespace {
 
-constexpr int digits = 6;
 constexpr qsizetype longestLabel = 4;
 
 QString tr(const char* text) {
@@ -41,7 +40,7 @@ QString shortLabel(const QString& name) {
 
 }  // namespace
 
-QString ReadingCell::text(const QLocale& locale) const {
+QString ReadingCell::text(const QLocale& locale, int digits) const {
     if (!std::isfinite(value)) return QStringLiteral("–");
     const QString number = numberText(value, digits, locale);
     return unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit;
@@ -72,7 +71,7 @@ ReadingCells viewCells(const ViewStatistics& statistics, const CurveMeaning& mea
             {tr("%1 of the least").arg(x), tr("at"), statistics.leastAt, meaning.xUnit},
             {tr("largest %1 in view").arg(y), tr("largest"), statistics.largest, meaning.yUnit},
             {tr("%1 of the largest").arg(x), tr("at"), statistics.largestAt, meaning.xUnit},
-            {tr("%1 from").arg(x), tr("in view"), statistics.begin, meaning.xUnit},
+            {tr("%1 from").arg(x), tr("from"), statistics.begin, meaning.xUnit},
             {tr("%1 to").arg(x), tr("to"), statistics.end, meaning.xUnit},
             {tr("mean in view"), tr("mean"), statistics.mean, meaning.yUnit},
             {},
@@ -82,7 +81,8 @@ ReadingCells viewCells(const ViewStatistics& statistics, const CurveMeaning& mea
 QString readingText(const ReadingCells& cells, const QLocale& locale) {
     QStringList parts;
     for (const ReadingCell& cell : cells)
-        if (!cell.name.isEmpty()) parts.append(cell.name + QChar(QChar::Nbsp) + cell.text(locale));
+        if (!cell.name.isEmpty())
+            parts.append(cell.name + QChar(QChar::Nbsp) + cell.text(locale, readingDigits));
     return parts.join(QStringLiteral(" · "));
 }
 

@@ -20,7 +20,7 @@ struct ReadingCell {
     QString unit = {};
 
     /// "1.2 ms", "–" where it is not known.
-    QString text(const QLocale& locale) const;
+    QString text(const QLocale& locale, int digits) const;
 };
 
 /// Three columns of two cells, x above y, and three more; a cell without a name stays empty.
@@ -32,6 +32,9 @@ ReadingCells cursorCells(const CursorReading& reading, const CurveMeaning& meani
 
 /// Least and largest value and where they are, what is in view, its mean and integral. Likewise.
 ReadingCells viewCells(const ViewStatistics& statistics, const CurveMeaning& meaning);
+
+/// Digits of a number where there is room for it.
+inline constexpr int readingDigits = 6;
 
 /// All cells in one line: "A 1.2 ms · F at A 10 kN · …".
 QString readingText(const ReadingCells& cells, const QLocale& locale);

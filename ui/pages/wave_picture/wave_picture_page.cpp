@@ -199,7 +199,10 @@ void WavePicturePage::showSpan() {
 // The place below the pointer, also when a zoom has brought another one there; else what is in view.
 void WavePicturePage::showReadout() {
     const QString place = m_pointer ? m_picture->readout(*m_pointer) : QString();
-    m_readout->setText(place.isEmpty() ? m_picture->rangeText() : place);
+    const QString range = m_picture->rangeText();
+    const bool fits = m_readout->fontMetrics().horizontalAdvance(range) < m_readout->width();
+    m_readout->setText(!place.isEmpty() ? place : fits ? range : QString());
+    m_readout->setToolTip(range);
 }
 
 // The rod below lies in line with the picture above while the whole of it is in view.
