@@ -199,11 +199,12 @@ DetectedTable detectTable(std::span<const std::string> lines) {
             if (now <= bestScore) continue;
             const DetectedTable table = detectTable(lines, format);
             // Numbers of one column with a decimal comma look like two columns: then the header has one cell,
-            // or the first column does not grow.
+            // or there is none and the first column does not grow.
             const bool splitsNumbers = separator == ',' && bestScore > 0 && table.columns.size() == 2 &&
                                        best.format.decimal == DecimalSign::comma;
             const std::size_t header = headerCells(lines, table.firstLine - 1, separator);
-            if (splitsNumbers && (header == 1 || !increases(lines, format, table.firstLine))) continue;
+            const bool grows = increases(lines, format, table.firstLine);
+            if (splitsNumbers && (header == 1 || (header != 2 && !grows))) continue;
             bestScore = now;
             best = table;
         }

@@ -89,6 +89,7 @@ class SignalShaper {
         m_begin = static_cast<std::size_t>(begin - time.begin());
         m_result.samples = static_cast<std::size_t>(end - begin);
         m_time = std::span(time).subspan(m_begin, m_result.samples);
+        m_result.start = m_time.front();
         return true;
     }
 
@@ -196,7 +197,7 @@ ShapedSignal shapedSignal(const Samples& samples, const SignalRecipe& recipe, co
     return SignalShaper(samples, recipe).shape(stop);
 }
 
-std::optional<TimeSpan> spanAroundPeak(const Samples& samples, const SignalRecipe& recipe) {
+std::optional<RecordSpan> spanAroundPeak(const Samples& samples, const SignalRecipe& recipe) {
     const double zero = zeroOf(samples, recipe);
     const std::size_t peak = peakIndex(samples, zero);
     const double height = samples.value[peak] - zero;
@@ -205,7 +206,7 @@ std::optional<TimeSpan> spanAroundPeak(const Samples& samples, const SignalRecip
     std::size_t from = peak, to = peak;
     while (from > 0 && isInside(from)) --from;
     while (to + 1 < samples.value.size() && isInside(to)) ++to;
-    return TimeSpan{samples.time[from], samples.time[to]};
+    return RecordSpan{samples.time[from], samples.time[to]};
 }
 
 double signOfPeak(const Samples& samples, const SignalRecipe& recipe) {

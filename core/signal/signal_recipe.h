@@ -46,6 +46,7 @@ struct SignalRecipe {
 /// Force over time, and what was done to get it.
 struct ShapedSignal {
     TablePoints points;         ///< time [s], force [N]; of a blow without rounding noise in their digits
+    double start = 0;           ///< time of the table at which the points begin [s]
     std::size_t samples = 0;    ///< between `from` and `to`
     double zero = 0;            ///< what was taken off, as in the table
     std::size_t clipped = 0;    ///< samples that were negative
@@ -67,11 +68,11 @@ double zeroOf(const Samples& samples, const SignalRecipe& recipe);
 
 /// From the beginning to the end of the stretch around the largest value: where the signal has fallen to 2 %
 /// of it on either side. Nothing where all values are the same.
-struct TimeSpan {
+struct RecordSpan {
     double from = 0;  ///< [s]
     double to = 0;    ///< [s]
 };
-std::optional<TimeSpan> spanAroundPeak(const Samples& samples, const SignalRecipe& recipe);
+std::optional<RecordSpan> spanAroundPeak(const Samples& samples, const SignalRecipe& recipe);
 
 /// +1 or −1: the sign, after the zero line, of the largest value in size.
 double signOfPeak(const Samples& samples, const SignalRecipe& recipe);

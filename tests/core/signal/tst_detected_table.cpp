@@ -118,7 +118,8 @@ void TestDetectedTable::aColumnThatGrowsIsNotCutAtItsDecimalComma() {
     const DetectedTable nameless = detectTable(linesOf("0,5\n0,7\n0,9\n"));
     QCOMPARE(nameless.columns.size(), std::size_t{1});
     QCOMPARE(nameless.format.decimal, DecimalSign::comma);
-    // And a table of two columns stays one.
+    // And a table of two columns stays one, even where its times are wrong.
+    QCOMPARE(detectTable(linesOf("t,F\n0,5\n1,7\n0.5,9\n")).columns.size(), std::size_t{2});
     QCOMPARE(detectTable(linesOf("0,5\n1,7\n2,9\n")).columns.size(), std::size_t{2});
 }
 

@@ -217,7 +217,7 @@ void TestSignalRecipe::aBridgeTellsItsStrain() {
 
 // A half sine is at 2 % of its peak asin(0.02)/π of its length, 0.64 µs, from its ends.
 void TestSignalRecipe::theStretchAroundThePeakIsFound() {
-    const std::optional<TimeSpan> span = spanAroundPeak(strainOfABlow(0), blowRecipe());
+    const std::optional<RecordSpan> span = spanAroundPeak(strainOfABlow(0), blowRecipe());
     QVERIFY(span.has_value());
     QVERIFY(std::abs(span->from - 50.6e-6) < 0.11e-6);
     QVERIFY(std::abs(span->to - 149.4e-6) < 0.11e-6);
