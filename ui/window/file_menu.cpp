@@ -26,6 +26,10 @@ bool isCsv(const QString& path) {
     return isCsvName(path.toStdString());
 }
 
+bool isPage(const QString& path) {
+    return QFileInfo(path).suffix().compare(QStringLiteral("html"), Qt::CaseInsensitive) == 0;
+}
+
 // Results begin with the lines of their scenario; a table of times and forces begins with its header.
 bool isResult(const QString& path) {
     QFile file(path);
@@ -144,14 +148,16 @@ void FileMenu::take(const QStringList& paths) {
     const QString refusal = tr("This cannot be taken.");
     if (paths.size() > 1) {
         succeeded(refusal, tr("%1 files were dropped; drop one at a time.").arg(paths.size()));
-    } else if (isScenarioName(paths.first()) || (isCsv(paths.first()) && isResult(paths.first()))) {
+    } else if (isScenarioName(paths.first()) || isPage(paths.first()) ||
+               (isCsv(paths.first()) && isResult(paths.first()))) {
         if (mayDiscard()) openFile(paths.first());
     } else if (isCsv(paths.first())) {
         succeeded(tr("The hammer blow cannot be taken from this file."), m_document.useTable(paths.first()));
     } else {
-        succeeded(refusal, tr("%1\nDrop a scenario (.yaml), a file of a run (.csv, .json), or the "
-                              "CSV file of a hammer blow.")
-                               .arg(QDir::toNativeSeparators(paths.first())));
+        succeeded(refusal,
+                  tr("%1\nDrop a scenario (.yaml), a file of a run (.csv, .json), a report (.html), or the "
+                     "CSV file of a hammer blow.")
+                      .arg(QDir::toNativeSeparators(paths.first())));
     }
 }
 

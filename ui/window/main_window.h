@@ -21,6 +21,7 @@ class FileNotice;
 class FileMenu;
 class PageTabs;
 class Recovery;
+class ReportWriter;
 class ResultPanel;
 class ScenarioPanel;
 class SolveStatus;
@@ -87,6 +88,7 @@ class MainWindow : public QMainWindow {
     Recovery* m_recovery = nullptr;
     ResultPanel* m_resultPanel = nullptr;
     UnitsChoice* m_units;
+    ReportWriter* m_report;
     PageTabs* m_pages;
     SolveStatus* m_solveStatus;
     StudyStatus* m_studyStatus;
