@@ -33,12 +33,22 @@ double impulseOf(const Points& points) {
     return sum;
 }
 
-/// To the nearest multiple of a power of ten that is at most `finest` of the size.
-double rounded(double value, double size) {
-    const int exponent = static_cast<int>(std::floor(std::log10(size * finest)));
-    const double power = std::pow(10, std::abs(exponent));
-    return exponent < 0 ? std::round(value * power) / power : std::round(value / power) * power;
-}
+/// Multiples of a power of ten that is at most `finest` of a size, as the doubles nearest to them.
+class DecimalGrid {
+  public:
+    explicit DecimalGrid(double size)
+        : m_exponent(static_cast<int>(std::floor(std::log10(size * finest)))),
+          m_power(std::pow(10, std::abs(m_exponent))) {}
+
+    double steps(double value) const {
+        return std::round(m_exponent < 0 ? value * m_power : value / m_power);
+    }
+    double at(double steps) const { return m_exponent < 0 ? steps / m_power : steps * m_power; }
+
+  private:
+    int m_exponent;
+    double m_power;
+};
 
 /// The largest distance of a sample from the lines between the points, whose times are those of samples less
 /// `origin`.
@@ -156,13 +166,17 @@ class SignalShaper {
         const double factor = whole / impulseOf(points);
         const double origin = points.front().time;
         const double length = points.back().time - origin;
+        const DecimalGrid times(length);
         double peak = 0;
+        double before = -1;  // [steps]: a jump takes one
         for (TablePoint& point : points) {
-            point.time = rounded(point.time - origin, length);
+            before = std::max(before + 1, times.steps(point.time - origin));
+            point.time = times.at(before);
             if (factor > 0 && std::isfinite(factor)) point.force *= factor;
             peak = std::max(peak, point.force);
         }
-        for (TablePoint& point : points) point.force = rounded(point.force, peak);
+        const DecimalGrid forces(peak);
+        for (TablePoint& point : points) point.force = forces.at(forces.steps(point.force));
     }
 
     const Samples& m_samples;

@@ -32,12 +32,17 @@ QString importSummary(const ImportPreview& preview) {
     parts << tr("Impulse %1, peak %2 at %3.")
                  .arg(pulseText(signal.impulse, UnitKind::impulse), pulseText(signal.peak, UnitKind::force),
                       pulseText(signal.peakTime, UnitKind::time));
-    parts << tr("%1 of %2 samples become %3 points: no sample is further than %4 (%5 of the peak) from the "
-                "lines between them, the impulse changes by %6.")
-                 .arg(countText(signal.samples), countText(preview.samples), countText(signal.points.size()),
-                      pulseText(signal.deviation, UnitKind::force),
-                      peak > 0 ? percent(signal.deviation / peak) : QStringLiteral("–"),
-                      pulseText(signal.impulseChange, UnitKind::impulse));
+    if (signal.points.size() == signal.samples)
+        parts << tr("All of the %1 samples are kept, of %2 in the record.")
+                     .arg(countText(signal.samples), countText(preview.samples));
+    else
+        parts
+            << tr("%1 of %2 samples become %3 points: no sample is further than %4 (%5 of the peak) from the "
+                  "lines between them, the impulse changes by %6.")
+                   .arg(countText(signal.samples), countText(preview.samples),
+                        countText(signal.points.size()), pulseText(signal.deviation, UnitKind::force),
+                        peak > 0 ? percent(signal.deviation / peak) : QStringLiteral("–"),
+                        pulseText(signal.impulseChange, UnitKind::impulse));
     if (signal.clipped > 0)
         parts << tr("%1 negative samples are clipped, which adds %2 to the impulse.")
                      .arg(countText(signal.clipped), pulseText(signal.clippedImpulse, UnitKind::impulse));

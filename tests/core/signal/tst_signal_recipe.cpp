@@ -67,6 +67,7 @@ class TestSignalRecipe : public QObject {
 
   private slots:
     void aBlowFromStrainHasTheImpulseOfItsIntegral();
+    void aBlowMayJump();
     void noiseBelowZeroIsClippedAndCounted();
     void aBlowThatPullsIsRefused();
     void theStatedDeviationHolds_data();
@@ -99,6 +100,16 @@ void TestSignalRecipe::aBlowFromStrainHasTheImpulseOfItsIntegral() {
     QVERIFY(blow.points.size() <= 50);
     QCOMPARE(blow.points.front().time, 0.0);
     QVERIFY(pointProblem(blow.points).reason.empty());
+}
+
+// A rectangle as the program itself writes it.
+void TestSignalRecipe::aBlowMayJump() {
+    const double up = std::nextafter(1e-4, 1), down = std::nextafter(3e-4, 1);
+    const ShapedSignal blow = shapedSignal(
+        samplesOf({0, 1e-4, up, 3e-4, down, 4e-4}, {0, 0, 255e3, 255e3, 0, 0}), {.use = SignalUse::blow});
+    QCOMPARE(blow.points.size(), std::size_t{6});
+    QVERIFY(pointProblem(blow.points).reason.empty());
+    QVERIFY(std::abs(blow.impulse / 51 - 1) < 1e-8);
 }
 
 void TestSignalRecipe::noiseBelowZeroIsClippedAndCounted() {
