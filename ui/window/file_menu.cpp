@@ -33,6 +33,10 @@ bool isTableName(const QString& path) {
     return suffixes.contains(QFileInfo(path).suffix().toLower());
 }
 
+bool isPage(const QString& path) {
+    return QFileInfo(path).suffix().compare(QStringLiteral("html"), Qt::CaseInsensitive) == 0;
+}
+
 // Results begin with the lines of their scenario; a table of times and forces begins with its header.
 bool isResult(const QString& path) {
     QFile file(path);
@@ -155,15 +159,16 @@ void FileMenu::take(const QStringList& paths) {
     const QString refusal = tr("This cannot be taken.");
     if (paths.size() > 1) {
         succeeded(refusal, tr("%1 files were dropped; drop one at a time.").arg(paths.size()));
-    } else if (isScenarioName(paths.first()) || (isCsv(paths.first()) && isResult(paths.first()))) {
+    } else if (isScenarioName(paths.first()) || isPage(paths.first()) ||
+               (isCsv(paths.first()) && isResult(paths.first()))) {
         if (mayDiscard()) openFile(paths.first());
     } else if (isCsv(paths.first())) {
         succeeded(tr("The hammer blow cannot be taken from this file."), m_document.useTable(paths.first()));
     } else if (isTableName(paths.first())) {
         emit importRequested(paths.first());
     } else {
-        succeeded(refusal, tr("%1\nDrop a scenario (.yaml), a file of a run (.csv, .json), the "
-                              "CSV file of a hammer blow, or a table of samples (.txt, .dat).")
+        succeeded(refusal, tr("%1\nDrop a scenario (.yaml), a file of a run (.csv, .json), a report (.html), "
+                              "the CSV file of a hammer blow, or a table of samples (.txt, .dat).")
                                .arg(QDir::toNativeSeparators(paths.first())));
     }
 }

@@ -13,6 +13,7 @@
 #include "core/file/examples.h"
 #include "ui/document/recovery.h"
 #include "ui/export/export_menu.h"
+#include "ui/export/report_writer.h"
 #include "ui/form/scenario_panel.h"
 #include "ui/import/importer.h"
 #include "ui/job/solve_status.h"
@@ -69,6 +70,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
       m_questions(std::move(questions)),
       m_job(std::move(job)),
       m_units(new UnitsChoice(this)),
+      m_report(new ReportWriter(m_document, *m_questions, this)),
       m_pages(new PageTabs(this)),
       m_solveStatus(new SolveStatus(this)),
       m_studyStatus(new StudyStatus(this)),
@@ -117,6 +119,7 @@ void MainWindow::addTabs() {
     bar->toggleViewAction()->setVisible(false);
     bar->addWidget(m_pages->strip());
     bar->addWidget(m_units->button());
+    bar->addAction(m_report->action());
     addToolBar(bar);
 }
 
@@ -147,6 +150,7 @@ void MainWindow::addMenus() {
          [this](const QString& what, auto then) { m_solveStatus->whenCurrent(what, std::move(then)); }},
         this);
     m_fileMenu = new FileMenu(m_document, *m_questions, m_watch, m_exportMenu, this);
+    m_fileMenu->insertAction(m_exportMenu->menuAction(), m_report->action());
     menuBar()->addMenu(m_fileMenu);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     QAction* undo = m_document.undoStack().createUndoAction(edit, tr("&Undo"));
@@ -187,6 +191,10 @@ void MainWindow::wire() {
     connect(m_fileMenu, &FileMenu::exampleOpened, m_exampleNote, &ExampleNote::explain);
     connect(new FileDrop(this), &FileDrop::dropped, m_fileMenu, &FileMenu::take);
     connect(m_exportMenu, &ExportMenu::exported, this, &MainWindow::inform);
+    connect(m_report, &ReportWriter::written, this, &MainWindow::inform);
+    connect(m_report, &ReportWriter::begun, this,
+            [this] { m_studyStatus->follow(&m_report->activity(), tr("Report")); });
+    connect(m_report, &ReportWriter::ended, this, &MainWindow::followPage);
     connect(m_pages, &PageTabs::exportRequested, m_exportMenu, &ExportMenu::save);
     connect(m_resultPanel, &ResultPanel::timeChosen, &m_observation, &Observation::setTime);
     connect(&m_observation, &Observation::timeChanged, m_resultPanel, &ResultPanel::setTime);
@@ -252,6 +260,7 @@ void MainWindow::wireImport() {
 void MainWindow::followPage() {
     const Page& page = m_pages->current();
     m_exportMenu->setExports(page.exports());
+    if (m_report->activity().state() == StudyState::running) return;
     m_studyStatus->follow(page.activity(), page.title());
 }
 

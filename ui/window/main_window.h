@@ -23,6 +23,7 @@ class FileMenu;
 class Importer;
 class PageTabs;
 class Recovery;
+class ReportWriter;
 class ResultPanel;
 class ScenarioPanel;
 class SolveStatus;
@@ -91,6 +92,7 @@ class MainWindow : public QMainWindow {
     Recovery* m_recovery = nullptr;
     ResultPanel* m_resultPanel = nullptr;
     UnitsChoice* m_units;
+    ReportWriter* m_report;
     PageTabs* m_pages;
     SolveStatus* m_solveStatus;
     StudyStatus* m_studyStatus;
