@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The import of measured signals: what is found out, what can be changed, what is taken.
+#include <QDialogButtonBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -26,6 +27,7 @@
 #include "ui/pages/blow/measured_curves.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
+#include "ui/window/file_menu.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -92,6 +94,7 @@ class TestImportDialog : public QObject {
     void aBlowThatTheScenarioRefusesStaysInTheDialog();
     void theDialogFollowsTheRod();
     void theWindowMayCloseWhileTheDialogIsOpen();
+    void aDroppedTableOpensTheDialog();
     void aMeasuredForceLiesOnTheComputedOneOfTheSameBlow_data();
     void aMeasuredForceLiesOnTheComputedOneOfTheSameBlow();
     void anExportedCurveIsReadBack();
@@ -321,6 +324,22 @@ void TestImportDialog::theWindowMayCloseWhileTheDialogIsOpen() {
     QVERIFY(true);
 }
 
+void TestImportDialog::aDroppedTableOpensTheDialog() {
+    part<FileMenu>(*m_window).take({write("record.txt", gaugeRecord())});
+    auto* dialog = m_window->findChild<ImportDialog*>();
+    QVERIFY(dialog && settle(*dialog));
+    QVERIFY(dialog->result() != nullptr);
+    // Another one takes its place.
+    part<FileMenu>(*m_window).take({write("other.txt", gaugeRecord())});
+    QCOMPARE(m_window->findChildren<ImportDialog*>().size(), 1);
+    QVERIFY(m_window->findChild<ImportDialog*>()->windowTitle().contains(QStringLiteral("other.txt")));
+    QPushButton* help =
+        m_window->findChild<ImportDialog*>()->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Help);
+    QCOMPARE(help->shortcut(), QKeySequence(Qt::Key_F1));
+    help->click();
+    QVERIFY(m_answers.told.value(0).contains(QStringLiteral("Zero line")));
+}
+
 void TestImportDialog::aMeasuredForceLiesOnTheComputedOneOfTheSameBlow_data() {
     QTest::addColumn<int>("points");
     QTest::addColumn<bool>("atBit");
@@ -412,23 +431,32 @@ void TestImportDialog::measuredCurvesAreShiftedAndRemoved() {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
     QVERIFY(bar->isVisible());
-    const QVector<QCPGraph*> graphs = page->measuredCurves()->graphs();
-    QCOMPARE(graphs.size(), 2);
-    QCOMPARE(graphs[1]->name(), QStringLiteral("record (2)"));
-    QVERIFY(graphs[0]->pen().color() != graphs[1]->pen().color());
-    QVERIFY(graphs[0]->pen().dashPattern() != graphs[1]->pen().dashPattern());
+    const auto graph = [page](int i) { return page->measuredCurves()->graphs().at(i); };
+    QCOMPARE(page->measuredCurves()->graphs().size(), 2);
+    QCOMPARE(graph(1)->name(), QStringLiteral("record (2)"));
+    QVERIFY(graph(0)->pen().color() != graph(1)->pen().color());
+    QVERIFY(graph(0)->pen().dashPattern() != graph(1)->pen().dashPattern());
     // 1 m of 3.66 m: the section that is on show now.
     QVERIFY(std::abs(m_window->findChild<QDoubleSpinBox*>(QStringLiteral("section"))->value() - 0.273) <
             1e-9);
-    const double before = graphs[1]->data()->at(0)->key;
+    const double before = graph(1)->data()->at(0)->key;
     type(*bar, "measuredShift", QStringLiteral("250 us"));
-    QVERIFY(std::abs(graphs[1]->data()->at(0)->key - before - 0.25) < 1e-9);
-    QVERIFY(graphs[0]->data()->at(0)->key == before);
+    QVERIFY(std::abs(graph(1)->data()->at(0)->key - before - 0.25) < 1e-9);
+    QVERIFY(graph(0)->data()->at(0)->key == before);
+    // It outlives a blow that cannot be solved, and one without units.
+    page->setResult(failedBlow(m_window->shown()->request, QStringLiteral("too stiff")));
+    QVERIFY(page->measuredCurves()->graphs().isEmpty());
+    m_window->document().startFrom(findExample("paper_fig4b")->text, QStringLiteral("paper"));
+    QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy());
+    QVERIFY(page->measuredCurves()->graphs().isEmpty());
+    QVERIFY(bar->isVisible());
+    m_window->document().startFrom(defaultExample().text, QStringLiteral("rod"));
+    QTRY_COMPARE(page->measuredCurves()->graphs().size(), 2);
     // It stays where it is when the scenario changes, and other units show the same.
     Document& document = m_window->document();
     document.assign(*findParameter("pulse.duration"), 150e-6, document.newGesture());
     QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy());
-    QVERIFY(std::abs(graphs[0]->data()->at(0)->key - before) < 1e-9);
+    QVERIFY(std::abs(graph(0)->data()->at(0)->key - before) < 1e-9);
     control<QPushButton>(*bar, "removeMeasured").click();
     QCOMPARE(page->measuredCurves()->graphs().size(), 1);
     control<QPushButton>(*bar, "removeMeasured").click();

@@ -196,8 +196,8 @@ void BlowPage::showMeasured() {
     m_measuredCurves->present(m_measured->signalList(), *m_blow);
     m_measuredBar->setStyle(PlotStyle::forScreen(palette(), font()));
     m_measuredBar->setComparable(isComparable(*m_blow) || !m_blow->problem.isEmpty());
-    const CurveMeaning meaning = blowMeanings(m_blow).closedForm;
-    for (const QCPGraph* graph : m_measuredCurves->graphs()) m_plot->setMeaning(graph, meaning);
+    for (const QCPGraph* graph : m_measuredCurves->graphs())
+        m_plot->setMeaning(graph, forceMeaning(m_blow->units));
 }
 
 void BlowPage::goToPlace(double x) {
