@@ -377,6 +377,13 @@ void TestImportDialog::aMeasuredForceLiesOnTheComputedOneOfTheSameBlow() {
     QCOMPARE(page->measuredCurves()->graphs().size(), 1);
     const QCPGraph* graph = page->measuredCurves()->graphs().first();
     QVERIFY(graph->data()->size() <= points);
+    // Moved away it is put back where it fits.
+    type(*page, "measuredShift", QStringLiteral("130 us"));
+    page->findChild<QPushButton*>(QStringLiteral("alignMeasured"))->click();
+    const std::optional<double> shift =
+        page->findChild<QuantityField*>(QStringLiteral("measuredShift"))->value();
+    QVERIFY2(std::abs(*shift) < 2e-6, qPrintable(QString::number(*shift)));
+    type(*page, "measuredShift", QStringLiteral("0"));
     const ShownUnits& units = blow->units;
     double largest = 0;
     auto next = graph->data()->constBegin();

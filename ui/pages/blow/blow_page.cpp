@@ -8,7 +8,9 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "core/signal/alignment.h"
 #include "core/wave/field/rod_state.h"
+#include "core/wave/field/wave_field.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_bar.h"
@@ -183,6 +185,7 @@ void BlowPage::follow(MeasuredList& measured) {
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->insertWidget(column->indexOf(m_instant), m_measuredBar);
     connect(m_measuredBar, &MeasuredBar::placeChosen, this, &BlowPage::goToPlace);
+    connect(m_measuredBar, &MeasuredBar::alignmentWanted, this, &BlowPage::align);
     connect(&measured, &MeasuredList::changed, this, [this] {
         showMeasured();
         m_plots->fitUnlessZoomed();
@@ -203,6 +206,24 @@ void BlowPage::showMeasured() {
 void BlowPage::goToPlace(double x) {
     if (!m_blow || m_blow->request.scenario.form != ScenarioForm::dimensional) return;
     m_observation.setSection(std::clamp(x / m_blow->request.scenario.rod.length, 0.0, 1.0));
+}
+
+// With N in its own section, or the impact force, over the time that the plots show.
+void BlowPage::align(std::size_t index) {
+    if (!m_blow || !isComparable(*m_blow) || index >= m_measured->signalList().size()) return;
+    const auto* curves = m_blow->page<BlowCurves>();
+    const MeasuredSignal& signal = m_measured->signalList()[index];
+    if (!curves || !(curves->timeEnd > 0)) return;
+    const Scenario& scenario = m_blow->request.scenario;
+    const double unit = scalesOf(scenario).time;
+    const double section = std::clamp(signal.place / scenario.rod.length, 0.0, 1.0);
+    const WaveField field(m_blow->impact);
+    const auto computed = [&](double time) {
+        return signal.quantity == MeasuredQuantity::normalForce ? field.force(section, time / unit)
+                                                                : field.impactForce(time / unit);
+    };
+    const double end = curves->timeEnd / m_blow->units.time.factor * unit;
+    m_measured->setTimeShift(index, bestShift(signal.points, computed, end));
 }
 
 void BlowPage::setGhost(const SolvedBlowPtr& before) {
