@@ -26,6 +26,13 @@ bool isCsv(const QString& path) {
     return isCsvName(path.toStdString());
 }
 
+// Tables of samples that no command writes: only importing finds out what they hold.
+bool isTableName(const QString& path) {
+    static const QStringList suffixes{QStringLiteral("txt"), QStringLiteral("tsv"), QStringLiteral("dat"),
+                                      QStringLiteral("asc"), QStringLiteral("prn")};
+    return suffixes.contains(QFileInfo(path).suffix().toLower());
+}
+
 bool isPage(const QString& path) {
     return QFileInfo(path).suffix().compare(QStringLiteral("html"), Qt::CaseInsensitive) == 0;
 }
@@ -64,6 +71,10 @@ void FileMenu::addFileActions(QMenu* exports) {
     addAction(tr("&Save"), QKeySequence::Save, this, &FileMenu::save);
     // Without a desktop theme some standard shortcuts are empty.
     addAction(tr("Save &As…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this, &FileMenu::saveAs);
+    QAction* import = addAction(tr("&Import…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I), this,
+                                [this] { emit importRequested({}); });
+    import->setToolTip(
+        tr("A measured signal from a table of samples: as the hammer blow, or to compare with"));
     addMenu(exports);
     addSeparator();
     QAction* quit = addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), m_window, &QWidget::close);
@@ -153,11 +164,12 @@ void FileMenu::take(const QStringList& paths) {
         if (mayDiscard()) openFile(paths.first());
     } else if (isCsv(paths.first())) {
         succeeded(tr("The hammer blow cannot be taken from this file."), m_document.useTable(paths.first()));
+    } else if (isTableName(paths.first())) {
+        emit importRequested(paths.first());
     } else {
-        succeeded(refusal,
-                  tr("%1\nDrop a scenario (.yaml), a file of a run (.csv, .json), a report (.html), or the "
-                     "CSV file of a hammer blow.")
-                      .arg(QDir::toNativeSeparators(paths.first())));
+        succeeded(refusal, tr("%1\nDrop a scenario (.yaml), a file of a run (.csv, .json), a report (.html), "
+                              "the CSV file of a hammer blow, or a table of samples (.txt, .dat).")
+                               .arg(QDir::toNativeSeparators(paths.first())));
     }
 }
 

@@ -15,6 +15,7 @@
 #include "ui/export/export_menu.h"
 #include "ui/export/report_writer.h"
 #include "ui/form/scenario_panel.h"
+#include "ui/import/importer.h"
 #include "ui/job/solve_status.h"
 #include "ui/job/study_status.h"
 #include "ui/pages/accuracy/accuracy_page.h"
@@ -80,7 +81,9 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     addTabs();
     addCenter();
     addDocks();
-    m_pages->add(new BlowPage(m_observation), PageGroup::thisBlow);
+    auto* blow = new BlowPage(m_observation);
+    blow->follow(m_measured);
+    m_pages->add(blow, PageGroup::thisBlow);
     m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
     m_pages->add(new StiffnessPage(m_document), PageGroup::studies);
@@ -93,6 +96,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     wire();
     wireGhost();
     wireSolving();
+    wireImport();
     presentState();
     m_layout->restoreSize();
     m_pages->restoreChoice();
@@ -237,6 +241,19 @@ void MainWindow::wireSolving() {
     connect(m_solveStatus, &SolveStatus::marked, this, &MainWindow::markResult);
     connect(m_solveStatus, &SolveStatus::currentChanged, m_pages, &PageTabs::setCurrent);
     connect(m_solveStatus, &SolveStatus::calledOff, this, &MainWindow::inform);
+}
+
+void MainWindow::wireImport() {
+    m_importer = std::make_unique<Importer>(m_document, m_measured, *m_questions, this);
+    connect(m_fileMenu, &FileMenu::importRequested, this, [this](const QString& path) {
+        if (path.isEmpty())
+            m_importer->start(ImportUse::normalForce);
+        else
+            m_importer->open(path, ImportUse::normalForce);
+    });
+    connect(m_scenarioPanel.get(), &ScenarioPanel::importRequested, this,
+            [this] { m_importer->start(ImportUse::blow); });
+    connect(m_importer.get(), &Importer::imported, this, &MainWindow::inform);
 }
 
 // What the page on show can write, and what it computes.
