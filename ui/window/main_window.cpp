@@ -36,9 +36,11 @@
 #include "ui/window/file_notice.h"
 #include "ui/window/help_menu.h"
 #include "ui/window/page_tabs.h"
+#include "ui/window/plot_view_menu.h"
 #include "ui/window/recovery_offer.h"
 #include "ui/window/study_menu.h"
 #include "ui/window/tab_strip.h"
+#include "ui/window/table_notice.h"
 #include "ui/window/units_choice.h"
 #include "ui/window/window_layout.h"
 
@@ -125,12 +127,14 @@ void MainWindow::addTabs() {
 
 void MainWindow::addCenter() {
     m_fileNotice = new FileNotice(m_document, m_watch, *m_questions);
+    auto* tableNotice = new TableNotice(m_document, *new TableWatch(m_document, this), *m_questions);
     m_exampleNote = new ExampleNote;
     auto* center = new QWidget(this);
     auto* layout = new QVBoxLayout(center);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_fileNotice);
+    layout->addWidget(tableNotice);
     layout->addWidget(m_exampleNote);
     layout->addWidget(m_pages, 1);
     setCentralWidget(center);
@@ -169,6 +173,9 @@ void MainWindow::addViewMenu() {
     view->addSeparator();
     view->addAction(tr("&Fit plots"), QKeySequence(Qt::CTRL | Qt::Key_0), this,
                     [this] { m_pages->current().fit(); });
+    auto* plot = new PlotViewMenu(*m_pages, this);
+    view->addMenu(plot);
+    view->addAction(plot->tableAction());
     view->addSeparator();
     m_pages->addTo(*view);
     (new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultPanel}, this))->addTo(*view);

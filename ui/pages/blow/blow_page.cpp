@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/wave/field/rod_state.h"
 #include "ui/pages/blow/blow_meanings.h"
@@ -125,10 +126,9 @@ void BlowPage::showPlace() {
 void BlowPage::showInstant() {
     const std::optional<double> time = m_observation.time();
     const bool known = time && m_blow && m_blow->problem.isEmpty();
-    m_instant->setVisible(known);
     m_plot->reader().place(PlotCursor::time,
                            known ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
-    if (!known) return;
+    if (!known) return m_instant->setText(tr("No time chosen: click an event, or press T over the plots."));
     const RodState instant = rodState(m_blow->impact, m_blow->solved.hammer, m_observation.section(), *time);
     const ShownUnits& units = m_blow->units;
     const QLocale locale;
@@ -210,8 +210,19 @@ void BlowPage::setGhost(const SolvedBlowPtr& before) {
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
+// As many lines as the longest readings need at this width: the plots below stand still whatever it says.
+void BlowPage::reserveInstant() {
+    const QString longest =
+        QStringLiteral("t = %1 · N = %1 · F = %1 · I = %1 · p = %1").arg(QStringLiteral("−888.8 kN s"));
+    const QMargins margins = m_instant->contentsMargins();
+    const QRect room(0, 0, std::max(1, width() - margins.left() - margins.right()), height());
+    const int text = m_instant->fontMetrics().boundingRect(room, Qt::TextWordWrap, longest).height();
+    m_instant->setFixedHeight(text + margins.top() + margins.bottom());
+}
+
 void BlowPage::resizeEvent(QResizeEvent* event) {
     PlotPage::resizeEvent(event);
+    reserveInstant();
     m_hint->setText(width() > hintChars * fontMetrics().averageCharWidth()
                         ? tr("wheel zooms · drag moves · double-click fits")
                         : QString());

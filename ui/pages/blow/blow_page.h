@@ -42,6 +42,7 @@ class BlowPage : public PlotPage {
     void setUpSection();
     void showSection(double section);
     void showPlace();
+    void reserveInstant();
     void showInstant();
     void setMeanings();
     void carryCursors();
