@@ -3,6 +3,7 @@
 
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/rock/rock_plot.h"
+#include "ui/pages/rod/rod_plot.h"
 
 namespace drillwave {
 namespace {
@@ -37,6 +38,11 @@ Pictures drawBlowPlots(const Scenario& scenario, const Impact& impact,
     RockPlot rock(&rockPlot);
     rock.setStyle(style);
     rock.present(rockCurve(impact, problem, shown));
+    QCustomPlot rodPlot;
+    rodPlot.setLocale(QLocale::c());
+    RodPlot rod(&rodPlot);
+    rod.setStyle(style);
+    rod.present(rodCurves(impact, problem.hammer, scenario, shown, stop));
 
     struct Drawn {
         const char* name;
@@ -44,7 +50,8 @@ Pictures drawBlowPlots(const Scenario& scenario, const Impact& impact,
         Millimetres size;
     };
     const QString title = QString::fromStdString(scenario.title);
-    for (const Drawn& drawn : {Drawn{"blow", &blowPlot, {180, 240}}, Drawn{"rock", &rockPlot, {120, 90}}}) {
+    for (const Drawn& drawn : {Drawn{"blow", &blowPlot, {180, 240}}, Drawn{"rock", &rockPlot, {120, 90}},
+                               Drawn{"rod", &rodPlot, {180, 110}}}) {
         Pictures more = renderPictures(*drawn.plot, drawn.size, title, {drawn.name, formats, stop});
         if (!more.problem.isEmpty()) return {{}, more.problem};
         for (NamedFile& file : more.files) pictures.files.push_back(std::move(file));

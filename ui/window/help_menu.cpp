@@ -29,6 +29,9 @@ void HelpMenu::showMouseAndKeys() {
            "Wave picture\n"
            "Drag the dashed line (section) and the solid line (time), or Ctrl+arrows; Space: play\n"
            "\n"
+           "Rod\n"
+           "Click on a peak or a curve: section and time at which the stress is that large\n"
+           "\n"
            "Fields\n"
            "Type a number with any unit: 38 mm, 1.5 in; Up, Down or the wheel: step; Alt+Down: unit"));
 }

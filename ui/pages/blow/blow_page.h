@@ -5,13 +5,13 @@
 #include "ui/job/observation.h"
 #include "ui/pages/plot_page.h"
 
-class QDoubleSpinBox;
 class QHBoxLayout;
 class QLabel;
 
 namespace drillwave {
 
 class BlowPlots;
+class SectionField;
 
 class BlowPage : public PlotPage {
     Q_OBJECT
@@ -32,8 +32,7 @@ class BlowPage : public PlotPage {
 
   private:
     QHBoxLayout* makeBar();
-    void setUpSection();
-    void showSection(double section);
+    void showSection();
     void showPlace();
     void showInstant();
     void setMeanings();
@@ -41,7 +40,7 @@ class BlowPage : public PlotPage {
 
     Observation& m_observation;
     QLabel* m_hint;
-    QDoubleSpinBox* m_section;
+    SectionField* m_section;
     QLabel* m_place;
     QLabel* m_instant;
     PlotWidget* m_plot;
