@@ -23,6 +23,7 @@
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/rock/rock_page.h"
+#include "ui/pages/rod/rod_page.h"
 #include "ui/pages/stiffness/stiffness_page.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
@@ -88,6 +89,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(blow, PageGroup::thisBlow);
     m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
+    m_pages->add(new RodPage(m_observation), PageGroup::thisBlow);
     m_pages->add(new StiffnessPage(m_document), PageGroup::studies);
     m_pages->add(new GapPage(m_document), PageGroup::studies);
     m_pages->add(new MapPage(m_document), PageGroup::studies);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/blow/blow_page.h"
 
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -14,6 +12,7 @@
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_bar.h"
 #include "ui/pages/blow/measured_curves.h"
+#include "ui/pages/section_field.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
 
@@ -28,13 +27,14 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     : PlotPage(parent),
       m_observation(observation),
       m_hint(new QLabel(this)),
-      m_section(new QDoubleSpinBox(this)),
+      m_section(new SectionField(
+          observation, tr("Where in the rod the waves are observed: 0 is the struck end, 1 the bit."), this)),
       m_place(new QLabel(this)),
       m_instant(new QLabel(this)),
       m_plot(makePlot()),
       m_plots(new BlowPlots(m_plot)),
       m_measuredCurves(new MeasuredCurves(m_plots)) {
-    setUpSection();
+    m_place->setObjectName(QStringLiteral("place"));
     m_instant->setObjectName(QStringLiteral("instant"));
     m_instant->setContentsMargins(8, 0, 8, 0);
     m_instant->setWordWrap(true);
@@ -53,7 +53,6 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
         m_plots->setStyle(style);
         m_measuredCurves->setStyle(style);
     });
-    connect(m_section, &QDoubleSpinBox::valueChanged, &observation, &Observation::setSection);
     connect(&observation, &Observation::sectionChanged, this, &BlowPage::showSection);
     connect(&observation, &Observation::timeChanged, this, &BlowPage::showInstant);
     connect(m_plot, &PlotWidget::fitRequested, m_plots, &BlowPlots::fit);
@@ -62,19 +61,6 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     });
     showPlace();
     showInstant();
-}
-
-void BlowPage::setUpSection() {
-    m_section->setObjectName(QStringLiteral("section"));
-    m_section->setRange(0, 1);
-    m_section->setDecimals(3);
-    m_section->setSingleStep(0.01);
-    m_section->setValue(m_observation.section());
-    m_section->setAccessibleName(tr("Section x/L of the waves"));
-    m_section->setToolTip(
-        tr("Where in the rod the waves are observed: 0 is the struck end, 1 the bit.\n"
-           "Up and Down move it by 0.01, Page Up and Page Down by 0.1."));
-    m_place->setObjectName(QStringLiteral("place"));
 }
 
 QHBoxLayout* BlowPage::makeBar() {
@@ -105,10 +91,7 @@ PreparePage BlowPage::prepare() const {
     };
 }
 
-// Shown with three decimals, kept with all.
-void BlowPage::showSection(double section) {
-    const QSignalBlocker quiet(m_section);
-    m_section->setValue(section);
+void BlowPage::showSection() {
     showPlace();
     showInstant();
     emit needsChanged();
