@@ -20,6 +20,7 @@ class ExportMenu;
 class FileNotice;
 class FileMenu;
 class PageTabs;
+class PinnedRuns;
 class Recovery;
 class ResultPanel;
 class ScenarioPanel;
@@ -85,7 +86,9 @@ class MainWindow : public QMainWindow {
     ExampleNote* m_exampleNote = nullptr;
     FileNotice* m_fileNotice = nullptr;
     Recovery* m_recovery = nullptr;
+    PinnedRuns* m_runs = nullptr;
     ResultPanel* m_resultPanel = nullptr;
+    QWidget* m_resultSide = nullptr;  // the result and the runs below it
     UnitsChoice* m_units;
     PageTabs* m_pages;
     SolveStatus* m_solveStatus;

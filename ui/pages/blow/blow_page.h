@@ -24,6 +24,7 @@ class BlowPage : public PlotPage {
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;
+    void setRuns(const RunListPtr& runs) override;
 
     BlowPlots* plots() const { return m_plots; }
 
@@ -47,6 +48,7 @@ class BlowPage : public PlotPage {
     PlotWidget* m_plot;
     BlowPlots* m_plots;
     SolvedBlowPtr m_blow;
+    RunListPtr m_runs = std::make_shared<const RunList>();
     ShownUnit m_cursorUnit;  // of cursors A and B
 };
 
