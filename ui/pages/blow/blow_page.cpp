@@ -84,11 +84,23 @@ QHBoxLayout* BlowPage::makeBar() {
 }
 
 PreparePage BlowPage::prepare() const {
-    return [section = m_observation.section()](const SolvedBlow& blow) {
-        BlowCurves curves = blowCurves(blow.impact, blow.solved.hammer, blow.units, section);
-        curves.closedForm = closedFormCurve(blow.solved, blow.units, curves.timeEnd);
-        return PageData::of(std::move(curves));
-    };
+    const auto* shown = m_blow ? m_blow->page<BlowCurves>() : nullptr;
+    std::vector<RunOverlay<BlowCurves>> made;
+    if (shown && shown->section == m_observation.section()) made = shown->runs;
+    return
+        [section = m_observation.section(), runs = m_runs, made = std::move(made)](const SolvedBlow& blow) {
+            BlowCurves curves = blowCurves(blow.impact, blow.solved.hammer, blow.units, section);
+            curves.runs = runOverlays(*runs, blow, made, [=](const SolvedBlow& run, const ShownUnits& units) {
+                return blowCurves(run.impact, run.solved.hammer, units, section);
+            });
+            curves.closedForm = closedFormCurve(blow.solved, blow.units, curves.timeEnd);
+            return PageData::of(std::move(curves));
+        };
+}
+
+void BlowPage::setRuns(const RunListPtr& runs) {
+    m_runs = runs;
+    emit needsChanged();
 }
 
 void BlowPage::showSection() {
@@ -152,6 +164,10 @@ void BlowPage::carryCursors() {
 
 void BlowPage::setMeanings() {
     BlowMeanings meanings = blowMeanings(m_blow);
+    CurveMeaning ofRuns;
+    ofRuns.xUnit = meanings.force.xUnit;
+    ofRuns.yUnit = meanings.force.yUnit;
+    for (QCPGraph* run : m_plots->forcesOfRuns()) m_plot->setMeaning(run, ofRuns);
     for (int i = 0; i < BlowCurves::waveCount; ++i)
         m_plot->setMeaning(m_plots->waveGraph(i), std::move(meanings.waves[static_cast<std::size_t>(i)]));
     m_plot->setMeaning(m_plots->forceGraph(), std::move(meanings.force));

@@ -120,6 +120,8 @@ void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGr
         graph->addToLegend(added.legend);
         added.graphs.append(graph);
     }
+    added.runs = new RunGraphs(added.rect->axis(QCPAxis::atBottom), added.rect->axis(QCPAxis::atLeft),
+                               index == force ? added.legend : nullptr);
 }
 
 void BlowPlots::linkTimeAxes() {
@@ -135,7 +137,9 @@ void BlowPlots::linkTimeAxes() {
 
 void BlowPlots::present(const BlowCurves& curves) {
     const bool unitsChanged = !sameUnits(m_curves.units, curves.units);
+    const bool hasOtherRuns = m_curves.runs != curves.runs;
     m_curves = curves;
+    if (hasOtherRuns) showRuns();
     if (unitsChanged) setGhost(nullptr);
     for (std::size_t i = 0; i < curves.waves.size(); ++i)
         setData(*m_plots[waves].graphs[static_cast<qsizetype>(i)], curves.waves[i]);
@@ -158,6 +162,21 @@ void BlowPlots::showClosedForm() {
         closedFormGraph()->removeFromLegend(m_plots[force].legend);
     else if (closedFormGraph()->addToLegend(m_plots[force].legend))
         m_style.applyTo(*m_plots[force].legend);
+}
+
+// All but the waves, which would be too many to be told apart.
+void BlowPlots::showRuns() {
+    QVector<RunCurve> forces, impulses, momenta;
+    m_runsEnd = 0;
+    for (const RunOverlay<BlowCurves>& run : m_curves.runs) {
+        forces.append({run.number, run.title, run.curves->force});
+        impulses.append({run.number, run.title, run.curves->impulse});
+        momenta.append({run.number, run.title, run.curves->momentum});
+        m_runsEnd = std::max(m_runsEnd, run.curves->timeEnd);
+    }
+    m_plots[force].runs->present(forces);
+    m_plots[impulse].runs->present(impulses);
+    m_plots[momentumOfRod].runs->present(momenta);
 }
 
 void BlowPlots::setGhost(const BlowCurves* before) {
@@ -210,6 +229,8 @@ void BlowPlots::fitUnlessZoomed() {
 void BlowPlots::showNothing(const QString& message) {
     for (const Plot& plot : m_plots)
         for (QCPGraph* graph : plot.graphs) graph->setData(GraphData::create());
+    m_curves.runs.clear();
+    showRuns();
     m_message->show(message);
     m_summary = message;
 }
@@ -258,6 +279,7 @@ void BlowPlots::setStyle(const PlotStyle& style) {
         style.applyTo(*plot.title);
         for (int i = 0; i < plot.graphs.size(); ++i) plot.graphs[i]->setPen(style.linePen(i));
         for (int i = 0; i < plot.ghosts.size(); ++i) plot.ghosts[i]->setPen(style.ghostPen(i));
+        plot.runs->setStyle(style);
     }
     if (m_curves.force) setLabels();  // files have another locale
     m_message->setStyle(style);
@@ -265,9 +287,12 @@ void BlowPlots::setStyle(const PlotStyle& style) {
 
 void BlowPlots::fit() {
     m_view->fit([this] {
-        m_plots[waves].rect->axis(QCPAxis::atBottom)->setRange(0, std::max(m_timeEnd, m_ghostEnd));
+        m_plots[waves]
+            .rect->axis(QCPAxis::atBottom)
+            ->setRange(0, std::max({m_timeEnd, m_ghostEnd, m_runsEnd}));
         for (const Plot& plot : m_plots)
-            plot.rect->axis(QCPAxis::atLeft)->setRange(valueRange(plot.graphs + plot.ghosts + plot.overlays));
+            plot.rect->axis(QCPAxis::atLeft)
+                ->setRange(valueRange(plot.graphs + plot.ghosts + plot.overlays + plot.runs->graphs()));
     });
 }
 
