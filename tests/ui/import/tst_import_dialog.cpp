@@ -91,6 +91,8 @@ class TestImportDialog : public QObject {
     void wrongInputsAreToldInPlace_data();
     void wrongInputsAreToldInPlace();
     void theBlowIsOneUndoStepAndIsKeptInTheFile();
+    void aBlowOfAllThePointsThereMayBeFitsItsFile();
+    void aPlaceBeyondTheRodIsRefused();
     void aBlowThatTheScenarioRefusesStaysInTheDialog();
     void theDialogFollowsTheRod();
     void theWindowMayCloseWhileTheDialogIsOpen();
@@ -293,6 +295,35 @@ void TestImportDialog::theBlowIsOneUndoStepAndIsKeptInTheFile() {
     QCOMPARE(parseScenario(text, "x.yaml").scenario.pulse.tablePoints, points);
     document.undoStack().undo();
     QCOMPARE(document.text(), before);
+}
+
+// Noise, of which no point can be left out.
+void TestImportDialog::aBlowOfAllThePointsThereMayBeFitsItsFile() {
+    QByteArray bytes("t [us],F [kN]\n");
+    for (int i = 0; i < 30000; ++i)
+        bytes += QByteArray::number(0.0137 * i) + ',' + QByteArray::number(100 + 50 * std::sin(1e4 * i * i)) +
+                 '\n';
+    ImportDialog& dialog = open(write("noise.csv", bytes), ImportUse::blow);
+    control<QSpinBox>(dialog, "points").setValue(1'000'000);
+    QCOMPARE(control<QSpinBox>(dialog, "points").value(), 10'000);
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QVERIFY(dialog.result()->points.size() > 5000);
+    control<QPushButton>(dialog, "take").click();
+    const QByteArray text = m_window->document().text();
+    QCOMPARE(parseScenario(text.toStdString(), "x.yaml").scenario.pulse.tablePoints,
+             m_window->document().scenario().pulse.tablePoints);
+}
+
+void TestImportDialog::aPlaceBeyondTheRodIsRefused() {
+    ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::normalForce);
+    type(dialog, "place", QStringLiteral("3.7 m"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("at most 3.66")), qPrintable(message(dialog)));
+    QVERIFY(!control<QPushButton>(dialog, "take").isEnabled());
+    type(dialog, "place", QStringLiteral("3.6 m"));
+    QVERIFY(settle(dialog));
+    QVERIFY(control<QPushButton>(dialog, "take").isEnabled());
 }
 
 void TestImportDialog::aBlowThatTheScenarioRefusesStaysInTheDialog() {
