@@ -5,6 +5,7 @@
 
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
+#include "core/report/feed_words.h"
 #include "core/report/gap_text.h"
 #include "core/report/html_text.h"
 #include "core/report/report_numbers.h"
@@ -19,7 +20,8 @@ constexpr std::string_view screenStyle =
     "background:#fff}h1{font-size:1.6em}h2{font-size:1.15em;margin:1.6em 0 .4em}"
     "table{border-collapse:collapse;font-size:.9em}"
     "td,th{border-bottom:1px solid #bbb;padding:.15em .7em .15em 0;text-align:left;vertical-align:top}"
-    "th{font-weight:600}.warning{border-left:.3em solid #b4231f;padding-left:.6em}"
+    "th{font-weight:600}td[data-value]{white-space:nowrap}.warning{border-left:.3em solid "
+    "#b4231f;padding-left:.6em}"
     ".note{border-left:.3em solid #777;padding-left:.6em}pre{font-size:.8em;background:#f4f4f4;padding:.8em;"
     "overflow-x:auto}figure{margin:1.2em 0;break-inside:avoid}figure.half{display:inline-block;width:49%}"
     "img{max-width:100%}figcaption{font-size:.9em;color:#333}"
@@ -45,6 +47,14 @@ std::vector<std::vector<std::string>> printedUnits(std::vector<std::vector<std::
     for (std::vector<std::string>& row : rows)
         for (std::string& cell : row) cell = printedUnit(std::move(cell));
     return rows;
+}
+
+/// A reason with a capital and a full stop; names such as e stay as they are.
+std::string sentence(std::string text) {
+    const bool beginsWithWord = text.size() > 1 && text[1] >= 'a' && text[1] <= 'z';
+    if (beginsWithWord && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    if (!text.empty() && !text.ends_with('.')) text += '.';
+    return text;
 }
 
 /// Lines of the scenario that paper shows.
@@ -74,8 +84,11 @@ class Page {
 
     std::string feed() const {
         std::string html = heading("Verdict on the feed");
-        if (!m_report.thrust) return html + paragraph(m_report.thrustProblem);
-        for (const std::string& sentence : verdictSentences(*m_report.thrust)) html += paragraph(sentence);
+        if (!m_report.thrust) {
+            if (blow().feed) html += paragraph(feedSentence(*blow().feed));
+            return html + paragraph(sentence(m_report.thrustProblem));
+        }
+        for (const std::string& words : verdictSentences(*m_report.thrust)) html += paragraph(words);
         return html;
     }
 
@@ -166,11 +179,11 @@ class Page {
 
     std::string gap() const {
         std::string html = heading("All gaps between bit and rock");
-        if (!m_report.gap) return html + paragraph(m_report.gapProblem);
+        if (!m_report.gap) return html + paragraph(sentence(m_report.gapProblem));
         if (const std::string remark = m_report.gap->periodRemark(); !remark.empty())
             html += paragraph(remark);
         html += tableOf("gap", htmlRows(printedUnits(gapGrid(*m_report.gap).rows())));
-        for (const std::string& remark : gapRemarks(*m_report.gap)) html += paragraph(remark + ".");
+        for (const std::string& remark : gapRemarks(*m_report.gap)) html += paragraph(sentence(remark));
         return html;
     }
 

@@ -6,6 +6,8 @@
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QPdfWriter>
+#include <QTextBlock>
+#include <QTextCursor>
 #include <QTextDocument>
 
 #include "core/model/version.h"
@@ -39,6 +41,22 @@ class FixedHashSeed {
     FixedHashSeed(const FixedHashSeed&) = delete;
     FixedHashSeed& operator=(const FixedHashSeed&) = delete;
 };
+
+// No heading stands at the foot of a page with what it is about on the next one.
+void keepHeadings(QTextDocument& document) {
+    const QAbstractTextDocumentLayout& layout = *document.documentLayout();
+    const double page = document.pageSize().height();
+    const auto pageOf = [&](const QTextBlock& block) {
+        return int(layout.blockBoundingRect(block).top() / page);
+    };
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() == 0 || !block.next().isValid()) continue;
+        if (pageOf(block) == pageOf(block.next())) continue;
+        QTextBlockFormat format = block.blockFormat();
+        format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+        QTextCursor(block).setBlockFormat(format);
+    }
+}
 
 void drawPage(QPainter& painter, QTextDocument& document, const QSizeF& body, int page) {
     painter.save();
@@ -91,6 +109,7 @@ QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& pl
     document.setHtml(QString::fromStdString(reportHtml(report, pictures, ReportMedium::paper)));
     const QSizeF body(writer.width(), writer.height() - 2 * pixels(lineHeight));
     document.setPageSize(body);
+    keepHeadings(document);
 
     QCPPainter painter;
     painter.begin(&writer);
