@@ -31,6 +31,9 @@ void HelpMenu::showMouseAndKeys() {
            "Wave picture\n"
            "Drag the dashed line (section) and the solid line (time), or Ctrl+arrows; Space: play\n"
            "\n"
+           "Import of measured signals\n"
+           "Ctrl+Shift+I, or “Measured…” beside the shape of the blow; F1 there explains its steps\n"
+           "\n"
            "Fields\n"
            "Type a number with any unit: 38 mm, 1.5 in; Up, Down or the wheel: step; Alt+Down: unit"));
 }

@@ -55,6 +55,10 @@ CurveMeaning waveMeaning(const SolvedBlowPtr& blow, int number) {
 
 }  // namespace
 
+CurveMeaning forceMeaning(const ShownUnits& units) {
+    return forceLike(units, {}, {});
+}
+
 BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
     const ShownUnits& units = blow->units;
     BlowMeanings meanings;
@@ -63,7 +67,7 @@ BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
     meanings.force = forceLike(
         units, [blow](double t) { return WaveField(blow->impact).impactForce(t); },
         [blow](double t) { return WaveField(blow->impact).impactImpulse(t); });
-    meanings.closedForm = forceLike(units, {}, {});
+    meanings.closedForm = forceMeaning(units);
     meanings.impulse =
         momentumLike(units, [blow](double t) { return WaveField(blow->impact).impactImpulse(t); });
     meanings.momentum =

@@ -12,6 +12,9 @@ class QLabel;
 namespace drillwave {
 
 class BlowPlots;
+class MeasuredBar;
+class MeasuredCurves;
+class MeasuredList;
 
 class BlowPage : public PlotPage {
     Q_OBJECT
@@ -26,7 +29,11 @@ class BlowPage : public PlotPage {
     void setGhost(const SolvedBlowPtr& before) override;
     void setRuns(const RunListPtr& runs) override;
 
+    /// Lays measured signals over the curves. Once; the list must outlive the page.
+    void follow(MeasuredList& measured);
+
     BlowPlots* plots() const { return m_plots; }
+    const MeasuredCurves* measuredCurves() const { return m_measuredCurves; }
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -39,6 +46,8 @@ class BlowPage : public PlotPage {
     void showInstant();
     void setMeanings();
     void carryCursors();
+    void goToPlace(double x);
+    void showMeasured();
 
     Observation& m_observation;
     QLabel* m_hint;
@@ -47,6 +56,9 @@ class BlowPage : public PlotPage {
     QLabel* m_instant;
     PlotWidget* m_plot;
     BlowPlots* m_plots;
+    MeasuredList* m_measured = nullptr;
+    MeasuredCurves* m_measuredCurves;
+    MeasuredBar* m_measuredBar = nullptr;
     SolvedBlowPtr m_blow;
     RunListPtr m_runs = std::make_shared<const RunList>();
     ShownUnit m_cursorUnit;  // of cursors A and B

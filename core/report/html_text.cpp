@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/html_text.h"
+
+namespace drillwave {
+
+namespace {
+
+std::string unbroken(std::string_view text) {
+    std::string result;
+    for (const char c : text) result += c == ' ' ? std::string("\u00a0") : std::string(1, c);
+    return result;
+}
+
+}  // namespace
+
+std::string escapedHtml(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '&')
+            result += "&amp;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += c;
+    }
+    return result;
+}
+
+std::string htmlElement(std::string_view tag, std::string_view text) {
+    const std::string name(tag);
+    return "<" + name + ">" + escapedHtml(text) + "</" + name + ">";
+}
+
+std::string htmlRows(const std::vector<std::vector<std::string>>& rows) {
+    std::string html;
+    for (const std::vector<std::string>& row : rows) {
+        html += "<tr>";
+        for (const std::string& cell : row)
+            html += &row == &rows.front() ? htmlElement("th", cell) : htmlElement("td", unbroken(cell));
+        html += "</tr>\n";
+    }
+    return html;
+}
+
+}  // namespace drillwave
