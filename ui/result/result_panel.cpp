@@ -53,10 +53,7 @@ QString words(std::string_view text) {
 
 }  // namespace
 
-ResultPanel::ResultPanel(QWidget* parent) : QScrollArea(parent), m_veil(new StaleVeil(viewport())) {
-    setWidgetResizable(true);
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+ResultPanel::ResultPanel(QWidget* parent) : SteadyScrollArea(parent), m_veil(new StaleVeil(viewport())) {
     setWidget(new QWidget);
     auto* layout = new QVBoxLayout(widget());
     layout->setContentsMargins(4, 4, 4, 4);

@@ -5,12 +5,12 @@
 
 #include <QLabel>
 #include <QList>
-#include <QScrollArea>
 #include <functional>
 #include <optional>
 
 #include "core/blow/outputs.h"
 #include "ui/form/section_box.h"
+#include "ui/form/steady_scroll_area.h"
 #include "ui/job/solved_blow.h"
 #include "ui/result/alert_list.h"
 #include "ui/result/energy_bar.h"
@@ -23,7 +23,7 @@ namespace drillwave {
 
 class EventTable;
 
-class ResultPanel : public QScrollArea {
+class ResultPanel : public SteadyScrollArea {
     Q_OBJECT
 
   public:

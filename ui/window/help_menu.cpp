@@ -24,7 +24,9 @@ void HelpMenu::showMouseAndKeys() {
            "Drag: move; Shift+drag or right button: zoom to a box\n"
            "Double-click or Home: fit; Backspace or Alt+Left: zoom back\n"
            "Click on a legend entry: hide or show the curve\n"
-           "A, B: cursors at the pointer; T: time cursor; Ctrl+Left, Ctrl+Right: move the last one\n"
+           "A, B: cursors at the pointer, on the curve there; T: time cursor; Ctrl+Left, Ctrl+Right: move "
+           "the "
+           "last one\n"
            "Arrows: move; + and −: zoom; right click or Shift+F10: menu\n"
            "Studies: a click takes over the point there, with Shift it pins it\n"
            "\n"
@@ -34,8 +36,15 @@ void HelpMenu::showMouseAndKeys() {
            "Import of measured signals\n"
            "Ctrl+Shift+I, or “Measured…” beside the shape of the blow; F1 there explains its steps\n"
            "\n"
+           "Rod\n"
+           "Click on a peak or a curve: section and time at which the stress is that large\n"
+           "\n"
            "Fields\n"
-           "Type a number with any unit: 38 mm, 1.5 in; Up, Down or the wheel: step; Alt+Down: unit"));
+           "Type a number with any unit: 38 mm, 1.5 in; Up, Down or the wheel: step; Alt+Down: unit\n"
+           "Arithmetic: 2*3.05 m, 12 ft + 3 in, 12' 6\", 1/2 in\n"
+           "Sliders: a click in the groove jumps there; Shift+drag: ten times finer; double-click: the "
+           "file's "
+           "value"));
 }
 
 void HelpMenu::showAbout() {

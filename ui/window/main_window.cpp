@@ -23,6 +23,7 @@
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/rock/rock_page.h"
+#include "ui/pages/rod/rod_page.h"
 #include "ui/pages/stiffness/stiffness_page.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
@@ -37,9 +38,11 @@
 #include "ui/window/help_menu.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
+#include "ui/window/plot_view_menu.h"
 #include "ui/window/recovery_offer.h"
 #include "ui/window/study_menu.h"
 #include "ui/window/tab_strip.h"
+#include "ui/window/table_notice.h"
 #include "ui/window/units_choice.h"
 #include "ui/window/window_layout.h"
 
@@ -88,6 +91,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(blow, PageGroup::thisBlow);
     m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
+    m_pages->add(new RodPage(m_observation), PageGroup::thisBlow);
     m_pages->add(new StiffnessPage(m_document), PageGroup::studies);
     m_pages->add(new GapPage(m_document), PageGroup::studies);
     m_pages->add(new MapPage(m_document), PageGroup::studies);
@@ -129,12 +133,14 @@ void MainWindow::addTabs() {
 
 void MainWindow::addCenter() {
     m_fileNotice = new FileNotice(m_document, m_watch, *m_questions);
+    auto* tableNotice = new TableNotice(m_document, *new TableWatch(m_document, this), *m_questions);
     m_exampleNote = new ExampleNote;
     auto* center = new QWidget(this);
     auto* layout = new QVBoxLayout(center);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_fileNotice);
+    layout->addWidget(tableNotice);
     layout->addWidget(m_exampleNote);
     layout->addWidget(m_pages, 1);
     setCentralWidget(center);
@@ -161,8 +167,8 @@ void MainWindow::addMenus() {
          [this](const QString& what, auto then) { m_solveStatus->whenCurrent(what, std::move(then)); }},
         this);
     m_fileMenu = new FileMenu(m_document, *m_questions, m_watch, m_exportMenu, this);
-    m_fileMenu->insertAction(m_exportMenu->menuAction(), m_runs->keepAction());
     m_fileMenu->insertAction(m_exportMenu->menuAction(), m_report->action());
+    m_fileMenu->insertAction(m_exportMenu->menuAction(), m_runs->keepAction());
     menuBar()->addMenu(m_fileMenu);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     QAction* undo = m_document.undoStack().createUndoAction(edit, tr("&Undo"));
@@ -183,6 +189,9 @@ void MainWindow::addViewMenu() {
     view->addSeparator();
     view->addAction(tr("&Fit plots"), QKeySequence(Qt::CTRL | Qt::Key_0), this,
                     [this] { m_pages->current().fit(); });
+    auto* plot = new PlotViewMenu(*m_pages, this);
+    view->addMenu(plot);
+    view->addAction(plot->tableAction());
     view->addSeparator();
     m_pages->addTo(*view);
     (new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultSide}, this))->addTo(*view);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/blow/blow_page.h"
 
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/wave/field/rod_state.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_bar.h"
 #include "ui/pages/blow/measured_curves.h"
+#include "ui/pages/section_field.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
 
@@ -27,13 +27,14 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     : PlotPage(parent),
       m_observation(observation),
       m_hint(new QLabel(this)),
-      m_section(new QDoubleSpinBox(this)),
+      m_section(new SectionField(
+          observation, tr("Where in the rod the waves are observed: 0 is the struck end, 1 the bit."), this)),
       m_place(new QLabel(this)),
       m_instant(new QLabel(this)),
       m_plot(makePlot()),
       m_plots(new BlowPlots(m_plot)),
       m_measuredCurves(new MeasuredCurves(m_plots)) {
-    setUpSection();
+    m_place->setObjectName(QStringLiteral("place"));
     m_instant->setObjectName(QStringLiteral("instant"));
     m_instant->setContentsMargins(8, 0, 8, 0);
     m_instant->setWordWrap(true);
@@ -52,7 +53,6 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
         m_plots->setStyle(style);
         m_measuredCurves->setStyle(style);
     });
-    connect(m_section, &QDoubleSpinBox::valueChanged, &observation, &Observation::setSection);
     connect(&observation, &Observation::sectionChanged, this, &BlowPage::showSection);
     connect(&observation, &Observation::timeChanged, this, &BlowPage::showInstant);
     connect(m_plot, &PlotWidget::fitRequested, m_plots, &BlowPlots::fit);
@@ -61,19 +61,6 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     });
     showPlace();
     showInstant();
-}
-
-void BlowPage::setUpSection() {
-    m_section->setObjectName(QStringLiteral("section"));
-    m_section->setRange(0, 1);
-    m_section->setDecimals(3);
-    m_section->setSingleStep(0.01);
-    m_section->setValue(m_observation.section());
-    m_section->setAccessibleName(tr("Section x/L of the waves"));
-    m_section->setToolTip(
-        tr("Where in the rod the waves are observed: 0 is the struck end, 1 the bit.\n"
-           "Up and Down move it by 0.01, Page Up and Page Down by 0.1."));
-    m_place->setObjectName(QStringLiteral("place"));
 }
 
 QHBoxLayout* BlowPage::makeBar() {
@@ -116,10 +103,7 @@ void BlowPage::setRuns(const RunListPtr& runs) {
     emit needsChanged();
 }
 
-// Shown with three decimals, kept with all.
-void BlowPage::showSection(double section) {
-    const QSignalBlocker quiet(m_section);
-    m_section->setValue(section);
+void BlowPage::showSection() {
     showPlace();
     showInstant();
     emit needsChanged();
@@ -137,10 +121,9 @@ void BlowPage::showPlace() {
 void BlowPage::showInstant() {
     const std::optional<double> time = m_observation.time();
     const bool known = time && m_blow && m_blow->problem.isEmpty();
-    m_instant->setVisible(known);
     m_plot->reader().place(PlotCursor::time,
                            known ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
-    if (!known) return;
+    if (!known) return m_instant->setText(tr("No time chosen: click an event, or press T over the plots."));
     const RodState instant = rodState(m_blow->impact, m_blow->solved.hammer, m_observation.section(), *time);
     const ShownUnits& units = m_blow->units;
     const QLocale locale;
@@ -226,8 +209,19 @@ void BlowPage::setGhost(const SolvedBlowPtr& before) {
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
+// As many lines as the longest readings need at this width: the plots below stand still whatever it says.
+void BlowPage::reserveInstant() {
+    const QString longest =
+        QStringLiteral("t = %1 · N = %1 · F = %1 · I = %1 · p = %1").arg(QStringLiteral("−888.8 kN s"));
+    const QMargins margins = m_instant->contentsMargins();
+    const QRect room(0, 0, std::max(1, width() - margins.left() - margins.right()), height());
+    const int text = m_instant->fontMetrics().boundingRect(room, Qt::TextWordWrap, longest).height();
+    m_instant->setFixedHeight(text + margins.top() + margins.bottom());
+}
+
 void BlowPage::resizeEvent(QResizeEvent* event) {
     PlotPage::resizeEvent(event);
+    reserveInstant();
     m_hint->setText(width() > hintChars * fontMetrics().averageCharWidth()
                         ? tr("wheel zooms · drag moves · double-click fits")
                         : QString());

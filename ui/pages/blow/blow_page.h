@@ -5,7 +5,6 @@
 #include "ui/job/observation.h"
 #include "ui/pages/plot_page.h"
 
-class QDoubleSpinBox;
 class QHBoxLayout;
 class QLabel;
 
@@ -15,6 +14,7 @@ class BlowPlots;
 class MeasuredBar;
 class MeasuredCurves;
 class MeasuredList;
+class SectionField;
 
 class BlowPage : public PlotPage {
     Q_OBJECT
@@ -40,9 +40,9 @@ class BlowPage : public PlotPage {
 
   private:
     QHBoxLayout* makeBar();
-    void setUpSection();
-    void showSection(double section);
+    void showSection();
     void showPlace();
+    void reserveInstant();
     void showInstant();
     void setMeanings();
     void carryCursors();
@@ -51,7 +51,7 @@ class BlowPage : public PlotPage {
 
     Observation& m_observation;
     QLabel* m_hint;
-    QDoubleSpinBox* m_section;
+    SectionField* m_section;
     QLabel* m_place;
     QLabel* m_instant;
     PlotWidget* m_plot;

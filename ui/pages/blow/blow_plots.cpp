@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/plot/curve_graph.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -114,8 +115,7 @@ void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGr
     m_plot->plotLayout()->setRowStretchFactor(row, 1e-3);
 
     for (const QString& name : names) {
-        QCPGraph* graph =
-            m_plot->addGraph(added.rect->axis(QCPAxis::atBottom), added.rect->axis(QCPAxis::atLeft));
+        QCPGraph* graph = addCurve(added.rect->axis(QCPAxis::atBottom), added.rect->axis(QCPAxis::atLeft));
         graph->setName(name);
         graph->addToLegend(added.legend);
         added.graphs.append(graph);
@@ -198,7 +198,7 @@ void BlowPlots::setGhost(const BlowCurves* before) {
 
 void BlowPlots::addGhost(std::size_t index, int kind, const GraphData& data) {
     Plot& plot = m_plots[index];
-    QCPGraph* ghost = m_plot->addGraph(plot.rect->axis(QCPAxis::atBottom), plot.rect->axis(QCPAxis::atLeft));
+    QCPGraph* ghost = addCurve(plot.rect->axis(QCPAxis::atBottom), plot.rect->axis(QCPAxis::atLeft));
     ghost->setLayer(ghostLayer(*m_plot));
     ghost->setSelectable(QCP::stNone);
     ghost->setPen(m_style.ghostPen(kind));
@@ -208,8 +208,7 @@ void BlowPlots::addGhost(std::size_t index, int kind, const GraphData& data) {
 
 QCPGraph* BlowPlots::addOverlay(Kind kind, const QString& name) {
     Plot& plot = m_plots[kind == Kind::waves ? waves : force];
-    QCPGraph* overlay =
-        m_plot->addGraph(plot.rect->axis(QCPAxis::atBottom), plot.rect->axis(QCPAxis::atLeft));
+    QCPGraph* overlay = addCurve(plot.rect->axis(QCPAxis::atBottom), plot.rect->axis(QCPAxis::atLeft));
     overlay->setName(name);
     overlay->addToLegend(plot.legend);
     m_style.applyTo(*plot.legend);

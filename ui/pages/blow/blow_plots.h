@@ -59,8 +59,8 @@ class BlowPlots : public QObject {
         QCPLegend* legend = nullptr;
         QVector<QCPGraph*> graphs;
         QVector<QCPGraph*> ghosts;
-        RunGraphs* runs = nullptr;
         QVector<QCPGraph*> overlays;
+        RunGraphs* runs = nullptr;
     };
     void addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins);
     void linkTimeAxes();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/pages/map/map_crosshair.h"
+#include "ui/plot/curve_graph.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
@@ -128,7 +129,7 @@ void MapPlot::addRects() {
 }
 
 void MapPlot::addCuts() {
-    m_alongX = m_plot->addGraph(m_below->axis(QCPAxis::atBottom), m_below->axis(QCPAxis::atLeft));
+    m_alongX = addCurve(m_below->axis(QCPAxis::atBottom), m_below->axis(QCPAxis::atLeft));
     m_alongX->setAdaptiveSampling(true);
     m_alongY = new QCPCurve(m_beside->axis(QCPAxis::atBottom), m_beside->axis(QCPAxis::atLeft));
 }

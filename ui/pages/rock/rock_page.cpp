@@ -94,7 +94,7 @@ void RockPage::showTime() {
     m_rock->setPoint(point);
     const QLocale locale;
     const auto shown = [&locale](double value, const ShownUnit& unit) {
-        return numberText(value, 4, locale) + QChar(QChar::Nbsp) + unit.unit;
+        return quantityText(value / unit.factor, unit, locale);
     };
     m_instant->setText(tr("t = %1 · U = %2 · F = %3")
                            .arg(quantityText(*m_observation.time(), curve->units.time, locale),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/pages/run_graphs.h"
+#include "ui/plot/curve_graph.h"
 #include "ui/plot/run_pen.h"
 #include "ui/text/number_text.h"
 
@@ -39,7 +40,7 @@ bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
 RockPlot::RockPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
     plot->axisRect()->setupFullAxesBox(true);
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
-    m_path = new QCPCurve(plot->xAxis, plot->yAxis);
+    m_path = new CurvePath(plot->xAxis, plot->yAxis);
     m_path->setName(tr("impact force F"));
     addHeader();
     addDropLines();
@@ -189,7 +190,7 @@ void RockPlot::setGhost(const RockCurve* before) {
     m_ghost = nullptr;
     m_ghostSize = {};
     if (before && sameUnits(before->units, m_curve.units)) {
-        m_ghost = new QCPCurve(m_plot->xAxis, m_plot->yAxis);
+        m_ghost = new CurvePath(m_plot->xAxis, m_plot->yAxis);
         m_ghost->removeFromLegend();
         m_ghost->setSelectable(QCP::stNone);
         m_ghost->setLayer(ghostLayer(*m_plot));

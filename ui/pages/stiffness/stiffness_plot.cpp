@@ -6,6 +6,7 @@
 
 #include "ui/pages/study/output_box.h"
 #include "ui/plot/axis_view.h"
+#include "ui/plot/curve_graph.h"
 
 namespace drillwave {
 namespace {
@@ -139,8 +140,7 @@ void StiffnessPlot::makeGraphs() {
         m_legend->clearItems();
         m_graphs.clear();
         for (const StiffnessLine& line : m_picture.lines) {
-            QCPGraph* graph =
-                m_plot->addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+            QCPGraph* graph = addCurve(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
             graph->setAdaptiveSampling(false);
             graph->setName(line.name);
             graph->addToLegend(m_legend);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ui/pages/thrust/regime_bands.h"
+#include "ui/plot/curve_graph.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -30,13 +31,13 @@ ThrustPlot::ThrustPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(
     m_bands = new RegimeBands(plot);
     for (const ThrustCase which : thrustCases) {
         const auto i = static_cast<std::size_t>(which);
-        m_upper[i] = plot->addGraph();
+        m_upper[i] = addCurve(plot->xAxis, plot->yAxis);
         m_upper[i]->removeFromLegend();
         m_upper[i]->setSelectable(QCP::stNone);
-        m_lower[i] = plot->addGraph();
+        m_lower[i] = addCurve(plot->xAxis, plot->yAxis);
         m_lower[i]->setName(thrustCaseName(which));
     }
-    m_feed = plot->addGraph();
+    m_feed = addCurve(plot->xAxis, plot->yAxis);
     m_feedName = new QCPItemText(plot);
     m_feedName->setSelectable(false);
     m_feedName->setPadding(QMargins(6, 2, 6, 2));

@@ -3,15 +3,15 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/wave/field/wave_field.h"
+#include "ui/pages/section_field.h"
 #include "ui/pages/wave_picture/picture_cursors.h"
 #include "ui/pages/wave_picture/play_bar.h"
 #include "ui/pages/wave_picture/rod_strip.h"
@@ -26,6 +26,12 @@ const QString fieldKey = QStringLiteral("wavePicture/field");
 const QString frontsKey = QStringLiteral("wavePicture/fronts");
 const QString velocityName = QStringLiteral("velocity");
 
+// Of the result panel, while the blow lasts: the colours go as far.
+double largestForce(const SolvedBlow& blow) {
+    if (!blow.summary.rodForces) return 0;
+    return std::max(blow.summary.rodForces->compression.size, blow.summary.rodForces->tension.size);
+}
+
 }  // namespace
 
 WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
@@ -33,7 +39,11 @@ WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
       m_observation(observation),
       m_field(new QComboBox(this)),
       m_fronts(new QCheckBox(tr("Fronts"), this)),
-      m_section(new QDoubleSpinBox(this)),
+      m_section(new SectionField(observation,
+                                 tr("The dashed line: where in the rod the waves of the page Blow are "
+                                    "observed; 0 is the struck end, "
+                                    "1 the bit."),
+                                 this)),
       m_readout(new QLabel(this)),
       m_plot(makePlot()),
       m_picture(new WavePicturePlot(m_plot)),
@@ -70,15 +80,6 @@ QHBoxLayout* WavePicturePage::makeBar() {
     m_fronts->setToolTip(
         tr("Lines where the hammer force begins (solid), jumps or ends (dashed), running with "
            "the wave speed"));
-    m_section->setObjectName(QStringLiteral("section"));
-    m_section->setRange(0, 1);
-    m_section->setDecimals(3);
-    m_section->setSingleStep(0.05);
-    m_section->setValue(m_observation.section());
-    m_section->setAccessibleName(tr("Section x/L of the waves"));
-    m_section->setToolTip(tr(
-        "The dashed line: where in the rod the waves of the page Blow are observed; 0 is the struck end, 1 "
-        "the bit"));
     auto* label = new QLabel(tr("Section x/L"), this);
     label->setBuddy(m_section);
     m_readout->setObjectName(QStringLiteral("readout"));
@@ -126,9 +127,8 @@ void WavePicturePage::wire() {
     connect(m_plot, &PlotWidget::fitRequested, m_picture, &WavePicturePlot::fit);
     connect(m_plot, &QCustomPlot::afterReplot, this, &WavePicturePage::alignStrip);
 
-    connect(m_section, &QDoubleSpinBox::valueChanged, &m_observation, &Observation::setSection);
     connect(m_cursors, &PictureCursors::sectionMoved, &m_observation, &Observation::setSection);
-    connect(&m_observation, &Observation::sectionChanged, this, &WavePicturePage::showSection);
+    connect(&m_observation, &Observation::sectionChanged, m_cursors, &PictureCursors::setSection);
     connect(m_cursors, &PictureCursors::timeMoved, &m_observation, &Observation::setTime);
     connect(m_playBar, &PlayBar::timeChosen, &m_observation, &Observation::setTime);
     connect(&m_observation, &Observation::timeChanged, this, &WavePicturePage::showTime);
@@ -139,8 +139,8 @@ void WavePicturePage::wire() {
 
 PreparePage WavePicturePage::prepare() const {
     return [need = m_picture->need()](const SolvedBlow& blow) {
-        return PageData::of(
-            wavePicture(blow.impact, blow.solved.hammer, blow.request.scenario, blow.units, need));
+        return PageData::of(wavePicture(blow.impact, blow.solved.hammer, blow.request.scenario, blow.units,
+                                        need, largestForce(blow)));
     };
 }
 
@@ -156,13 +156,6 @@ void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
     showTime();
     m_plot->setAccessibleDescription(m_picture->textSummary());
     m_plot->replot(QCustomPlot::rpQueuedReplot);
-}
-
-// Shown with three decimals, kept with all.
-void WavePicturePage::showSection(double section) {
-    const QSignalBlocker quiet(m_section);
-    m_section->setValue(section);
-    m_cursors->setSection(section);
 }
 
 // While nobody has chosen a time: when the blow is on its way to the bit.
@@ -189,8 +182,18 @@ void WavePicturePage::showSpan() {
                        picture->units.time.dimensionless ? 0 : m_picture->shown()->scales.time);
 }
 
+// The place below the pointer, also when a zoom has brought another one there; else what is in view.
+void WavePicturePage::showReadout() {
+    const QString place = m_pointer ? m_picture->readout(*m_pointer) : QString();
+    const QString range = m_picture->rangeText();
+    const bool fits = m_readout->fontMetrics().horizontalAdvance(range) < m_readout->width();
+    m_readout->setText(!place.isEmpty() ? place : fits ? range : QString());
+    m_readout->setToolTip(range);
+}
+
 // The rod below lies in line with the picture above while the whole of it is in view.
 void WavePicturePage::alignStrip() {
+    showReadout();
     const QRect axes = m_plot->axisRect()->rect();
     m_strip->setRodEnds(axes.left(), axes.right() + 1);
 }
@@ -200,9 +203,14 @@ bool WavePicturePage::eventFilter(QObject* watched, QEvent* event) {
         m_playBar->toggle();
         return true;
     }
-    if (watched == m_plot && event->type() == QEvent::MouseMove)
-        m_readout->setText(m_picture->readout(static_cast<QMouseEvent*>(event)->position()));
-    if (watched == m_plot && event->type() == QEvent::Leave) m_readout->clear();
+    if (watched == m_plot && event->type() == QEvent::MouseMove) {
+        m_pointer = static_cast<QMouseEvent*>(event)->position();
+        showReadout();
+    }
+    if (watched == m_plot && event->type() == QEvent::Leave) {
+        m_pointer.reset();
+        showReadout();
+    }
     return PlotPage::eventFilter(watched, event);
 }
 

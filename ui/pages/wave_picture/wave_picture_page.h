@@ -2,12 +2,13 @@
 // The waves over position and time in one picture, and the rod playing through it (paper, Fig. 2).
 #pragma once
 
+#include <optional>
+
 #include "ui/job/observation.h"
 #include "ui/pages/plot_page.h"
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QHBoxLayout;
 class QLabel;
 
@@ -16,6 +17,7 @@ namespace drillwave {
 class PictureCursors;
 class PlayBar;
 class RodStrip;
+class SectionField;
 class WavePicturePlot;
 
 class WavePicturePage : public PlotPage {
@@ -41,22 +43,23 @@ class WavePicturePage : public PlotPage {
     QHBoxLayout* makeBar();
     void restoreChoices();
     void wire();
-    void showSection(double section);
     void showTime();
     void showSpan();
     void alignStrip();
+    void showReadout();
     double timeShown() const;
 
     Observation& m_observation;
     QComboBox* m_field;
     QCheckBox* m_fronts;
-    QDoubleSpinBox* m_section;
+    SectionField* m_section;
     QLabel* m_readout;
     PlotWidget* m_plot;
     WavePicturePlot* m_picture;
     PictureCursors* m_cursors;
     RodStrip* m_strip;
     PlayBar* m_playBar;
+    std::optional<QPointF> m_pointer;  // over the plot
 };
 
 }  // namespace drillwave
