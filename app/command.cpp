@@ -9,9 +9,9 @@ namespace drillwave {
 
 std::span<const Command* const> commands() {
     static const std::array all{
-        &runCommand(),      &sweepCommand(),    &tableCommand(),   &curveCommand(),    &mapCommand(),
-        &gapCommand(),      &thrustCommand(),   &figuresCommand(), &accuracyCommand(), &stabilityCommand(),
-        &validateCommand(), &examplesCommand(), &presetsCommand()};
+        &runCommand(),       &sweepCommand(),    &tableCommand(),    &curveCommand(),   &mapCommand(),
+        &gapCommand(),       &thrustCommand(),   &reportCommand(),   &figuresCommand(), &accuracyCommand(),
+        &stabilityCommand(), &validateCommand(), &examplesCommand(), &presetsCommand()};
     return all;
 }
 

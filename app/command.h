@@ -34,6 +34,7 @@ const Command& curveCommand();
 const Command& mapCommand();
 const Command& gapCommand();
 const Command& thrustCommand();
+const Command& reportCommand();
 const Command& figuresCommand();
 const Command& stabilityCommand();
 const Command& accuracyCommand();

@@ -15,6 +15,7 @@
 #include "ui/document/recovery.h"
 #include "ui/export/figure_plot.h"
 #include "ui/export/plot_export.h"
+#include "ui/export/report_export.h"
 #include "ui/export/study_pictures.h"
 #include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
@@ -76,6 +77,10 @@ class QtDrawing : public Drawing {
     std::vector<NamedFile> blow(const Blow& blow, const std::vector<std::string>& formats,
                                 const std::stop_token& stop) const override {
         return filesOf(drawBlowPlots(blow.scenario, blow.impact, formats, stop));
+    }
+
+    std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order) const override {
+        return filesOf(drawReport(report, order));
     }
 
     std::vector<NamedFile> study(const StudyValue& value, const PictureOrder& order) const override {

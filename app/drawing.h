@@ -17,6 +17,7 @@
 namespace drillwave {
 
 struct Accuracy;
+struct BlowReport;
 struct CurveReport;
 struct GapReport;
 struct MapReport;
@@ -44,6 +45,9 @@ class Drawing {
     /// blow.*, rock.* and rod.* of a blow solved with Detail::histories, in each format.
     virtual std::vector<NamedFile> blow(const Blow& blow, const std::vector<std::string>& formats,
                                         const std::stop_token& stop) const = 0;
+
+    /// The report on a blow that was solved, "html" and "pdf".
+    virtual std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order) const = 0;
 
     /// The picture of a study in each format, as its page in the window shows it at first.
     virtual std::vector<NamedFile> study(const StudyValue& value, const PictureOrder& order) const = 0;

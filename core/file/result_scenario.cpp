@@ -11,6 +11,7 @@
 #include "core/file/scenario_reader.h"
 #include "core/file/yaml_tree.h"
 #include "core/report/blow_csv.h"
+#include "core/report/report_html.h"
 #include "core/report/result_remarks.h"
 #include "core/text/text_input.h"
 
@@ -80,6 +81,17 @@ ScenarioInput parseCsv(std::string_view text, const std::string& source) {
             .method = remarks.method};
 }
 
+bool isPage(std::string_view text, const std::string& source) {
+    return text.starts_with("<!DOCTYPE html") || endsWith(source, ".html");
+}
+
+ScenarioInput parsePage(std::string_view text, const std::string& source) {
+    if (std::optional<ScenarioInput> input = parseRecord(reportRecord(text), source))
+        return std::move(*input);
+    refuse(source,
+           "is a web page and holds no scenario; only the HTML files of `drillwave report` begin with one");
+}
+
 /// Whether a text looks like a record or JSON; a scenario may be in braces too.
 bool mayBeRecord(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -96,6 +108,7 @@ bool isCsvName(std::string_view path) {
 
 ScenarioInput parseInput(std::string_view text, const std::string& source) {
     const std::string_view plain = text.substr(byteOrderMarkLength(text));
+    if (isPage(plain, source)) return parsePage(plain, source);
     if (isCsvName(source) || plain.starts_with(csvRemarksBegin)) return parseCsv(plain, source);
     if (mayBeRecord(plain)) {
         if (text.size() >= maximumInputBytes) refuse(source, "is larger than 4 MiB, too large to be meant");

@@ -12,7 +12,7 @@
 namespace drillwave {
 
 /// Most bytes of an input that are read: a scenario may have 1 MiB, with "# " before each of its lines or as
-/// text in JSON, beside thousands of events, more; of a CSV file only the top matters.
+/// text in JSON, beside thousands of events, more; of a CSV file or a page only the top matters.
 inline constexpr std::size_t maximumInputBytes = std::size_t{1} << 22;
 
 /// A scenario, and what the file that held it says about itself.
@@ -29,11 +29,13 @@ bool isCsvName(std::string_view path);
 
 /// The scenario of a text, whatever kind of file it is from: a scenario file; the JSON object of a command,
 /// with the scenario as its text; the record beside a CSV file of rows; a CSV file that begins with its
-/// scenario in "#" lines. A byte order mark in front is skipped. `source` names the text in messages, and
-/// where it ends in ".csv" or ".json" the text is taken for a result. Throws ScenarioError.
+/// scenario in "#" lines; a report in HTML. A byte order mark in front is skipped. `source` names the text in
+/// messages, and where it ends in ".csv", ".json" or ".html" the text is taken for a result. Throws
+/// ScenarioError.
 ScenarioInput parseInput(std::string_view text, const std::string& source);
 
-/// The same for a regular file of at most maximumInputBytes, of a CSV file its top. Throws ScenarioError.
+/// The same for a regular file of at most maximumInputBytes, of a CSV file or a page its top. Throws
+/// ScenarioError.
 ScenarioInput loadInput(const std::string& path);
 
 /// The scenario of a result. Throws ScenarioError: unreadable when the file holds none.

@@ -6,33 +6,22 @@
 
 #include "core/file/scenario_text.h"
 #include "core/file/text_edit.h"
-#include "core/file/yaml_tree.h"
+#include "core/file/yaml_extent.h"
 
 namespace drillwave {
 namespace {
 
 using Kind = YamlNode::Kind;
-
-/// Bytes [begin, end) of a text.
-struct Extent {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-};
+using Extent = TextExtent;
 
 /// Thrown inside this file where the text would have to be written anew.
 struct NotPatchable {};
 
 /// Where a scalar stands, with its quotes. Only scalars that stand there literally.
-Extent extentOf(std::string_view text, const YamlNode& scalar) {
-    if (scalar.kind != Kind::scalar) throw NotPatchable();
-    const std::string_view rest = text.substr(scalar.offset);
-    const bool quoted = rest.starts_with('"') || rest.starts_with('\'');
-    const std::size_t begin = quoted ? 1 : 0;
-    const bool literal =
-        rest.substr(begin).starts_with(scalar.text) && scalar.text.find('\n') == std::string::npos;
-    const std::size_t end = begin + scalar.text.size();
-    if (!literal || (quoted && (end >= rest.size() || rest[end] != rest[0]))) throw NotPatchable();
-    return {scalar.offset, scalar.offset + end + begin};
+Extent literalExtent(std::string_view text, const YamlNode& scalar) {
+    const std::optional<Extent> extent = extentOf(text, scalar);
+    if (!extent) throw NotPatchable();
+    return *extent;
 }
 
 class Patcher {
@@ -86,7 +75,7 @@ class Patcher {
         if (wanted || root.flow || map.kind != Kind::map) throw NotPatchable();
         if (!map.flow)
             for (std::size_t i = 0; i + 1 < map.children.size(); i += 2) removeLine(map, i);
-        const Extent key = lineOf(extentOf(m_text, root.children[at]));
+        const Extent key = lineOf(literalExtent(m_text, root.children[at]));
         const std::size_t end = map.flow ? lineOf({map.offset, flowEnd(map)}).end : key.end;
         m_edits.push_back({key.begin, end - key.begin, ""});
     }
@@ -135,14 +124,13 @@ class Patcher {
         } else if (node.text == value->text && node.kind == Kind::scalar) {
             return;
         }
-        replace(extentOf(m_text, node), valueText(*value, unit));
+        replace(literalExtent(m_text, node), valueText(*value, unit));
     }
 
     /// Exchanges a value. A comment behind it was about the value that was there.
     void replace(Extent extent, std::string text) {
-        const std::size_t behind = m_text.find_first_not_of(" \t", extent.end);
-        if (behind != std::string_view::npos && m_text[behind] == '#')
-            extent.end = std::min(m_text.find_first_of("\r\n", behind), m_text.size());
+        if (const Extent comment = commentBehind(m_text, extent.end); comment.begin < comment.end)
+            extent.end = comment.end;
         m_edits.push_back({extent.begin, extent.end - extent.begin, std::move(text)});
     }
 
@@ -157,10 +145,10 @@ class Patcher {
 
     /// The line of one entry of a block map that has it to itself.
     Extent entryLine(const YamlNode& map, std::size_t at) const {
-        const Extent key = extentOf(m_text, map.children[at]);
+        const Extent key = literalExtent(m_text, map.children[at]);
         const YamlNode& value = map.children[at + 1];
         const Extent line =
-            lineOf(value.kind == Kind::null ? key : Extent{key.begin, extentOf(m_text, value).end});
+            lineOf(value.kind == Kind::null ? key : Extent{key.begin, literalExtent(m_text, value).end});
         const std::string_view indentation = m_text.substr(line.begin, key.begin - line.begin);
         const bool oneLine =
             m_text.substr(key.begin, line.end - key.begin).find('\n') + 1 == line.end - key.begin ||
@@ -177,14 +165,16 @@ class Patcher {
     void removeFromFlow(const YamlNode& map, std::size_t at) {
         const bool first = at == 0;
         if (first && map.children.size() <= 2) throw NotPatchable();
-        const std::size_t begin = first ? map.children[0].offset : extentOf(m_text, map.children[at - 1]).end;
-        const std::size_t end = first ? map.children[2].offset : extentOf(m_text, map.children[at + 1]).end;
+        const std::size_t begin =
+            first ? map.children[0].offset : literalExtent(m_text, map.children[at - 1]).end;
+        const std::size_t end =
+            first ? map.children[2].offset : literalExtent(m_text, map.children[at + 1]).end;
         m_edits.push_back({begin, end - begin, ""});
     }
 
     std::size_t flowEnd(const YamlNode& map) const {
         const std::size_t last =
-            map.children.empty() ? map.offset : extentOf(m_text, map.children.back()).end;
+            map.children.empty() ? map.offset : literalExtent(m_text, map.children.back()).end;
         const std::size_t brace = m_text.find('}', last);
         if (brace == std::string_view::npos) throw NotPatchable();
         return brace;
@@ -197,7 +187,7 @@ class Patcher {
         const std::size_t at = before ? static_cast<std::size_t>(before - map.children.data()) : 0;
         if (map.flow) {
             const std::size_t place =
-                before ? extentOf(m_text, map.children[at + 1]).end : map.children[0].offset;
+                before ? literalExtent(m_text, map.children[at + 1]).end : map.children[0].offset;
             m_edits.push_back({place, 0, before ? ", " + entry : entry + ", "});
             return;
         }

@@ -4,29 +4,15 @@
 #include <algorithm>
 
 #include "core/model/version.h"
+#include "core/report/html_text.h"
 #include "core/report/report_text.h"
 
 namespace drillwave {
 
 namespace {
 
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '&')
-            result += "&amp;";
-        else
-            result += c;
-    }
-    return result;
-}
-
 std::string cell(std::string_view text) {
-    return "<td>" + escaped(text) + "</td>";
+    return htmlElement("td", text);
 }
 
 /// A picture that browsers show in a page, the sharper one first, or a link to one that they open.
@@ -40,7 +26,7 @@ std::string pictureText(const std::string& number, const std::vector<std::string
 std::string figureText(const Figure& figure, const std::vector<std::string>& formats) {
     const std::string number = std::to_string(figure.number);
     std::string text = "<figure>\n" + pictureText(number, formats) + "\n<figcaption>Fig. " + number + ". " +
-                       escaped(figure.caption) + " Data:";
+                       escapedHtml(figure.caption) + " Data:";
     for (const FigurePanel& panel : figure.panels)
         text += " <a href=\"" + panel.name + ".csv\">" + panel.name + ".csv</a>";
     return text + "</figcaption>\n</figure>\n";

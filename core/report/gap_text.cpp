@@ -55,7 +55,7 @@ class GapTable {
     }
 
     void addBlankLine() { m_grid.add({""}); }
-    std::string text() const { return m_grid.text(); }
+    const TextGrid& grid() const { return m_grid; }
 
   private:
     bool m_dimensional;
@@ -74,7 +74,7 @@ void addSpread(GapTable& table, const SpreadOf& spread) {
         table.add(quantileLabel(i), [&](GapOutput output) { return spread(output).quantiles[i].value; });
 }
 
-std::string tableText(const GapReport& report, GapTable& table) {
+void fill(GapTable& table, const GapReport& report) {
     const GapStatistics& statistics = report.statistics;
     table.addHeading("all gaps alike");
     table.add("smallest", [&](GapOutput output) { return statistics.of(output).least.value.value; });
@@ -88,7 +88,6 @@ std::string tableText(const GapReport& report, GapTable& table) {
                          table.gap(report.normal->deviation));
         addSpread(table, [&](GapOutput output) -> const GapSpread& { return *statistics.of(output).normal; });
     }
-    return table.text();
 }
 
 std::string percent(double share) {
@@ -97,22 +96,22 @@ std::string percent(double share) {
 
 std::string superRebounds(const GapReport& report, const GapTable& table) {
     const GapStatistics& statistics = report.statistics;
-    std::string text = "  e > 1 at " + percent(statistics.shareAboveOne.value) + " of all gaps";
+    std::string text = "e > 1 at " + percent(statistics.shareAboveOne.value) + " of all gaps";
     if (report.normal)
         text += ", " + percent(statistics.normalShareAboveOne->value) + " of the scattered ones";
     for (const GapCrossing& crossing : statistics.crossings)
         text += (&crossing == &statistics.crossings.front() ? ": " : ", ") +
                 std::string(crossing.rising ? "rises above 1 at " : "falls below 1 at ") +
                 table.gap(crossing.gap.value);
-    return text + "\n";
+    return text;
 }
 
 std::string kinks(const GapReport& report, const GapTable& table) {
     std::string text;
     for (const GapKink& kink : report.statistics.kinks)
-        text += (text.empty() ? "  Kinks of e at a gap of " : ", ") + table.gap(kink.gap) + " (slope " +
+        text += (text.empty() ? "Kinks of e at a gap of " : ", ") + table.gap(kink.gap) + " (slope " +
                 rounded(kink.slopeBefore, 3) + " to " + rounded(kink.slopeAfter, 3) + " per d0)";
-    return text.empty() ? text : text + "\n";
+    return text;
 }
 
 double largestError(const GapStatistics& statistics) {
@@ -131,23 +130,36 @@ double largestError(const GapStatistics& statistics) {
 
 }  // namespace
 
-std::string gapText(const GapReport& report) {
+TextGrid gapGrid(const GapReport& report) {
     GapTable table(report.scenario);
+    fill(table, report);
+    return table.grid();
+}
+
+std::vector<std::string> gapRemarks(const GapReport& report) {
+    const GapTable table(report.scenario);
+    std::vector<std::string> remarks{superRebounds(report, table)};
+    if (std::string places = kinks(report, table); !places.empty()) remarks.push_back(std::move(places));
+    if (report.normal)
+        remarks.emplace_back(
+            "The scattered gap is a normal distribution cut off at no gap: mean and deviation are those "
+            "before the cut.");
+    remarks.push_back("Errors below " + rounded(largestError(report.statistics), 2) + ", from " +
+                      std::to_string(report.curve.solves) + (report.curve.solves == 1 ? " blow" : " blows"));
+    return remarks;
+}
+
+std::string gapText(const GapReport& report) {
+    const GapTable table(report.scenario);
     std::string text = headingOf(report.scenario);
     if (report.curve.dependsOnGap)
         text += "  The gap has a period of d0" +
                 (report.scenario.form == ScenarioForm::dimensional ? " = " + table.gap(1) : std::string()) +
                 ".\n";
     if (const std::string remark = report.periodRemark(); !remark.empty()) text += "  " + remark + "\n";
-    text += "\n" + tableText(report, table) + "\n" + superRebounds(report, table) + kinks(report, table);
-    if (report.normal)
-        text +=
-            "  The scattered gap is a normal distribution cut off at no gap: mean and deviation are those "
-            "before the cut.\n";
-    text += "  Errors below " + rounded(largestError(report.statistics), 2) + ", from " +
-            std::to_string(report.curve.solves) + (report.curve.solves == 1 ? " blow in " : " blows in ") +
-            inHandyUnit(report.runTime, Quantity::time, 3) + ".\n";
-    return text;
+    text += "\n" + gapGrid(report).text();
+    for (const std::string& remark : gapRemarks(report)) text += "\n  " + remark;
+    return text + " in " + inHandyUnit(report.runTime, Quantity::time, 3) + ".\n";
 }
 
 }  // namespace drillwave

@@ -22,6 +22,7 @@ class TextGrid {
     explicit TextGrid(CellAlignment alignment = CellAlignment::right) : m_alignment(alignment) {}
 
     void add(std::vector<std::string> cells) { m_rows.push_back(std::move(cells)); }
+    const std::vector<std::vector<std::string>>& rows() const { return m_rows; }
     std::string text() const;
 
   private:

@@ -51,23 +51,6 @@ std::string gapText(const GapAtBlow& found) {
     return found.motion.stable ? inHandyUnit(found.gap, Quantity::length, 3) : "-";
 }
 
-std::string needsTable(const ThrustReport& report) {
-    const bool judged = report.scenario.drill.thrust.has_value();
-    TextGrid grid;
-    std::vector<std::string> titles{"thrust needed for", "e", "f I0 (1+e) ... (1+2e)"};
-    if (judged) titles.insert(titles.end(), {"margin", "full rate up to", "gap at the blow", "feed"});
-    grid.add(titles);
-    for (const ThrustCase which : thrustCases) {
-        const ThrustNeed& need = report.study.need(which);
-        std::vector<std::string> cells{label(which), rounded(need.cor.value), bracket(need)};
-        if (judged)
-            cells.insert(cells.end(), {signedPercent(*need.margin), hertz(*need.frequencyLimit),
-                                       gapText(*need.gapAtBlow), std::string(feedWord(need.feed))});
-        grid.add(cells);
-    }
-    return grid.text();
-}
-
 std::string bracketTable(const ThrustAlong& along) {
     const RowColumn column = along.axis.column();
     TextGrid grid;
@@ -96,18 +79,6 @@ std::string paragraph(std::string_view words) {
         text += "  " + std::string(words.substr(0, end)) + "\n";
         words.remove_prefix(std::min(end + 1, words.size()));
     }
-    return text;
-}
-
-std::string verdict(const ThrustReport& report) {
-    std::string text = paragraph(feedSentence(report.study.verdict));
-    if (const std::optional<GapAtBlow>& gap = report.study.need(ThrustCase::scenario).gapAtBlow)
-        text += paragraph(gapAtBlowSentence(*gap));
-    if (const std::optional<double> share = report.study.shareFull)
-        text += paragraph("It is at least f I0 (1+e) at " + rounded(*share * 100, 4) +
-                          " % of all gaps in this rock. " + marginSentence(report.study.needs));
-    for (const Alert& alert : alertsFor(report.scenario))
-        if (alert.code == AlertCode::residualWaves) text += paragraph(alertText(alert));
     return text;
 }
 
@@ -168,6 +139,33 @@ std::string marginSentence(const ThrustNeeds& needs) {
            "): " + signedPercent(*largest.margin) + ".";
 }
 
+TextGrid needsGrid(const ThrustReport& report) {
+    const bool judged = report.scenario.drill.thrust.has_value();
+    TextGrid grid;
+    std::vector<std::string> titles{"thrust needed for", "e", "f I0 (1+e) ... (1+2e)"};
+    if (judged) titles.insert(titles.end(), {"margin", "full rate up to", "gap at the blow", "feed"});
+    grid.add(titles);
+    for (const ThrustCase which : thrustCases) {
+        const ThrustNeed& need = report.study.need(which);
+        std::vector<std::string> cells{label(which), rounded(need.cor.value), bracket(need)};
+        if (judged)
+            cells.insert(cells.end(), {signedPercent(*need.margin), hertz(*need.frequencyLimit),
+                                       gapText(*need.gapAtBlow), std::string(feedWord(need.feed))});
+        grid.add(cells);
+    }
+    return grid;
+}
+
+std::vector<std::string> verdictSentences(const ThrustReport& report) {
+    std::vector<std::string> sentences{feedSentence(report.study.verdict)};
+    if (const std::optional<GapAtBlow>& gap = report.study.need(ThrustCase::scenario).gapAtBlow)
+        sentences.push_back(gapAtBlowSentence(*gap));
+    if (const std::optional<double> share = report.study.shareFull)
+        sentences.push_back("It is at least f I0 (1+e) at " + rounded(*share * 100, 4) +
+                            " % of all gaps in this rock. " + marginSentence(report.study.needs));
+    return sentences;
+}
+
 std::string thrustText(const ThrustReport& report) {
     const Drill& drill = report.scenario.drill;
     std::string text = headingOf(report.scenario) + "  " + hertz(*drill.blowFrequency) + " of " +
@@ -175,9 +173,13 @@ std::string thrustText(const ThrustReport& report) {
     text += ", n_b = " + rounded(*roundTripsBetweenBlows(report.scenario), 4);
     if (const std::optional<FeedForce> feed = feedForceOf(report.scenario))
         text += (feed->weight ? "\n  " : ", ") + feedForceText(*feed);
-    text += "\n\n" + needsTable(report);
+    text += "\n\n" + needsGrid(report).text();
     if (report.along) text += "\n" + bracketTable(*report.along);
-    return text + "\n" + verdict(report);
+    text += "\n";
+    for (const std::string& sentence : verdictSentences(report)) text += paragraph(sentence);
+    for (const Alert& alert : alertsFor(report.scenario))
+        if (alert.code == AlertCode::residualWaves) text += paragraph(alertText(alert));
+    return text;
 }
 
 std::string thrustJson(const ThrustReport& report) {

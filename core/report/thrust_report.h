@@ -4,8 +4,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/model/scenario.h"
+#include "core/report/report_text.h"
 #include "core/report/thrust_csv.h"
 #include "core/study/thrust/thrust_study.h"
 
@@ -22,6 +24,13 @@ struct ThrustReport {
 /// The effective force over the largest of the needs, and which that is, in a sentence; empty where no thrust
 /// is installed.
 std::string marginSentence(const ThrustNeeds& needs);
+
+/// What each of the four cases needs, for people: a line of titles, then one for each case. A study must be
+/// there.
+TextGrid needsGrid(const ThrustReport& report);
+
+/// What the installed thrust means at the rig, in sentences; likewise.
+std::vector<std::string> verdictSentences(const ThrustReport& report);
 
 /// Tables for people, and what the installed thrust means at the rig.
 std::string thrustText(const ThrustReport& report);

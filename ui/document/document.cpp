@@ -44,6 +44,16 @@ QString shownValue(const Parameter& parameter, double si) {
     return unit.name.empty() ? number : number + QLatin1Char(' ') + shownUnitName(unit.name);
 }
 
+// The name of the scenario's table for a file elsewhere, when it is named relative to the first.
+std::string tableSeenFrom(const QString& origin, const QString& path, const Scenario& scenario) {
+    const QString table = QFile::decodeName(scenario.pulse.tableFile.c_str());
+    const QDir from = QFileInfo(origin).absoluteDir();
+    const QDir to = QFileInfo(path).absoluteDir();
+    const bool isElsewhere = !origin.isEmpty() && !path.isEmpty() && from != to;
+    if (table.isEmpty() || !isElsewhere || QDir::isAbsolutePath(table)) return scenario.pulse.tableFile;
+    return nativePath(to.relativeFilePath(from.absoluteFilePath(table)));
+}
+
 }  // namespace
 
 Document::Document(QObject* parent, Check check) : QObject(parent), m_check(std::move(check)) {
@@ -73,18 +83,32 @@ QString Document::assign(const Parameter& parameter, double si, int gesture) {
 
 QString Document::assign(const std::vector<ParameterValue>& values, int gesture) {
     Scenario changed = m_scenario;
+    if (const QString problem = change(changed, values); !problem.isEmpty()) return problem;
     QStringList steps, keys;
     for (const auto& [parameter, si] : values) {
-        const std::string outside = rangeProblem(*parameter, si);
-        if (!outside.empty()) return QString::fromStdString(outside);
-        parameter->assign(changed, si);
         steps << tr("%1 to %2").arg(editName(*parameter), shownValue(*parameter, si));
         keys << keyOf(*parameter);
     }
-    const std::vector<InputProblem> problems = m_check(changed);
-    if (!problems.empty()) return QString::fromStdString(problems.front().text);
     push(std::move(changed), tr("change %1").arg(steps.join(QStringLiteral(", "))),
          keys.join(QLatin1Char(' ')), gesture);
+    return {};
+}
+
+QString Document::change(Scenario& scenario, const std::vector<ParameterValue>& values) const {
+    for (const auto& [parameter, si] : values) {
+        const std::string outside = rangeProblem(*parameter, si);
+        if (!outside.empty()) return QString::fromStdString(outside);
+        parameter->assign(scenario, si);
+    }
+    const std::vector<InputProblem> problems = m_check(scenario);
+    return problems.empty() ? QString() : QString::fromStdString(problems.front().text);
+}
+
+QString Document::contentsWith(const std::vector<ParameterValue>& values, ScenarioDocument& changed) const {
+    ScenarioDocument with = contents();
+    if (const QString problem = change(with.scenario, values); !problem.isEmpty()) return problem;
+    with.text = writeScenario(with);
+    changed = std::move(with);
     return {};
 }
 
@@ -125,11 +149,17 @@ void Document::push(Scenario after, const QString& name, const QString& key, int
     // Points that were read again and are the same need no memory of their own in the history.
     if (after.pulse.tablePoints == m_scenario.pulse.tablePoints)
         after.pulse.tablePoints = m_scenario.pulse.tablePoints;
-    if (after == m_scenario) return;
-    auto* edit = new ScenarioEdit(
-        m_scenario, [this] { announceChange(); }, std::move(after), key, gesture);
+    if (after != m_scenario) push(newEdit(std::move(after), key, gesture), name);
+}
+
+void Document::push(std::unique_ptr<ScenarioEdit> edit, const QString& name) {
     edit->setText(name);
-    m_undoStack.push(edit);
+    m_undoStack.push(edit.release());
+}
+
+std::unique_ptr<ScenarioEdit> Document::newEdit(Scenario after, const QString& key, int gesture) {
+    return std::make_unique<ScenarioEdit>(
+        m_scenario, [this] { announceChange(); }, std::move(after), key, gesture);
 }
 
 void Document::announceChange() {
@@ -139,6 +169,7 @@ void Document::announceChange() {
 
 void Document::take(ScenarioDocument source, const QString& path, const QString& origin) {
     m_source = std::move(source);
+    m_text = m_source.text;
     m_path = path;
     m_origin = origin;
     m_undoStack.clear();
@@ -180,6 +211,7 @@ QString Document::reload() {
         ScenarioDocument source = loadScenario(nativePath(m_path));
         push(source.scenario, tr("reload the file"));
         m_source = std::move(source);
+        m_text = m_source.text;
     } catch (const ScenarioError& error) {
         return lines(error);
     }
@@ -225,6 +257,21 @@ QString Document::useScenario(const Scenario& scenario, const QString& step) {
     return {};
 }
 
+QString Document::useContents(const ScenarioDocument& contents, const QString& step) {
+    std::vector<InputProblem> problems = m_check(contents.scenario);
+    if (!problems.empty())
+        return lines(ScenarioError(ScenarioError::Kind::invalid, contents.source, std::move(problems)));
+    Scenario after = contents.scenario;
+    after.pulse.tableFile = tableSeenFrom(QFile::decodeName(contents.source.c_str()), m_origin, after);
+    // Comments are no part of the scenario.
+    const bool isSame = after == m_scenario && contents.text == text().toStdString();
+    if (isSame) return {};
+    std::unique_ptr<ScenarioEdit> edit = newEdit(std::move(after), {}, 0);
+    edit->takeText(m_text, contents.text);
+    push(std::move(edit), step);
+    return {};
+}
+
 QString Document::useTable(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     const QString name =
@@ -260,12 +307,9 @@ QString Document::takeTable(const QString& path, const std::string& name, const 
 
 // The points of a table are in a file named relative to the scenario: saved elsewhere, the name must follow.
 bool Document::keepTableInReach(const QString& path) {
-    const QString table = QFile::decodeName(m_scenario.pulse.tableFile.c_str());
-    const QDir from = QFileInfo(m_origin).absoluteDir();
-    const QDir to = QFileInfo(path).absoluteDir();
-    if (table.isEmpty() || m_origin.isEmpty() || QDir::isAbsolutePath(table) || from == to) return false;
     Scenario changed = m_scenario;
-    changed.pulse.tableFile = nativePath(to.relativeFilePath(from.absoluteFilePath(table)));
+    changed.pulse.tableFile = tableSeenFrom(m_origin, path, m_scenario);
+    if (changed.pulse.tableFile == m_scenario.pulse.tableFile) return false;
     push(std::move(changed), tr("follow the table of the pulse"));
     return true;
 }
@@ -287,8 +331,10 @@ QString Document::save(const QString& path) {
     }
     if (const QString reason = replaceFile(absolute, bytes); !reason.isEmpty()) return failed(reason);
     m_source = {m_scenario, bytes.toStdString(), nativePath(absolute)};
+    m_text = m_source.text;
     m_path = m_origin = absolute;
     m_undoStack.setClean();
+    emit saved();
     emit stateChanged();
     return {};
 }

@@ -6,6 +6,7 @@
 #include <QString>
 #include <QUndoStack>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/file/scenario_file.h"
@@ -20,6 +21,8 @@ struct ParameterValue {
     const Parameter* parameter;
     double si;
 };
+
+class ScenarioEdit;
 
 /// Always holds a scenario that the check finds nothing wrong with; edits that would spoil it are refused.
 class Document : public QObject {
@@ -45,7 +48,10 @@ class Document : public QObject {
     /// The bytes that saving would write. Throws ScenarioError where they would be more than a file may have.
     QByteArray text() const;
     /// The scenario as it is, with the text it came from: all that its bytes are made of.
-    ScenarioDocument contents() const { return {m_scenario, m_source.text, m_source.source}; }
+    ScenarioDocument contents() const { return {m_scenario, m_text, m_source.source}; }
+    /// The scenario with other values of parameters, set in that order, and its text, as saving would write
+    /// it. Changes nothing here; returns why not. Throws ScenarioError as text() does.
+    QString contentsWith(const std::vector<ParameterValue>& values, ScenarioDocument& changed) const;
     /// The scenario and its bytes as last read or written.
     const ScenarioDocument& source() const { return m_source; }
     const std::string& savedText() const { return m_source.text; }
@@ -68,6 +74,10 @@ class Document : public QObject {
     QString applyPreset(const Preset& preset);
     /// Takes another scenario as one undo step of that name. Returns why not; then nothing has changed.
     QString useScenario(const Scenario& scenario, const QString& step);
+    /// Takes another scenario with its text, byte for byte, as one undo step of that name. A table that is
+    /// named relative to another folder is named relative to this scenario's. Returns why not; then nothing
+    /// has changed.
+    QString useContents(const ScenarioDocument& contents, const QString& step);
     /// Takes the hammer blow from a CSV file of times and forces, as one undo step. Returns why not, line by
     /// line; then nothing has changed.
     QString useTable(const QString& path);
@@ -97,6 +107,8 @@ class Document : public QObject {
   signals:
     /// Another scenario has taken the place of the one before, with its file and history.
     void replaced();
+    /// Written to its file, which may be another one than before.
+    void saved();
     void scenarioChanged();
     /// A preset is about to change the scenario.
     void presetTaken();
@@ -104,7 +116,10 @@ class Document : public QObject {
     void stateChanged();
 
   private:
+    QString change(Scenario& scenario, const std::vector<ParameterValue>& values) const;
     void push(Scenario after, const QString& name, const QString& key = {}, int gesture = 0);
+    void push(std::unique_ptr<ScenarioEdit> edit, const QString& name);
+    std::unique_ptr<ScenarioEdit> newEdit(Scenario after, const QString& key, int gesture);
     void announceChange();
     void take(ScenarioDocument source, const QString& path, const QString& origin);
     QString takeTable(const QString& path, const std::string& name, const QString& step);
@@ -112,7 +127,8 @@ class Document : public QObject {
 
     Check m_check;
     Scenario m_scenario;
-    ScenarioDocument m_source;  // as last read or written: what saving changes as little as possible
+    ScenarioDocument m_source;  // as last read or written
+    std::string m_text;         // what saving changes as little as possible
     QString m_path;
     QString m_origin;  // what the names of other files are relative to
     QUndoStack m_undoStack;

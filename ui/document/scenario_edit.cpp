@@ -13,8 +13,14 @@ ScenarioEdit::ScenarioEdit(Scenario& current, std::function<void()> changed, Sce
       m_key(std::move(key)),
       m_gesture(gesture) {}
 
+void ScenarioEdit::takeText(std::string& current, std::string after) {
+    m_currentText = &current;
+    m_otherText = std::move(after);
+}
+
 void ScenarioEdit::exchange() {
     std::swap(m_current, m_other);
+    if (m_currentText) std::swap(*m_currentText, m_otherText);
     m_changed();
 }
 

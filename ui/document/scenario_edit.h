@@ -5,6 +5,7 @@
 #include <QString>
 #include <QUndoCommand>
 #include <functional>
+#include <string>
 
 #include "core/model/scenario.h"
 
@@ -22,6 +23,9 @@ class ScenarioEdit : public QUndoCommand {
     const Scenario& before() const { return m_other; }
     bool isOf(const QString& key, int gesture) const { return m_key == key && m_gesture == gesture; }
 
+    /// Exchanges the text that the scenario came from, too. `current` must outlive this.
+    void takeText(std::string& current, std::string after);
+
     void undo() override { exchange(); }
     void redo() override { exchange(); }
     int id() const override { return m_key.isEmpty() ? -1 : 1; }
@@ -33,6 +37,8 @@ class ScenarioEdit : public QUndoCommand {
     Scenario& m_current;
     std::function<void()> m_changed;
     Scenario m_other;
+    std::string* m_currentText = nullptr;
+    std::string m_otherText;
     QString m_key;
     int m_gesture;
 };

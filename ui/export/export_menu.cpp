@@ -11,24 +11,13 @@
 #include "core/file/result_scenario.h"
 #include "core/study/thrust/thrust_margins.h"
 #include "ui/document/whole_file.h"
+#include "ui/export/export_place.h"
 #include "ui/export/plot_export.h"
 #include "ui/plot/plot_rendering.h"
-#include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
-
-const QString folderKey = QStringLiteral("export/folder");
-
-// While a picture is drawn the window waits.
-class WaitCursor {
-  public:
-    WaitCursor() { QGuiApplication::setOverrideCursor(Qt::WaitCursor); }
-    ~WaitCursor() { QGuiApplication::restoreOverrideCursor(); }
-    WaitCursor(const WaitCursor&) = delete;
-    WaitCursor& operator=(const WaitCursor&) = delete;
-};
 
 QString csvFilter() {
     return ExportMenu::tr("CSV (*.csv);;All files (*)");
@@ -208,15 +197,12 @@ SolvedRun ExportMenu::solvedRun() const {
 }
 
 QString ExportMenu::suggestion(const QString& ending) const {
-    const QFileInfo scenario(m_document.suggestedPath());
-    const QString folder = Settings().value(folderKey, scenario.absolutePath()).toString();
-    return QDir(folder).filePath(scenario.completeBaseName() + ending);
+    return exportSuggestion(m_document, ending);
 }
 
 void ExportMenu::finish(const QString& path, const QString& problem) {
     if (!problem.isEmpty()) return fail(problem);
-    const QFileInfo info(path);
-    Settings().setValue(folderKey, info.isDir() ? info.absoluteFilePath() : info.absolutePath());
+    rememberExportFolder(path);
     emit exported(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/plot_export.h"
 
-#include "ui/pages/blow/blow_plots.h"
-#include "ui/pages/rock/rock_plot.h"
-#include "ui/pages/rod/rod_plot.h"
+#include <array>
+
+#include "ui/export/paper_plots.h"
 
 namespace drillwave {
 namespace {
@@ -25,34 +25,17 @@ Pictures drawBlowPlots(const Scenario& scenario, const Impact& impact,
     Pictures pictures{.files = {}, .problem = obstacle(impact)};
     if (!pictures.problem.isEmpty()) return pictures;
 
-    const Problem problem = problemOf(scenario);
-    const ShownUnits shown = shownUnits(naturalUnits(scenario), scalesOf(scenario));
-    const PlotStyle style = PlotStyle::forPaper();
-    QCustomPlot blowPlot;
-    blowPlot.setLocale(QLocale::c());
-    BlowPlots blow(&blowPlot);
-    blow.setStyle(style);
-    blow.present(blowCurves(impact, problem.hammer, shown, 0.5, Tail::cut));
-    QCustomPlot rockPlot;
-    rockPlot.setLocale(QLocale::c());
-    RockPlot rock(&rockPlot);
-    rock.setStyle(style);
-    rock.present(rockCurve(impact, problem, shown));
-    QCustomPlot rodPlot;
-    rodPlot.setLocale(QLocale::c());
-    RodPlot rod(&rodPlot);
-    rod.setStyle(style);
-    rod.present(rodCurves(impact, problem.hammer, scenario, shown, stop));
-
     struct Drawn {
         const char* name;
-        QCustomPlot* plot;
-        Millimetres size;
+        PaperPlot paper;
     };
+    const std::array all{Drawn{"blow", blowPaperPlot(scenario, impact)},
+                         Drawn{"rock", rockPaperPlot(scenario, impact)},
+                         Drawn{"rod", rodPaperPlot(scenario, impact, stop)}};
     const QString title = QString::fromStdString(scenario.title);
-    for (const Drawn& drawn : {Drawn{"blow", &blowPlot, {180, 240}}, Drawn{"rock", &rockPlot, {120, 90}},
-                               Drawn{"rod", &rodPlot, {180, 110}}}) {
-        Pictures more = renderPictures(*drawn.plot, drawn.size, title, {drawn.name, formats, stop});
+    for (const Drawn& drawn : all) {
+        Pictures more =
+            renderPictures(*drawn.paper.plot, drawn.paper.size, title, {drawn.name, formats, stop});
         if (!more.problem.isEmpty()) return {{}, more.problem};
         for (NamedFile& file : more.files) pictures.files.push_back(std::move(file));
     }

@@ -47,7 +47,16 @@ void PulseSection::addShape(QGridLayout* grid, QWidget* parent) {
     label->setBuddy(m_shape);
     const int row = grid->rowCount();
     grid->addWidget(label, row, 0);
-    grid->addWidget(m_shape, row, 1, 1, columns - 1);
+    auto* measured = new QPushButton(tr("Measured…"), parent);
+    measured->setObjectName(QStringLiteral("importBlow"));
+    measured->setToolTip(
+        tr("Import a measured hammer blow: any table of samples, as a force, a strain or the output of a "
+           "bridge"));
+    auto* shapes = new QHBoxLayout;
+    shapes->addWidget(m_shape, 1);
+    shapes->addWidget(measured);
+    grid->addLayout(shapes, row, 1, 1, columns - 1);
+    connect(measured, &QPushButton::clicked, this, &PulseSection::importRequested);
     connect(m_shape, &QComboBox::activated, this,
             [this](int index) { chooseShape(static_cast<PulseShape>(m_shape->itemData(index).toInt())); });
 }
@@ -122,7 +131,8 @@ void PulseSection::chooseTable() {
 void PulseSection::tellIfFailed(const QString& problem) {
     if (!problem.isEmpty())
         m_questions.tell(m_shape->window(), Questions::Tone::failure,
-                         tr("The hammer blow cannot be taken from this file."), problem);
+                         tr("The hammer blow cannot be taken from this file."),
+                         problem + QLatin1Char('\n') + tr("“Measured…” imports tables of any other form."));
 }
 
 }  // namespace drillwave

@@ -25,6 +25,10 @@ class PulseSection : public QObject {
     enum class Shapes { asked, asBefore };
     void present(const Scenario& scenario, Shapes shapes);
 
+  signals:
+    /// The user wants to import a measured blow.
+    void importRequested();
+
   private:
     void addShape(QGridLayout* grid, QWidget* parent);
     void addTable(QGridLayout* grid, QWidget* parent);

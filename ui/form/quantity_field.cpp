@@ -16,6 +16,7 @@
 #include "core/text/number_text.h"
 #include "ui/form/unit_button.h"
 #include "ui/text/shown_text.h"
+#include "ui/text/typed_quantity.h"
 #include "ui/text/typed_text.h"
 
 namespace drillwave {
@@ -115,10 +116,7 @@ void QuantityField::readText(const QString& text) {
         accept();
         return empty();
     }
-    const PlainText plain = plainText(text, locale());
-    if (!plain.problem.isEmpty()) return refuse(plain.problem);
-    const TypedQuantity typed =
-        parseQuantity(plain.text.toStdString(), m_quantity, BareNumber::inDefaultUnit, m_unit);
+    const TypedQuantity typed = typedQuantity(text, m_quantity, *m_unit, locale());
     if (!typed.valid()) return refuse(QString::fromStdString(typed.problem));
     const QString objection = offer(typed.si);
     if (!objection.isEmpty()) return refuse(objection);

@@ -76,8 +76,10 @@ void ScenarioPanel::addSection(const QString& section, const QString& title) {
     m_sections.append({box, grid, {}});
     if (const std::optional<PresetKind> kind = presetsOf(section))
         addPresets(*kind, title, grid, box->content());
-    if (section == QLatin1String("pulse"))
+    if (section == QLatin1String("pulse")) {
         m_pulse = new PulseSection(m_document, m_questions, grid, box->content());
+        connect(m_pulse, &PulseSection::importRequested, this, &ScenarioPanel::importRequested);
+    }
     for (const Parameter& parameter : parameters())
         if (parameter.section() == section.toStdString()) addRow(parameter, title, grid, box->content());
     widget()->layout()->addWidget(box);

@@ -35,6 +35,8 @@ class ScenarioPanel : public QScrollArea {
     /// A slider is held, and let go again; not for clicks, keys and wheel.
     void dragStarted();
     void dragEnded();
+    /// The user wants to import a measured hammer blow.
+    void importRequested();
 
   private:
     void addTitle();

@@ -19,18 +19,11 @@
 namespace drillwave {
 namespace {
 
-constexpr double layoutDpi = 96;  // the plots are laid out in these pixels in every format
 constexpr double millimetresPerInch = 25.4;
 
 QSize pixelsOf(Millimetres size) {
     return {static_cast<int>(std::lround(size.width / millimetresPerInch * layoutDpi)),
             static_cast<int>(std::lround(size.height / millimetresPerInch * layoutDpi))};
-}
-
-void paint(QCustomPlot& plot, QCPPainter& painter, QSize size) {
-    painter.setMode(QCPPainter::pmVectorized);
-    painter.setMode(QCPPainter::pmNoCaching);
-    plot.toPainter(&painter, size.width(), size.height());
 }
 
 QByteArray png(QCustomPlot& plot, Millimetres size, double dpi) {
@@ -57,7 +50,7 @@ QByteArray svg(QCustomPlot& plot, Millimetres size, const QString& title) {
     generator.setViewBox(QRect(QPoint(0, 0), pixelsOf(size)));
     QCPPainter painter;
     painter.begin(&generator);
-    paint(plot, painter, pixelsOf(size));
+    paintPlot(plot, painter, size);
     painter.end();
     // Readers that do not have the font shall take another one without serifs.
     const QByteArray family = PlotStyle::forPaper().font.family().toUtf8();
@@ -90,7 +83,7 @@ QByteArray pdf(QCustomPlot& plot, Millimetres size, const QString& title) {
     writer.setPageMargins(QMarginsF(0, 0, 0, 0));
     QCPPainter painter;
     painter.begin(&writer);
-    paint(plot, painter, pixelsOf(size));
+    paintPlot(plot, painter, size);
     painter.end();
     QByteArray bytes = buffer.data();
     fixCreationDate(bytes);
@@ -103,6 +96,13 @@ QStringList plotFormats() {
     QStringList formats;
     for (const std::string_view format : pictureFormats) formats << fromView(format);
     return formats;
+}
+
+void paintPlot(QCustomPlot& plot, QCPPainter& painter, Millimetres size) {
+    const QSize pixels = pixelsOf(size);
+    painter.setMode(QCPPainter::pmVectorized);
+    painter.setMode(QCPPainter::pmNoCaching);
+    plot.toPainter(&painter, pixels.width(), pixels.height());
 }
 
 QByteArray renderPlot(QCustomPlot& plot, Millimetres size, const QString& format, const QString& title,

@@ -6,6 +6,7 @@
 #include <QString>
 #include <QStringList>
 
+class QCPPainter;
 class QCustomPlot;
 
 namespace drillwave {
@@ -27,5 +28,11 @@ inline constexpr double standardDpi = 200;
 /// cut there in every format. `title` goes into the file's properties. Empty when it could not be drawn.
 QByteArray renderPlot(QCustomPlot& plot, Millimetres size, const QString& format, const QString& title,
                       double dpi = standardDpi);
+
+/// Draws the plot at the origin of a painter whose unit is that of the layout.
+void paintPlot(QCustomPlot& plot, QCPPainter& painter, Millimetres size);
+
+/// Units of the layout in an inch.
+inline constexpr double layoutDpi = 96;
 
 }  // namespace drillwave

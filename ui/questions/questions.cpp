@@ -29,7 +29,7 @@ QString scenarioFilter() {
 }
 
 QString openFilter() {
-    return tr("Scenarios and results (*.yaml *.yml *.csv);;All files (*)");
+    return tr("Scenarios and results (*.yaml *.yml *.csv *.json *.html);;All files (*)");
 }
 
 }  // namespace

@@ -32,11 +32,6 @@ bool isNeutralGroup(QChar c) {
     return c.category() == QChar::Separator_Space || c == u'\'' || c == u'’';
 }
 
-// Direction marks, soft hyphens and blanks of no width come with text copied from elsewhere.
-QString withoutInvisible(QString text) {
-    return text.removeIf([](QChar c) { return c.category() == QChar::Other_Format; });
-}
-
 bool holdsSeveralLines(const QString& text) {
     return std::ranges::any_of(text, [](QChar c) {
         return c == u'\n' || c == u'\r' || c == QChar::LineSeparator || c == QChar::ParagraphSeparator;
@@ -106,6 +101,20 @@ QString exponentOf(QStringView text) {
 
 }  // namespace
 
+QString withoutInvisible(QString text) {
+    return text.removeIf([](QChar c) { return c.category() == QChar::Other_Format; });
+}
+
+LeadingNumber leadingNumber(QStringView text, const QLocale& locale) {
+    const Mantissa mantissa = readMantissa(text);
+    LeadingNumber number;
+    number.text = plainMantissa(mantissa, locale, number.problem);
+    const QString exponent = exponentOf(text.mid(mantissa.length));
+    number.text += exponent;
+    number.length = mantissa.length + exponent.size();
+    return number;
+}
+
 PlainText plainText(const QString& typed, const QLocale& locale) {
     QString text = withoutInvisible(typed).trimmed();
     if (holdsSeveralLines(text))
@@ -114,14 +123,12 @@ PlainText plainText(const QString& typed, const QLocale& locale) {
     const bool hasSign = text.startsWith(u'-') || text.startsWith(u'+');
     const QString sign = hasSign ? text.left(1) : QString();
     const QStringView unsignedText = QStringView(text).mid(sign.size());
-    const Mantissa mantissa = readMantissa(unsignedText);
+    const LeadingNumber number = leadingNumber(unsignedText, locale);
     PlainText plain;
-    const QString number = plainMantissa(mantissa, locale, plain.problem);
+    plain.problem = number.problem;
     if (!plain.problem.isEmpty()) return plain;
-    const QStringView behind = unsignedText.mid(mantissa.length);
-    const QString exponent = exponentOf(behind);
-    const QStringView unit = behind.mid(exponent.size()).trimmed();
-    plain.text = sign + number + exponent;
+    const QStringView unit = unsignedText.mid(number.length).trimmed();
+    plain.text = sign + number.text;
     if (!unit.isEmpty())
         plain.text += (plain.text.isEmpty() ? QString() : QStringLiteral(" ")) + unit.toString();
     return plain;

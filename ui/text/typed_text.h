@@ -20,6 +20,19 @@ struct PlainText {
 /// ("1,500" where the point is usual): that is refused, never guessed.
 PlainText plainText(const QString& typed, const QLocale& locale);
 
+/// A number at the beginning of a text, without a sign.
+struct LeadingNumber {
+    QString text;          ///< with a point as the decimal sign and no grouping; empty where there is none
+    QString problem;       ///< why it cannot be understood
+    qsizetype length = 0;  ///< characters that it takes
+};
+
+/// As plainText() reads it. Requires no invisible characters.
+LeadingNumber leadingNumber(QStringView text, const QLocale& locale);
+
+/// Without direction marks, soft hyphens and blanks of no width, which come with text copied from elsewhere.
+QString withoutInvisible(QString text);
+
 /// C text of a number with the locale's decimal sign.
 QString localText(const QString& plain, const QLocale& locale);
 

@@ -26,6 +26,17 @@ bool isCsv(const QString& path) {
     return isCsvName(path.toStdString());
 }
 
+// Tables of samples that no command writes: only importing finds out what they hold.
+bool isTableName(const QString& path) {
+    static const QStringList suffixes{QStringLiteral("txt"), QStringLiteral("tsv"), QStringLiteral("dat"),
+                                      QStringLiteral("asc"), QStringLiteral("prn")};
+    return suffixes.contains(QFileInfo(path).suffix().toLower());
+}
+
+bool isPage(const QString& path) {
+    return QFileInfo(path).suffix().compare(QStringLiteral("html"), Qt::CaseInsensitive) == 0;
+}
+
 // Results begin with the lines of their scenario; a table of times and forces begins with its header.
 bool isResult(const QString& path) {
     QFile file(path);
@@ -60,6 +71,10 @@ void FileMenu::addFileActions(QMenu* exports) {
     addAction(tr("&Save"), QKeySequence::Save, this, &FileMenu::save);
     // Without a desktop theme some standard shortcuts are empty.
     addAction(tr("Save &As…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this, &FileMenu::saveAs);
+    QAction* import = addAction(tr("&Import…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I), this,
+                                [this] { emit importRequested({}); });
+    import->setToolTip(
+        tr("A measured signal from a table of samples: as the hammer blow, or to compare with"));
     addMenu(exports);
     addSeparator();
     QAction* quit = addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), m_window, &QWidget::close);
@@ -144,13 +159,16 @@ void FileMenu::take(const QStringList& paths) {
     const QString refusal = tr("This cannot be taken.");
     if (paths.size() > 1) {
         succeeded(refusal, tr("%1 files were dropped; drop one at a time.").arg(paths.size()));
-    } else if (isScenarioName(paths.first()) || (isCsv(paths.first()) && isResult(paths.first()))) {
+    } else if (isScenarioName(paths.first()) || isPage(paths.first()) ||
+               (isCsv(paths.first()) && isResult(paths.first()))) {
         if (mayDiscard()) openFile(paths.first());
     } else if (isCsv(paths.first())) {
         succeeded(tr("The hammer blow cannot be taken from this file."), m_document.useTable(paths.first()));
+    } else if (isTableName(paths.first())) {
+        emit importRequested(paths.first());
     } else {
-        succeeded(refusal, tr("%1\nDrop a scenario (.yaml), a file of a run (.csv, .json), or the "
-                              "CSV file of a hammer blow.")
+        succeeded(refusal, tr("%1\nDrop a scenario (.yaml), a file of a run (.csv, .json), a report (.html), "
+                              "the CSV file of a hammer blow, or a table of samples (.txt, .dat).")
                                .arg(QDir::toNativeSeparators(paths.first())));
     }
 }

@@ -31,6 +31,8 @@ class FileMenu : public QMenu {
 
   signals:
     void exampleOpened(const drillwave::Example& example);
+    /// A measured signal is to be imported: from that file, or from one to be asked for.
+    void importRequested(const QString& path);
 
   private:
     void addFileActions(QMenu* exports);

@@ -13,7 +13,9 @@
 #include "core/file/examples.h"
 #include "ui/document/recovery.h"
 #include "ui/export/export_menu.h"
+#include "ui/export/report_writer.h"
 #include "ui/form/scenario_panel.h"
+#include "ui/import/importer.h"
 #include "ui/job/solve_status.h"
 #include "ui/job/study_status.h"
 #include "ui/pages/accuracy/accuracy_page.h"
@@ -69,6 +71,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
       m_questions(std::move(questions)),
       m_job(std::move(job)),
       m_units(new UnitsChoice(this)),
+      m_report(new ReportWriter(m_document, *m_questions, this)),
       m_pages(new PageTabs(this)),
       m_solveStatus(new SolveStatus(this)),
       m_studyStatus(new StudyStatus(this)),
@@ -79,7 +82,9 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     addTabs();
     addCenter();
     addDocks();
-    m_pages->add(new BlowPage(m_observation), PageGroup::thisBlow);
+    auto* blow = new BlowPage(m_observation);
+    blow->follow(m_measured);
+    m_pages->add(blow, PageGroup::thisBlow);
     m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RodPage(m_observation), PageGroup::thisBlow);
@@ -93,6 +98,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     wire();
     wireGhost();
     wireSolving();
+    wireImport();
     presentState();
     m_layout->restoreSize();
     m_pages->restoreChoice();
@@ -115,6 +121,7 @@ void MainWindow::addTabs() {
     bar->toggleViewAction()->setVisible(false);
     bar->addWidget(m_pages->strip());
     bar->addWidget(m_units->button());
+    bar->addAction(m_report->action());
     addToolBar(bar);
 }
 
@@ -145,6 +152,7 @@ void MainWindow::addMenus() {
          [this](const QString& what, auto then) { m_solveStatus->whenCurrent(what, std::move(then)); }},
         this);
     m_fileMenu = new FileMenu(m_document, *m_questions, m_watch, m_exportMenu, this);
+    m_fileMenu->insertAction(m_exportMenu->menuAction(), m_report->action());
     menuBar()->addMenu(m_fileMenu);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     QAction* undo = m_document.undoStack().createUndoAction(edit, tr("&Undo"));
@@ -185,6 +193,10 @@ void MainWindow::wire() {
     connect(m_fileMenu, &FileMenu::exampleOpened, m_exampleNote, &ExampleNote::explain);
     connect(new FileDrop(this), &FileDrop::dropped, m_fileMenu, &FileMenu::take);
     connect(m_exportMenu, &ExportMenu::exported, this, &MainWindow::inform);
+    connect(m_report, &ReportWriter::written, this, &MainWindow::inform);
+    connect(m_report, &ReportWriter::begun, this,
+            [this] { m_studyStatus->follow(&m_report->activity(), tr("Report")); });
+    connect(m_report, &ReportWriter::ended, this, &MainWindow::followPage);
     connect(m_pages, &PageTabs::exportRequested, m_exportMenu, &ExportMenu::save);
     connect(m_resultPanel, &ResultPanel::timeChosen, &m_observation, &Observation::setTime);
     connect(&m_observation, &Observation::timeChanged, m_resultPanel, &ResultPanel::setTime);
@@ -233,10 +245,24 @@ void MainWindow::wireSolving() {
     connect(m_solveStatus, &SolveStatus::calledOff, this, &MainWindow::inform);
 }
 
+void MainWindow::wireImport() {
+    m_importer = std::make_unique<Importer>(m_document, m_measured, *m_questions, this);
+    connect(m_fileMenu, &FileMenu::importRequested, this, [this](const QString& path) {
+        if (path.isEmpty())
+            m_importer->start(ImportUse::normalForce);
+        else
+            m_importer->open(path, ImportUse::normalForce);
+    });
+    connect(m_scenarioPanel.get(), &ScenarioPanel::importRequested, this,
+            [this] { m_importer->start(ImportUse::blow); });
+    connect(m_importer.get(), &Importer::imported, this, &MainWindow::inform);
+}
+
 // What the page on show can write, and what it computes.
 void MainWindow::followPage() {
     const Page& page = m_pages->current();
     m_exportMenu->setExports(page.exports());
+    if (m_report->activity().state() == StudyState::running) return;
     m_studyStatus->follow(page.activity(), page.title());
 }
 

@@ -7,6 +7,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/file_watch.h"
+#include "ui/document/measured_list.h"
 #include "ui/job/observation.h"
 #include "ui/job/solve_job.h"
 #include "ui/questions/questions.h"
@@ -19,8 +20,10 @@ class ExampleNote;
 class ExportMenu;
 class FileNotice;
 class FileMenu;
+class Importer;
 class PageTabs;
 class Recovery;
+class ReportWriter;
 class ResultPanel;
 class ScenarioPanel;
 class SolveStatus;
@@ -61,6 +64,7 @@ class MainWindow : public QMainWindow {
     void wire();
     void wireGhost();
     void wireSolving();
+    void wireImport();
     void followPage();
     void saveChoices() const;
     void endSession(QSessionManager& session);
@@ -75,6 +79,7 @@ class MainWindow : public QMainWindow {
     Document m_document;
     FileWatch m_watch{m_document, this};
     Observation m_observation{this};
+    MeasuredList m_measured{this};
     std::unique_ptr<Questions> m_questions;
     std::unique_ptr<SolveJob> m_job;
     SolvedBlowPtr m_shown;
@@ -87,6 +92,7 @@ class MainWindow : public QMainWindow {
     Recovery* m_recovery = nullptr;
     ResultPanel* m_resultPanel = nullptr;
     UnitsChoice* m_units;
+    ReportWriter* m_report;
     PageTabs* m_pages;
     SolveStatus* m_solveStatus;
     StudyStatus* m_studyStatus;
@@ -96,6 +102,7 @@ class MainWindow : public QMainWindow {
     GhostStay m_ghostStays = GhostStay::no;
     // Hands the last edits over as it goes: while all of the above is still there.
     std::unique_ptr<ScenarioPanel> m_scenarioPanel;
+    std::unique_ptr<Importer> m_importer;
 };
 
 }  // namespace drillwave

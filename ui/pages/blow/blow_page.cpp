@@ -9,6 +9,8 @@
 #include "core/wave/field/rod_state.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_plots.h"
+#include "ui/pages/blow/measured_bar.h"
+#include "ui/pages/blow/measured_curves.h"
 #include "ui/pages/section_field.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
@@ -29,7 +31,8 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
       m_place(new QLabel(this)),
       m_instant(new QLabel(this)),
       m_plot(makePlot()),
-      m_plots(new BlowPlots(m_plot)) {
+      m_plots(new BlowPlots(m_plot)),
+      m_measuredCurves(new MeasuredCurves(m_plots)) {
     m_place->setObjectName(QStringLiteral("place"));
     m_instant->setObjectName(QStringLiteral("instant"));
     m_instant->setContentsMargins(8, 0, 8, 0);
@@ -45,7 +48,10 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     layout->addWidget(m_plot, 1);
 
     m_plot->setAccessibleName(tr("Waves, impact force, impulse and momentum over time"));
-    m_plot->followPalette([this](const PlotStyle& style) { m_plots->setStyle(style); });
+    m_plot->followPalette([this](const PlotStyle& style) {
+        m_plots->setStyle(style);
+        m_measuredCurves->setStyle(style);
+    });
     connect(&observation, &Observation::sectionChanged, this, &BlowPage::showSection);
     connect(&observation, &Observation::timeChanged, this, &BlowPage::showInstant);
     connect(m_plot, &PlotWidget::fitRequested, m_plots, &BlowPlots::fit);
@@ -126,6 +132,7 @@ void BlowPage::setResult(const SolvedBlowPtr& blow) {
     } else if (!blow->problem.isEmpty()) {
         m_plots->showNothing(tr("Nothing to show: %1").arg(blow->problem));
     }
+    showMeasured();
     showPlace();
     showInstant();
     m_plot->setAccessibleDescription(m_plots->textSummary());
@@ -151,6 +158,34 @@ void BlowPage::setMeanings() {
     m_plot->setMeaning(m_plots->closedFormGraph(), std::move(meanings.closedForm));
     m_plot->setMeaning(m_plots->impulseGraph(), std::move(meanings.impulse));
     m_plot->setMeaning(m_plots->momentumGraph(), std::move(meanings.momentum));
+}
+
+void BlowPage::follow(MeasuredList& measured) {
+    m_measured = &measured;
+    m_measuredBar = new MeasuredBar(measured, this);
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    column->insertWidget(column->indexOf(m_instant), m_measuredBar);
+    connect(m_measuredBar, &MeasuredBar::placeChosen, this, &BlowPage::goToPlace);
+    connect(&measured, &MeasuredList::changed, this, [this] {
+        showMeasured();
+        m_plots->fitUnlessZoomed();
+        m_plot->replot(QCustomPlot::rpQueuedReplot);
+    });
+    showMeasured();
+}
+
+void BlowPage::showMeasured() {
+    if (!m_measured || !m_blow) return;
+    m_measuredCurves->present(m_measured->signalList(), *m_blow);
+    m_measuredBar->setStyle(PlotStyle::forScreen(palette(), font()));
+    m_measuredBar->setComparable(isComparable(*m_blow) || !m_blow->problem.isEmpty());
+    const CurveMeaning meaning = blowMeanings(m_blow).closedForm;
+    for (const QCPGraph* graph : m_measuredCurves->graphs()) m_plot->setMeaning(graph, meaning);
+}
+
+void BlowPage::goToPlace(double x) {
+    if (!m_blow || m_blow->request.scenario.form != ScenarioForm::dimensional) return;
+    m_observation.setSection(std::clamp(x / m_blow->request.scenario.rod.length, 0.0, 1.0));
 }
 
 void BlowPage::setGhost(const SolvedBlowPtr& before) {

@@ -11,6 +11,9 @@ class QLabel;
 namespace drillwave {
 
 class BlowPlots;
+class MeasuredBar;
+class MeasuredCurves;
+class MeasuredList;
 class SectionField;
 
 class BlowPage : public PlotPage {
@@ -25,7 +28,11 @@ class BlowPage : public PlotPage {
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;
 
+    /// Lays measured signals over the curves. Once; the list must outlive the page.
+    void follow(MeasuredList& measured);
+
     BlowPlots* plots() const { return m_plots; }
+    const MeasuredCurves* measuredCurves() const { return m_measuredCurves; }
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -37,6 +44,8 @@ class BlowPage : public PlotPage {
     void showInstant();
     void setMeanings();
     void carryCursors();
+    void goToPlace(double x);
+    void showMeasured();
 
     Observation& m_observation;
     QLabel* m_hint;
@@ -45,6 +54,9 @@ class BlowPage : public PlotPage {
     QLabel* m_instant;
     PlotWidget* m_plot;
     BlowPlots* m_plots;
+    MeasuredList* m_measured = nullptr;
+    MeasuredCurves* m_measuredCurves;
+    MeasuredBar* m_measuredBar = nullptr;
     SolvedBlowPtr m_blow;
     ShownUnit m_cursorUnit;  // of cursors A and B
 };

@@ -187,6 +187,27 @@ void BlowPlots::addGhost(std::size_t index, int kind, const GraphData& data) {
     plot.ghosts.append(ghost);
 }
 
+QCPGraph* BlowPlots::addOverlay(Kind kind, const QString& name) {
+    Plot& plot = m_plots[kind == Kind::waves ? waves : force];
+    QCPGraph* overlay =
+        m_plot->addGraph(plot.rect->axis(QCPAxis::atBottom), plot.rect->axis(QCPAxis::atLeft));
+    overlay->setName(name);
+    overlay->addToLegend(plot.legend);
+    m_style.applyTo(*plot.legend);
+    plot.overlays.append(overlay);
+    return overlay;
+}
+
+void BlowPlots::removeOverlay(QCPGraph* overlay) {
+    for (Plot& plot : m_plots)
+        if (plot.overlays.removeOne(overlay)) overlay->removeFromLegend(plot.legend);
+    m_plot->removeGraph(overlay);
+}
+
+void BlowPlots::fitUnlessZoomed() {
+    if (m_view->isFitted()) fit();
+}
+
 void BlowPlots::showNothing(const QString& message) {
     for (const Plot& plot : m_plots)
         for (QCPGraph* graph : plot.graphs) graph->setData(GraphData::create());
@@ -247,7 +268,7 @@ void BlowPlots::fit() {
     m_view->fit([this] {
         m_plots[waves].rect->axis(QCPAxis::atBottom)->setRange(0, std::max(m_timeEnd, m_ghostEnd));
         for (const Plot& plot : m_plots)
-            plot.rect->axis(QCPAxis::atLeft)->setRange(valueRange(plot.graphs + plot.ghosts));
+            plot.rect->axis(QCPAxis::atLeft)->setRange(valueRange(plot.graphs + plot.ghosts + plot.overlays));
     });
 }
 

@@ -26,11 +26,18 @@ class BlowPlots : public QObject {
     void present(const BlowCurves& curves);
     /// The curves of another blow faintly behind, in no legend; nullptr takes them away.
     void setGhost(const BlowCurves* before);
+    /// A curve of something else among those of a kind, in its legend; it is fitted with them. The caller
+    /// gives it data and pen, and takes it away again.
+    enum class Kind { waves, impactForce };
+    QCPGraph* addOverlay(Kind kind, const QString& name);
+    void removeOverlay(QCPGraph* overlay);
     /// No curves, and `message` in their place (why there are none).
     void showNothing(const QString& message);
     void setStyle(const PlotStyle& style);
     /// All curves in view.
     void fit();
+    /// The same, unless the user has chosen another view.
+    void fitUnlessZoomed();
     /// What the plots show, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
     QCPAxisRect* axisRect(int index) const { return m_plots.at(static_cast<std::size_t>(index)).rect; }
@@ -49,6 +56,7 @@ class BlowPlots : public QObject {
         QCPLegend* legend = nullptr;
         QVector<QCPGraph*> graphs;
         QVector<QCPGraph*> ghosts;
+        QVector<QCPGraph*> overlays;
     };
     void addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins);
     void linkTimeAxes();

@@ -215,17 +215,19 @@ void TestStiffnessPage::aClickOnACurveIsOneUndoStep() {
         if (plot->picture().lines[i].name.contains("1") && study().curve.lines[std::size_t(i)].family == 1.0)
             elastic = plot->graphs()[i];
     QVERIFY(elastic);
-    const auto point = elastic->data()->at(elastic->dataCount() / 2);
-    emit m_page->plot()->clicked(elastic->keyAxis()->axisRect(), {point->key, point->value}, Qt::NoModifier);
+    // by value: the click draws other curves
+    const QCPGraphData point = *elastic->data()->at(elastic->dataCount() / 2);
+    QCPAxisRect* axes = elastic->keyAxis()->axisRect();
+    emit m_page->plot()->clicked(axes, {point.key, point.value}, Qt::NoModifier);
     QCOMPARE(undo.count(), before + 1);
     QVERIFY(undo.undoText().contains("stiffness"));
     QCOMPARE(m_document->scenario().bitRock.gamma, 1.0);
     // four digits of what is under the pointer
-    QVERIFY(std::abs(m_document->scenario().bitRock.stiffness / (point->key * 1e6) - 1) < 1e-3);
+    QVERIFY(std::abs(m_document->scenario().bitRock.stiffness / (point.key * 1e6) - 1) < 1e-3);
     m_document->undoStack().undo();
     QCOMPARE(m_document->scenario().bitRock.gamma, 0.1);
     // away from all curves only the parameter is taken
-    emit m_page->plot()->clicked(elastic->keyAxis()->axisRect(), {150, 1e6}, Qt::NoModifier);
+    emit m_page->plot()->clicked(axes, {150, 1e6}, Qt::NoModifier);
     QCOMPARE(m_document->scenario().bitRock.stiffness, 1.5e8);
     QCOMPARE(m_document->scenario().bitRock.gamma, 0.1);
     finish();

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `drillwave report`: a blow as a page to hand over.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/command.h"
+#include "app/interruption.h"
+#include "app/output_folder.h"
+#include "app/progress_bar.h"
+#include "app/scenario_argument.h"
+#include "core/file/report_file.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr std::string_view stem = "report";  // of the files in a folder
+
+/// What -o asks for.
+struct ReportPlace {
+    std::string path;  ///< "-": HTML on standard output
+    bool isFolder = false;
+    std::vector<std::string> formats;
+
+    std::vector<std::string> names() const {
+        std::vector<std::string> names;
+        for (const std::string& format : formats) names.push_back(std::string(stem) + "." + format);
+        return names;
+    }
+    /// The files, with their folder.
+    std::vector<std::string> paths() const {
+        if (!isFolder) return {path};
+        std::vector<std::string> paths;
+        for (const std::string& name : names()) paths.push_back(path + "/" + name);
+        return paths;
+    }
+};
+
+/// A name that ends like that of a file and is none of a report is most likely mistaken.
+ReportPlace placeOf(const Arguments& arguments) {
+    const std::optional<std::string> path = arguments.value("o");
+    if (!path)
+        throw CommandError(ExitCode::usage, "needs -o DIR, -o FILE.html or -o FILE.pdf, where to write");
+    if (*path == "-") return {*path, false, {"html"}};
+    std::error_code ignored;
+    std::string ending = std::filesystem::path(*path).extension().string();
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (ending == ".html" || ending == ".pdf") return {*path, false, {ending.substr(1)}};
+    const bool isFolder = path->ends_with('/') || std::filesystem::is_directory(*path, ignored);
+    if (!ending.empty() && !isFolder)
+        throw CommandError(ExitCode::usage, "-o " + *path +
+                                                ": a report is FILE.html or FILE.pdf; for a folder of that "
+                                                "name put / behind it");
+    return {*path, true, {"html", "pdf"}};
+}
+
+/// Finds out before anything is computed whether the files can be written.
+void check(const ReportPlace& place, const std::string& input, const ScenarioDocument& document,
+           Overwrite overwrite) {
+    for (const std::string& path : place.paths()) checkOutputIsNoInput(path, input, document);
+    if (place.isFolder)
+        checkFolder(place.path, place.names(), overwrite);
+    else
+        checkOverwrite(place.path, overwrite);
+}
+
+BlowReport study(const ScenarioDocument& document, const Interruption& interruption) {
+    constexpr double parts = 1000;
+    ProgressBar bar(static_cast<std::uint64_t>(parts));
+    const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
+    BlowReport report = reportOn(document, interruption.token(), progress);
+    interruption.check();
+    return report;
+}
+
+void write(const ReportPlace& place, std::vector<NamedFile> files, Overwrite overwrite,
+           const Interruption& interruption) {
+    if (!place.isFolder) return writeFile(place.path, files.front().bytes, overwrite);
+    FolderFiles folder;
+    folder.files = std::move(files);
+    writeFolder(place.path, folder, overwrite, interruption);
+}
+
+ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
+    const std::string& path = arguments.operands().front();
+    const ReportPlace place = placeOf(arguments);
+    const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    check(place, path, document, overwrite);
+
+    const Interruption interruption;
+    remarkOnValues(document.scenario, path);
+    const BlowReport report = study(document, interruption);
+    if (!report.blow.isSolved())
+        throw CommandError(ExitCode::unsolvedOrFailed,
+                           path + ": could not be solved: " + report.blow.impact.reason);
+    std::vector<NamedFile> files =
+        drawing->report(report, {std::string(stem), place.formats, interruption.token()});
+    interruption.check();
+    write(place, std::move(files), overwrite, interruption);
+    if (place.path != "-") std::printf("report in %s\n", place.path.c_str());
+    return ExitCode::done;
+}
+
+}  // namespace
+
+const Command& reportCommand() {
+    static const Command command{
+        .name = "report",
+        .operands = "FILE",
+        .summary = "a page to hand over: inputs with sources, results, verdict, plots, the scenario",
+        .details =
+            "FILE.html holds everything in one file, its pictures and the scenario too, and can be run\n"
+            "again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on two to four pages of\n"
+            "A4. DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has\n"
+            "units, and those of `run --json`; the source of a value is the comment behind it in the file.",
+        .options = scenarioOptions({{"o", "DIR|FILE.html|FILE.pdf", "where to write; - prints the HTML"},
+                                    {"force", "", "overwrite existing files"}}),
+        .leastOperands = 1,
+        .mostOperands = 1,
+        .draws = [](const Arguments&) { return true; },
+        .run = runReport,
+    };
+    return command;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report on a scenario as it stands in its file.
+#pragma once
+
+#include <stop_token>
+#include <string_view>
+#include <vector>
+
+#include "core/file/scenario_file.h"
+#include "core/report/blow_report.h"
+
+namespace drillwave {
+
+/// studyReport() with the scenario itself and the sources of its values. Throws ScenarioError as
+/// completeScenarioText() does.
+BlowReport reportOn(const ScenarioDocument& document, const std::stop_token& stop = {},
+                    const GapProgress& progress = {});
+
+/// The values of a scenario as its text has them, in the order of a file. The source of each is the comment
+/// behind it; without one, the built-in preset that the scenario follows; "assumed by the program" for a
+/// value that the text leaves out.
+std::vector<ReportInput> inputsOf(const Scenario& scenario, std::string_view text);
+
+}  // namespace drillwave

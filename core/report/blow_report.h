@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All that is to be handed on about one blow.
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/blow/blow.h"
+#include "core/report/gap_report.h"
+#include "core/report/thrust_report.h"
+
+namespace drillwave {
+
+/// One value that the scenario gives.
+struct ReportInput {
+    std::string key;           ///< "rod.length"
+    std::string label;         ///< "length L"
+    std::string value;         ///< as the file has it: "3.66 m"
+    std::optional<double> si;  ///< of a number
+    std::string source;        ///< where the value is from, never empty: "assumed typical"
+    bool operator==(const ReportInput&) const = default;
+};
+
+/// What a report tells. It does not depend on when, where and how fast it was made.
+struct BlowReport {
+    Blow blow;                           ///< solved exactly with histories, stresses and margin of the thrust
+    std::string scenarioText;            ///< gives its scenario again
+    std::vector<ReportInput> inputs;     ///< in the order of a file
+    std::optional<GapReport> gap;        ///< where e depends on the gap and is known at all gaps
+    std::string gapProblem;              ///< why not, in a sentence, else empty
+    std::optional<ThrustReport> thrust;  ///< with study and curve, where blows have a frequency
+    std::string thrustProblem;           ///< why not, likewise
+};
+
+/// Solves a valid scenario and follows it over the gap and the blow frequency: all but scenarioText and
+/// inputs. Where the blow is not solved there is nothing else. A stop leaves it unsolved, or without studies.
+BlowReport studyReport(const Scenario& scenario, const std::stop_token& stop = {},
+                       const GapProgress& progress = {});
+
+}  // namespace drillwave

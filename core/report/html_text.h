@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Text and tables as HTML.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drillwave {
+
+/// A text as it stands between the tags of HTML or in a quoted attribute.
+std::string escapedHtml(std::string_view text);
+
+/// "<TAG>text</TAG>", the text escaped.
+std::string htmlElement(std::string_view tag, std::string_view text);
+
+/// A table of texts whose first row names the columns.
+std::string htmlTable(const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace drillwave

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/report_html.h"
+
+#include <algorithm>
+
+#include "core/model/version.h"
+#include "core/report/alert_words.h"
+#include "core/report/gap_text.h"
+#include "core/report/html_text.h"
+#include "core/report/report_numbers.h"
+#include "core/text/json.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr std::string_view screenStyle =
+    "body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em;line-height:1.35;color:#111;"
+    "background:#fff}h1{font-size:1.6em}h2{font-size:1.15em;margin:1.6em 0 .4em}"
+    "table{border-collapse:collapse;font-size:.9em}"
+    "td,th{border-bottom:1px solid #bbb;padding:.15em .7em .15em 0;text-align:left;vertical-align:top}"
+    "th{font-weight:600}.warning{border-left:.3em solid #b4231f;padding-left:.6em}"
+    ".note{border-left:.3em solid #777;padding-left:.6em}pre{font-size:.8em;background:#f4f4f4;padding:.8em;"
+    "overflow-x:auto}figure{margin:1.2em 0;break-inside:avoid}figure.half{display:inline-block;width:49%}"
+    "img{max-width:100%}figcaption{font-size:.9em;color:#333}"
+    "@media print{body{margin:0;max-width:none;font-size:9.5pt}h2{break-after:avoid}"
+    "tr{break-inside:avoid}pre{white-space:pre-wrap}}@page{size:A4;margin:15mm}";
+
+constexpr std::string_view paperStyle =
+    "h1{font-size:15pt;margin-top:0;margin-bottom:2pt}h2{font-size:10.5pt;margin-top:7pt;margin-bottom:2pt}"
+    "p{margin-top:0;margin-bottom:3pt}td,th{padding:0.5pt 7pt 0.5pt 0;text-align:left}"
+    ".caption{font-size:8pt}pre{font-size:7pt;white-space:pre-wrap}";
+
+constexpr std::string_view recordBegin = "<script type=\"application/json\" id=\"drillwave-record\">\n";
+
+/// Lines of the scenario that paper shows.
+constexpr std::size_t mostPaperLines = 60;
+
+class Page {
+  public:
+    Page(const BlowReport& report, ReportMedium medium) : m_report(report), m_medium(medium) {}
+
+    std::string body(const std::vector<ReportPicture>& pictures) const {
+        return "<h1>" + escapedHtml(reportTitle(m_report)) + "</h1>\n" + paragraph(about()) + feed() +
+               alerts() + inputs() + scales() + results() + thrust() + gap() + scenario() + plots(pictures);
+    }
+
+  private:
+    bool isScreen() const { return m_medium == ReportMedium::screen; }
+    const Blow& blow() const { return m_report.blow; }
+
+    static std::string paragraph(std::string_view text) { return htmlElement("p", text) + "\n"; }
+    static std::string heading(std::string_view text) { return htmlElement("h2", text) + "\n"; }
+
+    std::string about() const {
+        return std::string("Report on one blow of a percussive drill, written by Drillwave ") + versionText +
+               ", solved by " + describe(blow().method) +
+               ". Tension is positive. One uniform rod; joints and the mass of the bit are not modelled.";
+    }
+
+    std::string feed() const {
+        std::string html = heading("Verdict on the feed");
+        if (!m_report.thrust) return html + paragraph(m_report.thrustProblem);
+        for (const std::string& sentence : verdictSentences(*m_report.thrust)) html += paragraph(sentence);
+        return html;
+    }
+
+    std::string alerts() const {
+        std::string html = heading("Alerts and remarks");
+        for (const Alert& alert : blow().alerts) {
+            const bool isWarning = alert.level == AlertLevel::warning;
+            html += std::string("<p class=\"") + (isWarning ? "warning" : "note") + "\"><b>" +
+                    (isWarning ? "Warning:" : "Note:") + "</b> " + escapedHtml(alertText(alert)) + "</p>\n";
+        }
+        return blow().alerts.empty() ? html + paragraph("Nothing unusual.") : html;
+    }
+
+    /// With the whole number behind the text on the screen, where there is one.
+    std::string cell(const std::string& text, const std::optional<double>& number) const {
+        if (!number || !isScreen()) return htmlElement("td", text);
+        return "<td><data value=\"" + formatNumber(*number) + "\">" + escapedHtml(text) + "</data></td>";
+    }
+
+    std::string table(std::string_view id, const std::vector<std::string>& titles,
+                      const std::string& rows) const {
+        std::string html = isScreen() ? "<table id=\"" + std::string(id) + "\">\n<tr>" : "<table>\n<tr>";
+        for (const std::string& title : titles) html += htmlElement("th", title);
+        return html + "</tr>\n" + rows + "</table>\n";
+    }
+
+    std::string row(const std::string& key, const std::string& cells) const {
+        return (isScreen() ? "<tr data-key=\"" + escapedHtml(key) + "\">" : "<tr>") + cells + "</tr>\n";
+    }
+
+    std::string inputs() const {
+        std::string rows;
+        for (const ReportInput& input : m_report.inputs)
+            rows += row(input.key, htmlElement("td", input.key) + htmlElement("td", input.label) +
+                                       cell(input.value, input.si) + htmlElement("td", input.source));
+        return heading("Inputs") + table("inputs", {"key", "what", "value", "source"}, rows);
+    }
+
+    std::string numbers(const std::vector<ReportRow>& lines, bool tellsKey) const {
+        std::string rows;
+        for (const ReportRow& line : lines) {
+            std::string cells = htmlElement("td", line.label);
+            if (tellsKey) cells = htmlElement("td", line.key) + cells;
+            for (const ReportCell& each : line.cells) cells += cell(each.text, each.number);
+            rows += row(line.key, cells);
+        }
+        return rows;
+    }
+
+    std::string scales() const {
+        return heading("Groups and scales") +
+               table("scales", {"symbol", "what", "value"}, numbers(scaleRows(blow()), true));
+    }
+
+    std::string results() const {
+        std::vector<std::string> titles{"result", "as a multiple"};
+        if (blow().scenario.form == ScenarioForm::dimensional) titles.emplace_back("in SI");
+        titles.emplace_back("where and when");
+        return heading("Results") + table("results", titles, numbers(resultRows(blow()), false)) +
+               paragraph(
+                   "W is the work of the hammer. The bound on e and the errors of the balances are "
+                   "numerical; "
+                   "what is known of rock and rod is far coarser.");
+    }
+
+    std::string thrust() const {
+        if (!m_report.thrust) return {};
+        return heading("Needs of the thrust") + htmlTable(needsGrid(*m_report.thrust).rows());
+    }
+
+    std::string gap() const {
+        std::string html = heading("All gaps between bit and rock");
+        if (!m_report.gap) return html + paragraph(m_report.gapProblem);
+        if (const std::string remark = m_report.gap->periodRemark(); !remark.empty())
+            html += paragraph(remark);
+        html += htmlTable(gapGrid(*m_report.gap).rows());
+        for (const std::string& remark : gapRemarks(*m_report.gap)) html += paragraph(remark + ".");
+        return html;
+    }
+
+    std::string scenario() const {
+        std::string_view text = m_report.scenarioText;
+        std::string html = heading("Scenario");
+        std::size_t end = 0;
+        if (!isScreen())
+            for (std::size_t line = 0; line < mostPaperLines && end < text.size(); ++line)
+                end = std::min(text.find('\n', end), text.size() - 1) + 1;
+        else
+            end = text.size();
+        html += (isScreen() ? "<pre id=\"scenario\">\n" : "<pre>") + escapedHtml(text.substr(0, end)) +
+                "</pre>\n";
+        if (end < text.size()) html += paragraph("The rest of the scenario is in the report as HTML.");
+        return html;
+    }
+
+    std::string plots(const std::vector<ReportPicture>& pictures) const {
+        std::string html =
+            isScreen() ? heading("Plots") : "<h2 style=\"page-break-before:always\">Plots</h2>\n";
+        for (std::size_t i = 0; i < pictures.size(); ++i) {
+            const bool isPair = !pictures[i].isWide && i + 1 < pictures.size() && !pictures[i + 1].isWide;
+            if (isScreen())
+                html += figure(pictures[i]);
+            else if (isPair)
+                html += "<table><tr><td>" + printed(pictures[i]) + "</td><td>" + printed(pictures[i + 1]) +
+                        "</td></tr></table>\n";
+            else
+                html += printed(pictures[i]);
+            if (!isScreen() && isPair) ++i;
+        }
+        return html;
+    }
+
+    static std::string image(const ReportPicture& picture) {
+        return "<img src=\"" + picture.source + "\" alt=\"" + escapedHtml(picture.caption) + "\">";
+    }
+    static std::string figure(const ReportPicture& picture) {
+        return std::string("<figure id=\"") + picture.name +
+               (picture.isWide ? "\">\n" : "\" class=\"half\">\n") + image(picture) + "\n" +
+               htmlElement("figcaption", picture.caption) + "\n</figure>\n";
+    }
+    static std::string printed(const ReportPicture& picture) {
+        return "<p>" + image(picture) + "</p>\n<p class=\"caption\">" + escapedHtml(picture.caption) +
+               "</p>\n";
+    }
+
+    const BlowReport& m_report;
+    ReportMedium m_medium;
+};
+
+/// Read as the JSON of a command is; nothing in it can end the <script>.
+std::string recordText(const BlowReport& report) {
+    const std::string json = Json(JsonObject{{"version", versionText},
+                                             {"method", name(report.blow.method.method)},
+                                             {"title", report.blow.scenario.title},
+                                             {"scenario", report.scenarioText}})
+                                 .text();
+    std::string safe;
+    for (const char c : json) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
+    return safe;
+}
+
+}  // namespace
+
+std::string reportTitle(const BlowReport& report) {
+    std::string title = report.blow.scenario.title;
+    std::ranges::replace_if(
+        title, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+    return title.empty() ? "Untitled scenario" : title;
+}
+
+// No `<` stands in the record.
+std::string_view reportRecord(std::string_view html) {
+    const std::size_t begin = html.find(recordBegin);
+    if (begin == std::string_view::npos) return {};
+    const std::string_view record = html.substr(begin + recordBegin.size());
+    return record.substr(0, record.find('<'));
+}
+
+std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture>& pictures,
+                       ReportMedium medium) {
+    const bool isScreen = medium == ReportMedium::screen;
+    std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
+                       escapedHtml(reportTitle(report)) + "</title>\n";
+    if (isScreen)
+        page += std::string("<meta name=\"generator\" content=\"Drillwave ") + versionText + "\">\n" +
+                std::string(recordBegin) + recordText(report) + "</script>\n";
+    page += "<style>" + std::string(isScreen ? screenStyle : paperStyle) + "</style>\n</head>\n<body>\n";
+    return page + Page(report, medium).body(pictures) + "</body>\n</html>\n";
+}
+
+}  // namespace drillwave

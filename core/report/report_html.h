@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report on a blow as a page of HTML.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/report/blow_report.h"
+
+namespace drillwave {
+
+/// One of its plots.
+struct ReportPicture {
+    std::string name;     ///< "blow"
+    std::string caption;  ///< a sentence
+    std::string source;   ///< of <img>: a data: URI, or a name that the printer of the page knows
+    bool isWide = true;   ///< takes a line for itself; two of the others stand side by side
+};
+
+/// What the page is for.
+enum class ReportMedium {
+    screen,  ///< a file of its own, valid HTML 5, with the record from which it can be run again
+    paper,   ///< the little HTML that QTextDocument knows; long scenarios are cut short
+};
+
+/// Title, verdict, alerts, inputs with sources, results with errors, studies, scenario, plots; no time and no
+/// place. On the screen each number stands in full in a <data> element. The blow must be solved.
+std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture>& pictures,
+                       ReportMedium medium);
+
+/// Version, method, title and scenario as JSON, from the top of such a page for the screen; empty where there
+/// are none.
+std::string_view reportRecord(std::string_view html);
+
+/// The title of the report, for a heading and the properties of a file.
+std::string reportTitle(const BlowReport& report);
+
+}  // namespace drillwave

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/report_numbers.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/blow/outputs.h"
+#include "core/text/handy_text.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr int digits = 5;
+
+bool isDimensional(const Blow& blow) {
+    return blow.scenario.form == ScenarioForm::dimensional;
+}
+
+/// What a report calls those outputs that the window has no row for.
+std::string labelOf(const Output& output) {
+    constexpr auto own = std::to_array<std::pair<std::string_view, std::string_view>>({
+        {"cor", "restitution e"},
+        {"efficiency", "efficiency"},
+        {"momentum_residual", "error of the momentum balance"},
+        {"energy_residual", "error of the energy balance"},
+        {"cor_error", "bound on the error of e"},
+        {"thrust", "thrust needed, f I₀ (1+e)"},
+        {"thrust_margin", "margin over the largest need"},
+    });
+    for (const auto& [name, label] : own)
+        if (name == output.name) return std::string(label);
+    return std::string(output.label.empty() ? output.name : output.label);
+}
+
+/// What an output is a multiple of.
+std::string_view measureText(Measure measure) {
+    switch (measure) {
+        case Measure::work:
+            return " W₀";
+        case Measure::time:
+            return " t₀";
+        case Measure::impulse:
+            return " I₀";
+        case Measure::force:
+            return " F₀";
+        case Measure::penetration:
+            return " d₀";
+        case Measure::stress:
+            return " F₀/A";
+        default:
+            return "";
+    }
+}
+
+std::string multipleText(const Output& output, double value, const Blow& blow) {
+    if (output.name == "cor") return rounded(value, 6) + " ± " + boundText(blow.summary.corError);
+    if (output.measure == Measure::error) return boundText(std::abs(value));
+    // Shares are known to 1e-12: what is smaller is rounding.
+    if (output.measure == Measure::share)
+        return rounded(std::abs(value) < 1e-12 ? 0 : 100 * value, digits) + " % of W";
+    return rounded(value, digits) + std::string(measureText(output.measure));
+}
+
+/// In joules, of which JSON has none.
+ReportCell energyCell(double ofW0, const Blow& blow) {
+    return {inHandyUnit(ofW0 * blow.scales.energy, Quantity::energy, digits), {}};
+}
+
+ReportCell siCell(const Output& output, double value, const Blow& blow) {
+    switch (output.measure) {
+        case Measure::number:
+        case Measure::error:
+            return {};
+        case Measure::work:
+            return energyCell(value, blow);
+        case Measure::share:
+            return energyCell(std::abs(value) < 1e-12 ? 0 : value * blow.summary.workRatio, blow);
+        default:
+            break;
+    }
+    const double si = value * output.scale(blow.scales);
+    return {inHandyUnit(si, output.quantity(), digits), si};
+}
+
+ReportCell placeCell(const Output& output, const Blow& blow) {
+    if (!output.force || !blow.summary.rodForces) return {};
+    const RodForce& found = (*blow.summary.rodForces).*output.force;
+    if (!(found.size > 0)) return {};
+    if (!isDimensional(blow))
+        return {"at x/L = " + rounded(found.section, 4) + ", t = " + rounded(found.time, digits) + " t₀", {}};
+    return {inHandyUnit(found.section * blow.scales.length, Quantity::length, 4) + " from the hammer, at " +
+                inHandyUnit(found.time * blow.scales.time, Quantity::time, 4),
+            {}};
+}
+
+}  // namespace
+
+std::vector<ReportRow> resultRows(const Blow& blow) {
+    std::vector<ReportRow> rows;
+    for (const Output& output : outputs()) {
+        if (!output.problem(blow.scenario).empty()) continue;
+        const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin});
+        if (!value) continue;
+        ReportRow row{std::string(output.name), labelOf(output), {}};
+        row.cells.push_back(output.isOnlySi() ? ReportCell()
+                                              : ReportCell{multipleText(output, *value, blow), value});
+        if (isDimensional(blow)) row.cells.push_back(siCell(output, *value, blow));
+        row.cells.push_back(placeCell(output, blow));
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::vector<ReportRow> scaleRows(const Blow& blow) {
+    std::vector<ReportRow> rows;
+    const auto add = [&](const char* symbol, const char* label, double value, Quantity quantity) {
+        rows.push_back({symbol, label, {{inHandyUnit(value, quantity, digits), value}}});
+    };
+    const Groups& groups = blow.groups;
+    add("β", "stiffness k/k₀, k₀ = Z/t₀", groups.beta, Quantity::ratio);
+    add("γ", "elasticity of the rock", groups.gamma, Quantity::ratio);
+    add("τ", "transit time T/t₀", groups.tau, Quantity::ratio);
+    add("δ", "gap d/d₀, d₀ = 2 I₀/Z", groups.delta, Quantity::ratio);
+    if (!isDimensional(blow)) return rows;
+    const Scales& scales = blow.scales;
+    const RodProperties rod = propertiesOf(blow.scenario.rod);
+    add("t₀", "duration of the blow", scales.time, Quantity::time);
+    add("I₀", "impulse of the blow", scales.impulse, Quantity::impulse);
+    add("F₀", "mean force I₀/t₀", scales.force, Quantity::force);
+    add("F₀/A", "its stress", scales.stress, Quantity::stress);
+    add("d₀", "displacement 2 I₀/Z", scales.penetration, Quantity::length);
+    add("W₀", "energy I₀²/(2 m)", scales.energy, Quantity::energy);
+    add("T", "transit time L/c", rod.transitTime, Quantity::time);
+    add("c", "wave speed √(E/ρ)", rod.waveSpeed, Quantity::velocity);
+    add("m", "mass of the rod", rod.mass, Quantity::mass);
+    return rows;
+}
+
+}  // namespace drillwave

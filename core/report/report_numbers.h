@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers of a report in rows: as people read them, and in full behind that.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/blow/blow.h"
+
+namespace drillwave {
+
+/// What one cell says.
+struct ReportCell {
+    std::string text;
+    std::optional<double> number;  ///< behind the text, as JSON has it; nothing where it is no number of JSON
+};
+
+/// A line: its name, then the cells of the columns.
+struct ReportRow {
+    std::string key;  ///< the name in JSON, or a symbol
+    std::string label;
+    std::vector<ReportCell> cells;
+};
+
+/// Every output that the scenario has: as a multiple of what it is measured in; in SI, where the scenario has
+/// units; where and when, for the largest stresses. Of a blow that was solved.
+std::vector<ReportRow> resultRows(const Blow& blow);
+
+/// The four groups and, where the scenario has units, the scales and what follows for the rod, SI.
+std::vector<ReportRow> scaleRows(const Blow& blow);
+
+}  // namespace drillwave

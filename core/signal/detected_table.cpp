@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/signal/detected_table.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/signal/signal_unit.h"
+#include "core/text/decimal_text.h"
+#include "core/text/units.h"
+
+namespace drillwave {
+namespace {
+
+using Pattern = std::vector<bool>;  // which cells are numbers
+
+bool isComment(std::string_view line) {
+    const std::string_view text = trimmed(line);
+    return text.starts_with('#') || text.starts_with('%') || text.starts_with("//");
+}
+
+/// The cells of a line that are numbers, and how much speaks for the format.
+struct RowLook {
+    Pattern numbers;
+    int count = 0;
+    int words = 0;
+};
+
+RowLook look(std::string_view line, const RowFormat& format, TableRow& row) {
+    RowLook seen;
+    if (isComment(line) || trimmed(line).empty()) return seen;
+    for (const std::string_view cell : row.split(line, format.separator)) {
+        const bool isNumber = cellNumber(cell, format.decimal).has_value();
+        seen.numbers.push_back(isNumber || isMissing(cell));
+        seen.count += isNumber;
+        seen.words += !isNumber && !isMissing(cell);
+    }
+    // A separator at the end of each line makes no column.
+    if (seen.numbers.size() > 1 && row.split(line, format.separator).back().empty()) seen.numbers.pop_back();
+    return seen;
+}
+
+std::vector<RowLook> lookAtAll(std::span<const std::string> lines, const RowFormat& format) {
+    TableRow row;
+    std::vector<RowLook> all;
+    all.reserve(lines.size());
+    for (const std::string& line : lines) all.push_back(look(line, format, row));
+    return all;
+}
+
+/// The commonest pattern of the lines with numbers.
+std::optional<Pattern> commonPattern(const std::vector<RowLook>& rows) {
+    std::map<Pattern, std::size_t> counts;
+    for (const RowLook& row : rows)
+        if (row.count > 0) ++counts[row.numbers];
+    if (counts.empty()) return std::nullopt;
+    return std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; })->first;
+}
+
+/// How far a format explains the lines.
+long score(const std::vector<RowLook>& rows) {
+    const std::optional<Pattern> pattern = commonPattern(rows);
+    if (!pattern) return 0;
+    long sum = 0;
+    for (const RowLook& row : rows)
+        if (row.numbers == *pattern) sum += std::max(0, 2 * row.count - 3 * row.words);
+    return sum;
+}
+
+/// Cells of the last line of words before the samples.
+std::size_t headerCells(std::span<const std::string> lines, std::size_t before, char separator) {
+    TableRow row;
+    for (std::size_t i = before; i-- > 0;)
+        if (!isComment(lines[i]) && !trimmed(lines[i]).empty()) return row.split(lines[i], separator).size();
+    return 0;
+}
+
+/// Where the samples begin: the first line like most, followed by another one.
+std::size_t firstSample(const std::vector<RowLook>& rows, const Pattern& pattern) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].numbers != pattern || rows[i].count == 0) continue;
+        if (i + 1 == rows.size() || rows[i + 1].numbers.size() == pattern.size()) return i;
+    }
+    return rows.size();
+}
+
+/// "time [us]", "Time (us)", "t / us", "t in us" in their parts.
+TableColumn heading(std::string_view cell) {
+    TableColumn column;
+    cell = trimmed(cell);
+    for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
+        const std::size_t at = cell.rfind(open);
+        if (at == std::string_view::npos || !cell.ends_with(close)) continue;
+        column.name = trimmed(cell.substr(0, at));
+        column.unit = trimmed(cell.substr(at + 1, cell.size() - at - 2));
+        return column;
+    }
+    for (const std::string_view word : {" / ", " in "})
+        if (const std::size_t at = cell.rfind(word); at != std::string_view::npos) {
+            column.name = trimmed(cell.substr(0, at));
+            column.unit = trimmed(cell.substr(at + word.size()));
+            return column;
+        }
+    column.name = cell;
+    return column;
+}
+
+/// "[s];[kN]", or "s;kN" with at least one unit that is known.
+bool isUnitsOnly(const std::vector<TableColumn>& columns) {
+    const auto isBracket = [](const TableColumn& column) { return column.name.empty(); };
+    const auto isUnit = [](const TableColumn& column) {
+        return column.unit.empty() && (findUnit(Quantity::time, column.name) || findSignalUnit(column.name));
+    };
+    return std::ranges::all_of(columns, isBracket) || std::ranges::any_of(columns, isUnit);
+}
+
+/// The headings of a line; empty where it is none for these columns. Comments may carry one too.
+std::vector<TableColumn> headings(std::string_view line, char separator, std::size_t count) {
+    line = trimmed(line);
+    while (line.starts_with('#') || line.starts_with('%') || line.starts_with('/')) line.remove_prefix(1);
+    TableRow row;
+    std::vector<std::string_view> cells = row.split(line, separator);
+    if (cells.size() == count + 1 && cells.back().empty()) cells.pop_back();
+    if (cells.size() != count) return {};
+    std::vector<TableColumn> columns;
+    for (const std::string_view cell : cells) columns.push_back(heading(cell));
+    return columns;
+}
+
+/// Names, and a line of units below them where there is one.
+void readHeader(std::span<const std::string> lines, DetectedTable& table) {
+    const std::size_t count = table.columns.size();
+    const auto take = [&](const std::vector<TableColumn>& header) {
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!header[i].name.empty()) table.columns[i].name = header[i].name;
+            if (!header[i].unit.empty()) table.columns[i].unit = header[i].unit;
+        }
+    };
+    if (table.firstLine < 2) return;
+    const auto above = [&](std::size_t back) {
+        return table.firstLine > back
+                   ? headings(lines[table.firstLine - 1 - back], table.format.separator, count)
+                   : std::vector<TableColumn>{};
+    };
+    std::vector<TableColumn> last = above(1);
+    if (last.empty()) return;
+    const std::vector<TableColumn> names = above(2);
+    if (!names.empty() && isUnitsOnly(last)) {
+        take(names);
+        for (TableColumn& column : last)
+            if (column.unit.empty()) column.unit = std::exchange(column.name, {});
+    }
+    take(last);
+}
+
+bool increases(std::span<const std::string> lines, const RowFormat& format, std::size_t firstLine) {
+    TableRow row;
+    std::optional<double> before;
+    for (std::size_t i = firstLine - 1; i < lines.size(); ++i) {
+        const std::optional<double> now =
+            cellNumber(row.split(lines[i], format.separator, 1).front(), format.decimal);
+        if (now && before && *now <= *before) return false;
+        if (now) before = now;
+    }
+    return true;
+}
+
+}  // namespace
+
+DetectedTable detectTable(std::span<const std::string> lines, RowFormat format) {
+    DetectedTable table;
+    table.format = format;
+    const std::vector<RowLook> rows = lookAtAll(lines, format);
+    const std::optional<Pattern> pattern = commonPattern(rows);
+    table.firstLine = (pattern ? firstSample(rows, *pattern) : lines.size()) + 1;
+    return tableFrom(lines, format, table.firstLine);
+}
+
+DetectedTable tableFrom(std::span<const std::string> lines, RowFormat format, std::size_t firstLine) {
+    DetectedTable table;
+    table.format = format;
+    table.firstLine = firstLine;
+    if (firstLine == 0 || firstLine > lines.size()) return table;
+    TableRow row;
+    const RowLook first = look(lines[firstLine - 1], format, row);
+    for (const bool isNumber : first.numbers) table.columns.push_back({{}, {}, isNumber});
+    readHeader(lines, table);
+    return table;
+}
+
+DetectedTable detectTable(std::span<const std::string> lines) {
+    DetectedTable best;
+    long bestScore = 0;
+    for (const char separator : {'\t', ';', ',', ' '})
+        for (const DecimalSign decimal : {DecimalSign::point, DecimalSign::comma}) {
+            const RowFormat format{separator, decimal};
+            const long now = score(lookAtAll(lines, format));
+            if (now <= bestScore) continue;
+            const DetectedTable table = detectTable(lines, format);
+            // Numbers of one column with a decimal comma look like two columns: then the header has one cell,
+            // or there is none and the first column does not grow.
+            const bool splitsNumbers = separator == ',' && bestScore > 0 && table.columns.size() == 2 &&
+                                       best.format.decimal == DecimalSign::comma;
+            const std::size_t header = headerCells(lines, table.firstLine - 1, separator);
+            const bool grows = increases(lines, format, table.firstLine);
+            if (splitsNumbers && (header == 1 || (header != 2 && !grows))) continue;
+            bestScore = now;
+            best = table;
+        }
+    return best;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the first lines of a table of samples tell about it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/signal/table_row.h"
+
+namespace drillwave {
+
+/// One column; name and unit are empty where no header gives them.
+struct TableColumn {
+    std::string name;
+    std::string unit;
+    bool isNumeric = false;  ///< its first cells are numbers
+    bool operator==(const TableColumn&) const = default;
+};
+
+struct DetectedTable {
+    RowFormat format;
+    std::size_t firstLine = 1;  ///< with samples, from 1; behind all lines where none has
+    std::vector<TableColumn> columns;
+    bool operator==(const DetectedTable&) const = default;
+
+    bool hasSamples() const { return !columns.empty(); }
+};
+
+/// Separator and decimal sign under which most cells are numbers; the first line from where they stay so; the
+/// header before it.
+DetectedTable detectTable(std::span<const std::string> lines);
+
+/// The same with the format given.
+DetectedTable detectTable(std::span<const std::string> lines, RowFormat format);
+
+/// The columns of a table whose samples begin at that line.
+DetectedTable tableFrom(std::span<const std::string> lines, RowFormat format, std::size_t firstLine);
+
+}  // namespace drillwave

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/signal/sample_guess.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/text/units.h"
+
+namespace drillwave {
+namespace {
+
+/// Without a time column nothing tells the rate: a common one.
+constexpr double usualInterval = 1e-6;
+
+std::string lowerCase(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
+bool saysTime(const TableColumn& column) {
+    if (findUnit(Quantity::time, column.unit)) return true;
+    const std::string name = lowerCase(column.name);
+    return name == "t" || name.starts_with("time") || name.starts_with("zeit") || name.starts_with("x_value");
+}
+
+bool saysStrain(const TableColumn& column) {
+    const std::string name = lowerCase(column.name);
+    return name.find("strain") != std::string::npos || name.find("dehnung") != std::string::npos;
+}
+
+std::optional<std::size_t> timeColumn(const std::vector<TableColumn>& columns) {
+    std::optional<std::size_t> first;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (!columns[i].isNumeric) continue;
+        if (saysTime(columns[i])) return i;
+        if (count++ == 0) first = i;
+    }
+    return count > 1 ? first : std::nullopt;
+}
+
+std::size_t valueColumn(const std::vector<TableColumn>& columns, std::optional<std::size_t> time) {
+    std::optional<std::size_t> first;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (!columns[i].isNumeric || time == i) continue;
+        if (findSignalUnit(columns[i].unit)) return i;
+        if (!first) first = i;
+    }
+    return first.value_or(0);
+}
+
+}  // namespace
+
+double guessedTimeUnit(const TableColumn& column) {
+    const Unit* unit = findUnit(Quantity::time, column.unit);
+    return unit ? unit->factor() : 1;
+}
+
+NamedSignalUnit guessedUnit(const TableColumn& column) {
+    if (const std::optional<NamedSignalUnit> found = findSignalUnit(column.unit)) return *found;
+    const SignalKind kind = saysStrain(column) ? SignalKind::strain : SignalKind::force;
+    return {kind, signalUnits(kind).front()};
+}
+
+SampleGuess guessedSource(const DetectedTable& table) {
+    SampleGuess guess;
+    guess.source.format = table.format;
+    guess.source.firstLine = table.firstLine;
+    guess.source.interval = usualInterval;
+    guess.source.timeColumn = timeColumn(table.columns);
+    if (guess.source.timeColumn)
+        guess.source.timeUnit = guessedTimeUnit(table.columns[*guess.source.timeColumn]);
+    guess.source.valueColumn = valueColumn(table.columns, guess.source.timeColumn);
+    if (guess.source.valueColumn < table.columns.size()) {
+        const NamedSignalUnit unit = guessedUnit(table.columns[guess.source.valueColumn]);
+        guess.kind = unit.kind;
+        guess.unit = unit.unit;
+    }
+    return guess;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the columns of a table probably are, to begin with.
+#pragma once
+
+#include "core/signal/detected_table.h"
+#include "core/signal/samples.h"
+#include "core/signal/signal_unit.h"
+
+namespace drillwave {
+
+struct SampleGuess {
+    SampleSource source;
+    SignalKind kind = SignalKind::force;
+    SignalUnit unit;
+    bool operator==(const SampleGuess&) const = default;
+};
+
+/// Time is the first column of numbers whose unit or name says so, else the first of several; the signal is
+/// the first other one whose unit is that of a force, a strain or a bridge, else the first other one. A
+/// single column is evenly spaced. Without a unit times are in s, forces in N.
+SampleGuess guessedSource(const DetectedTable& table);
+
+/// The kind and unit of a column as guessedSource() guesses them.
+NamedSignalUnit guessedUnit(const TableColumn& column);
+
+/// The unit of a column of times [s].
+double guessedTimeUnit(const TableColumn& column);
+
+}  // namespace drillwave

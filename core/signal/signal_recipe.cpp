@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/signal/signal_recipe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/numeric/compensated_sum.h"
+#include "core/signal/thinned_curve.h"
+#include "core/text/units.h"
+
+namespace drillwave {
+namespace {
+
+/// A blow is written into files: nine digits of its length and of its peak say more than any measurement.
+constexpr double finest = 1e-9;
+
+constexpr double edgeShare = 0.02;  // of the peak, where a blow begins and ends
+
+using Points = std::vector<TablePoint>;
+
+double impulseOf(std::span<const double> time, std::span<const double> force) {
+    CompensatedSum<double> sum;
+    for (std::size_t i = 1; i < time.size(); ++i)
+        sum += (time[i] - time[i - 1]) * (force[i] / 2 + force[i - 1] / 2);
+    return sum;
+}
+
+double impulseOf(const Points& points) {
+    CompensatedSum<double> sum;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        sum += (points[i].time - points[i - 1].time) * (points[i].force / 2 + points[i - 1].force / 2);
+    return sum;
+}
+
+/// To the nearest multiple of a power of ten that is at most `finest` of the size.
+double rounded(double value, double size) {
+    const int exponent = static_cast<int>(std::floor(std::log10(size * finest)));
+    const double power = std::pow(10, std::abs(exponent));
+    return exponent < 0 ? std::round(value * power) / power : std::round(value / power) * power;
+}
+
+/// The largest distance of a sample from the lines between the points, whose times are those of samples less
+/// `origin`.
+double largestDeviation(std::span<const double> time, std::span<const double> force, const Points& points,
+                        const std::vector<std::size_t>& kept) {
+    double largest = 0;
+    for (std::size_t k = 1; k < kept.size(); ++k) {
+        const double run = time[kept[k]] - time[kept[k - 1]];
+        const double begin = points[k - 1].force, rise = points[k].force - begin;
+        for (std::size_t i = kept[k - 1]; i <= kept[k]; ++i) {
+            const double line = begin + rise * ((time[i] - time[kept[k - 1]]) / run);
+            largest = std::max(largest, std::abs(force[i] - line));
+        }
+    }
+    return largest;
+}
+
+class SignalShaper {
+  public:
+    SignalShaper(const Samples& samples, const SignalRecipe& recipe) : m_samples(samples), m_recipe(recipe) {}
+
+    ShapedSignal shape(const std::stop_token& stop) {
+        m_result.zero = zeroOf(m_samples, m_recipe);
+        if (!trim()) return refused("fewer than two samples are left between the times: widen them");
+        toForces();
+        if (m_recipe.negatives == Negatives::clipped) clip();
+        if (const std::string problem = scale(); !problem.empty()) return refused(problem);
+        if (isBlow())
+            if (const std::string problem = blowProblem(); !problem.empty()) return refused(problem);
+        thin(stop);
+        return std::move(m_result);
+    }
+
+  private:
+    bool isBlow() const { return m_recipe.use == SignalUse::blow; }
+
+    static ShapedSignal refused(const std::string& problem) {
+        ShapedSignal none;
+        none.problem = problem;
+        return none;
+    }
+
+    bool trim() {
+        const std::vector<double>& time = m_samples.time;
+        const auto begin = m_recipe.from ? std::ranges::lower_bound(time, *m_recipe.from) : time.begin();
+        const auto end = m_recipe.to ? std::ranges::upper_bound(time, *m_recipe.to) : time.end();
+        if (end - begin < 2) return false;
+        m_begin = static_cast<std::size_t>(begin - time.begin());
+        m_result.samples = static_cast<std::size_t>(end - begin);
+        m_time = std::span(time).subspan(m_begin, m_result.samples);
+        m_result.start = m_time.front();
+        return true;
+    }
+
+    void toForces() {
+        m_force.resize(m_result.samples);
+        for (std::size_t i = 0; i < m_force.size(); ++i)
+            m_force[i] = m_recipe.forcePerNumber * (m_samples.value[m_begin + i] - m_result.zero);
+    }
+
+    void clip() {
+        const double before = impulseOf(m_time, m_force);
+        for (double& force : m_force)
+            if (force < 0) {
+                force = 0;
+                ++m_result.clipped;
+            }
+        if (m_result.clipped > 0) m_result.clippedImpulse = impulseOf(m_time, m_force) - before;
+    }
+
+    std::string scale() {
+        double factor = m_recipe.scaling == Scaling::byFactor ? m_recipe.factor : 1;
+        if (m_recipe.scaling == Scaling::toImpulse) {
+            const double impulse = impulseOf(m_time, m_force);
+            factor = m_recipe.impulse / impulse;
+            if (!(impulse > 0) || !std::isfinite(factor))
+                return "the impulse is " + formatNumber(impulse) +
+                       " N s, which no factor makes the wanted one: check the sign and the times";
+        }
+        if (factor == 1) return {};
+        for (double& force : m_force) force *= factor;
+        m_result.clippedImpulse *= factor;
+        return {};
+    }
+
+    std::string blowProblem() const {
+        const auto [low, high] = std::ranges::minmax(m_force);
+        if (low < 0)
+            return "forces go down to " + formatNumber(low) +
+                   " N, and a hammer only pushes: clip what is negative, or turn the sign";
+        if (!(high > 0)) return "no force is greater than 0: check the sign, the zero line and the times";
+        if (!std::isfinite(high)) return "the forces are too large: check the unit";
+        return {};
+    }
+
+    void thin(const std::stop_token& stop) {
+        const std::vector<std::size_t> kept = thinnedCurve(m_time, m_force, m_recipe.points, stop);
+        Points points;
+        points.reserve(kept.size());
+        for (const std::size_t i : kept) points.push_back({m_time[i], m_force[i]});
+        const double whole = impulseOf(m_time, m_force);
+        if (isBlow()) settleBlow(points, whole);
+        m_result.deviation = largestDeviation(m_time, m_force, points, kept);
+        m_result.impulse = impulseOf(points);
+        m_result.impulseChange = m_result.impulse - whole;
+        const TablePoint& peak =
+            *std::ranges::max_element(points, {}, [](const TablePoint& p) { return std::abs(p.force); });
+        m_result.peak = peak.force;
+        m_result.peakTime = peak.time;
+        m_result.points = std::move(points);
+    }
+
+    /// Its time begins at 0, its impulse is that of all samples, its digits end.
+    void settleBlow(Points& points, double whole) const {
+        const double factor = whole / impulseOf(points);
+        const double origin = points.front().time;
+        const double length = points.back().time - origin;
+        double peak = 0;
+        for (TablePoint& point : points) {
+            point.time = rounded(point.time - origin, length);
+            if (factor > 0 && std::isfinite(factor)) point.force *= factor;
+            peak = std::max(peak, point.force);
+        }
+        for (TablePoint& point : points) point.force = rounded(point.force, peak);
+    }
+
+    const Samples& m_samples;
+    const SignalRecipe& m_recipe;
+    std::size_t m_begin = 0;
+    std::span<const double> m_time;
+    std::vector<double> m_force;
+    ShapedSignal m_result;
+};
+
+std::size_t peakIndex(const Samples& samples, double zero) {
+    const auto peak =
+        std::ranges::max_element(samples.value, {}, [zero](double value) { return std::abs(value - zero); });
+    return static_cast<std::size_t>(peak - samples.value.begin());
+}
+
+}  // namespace
+
+double zeroOf(const Samples& samples, const SignalRecipe& recipe) {
+    if (recipe.zeroLine == ZeroLine::asRecorded) return 0;
+    if (recipe.zeroLine == ZeroLine::chosen) return recipe.zeroValue;
+    CompensatedSum<double> sum;
+    std::size_t count = 0;
+    for (; count < samples.time.size(); ++count) {
+        if (count > 0 && samples.time[count] > samples.time.front() + recipe.zeroSpan) break;
+        sum += samples.value[count];
+    }
+    return sum / static_cast<double>(count);
+}
+
+ShapedSignal shapedSignal(const Samples& samples, const SignalRecipe& recipe, const std::stop_token& stop) {
+    return SignalShaper(samples, recipe).shape(stop);
+}
+
+std::optional<RecordSpan> spanAroundPeak(const Samples& samples, const SignalRecipe& recipe) {
+    const double zero = zeroOf(samples, recipe);
+    const std::size_t peak = peakIndex(samples, zero);
+    const double height = samples.value[peak] - zero;
+    if (height == 0) return std::nullopt;
+    const auto isInside = [&](std::size_t i) { return (samples.value[i] - zero) / height > edgeShare; };
+    std::size_t from = peak, to = peak;
+    while (from > 0 && isInside(from)) --from;
+    while (to + 1 < samples.value.size() && isInside(to)) ++to;
+    return RecordSpan{samples.time[from], samples.time[to]};
+}
+
+double signOfPeak(const Samples& samples, const SignalRecipe& recipe) {
+    const double zero = zeroOf(samples, recipe);
+    return samples.value[peakIndex(samples, zero)] < zero ? -1 : 1;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What becomes of recorded samples: a force over time, as a blow of the hammer or as a curve to compare with.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/model/table_points.h"
+#include "core/signal/samples.h"
+
+namespace drillwave {
+
+/// A blow begins at time 0, pushes only, and keeps its impulse when it is thinned; a curve keeps its times.
+enum class SignalUse { blow, curve };
+
+/// What is taken off all samples.
+enum class ZeroLine {
+    asRecorded,      ///< nothing
+    ofFirstSamples,  ///< their mean over the first `zeroSpan`
+    chosen,          ///< `zeroValue`
+};
+
+enum class Negatives { kept, clipped };
+enum class Scaling { none, byFactor, toImpulse };
+
+/// The steps in the order of their members.
+struct SignalRecipe {
+    SignalUse use = SignalUse::curve;
+    ZeroLine zeroLine = ZeroLine::asRecorded;
+    double zeroSpan = 0;              ///< of the record, from its beginning [s]
+    double zeroValue = 0;             ///< as in the table
+    double forcePerNumber = 1;        ///< N; negative where the table has the other sign
+    std::optional<double> from = {};  ///< [s] as in the table: what is before is left out
+    std::optional<double> to = {};    ///< [s] likewise
+    Negatives negatives = Negatives::kept;
+    Scaling scaling = Scaling::none;
+    double factor = 1;          ///< of Scaling::byFactor
+    double impulse = 0;         ///< of Scaling::toImpulse [N s]
+    std::size_t points = 1000;  ///< that are kept at most, ≥ 2
+    bool operator==(const SignalRecipe&) const = default;
+};
+
+/// Force over time, and what was done to get it.
+struct ShapedSignal {
+    TablePoints points;         ///< time [s], force [N]; of a blow without rounding noise in their digits
+    double start = 0;           ///< time of the table at which the points begin [s]
+    std::size_t samples = 0;    ///< between `from` and `to`
+    double zero = 0;            ///< what was taken off, as in the table
+    std::size_t clipped = 0;    ///< samples that were negative
+    double clippedImpulse = 0;  ///< what clipping has added to the impulse [N s], ≥ 0
+    double impulse = 0;         ///< of the points [N s]
+    double impulseChange = 0;   ///< that less the impulse of all samples [N s]
+    double peak = 0;            ///< the largest force of the points in size, with its sign [N]
+    double peakTime = 0;        ///< its time [s]
+    double deviation = 0;       ///< largest distance of a sample from the lines between the points [N]
+    std::string problem;        ///< why there is none; then there are no points
+};
+
+/// Requires samples without a problem. Impulses are those of the straight lines between samples.
+ShapedSignal shapedSignal(const Samples& samples, const SignalRecipe& recipe,
+                          const std::stop_token& stop = {});
+
+/// What is taken off all samples, as in the table.
+double zeroOf(const Samples& samples, const SignalRecipe& recipe);
+
+/// From the beginning to the end of the stretch around the largest value: where the signal has fallen to 2 %
+/// of it on either side. Nothing where all values are the same.
+struct RecordSpan {
+    double from = 0;  ///< [s]
+    double to = 0;    ///< [s]
+};
+std::optional<RecordSpan> spanAroundPeak(const Samples& samples, const SignalRecipe& recipe);
+
+/// +1 or −1: the sign, after the zero line, of the largest value in size.
+double signOfPeak(const Samples& samples, const SignalRecipe& recipe);
+
+}  // namespace drillwave

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `drillwave report` as a shell runs it: pages that can be run again, and what becomes of bad names.
+#include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "tests/support/program.h"
+
+using namespace drillwave::test;
+
+namespace {
+
+QStringList contents(const QString& folder) {
+    return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
+}
+
+qsizetype pagesOf(const QByteArray& pdf) {
+    return pdf.count("/Type /Page\n");
+}
+
+}  // namespace
+
+class TestReport : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void everyExampleMakesAPageAndTwoToFourSheets_data();
+    void everyExampleMakesAPageAndTwoToFourSheets();
+    void thePageRunsAgainToTheSameNumbers();
+    void theSameReportIsTheSameBytes();
+    void standardOutputGetsThePage();
+    void settingsAndPresetsAreReportedAsTheyAreSolved();
+    void badPlacesAreRefused_data();
+    void badPlacesAreRefused();
+    void existingFilesAreOverwrittenOnlyOnRequest();
+    void whatCannotBeSolvedLeavesNothing();
+};
+
+void TestReport::everyExampleMakesAPageAndTwoToFourSheets_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"paper_fig4a", "paper_fig4b", "paper_fig8_minimum", "reference_case",
+                             "r32_hard_rock", "t38_medium_rock", "t51_soft_rock"})
+        QTest::newRow(name) << name;
+}
+
+void TestReport::everyExampleMakesAPageAndTwoToFourSheets() {
+    QFETCH(QString, name);
+    const QTemporaryDir place;
+    output({"report", name, "-o", place.filePath("out")});
+    QCOMPARE(contents(place.filePath("out")), (QStringList{"report.html", "report.pdf"}));
+    const QByteArray html = read(place.filePath("out/report.html"));
+    QVERIFY(html.startsWith("<!DOCTYPE html>"));
+    // Nothing is fetched from anywhere.
+    QCOMPARE(html.count("src=\""), html.count("src=\"data:image/svg+xml;base64,"));
+    QVERIFY(!html.contains("href="));
+    QVERIFY(html.count("<img ") >= (name == "reference_case" ? 3 : 4));
+    const QByteArray pdf = read(place.filePath("out/report.pdf"));
+    QVERIFY(pdf.startsWith("%PDF-"));
+    const qsizetype pages = pagesOf(pdf);
+    QVERIFY2(pages >= 2 && pages <= 4, qPrintable(QString::number(pages)));
+}
+
+void TestReport::thePageRunsAgainToTheSameNumbers() {
+    const QTemporaryDir place;
+    const QString page = place.filePath("t38.html");
+    output({"report", "t38_medium_rock", "-o", page});
+    const QJsonObject before = json({"run", "t38_medium_rock"});
+    const QJsonObject again = json({"run", page});
+    for (const char* part : {"dimensionless", "si", "groups", "scenario"})
+        QCOMPARE(again[QLatin1String(part)], before[QLatin1String(part)]);
+}
+
+void TestReport::theSameReportIsTheSameBytes() {
+    const QTemporaryDir place;
+    for (const char* name : {"a.html", "b.html", "a.pdf", "b.pdf"})
+        output({"report", "r32_hard_rock", "-o", place.filePath(name)});
+    QCOMPARE(read(place.filePath("b.html")), read(place.filePath("a.html")));
+    QCOMPARE(read(place.filePath("b.pdf")), read(place.filePath("a.pdf")));
+}
+
+void TestReport::standardOutputGetsThePage() {
+    const QTemporaryDir place;
+    output({"report", "paper_fig4a", "-o", place.filePath("a.html")});
+    QCOMPARE(output({"report", "paper_fig4a", "-o", "-"}), read(place.filePath("a.html")));
+}
+
+void TestReport::settingsAndPresetsAreReportedAsTheyAreSolved() {
+    const QByteArray page = output(
+        {"report", "t38_medium_rock", "--set", "bit_rock.stiffness=300MN/m", "title=<b>R&D</b>", "-o", "-"});
+    QVERIFY(page.contains("<h1>&lt;b&gt;R&amp;D&lt;/b&gt;</h1>"));
+    QVERIFY(page.contains("<data value=\"3e+08\">300 MN/m</data></td><td>not stated</td>"));
+}
+
+void TestReport::badPlacesAreRefused_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<int>("exitCode");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("none") << QStringList() << 2 << "needs -o DIR, -o FILE.html or -o FILE.pdf";
+    QTest::newRow("empty") << QStringList{"-o", ""} << 2 << "-o needs a name";
+    QTest::newRow("another ending") << QStringList{"-o", "out.docx"} << 2
+                                    << "a report is FILE.html or FILE.pdf";
+    QTest::newRow("no folder above") << QStringList{"-o", "none/there/a.html"} << 4 << "none/there/a.html";
+    QTest::newRow("a file is no folder") << QStringList{"-o", "file"} << 4 << "file";
+    QTest::newRow("a folder is no file") << QStringList{"-o", "folder.pdf"} << 4 << "is a folder";
+    QTest::newRow("the input") << QStringList{"-o", "input.html", "--force"} << 2 << "is read as input";
+}
+
+void TestReport::badPlacesAreRefused() {
+    QFETCH(QStringList, words);
+    QFETCH(int, exitCode);
+    QFETCH(QString, reason);
+    const QTemporaryDir place;
+    write(place.filePath("file"), "mine");
+    QDir(place.path()).mkdir("folder.pdf");
+    output({"report", "paper_fig4a", "-o", place.filePath("input.html")});
+    const QStringList before = contents(place.path());
+    for (QString& word : words)
+        if (!word.isEmpty() && !word.startsWith('-')) word = place.filePath(word);
+    const Finished finished = run(QStringList{"report", place.filePath("input.html")} + words);
+    QCOMPARE(finished.exitCode, exitCode);
+    QVERIFY2(finished.error.contains(reason.toUtf8()), finished.error);
+    QCOMPARE(finished.error.count('\n'), 1);
+    QCOMPARE(contents(place.path()), before);
+    QCOMPARE(read(place.filePath("file")), QByteArray("mine"));
+}
+
+void TestReport::existingFilesAreOverwrittenOnlyOnRequest() {
+    const QTemporaryDir place;
+    for (const QString& name : {QString("a.html"), QString("out")}) {
+        const QStringList words{"report", "paper_fig4a", "-o", place.filePath(name)};
+        output(words);
+        const Finished again = run(words);
+        QCOMPARE(again.exitCode, 4);
+        QVERIFY2(again.error.contains("--force"), again.error);
+        QCOMPARE(run(words + QStringList{"--force"}).exitCode, 0);
+    }
+    QCOMPARE(contents(place.filePath("out")), (QStringList{"report.html", "report.pdf"}));
+}
+
+void TestReport::whatCannotBeSolvedLeavesNothing() {
+    const QTemporaryDir place;
+    const Finished finished =
+        run({"report", "paper_fig4a", "--set", "beta=1e-300", "-o", place.filePath("out")});
+    QCOMPARE(finished.exitCode, 6);
+    QVERIFY2(finished.error.contains("could not be solved"), finished.error);
+    QCOMPARE(contents(place.path()), QStringList());
+}
+
+QTEST_GUILESS_MAIN(TestReport)
+#include "tst_report.moc"

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Memory of the process while values change with each study in view: bench_memory [CHANGES], 20000 in all by
+// default. Not run by ctest but for a trial: memory depends on the machine.
+#include <unistd.h>
+#include <QApplication>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <cstdio>
+
+#include "tests/support/window_parts.h"
+#include "ui/text/settings.h"
+#include "ui/window/main_window.h"
+#include "ui/window/page_tabs.h"
+
+using namespace drillwave;
+
+namespace {
+
+// Of the process, resident.
+double megabytes() {
+    QFile file(QStringLiteral("/proc/self/statm"));
+    if (!file.open(QIODevice::ReadOnly)) qFatal("no /proc/self/statm here");
+    return file.readAll().split(' ').at(1).toDouble() * double(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+// The gap goes up and down, each time as a step of its own to undo.
+void change(MainWindow& window, int count) {
+    for (int i = 0; i < count; ++i) {
+        const double wave = 0.5 - 0.5 * std::cos(i * 0.01);
+        Document& document = window.document();
+        document.assign(*findParameter("bit_rock.gap"), 1e-3 * wave, document.newGesture());
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
+        QTest::qWait(1);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(argc, argv);
+    const QStringList words = QCoreApplication::arguments();
+    const int changes = words.size() > 1 ? words.at(1).toInt() : 20000;
+    if (words.size() > 2 || changes < 1) {
+        std::fprintf(stderr, "usage: bench_memory [CHANGES]\n");
+        return 2;
+    }
+    QLocale::setDefault(QLocale::c());
+    const QTemporaryDir settings;
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+    MainWindow window;
+    window.resize(1440, 900);
+    window.show();
+    auto& pages = part<PageTabs>(window);
+    constexpr int parts = 4;
+    const int share = std::max(1, changes / (pages.count() * parts));
+    std::printf("%-16s  MB resident, at first and after each %d changes\n", "page", share);
+    for (int page = 0; page < pages.count(); ++page) {
+        pages.setCurrentIndex(page);
+        QTest::qWait(200);
+        std::printf("%-16s %6.1f", qPrintable(pages.page(page).title()), megabytes());
+        for (int n = 0; n < parts; ++n) {
+            change(window, share);
+            std::printf(" %6.1f", megabytes());
+            std::fflush(stdout);
+        }
+        std::printf("\n");
+    }
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// In which parameters scenarios differ: in what they say, not in what follows from it.
+#include <QtTest>
+
+#include "core/model/scenario_difference.h"
+#include "tests/support/scenario.h"
+
+using namespace drillwave;
+
+namespace {
+
+QStringList keys(const std::vector<const Scenario*>& scenarios) {
+    QStringList keys;
+    for (const Parameter* parameter : differingParameters(scenarios))
+        keys << QString::fromUtf8(parameter->key.data(), qsizetype(parameter->key.size()));
+    return keys;
+}
+
+}  // namespace
+
+class TestScenarioDifference : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theSameScenarioDiffersInNothing();
+    void onlyWhatIsGivenDiffers();
+    void anOptionalValueDiffersFromNone();
+    void oneOfManyIsEnough();
+    void groupsDifferWhereTheyAreGiven();
+};
+
+void TestScenarioDifference::theSameScenarioDiffersInNothing() {
+    const Scenario scenario;
+    QCOMPARE(keys({&scenario, &scenario}), QStringList());
+}
+
+// β and τ follow from the stiffness and the length.
+void TestScenarioDifference::onlyWhatIsGivenDiffers() {
+    const Scenario a;
+    Scenario b;
+    b.bitRock.stiffness = 3e8;
+    b.rod.length = 4;
+    QCOMPARE(keys({&a, &b}), QStringList({"rod.length", "bit_rock.stiffness"}));
+}
+
+void TestScenarioDifference::anOptionalValueDiffersFromNone() {
+    const Scenario a;
+    Scenario b;
+    b.drill.thrust = 8e3;
+    QCOMPARE(keys({&a, &b}), QStringList("drill.thrust"));
+    QVERIFY(!valueIn(a, *findParameter("drill.thrust")));
+    QCOMPARE(valueIn(b, *findParameter("drill.thrust")), 8e3);
+}
+
+void TestScenarioDifference::oneOfManyIsEnough() {
+    const Scenario a;
+    Scenario b;
+    b.bitRock.gap = 1e-3;
+    QCOMPARE(keys({&a, &a, &b}), QStringList("bit_rock.gap"));
+}
+
+void TestScenarioDifference::groupsDifferWhereTheyAreGiven() {
+    const Scenario a = test::dimensionless(PulseShape::rectangular, {.beta = 0.5});
+    const Scenario b = test::dimensionless(PulseShape::rectangular, {.beta = 0.6});
+    QCOMPARE(keys({&a, &b}), QStringList("beta"));
+}
+
+QTEST_GUILESS_MAIN(TestScenarioDifference)
+#include "tst_scenario_difference.moc"

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+#include <sstream>
+
+#include "core/signal/samples.h"
+
+using namespace drillwave;
+
+namespace {
+
+Samples readText(const std::string& text, const SampleSource& source) {
+    std::istringstream in(text);
+    return readSamples(in, source);
+}
+
+SampleSource timesAndValues(char separator = ',') {
+    SampleSource source;
+    source.format.separator = separator;
+    source.timeColumn = 0;
+    source.valueColumn = 1;
+    return source;
+}
+
+/// Rows "i,sin" made as they are read: a file of any length without one.
+class RowStream : public std::streambuf {
+  public:
+    explicit RowStream(long rows) : m_rows(rows) {}
+    long rowsMade() const { return m_row; }
+
+  protected:
+    int_type underflow() override {
+        if (m_row == m_rows) return traits_type::eof();
+        m_text.clear();
+        for (int i = 0; i < 1000 && m_row < m_rows; ++i, ++m_row)
+            m_text += std::to_string(m_row) + ";0," + std::to_string(m_row % 10) + "\n";
+        setg(m_text.data(), m_text.data(), m_text.data() + m_text.size());
+        return traits_type::to_int_type(m_text.front());
+    }
+
+  private:
+    long m_rows;
+    long m_row = 0;
+    std::string m_text;
+};
+
+}  // namespace
+
+class TestSamples : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void timesAndValuesAreReadInTheirUnits();
+    void samplesWithoutTimesAreEvenlySpaced();
+    void twoGaugesGiveTheirMean();
+    void whatCannotBeReadIsRefusedWithItsLine_data();
+    void whatCannotBeReadIsRefusedWithItsLine();
+    void rowsWithoutANumberAreSkippedAndCounted();
+    void skippedRowsKeepTheirPlaceInTime();
+    void commentsAndBlankLinesAreNoRows();
+    void tenMillionSamplesAreReadOnceAndMoreAreRefused();
+    void readingEndsSoonWhenItIsStopped();
+};
+
+void TestSamples::timesAndValuesAreReadInTheirUnits() {
+    SampleSource source = timesAndValues(';');
+    source.format.decimal = DecimalSign::comma;
+    source.firstLine = 3;
+    source.timeUnit = 1e-3;
+    source.valueColumn = 2;
+    const Samples samples = readText("t;x;F\nms;;kN\n-0,5;9;1,25\n0,5;\"9\";\"-2,5\"\n", source);
+    QCOMPARE(samples.problem, std::string());
+    QCOMPARE(samples.time, (std::vector<double>{-0.5e-3, 0.5e-3}));
+    QCOMPARE(samples.value, (std::vector<double>{1.25, -2.5}));
+}
+
+void TestSamples::samplesWithoutTimesAreEvenlySpaced() {
+    SampleSource source;
+    source.interval = 0.25;
+    const Samples samples = readText("1\n2\n4\n", source);
+    QCOMPARE(samples.time, (std::vector<double>{0, 0.25, 0.5}));
+    QCOMPARE(samples.value, (std::vector<double>{1, 2, 4}));
+}
+
+void TestSamples::twoGaugesGiveTheirMean() {
+    SampleSource source = timesAndValues();
+    source.secondGauge = 2;
+    QCOMPARE(readText("0,1,3\n1,-2,6\n", source).value, (std::vector<double>{2, 2}));
+}
+
+void TestSamples::whatCannotBeReadIsRefusedWithItsLine_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<int>("line");
+    QTest::addColumn<QByteArray>("words");
+    QTest::addRow("word") << QByteArray("0,1\n1,2\n2,x\n") << 3 << QByteArray("`x` is not a number");
+    QTest::addRow("NaN") << QByteArray("0,1\n1,NaN\n2,3\n") << 2 << QByteArray("holds no value");
+    QTest::addRow("empty cell") << QByteArray("0,1\n,2\n") << 2 << QByteArray("column 1 holds no value");
+    QTest::addRow("missing cell") << QByteArray("0,1\n1\n") << 2 << QByteArray("column 2 is missing");
+    QTest::addRow("time goes back") << QByteArray("0,1\n2,2\n\n1,3\n") << 4 << QByteArray("not later");
+    QTest::addRow("time stands still") << QByteArray("0,1\n0,2\n") << 2 << QByteArray("not later");
+    QTest::addRow("overflow") << QByteArray("0,1\n1,1e999\n") << 2 << QByteArray("not a number");
+    QTest::addRow("one sample") << QByteArray("0,1\n") << 0 << QByteArray("fewer than two samples");
+    QTest::addRow("none") << QByteArray("") << 0 << QByteArray("fewer than two samples");
+    QTest::addRow("NUL") << QByteArray("0,1\n1,2\n\0\0\n", 11) << 3 << QByteArray("NUL");
+}
+
+void TestSamples::whatCannotBeReadIsRefusedWithItsLine() {
+    QFETCH(QByteArray, text);
+    QFETCH(int, line);
+    QFETCH(QByteArray, words);
+    const Samples samples = readText(text.toStdString(), timesAndValues());
+    QVERIFY2(samples.problem.find(words.toStdString()) != std::string::npos, samples.problem.c_str());
+    QCOMPARE(static_cast<int>(samples.problemLine), line);
+    QVERIFY(samples.time.empty() && samples.value.empty());
+}
+
+void TestSamples::rowsWithoutANumberAreSkippedAndCounted() {
+    SampleSource source = timesAndValues();
+    source.wrongRows = WrongRows::skipped;
+    const Samples samples = readText("0,1\n1,NaN\n2,\n3\n4,5\nend of record\n", source);
+    QCOMPARE(samples.problem, std::string());
+    QCOMPARE(samples.time, (std::vector<double>{0, 4}));
+    QCOMPARE(samples.skipped, std::size_t{4});
+    QCOMPARE(samples.firstSkipped, std::size_t{2});
+    // Times in the wrong order are no gaps.
+    QVERIFY(!readText("0,1\n5,1\n4,1\n", source).problem.empty());
+}
+
+void TestSamples::skippedRowsKeepTheirPlaceInTime() {
+    SampleSource source;
+    source.interval = 1;
+    source.wrongRows = WrongRows::skipped;
+    QCOMPARE(readText("1\nNaN\n3\n", source).time, (std::vector<double>{0, 2}));
+}
+
+void TestSamples::commentsAndBlankLinesAreNoRows() {
+    SampleSource source;
+    source.interval = 1;
+    QCOMPARE(readText("1\n\n# pause\n2\n", source).time, (std::vector<double>{0, 1}));
+}
+
+void TestSamples::tenMillionSamplesAreReadOnceAndMoreAreRefused() {
+    SampleSource source = timesAndValues(';');
+    source.format.decimal = DecimalSign::comma;
+    std::uint64_t told = 0;
+    RowStream rows(static_cast<long>(mostSamples) + 1);
+    std::istream in(&rows);
+    const Samples tooMany = readSamples(in, source, {}, [&](std::uint64_t bytes) { told = bytes; });
+    QCOMPARE(tooMany.problemLine, mostSamples + 1);
+    QVERIFY(tooMany.problem.find("more than 10000000 samples") != std::string::npos);
+    QVERIFY(told > 10 * mostSamples);
+    RowStream asMany(static_cast<long>(mostSamples));
+    std::istream again(&asMany);
+    const Samples samples = readSamples(again, source);
+    QCOMPARE(samples.problem, std::string());
+    QCOMPARE(samples.time.size(), mostSamples);
+    QCOMPARE(samples.time.back(), static_cast<double>(mostSamples - 1));
+    QCOMPARE(samples.value.back(), 0.9);
+}
+
+void TestSamples::readingEndsSoonWhenItIsStopped() {
+    std::stop_source stop;
+    RowStream rows(static_cast<long>(mostSamples));
+    std::istream in(&rows);
+    SampleSource source = timesAndValues(';');
+    source.format.decimal = DecimalSign::comma;
+    const Samples samples =
+        readSamples(in, source, stop.get_token(), [&stop](std::uint64_t) { stop.request_stop(); });
+    QCOMPARE(samples.problem, std::string("stopped"));
+    QVERIFY(rows.rowsMade() < 100'000);
+}
+
+QTEST_APPLESS_MAIN(TestSamples)
+#include "tst_samples.moc"

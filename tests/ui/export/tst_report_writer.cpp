@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window's report is that of the command line, whatever the window shows.
+#include <QDir>
+#include <QMenuBar>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolBar>
+
+#include "tests/support/files.h"
+#include "tests/support/program.h"
+#include "tests/support/window.h"
+#include "tests/support/window_parts.h"
+#include "ui/export/report_writer.h"
+#include "ui/job/study_status.h"
+#include "ui/window/file_menu.h"
+#include "ui/window/units_choice.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+class TestReportWriter : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init();
+    void cleanup() { m_window.reset(); }
+    void theReportIsWhatTheCommandLineWrites_data();
+    void theReportIsWhatTheCommandLineWrites();
+    void unitsOnShowDoNotMatter();
+    void aReportOpensAgain();
+    void menuAndToolBarOfferIt();
+    void anotherEndingIsRefused();
+    void aFileThatCannotBeWrittenIsTold();
+    void aStoppedReportIsNotWritten();
+    void aBlowThatIsNotSolvedIsTold();
+
+  private:
+    MainWindow& window() { return *m_window; }
+    ReportWriter& writer() { return part<ReportWriter>(window()); }
+    QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
+    /// Writes and waits for the end.
+    void writeTo(const QString& to);
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    ScriptedAnswers m_answers;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void TestReportWriter::init() {
+    m_folder = std::make_unique<QTemporaryDir>();
+    keepSettingsIn(path("settings"));
+    m_answers = {};
+    m_window = newWindow(m_answers);
+    m_window->show();
+}
+
+void TestReportWriter::writeTo(const QString& to) {
+    m_answers.exportTo = to;
+    QSignalSpy ended(&writer(), &ReportWriter::ended);
+    writer().action()->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, 60000);
+}
+
+void TestReportWriter::theReportIsWhatTheCommandLineWrites_data() {
+    QTest::addColumn<QString>("example");
+    QTest::addColumn<bool>("edited");
+    QTest::newRow("in SI units") << QStringLiteral("t38_medium_rock") << false;
+    QTest::newRow("by groups") << QStringLiteral("paper_fig4b") << false;
+    QTest::newRow("with unsaved edits") << QStringLiteral("t38_medium_rock") << true;
+}
+
+void TestReportWriter::theReportIsWhatTheCommandLineWrites() {
+    QFETCH(QString, example);
+    QFETCH(bool, edited);
+    QVERIFY(window().openFile(test::example(example)));
+    QStringList words{QStringLiteral("report"), test::example(example)};
+    if (edited) {
+        window().document().assign(*findParameter("rod.length"), 4.5, 1);
+        words << QStringLiteral("--set") << QStringLiteral("rod.length=4.5 m");
+    }
+    for (const char* format : {"html", "pdf"}) {
+        const QString ending = QStringLiteral(".") + QLatin1String(format);
+        writeTo(path("window") + ending);
+        QCOMPARE(m_answers.told, QStringList());
+        const test::Finished finished =
+            test::run(words + QStringList{QStringLiteral("-o"), path("command") + ending});
+        QVERIFY2(finished.exitCode == 0, finished.error);
+        QVERIFY(read(path("window") + ending) == read(path("command") + ending));
+    }
+}
+
+void TestReportWriter::unitsOnShowDoNotMatter() {
+    writeTo(path("si.html"));
+    part<UnitsChoice>(window()).choose(UnitSystem::dimensionless);
+    writeTo(path("groups.html"));
+    QVERIFY(read(path("si.html")) == read(path("groups.html")));
+}
+
+void TestReportWriter::aReportOpensAgain() {
+    window().document().assign(*findParameter("rod.length"), 4.5, 1);
+    writeTo(path("a.html"));
+    const Scenario reported = window().document().scenario();
+    window().document().start();
+    QVERIFY(!(window().document().scenario() == reported));
+    QVERIFY(window().openFile(path("a.html")));
+    QVERIFY(window().document().scenario() == reported);
+}
+
+void TestReportWriter::menuAndToolBarOfferIt() {
+    QVERIFY(part<FileMenu>(window()).actions().contains(writer().action()));
+    bool isInBar = false;
+    for (const QToolBar* bar : window().findChildren<QToolBar*>())
+        isInBar |= bar->actions().contains(writer().action());
+    QVERIFY(isInBar);
+}
+
+void TestReportWriter::anotherEndingIsRefused() {
+    m_answers.exportTo = path("report.docx");
+    writer().action()->trigger();
+    QCOMPARE(m_answers.told.size(), 1);
+    QVERIFY(m_answers.told.first().contains(QStringLiteral(".html or .pdf")));
+    QVERIFY(!QFile::exists(path("report.docx")));
+}
+
+void TestReportWriter::aFileThatCannotBeWrittenIsTold() {
+    writeTo(path("none/there.html"));
+    QCOMPARE(m_answers.told.size(), 1);
+    QVERIFY(m_answers.told.first().contains(QStringLiteral("there.html")));
+}
+
+void TestReportWriter::aStoppedReportIsNotWritten() {
+    m_answers.exportTo = path("a.html");
+    QSignalSpy ended(&writer(), &ReportWriter::ended);
+    writer().action()->trigger();
+    QCOMPARE(writer().activity().state(), StudyState::running);
+    writer().activity().cancel();
+    QCOMPARE(ended.size(), 1);
+    QVERIFY(!QFile::exists(path("a.html")));
+    QCOMPARE(m_answers.told, QStringList());
+}
+
+void TestReportWriter::aBlowThatIsNotSolvedIsTold() {
+    QVERIFY(window().openFile(test::example(QStringLiteral("paper_fig4a"))));
+    window().document().assign(*findParameter("beta"), 1e-300, 1);
+    writeTo(path("a.html"));
+    QCOMPARE(m_answers.told.size(), 1);
+    QVERIFY(m_answers.told.first().contains(QStringLiteral("could not be solved")));
+    QVERIFY(!QFile::exists(path("a.html")));
+}
+
+QTEST_MAIN(TestReportWriter)
+#include "tst_report_writer.moc"

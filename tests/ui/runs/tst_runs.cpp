@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pinned runs: named by what changed, solved again, kept beside their file and read back.
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/file/examples.h"
+#include "tests/support/files.h"
+#include "tests/support/window.h"
+#include "ui/plot/run_pen.h"
+#include "ui/runs/difference_text.h"
+#include "ui/runs/run_keeper.h"
+#include "ui/runs/run_name.h"
+#include "ui/runs/run_solver.h"
+#include "ui/text/unit_choice.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+namespace {
+
+ScenarioDocument contentsOf(Document& document) {
+    ScenarioDocument contents = document.contents();
+    contents.text = document.text().toStdString();
+    contents.source = QFile::encodeName(document.origin()).toStdString();
+    return contents;
+}
+
+QStringList titles(const Runs& runs) {
+    QStringList titles;
+    for (const Run& run : *runs.list()) titles << run.title();
+    return titles;
+}
+
+double contrast(const QColor& a, const QColor& b) {
+    const auto luminance = [](const QColor& colour) {
+        const auto linear = [](double c) {
+            return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+        };
+        return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+               0.0722 * linear(colour.blueF());
+    };
+    const double x = luminance(a) + 0.05, y = luminance(b) + 0.05;
+    return std::max(x, y) / std::min(x, y);
+}
+
+}  // namespace
+
+class TestRuns : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void init();
+    void aRunIsNamedByWhatChangedAgainstTheReference();
+    void namesFollowTheUnitsOfTheFields();
+    void lettersAreGivenAnew();
+    void theSameResultIsPinnedOnce();
+    void thereIsAnEndToThem();
+    void withoutItsRunTheReferenceIsAnother();
+    void whatHasNoBlowIsSolved();
+    void undoLeavesThemAlone();
+    void keptRunsComeBackWithTheirFile();
+    void everyChangeIsWritten();
+    void keptRunsGoAlongToANewName();
+    void othersStayWhenAnotherFileIsOpened();
+    void aBrokenRunIsToldAndNotWrittenOver();
+    void aChangedTableIsTold();
+    void givenUpNothingIsLeft();
+    void revertingBringsTheBytesBack();
+    void everyRunHasAColourAndADashOfItsOwn();
+    void differencesAreReadable();
+
+  private:
+    QString pin(const QString& title = QStringLiteral("first")) {
+        return m_runs->pin(contentsOf(*m_document), nullptr, title);
+    }
+    void set(const char* key, double si) {
+        QCOMPARE(m_document->assign(*findParameter(key), si, m_document->newGesture()), QString());
+    }
+    QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<RunKeeper> m_keeper;
+    std::unique_ptr<RunSolver> m_solver;
+    std::unique_ptr<Runs> m_runs;
+    std::unique_ptr<Document> m_document;
+};
+
+void TestRuns::initTestCase() {
+    QLocale::setDefault(QLocale::c());
+}
+
+void TestRuns::init() {
+    m_keeper.reset();
+    m_solver.reset();
+    m_runs = std::make_unique<Runs>();
+    m_folder = std::make_unique<QTemporaryDir>();
+    keepSettingsIn(m_folder->path());
+    UnitChoice::shared().restore();
+    m_document = std::make_unique<Document>();
+    m_document->startFrom(findExample("t38_medium_rock")->text, "example");
+    m_keeper = std::make_unique<RunKeeper>(*m_document, *m_runs);
+}
+
+void TestRuns::aRunIsNamedByWhatChangedAgainstTheReference() {
+    QCOMPARE(pin("T38"), QString());
+    set("bit_rock.stiffness", 3e8);
+    QCOMPARE(pin(), QString());
+    set("rod.length", 3);
+    QCOMPARE(pin(), QString());
+    // Against the second from here on.
+    m_runs->setReference(1);
+    m_document->setShape(PulseShape::halfSine);
+    QCOMPARE(pin(), QString());
+    QCOMPARE(titles(*m_runs),
+             QStringList({"A  T38", "B  k 300 MN/m", "C  L 3 m, k 300 MN/m", "D  half sine, L 3 m"}));
+}
+
+void TestRuns::namesFollowTheUnitsOfTheFields() {
+    const Scenario before = m_document->scenario();
+    set("rod.length", 12 * 0.3048);
+    UnitChoice::shared().chooseForField(*findParameter("rod.length"), *findUnit(Quantity::length, "ft"));
+    QCOMPARE(changeWords(before, m_document->scenario()), QString("L 12 ft"));
+    QCOMPARE(changeWords(before, before), QString());
+}
+
+void TestRuns::lettersAreGivenAnew() {
+    pin();
+    set("bit_rock.gap", 1e-3);
+    pin();
+    m_runs->remove(0);
+    set("bit_rock.gap", 2e-3);
+    pin();
+    QCOMPARE(m_runs->list()->front().letter(), QString("B"));
+    QCOMPARE(m_runs->list()->back().letter(), QString("A"));
+}
+
+void TestRuns::theSameResultIsPinnedOnce() {
+    pin();
+    QVERIFY(pin().contains("A  first"));
+    QCOMPARE(m_runs->list()->size(), 1u);
+}
+
+void TestRuns::thereIsAnEndToThem() {
+    for (int i = 0; i < mostRuns; ++i) {
+        set("bit_rock.gap", 1e-3 * (i + 1));
+        QCOMPARE(pin(), QString());
+    }
+    set("bit_rock.gap", 0.5e-3);
+    QVERIFY(pin().startsWith("There are 12 runs"));
+    QCOMPARE(int(m_runs->list()->size()), mostRuns);
+}
+
+void TestRuns::withoutItsRunTheReferenceIsAnother() {
+    QVERIFY(!m_runs->reference());
+    pin();
+    QCOMPARE(m_runs->reference()->number, 0);
+    set("bit_rock.gap", 1e-3);
+    pin();
+    m_runs->remove(0);
+    QCOMPARE(m_runs->reference()->number, 1);
+    m_runs->setReference({});
+    QVERIFY(!m_runs->reference());
+    m_runs->setReference(7);  // there is none
+    QVERIFY(!m_runs->reference());
+}
+
+void TestRuns::whatHasNoBlowIsSolved() {
+    m_solver = std::make_unique<RunSolver>(*m_runs);
+    pin();
+    set("bit_rock.gamma", 0.3);
+    pin();
+    QTRY_VERIFY(m_runs->list()->front().isSolved() && m_runs->list()->back().isSolved());
+    // The numbers of the core, solved here.
+    for (const Run& run : *m_runs->list()) {
+        const Blow blow = solveBlow(run.contents.scenario, {}, Detail::histories, {}, Stresses::wanted);
+        QCOMPARE(run.blow->summary.cor, blow.summary.cor);
+    }
+}
+
+void TestRuns::undoLeavesThemAlone() {
+    pin();
+    set("bit_rock.stiffness", 3e8);
+    pin();
+    const RunListPtr before = m_runs->list();
+    m_document->undoStack().undo();
+    m_document->undoStack().redo();
+    QCOMPARE(m_runs->list(), before);
+}
+
+void TestRuns::keptRunsComeBackWithTheirFile() {
+    m_solver = std::make_unique<RunSolver>(*m_runs);
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin("medium");
+    set("bit_rock.stiffness", 3e8);
+    pin();
+    m_runs->rename(1, "hard, \"very\"");
+    m_runs->setShown(1, false);
+    m_runs->setReference(1);
+    QTRY_VERIFY(m_runs->list()->back().isSolved());
+    const RunList before = *m_runs->list();
+    QCOMPARE(m_keeper->keep(), QString());
+
+    Document reopened;
+    Runs runs;
+    RunSolver solver(runs);
+    RunKeeper keeper(reopened, runs);
+    QSignalSpy failures(&keeper, &RunKeeper::failed);
+    QCOMPARE(reopened.open(path("t38.yaml")), QString());
+    QCOMPARE(titles(runs), QStringList({"A  medium", "B  hard, \"very\""}));
+    QVERIFY(keeper.isKept());
+    QVERIFY(!runs.list()->back().isShown);
+    QCOMPARE(runs.reference()->number, 1);
+    QTRY_VERIFY(runs.list()->front().isSolved() && runs.list()->back().isSolved());
+    for (std::size_t i = 0; i < 2; ++i) {
+        QCOMPARE((*runs.list())[i].contents.text, before[i].contents.text);
+        QCOMPARE((*runs.list())[i].contents.scenario, before[i].contents.scenario);
+        QCOMPARE((*runs.list())[i].blow->summary.cor, before[i].blow->summary.cor);
+    }
+    QCOMPARE(failures.count(), 0);
+}
+
+void TestRuns::everyChangeIsWritten() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    QVERIFY(!m_keeper->holdsOthers());
+    QCOMPARE(m_keeper->keep(), QString());
+    pin();
+    QTRY_VERIFY(QFile::exists(path("t38.runs/A.yaml")));
+    QCOMPARE(read(path("t38.runs/A.yaml")), m_document->text());
+    m_runs->rename(0, "other");
+    QTRY_VERIFY(read(path("t38.runs/runs.csv")).contains("A.yaml,other,yes,yes,"));
+    m_runs->remove(0);
+    QTRY_VERIFY(!QFile::exists(path("t38.runs/A.yaml")));
+}
+
+void TestRuns::keptRunsGoAlongToANewName() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(m_document->save(path("t51.yaml")), QString());
+    QCOMPARE(read(path("t51.runs/A.yaml")), read(path("t38.runs/A.yaml")));
+    QVERIFY(m_keeper->isKept());
+}
+
+void TestRuns::othersStayWhenAnotherFileIsOpened() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    m_document->startFrom(findExample("t51_soft_rock")->text, "example");
+    QVERIFY(m_runs->list()->empty());  // they are in their folder
+    pin("soft");
+    m_document->startFrom(findExample("r32_hard_rock")->text, "example");
+    QCOMPARE(titles(*m_runs), QStringList("A  soft"));  // it is nowhere else
+    QCOMPARE(m_document->open(path("t38.yaml")), QString());
+    QCOMPARE(titles(*m_runs), QStringList({"A  soft", "B  first"}));
+}
+
+void TestRuns::aBrokenRunIsToldAndNotWrittenOver() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    set("bit_rock.gap", 1e-3);
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    write(path("t38.runs/A.yaml"), "drillwave: 1\nnonsense");
+    QSignalSpy failures(m_keeper.get(), &RunKeeper::failed);
+    QCOMPARE(m_document->open(path("t38.yaml")), QString());
+    QCOMPARE(failures.count(), 1);
+    QVERIFY(failures[0][1].toString().contains("t38.runs/A.yaml:"));
+    QCOMPARE(m_runs->list()->size(), 1u);
+    QVERIFY(!m_keeper->isKept());
+    QVERIFY(m_keeper->holdsOthers());
+    // A new run takes another letter.
+    pin();
+    QCOMPARE(m_runs->list()->back().letter(), QString("C"));
+    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(read(path("t38.runs/A.yaml")), QByteArray("drillwave: 1\nnonsense"));
+}
+
+void TestRuns::aChangedTableIsTold() {
+    write(path("blow.csv"), "time [us],force [kN]\n0,0\n100,300\n200,0\n");
+    m_solver = std::make_unique<RunSolver>(*m_runs);
+    QCOMPARE(m_document->useTable(path("blow.csv")), QString());
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    QTRY_VERIFY(m_runs->list()->front().isSolved());
+    QCOMPARE(m_keeper->keep(), QString());
+    write(path("blow.csv"), "time [us],force [kN]\n0,0\n100,900\n900,0\n");
+    QSignalSpy failures(m_keeper.get(), &RunKeeper::failed);
+    QCOMPARE(m_document->open(path("t38.yaml")), QString());
+    QTRY_COMPARE(failures.count(), 1);
+    QVERIFY(failures[0][1].toString().startsWith("A  first had e = "));
+}
+
+void TestRuns::givenUpNothingIsLeft() {
+    QVERIFY(!m_keeper->keep().isEmpty());  // beside no file
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    write(path("t38.runs/notes.txt"), "mine");
+    m_keeper->giveUp();
+    QCOMPARE(QDir(path("t38.runs")).entryList(QDir::Files), QStringList("notes.txt"));
+    QFile::remove(path("t38.runs/notes.txt"));
+    QCOMPARE(m_keeper->keep(), QString());
+    m_keeper->giveUp();
+    QVERIFY(!QFile::exists(path("t38.runs")));
+    QVERIFY(!m_keeper->isKept());
+    QCOMPARE(m_runs->list()->size(), 1u);
+}
+
+// Comments behind values are dropped with them and come back with the bytes, also after saving.
+void TestRuns::revertingBringsTheBytesBack() {
+    const QByteArray text =
+        "# mine\n" + m_document->text().replace("gamma: 0.1", "gamma:   0.1   # by experience");
+    m_document->startFrom(text.toStdString(), "mine");
+    QCOMPARE(m_document->text(), text);
+    pin();
+    set("bit_rock.gamma", 0.3);
+    QVERIFY(!m_document->text().contains("by experience"));
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    const QByteArray changed = m_document->text();
+    const int steps = m_document->undoStack().count();
+    QCOMPARE(m_document->useContents(m_runs->list()->front().contents, "revert to A"), QString());
+    QCOMPARE(m_document->text(), text);
+    QCOMPARE(m_document->undoStack().count(), steps + 1);
+    QCOMPARE(m_document->undoStack().undoText(), QString("revert to A"));
+    m_document->undoStack().undo();
+    QCOMPARE(m_document->text(), changed);
+    QVERIFY(!m_document->isModified());
+    m_document->undoStack().redo();
+    QCOMPARE(m_document->text(), text);
+    QCOMPARE(m_document->useContents(m_runs->list()->front().contents, "again"), QString());
+    QCOMPARE(m_document->undoStack().count(), steps + 1);  // nothing to be undone
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    QCOMPARE(read(path("t38.yaml")), text);
+}
+
+void TestRuns::everyRunHasAColourAndADashOfItsOwn() {
+    for (const QColor background : {QColor(Qt::white), QColor(0x1e, 0x1e, 0x1e)}) {
+        PlotStyle style = PlotStyle::forPaper();
+        style.background = background;
+        for (int i = 0; i < mostRuns; ++i) {
+            const QPen pen = runPen(i, style);
+            QVERIFY(!pen.isSolid() || pen.style() != Qt::SolidLine);
+            QVERIFY2(contrast(pen.color(), background) >= 4.5, qPrintable(QString::number(i)));
+            for (int j = 0; j < i; ++j) {
+                const QPen other = runPen(j, style);
+                const bool isOtherColour = pen.color() != other.color();
+                const bool isOtherDash = pen.dashPattern() != other.dashPattern();
+                QVERIFY(isOtherColour || isOtherDash);
+                if (i < 6) QVERIFY(isOtherColour && isOtherDash);
+            }
+        }
+    }
+}
+
+void TestRuns::differencesAreReadable() {
+    QCOMPARE(percentText(relativeDifference(0.634, 0.4297)), QString("+47.5 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(percentText(relativeDifference(-1, 1)), QString("−200 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(percentText(relativeDifference(1, -2)), QString("+150 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(percentText(relativeDifference(2, 2)), QString("±0 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(percentText(relativeDifference(30, 2)), QString("×15"));
+    QCOMPARE(percentText(relativeDifference(30, 0)), QString());
+    QCOMPARE(signedText(-0.25), QString("−0.25"));
+    QCOMPARE(signedText(0.25), QString("+0.25"));
+}
+
+QTEST_MAIN(TestRuns)
+#include "tst_runs.moc"

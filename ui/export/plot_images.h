@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plots in a text that is laid out for paper.
+#pragma once
+
+#include <QObject>
+#include <QTextObjectInterface>
+#include <vector>
+
+#include "ui/export/report_plots.h"
+
+namespace drillwave {
+
+/// Draws the plots as vectors where a text has images of their names. The text must be drawn by a
+/// QCPPainter.
+class PlotImages : public QObject, public QTextObjectInterface {
+    Q_OBJECT
+    Q_INTERFACES(QTextObjectInterface)
+
+  public:
+    /// `unit` is that of the layout of the text [1/in]. The plots must outlive the images.
+    PlotImages(const std::vector<ReportPlot>& plots, int unit) : m_plots(plots), m_unit(unit) {}
+
+    QSizeF intrinsicSize(QTextDocument* document, int position, const QTextFormat& format) override;
+    void drawObject(QPainter* painter, const QRectF& place, QTextDocument* document, int position,
+                    const QTextFormat& format) override;
+
+  private:
+    const ReportPlot* find(const QTextFormat& format) const;
+
+    const std::vector<ReportPlot>& m_plots;
+    int m_unit;
+};
+
+}  // namespace drillwave

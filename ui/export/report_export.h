@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report on a blow as files.
+#pragma once
+
+#include "core/report/blow_report.h"
+#include "ui/export/pictures.h"
+
+namespace drillwave {
+
+/// The report in the formats of the order, "html" and "pdf": the same words and plots. The HTML is the same
+/// bytes for the same report on one machine, whatever the window shows. Requires a blow that was solved and
+/// a QApplication (any platform, also offscreen). Not all of them after a stop.
+Pictures drawReport(const BlowReport& report, const PictureOrder& order);
+
+}  // namespace drillwave

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report on a blow as pages of A4.
+#pragma once
+
+#include <QByteArray>
+#include <vector>
+
+#include "ui/export/report_plots.h"
+
+namespace drillwave {
+
+/// The words of reportHtml() for paper and the plots as vectors, a line with title and program above each
+/// page and its number below. The file says no date.
+QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& plots);
+
+}  // namespace drillwave

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The plots of a report with what is said of them.
+#pragma once
+
+#include <vector>
+
+#include "core/report/report_html.h"
+#include "ui/export/paper_plots.h"
+
+namespace drillwave {
+
+/// One of them; the source of its picture is its name.
+struct ReportPlot {
+    ReportPicture picture;
+    PaperPlot paper;
+};
+
+/// Those that the report has something for.
+std::vector<ReportPlot> reportPlots(const BlowReport& report);
+
+}  // namespace drillwave

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/import/import_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QFontDatabase>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QTextBlock>
+#include <QVBoxLayout>
+#include <sstream>
+
+#include "core/signal/text_lines.h"
+#include "core/text/text_input.h"
+#include "ui/form/pulse_preview.h"
+#include "ui/form/section_box.h"
+#include "ui/import/import_plot.h"
+#include "ui/import/import_rows.h"
+#include "ui/import/import_words.h"
+#include "ui/import/table_fields.h"
+#include "ui/plot/plot_widget.h"
+
+namespace drillwave {
+namespace {
+
+constexpr std::size_t startBytes = std::size_t{1} << 18;
+constexpr std::size_t mostLines = 300;
+constexpr int linesOnShow = 6;
+constexpr int summaryLines = 4;
+
+SectionBox* section(const QString& title, QWidget* content, QWidget* parent) {
+    auto* box = new SectionBox(title, parent);
+    auto* layout = new QVBoxLayout(box->content());
+    layout->setContentsMargins(4, 0, 0, 0);
+    layout->addWidget(content);
+    return box;
+}
+
+}  // namespace
+
+ImportDialog::ImportDialog(const QString& path, ImportUse use, const Document& document, QWidget* parent)
+    : QDialog(parent),
+      m_path(path),
+      m_document(document),
+      m_use(nullptr),
+      m_name(new QLineEdit(QFileInfo(path).completeBaseName(), this)),
+      m_table(new TableFields(this)),
+      m_signal(new SignalFields(this)),
+      m_lines(new QPlainTextEdit(this)),
+      m_plot(new PlotWidget(this)),
+      m_drawing(new ImportPlot(m_plot)),
+      m_summary(new QLabel(this)),
+      m_message(new QLabel(this)) {
+    setWindowTitle(tr("Import – %1").arg(QFileInfo(path).fileName()));
+    setObjectName(QStringLiteral("import"));
+    auto* middle = new QHBoxLayout;
+    middle->addWidget(makeChoices());
+    middle->addLayout(makePreview(), 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(middle, 1);
+    layout->addWidget(makeButtons());
+    m_ask.setSingleShot(true);
+    connect(&m_ask, &QTimer::timeout, this, &ImportDialog::ask);
+    connect(&m_study.job(), &StudyActivity::changed, this, &ImportDialog::showAnswer);
+    connect(m_table, &TableFields::changed, this, &ImportDialog::askSoon);
+    connect(m_table, &TableFields::changed, this, &ImportDialog::showLines);
+    connect(m_table, &TableFields::valueColumnChanged, this, [this] {
+        m_signal->setUnit(m_table->valueUnit());
+        m_proposal = Proposal::zeroAndSign;
+    });
+    connect(m_signal, &SignalFields::changed, this, &ImportDialog::askSoon);
+    connect(m_signal, &SignalFields::timesAroundPeakWanted, this, [this] {
+        if (const ImportPreview* preview = m_study.value(); preview && preview->aroundPeak)
+            m_signal->setTimes(preview->aroundPeak);
+    });
+    connect(m_signal, &SignalFields::visibleTimesWanted, this,
+            [this] { m_signal->setTimes(m_drawing->visibleTimes()); });
+    connect(&document, &Document::scenarioChanged, this,
+            [this] { m_signal->setScenario(m_document.scenario()); });
+    m_signal->setScenario(document.scenario());
+    setUse(use);
+    resize(1000, 680);
+    readStart();
+}
+
+// Fields that have the focus hand over their last edit as they go out of sight: while all of this is there.
+ImportDialog::~ImportDialog() {
+    hide();
+}
+
+QWidget* ImportDialog::makeChoices() {
+    auto* choices = new QWidget;
+    auto* top = new QWidget(choices);
+    auto* form = new QFormLayout(top);
+    form->setContentsMargins(4, 4, 0, 0);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_use = addChoice(*form, {"use", tr("import as"), tr("What the signal is for")},
+                      {{tr("hammer blow"), static_cast<int>(ImportUse::blow)},
+                       {tr("measured N in a section"), static_cast<int>(ImportUse::normalForce)},
+                       {tr("measured force on the rock"), static_cast<int>(ImportUse::impactForce)}});
+    m_name->setObjectName(QStringLiteral("name"));
+    m_name->setAccessibleName(tr("name"));
+    m_name->setToolTip(tr("Under which the measured curve is listed"));
+    m_name->setMaxLength(60);
+    form->addRow(tr("name"), m_name);
+    connect(m_use, &QComboBox::currentIndexChanged, this, [this] { setUse(use()); });
+
+    auto* layout = new QVBoxLayout(choices);
+    layout->setContentsMargins(0, 0, 4, 0);
+    layout->addWidget(top);
+    layout->addWidget(section(tr("Table"), m_table, choices));
+    layout->addWidget(section(tr("Signal"), m_signal, choices));
+    layout->addStretch();
+    auto* area = new QScrollArea(this);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidget(choices);
+    area->setMinimumWidth(choices->sizeHint().width() + area->verticalScrollBar()->sizeHint().width());
+    area->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+    return area;
+}
+
+QVBoxLayout* ImportDialog::makePreview() {
+    m_lines->setObjectName(QStringLiteral("lines"));
+    m_lines->setAccessibleName(tr("First lines of the file"));
+    m_lines->setToolTip(tr("First lines of the file; samples begin at the marked one"));
+    m_lines->setReadOnly(true);
+    m_lines->setTabChangesFocus(true);
+    m_lines->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_lines->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_lines->setFixedHeight(linesOnShow * m_lines->fontMetrics().lineSpacing() +
+                            m_lines->horizontalScrollBar()->sizeHint().height() + 12);
+    m_plot->setAccessibleName(tr("The record, and what is taken of it"));
+    m_summary->setObjectName(QStringLiteral("summary"));
+    m_summary->setWordWrap(true);
+    m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_summary->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_summary->setMinimumHeight(summaryLines * m_summary->fontMetrics().lineSpacing());
+    auto* layout = new QVBoxLayout;
+    layout->addWidget(m_lines);
+    layout->addWidget(m_plot, 1);
+    layout->addWidget(m_summary);
+    return layout;
+}
+
+QWidget* ImportDialog::makeButtons() {
+    m_message->setObjectName(QStringLiteral("message"));
+    m_message->setWordWrap(true);
+    m_message->setMinimumHeight(2 * m_message->fontMetrics().lineSpacing());
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel | QDialogButtonBox::Help, this);
+    buttons->button(QDialogButtonBox::Help)->setShortcut(Qt::Key_F1);
+    m_take = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
+    m_take->setObjectName(QStringLiteral("take"));
+    m_take->setDefault(true);
+    connect(m_take, &QPushButton::clicked, this, [this] {
+        if (result()) emit wanted();
+    });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(buttons, &QDialogButtonBox::helpRequested, this, &ImportDialog::helpRequested);
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_message, 1);
+    layout->addWidget(buttons);
+    return row;
+}
+
+void ImportDialog::readStart() {
+    const FileBytes start = drillwave::readStart(QFile::encodeName(m_path).toStdString(), startBytes);
+    m_unreadable = QString::fromStdString(start.problem);
+    std::istringstream in(start.bytes);
+    m_table->setLines(firstLines(in, mostLines));
+}
+
+// With their numbers, at the first sample.
+void ImportDialog::showLines() {
+    QStringList shown;
+    const std::size_t first = m_table->source().firstLine;
+    for (std::size_t i = 0; i < m_table->lines().size(); ++i)
+        shown.append(QStringLiteral("%1%2  %3")
+                         .arg(i + 1 == first ? QStringLiteral("▸") : QStringLiteral(" "))
+                         .arg(i + 1, 3)
+                         .arg(QString::fromStdString(m_table->lines()[i])));
+    m_lines->setPlainText(shown.join(QLatin1Char('\n')));
+    const int above = 3;
+    const int top = std::max(0, static_cast<int>(first) - above);
+    m_lines->verticalScrollBar()->setValue(top);
+}
+
+ImportUse ImportDialog::use() const {
+    return static_cast<ImportUse>(chosenValue(*m_use));
+}
+
+void ImportDialog::setUse(ImportUse use) {
+    choose(*m_use, static_cast<int>(use));
+    m_name->setEnabled(use != ImportUse::blow);
+    m_proposal = Proposal::zeroAndSign;
+    m_signal->setUse(use);
+}
+
+void ImportDialog::askSoon() {
+    m_refusal.clear();
+    m_ask.start(0);
+    showState();
+}
+
+void ImportDialog::ask() {
+    if (obstacle().isEmpty()) m_study.ask({m_path, m_table->source(), m_signal->recipe()});
+    showState();
+}
+
+// Why there is nothing to be computed.
+QString ImportDialog::obstacle() const {
+    if (!m_unreadable.isEmpty())
+        return QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(m_path), m_unreadable);
+    const QString problem = m_table->problem();
+    return problem.isEmpty() ? m_signal->problem() : problem;
+}
+
+void ImportDialog::showAnswer() {
+    const ImportPreview* preview = m_study.value();
+    if (m_study.job().isCurrent() && preview) {
+        if (preview->problem.isEmpty()) {
+            const double shift = preview->signal.start;
+            m_drawing->present(*preview, use() == ImportUse::blow ? shift : 0,
+                               use() == ImportUse::normalForce ? tr("N, tension +") : tr("F, pressing +"));
+        } else {
+            m_drawing->showNothing(tr("Nothing to show: %1").arg(preview->problem));
+        }
+        if (m_study.job().state() == StudyState::finished) proposeFrom(*preview);
+    }
+    showState();
+}
+
+// A record of a gauge has its zero line, and of its waves the first is the blow.
+void ImportDialog::proposeFrom(const ImportPreview& preview) {
+    if (m_proposal == Proposal::none || !preview.problem.isEmpty() || m_ask.isActive()) return;
+    if (m_proposal == Proposal::zeroAndSign) {
+        m_proposal = Proposal::times;
+        return m_signal->propose(preview.time, preview.signOfPeak);
+    }
+    m_proposal = Proposal::none;
+    const bool isGauge = m_signal->recipe().zeroLine == ZeroLine::ofFirstSamples;
+    m_signal->proposeTimes(use() == ImportUse::blow && isGauge ? preview.aroundPeak : std::nullopt);
+}
+
+bool ImportDialog::isBusy() const {
+    return m_ask.isActive() || m_study.job().state() == StudyState::running;
+}
+
+const ShapedSignal* ImportDialog::result() const {
+    const ImportPreview* preview = m_study.value();
+    const bool answers = !isBusy() && m_study.job().state() == StudyState::finished &&
+                         m_study.job().isCurrent() && obstacle().isEmpty();
+    if (!answers || !preview->problem.isEmpty() || !preview->signal.problem.empty()) return nullptr;
+    return &preview->signal;
+}
+
+MeasuredSignal ImportDialog::measured() const {
+    MeasuredSignal signal;
+    const ShapedSignal* shaped = result();
+    if (!shaped) return signal;
+    const QString name = m_name->text().trimmed();
+    signal.name = (name.isEmpty() ? QFileInfo(m_path).completeBaseName() : name).toStdString();
+    signal.quantity =
+        use() == ImportUse::normalForce ? MeasuredQuantity::normalForce : MeasuredQuantity::impactForce;
+    signal.place = use() == ImportUse::normalForce ? m_signal->place() : 0;
+    signal.points = shaped->points;
+    signal.deviation = shaped->deviation;
+    return signal;
+}
+
+void ImportDialog::refuse(const QString& reason) {
+    m_refusal = reason;
+    showState();
+}
+
+void ImportDialog::showState() {
+    const ImportPreview* preview = m_study.value();
+    const bool answered = !isBusy() && preview && m_study.job().isCurrent();
+    QString message = obstacle();
+    if (message.isEmpty() && isBusy()) {
+        const StudyProgress progress = m_study.job().progress();
+        message = progress.wanted == 0 ? tr("reading …")
+                                       : tr("reading … %1 %").arg(100 * progress.done / progress.wanted);
+    }
+    if (message.isEmpty()) message = m_study.job().problem();
+    if (message.isEmpty() && answered)
+        message =
+            preview->problem.isEmpty() ? QString::fromStdString(preview->signal.problem) : preview->problem;
+    if (message.isEmpty()) message = m_refusal;
+    m_message->setText(message);
+    const bool known = result() != nullptr;
+    m_summary->setText(known ? importSummary(*preview) : QString());
+    m_take->setEnabled(known);
+}
+
+}  // namespace drillwave

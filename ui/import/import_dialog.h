@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Import of a measured signal: the file, how it is read, and what it gives, before anything is taken.
+#pragma once
+
+#include <QDialog>
+#include <QTimer>
+
+#include "core/signal/measured_signal.h"
+#include "ui/document/document.h"
+#include "ui/import/import_preview.h"
+#include "ui/import/signal_fields.h"
+#include "ui/job/asked_study.h"
+
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+class QVBoxLayout;
+
+namespace drillwave {
+
+class ChoiceBox;
+class ImportPlot;
+class PlotWidget;
+class TableFields;
+
+/// Stays open beside the window until it is accepted by who made it, on wanted(), or closed. The file is read
+/// away from the window's thread.
+class ImportDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    /// The document must outlive it.
+    ImportDialog(const QString& path, ImportUse use, const Document& document, QWidget* parent);
+    ~ImportDialog() override;
+
+    QString path() const { return m_path; }
+    ImportUse use() const;
+    void setUse(ImportUse use);
+    /// What the present choices give; nullptr while that is not known, or is nothing that can be taken.
+    const ShapedSignal* result() const;
+    /// The same as a measured signal.
+    MeasuredSignal measured() const;
+    /// Why it could not be taken, in place.
+    void refuse(const QString& reason);
+    /// Whether an answer is on its way.
+    bool isBusy() const;
+
+  signals:
+    /// The user wants the result, which there is.
+    void wanted();
+    void helpRequested();
+
+  private:
+    QWidget* makeChoices();
+    QVBoxLayout* makePreview();
+    QWidget* makeButtons();
+    void readStart();
+    void showLines();
+    void askSoon();
+    void ask();
+    void showAnswer();
+    void proposeFrom(const ImportPreview& preview);
+    void showState();
+    QString obstacle() const;
+
+    /// What is still to be proposed from what the record turns out to be.
+    enum class Proposal { zeroAndSign, times, none };
+
+    QString m_path;
+    QString m_unreadable;
+    const Document& m_document;
+    ChoiceBox* m_use;
+    QLineEdit* m_name;
+    TableFields* m_table;
+    SignalFields* m_signal;
+    QPlainTextEdit* m_lines;
+    PlotWidget* m_plot;
+    ImportPlot* m_drawing;
+    QLabel* m_summary;
+    QLabel* m_message;
+    QPushButton* m_take = nullptr;
+    QTimer m_ask;
+    QString m_refusal;  // of the present result
+    Proposal m_proposal = Proposal::zeroAndSign;
+    AskedStudy<ImportQuestion, ImportPreview> m_study{ImportStudy()};
+};
+
+}  // namespace drillwave

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/import/import_plot.h"
+
+#include <qcustomplot.h>
+
+#include <algorithm>
+
+#include "ui/plot/graph_data.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/typed_text.h"
+#include "ui/text/unit_choice.h"
+
+namespace drillwave {
+namespace {
+
+const Unit& handyUnitOf(UnitKind kind, double size) {
+    return handyUnit(kind, size, UnitChoice::shared().physicalSystem());
+}
+
+double largest(const QPolygonF& points) {
+    double size = 0;
+    for (const QPointF& point : points) size = std::max(size, std::abs(point.y()));
+    return size;
+}
+
+QCPRange padded(double low, double high) {
+    if (!(high > low)) return {low - 1, low + 1};
+    const double room = 0.06 * (high - low);
+    return {low - room, high + room};
+}
+
+}  // namespace
+
+ImportPlot::ImportPlot(PlotWidget* plot)
+    : QObject(plot),
+      m_plot(plot),
+      m_record(plot->addGraph()),
+      m_taken(plot->addGraph()),
+      m_message(new PlotMessage(plot)),
+      m_view(new FittedView(this)) {
+    plot->axisRect()->setupFullAxesBox(true);
+    plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
+    plot->plotLayout()->insertRow(0);
+    plot->plotLayout()->addElement(0, 0, plot->legend);
+    plot->plotLayout()->setRowStretchFactor(0, 1e-3);
+    plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    plot->legend->setVisible(true);
+    m_record->setName(tr("record"));
+    m_taken->setName(tr("taken"));
+    for (const QCPAxis* axis : {plot->xAxis, plot->yAxis}) m_view->watch(axis);
+    plot->followPalette([this](const PlotStyle& style) { setStyle(style); });
+    connect(plot, &PlotWidget::fitRequested, this, &ImportPlot::fit);
+}
+
+void ImportPlot::setStyle(const PlotStyle& style) {
+    m_plot->setBackground(style.background);
+    style.applyTo(*m_plot->axisRect());
+    style.applyTo(*m_plot->legend);
+    m_record->setPen(style.ghostPen(0));
+    m_taken->setPen(QPen(style.lines[1], style.lineWidth));
+    m_message->setStyle(style);
+}
+
+void ImportPlot::present(const ImportPreview& preview, double shift, const QString& axis) {
+    const Unit& time = handyUnitOf(UnitKind::time, preview.time.to - preview.time.from);
+    const Unit& force = handyUnitOf(UnitKind::force, largest(preview.record));
+    const bool unitsChanged = m_timeFactor != 1 / time.factor();
+    m_timeFactor = 1 / time.factor();
+    QVector<QCPGraphData> record, taken;
+    for (const QPointF& point : preview.record)
+        appendFinite(record, time.fromSi(point.x()), force.fromSi(point.y()));
+    for (const TablePoint& point : preview.signal.points)
+        appendFinite(taken, time.fromSi(point.time + shift), force.fromSi(point.force));
+    m_record->setData(graphData(record));
+    m_taken->setData(graphData(taken));
+    m_plot->xAxis->setLabel(tr("time in the file [%1]").arg(shownUnitName(time.name)));
+    m_plot->yAxis->setLabel(QStringLiteral("%1 [%2]").arg(axis, shownUnitName(force.name)));
+    m_message->hide();
+    if (m_view->isFitted() || unitsChanged) fit();
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ImportPlot::showNothing(const QString& message) {
+    for (QCPGraph* graph : {m_record, m_taken}) graph->setData(GraphData::create());
+    m_message->show(message);
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ImportPlot::fit() {
+    m_view->fit([this] {
+        bool any = false;
+        double left = 0, right = 0, low = 0, high = 0;
+        for (const QCPGraph* graph : {m_record, m_taken})
+            for (auto point = graph->data()->constBegin(); point != graph->data()->constEnd(); ++point) {
+                left = any ? std::min(left, point->key) : point->key;
+                right = any ? std::max(right, point->key) : point->key;
+                low = std::min(low, point->value);
+                high = std::max(high, point->value);
+                any = true;
+            }
+        m_plot->xAxis->setRange(any && right > left ? QCPRange(left, right) : padded(left, right));
+        m_plot->yAxis->setRange(padded(low, high));
+    });
+}
+
+RecordSpan ImportPlot::visibleTimes() const {
+    const QCPRange range = m_plot->xAxis->range();
+    return {range.lower / m_timeFactor, range.upper / m_timeFactor};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an import would give, computed away from the window's thread.
+#pragma once
+
+#include <QPolygonF>
+#include <QString>
+#include <memory>
+
+#include "core/signal/samples.h"
+#include "core/signal/signal_recipe.h"
+#include "ui/job/study_job.h"
+
+namespace drillwave {
+
+/// All that the result depends on.
+struct ImportQuestion {
+    QString path;
+    SampleSource source;
+    SignalRecipe recipe;
+    bool operator==(const ImportQuestion&) const = default;
+};
+
+/// Its answer: the signal, and the whole record to be drawn behind it.
+struct ImportPreview {
+    QString problem;          ///< why the file could not be read; then there is nothing else
+    ShapedSignal signal;      ///< may have a problem of its own
+    QPolygonF record;         ///< time [s], force [N], zero line off: all of it, thinned to what can be seen
+    std::size_t samples = 0;  ///< of the record
+    std::size_t skipped = 0;  ///< rows
+    std::size_t firstSkipped = 0;          ///< line
+    RecordSpan time;                       ///< from the first to the last sample [s]
+    std::optional<RecordSpan> aroundPeak;  ///< spanAroundPeak()
+    double signOfPeak = 1;                 ///< of the record, as in the table
+};
+
+/// Remembers the samples of the last source, so that each file is read once for all that is made of it.
+class ImportStudy {
+  public:
+    /// On the job's thread, one call at a time.
+    ImportPreview operator()(const ImportQuestion& question, const StudyFeed<ImportPreview>& feed);
+
+  private:
+    struct Kept {
+        QString path;
+        SampleSource source;
+        Samples samples;
+    };
+    std::shared_ptr<Kept> m_kept = std::make_shared<Kept>();
+};
+
+}  // namespace drillwave

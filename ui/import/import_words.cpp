@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/import/import_words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+#include "ui/form/pulse_preview.h"
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("drillwave::ImportWords", text);
+}
+
+QString percent(double share) {
+    return numberText(100 * share, 2, QLocale()) + QChar(QChar::Nbsp) + QLatin1Char('%');
+}
+
+QString countText(std::size_t count) {
+    return QLocale().toString(static_cast<qulonglong>(count));
+}
+
+}  // namespace
+
+QString importSummary(const ImportPreview& preview) {
+    const ShapedSignal& signal = preview.signal;
+    const double peak = std::abs(signal.peak);
+    QStringList parts;
+    parts << tr("Impulse %1, peak %2 at %3.")
+                 .arg(pulseText(signal.impulse, UnitKind::impulse), pulseText(signal.peak, UnitKind::force),
+                      pulseText(signal.peakTime, UnitKind::time));
+    parts << tr("%1 of %2 samples become %3 points: no sample is further than %4 (%5 of the peak) from the "
+                "lines between them, the impulse changes by %6.")
+                 .arg(countText(signal.samples), countText(preview.samples), countText(signal.points.size()),
+                      pulseText(signal.deviation, UnitKind::force),
+                      peak > 0 ? percent(signal.deviation / peak) : QStringLiteral("–"),
+                      pulseText(signal.impulseChange, UnitKind::impulse));
+    if (signal.clipped > 0)
+        parts << tr("%1 negative samples are clipped, which adds %2 to the impulse.")
+                     .arg(countText(signal.clipped), pulseText(signal.clippedImpulse, UnitKind::impulse));
+    if (preview.skipped > 0)
+        parts << tr("%1 rows without a number are skipped, the first is line %2.")
+                     .arg(countText(preview.skipped), countText(preview.firstSkipped));
+    return parts.join(QLatin1Char(' '));
+}
+
+QString importHelp() {
+    return tr(
+        "Table: separator, decimal sign, the first line with a sample and the columns are found out; change "
+        "what is wrong. Without a column of times give the sampling rate.\n"
+        "Signal: force, strain or the output of a bridge in the unit of the column. A strain becomes a force "
+        "by E and the area of the rod, or of another bar. Tension is positive in the rod; a blow presses.\n"
+        "Zero line: the mean of the first samples, in which nothing happens.\n"
+        "Take from: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and "
+        "Shift+drag zoom there), “All” the whole record.\n"
+        "Points at most: of so many samples only some are kept, and it is said how far the others are from "
+        "the lines between them. A blow keeps its impulse.");
+}
+
+}  // namespace drillwave

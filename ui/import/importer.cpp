@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/import/importer.h"
+
+#include <QFileInfo>
+
+#include "ui/import/import_words.h"
+
+namespace drillwave {
+
+Importer::Importer(Document& document, MeasuredList& measured, Questions& questions, QWidget* window)
+    : m_document(document), m_measured(measured), m_questions(questions), m_window(window) {}
+
+Importer::~Importer() {
+    delete m_dialog;
+}
+
+void Importer::start(ImportUse use) {
+    const QString folder = QFileInfo(m_document.suggestedPath()).absolutePath();
+    const QString path = m_questions.fileToImport(
+        m_window, tr("Import a measured signal"), folder,
+        tr("Tables of samples (*.csv *.txt *.tsv *.dat *.asc *.prn);;All files (*)"));
+    if (!path.isEmpty()) open(path, use);
+}
+
+void Importer::open(const QString& path, ImportUse use) {
+    delete m_dialog;
+    m_dialog = new ImportDialog(path, use, m_document, m_window);
+    m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(m_dialog, &ImportDialog::wanted, this, &Importer::take);
+    connect(m_dialog, &ImportDialog::helpRequested, this, [this] {
+        m_questions.tell(m_dialog, Questions::Tone::information, tr("Import of a measured signal"),
+                         importHelp());
+    });
+    m_dialog->show();
+}
+
+void Importer::take() {
+    const QString file = QFileInfo(m_dialog->path()).fileName();
+    const bool isBlow = m_dialog->use() == ImportUse::blow;
+    const QString problem = isBlow ? takeBlow() : takeMeasured();
+    if (!problem.isEmpty()) return m_dialog->refuse(problem);
+    m_dialog->close();
+    emit imported(isBlow ? tr("The hammer blow is taken from %1.").arg(file)
+                         : tr("%1 is laid over the page Blow.").arg(file));
+}
+
+QString Importer::takeBlow() {
+    Scenario changed = m_document.scenario();
+    changed.pulse.shape = PulseShape::table;
+    changed.pulse.tableFile.clear();
+    changed.pulse.tablePoints = m_dialog->result()->points;
+    return m_document.useScenario(
+        changed, tr("take the hammer blow from %1").arg(QFileInfo(m_dialog->path()).fileName()));
+}
+
+QString Importer::takeMeasured() {
+    if (m_measured.isFull())
+        return tr("%1 measured curves are there already: remove one on the page Blow.")
+            .arg(MeasuredList::most);
+    m_measured.add(m_dialog->measured());
+    return {};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/import/signal_fields.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <cmath>
+#include <numbers>
+
+#include "core/model/scales.h"
+#include "ui/import/import_rows.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/typed_text.h"
+
+namespace drillwave {
+namespace {
+
+/// Of a blow a scenario file has room for so many points in its own text.
+constexpr int mostBlowPoints = 10'000;
+constexpr int mostCurvePoints = 100'000;
+constexpr int usualPoints = 1000;
+
+/// Of a record, from its beginning, in which nothing has happened yet, probably.
+constexpr double restShare = 0.03;
+
+enum Sense { tension, compression };
+enum Bar { rodOfScenario, otherBar };
+
+// To one digit, for a proposal.
+double oneDigit(double value) {
+    if (!(value > 0)) return value;
+    const double decade = std::pow(10, std::floor(std::log10(value)));
+    return std::max(1.0, std::round(value / decade)) * decade;
+}
+
+int value(auto choice) {
+    return static_cast<int>(choice);
+}
+
+}  // namespace
+
+SignalFields::SignalFields(QWidget* parent) : QWidget(parent), m_form(new QFormLayout(this)) {
+    m_form->setContentsMargins(0, 0, 0, 0);
+    m_form->setVerticalSpacing(3);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    addUnit();
+    addBar();
+    addZero();
+    addTimes();
+    addEnd();
+    for (ChoiceBox* box : {m_unit, m_positive, m_activeGauges, m_zero, m_scaling, m_bar})
+        connect(box, &QComboBox::currentIndexChanged, this, [this, box] {
+            m_touched.insert(box);
+            showRows();
+            emit changed();
+        });
+    connect(m_kind, &QComboBox::currentIndexChanged, this, [this] {
+        fillUnits({});
+        showRows();
+        emit changed();
+    });
+    fillUnits({});
+    showRows();
+}
+
+QuantityField* SignalFields::quantity(const char* name, const QString& label, const QString& toolTip,
+                                      Quantity kind, const char* unit, FieldRange range,
+                                      std::optional<double> si) {
+    const auto touch = [this, index = m_fields.size()] {
+        m_touched.insert(m_fields[index]);
+        emit changed();
+    };
+    QuantityField* field = addQuantity(*m_form, {name, label, toolTip}, kind, unit, range, si, touch);
+    m_fields.append(field);
+    return field;
+}
+
+void SignalFields::addUnit() {
+    m_place = quantity("place", tr("place x"), tr("Of the gauge, from the struck end of the rod"),
+                       Quantity::length, "m", FieldRange::notNegative, 1);
+    m_kind = addChoice(*m_form, {"kind", tr("signal is"), tr("What the numbers are")},
+                       {{tr("force"), value(SignalKind::force)},
+                        {tr("strain"), value(SignalKind::strain)},
+                        {tr("output of a bridge"), value(SignalKind::bridge)}});
+    m_unit = addChoice(*m_form, {"valueUnit", tr("unit"), tr("In what the numbers are")}, {});
+    m_positive = addChoice(*m_form,
+                           {"positive", tr("positive is"),
+                            tr("What a number greater than 0 means. Here tension is positive in a rod, and "
+                               "pressing is in a blow and on the rock.")},
+                           {{tr("tension"), tension}, {tr("compression"), compression}});
+}
+
+void SignalFields::addBar() {
+    m_bar = addChoice(*m_form, {"bar", tr("gauge is on"), tr("Whose E and area make a force of a strain")},
+                      {{tr("the rod"), rodOfScenario}, {tr("another bar"), otherBar}});
+    m_modulus = quantity("modulus", tr("E of the bar"), tr("Young's modulus"), Quantity::stress, "GPa",
+                         FieldRange::positive, 210e9);
+    m_diameter = quantity("diameter", tr("diameter"), tr("Of the solid bar where the gauge is"),
+                          Quantity::length, "mm", FieldRange::positive, 0.02);
+    m_gaugeFactor = quantity("gaugeFactor", tr("gauge factor k"), tr("Relative resistance over strain"),
+                             Quantity::ratio, "", FieldRange::positive, 2);
+    m_activeGauges =
+        addChoice(*m_form,
+                  {"activeGauges", tr("active gauges"),
+                   tr("Of the bridge that see the strain: 1 quarter, 2 half, 4 full bridge")},
+                  {{QStringLiteral("1"), 1}, {QStringLiteral("2"), 2}, {QStringLiteral("4"), 4}});
+}
+
+void SignalFields::addZero() {
+    m_zero = addChoice(*m_form, {"zero", tr("zero line"), tr("What is taken off all samples")},
+                       {{tr("as recorded"), value(ZeroLine::asRecorded)},
+                        {tr("mean of the first"), value(ZeroLine::ofFirstSamples)},
+                        {tr("a value"), value(ZeroLine::chosen)}});
+    m_zeroSpan = quantity("zeroSpan", tr("first"), tr("How long nothing happens in the record"),
+                          Quantity::time, "us", FieldRange::notNegative, 0);
+    m_zeroValue = quantity("zeroValue", tr("zero is at"), tr("In the unit of the column"), Quantity::ratio,
+                           "", FieldRange::any, 0);
+}
+
+void SignalFields::addTimes() {
+    m_from = quantity("from", tr("from"), tr("Samples before this time of the file are left out"),
+                      Quantity::time, "us", FieldRange::any, {});
+    m_to = quantity("to", tr("to"), tr("Samples after this time of the file are left out"), Quantity::time,
+                    "us", FieldRange::any, {});
+    m_from->setOptional(tr("beginning"));
+    m_to->setOptional(tr("end"));
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    const auto add = [&](const char* name, const QString& text, const QString& toolTip, auto pressed) {
+        auto* button = new QPushButton(text, row);
+        button->setObjectName(QLatin1String(name));
+        button->setToolTip(toolTip);
+        button->setAutoDefault(false);
+        button->setMinimumWidth(1);
+        connect(button, &QPushButton::clicked, this, pressed);
+        layout->addWidget(button);
+    };
+    add("aroundPeak", tr("Peak"), tr("From and to where the signal is 2 % of its peak, around it"),
+        [this] { emit timesAroundPeakWanted(); });
+    add("visible", tr("View"), tr("From and to the ends of what the plot shows: zoom there first"),
+        [this] { emit visibleTimesWanted(); });
+    add("all", tr("All"), tr("All of the record"), [this] { setTimes({}); });
+    m_form->addRow(tr("take from"), row);
+}
+
+void SignalFields::addEnd() {
+    m_clip = new QCheckBox(tr("clip what is negative"), this);
+    m_clip->setObjectName(QStringLiteral("clip"));
+    m_clip->setToolTip(tr("Forces below zero become zero: a hammer only pushes, and noise does not"));
+    m_clip->setChecked(true);
+    m_form->addRow(QString(), m_clip);
+    connect(m_clip, &QCheckBox::toggled, this, &SignalFields::changed);
+    m_scaling = addChoice(*m_form, {"scaling", tr("scale"), tr("Times what all forces are multiplied by")},
+                          {{tr("as it is"), value(Scaling::none)},
+                           {tr("by a factor"), value(Scaling::byFactor)},
+                           {tr("to an impulse"), value(Scaling::toImpulse)}});
+    m_factor = quantity("factor", tr("factor"), tr("All forces are multiplied by it"), Quantity::ratio, "",
+                        FieldRange::notZero, 1);
+    m_impulse = quantity("impulse", tr("impulse"), tr("That the signal is to have"), Quantity::impulse, "N s",
+                         FieldRange::positive, 51);
+    m_points = addCount(*m_form,
+                        {"points", tr("points at most"),
+                         tr("That are kept of the samples; how far the rest is from the lines between them "
+                            "is said below")},
+                        2, mostBlowPoints, usualPoints);
+    connect(m_points, &QSpinBox::valueChanged, this, &SignalFields::changed);
+}
+
+void SignalFields::setUse(ImportUse use) {
+    m_use = use;
+    const QSignalBlocker quiet(m_points);
+    m_points->setMaximum(use == ImportUse::blow ? mostBlowPoints : mostCurvePoints);
+    showRows();
+    emit changed();
+}
+
+void SignalFields::setScenario(const Scenario& scenario) {
+    const std::optional<Rod> rod =
+        scenario.form == ScenarioForm::dimensional ? std::optional(scenario.rod) : std::nullopt;
+    if (rod == m_rod) return;
+    m_rod = rod;
+    if (!m_rod) choose(*m_bar, otherBar);
+    showRows();
+    emit changed();
+}
+
+void SignalFields::setUnit(const NamedSignalUnit& unit) {
+    choose(*m_kind, value(unit.kind));
+    fillUnits(unit.unit);
+    showRows();
+    emit changed();
+}
+
+void SignalFields::fillUnits(std::optional<SignalUnit> wanted) {
+    m_unitList = signalUnits(static_cast<SignalKind>(chosenValue(*m_kind)));
+    QList<RowChoice> entries;
+    for (const SignalUnit& unit : m_unitList)
+        entries.append({shownUnitName(unit.name), static_cast<int>(entries.size())});
+    setEntries(*m_unit, entries);
+    for (std::size_t i = 0; wanted && i < m_unitList.size(); ++i)
+        if (m_unitList[i] == *wanted) choose(*m_unit, static_cast<int>(i));
+    if (!wanted) choose(*m_unit, 0);
+}
+
+// A strain has a zero line to be found; a force has been given one. The blow presses where it is largest.
+// What the user has chosen already stays.
+void SignalFields::propose(RecordSpan record, double signOfPeak) {
+    const bool isForce = chosenValue(*m_kind) == value(SignalKind::force);
+    const auto proposeChoice = [this](ChoiceBox& box, int choice) {
+        if (!m_touched.contains(&box)) choose(box, choice);
+    };
+    proposeChoice(*m_zero, value(isForce ? ZeroLine::asRecorded : ZeroLine::ofFirstSamples));
+    if (!m_touched.contains(m_zeroSpan))
+        m_zeroSpan->setValue(oneDigit(restShare * (record.to - record.from)));
+    const bool presses = m_use != ImportUse::normalForce;
+    proposeChoice(*m_positive, presses && signOfPeak > 0 ? compression : tension);
+    showRows();
+    emit changed();
+}
+
+void SignalFields::proposeTimes(std::optional<RecordSpan> times) {
+    if (!m_touched.contains(m_from) && !m_touched.contains(m_to)) showTimes(times);
+}
+
+void SignalFields::setTimes(std::optional<RecordSpan> times) {
+    m_touched.insert(m_from);
+    showTimes(times);
+}
+
+void SignalFields::showTimes(std::optional<RecordSpan> times) {
+    m_from->setValue(times ? std::optional(times->from) : std::nullopt);
+    m_to->setValue(times ? std::optional(times->to) : std::nullopt);
+    emit changed();
+}
+
+void SignalFields::showRows() {
+    const auto kind = static_cast<SignalKind>(chosenValue(*m_kind));
+    const bool needsBar = kind != SignalKind::force;
+    const bool typed = needsBar && (!m_rod || chosenValue(*m_bar) == otherBar);
+    const auto zero = static_cast<ZeroLine>(chosenValue(*m_zero));
+    const auto scaling = static_cast<Scaling>(chosenValue(*m_scaling));
+    setRowVisible(*m_form, *m_place, m_use == ImportUse::normalForce);
+    setRowVisible(*m_form, *m_bar, needsBar && m_rod);
+    setRowVisible(*m_form, *m_modulus, typed);
+    setRowVisible(*m_form, *m_diameter, typed);
+    setRowVisible(*m_form, *m_gaugeFactor, kind == SignalKind::bridge);
+    setRowVisible(*m_form, *m_activeGauges, kind == SignalKind::bridge);
+    setRowVisible(*m_form, *m_zeroSpan, zero == ZeroLine::ofFirstSamples);
+    setRowVisible(*m_form, *m_zeroValue, zero == ZeroLine::chosen);
+    setRowVisible(*m_form, *m_clip, m_use == ImportUse::blow);
+    setRowVisible(*m_form, *m_factor, scaling == Scaling::byFactor);
+    setRowVisible(*m_form, *m_impulse, scaling == Scaling::toImpulse);
+}
+
+double SignalFields::axialStiffness() const {
+    if (m_rod && chosenValue(*m_bar) == rodOfScenario)
+        return propertiesOf(*m_rod).area * m_rod->youngsModulus;
+    const double diameter = *m_diameter->value();
+    return *m_modulus->value() * std::numbers::pi / 4 * diameter * diameter;
+}
+
+// In a rod tension is positive; a hammer and a rock are pressed.
+double SignalFields::forcePerNumberNow() const {
+    const GaugedBar bar{axialStiffness(), *m_gaugeFactor->value(),
+                        static_cast<double>(chosenValue(*m_activeGauges))};
+    const auto unit = static_cast<std::size_t>(chosenValue(*m_unit));
+    const double size =
+        forcePerNumber(static_cast<SignalKind>(chosenValue(*m_kind)), m_unitList[unit].factor, bar);
+    const bool positiveHere = (chosenValue(*m_positive) == tension) == (m_use == ImportUse::normalForce);
+    return positiveHere ? size : -size;
+}
+
+SignalRecipe SignalFields::recipe() const {
+    SignalRecipe recipe;
+    recipe.use = m_use == ImportUse::blow ? SignalUse::blow : SignalUse::curve;
+    recipe.zeroLine = static_cast<ZeroLine>(chosenValue(*m_zero));
+    recipe.zeroSpan = *m_zeroSpan->value();
+    recipe.zeroValue = *m_zeroValue->value();
+    recipe.forcePerNumber = forcePerNumberNow();
+    recipe.from = m_from->value();
+    recipe.to = m_to->value();
+    const bool clips = m_use == ImportUse::blow && m_clip->isChecked();
+    recipe.negatives = clips ? Negatives::clipped : Negatives::kept;
+    recipe.scaling = static_cast<Scaling>(chosenValue(*m_scaling));
+    recipe.factor = *m_factor->value();
+    recipe.impulse = *m_impulse->value();
+    recipe.points = static_cast<std::size_t>(m_points->value());
+    return recipe;
+}
+
+double SignalFields::place() const {
+    return *m_place->value();
+}
+
+QString SignalFields::problem() const {
+    for (const QuantityField* field : m_fields)
+        if (field->isVisibleTo(this) && !field->problem().isEmpty())
+            return QStringLiteral("%1: %2").arg(field->accessibleName(), field->problem());
+    return {};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is made of the samples: unit, sign, zero line, times, clip, scale, number of points.
+#pragma once
+
+#include <QList>
+#include <QSet>
+#include <QWidget>
+#include <optional>
+
+#include "core/model/scenario.h"
+#include "core/signal/signal_recipe.h"
+#include "core/signal/signal_unit.h"
+#include "core/text/units.h"
+
+class QCheckBox;
+class QFormLayout;
+class QPushButton;
+class QSpinBox;
+
+namespace drillwave {
+
+class ChoiceBox;
+class QuantityField;
+enum class FieldRange;
+
+/// What an imported signal is for.
+enum class ImportUse {
+    blow,         ///< the hammer blow of the scenario
+    normalForce,  ///< a measured N in a section, beside the computed one
+    impactForce,  ///< a measured force on the rock
+};
+
+class SignalFields : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit SignalFields(QWidget* parent = nullptr);
+
+    void setUse(ImportUse use);
+    /// The rod whose E A a strain takes; a dimensionless scenario has none.
+    void setScenario(const Scenario& scenario);
+    /// What the header says of the column.
+    void setUnit(const NamedSignalUnit& unit);
+    /// What is known of a new record: its zero line and its sign are proposed, where nothing was chosen.
+    void propose(RecordSpan record, double signOfPeak);
+    /// Takes these times; nothing for all of the record.
+    void setTimes(std::optional<RecordSpan> times);
+    /// The same, unless the user has chosen times.
+    void proposeTimes(std::optional<RecordSpan> times);
+
+    SignalRecipe recipe() const;
+    /// x of a normal force [m].
+    double place() const;
+    /// Why the choices make no recipe; empty when they do.
+    QString problem() const;
+
+  signals:
+    void changed();
+    void timesAroundPeakWanted();
+    void visibleTimesWanted();
+
+  private:
+    void addUnit();
+    void addBar();
+    void addZero();
+    void addTimes();
+    void addEnd();
+    QuantityField* quantity(const char* name, const QString& label, const QString& toolTip, Quantity kind,
+                            const char* unit, FieldRange range, std::optional<double> si);
+    void fillUnits(std::optional<SignalUnit> wanted);
+    void showRows();
+    void showTimes(std::optional<RecordSpan> times);
+    double axialStiffness() const;
+    double forcePerNumberNow() const;
+
+    ImportUse m_use = ImportUse::blow;
+    std::optional<Rod> m_rod;
+    std::vector<SignalUnit> m_unitList;
+    QFormLayout* m_form;
+    QuantityField* m_place = nullptr;
+    ChoiceBox* m_kind = nullptr;
+    ChoiceBox* m_unit = nullptr;
+    ChoiceBox* m_positive = nullptr;
+    ChoiceBox* m_bar = nullptr;
+    QuantityField* m_modulus = nullptr;
+    QuantityField* m_diameter = nullptr;
+    QuantityField* m_gaugeFactor = nullptr;
+    ChoiceBox* m_activeGauges = nullptr;
+    ChoiceBox* m_zero = nullptr;
+    QuantityField* m_zeroSpan = nullptr;
+    QuantityField* m_zeroValue = nullptr;
+    QuantityField* m_from = nullptr;
+    QuantityField* m_to = nullptr;
+    QCheckBox* m_clip = nullptr;
+    ChoiceBox* m_scaling = nullptr;
+    QuantityField* m_factor = nullptr;
+    QuantityField* m_impulse = nullptr;
+    QSpinBox* m_points = nullptr;
+    QList<QuantityField*> m_fields;
+    QSet<const QWidget*> m_touched;  // what the user has chosen
+};
+
+}  // namespace drillwave

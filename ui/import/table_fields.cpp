@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/import/table_fields.h"
+
+#include <QSignalBlocker>
+
+#include "core/signal/sample_guess.h"
+#include "ui/import/import_rows.h"
+#include "ui/text/typed_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int none = -1;
+constexpr int mostHeaderLines = 100'000;
+
+QString columnText(const TableColumn& column, std::size_t index) {
+    const QString number = TableFields::tr("column %1").arg(index + 1);
+    QString name = QString::fromStdString(column.name);
+    if (!column.unit.empty()) name += QStringLiteral(" [%1]").arg(QString::fromStdString(column.unit));
+    return name.isEmpty() ? number : QStringLiteral("%1: %2").arg(number, name.trimmed());
+}
+
+// Units by their place in the list of the core.
+QList<RowChoice> timeUnits() {
+    QList<RowChoice> units;
+    for (const Unit& unit : unitsOf(Quantity::time))
+        units.append({shownUnitName(unit.name), static_cast<int>(units.size())});
+    return units;
+}
+
+int indexOfTimeUnit(double factor) {
+    const auto units = unitsOf(Quantity::time);
+    for (std::size_t i = 0; i < units.size(); ++i)
+        if (units[i].factor() == factor) return static_cast<int>(i);
+    return 0;
+}
+
+std::optional<std::size_t> columnOf(const ChoiceBox& box) {
+    const int column = chosenValue(box);
+    return column == none ? std::nullopt : std::optional(static_cast<std::size_t>(column));
+}
+
+}  // namespace
+
+TableFields::TableFields(QWidget* parent) : QWidget(parent), m_form(new QFormLayout(this)) {
+    m_form->setContentsMargins(0, 0, 0, 0);
+    m_form->setVerticalSpacing(3);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    addFormat();
+    addColumns();
+    wire();
+    showRows();
+}
+
+void TableFields::addFormat() {
+    m_separator =
+        addChoice(*m_form, {"separator", tr("separator"), tr("What stands between the cells")},
+                  {{tr("tab"), '\t'}, {tr("semicolon ;"), ';'}, {tr("comma ,"), ','}, {tr("blanks"), ' '}});
+    m_decimal =
+        addChoice(*m_form, {"decimal", tr("decimal sign"), tr("What stands before the decimals of a number")},
+                  {{tr("point 1.5"), static_cast<int>(DecimalSign::point)},
+                   {tr("comma 1,5"), static_cast<int>(DecimalSign::comma)}});
+    m_firstLine = addCount(
+        *m_form, {"firstLine", tr("samples from line"), tr("The first line of the file that is a sample")}, 1,
+        mostHeaderLines, 1);
+}
+
+void TableFields::addColumns() {
+    m_time = addChoice(*m_form, {"timeColumn", tr("time"), tr("The column of times, or none")}, {});
+    m_timeUnit =
+        addChoice(*m_form, {"timeUnit", tr("unit of time"), tr("In what the times are")}, timeUnits());
+    m_rate = addQuantity(*m_form, {"rate", tr("sampling rate"), tr("Samples in a second")},
+                         Quantity::frequency, "kHz", FieldRange::positive, 1e6, [this] { emit changed(); });
+    m_value = addChoice(*m_form, {"valueColumn", tr("signal"), tr("The column of the signal")}, {});
+    m_second = addChoice(*m_form,
+                         {"secondGauge", tr("mean with"),
+                          tr("A second gauge on the other side of the bar: the mean is free of bending")},
+                         {});
+    m_wrongRows = addChoice(*m_form,
+                            {"wrongRows", tr("rows without number"),
+                             tr("Empty cells, NaN, words: whether they stop the import or are left out")},
+                            {{tr("refuse"), static_cast<int>(WrongRows::refused)},
+                             {tr("skip and count"), static_cast<int>(WrongRows::skipped)}});
+}
+
+void TableFields::wire() {
+    for (ChoiceBox* box : {m_separator, m_decimal})
+        connect(box, &QComboBox::currentIndexChanged, this,
+                [this] { takeTable(detectTable(m_lines, format())); });
+    connect(m_firstLine, &QSpinBox::valueChanged, this,
+            [this](int line) { takeTable(tableFrom(m_lines, format(), static_cast<std::size_t>(line))); });
+    connect(m_time, &QComboBox::currentIndexChanged, this, [this] {
+        if (const auto column = columnOf(*m_time); column && *column < m_table.columns.size())
+            choose(*m_timeUnit, indexOfTimeUnit(guessedTimeUnit(m_table.columns[*column])));
+        showRows();
+        emit changed();
+    });
+    connect(m_value, &QComboBox::currentIndexChanged, this, [this] {
+        emit valueColumnChanged();
+        emit changed();
+    });
+    for (ChoiceBox* box : {m_timeUnit, m_second, m_wrongRows})
+        connect(box, &QComboBox::currentIndexChanged, this, &TableFields::changed);
+}
+
+RowFormat TableFields::format() const {
+    return {static_cast<char>(chosenValue(*m_separator)), static_cast<DecimalSign>(chosenValue(*m_decimal))};
+}
+
+void TableFields::setLines(std::vector<std::string> lines) {
+    m_lines = std::move(lines);
+    takeTable(detectTable(m_lines));
+}
+
+void TableFields::takeTable(DetectedTable table) {
+    m_table = std::move(table);
+    choose(*m_separator, m_table.format.separator);
+    choose(*m_decimal, static_cast<int>(m_table.format.decimal));
+    {
+        const QSignalBlocker quiet(m_firstLine);
+        m_firstLine->setValue(static_cast<int>(m_table.firstLine));
+    }
+    showColumns();
+    emit valueColumnChanged();
+    emit changed();
+}
+
+void TableFields::showColumns() {
+    QList<RowChoice> columns;
+    for (std::size_t i = 0; i < m_table.columns.size(); ++i)
+        columns.append({columnText(m_table.columns[i], i), static_cast<int>(i)});
+    setEntries(*m_value, columns);
+    setEntries(*m_second, QList<RowChoice>{{tr("no other gauge"), none}} + columns);
+    setEntries(*m_time, columns + QList<RowChoice>{{tr("evenly spaced"), none}});
+    const SampleGuess guess = guessedSource(m_table);
+    choose(*m_value, static_cast<int>(guess.source.valueColumn));
+    choose(*m_second, none);
+    choose(*m_time, guess.source.timeColumn ? static_cast<int>(*guess.source.timeColumn) : none);
+    choose(*m_timeUnit, indexOfTimeUnit(guess.source.timeUnit));
+    showRows();
+}
+
+void TableFields::showRows() {
+    const bool evenly = chosenValue(*m_time) == none || m_time->count() == 0;
+    setRowVisible(*m_form, *m_timeUnit, !evenly);
+    setRowVisible(*m_form, *m_rate, evenly);
+    setRowVisible(*m_form, *m_second, m_second->count() > 3);
+}
+
+SampleSource TableFields::source() const {
+    SampleSource source;
+    source.format = format();
+    source.firstLine = static_cast<std::size_t>(m_firstLine->value());
+    source.timeColumn = columnOf(*m_time);
+    source.timeUnit = unitsOf(Quantity::time)[static_cast<std::size_t>(chosenValue(*m_timeUnit))].factor();
+    source.interval = 1 / *m_rate->value();
+    source.valueColumn = columnOf(*m_value).value_or(0);
+    source.secondGauge = columnOf(*m_second);
+    source.wrongRows = static_cast<WrongRows>(chosenValue(*m_wrongRows));
+    return source;
+}
+
+NamedSignalUnit TableFields::valueUnit() const {
+    const std::size_t column = columnOf(*m_value).value_or(0);
+    return guessedUnit(column < m_table.columns.size() ? m_table.columns[column] : TableColumn{});
+}
+
+QString TableFields::problem() const {
+    if (!m_table.hasSamples())
+        return tr(
+            "No line of numbers is found with this separator and decimal sign: choose others, or the "
+            "line where the samples begin.");
+    const SampleSource now = source();
+    if (now.timeColumn == now.valueColumn)
+        return tr("Time and signal are the same column: choose another one, or a sampling rate.");
+    if (now.secondGauge == now.valueColumn || (now.secondGauge && now.secondGauge == now.timeColumn))
+        return tr("The second gauge is a column that is used already: choose another one.");
+    if (!m_rate->problem().isEmpty()) return tr("sampling rate: %1").arg(m_rate->problem());
+    return {};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a table of samples is written, and which of its columns are wanted: found out, and to be changed.
+#pragma once
+
+#include <QWidget>
+#include <string>
+#include <vector>
+
+#include "core/signal/detected_table.h"
+#include "core/signal/samples.h"
+#include "core/signal/signal_unit.h"
+
+class QFormLayout;
+class QSpinBox;
+
+namespace drillwave {
+
+class ChoiceBox;
+class QuantityField;
+
+class TableFields : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit TableFields(QWidget* parent = nullptr);
+
+    /// The first lines of a file: everything is found out anew.
+    void setLines(std::vector<std::string> lines);
+    const std::vector<std::string>& lines() const { return m_lines; }
+
+    SampleSource source() const;
+    /// What the header says of the chosen column of values.
+    NamedSignalUnit valueUnit() const;
+    /// Why the choices make no source; empty when they do.
+    QString problem() const;
+
+  signals:
+    /// Another source.
+    void changed();
+    /// Another column of values, before changed().
+    void valueColumnChanged();
+
+  private:
+    void addFormat();
+    void addColumns();
+    void wire();
+    RowFormat format() const;
+    void takeTable(DetectedTable table);
+    void showColumns();
+    void showRows();
+
+    std::vector<std::string> m_lines;
+    DetectedTable m_table;
+    QFormLayout* m_form;
+    ChoiceBox* m_separator = nullptr;
+    ChoiceBox* m_decimal = nullptr;
+    QSpinBox* m_firstLine = nullptr;
+    ChoiceBox* m_time = nullptr;
+    ChoiceBox* m_timeUnit = nullptr;
+    QuantityField* m_rate = nullptr;
+    ChoiceBox* m_value = nullptr;
+    ChoiceBox* m_second = nullptr;
+    ChoiceBox* m_wrongRows = nullptr;
+};
+
+}  // namespace drillwave

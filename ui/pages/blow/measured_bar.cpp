@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/blow/measured_bar.h"
+
+#include <QIcon>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include "ui/form/choice_box.h"
+#include "ui/form/pulse_preview.h"
+#include "ui/form/quantity_field.h"
+#include "ui/pages/blow/measured_curves.h"
+#include "ui/pages/study/flow_layout.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int stepMicroseconds = 1;
+
+QIcon lineIcon(const QPen& pen) {
+    QPixmap picture(28, 12);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setPen(pen);
+    painter.drawLine(0, 6, 28, 6);
+    return QIcon(picture);
+}
+
+QString listText(const MeasuredSignal& signal) {
+    const QString name = QString::fromStdString(signal.name);
+    return signal.quantity == MeasuredQuantity::normalForce ? MeasuredBar::tr("N: %1").arg(name)
+                                                            : MeasuredBar::tr("F: %1").arg(name);
+}
+
+}  // namespace
+
+MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
+    : QWidget(parent),
+      m_list(list),
+      m_style(PlotStyle::forScreen(palette(), font())),
+      m_box(new ChoiceBox(this)),
+      m_place(new QPushButton(this)),
+      m_shift(new QuantityField(Quantity::time, *findUnit(Quantity::time, "us"), this)),
+      m_remove(new QPushButton(tr("Remove"), this)),
+      m_remark(new QLabel(tr("not drawn: this scenario has no physical units"), this)) {
+    setObjectName(QStringLiteral("measured"));
+    m_box->setObjectName(QStringLiteral("measuredSignal"));
+    m_box->setAccessibleName(tr("Measured curve"));
+    m_box->setIconSize({28, 12});
+    m_place->setObjectName(QStringLiteral("measuredPlace"));
+    m_place->setToolTip(tr("Show the waves at the section where this was measured"));
+    m_shift->setObjectName(QStringLiteral("measuredShift"));
+    m_shift->setAccessibleName(tr("Shift of the measured curve in time"));
+    m_shift->setToolTip(tr("Added to the times of the measured curve; Up and Down move it"));
+    m_shift->setStepAtZero(stepMicroseconds * 1e-6);
+    m_shift->setTaker([this](double seconds) {
+        m_list.setTimeShift(chosen(), seconds);
+        return QString();
+    });
+    m_remove->setObjectName(QStringLiteral("removeMeasured"));
+    m_remove->setToolTip(tr("Take this measured curve away; its file stays"));
+    auto* measured = new QLabel(tr("Measured"), this);
+    measured->setBuddy(m_box);
+    auto* shift = new QLabel(tr("shift"), this);
+    shift->setBuddy(m_shift);
+    m_shift->unitButton()->setAccessibleName(tr("Unit of the shift in time"));
+    auto* layout = new FlowLayout(this);
+    layout->setContentsMargins(8, 0, 8, 0);
+    for (QWidget* each : std::initializer_list<QWidget*>{measured, m_box, m_place, shift, m_shift,
+                                                         m_shift->unitButton(), m_remove, m_remark})
+        layout->addWidget(each);
+    connect(m_box, &QComboBox::currentIndexChanged, this, &MeasuredBar::showChosen);
+    connect(m_place, &QPushButton::clicked, this, [this] {
+        if (chosen() < m_list.signalList().size()) emit placeChosen(m_list.signalList()[chosen()].place);
+    });
+    connect(m_remove, &QPushButton::clicked, this, [this] { m_list.remove(chosen()); });
+    connect(&m_list, &MeasuredList::changed, this, &MeasuredBar::showList);
+    setComparable(true);
+    showList();
+}
+
+std::size_t MeasuredBar::chosen() const {
+    return static_cast<std::size_t>(std::max(0, m_box->currentIndex()));
+}
+
+void MeasuredBar::setStyle(const PlotStyle& style) {
+    m_style = style;
+    for (int i = 0; i < m_box->count(); ++i) m_box->setItemIcon(i, lineIcon(MeasuredCurves::pen(m_style, i)));
+}
+
+void MeasuredBar::setComparable(bool comparable) {
+    m_remark->setVisible(!comparable);
+}
+
+// A new one is the chosen one, and its section the one to look at.
+void MeasuredBar::showList() {
+    const std::vector<MeasuredSignal>& all = m_list.signalList();
+    const bool isMore = static_cast<int>(all.size()) > m_box->count();
+    const int index = m_box->currentIndex();
+    {
+        const QSignalBlocker quiet(m_box);
+        m_box->clear();
+        for (const MeasuredSignal& signal : all) m_box->addItem(listText(signal));
+        setStyle(m_style);
+        const int last = m_box->count() - 1;
+        m_box->setCurrentIndex(isMore ? last : std::clamp(index, std::min(0, last), last));
+    }
+    setVisible(!all.empty());
+    showChosen();
+    if (isMore && all.back().quantity == MeasuredQuantity::normalForce) emit placeChosen(all.back().place);
+}
+
+void MeasuredBar::showChosen() {
+    if (chosen() >= m_list.signalList().size()) return;
+    const MeasuredSignal& signal = m_list.signalList()[chosen()];
+    const bool hasPlace = signal.quantity == MeasuredQuantity::normalForce;
+    m_place->setVisible(hasPlace);
+    if (hasPlace) m_place->setText(tr("at %1").arg(pulseText(signal.place, UnitKind::length)));
+    m_shift->setValue(signal.timeShift);
+    m_box->setToolTip(tr("%1 points; no sample is further than %2 from them")
+                          .arg(locale().toString(static_cast<qulonglong>(signal.points.size())),
+                               pulseText(signal.deviation, UnitKind::force)));
+}
+
+}  // namespace drillwave

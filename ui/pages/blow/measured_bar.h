@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The measured signals laid over a blow, in a row: which there are, their shift in time, and away with them.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/document/measured_list.h"
+#include "ui/plot/plot_style.h"
+
+class QLabel;
+class QPushButton;
+
+namespace drillwave {
+
+class ChoiceBox;
+class QuantityField;
+
+/// Hidden while there is none.
+class MeasuredBar : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// The list must outlive it.
+    explicit MeasuredBar(MeasuredList& list, QWidget* parent = nullptr);
+
+    /// Names and colours as in the plots; `comparable` is whether they can be drawn there.
+    void setStyle(const PlotStyle& style);
+    void setComparable(bool comparable);
+
+  signals:
+    /// The section where one was measured, x [m], is to be shown.
+    void placeChosen(double x);
+
+  private:
+    std::size_t chosen() const;
+    void showList();
+    void showChosen();
+
+    MeasuredList& m_list;
+    PlotStyle m_style;
+    ChoiceBox* m_box;
+    QPushButton* m_place;
+    QuantityField* m_shift;
+    QPushButton* m_remove;
+    QLabel* m_remark;
+};
+
+}  // namespace drillwave

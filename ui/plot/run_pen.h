@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a pinned run is drawn: by colour and dash, both its own.
+#pragma once
+
+#include "ui/plot/plot_style.h"
+
+class QIcon;
+class QSize;
+
+namespace drillwave {
+
+/// Number 0, 1, 2 …: a colour that no curve of a page has, of contrast 4.5 at least with the background, and
+/// a dash. Of the first six both differ, of thirty-six one of them; none is solid.
+QPen runPen(int number, const PlotStyle& style);
+
+/// A piece of that line, for a list. Takes the colours of the palette.
+QIcon runIcon(int number, const QPalette& palette, QSize size);
+
+}  // namespace drillwave

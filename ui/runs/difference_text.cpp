@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/difference_text.h"
+
+#include <cmath>
+
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr double rounding = 1e-12;  // of results: a smaller difference is none
+
+QString withSign(double value, const QString& text) {
+    return value > 0 ? QLatin1Char('+') + text : text;
+}
+
+}  // namespace
+
+std::optional<double> relativeDifference(double value, double reference) {
+    if (reference == 0 || !std::isfinite(reference) || !std::isfinite(value)) return std::nullopt;
+    const double relative = (value - reference) / std::abs(reference);
+    return std::abs(relative) < rounding ? 0 : relative;
+}
+
+QString percentText(const std::optional<double>& relative) {
+    constexpr double mostPercent = 10;  // as a share
+    if (!relative) return {};
+    const QLocale locale;
+    const QString percent = QString(QChar(QChar::Nbsp)) + QLatin1Char('%');
+    if (*relative == 0) return QStringLiteral("±0") + percent;
+    if (*relative > mostPercent) return QStringLiteral("×") + numberText(1 + *relative, 3, locale);
+    // A tenth of a percent is as fine as an eye compares.
+    const double share = 100 * *relative;
+    const int digits = std::abs(share) >= 1 ? 3 : 2;
+    return withSign(*relative, numberText(share, digits, locale)) + percent;
+}
+
+QString signedText(double difference) {
+    if (difference == 0) return QStringLiteral("±0");
+    return withSign(difference, numberText(difference, 4, QLocale()));
+}
+
+}  // namespace drillwave

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/run_keeper.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "ui/text/shown_text.h"
+
+namespace drillwave {
+namespace {
+
+std::string nativePath(const QString& path) {
+    return QFile::encodeName(path).toStdString();
+}
+
+bool isSame(const std::vector<NamedFile>& a, const std::vector<NamedFile>& b) {
+    return std::ranges::equal(a, b, [](const NamedFile& one, const NamedFile& other) {
+        return one.name == other.name && one.bytes == other.bytes;
+    });
+}
+
+}  // namespace
+
+RunKeeper::RunKeeper(Document& document, Runs& runs, QObject* parent)
+    : QObject(parent), m_document(document), m_runs(runs) {
+    m_due.setSingleShot(true);
+    m_due.setInterval(0);
+    connect(&m_due, &QTimer::timeout, this, &RunKeeper::writeNow);
+    connect(&document, &Document::saved, this, &RunKeeper::followSaved);
+    connect(&document, &Document::replaced, this, [this] {
+        leave();
+        read();
+    });
+    connect(&runs, &Runs::changed, this, &RunKeeper::writeSoon);
+    connect(&runs, &Runs::differs, this,
+            [this](const QString& sentence) { emit failed(tr("A run is not what it was."), sentence); });
+}
+
+RunKeeper::~RunKeeper() {
+    if (m_due.isActive()) writeNow();
+}
+
+QString RunKeeper::folder() const {
+    return m_path.isEmpty() ? QString() : QFile::decodeName(runsFolderOf(nativePath(m_path)).c_str());
+}
+
+// What is kept goes with its file.
+void RunKeeper::leave() {
+    if (m_due.isActive()) writeNow();
+    const bool wasKept = m_kept;
+    setKept(false);
+    m_path = m_document.path();
+    m_files.clear();
+    m_partial = false;
+    m_runs.reserve({});
+    if (wasKept) m_runs.clear();
+}
+
+void RunKeeper::read() {
+    if (m_path.isEmpty()) return;
+    const KeptRuns found = readRuns(nativePath(folder()), nativePath(m_path));
+    m_runs.reserve(found.foreign);
+    if (found.runs.empty() && found.problems.empty()) return;
+    m_files = runFiles(found.runs);
+    QStringList problems;
+    for (const std::string& problem : found.problems) problems << QString::fromStdString(problem);
+    for (const QString& title : m_runs.add(found.runs))
+        problems
+            << tr("%1: there is no room for it among the runs on show; remove some and open the file again")
+                   .arg(title);
+    // Written without them, the index would lose those that are not on show.
+    m_partial = !problems.isEmpty();
+    setKept(!m_partial);
+    if (!problems.isEmpty())
+        emit failed(tr("Not all runs that are kept with this file can be shown."),
+                    problems.join(QLatin1Char('\n')));
+}
+
+void RunKeeper::followSaved() {
+    if (m_document.path() == m_path) return;
+    m_path = m_document.path();
+    m_files.clear();
+    if (!m_kept) return read();
+    if (const QString problem = keep(); !problem.isEmpty()) {
+        setKept(false);
+        emit failed(tr("The runs are not kept beside the new file."), problem);
+    }
+}
+
+bool RunKeeper::holdsOthers() const {
+    return m_partial || (m_files.empty() && QFileInfo::exists(folder()));
+}
+
+QString RunKeeper::keep() {
+    if (folder().isEmpty())
+        return tr("The scenario has no file yet: save it first, the runs are kept beside it.");
+    if (const QString problem = write(); !problem.isEmpty()) return problem;
+    setKept(true);
+    return {};
+}
+
+void RunKeeper::giveUp() {
+    m_due.stop();
+    setKept(false);
+    for (const NamedFile& file : m_files)
+        QFile::remove(folder() + QLatin1Char('/') + QString::fromStdString(file.name));
+    QFile::remove(folder() + QStringLiteral("/.drillwave.lock"));
+    QDir().rmdir(folder());
+    m_files.clear();
+}
+
+void RunKeeper::setKept(bool kept) {
+    if (kept == m_kept) return;
+    m_kept = kept;
+    emit keptChanged(kept);
+}
+
+void RunKeeper::writeSoon() {
+    if (m_kept && !isSame(m_files, runFiles(m_runs.toKeep()))) m_due.start();
+}
+
+void RunKeeper::writeNow() {
+    m_due.stop();
+    if (const QString problem = write(); !problem.isEmpty()) {
+        setKept(false);
+        emit failed(tr("The runs are not kept any more."), problem);
+    }
+}
+
+QString RunKeeper::write() {
+    FolderFiles files{runFiles(m_runs.toKeep()), {}};
+    std::vector<std::string> outdated;
+    const std::vector<std::string> names = files.names();
+    for (const NamedFile& file : m_files)
+        if (std::ranges::find(names, file.name) == names.end()) outdated.push_back(file.name);
+    files.outdated = [outdated](const std::string&) { return outdated; };
+    const FolderEnd end = writeWholeFolder(nativePath(folder()), files, ExistingFiles::replaced);
+    if (!end.isWritten()) return translated(end.problem);
+    m_files = std::move(files.files);
+    m_partial = false;
+    return {};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The list of runs below the result: the present result first, then what was pinned.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/runs/runs.h"
+
+class QAction;
+class QLabel;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace drillwave {
+
+/// e of each, and by how much it is off the reference. A tick lays a run over the plots; name by F2, the rest
+/// by the menu.
+class RunPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// The runs must outlive it.
+    explicit RunPanel(Runs& runs, QWidget* parent = nullptr);
+
+    /// The present result.
+    void present(const SolvedBlowPtr& blow);
+    QTreeWidget* list() const { return m_list; }
+
+  signals:
+    /// The user wants the scenario of that run back.
+    void revertRequested(int number);
+
+  protected:
+    void changeEvent(QEvent* event) override;
+
+  private:
+    enum Column { name, cor, change, columns };
+
+    void addActions();
+    QAction* add(const QString& text, const QKeySequence& keys, const std::function<void(const Run&)>& then);
+    void fill();
+    void fillRow(QTreeWidgetItem& row, const SolvedBlowPtr& blow, const Run* reference) const;
+    void take(QTreeWidgetItem* row, int column);
+    const Run* chosen() const;
+    void update();
+
+    Runs& m_runs;
+    SolvedBlowPtr m_now;
+    QLabel* m_hint;
+    QTreeWidget* m_list;
+    QList<QAction*> m_ofRuns;  // what can be done with a run
+    QAction* m_compareWithNow = nullptr;
+    bool m_filling = false;  // the list follows the runs, not the user
+};
+
+}  // namespace drillwave
