@@ -26,12 +26,26 @@ constexpr std::string_view screenStyle =
     "@media print{body{margin:0;max-width:none;font-size:9.5pt}h2{break-after:avoid}"
     "tr{break-inside:avoid}pre{white-space:pre-wrap}}@page{size:A4;margin:15mm}";
 
+// Of lengths QTextDocument knows pixels alone.
 constexpr std::string_view paperStyle =
-    "h1{font-size:15pt;margin-top:0;margin-bottom:2pt}h2{font-size:10.5pt;margin-top:7pt;margin-bottom:2pt}"
-    "p{margin-top:0;margin-bottom:3pt}td,th{padding:0.5pt 7pt 0.5pt 0;text-align:left}"
-    ".caption{font-size:8pt}pre{font-size:7pt;white-space:pre-wrap}";
+    "h1{font-size:15pt;margin-top:0;margin-bottom:3px}h2{font-size:10pt;margin-top:10px;margin-bottom:3px}"
+    "p{margin-top:0;margin-bottom:4px}td,th{padding-right:12px;"
+    "text-align:left}p.caption{font-size:7.5pt;margin-bottom:8px}pre{font-size:6.5pt;white-space:pre-wrap}";
 
 constexpr std::string_view recordBegin = "<script type=\"application/json\" id=\"drillwave-record\">\n";
+
+/// Microseconds and micrometres as print has them.
+std::string printedUnit(std::string text) {
+    for (const std::string_view unit : {" us", " um"})
+        if (text.ends_with(unit)) text.replace(text.size() - 2, 1, "µ");
+    return text;
+}
+
+std::vector<std::vector<std::string>> printedUnits(std::vector<std::vector<std::string>> rows) {
+    for (std::vector<std::string>& row : rows)
+        for (std::string& cell : row) cell = printedUnit(std::move(cell));
+    return rows;
+}
 
 /// Lines of the scenario that paper shows.
 constexpr std::size_t mostPaperLines = 60;
@@ -77,15 +91,21 @@ class Page {
 
     /// With the whole number behind the text on the screen, where there is one.
     std::string cell(const std::string& text, const std::optional<double>& number) const {
-        if (!number || !isScreen()) return htmlElement("td", text);
-        return "<td><data value=\"" + formatNumber(*number) + "\">" + escapedHtml(text) + "</data></td>";
+        if (!number || !isScreen()) return htmlElement("td", printedUnit(text));
+        return "<td data-value=\"" + formatNumber(*number) + "\">" + escapedHtml(printedUnit(text)) + "</td>";
     }
 
-    std::string table(std::string_view id, const std::vector<std::string>& titles,
+    /// Paper has no room between lines.
+    std::string tableOf(const std::string& id, const std::string& rows) const {
+        return (isScreen() ? "<table id=\"" + id + "-table\">\n" : "<table cellspacing=\"0\">\n") + rows +
+               "</table>\n";
+    }
+
+    std::string table(const std::string& id, const std::vector<std::string>& titles,
                       const std::string& rows) const {
-        std::string html = isScreen() ? "<table id=\"" + std::string(id) + "\">\n<tr>" : "<table>\n<tr>";
-        for (const std::string& title : titles) html += htmlElement("th", title);
-        return html + "</tr>\n" + rows + "</table>\n";
+        std::string head = "<tr>";
+        for (const std::string& title : titles) head += htmlElement("th", title);
+        return tableOf(id, head + "</tr>\n" + rows);
     }
 
     std::string row(const std::string& key, const std::string& cells) const {
@@ -111,9 +131,20 @@ class Page {
         return rows;
     }
 
+    /// On paper in two halves beside each other.
     std::string scales() const {
-        return heading("Groups and scales") +
-               table("scales", {"symbol", "what", "value"}, numbers(scaleRows(blow()), true));
+        const std::vector<std::string> titles{"symbol", "what", "value"};
+        const std::vector<ReportRow> rows = scaleRows(blow());
+        const std::string title = heading("Groups and scales");
+        if (isScreen()) return title + table("scales", titles, numbers(rows, true));
+        const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() + 1) / 2;
+        return title + beside(table("", titles, numbers({rows.begin(), middle}, true)),
+                              table("", titles, numbers({middle, rows.end()}, true)));
+    }
+
+    /// On paper, which knows no other way.
+    static std::string beside(const std::string& left, const std::string& right) {
+        return "<table cellspacing=\"0\"><tr><td>" + left + "</td><td>" + right + "</td></tr></table>\n";
     }
 
     std::string results() const {
@@ -129,7 +160,8 @@ class Page {
 
     std::string thrust() const {
         if (!m_report.thrust) return {};
-        return heading("Needs of the thrust") + htmlTable(needsGrid(*m_report.thrust).rows());
+        return heading("Needs of the thrust") +
+               tableOf("thrust", htmlRows(printedUnits(needsGrid(*m_report.thrust).rows())));
     }
 
     std::string gap() const {
@@ -137,7 +169,7 @@ class Page {
         if (!m_report.gap) return html + paragraph(m_report.gapProblem);
         if (const std::string remark = m_report.gap->periodRemark(); !remark.empty())
             html += paragraph(remark);
-        html += htmlTable(gapGrid(*m_report.gap).rows());
+        html += tableOf("gap", htmlRows(printedUnits(gapGrid(*m_report.gap).rows())));
         for (const std::string& remark : gapRemarks(*m_report.gap)) html += paragraph(remark + ".");
         return html;
     }
@@ -165,8 +197,7 @@ class Page {
             if (isScreen())
                 html += figure(pictures[i]);
             else if (isPair)
-                html += "<table><tr><td>" + printed(pictures[i]) + "</td><td>" + printed(pictures[i + 1]) +
-                        "</td></tr></table>\n";
+                html += beside(printed(pictures[i]), printed(pictures[i + 1]));
             else
                 html += printed(pictures[i]);
             if (!isScreen() && isPair) ++i;

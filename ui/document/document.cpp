@@ -44,6 +44,21 @@ QString shownValue(const Parameter& parameter, double si) {
     return unit.name.empty() ? number : number + QLatin1Char(' ') + shownUnitName(unit.name);
 }
 
+// "t38_rod_medium_rock" of "T38 rod, medium rock": letters and digits of any script, which every system
+// takes.
+QString fileStemOf(const std::string& title) {
+    constexpr qsizetype longest = 60;
+    QString stem;
+    for (const QChar c : QString::fromStdString(title).toLower())
+        if (c.isLetterOrNumber())
+            stem += c;
+        else if (!stem.isEmpty() && !stem.endsWith(u'_'))
+            stem += u'_';
+    stem.truncate(longest);
+    while (stem.endsWith(u'_')) stem.chop(1);
+    return stem.isEmpty() ? QStringLiteral("scenario") : stem;
+}
+
 // The name of the scenario's table for a file elsewhere, when it is named relative to the first.
 std::string tableSeenFrom(const QString& origin, const QString& path, const Scenario& scenario) {
     const QString table = QFile::decodeName(scenario.pulse.tableFile.c_str());
@@ -68,7 +83,7 @@ QString Document::displayName() const {
 
 QString Document::suggestedPath() const {
     if (!m_path.isEmpty()) return m_path;
-    if (m_origin.isEmpty()) return QStringLiteral("scenario.yaml");
+    if (m_origin.isEmpty()) return fileStemOf(m_scenario.title) + QStringLiteral(".yaml");
     const QFileInfo origin(m_origin);
     return origin.dir().filePath(origin.completeBaseName() + QStringLiteral(".yaml"));
 }

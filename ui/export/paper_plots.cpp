@@ -36,8 +36,9 @@ PaperPlot rockPaperPlot(const Scenario& scenario, const Impact& impact) {
 }
 
 PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std::stop_token& stop) {
-    return paperPlot<RodPlot>(
-        rodCurves(impact, problemOf(scenario).hammer, scenario, unitsFor(scenario), stop), {180, 110});
+    const Problem problem = problemOf(scenario);
+    return paperPlot<RodPlot>(rodCurves(impact, problem.hammer, scenario, unitsFor(scenario), stop),
+                              {180, 110});
 }
 
 PaperPlot wavePaperPlot(const Blow& blow) {

@@ -15,7 +15,7 @@ namespace drillwave {
 namespace {
 
 constexpr double margin = 15;     // [mm]
-constexpr double lineHeight = 8;  // of the lines above and below the text [mm]
+constexpr double lineHeight = 7;  // of the lines above and below the text [mm]
 constexpr int resolution = 1200;  // of the layout of the text [1/in]
 constexpr double millimetresPerInch = 25.4;
 
@@ -29,6 +29,16 @@ void removeDate(QByteArray& pdf) {
     const qsizetype end = pdf.indexOf(')', begin) + 1;
     if (begin >= 0 && end > begin) pdf.replace(begin, end - begin, QByteArray(end - begin, ' '));
 }
+
+// Qt writes the fonts of a PDF in the order of a hash, which is another one in every run of the program
+// unless its seed is fixed.
+class FixedHashSeed {
+  public:
+    FixedHashSeed() { QHashSeed::setDeterministicGlobalSeed(); }
+    ~FixedHashSeed() { QHashSeed::resetRandomGlobalSeed(); }
+    FixedHashSeed(const FixedHashSeed&) = delete;
+    FixedHashSeed& operator=(const FixedHashSeed&) = delete;
+};
 
 void drawPage(QPainter& painter, QTextDocument& document, const QSizeF& body, int page) {
     painter.save();
@@ -57,6 +67,7 @@ void drawEdges(QPainter& painter, const QString& title, const QSizeF& body, int 
 }  // namespace
 
 QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& plots) {
+    const FixedHashSeed sameOrder;
     const QString title = QString::fromStdString(reportTitle(report));
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
@@ -71,7 +82,7 @@ QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& pl
     for (const ReportPlot& plot : plots) pictures.push_back(plot.picture);
     PlotImages images(plots, resolution);
     QFont font(PlotStyle::forPaper().font.family());
-    font.setPointSizeF(8);
+    font.setPointSizeF(7.5);
     QTextDocument document;
     document.documentLayout()->setPaintDevice(&writer);
     document.documentLayout()->registerHandler(QTextFormat::ImageObject, &images);
@@ -86,6 +97,7 @@ QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& pl
     const int pages = document.pageCount();
     for (int page = 0; page < pages; ++page) {
         if (page > 0) writer.newPage();
+        images.setPage(QRectF(QPointF(0, page * body.height()), body));
         drawPage(painter, document, body, page);
         painter.setFont(font);
         drawEdges(painter, title, body, page, pages);

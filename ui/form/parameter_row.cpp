@@ -13,13 +13,10 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTit
       m_label(new QLabel(parent)),
       m_field(new QuantityField(parameter.quantity, UnitChoice::shared().fieldUnit(parameter), parent)),
       m_slider(new QuantitySlider(parameter.plausible, parameter.slider, parent)),
-      m_message(new QLabel(parent)) {
+      m_plate(new ProblemPlate(m_field)) {
     m_field->setStepAtZero((parameter.plausible.high - parameter.plausible.low) / 100);
     m_slider->setFocusPolicy(Qt::ClickFocus);
     m_slider->setMinimumWidth(36);
-    m_message->setWordWrap(true);
-    m_message->setVisible(false);
-    m_message->setTextInteractionFlags(Qt::TextSelectableByMouse);
     nameWidgets(sectionTitle);
     followUnits();
 
@@ -28,12 +25,13 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTit
     grid->addWidget(m_slider, row, 1);
     grid->addWidget(m_field, row, 2);
     if (m_field->unitButton()) grid->addWidget(m_field->unitButton(), row, 3);
-    grid->addWidget(m_message, row + 1, 0, 1, 4);
 
     connect(m_field, &QuantityField::cleared, this, &ParameterRow::cleared);
     connect(m_field, &QuantityField::editsEnded, this, &ParameterRow::editsEnded);
     connect(m_field, &QuantityField::problemShown, this, &ParameterRow::showProblem);
+    connect(m_field, &QuantityField::entered, this, [this] { showProblem(m_field->problem()); });
     connect(m_slider, &QuantitySlider::valueDragged, this, &ParameterRow::drag);
+    connect(m_slider, &QuantitySlider::resetRequested, this, &ParameterRow::resetRequested);
     connect(m_slider, &QuantitySlider::dragEnded, this, [this] {
         showProblem(m_field->problem());
         emit editsEnded();
@@ -84,9 +82,17 @@ void ParameterRow::drag(double si) {
 }
 
 void ParameterRow::showProblem(const QString& problem) {
-    m_problem = problem;
-    m_message->setText(QStringLiteral("⚠ %1: %2").arg(m_label->text(), problem));
-    m_message->setVisible(!problem.isEmpty() && m_field->isVisibleTo(m_field->parentWidget()));
+    if (problem.isEmpty() || isElsewhere() || !m_field->isVisibleTo(m_field->parentWidget()))
+        m_plate->hide();
+    else
+        m_plate->say(QStringLiteral("⚠ %1: %2").arg(m_label->text(), problem));
+}
+
+// Whoever works at another field is not to have it covered: the mark in this one says the reason, too.
+bool ParameterRow::isElsewhere() const {
+    const QWidget* focus = m_field->window()->focusWidget();
+    return focus && focus != m_field && focus != m_slider && !m_field->isAncestorOf(focus) &&
+           !m_slider->isSliderDown();
 }
 
 void ParameterRow::present(const Scenario& scenario) {
@@ -107,7 +113,7 @@ void ParameterRow::setVisible(bool visible) {
     m_field->setVisible(visible);
     m_slider->setVisible(visible);
     if (m_field->unitButton()) m_field->unitButton()->setVisible(visible);
-    m_message->setVisible(visible && !m_problem.isEmpty());
+    if (!visible) m_plate->hide();
 }
 
 }  // namespace drillwave

@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "core/model/parameter.h"
+#include "ui/form/problem_plate.h"
 #include "ui/form/quantity_field.h"
 #include "ui/form/quantity_slider.h"
 
@@ -36,6 +37,8 @@ class ParameterRow : public QObject {
 
   signals:
     void cleared();
+    /// The slider was clicked twice: back to the value of the file.
+    void resetRequested();
     /// Further edits are a new undo step.
     void editsEnded();
 
@@ -45,14 +48,14 @@ class ParameterRow : public QObject {
     void nameWidgets(const QString& sectionTitle);
     void drag(double si);
     void showProblem(const QString& problem);
+    bool isElsewhere() const;
 
     const Parameter& m_parameter;
     QLabel* m_label;
     QuantityField* m_field;
     QuantitySlider* m_slider;
-    QLabel* m_message;
+    ProblemPlate* m_plate;
     QuantityField::Taker m_taker;
-    QString m_problem;  // what the message says, empty when there is none
 };
 
 }  // namespace drillwave

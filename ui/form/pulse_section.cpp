@@ -7,12 +7,15 @@
 #include <QLocale>
 #include <QSignalBlocker>
 
+#include "core/model/parameter.h"
 #include "core/model/scales.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
 
 constexpr int columns = 4;
+constexpr std::size_t mostPointsKept = 15'000;  // in a scenario itself, which may have 1 MiB
 
 QString tableText(const Scenario& scenario) {
     const QLocale locale;
@@ -36,6 +39,7 @@ PulseSection::PulseSection(Document& document, Questions& questions, QGridLayout
     m_preview = new PulsePreview(parent);
     grid->addWidget(m_preview, grid->rowCount(), 0, 1, columns);
     addTable(grid, parent);
+    addImpulse(grid, parent);
 }
 
 void PulseSection::addShape(QGridLayout* grid, QWidget* parent) {
@@ -84,10 +88,68 @@ void PulseSection::addTable(QGridLayout* grid, QWidget* parent) {
     connect(m_reload, &QPushButton::clicked, this, [this] { tellIfFailed(m_document.reloadTable()); });
 }
 
+// A measured blow of another strength: all its forces times one factor.
+void PulseSection::addImpulse(QGridLayout* grid, QWidget* parent) {
+    const Parameter& parameter = *findParameter("pulse.impulse");
+    UnitChoice& units = UnitChoice::shared();
+    m_impulse = new QuantityField(parameter.quantity, units.fieldUnit(parameter), parent);
+    m_impulse->setObjectName(QStringLiteral("table.impulse"));
+    m_impulse->setAccessibleName(tr("Hammer blow: impulse of the table"));
+    m_impulse->setToolTip(
+        tr("Impulse of the table; another one scales all its forces, which the scenario then "
+           "keeps in itself"));
+    m_impulseLabel = new QLabel(tr("impulse I₀"), parent);
+    m_impulseLabel->setBuddy(m_impulse);
+    m_impulseLabel->setToolTip(m_impulse->toolTip());
+    const int row = grid->rowCount();
+    grid->addWidget(m_impulseLabel, row, 0);
+    grid->addWidget(m_impulse, row, 2);
+    grid->addWidget(m_impulse->unitButton(), row, 3);
+    m_impulse->unitButton()->setAccessibleName(tr("Hammer blow: impulse of the table, unit"));
+    m_impulse->setTaker([this](double impulse) { return offerImpulse(impulse); });
+    connect(m_impulse, &QuantityField::editsEnded, this, &PulseSection::scale);
+    connect(m_impulse, &QuantityField::unitChosen, this,
+            [&parameter, &units](const Unit& unit) { units.chooseForField(parameter, unit); });
+    connect(&units, &UnitChoice::changed, this,
+            [this, &parameter, &units] { m_impulse->setUnit(units.fieldUnit(parameter)); });
+}
+
+QString PulseSection::offerImpulse(double impulse) {
+    m_wanted.reset();
+    const Scenario& scenario = m_document.scenario();
+    if (const std::string outside = rangeProblem(*findParameter("pulse.impulse"), impulse); !outside.empty())
+        return QString::fromStdString(outside);
+    if (impulse != pulseImpulse(scenario) && scenario.pulse.tablePoints.size() > mostPointsKept)
+        return tr("a table of more than %1 points stays in its file: scale the forces there")
+            .arg(mostPointsKept);
+    m_wanted = impulse;
+    return {};
+}
+
+// When the typing has come to its end: one step, whatever was on the way.
+void PulseSection::scale() {
+    const std::optional<double> wanted = std::exchange(m_wanted, std::nullopt);
+    const double present = pulseImpulse(m_document.scenario());
+    if (!wanted || *wanted == present || m_document.scenario().pulse.shape != PulseShape::table) return;
+    Scenario changed = m_document.scenario();
+    std::vector<TablePoint> points(changed.pulse.tablePoints.begin(), changed.pulse.tablePoints.end());
+    for (TablePoint& point : points) point.force *= *wanted / present;
+    changed.pulse.tablePoints = std::move(points);
+    changed.pulse.tableFile.clear();
+    tellIfFailed(m_document.useScenario(
+        changed, tr("scale the hammer blow to %1").arg(pulseText(*wanted, UnitKind::impulse))));
+}
+
 void PulseSection::present(const Scenario& scenario, Shapes shapes) {
     if (shapes == Shapes::asked) showShape();
     m_preview->present(scenario);
-    m_table->setVisible(scenario.pulse.shape == PulseShape::table);
+    const bool isTable = scenario.pulse.shape == PulseShape::table;
+    const bool hasImpulse = isTable && scenario.form == ScenarioForm::dimensional;
+    m_table->setVisible(isTable);
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_impulseLabel, m_impulse, m_impulse->unitButton()})
+        widget->setVisible(hasImpulse);
+    if (hasImpulse) m_impulse->setValue(pulseImpulse(scenario));
     if (scenario.pulse.shape == PulseShape::table) showTable(scenario);
 }
 

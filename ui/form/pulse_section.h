@@ -9,6 +9,7 @@
 #include "ui/document/document.h"
 #include "ui/form/choice_box.h"
 #include "ui/form/pulse_preview.h"
+#include "ui/form/quantity_field.h"
 #include "ui/questions/questions.h"
 
 namespace drillwave {
@@ -32,10 +33,13 @@ class PulseSection : public QObject {
   private:
     void addShape(QGridLayout* grid, QWidget* parent);
     void addTable(QGridLayout* grid, QWidget* parent);
+    void addImpulse(QGridLayout* grid, QWidget* parent);
     void showShape();
     void showTable(const Scenario& scenario);
     void chooseShape(PulseShape shape);
     void chooseTable();
+    QString offerImpulse(double impulse);
+    void scale();
     void tellIfFailed(const QString& problem);
 
     Document& m_document;
@@ -45,6 +49,9 @@ class PulseSection : public QObject {
     QWidget* m_table = nullptr;
     QLabel* m_tableText = nullptr;
     QPushButton* m_reload = nullptr;
+    QLabel* m_impulseLabel = nullptr;
+    QuantityField* m_impulse = nullptr;  // of a table
+    std::optional<double> m_wanted;      // impulse that was given and not taken yet [N s]
 };
 
 }  // namespace drillwave

@@ -254,6 +254,11 @@ bool QuantityField::event(QEvent* event) {
     return QAbstractSpinBox::event(event);
 }
 
+void QuantityField::focusInEvent(QFocusEvent* event) {
+    QAbstractSpinBox::focusInEvent(event);
+    emit entered();
+}
+
 void QuantityField::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Down && event->modifiers() == Qt::AltModifier && m_unitButton)
         return m_unitButton->showMenu();

@@ -63,12 +63,15 @@ class QuantityField : public QAbstractSpinBox {
     void problemShown(const QString& problem);
     /// The user has chosen the unit that is shown, from the list or by typing it.
     void unitChosen(const drillwave::Unit& unit);
+    /// The focus comes.
+    void entered();
     /// A series of edits has come to its end: Enter, or the focus leaves.
     void editsEnded();
 
   protected:
     StepEnabled stepEnabled() const override;
     bool event(QEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;

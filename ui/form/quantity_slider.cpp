@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/form/quantity_slider.h"
 
+#include <QMouseEvent>
 #include <QSignalBlocker>
 #include <QStyleOption>
 #include <QStylePainter>
@@ -10,7 +11,8 @@
 
 namespace drillwave {
 namespace {
-constexpr int positions = 1000;
+constexpr int positions = 10000;  // a fine drag moves by less than a pixel
+constexpr double fineness = 10;
 constexpr int stepSeriesMs = 800;  // keys and turns closer in time than this are one edit
 constexpr int arrowSize = 9;
 }  // namespace
@@ -18,8 +20,8 @@ constexpr int arrowSize = 9;
 QuantitySlider::QuantitySlider(const Range& range, SliderScale scale, QWidget* parent)
     : QSlider(Qt::Horizontal, parent), m_range(range), m_scale(scale) {
     setRange(0, positions);
-    setSingleStep(5);
-    setPageStep(50);
+    setSingleStep(positions / 200);
+    setPageStep(positions / 20);
     setFocusPolicy(Qt::StrongFocus);
     m_stepTimer.setSingleShot(true);
     m_stepTimer.setInterval(stepSeriesMs);
@@ -47,6 +49,59 @@ void QuantitySlider::present(double si) {
                              : std::log(inside / m_range.low) / std::log(m_range.high / m_range.low);
     const QSignalBlocker quiet(this);
     setValue(static_cast<int>(std::lround(share * positions)));
+}
+
+QRect QuantitySlider::handle() const {
+    QStyleOptionSlider option;
+    initStyleOption(&option);
+    return style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+}
+
+double QuantitySlider::positionsPerPixel() const {
+    QStyleOptionSlider option;
+    initStyleOption(&option);
+    const int groove =
+        style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderGroove, this).width();
+    return double(positions) / std::max(1, groove - handle().width());
+}
+
+void QuantitySlider::hold(double pixel, bool fine) {
+    m_heldPixel = pixel;
+    m_heldPosition = sliderPosition();
+    m_fine = fine;
+}
+
+void QuantitySlider::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return QSlider::mousePressEvent(event);
+    event->accept();
+    setSliderDown(true);
+    const bool inGroove = !handle().contains(event->position().toPoint());
+    if (inGroove) {
+        const double away = event->position().x() - handle().center().x();
+        setSliderPosition(sliderPosition() + static_cast<int>(std::lround(away * positionsPerPixel())));
+    }
+    hold(event->position().x(), event->modifiers() & Qt::ShiftModifier);
+}
+
+void QuantitySlider::mouseMoveEvent(QMouseEvent* event) {
+    if (!isSliderDown()) return event->ignore();
+    event->accept();
+    const bool fine = event->modifiers() & Qt::ShiftModifier;
+    if (fine != m_fine) hold(event->position().x(), fine);
+    const double away = (event->position().x() - m_heldPixel) * positionsPerPixel();
+    setSliderPosition(static_cast<int>(std::lround(m_heldPosition + away / (fine ? fineness : 1))));
+}
+
+void QuantitySlider::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return QSlider::mouseReleaseEvent(event);
+    event->accept();
+    setSliderDown(false);
+}
+
+void QuantitySlider::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return QSlider::mouseDoubleClickEvent(event);
+    event->accept();
+    emit resetRequested();
 }
 
 void QuantitySlider::wheelEvent(QWheelEvent* event) {

@@ -9,6 +9,7 @@
 
 namespace drillwave {
 
+/// A click in the groove brings the handle there; with Shift a drag is ten times finer.
 class QuantitySlider : public QSlider {
     Q_OBJECT
 
@@ -24,10 +25,16 @@ class QuantitySlider : public QSlider {
 
   signals:
     void valueDragged(double si);
+    /// A double click: the user wants the value back that is in the file.
+    void resetRequested();
     /// The handle was let go, or a series of keys or turns of the wheel has come to its end.
     void dragEnded();
 
   protected:
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
@@ -35,12 +42,19 @@ class QuantitySlider : public QSlider {
 
   private:
     double valueAt(int position) const;
+    QRect handle() const;
+    double positionsPerPixel() const;
+    void hold(double pixel, bool fine);
     void endSteps();
 
     Range m_range;
     SliderScale m_scale;
     int m_beyond = 0;
     QTimer m_stepTimer;
+    // While it is held: where hand and handle were when it was grabbed, or Shift pressed or let go.
+    double m_heldPixel = 0;
+    double m_heldPosition = 0;
+    bool m_fine = false;
 };
 
 }  // namespace drillwave

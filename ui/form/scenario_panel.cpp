@@ -25,10 +25,7 @@ std::optional<PresetKind> presetsOf(const QString& section) {
 }  // namespace
 
 ScenarioPanel::ScenarioPanel(Document& document, Questions& questions, QWidget* parent)
-    : QScrollArea(parent), m_document(document), m_questions(questions) {
-    setWidgetResizable(true);
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    : SteadyScrollArea(parent), m_document(document), m_questions(questions) {
     setWidget(new QWidget);
     auto* layout = new QVBoxLayout(widget());
     layout->setContentsMargins(4, 4, 4, 4);
@@ -104,6 +101,7 @@ void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTit
     if (parameter.rules.clear) row->field()->setOptional(tr("not given"));
     connect(row, &ParameterRow::cleared, this,
             [this, &parameter] { m_document.clear(parameter, m_gesture); });
+    connect(row, &ParameterRow::resetRequested, this, [this, &parameter] { reset(parameter); });
     connect(row->slider(), &QSlider::sliderPressed, this, &ScenarioPanel::beginDrag);
     connect(row->slider(), &QSlider::sliderReleased, this, &ScenarioPanel::endDrag);
     // A slider that was held stands where the hand was, which may not be what the document took.
@@ -111,6 +109,18 @@ void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTit
         m_gesture = m_document.newGesture();
         row->present(m_document.scenario());
     });
+}
+
+// What the file says, or a new scenario where there is none. Its first click may have moved the slider: that
+// is a step of its own.
+void ScenarioPanel::reset(const Parameter& parameter) {
+    const Scenario& file = m_document.source().scenario;
+    if (!parameter.applies(file)) return;
+    const int gesture = m_document.newGesture();
+    if (const std::optional<double> value = parameter.value(file))
+        m_document.assign(parameter, *value, gesture);
+    else
+        m_document.clear(parameter, gesture);
 }
 
 // Nobody looks into the menu of shapes while the hand is at a slider.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QLineEdit>
-#include <QScrollArea>
 
 #include "ui/document/document.h"
 #include "ui/document/preset_library.h"
@@ -11,12 +10,13 @@
 #include "ui/form/preset_box.h"
 #include "ui/form/pulse_section.h"
 #include "ui/form/section_box.h"
+#include "ui/form/steady_scroll_area.h"
 #include "ui/questions/questions.h"
 
 namespace drillwave {
 
 /// Shows and edits a document. Rows come from parameters() alone: what is added there appears here.
-class ScenarioPanel : public QScrollArea {
+class ScenarioPanel : public SteadyScrollArea {
     Q_OBJECT
 
   public:
@@ -43,6 +43,7 @@ class ScenarioPanel : public QScrollArea {
     void addSection(const QString& section, const QString& title);
     void addPresets(PresetKind kind, const QString& title, QGridLayout* grid, QWidget* parent);
     void addRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid, QWidget* parent);
+    void reset(const Parameter& parameter);
     void beginDrag();
     void endDrag();
     void alignColumns();

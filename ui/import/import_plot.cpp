@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "ui/plot/curve_graph.h"
 #include "ui/plot/graph_data.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/shown_text.h"
@@ -35,8 +36,8 @@ QCPRange padded(double low, double high) {
 ImportPlot::ImportPlot(PlotWidget* plot)
     : QObject(plot),
       m_plot(plot),
-      m_record(plot->addGraph()),
-      m_taken(plot->addGraph()),
+      m_record(addCurve(plot->xAxis, plot->yAxis)),
+      m_taken(addCurve(plot->xAxis, plot->yAxis)),
       m_message(new PlotMessage(plot)),
       m_view(new FittedView(this)) {
     plot->axisRect()->setupFullAxesBox(true);

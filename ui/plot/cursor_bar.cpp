@@ -1,89 +1,105 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/cursor_bar.h"
 
+#include <QClipboard>
 #include <QComboBox>
-#include <QHBoxLayout>
+#include <QGridLayout>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
-#include <cmath>
-
-#include "ui/text/number_text.h"
 
 namespace drillwave {
 namespace {
 
-constexpr int digits = 6;
+constexpr int cellColumns = 3;  // of two lines each
+constexpr int margin = 3;
+constexpr int choiceWidth = 96;
+constexpr int digitsWhereNarrow = 5;
+constexpr int lineGap = 1;
 
-QString quantity(double value, const QString& unit, const QLocale& locale) {
-    if (!std::isfinite(value)) return QStringLiteral("–");
-    const QString number = numberText(value, digits, locale);
-    return unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit;
-}
-
-// One unit over or times another; nothing for mere numbers.
-QString joined(const QString& left, QChar sign, const QString& right) {
-    if (right.isEmpty()) return left;
-    return (left.isEmpty() && sign == QLatin1Char('/') ? QStringLiteral("1") : left) +
-           (left.isEmpty() && sign != QLatin1Char('/') ? QString() : QString(sign)) + right;
+QString cellText(const ReadingCell& cell, const QLocale& locale, int digits) {
+    if (cell.name.isEmpty()) return {};
+    const QString number = cell.text(locale, digits);
+    return cell.label.isEmpty() ? number : cell.label + QLatin1Char(' ') + number;
 }
 
 }  // namespace
 
-QString readingText(const CursorReading& reading, const CurveMeaning& meaning, const QLocale& locale) {
-    const QString slopeUnit = meaning.slopeUnit.isEmpty()
-                                  ? joined(meaning.yUnit, QLatin1Char('/'), meaning.xUnit)
-                                  : meaning.slopeUnit;
-    const QString integralUnit = meaning.integralUnit.isEmpty()
-                                     ? joined(meaning.yUnit, QChar(0x00b7), meaning.xUnit)
-                                     : meaning.integralUnit;
-    QStringList parts;
-    const auto add = [&](const QString& name, double value, const QString& unit) {
-        parts.append(name + QChar(QChar::Nbsp) + quantity(value, unit, locale));
-    };
-    const bool hasA = !std::isnan(reading.a);
-    const bool hasB = !std::isnan(reading.b);
-    if (hasA) add(CursorBar::tr("A:"), reading.a, meaning.xUnit);
-    if (hasA) add(CursorBar::tr("y(A)"), reading.yA, meaning.yUnit);
-    if (hasB) add(CursorBar::tr("B:"), reading.b, meaning.xUnit);
-    if (hasB) add(CursorBar::tr("y(B)"), reading.yB, meaning.yUnit);
-    if (hasA && hasB) {
-        add(CursorBar::tr("Δx"), reading.b - reading.a, meaning.xUnit);
-        add(CursorBar::tr("Δy"), reading.yB - reading.yA, meaning.yUnit);
-        add(CursorBar::tr("slope"), reading.slope, slopeUnit);
-        add(CursorBar::tr("mean"), reading.mean, meaning.yUnit);
-        add(CursorBar::tr("integral"), reading.integral, integralUnit);
-    }
-    return parts.join(QStringLiteral(" · "));
-}
-
 CursorBar::CursorBar(QWidget* parent)
-    : QFrame(parent), m_choice(new QComboBox(this)), m_text(new QLabel(this)) {
+    : QFrame(parent),
+      m_choice(new QComboBox(this)),
+      m_grid(new QGridLayout(this)),
+      m_copy(new QToolButton(this)),
+      m_close(new QToolButton(this)) {
+    setObjectName(QStringLiteral("cursorReadout"));
     setAutoFillBackground(true);
     setCursor(Qt::ArrowCursor);
     m_choice->setObjectName(QStringLiteral("readCurve"));
-    m_choice->setAccessibleName(tr("Curve read at the cursors"));
+    m_choice->setAccessibleName(tr("Curve that is read"));
     m_choice->setToolTip(tr("The curve that is read; a click on a curve chooses it"));
-    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_text->setObjectName(QStringLiteral("cursorReadout"));
-    m_text->setWordWrap(true);
-    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_text->setToolTip(
-        tr("Values at the cursors A and B. Slope: of the straight line between them. Mean and\n"
-           "integral: of the curve itself, from A to B."));
-    auto* close = new QToolButton(this);
-    close->setAutoRaise(true);
-    close->setText(QStringLiteral("×"));
-    close->setAccessibleName(tr("Remove the cursors A and B"));
-    close->setToolTip(close->accessibleName());
-    connect(close, &QToolButton::clicked, this, &CursorBar::closed);
+    m_choice->setFixedWidth(choiceWidth);
+    for (qsizetype i = 0; i < readingCellCount; ++i) {
+        auto* label = new QLabel(this);
+        // Asks for no width: all columns are alike whatever they say.
+        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        m_labels.append(label);
+    }
+    m_copy->setText(tr("Copy"));
+    m_copy->setObjectName(QStringLiteral("copyReadout"));
+    m_copy->setAccessibleName(tr("Copy what is read"));
+    m_copy->setToolTip(tr("This table with all digits, to paste into a spreadsheet"));
+    m_close->setText(QStringLiteral("×"));
+    m_close->setAccessibleName(tr("Remove the cursors A and B"));
+    m_close->setToolTip(m_close->accessibleName());
+    for (QToolButton* button : {m_copy, m_close}) button->setAutoRaise(true);
+    connect(m_copy, &QToolButton::clicked, this, &CursorBar::copy);
+    connect(m_close, &QToolButton::clicked, this, &CursorBar::closed);
     connect(m_choice, &QComboBox::activated, this,
             [this](int index) { emit curveChosen(m_curves.at(index)); });
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 2, 4, 2);
-    layout->addWidget(m_choice);
-    layout->addWidget(m_text, 1);
-    layout->addWidget(close);
+    m_grid->setContentsMargins(8, margin, 4, margin);
+    m_grid->setHorizontalSpacing(8);
+    m_grid->setVerticalSpacing(lineGap);
+    arrange();
+}
+
+bool CursorBar::isWide(int width) const {
+    const int cell = fontMetrics().horizontalAdvance(QStringLiteral("integral −88.8888 kN·ms"));
+    return width >= choiceWidth + (cellColumns + 2) * (cell + m_grid->horizontalSpacing()) + 80;
+}
+
+int CursorBar::heightFor(int width) const {
+    const int lines = isWide(width) ? 2 : 3;
+    const int text = lines * fontMetrics().height() + (lines - 1) * lineGap;
+    return std::max(text, m_choice->sizeHint().height()) + 2 * margin + 2;
+}
+
+// In five columns, or in three with what follows from both cursors below them.
+void CursorBar::arrange() {
+    const bool wide = isWide(width());
+    while (m_grid->count() > 0) delete m_grid->takeAt(0);
+    for (int column = 1; column <= cellColumns + 2; ++column)
+        m_grid->setColumnStretch(column, column <= cellColumns || wide ? 1 : 0);
+    m_grid->addWidget(m_choice, 0, 0, wide ? 2 : 3, 1);
+    for (int i = 0; i < 2 * cellColumns; ++i) m_grid->addWidget(m_labels[i], i % 2, 1 + i / 2);
+    for (int i = 0; i < cellColumns; ++i) {
+        QLabel* label = m_labels[2 * cellColumns + i];
+        if (wide)
+            m_grid->addWidget(label, i % 2, 1 + cellColumns + i / 2);
+        else
+            m_grid->addWidget(label, 2, 1 + i);
+    }
+    m_grid->addWidget(m_copy, 0, cellColumns + 3, wide ? 2 : 3, 1);
+    m_grid->addWidget(m_close, 0, cellColumns + 4, wide ? 2 : 3, 1);
+}
+
+void CursorBar::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    if (isWide(event->size().width()) != isWide(event->oldSize().width())) {
+        arrange();
+        writeCells();
+    }
 }
 
 void CursorBar::setCurves(const QList<QCPGraph*>& curves, const QCPGraph* chosen) {
@@ -100,14 +116,25 @@ void CursorBar::setCurves(const QList<QCPGraph*>& curves, const QCPGraph* chosen
     m_choice->setCurrentIndex(static_cast<int>(curves.indexOf(const_cast<QCPGraph*>(chosen))));
 }
 
-void CursorBar::setText(const QString& text) {
-    m_text->setText(text);
-    // The text is the name too: a name of its own would be read in its place.
-    m_text->setAccessibleName(tr("Cursors: %1").arg(text));
+void CursorBar::present(const ReadingCells& cells, Of of) {
+    m_cells = cells;
+    m_text = readingText(cells, locale());
+    writeCells();
+    m_close->setEnabled(of == Of::cursors);
+    setAccessibleName(of == Of::cursors ? tr("Cursors: %1").arg(m_text) : tr("In view: %1").arg(m_text));
 }
 
-QString CursorBar::text() const {
-    return m_text->text();
+void CursorBar::writeCells() {
+    const int digits = isWide(width()) ? readingDigits : digitsWhereNarrow;
+    for (qsizetype i = 0; i < m_labels.size(); ++i) {
+        const ReadingCell cell = m_cells.value(i);
+        m_labels[i]->setText(cellText(cell, locale(), digits));
+        m_labels[i]->setToolTip(cell.name);
+    }
+}
+
+void CursorBar::copy() const {
+    QGuiApplication::clipboard()->setText(readingTable(m_choice->currentText(), m_cells));
 }
 
 }  // namespace drillwave

@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The strip below a plot that reads a curve between the cursors.
+// The strip below a plot that reads a curve: between the cursors, or what is in view while there are none.
 #pragma once
 
 #include <qcustomplot.h>
 
 #include <QFrame>
-#include <QLocale>
 
-#include "ui/plot/curve_reading.h"
+#include "ui/plot/reading_cells.h"
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
+class QToolButton;
 
 namespace drillwave {
 
-/// What the cursors say about a curve, in words: "A 1.2 ms · B 3.4 ms · Δ 2.2 ms · at A 10 kN …". A cursor
-/// that is not placed has an x of NaN.
-QString readingText(const CursorReading& reading, const CurveMeaning& meaning, const QLocale& locale);
-
-/// Names the curve, to be chosen among the visible ones, and what is read from it.
+/// Names the curve, to be chosen among the visible ones, and what is read from it in a table. Its height
+/// follows from its width alone, never from what it says.
 class CursorBar : public QFrame {
     Q_OBJECT
 
@@ -27,17 +25,36 @@ class CursorBar : public QFrame {
 
     /// The curves to choose from; `chosen` is one of them, or nullptr when there are none.
     void setCurves(const QList<QCPGraph*>& curves, const QCPGraph* chosen);
-    void setText(const QString& text);
-    QString text() const;
+    enum class Of { cursors, view };
+    /// As many cells as readingCellCount.
+    void present(const ReadingCells& cells, Of of);
+    /// The cells in one line.
+    QString text() const { return m_text; }
+    /// Puts the table into the clipboard.
+    void copy() const;
+    /// [px] for a width [px]: two lines, three where that is narrow.
+    int heightFor(int width) const;
 
   signals:
     void curveChosen(QCPGraph* curve);
     void closed();
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    bool isWide(int width) const;
+    void arrange();
+    void writeCells();
+
     QComboBox* m_choice;
-    QLabel* m_text;
+    QGridLayout* m_grid;
+    QList<QLabel*> m_labels;
+    QToolButton* m_copy;
+    QToolButton* m_close;
     QList<QCPGraph*> m_curves;
+    ReadingCells m_cells;
+    QString m_text;
 };
 
 }  // namespace drillwave

@@ -38,6 +38,7 @@ void CursorMover::drag(PlotCursor cursor, double pixel) {
 void CursorMover::placeAt(PlotCursor cursor, std::optional<QPoint> at) {
     if (cursor == PlotCursor::time && !m_plot.offersTime()) return;
     if (at) m_plot.view().activateAt(*at);
+    if (at && cursor != PlotCursor::time) m_plot.reader().aim(*at);
     const QCPAxisRect* on = axesInUse();
     if (!on) return;
     const bool beside = !at || at->x() < on->rect().left() || at->x() > on->rect().right();

@@ -9,8 +9,10 @@ namespace drillwave {
 
 /// Everything is in the units the curve is shown in: x as on the horizontal axis, y as on the vertical one.
 struct CurveMeaning {
-    QString xUnit;  ///< "ms"; empty for a mere number
-    QString yUnit;  ///< "kN"
+    QString xName = {};  ///< "t"; empty: what the axis says
+    QString yName = {};  ///< "F"; likewise
+    QString xUnit;       ///< "ms"; empty for a mere number
+    QString yUnit;       ///< "kN"
     /// Shown slope = slopeFactor · dy/dx, followed by slopeUnit; without a unit "kN/ms".
     QString slopeUnit;
     double slopeFactor = 1;

@@ -5,10 +5,15 @@
 #include <limits>
 
 #include "ui/plot/cursor_bar.h"
+#include "ui/plot/curve_names.h"
+#include "ui/plot/hover_mark.h"
 #include "ui/plot/legend_entries.h"
+#include "ui/text/settings.h"
 
 namespace drillwave {
 namespace {
+
+constexpr double aimDistance = 40;  // [px]: a curve that near is the one that is meant
 
 QList<QCPGraph*> visibleGraphs(const QCustomPlot& plot) {
     QList<QCPGraph*> graphs;
@@ -20,7 +25,11 @@ QList<QCPGraph*> visibleGraphs(const QCustomPlot& plot) {
 }  // namespace
 
 CurveReader::CurveReader(QCustomPlot& plot, const CurveMeanings& meanings)
-    : m_plot(plot), m_meanings(meanings), m_cursors(plot), m_bar(new CursorBar(&plot)) {
+    : m_plot(plot),
+      m_meanings(meanings),
+      m_cursors(plot),
+      m_bar(new CursorBar(&plot)),
+      m_tableShown(Settings().value(tableShownKey, true).toBool()) {
     m_bar->hide();
     connect(&plot, &QCustomPlot::afterReplot, this, &CurveReader::read);
     connect(m_bar, &CursorBar::curveChosen, this, &CurveReader::setGraph);
@@ -28,6 +37,11 @@ CurveReader::CurveReader(QCustomPlot& plot, const CurveMeanings& meanings)
         clear();
         emit closed();
     });
+}
+
+void CurveReader::setTableShown(bool shown) {
+    m_tableShown = shown;
+    read();
 }
 
 void CurveReader::place(PlotCursor cursor, std::optional<double> x) {
@@ -60,38 +74,71 @@ std::optional<CursorReading> CurveReader::reading() const {
     return readCurve(*read->data(), m_meanings.value(read), *a, *b);
 }
 
+void CurveReader::aim(QPointF pixel) {
+    const QCPAxisRect* rect = m_plot.axisRectAt(pixel);
+    QCPGraph* present = graph();
+    const bool isHere = present && present->keyAxis()->axisRect() == rect;
+    const bool isBusy = position(PlotCursor::a) || position(PlotCursor::b);
+    if (!rect || (isHere && isBusy)) return;
+    const auto near = nearestCurvePoint(m_plot, pixel, aimDistance);
+    if (auto* pointed = near ? qobject_cast<QCPGraph*>(near->curve) : nullptr) return setGraph(pointed);
+    if (isHere) return;
+    for (QCPGraph* each : visibleGraphs(m_plot))
+        if (each->keyAxis()->axisRect() == rect) return setGraph(each);
+}
+
+bool CurveReader::isBarShown() const {
+    if (position(PlotCursor::a) || position(PlotCursor::b)) return true;
+    return m_tableShown && !m_meanings.isEmpty() && !m_cursors.rects().isEmpty();
+}
+
 void CurveReader::read() {
-    if (position(PlotCursor::a) || position(PlotCursor::b)) {
+    if (isBarShown()) {
+        const bool atCursors = position(PlotCursor::a) || position(PlotCursor::b);
         m_bar->setCurves(visibleGraphs(m_plot), graph());
-        m_bar->setText(words());
+        m_bar->present(atCursors ? cellsAtCursors() : cellsInView(),
+                       atCursors ? CursorBar::Of::cursors : CursorBar::Of::view);
     }
     placeBar();
     emit changed();
 }
 
+CurveMeaning CurveReader::meaning() const {
+    const QCPGraph* read = graph();
+    CurveMeaning meaning = m_meanings.value(read);
+    if (!read) return meaning;
+    const QString x = xNameOf(*read, meaning);
+    meaning.yName = yNameOf(*read, meaning);
+    meaning.xName = x;
+    return meaning;
+}
+
 // Also of one cursor alone.
-QString CurveReader::words() const {
+ReadingCells CurveReader::cellsAtCursors() const {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const std::optional<double> a = position(PlotCursor::a);
     const std::optional<double> b = position(PlotCursor::b);
     const QCPGraph* read = graph();
-    const CurveMeaning meaning = m_meanings.value(read);
     CursorReading reading{none, none, none, none, none, none, none};
     if (read)
-        reading = readCurve(*read->data(), meaning, a.value_or(b.value_or(0)), b.value_or(a.value_or(0)));
+        reading = readCurve(*read->data(), meaning(), a.value_or(b.value_or(0)), b.value_or(a.value_or(0)));
     reading.a = a.value_or(none);
     reading.b = b.value_or(none);
-    return readingText(reading, meaning, m_plot.locale());
+    return cursorCells(reading, meaning());
+}
+
+ReadingCells CurveReader::cellsInView() const {
+    const QCPGraph* read = graph();
+    const QCPRange view = read ? read->keyAxis()->range() : QCPRange();
+    return viewCells(viewStatistics(read ? *read->data() : QCPGraphDataContainer(), meaning(), view),
+                     meaning());
 }
 
 void CurveReader::placeBar() {
-    const bool shown = position(PlotCursor::a) || position(PlotCursor::b);
+    const bool shown = isBarShown();
     const int width = m_plot.width();
     const int height = m_plot.height();
-    const int wanted = m_bar->hasHeightForWidth() ? m_bar->heightForWidth(width) : m_bar->sizeHint().height();
-    // It grows for longer words but does not shrink for shorter ones: a drag shall not shake the curves.
-    const int present = m_bar->isVisibleTo(&m_plot) && m_bar->width() == width ? m_bar->height() : 0;
-    const int barHeight = shown ? std::min(std::max(wanted, present), height / 3) : 0;
+    const int barHeight = shown ? std::min(m_bar->heightFor(width), height / 3) : 0;
     m_bar->setVisible(shown);
     m_bar->setGeometry(0, height - barHeight, width, barHeight);
     const QRect plotArea(0, 0, width, height - barHeight);
@@ -102,6 +149,10 @@ void CurveReader::placeBar() {
 
 QString CurveReader::text() const {
     return m_bar->isVisibleTo(&m_plot) ? m_bar->text() : QString();
+}
+
+void CurveReader::copy() const {
+    m_bar->copy();
 }
 
 }  // namespace drillwave

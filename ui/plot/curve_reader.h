@@ -9,10 +9,14 @@
 #include "ui/plot/curve_reading.h"
 #include "ui/plot/plot_csv.h"
 #include "ui/plot/plot_cursors.h"
+#include "ui/plot/reading_cells.h"
 
 namespace drillwave {
 
 class CursorBar;
+
+/// Whether the strips below the plots are there without cursors too; kept in the settings.
+inline const QString tableShownKey = QStringLiteral("plots/table");
 
 /// Reads the chosen curve of a plot whenever it is drawn or a cursor moves. Every x and y is in the units of
 /// the axes.
@@ -34,13 +38,20 @@ class CurveReader : public QObject {
     /// The graph read at A and B: as chosen, else the first that is visible; nullptr without any.
     QCPGraph* graph() const;
     void setGraph(QCPGraph* graph);
+    /// The curve below a point of the plot is read from now on, or one of the axes there. While there are
+    /// cursors, a curve between the same axes stays.
+    void aim(QPointF pixel);
     /// What cursors A and B say about graph(); nothing unless both are placed.
     std::optional<CursorReading> reading() const;
-    /// The strip below the plot, in words; empty while neither A nor B is placed.
+    /// The strip below the plot, in words; empty while there is none.
     QString text() const;
+    /// Puts what the strip says into the clipboard, as a table.
+    void copy() const;
+    /// Whether the strip has its place also while neither A nor B is there: what is in view is read then.
+    void setTableShown(bool shown);
     /// The curve has data of its own: reads it again. Replots do that by themselves.
     void read();
-    /// The strip takes its height from the plot, as much as its words need at this width.
+    /// The strip takes its height from the plot.
     void placeBar();
 
   signals:
@@ -50,13 +61,17 @@ class CurveReader : public QObject {
     void closed();
 
   private:
-    QString words() const;
+    bool isBarShown() const;
+    CurveMeaning meaning() const;
+    ReadingCells cellsAtCursors() const;
+    ReadingCells cellsInView() const;
 
     QCustomPlot& m_plot;
     const CurveMeanings& m_meanings;
     PlotCursors m_cursors;
     CursorBar* m_bar;
     QPointer<QCPGraph> m_graph;
+    bool m_tableShown;
 };
 
 }  // namespace drillwave

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plot/curve_names.h"
 #include "ui/plot/legend_entries.h"
 #include "ui/text/number_text.h"
 
@@ -89,8 +90,11 @@ QString pointText(const CurvePoint& point, const CurveMeaning& meaning, const QL
         const QString number = numberText(value, 6, locale);
         return unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit;
     };
-    return point.curve->name() + QLatin1Char('\n') + QStringLiteral("x = ") +
-           quantity(point.x, meaning.xUnit) + QStringLiteral("\ny = ") + quantity(point.y, meaning.yUnit);
+    const auto line = [&](const QString& name, double value, const QString& unit) {
+        return QStringLiteral("\n%1 = %2").arg(name, quantity(value, unit));
+    };
+    return point.curve->name() + line(xNameOf(*point.curve, meaning), point.x, meaning.xUnit) +
+           line(yNameOf(*point.curve, meaning), point.y, meaning.yUnit);
 }
 
 void HoverMark::addItems() {

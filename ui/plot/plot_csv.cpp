@@ -7,6 +7,7 @@
 
 #include "core/text/csv.h"
 #include "core/text/units.h"
+#include "ui/plot/curve_names.h"
 #include "ui/plot/legend_entries.h"
 
 namespace drillwave {
@@ -33,13 +34,9 @@ std::pair<std::vector<double>, std::vector<double>> numbersOf(const QCPAbstractP
     return {};
 }
 
-// Of stacked plots the lowest alone carries the label of the common axis.
-QString keyName(const QCustomPlot& plot, const QCPAbstractPlottable& curve) {
-    const QString label = curve.keyAxis()->label();
-    if (!label.isEmpty()) return label;
-    for (const QCPAxisRect* rect : plot.axisRects())
-        if (!rect->axis(QCPAxis::atBottom)->label().isEmpty()) return rect->axis(QCPAxis::atBottom)->label();
-    return QStringLiteral("x");
+QString keyName(const QCPAbstractPlottable& curve) {
+    const QString label = xLabelOf(curve);
+    return label.isEmpty() ? QStringLiteral("x") : label;
 }
 
 QString valueName(const QCPAbstractPlottable& curve, const CurveMeanings& meanings) {
@@ -58,7 +55,7 @@ std::vector<Column> columnsOf(const QCustomPlot& plot, const CurveMeanings& mean
         if (x.empty()) continue;
         if (columns.empty() || columns[keys].numbers != x) {
             keys = columns.size();
-            columns.push_back({keyName(plot, *curve), std::move(x)});
+            columns.push_back({keyName(*curve), std::move(x)});
         }
         columns.push_back({valueName(*curve, meanings), std::move(y)});
     }

@@ -14,38 +14,49 @@ QString withKey(const QString& text, const QKeySequence& key) {
     return text + QLatin1Char('\t') + key.toString(QKeySequence::NativeText);
 }
 
-}  // namespace
+// Fills one menu for one plot.
+class PlotActions {
+  public:
+    PlotActions(QMenu& menu, PlotWidget& plot, QPoint at) : m_menu(menu), m_plot(plot), m_at(at) {
+        addCopyAndSave();
+        m_menu.addSeparator();
+        addView();
+        addCurves();
+        if (!m_plot.reader().cursors().rects().isEmpty()) addCursors();
+    }
 
-PlotMenu::PlotMenu(PlotWidget& plot, QPoint at) : QMenu(&plot), m_plot(plot), m_at(at) {
-    setObjectName(QStringLiteral("plotMenu"));
-    setAttribute(Qt::WA_DeleteOnClose);
-    setToolTipsVisible(true);
-    addCopyAndSave();
-    addSeparator();
-    addView();
-    addCurves();
-    if (!m_plot.reader().cursors().rects().isEmpty()) addCursors();
-}
+  private:
+    static QString tr(const char* text) { return PlotMenu::tr(text); }
+    void addCopyAndSave();
+    void addView();
+    void addScale(QCPAxis* axis, const QString& text);
+    void addCurves();
+    void addCursors();
 
-void PlotMenu::addCopyAndSave() {
-    QAction* picture = addAction(tr("Copy &picture"), &m_plot, &PlotWidget::copyPicture);
+    QMenu& m_menu;
+    PlotWidget& m_plot;
+    QPoint m_at;
+};
+
+void PlotActions::addCopyAndSave() {
+    QAction* picture = m_menu.addAction(tr("Copy &picture"), &m_plot, &PlotWidget::copyPicture);
     picture->setToolTip(tr("This view, black on white, for a report"));
     picture->setEnabled(m_plot.isCurrent());
-    QAction* copy = addAction(tr("Copy &data"), &m_plot, &PlotWidget::copyData);
+    QAction* copy = m_menu.addAction(tr("Copy &data"), &m_plot, &PlotWidget::copyData);
     copy->setToolTip(tr("The numbers of what is shown, as a table for a spreadsheet"));
     copy->setEnabled(m_plot.hasData() && m_plot.isCurrent());
-    addAction(tr("&Save picture…"), &m_plot, &PlotWidget::savePictureRequested)
+    m_menu.addAction(tr("&Save picture…"), &m_plot, &PlotWidget::savePictureRequested)
         ->setToolTip(tr("This view as PNG, SVG or PDF"));
-    QAction* save = addAction(tr("Save da&ta…"), &m_plot, &PlotWidget::saveDataRequested);
+    QAction* save = m_menu.addAction(tr("Save da&ta…"), &m_plot, &PlotWidget::saveDataRequested);
     save->setToolTip(tr("The numbers of what is shown, as CSV"));
     save->setEnabled(m_plot.hasData());
 }
 
-void PlotMenu::addView() {
-    addAction(withKey(tr("&Fit"), Qt::Key_Home), &m_plot, &PlotWidget::fit)
+void PlotActions::addView() {
+    m_menu.addAction(withKey(tr("&Fit"), Qt::Key_Home), &m_plot, &PlotWidget::fit)
         ->setToolTip(tr("Bring all curves into view"));
-    QAction* back = addAction(withKey(tr("&Zoom back"), Qt::Key_Backspace), &m_plot,
-                              [plot = &m_plot] { plot->view().goBack(); });
+    QAction* back = m_menu.addAction(withKey(tr("&Zoom back"), Qt::Key_Backspace), &m_plot,
+                                     [plot = &m_plot] { plot->view().goBack(); });
     back->setToolTip(tr("The view before"));
     back->setEnabled(m_plot.view().canGoBack());
     QCPAxisRect* rect = m_plot.axisRectAt(m_at) ? m_plot.axisRectAt(m_at) : m_plot.view().activeRect();
@@ -54,42 +65,44 @@ void PlotMenu::addView() {
     addScale(rect->axis(QCPAxis::atLeft), tr("Logarithmic &vertical axis"));
 }
 
-void PlotMenu::addScale(QCPAxis* axis, const QString& text) {
+void PlotActions::addScale(QCPAxis* axis, const QString& text) {
     const bool logarithmic = axis->scaleType() == QCPAxis::stLogarithmic;
     const QString reason = logarithmic ? QString() : reasonAgainstLogarithm(*axis);
-    QAction* action = addAction(text);
+    QAction* action = m_menu.addAction(text);
     action->setCheckable(true);
     action->setChecked(logarithmic);
     action->setEnabled(reason.isEmpty());
     action->setToolTip(reason.isEmpty() ? tr("Equal steps are equal factors; zeros are cut off") : reason);
-    connect(action, &QAction::toggled, &m_plot, [plot = &m_plot, axis = QPointer(axis)](bool on) {
+    QObject::connect(action, &QAction::toggled, &m_plot, [plot = &m_plot, axis = QPointer(axis)](bool on) {
         if (axis) plot->setAxisScale(axis, on ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     });
 }
 
-void PlotMenu::addCurves() {
+void PlotActions::addCurves() {
     const QList<QCPAbstractPlottable*> curves = namedCurves(m_plot);
     if (curves.isEmpty()) return;
-    QMenu* shown = addMenu(tr("&Curves shown"));
+    QMenu* shown = m_menu.addMenu(tr("&Curves shown"));
     shown->setObjectName(QStringLiteral("curvesMenu"));
     for (QCPAbstractPlottable* curve : curves) {
         QAction* action =
             shown->addAction(QString(curve->name()).replace(QLatin1Char('&'), QLatin1String("&&")));
         action->setCheckable(true);
         action->setChecked(curve->visible());
-        connect(action, &QAction::toggled, &m_plot, [plot = &m_plot, curve = QPointer(curve)](bool on) {
-            if (curve) plot->setCurveVisible(curve, on);
-        });
+        QObject::connect(action, &QAction::toggled, &m_plot,
+                         [plot = &m_plot, curve = QPointer(curve)](bool on) {
+                             if (curve) plot->setCurveVisible(curve, on);
+                         });
     }
 }
 
-void PlotMenu::addCursors() {
-    addSeparator();
+void PlotActions::addCursors() {
+    m_menu.addSeparator();
     const auto add = [this](PlotCursor cursor, const QString& text, const QKeySequence& key,
                             const QString& toolTip) {
-        addAction(withKey(text, key), &m_plot, [plot = &m_plot, cursor, at = m_at] {
-            plot->mover().placeAt(cursor, at);
-        })->setToolTip(toolTip);
+        m_menu
+            .addAction(withKey(text, key), &m_plot,
+                       [plot = &m_plot, cursor, at = m_at] { plot->mover().placeAt(cursor, at); })
+            ->setToolTip(toolTip);
     };
     add(PlotCursor::a, tr("Cursor &A here"), Qt::Key_A, tr("Reads the curves here; can be dragged"));
     add(PlotCursor::b, tr("Cursor &B here"), Qt::Key_B,
@@ -97,9 +110,27 @@ void PlotMenu::addCursors() {
     if (m_plot.offersTime())
         add(PlotCursor::time, tr("&Time cursor here"), Qt::Key_T, tr("The instant shown on all pages"));
     CurveReader& reader = m_plot.reader();
-    QAction* remove = addAction(tr("&Remove cursors A and B"), &reader, &CurveReader::clear);
-    remove->setToolTip(tr("And the strip below the plot"));
+    QAction* remove = m_menu.addAction(tr("&Remove cursors A and B"), &reader, &CurveReader::clear);
+    remove->setToolTip(tr("The table below the plot reads what is in view then"));
     remove->setEnabled(reader.position(PlotCursor::a) || reader.position(PlotCursor::b));
+    QAction* copy = m_menu.addAction(tr("Copy the &table below"), &reader, &CurveReader::copy);
+    copy->setToolTip(tr("What is read at the cursors, or in view, to paste into a spreadsheet"));
+    copy->setEnabled(!reader.text().isEmpty());
+}
+
+}  // namespace
+
+PlotMenu::PlotMenu(PlotWidget& plot, QPoint at) : QMenu(&plot) {
+    setObjectName(QStringLiteral("plotMenu"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    fillPlotMenu(*this, plot, at);
+}
+
+void fillPlotMenu(QMenu& menu, PlotWidget& plot, QPoint at) {
+    menu.setToolTipsVisible(true);
+    menu.clear();
+    qDeleteAll(menu.findChildren<QMenu*>(Qt::FindDirectChildrenOnly));
+    PlotActions(menu, plot, at);
 }
 
 }  // namespace drillwave

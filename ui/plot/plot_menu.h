@@ -17,16 +17,9 @@ class PlotMenu : public QMenu {
 
   public:
     PlotMenu(PlotWidget& plot, QPoint at);
-
-  private:
-    void addCopyAndSave();
-    void addView();
-    void addScale(QCPAxis* axis, const QString& text);
-    void addCurves();
-    void addCursors();
-
-    PlotWidget& m_plot;
-    QPoint m_at;
 };
+
+/// The same entries in another menu, which they are to replace when it opens: those of a menu bar.
+void fillPlotMenu(QMenu& menu, PlotWidget& plot, QPoint at);
 
 }  // namespace drillwave

@@ -14,6 +14,7 @@
 #include "core/file/picture_formats.h"
 #include "ui/plot/curve_clip.h"
 #include "ui/plot/plot_style.h"
+#include "ui/plot/svg_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -52,10 +53,7 @@ QByteArray svg(QCustomPlot& plot, Millimetres size, const QString& title) {
     painter.begin(&generator);
     paintPlot(plot, painter, size);
     painter.end();
-    // Readers that do not have the font shall take another one without serifs.
-    const QByteArray family = PlotStyle::forPaper().font.family().toUtf8();
-    QByteArray bytes = buffer.data();
-    return bytes.replace("font-family=\"" + family + "\"", "font-family=\"" + family + ", sans-serif\"");
+    return withCommonText(buffer.data(), PlotStyle::forPaper().font.family());
 }
 
 // Puts the time of SOURCE_DATE_EPOCH [s since 1970] in place of the present one, for documents that shall

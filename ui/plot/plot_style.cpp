@@ -68,9 +68,7 @@ QPen PlotStyle::linePen(int index) const {
     static const QList<qreal> dashes[lineKinds] = {{}, {6, 3}, {8, 3, 1.5, 3}, {1.5, 2.5}};
     const int kind = (index + index / lineKinds) % lineKinds;  // of dashes: sixteen pens that differ
     QPen pen(lines[index % lineKinds], lineWidth);
-    // On screen a solid line is drawn piece by piece. Between points crowded into one pixel the pieces are
-    // too short to leave a mark by themselves: their caps must.
-    pen.setCapStyle(dashes[kind].isEmpty() ? Qt::SquareCap : Qt::FlatCap);
+    pen.setCapStyle(Qt::FlatCap);
     pen.setJoinStyle(Qt::BevelJoin);
     if (!dashes[kind].isEmpty()) pen.setDashPattern(dashes[kind]);
     return pen;

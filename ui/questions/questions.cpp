@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <cstdio>
 
+#include "ui/questions/folder_dialog.h"
 #include "ui/questions/picture_dialog.h"
 
 namespace drillwave {
@@ -82,7 +83,8 @@ QString DialogQuestions::fileToExport(QWidget* parent, const QString& title, con
 
 QString DialogQuestions::folderToExport(QWidget* parent, const QString& suggestion) {
     if (!someoneIsThere()) return {};
-    return QFileDialog::getExistingDirectory(parent, tr("Export everything into a folder"), suggestion);
+    FolderDialog dialog(parent, tr("Export everything into a folder"), suggestion);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
 std::optional<PictureChoice> DialogQuestions::picture(QWidget* parent, const PictureChoice& before) {

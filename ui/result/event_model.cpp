@@ -29,6 +29,9 @@ QString eventText(ContactEvent kind) {
 void EventModel::present(const SolvedBlowPtr& blow) {
     beginResetModel();
     m_blow = blow;
+    // One unit for all rows, in which the last can be read.
+    const bool listed = rowCount() > 0;
+    m_unit = listed ? readable(blow->units.time, timeAt(rowCount() - 1)) : blow->units.time;
     endResetModel();
 }
 
@@ -60,13 +63,13 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
     if (role != Qt::DisplayRole) return {};
     const ImpactEvent& event = m_blow->impact.events[static_cast<std::size_t>(index.row())];
     if (index.column() == 1) return eventText(event.kind);
-    return numberText(event.time * m_blow->units.time.factor, 5, QLocale());
+    return numberText(event.time * m_unit.factor, 5, QLocale());
 }
 
 QVariant EventModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     if (section == 1) return tr("event at the bit");
-    return m_blow ? m_blow->units.time.axisLabel(QStringLiteral("t")) : QStringLiteral("t");
+    return m_blow ? m_unit.axisLabel(QStringLiteral("t")) : QStringLiteral("t");
 }
 
 }  // namespace drillwave

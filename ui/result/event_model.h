@@ -29,6 +29,7 @@ class EventModel : public QAbstractTableModel {
 
   private:
     SolvedBlowPtr m_blow;
+    ShownUnit m_unit;  // of times
 };
 
 }  // namespace drillwave

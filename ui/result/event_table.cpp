@@ -47,6 +47,12 @@ void EventTable::setTime(std::optional<double> time) {
     markEvent();
 }
 
+// The keyboard comes by on its way: that makes a row the current one, and chooses no time.
+void EventTable::focusInEvent(QFocusEvent* event) {
+    const QScopedValueRollback following(m_following, true);
+    QTableView::focusInEvent(event);
+}
+
 void EventTable::choose(const QModelIndex& index) {
     if (index.isValid() && !m_following) emit timeChosen(m_model->timeAt(index.row()));
 }

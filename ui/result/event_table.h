@@ -25,6 +25,9 @@ class EventTable : public QTableView {
     /// The user chose an event: its global time t/t0.
     void timeChosen(std::optional<double> time);
 
+  protected:
+    void focusInEvent(QFocusEvent* event) override;
+
   private:
     void choose(const QModelIndex& index);
     void markEvent();

@@ -14,7 +14,9 @@ namespace {
 // In the unit that suits the thrust needed, so that all can be compared at a glance.
 ShownUnit unitOf(const SolvedBlow& blow) {
     const double installed = blow.scenario.drill.thrust.value_or(0);
-    return blow.units.of(UnitKind::force, blow.feed ? blow.feed->fullRate : installed);
+    ShownUnit unit = blow.units.of(UnitKind::force, blow.feed ? blow.feed->fullRate : installed);
+    unit.prefixes.reset();
+    return unit;
 }
 
 QString forceText(double force, const SolvedBlow& blow) {

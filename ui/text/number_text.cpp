@@ -44,7 +44,8 @@ QString magnitudeText(double value, const QLocale& locale) {
 }
 
 QString quantityText(double value, const ShownUnit& unit, const QLocale& locale) {
-    return numberText(value * unit.factor, 4, locale) + QChar(QChar::Nbsp) + unit.unit;
+    const ShownUnit best = readable(unit, value);
+    return numberText(value * best.factor, 4, locale) + QChar(QChar::Nbsp) + best.unit;
 }
 
 QString runTimeText(double seconds, const QLocale& locale) {

@@ -16,7 +16,8 @@ QString numberText(double value, int digits, const QLocale& locale);
 /// Order of magnitude with one digit, "3·10⁻¹⁵"; "0" for zero.
 QString magnitudeText(double value, const QLocale& locale);
 
-/// A dimensionless value in the unit it is shown in: "187.3 kN".
+/// A dimensionless value in the unit it is shown in, or with a prefix that reads better: "187.3 kN", "36.06
+/// N".
 QString quantityText(double value, const ShownUnit& unit, const QLocale& locale);
 
 /// A duration of the program itself: "3 µs", "12 ms".

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/shown_units.h"
 
+#include <cmath>
+
 #include "ui/text/typed_text.h"
 
 namespace drillwave {
+namespace {
+
+// Shown magnitudes that need no other prefix.
+constexpr double leastReadable = 0.1;
+constexpr double mostReadable = 1e4;
+
+}  // namespace
 
 UnitSystem naturalUnits(const Scenario& scenario) {
     return scenario.form == ScenarioForm::dimensional ? UnitSystem::si : UnitSystem::dimensionless;
@@ -18,9 +27,25 @@ ShownUnit shownUnit(const Unit& unit) {
     return {unit.fromSi(1), shownUnitName(unit.name), false};
 }
 
+ShownUnit readable(const ShownUnit& unit, double value) {
+    const double shown = std::abs(value * unit.factor);
+    if (!unit.prefixes || shown == 0 || (shown >= leastReadable && shown < mostReadable)) return unit;
+    const auto& [kind, system, present] = *unit.prefixes;
+    const Unit& better = handyUnit(kind, present->toSi(shown), system);
+    ShownUnit result = unit;
+    result.factor = better.fromSi(present->toSi(unit.factor));
+    result.unit = shownUnitName(better.name);
+    result.prefixes->unit = &better;
+    return result;
+}
+
 ShownUnit ShownUnits::of(UnitKind kind, double size) const {
     const auto own = chosen.find(kind);
-    return shownUnit(own != chosen.end() ? *own->second : handyUnit(kind, size, system));
+    if (own != chosen.end()) return shownUnit(*own->second);
+    const Unit& unit = handyUnit(kind, size, system);
+    ShownUnit shown = shownUnit(unit);
+    shown.prefixes = {kind, system, &unit};
+    return shown;
 }
 
 ShownUnits shownUnits(UnitSystem units, const Scales& scales, const ChosenUnits& chosen) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 #include "core/model/scales.h"
 #include "core/model/scenario.h"
@@ -18,6 +19,15 @@ struct ShownUnit {
     double factor = 1;
     QString unit;                ///< "kN" or "t₀"
     bool dimensionless = false;  ///< whether `unit` is a characteristic quantity of the blow
+    /// The unit itself, and the kind and system whose prefixes may take its place where one value is read;
+    /// none where the user has chosen the unit.
+    struct Prefixes {
+        UnitKind kind;
+        UnitSystem system;
+        const Unit* unit;
+        bool operator==(const Prefixes&) const = default;
+    };
+    std::optional<Prefixes> prefixes = {};
     bool operator==(const ShownUnit&) const = default;
 
     /// "time t [ms]" or "time t / t₀".
@@ -26,6 +36,10 @@ struct ShownUnit {
 
 /// Of values in SI: shown value = SI value · factor.
 ShownUnit shownUnit(const Unit& unit);
+
+/// The same quantity in the unit in which a value (before the factor) is best read: 36.06 N where that of the
+/// plots says 0.03606 kN. What has one to four digits before the point in `unit` stays in it.
+ShownUnit readable(const ShownUnit& unit, double value);
 
 /// The units of all that is plotted or listed for one blow.
 struct ShownUnits {

@@ -12,6 +12,12 @@ namespace {
 
 constexpr int recentLimit = 10;
 
+// The groups that a scenario has by default.
+constexpr std::string_view dimensionlessStart =
+    "drillwave: 1\n"
+    "dimensionless: {beta: 0.5, gamma: 1, tau: 10, delta: 0}\n"
+    "pulse: {shape: rectangular}\n";
+
 QString fromUtf8(const std::string& text) {
     return QString::fromStdString(text);
 }
@@ -60,6 +66,11 @@ void FileMenu::addFileActions(QMenu* exports) {
     addAction(tr("&New"), QKeySequence::New, this, [this] {
         if (mayDiscard()) m_document.start();
     });
+    QAction* groups =
+        addAction(tr("New di&mensionless"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), this, [this] {
+            if (mayDiscard()) m_document.startFrom(dimensionlessStart, tr("new"));
+        });
+    groups->setToolTip(tr("A scenario given by its groups β, γ, τ and δ alone, without units"));
     addAction(tr("&Open…"), QKeySequence::Open, this, [this] {
         const QString folder = QFileInfo(m_document.suggestedPath()).absolutePath();
         const QString path = m_questions.fileToOpen(m_window, folder);

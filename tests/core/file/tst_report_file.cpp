@@ -36,7 +36,7 @@ QString rowOf(const std::string& page, const QString& key) {
 /// The whole numbers behind the cells of a row.
 QList<double> numbersOf(const QString& row) {
     QList<double> numbers;
-    auto found = QRegularExpression("<data value=\"([^\"]*)\">").globalMatch(row);
+    auto found = QRegularExpression("data-value=\"([^\"]*)\"").globalMatch(row);
     while (found.hasNext()) numbers << found.next().captured(1).toDouble();
     return numbers;
 }

@@ -45,6 +45,7 @@ class TestDocument : public QObject {
     void aFileThatCannotBeReadChangesNothing();
     void savingElsewhereKeepsTheTableInReach();
     void aResultIsOpenedWithoutAPath();
+    void aNewFileIsNamedAfterItsTitle();
     void aReloadIsAStepThatCanBeUndone();
     void aRestoredScenarioIsUnsavedAndHasNoPath();
     void aHammerBlowIsTakenFromATable();
@@ -255,6 +256,20 @@ void TestDocument::aResultIsOpenedWithoutAPath() {
     const QString table = m_folder.filePath(QStringLiteral("table.csv"));
     write(table, "time,force\n0,0\n1,1\n");
     QVERIFY(document.open(table).contains(QStringLiteral("holds no scenario")));
+}
+
+void TestDocument::aNewFileIsNamedAfterItsTitle() {
+    Document document;
+    QCOMPARE(document.suggestedPath(), QStringLiteral("scenario.yaml"));
+    const auto named = [&](const QString& title) {
+        document.setTitle(title);
+        return document.suggestedPath();
+    };
+    QCOMPARE(named(QStringLiteral("T38 rod, medium rock")), QStringLiteral("t38_rod_medium_rock.yaml"));
+    QCOMPARE(named(QStringLiteral("../a/b: 50 % …")), QStringLiteral("a_b_50.yaml"));
+    QCOMPARE(named(QStringLiteral("Gestänge ⌀38")), QStringLiteral("gestänge_38.yaml"));
+    QCOMPARE(named(QStringLiteral("?!")), QStringLiteral("scenario.yaml"));
+    QVERIFY(named(QString(500, QLatin1Char('x'))).size() < 100);
 }
 
 void TestDocument::aReloadIsAStepThatCanBeUndone() {

@@ -48,6 +48,11 @@ class TestScenarioPanel : public QObject {
     void keysOnASliderAreOneStepUntilItIsLeft();
     void aValueBeyondTheSliderIsMarked();
     void aSliderSaysWhyItStopsAndGoesBack();
+    void aClickInTheGrooveBringsTheHandleThere();
+    void shiftDragsTenTimesFiner();
+    void aDoubleClickGoesBackToTheFilesValue();
+    void wrongTextMovesNoOtherRow();
+    void anotherImpulseScalesAMeasuredBlow();
     void foldedSectionsStayFolded();
     void groupsAreLastAndFoldedWhereTheyFollow();
     void wrongTextForTheDiameterBringsTheAreaBack();
@@ -269,6 +274,111 @@ void TestScenarioPanel::aSliderSaysWhyItStopsAndGoesBack() {
     QVERIFY(!said());
     QCOMPARE(bore.value(), stands);
     QVERIFY(!m->document.isModified());
+}
+
+void TestScenarioPanel::aClickInTheGrooveBringsTheHandleThere() {
+    QuantitySlider& gamma = slider("bit_rock.gamma.slider");
+    const QPoint at(gamma.width() * 3 / 4, gamma.height() / 2);
+    QTest::mousePress(&gamma, Qt::LeftButton, {}, at);
+    QVERIFY(gamma.isSliderDown());
+    const double share = double(gamma.value()) / gamma.maximum();
+    QVERIFY2(share > 0.7 && share < 0.85, qPrintable(QString::number(share)));
+    QTest::mouseRelease(&gamma, Qt::LeftButton, {}, at);
+    QVERIFY(!gamma.isSliderDown());
+    QCOMPARE(m->document.undoStack().count(), 1);
+    QVERIFY(m->document.scenario().bitRock.gamma > 0.7);
+}
+
+void TestScenarioPanel::shiftDragsTenTimesFiner() {
+    const auto dragged = [this](Qt::KeyboardModifiers keys) {
+        QuantitySlider& gamma = slider("bit_rock.gamma.slider");
+        gamma.setSliderPosition(gamma.maximum() / 2);
+        const int before = gamma.value();
+        const QPoint from(gamma.width() / 2, gamma.height() / 2);
+        const QPoint to = from + QPoint(10, 0);
+        QTest::mousePress(&gamma, Qt::LeftButton, keys, from);
+        const int pressed = gamma.value();
+        QMouseEvent move(QEvent::MouseMove, to, gamma.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, keys);
+        QCoreApplication::sendEvent(&gamma, &move);
+        const int after = gamma.value();
+        QTest::mouseRelease(&gamma, Qt::LeftButton, keys, to);
+        return pressed == before ? after - before : 0;
+    };
+    const int coarse = dragged({});
+    const int fine = dragged(Qt::ShiftModifier);
+    QVERIFY(coarse > 0);
+    QVERIFY2(std::abs(10 * fine - coarse) <= 10, qPrintable(QStringLiteral("%1 %2").arg(coarse).arg(fine)));
+}
+
+void TestScenarioPanel::aDoubleClickGoesBackToTheFilesValue() {
+    QuantitySlider& gamma = slider("bit_rock.gamma.slider");
+    const double file = m->document.scenario().bitRock.gamma;
+    m->document.assign(*findParameter("bit_rock.gamma"), 0.77, 1);
+    QTest::mouseDClick(&gamma, Qt::LeftButton, {}, gamma.rect().center());
+    QCOMPARE(m->document.scenario().bitRock.gamma, file);
+    m->document.undoStack().undo();
+    QVERIFY(m->document.scenario().bitRock.gamma != file);
+    // A group goes back with what it follows from, a value that is not given to none.
+    const double stiffness = m->document.source().scenario.bitRock.stiffness;
+    m->document.assign(*findParameter("bit_rock.stiffness"), 2 * stiffness, 2);
+    m->find<SectionBox>("groups").setOpen(true);
+    QTest::mouseDClick(&slider("beta.slider"), Qt::LeftButton, {}, QPoint(3, 3));
+    QVERIFY(std::abs(m->document.scenario().bitRock.stiffness / stiffness - 1) < 1e-14);
+    m->document.assign(*findParameter("drill.machine_mass"), 100, 3);
+    QTest::mouseDClick(&slider("drill.machine_mass.slider"), Qt::LeftButton, {}, QPoint(3, 3));
+    QVERIFY(!m->document.scenario().drill.machineMass);
+}
+
+void TestScenarioPanel::wrongTextMovesNoOtherRow() {
+    QVERIFY(QTest::qWaitForWindowActive(m->panel.get()));
+    auto& length = m->find<QuantityField>("rod.length");
+    auto& below = m->find<QuantityField>("rod.diameter");
+    const QPoint place = below.mapTo(m->panel.get(), QPoint());
+    length.setFocus();
+    length.selectAll();
+    QTest::keyClicks(&length, QStringLiteral("abc"));
+    QTest::keyClick(&length, Qt::Key_Return);
+    const auto plateOf = [this] {
+        for (QWidget* plate : m->panel->findChildren<QWidget*>(QStringLiteral("problemPlate")))
+            if (plate->isVisible()) return plate;
+        return static_cast<QWidget*>(nullptr);
+    };
+    QVERIFY(plateOf());
+    QVERIFY(plateOf()->grab().width() > 100);
+    QCOMPARE(below.mapTo(m->panel.get(), QPoint()), place);
+    // It is out of the way of whoever goes on to the next field, and comes back with the focus.
+    below.setFocus();
+    QVERIFY(!plateOf());
+    QCOMPARE(length.toolTip(), length.problem());
+    length.setFocus();
+    QVERIFY(plateOf());
+    QTest::keyClick(&length, Qt::Key_Escape);
+    QVERIFY(!plateOf());
+}
+
+void TestScenarioPanel::anotherImpulseScalesAMeasuredBlow() {
+    QVERIFY(takeTable(table));
+    const double measured = pulseImpulse(m->document.scenario());
+    QCOMPARE(measured, 45.0);  // a trapezoid of 300 kN, 200 µs below and 100 µs above
+    auto& impulse = m->find<QuantityField>("table.impulse");
+    QVERIFY(impulse.isVisible());
+    QCOMPARE(impulse.value(), measured);
+    const int steps = m->document.undoStack().count();
+    impulse.setFocus();
+    impulse.selectAll();
+    QTest::keyClicks(&impulse, QStringLiteral("2*45 N s"));
+    QTest::keyClick(&impulse, Qt::Key_Return);
+    QCOMPARE(m->document.undoStack().count(), steps + 1);
+    const Pulse& pulse = m->document.scenario().pulse;
+    QCOMPARE(pulseImpulse(m->document.scenario()), 90.0);
+    QCOMPARE(pulse.tablePoints[1].force, 600e3);
+    QCOMPARE(pulse.tablePoints[1].time, 50e-6);
+    // In the form that files have for it: points of the scenario itself.
+    QVERIFY(pulse.tableFile.empty());
+    QVERIFY(m->document.text().contains("points:"));
+    m->document.undoStack().undo();
+    QCOMPARE(impulse.value(), measured);
+    QVERIFY(!m->document.scenario().pulse.tableFile.empty());
 }
 
 void TestScenarioPanel::foldedSectionsStayFolded() {

@@ -5,7 +5,9 @@
 
 #include "ui/plot/axis_view.h"
 #include "ui/plot/curve_clip.h"
+#include "ui/plot/curve_graph.h"
 #include "ui/plot/curve_reading.h"
+#include "ui/plot/view_statistics.h"
 
 using namespace drillwave;
 
@@ -33,6 +35,8 @@ class TestCurveReading : public QObject {
     void exactFunctionsGoBeforeChords();
     void unitsScaleSlopeAndIntegral();
     void theMeanIsOverWhatThereIsOfTheCurve();
+    void extremesAreThoseOfThePartInView();
+    void crowdedPointsAreThinnedToTheirExtremes();
     void linesAreCutAtTheEdges();
     void linesAreCutOnLogarithmicAxes();
     void rangesStayUsable_data();
@@ -106,6 +110,41 @@ void TestCurveReading::theMeanIsOverWhatThereIsOfTheCurve() {
     QVERIFY(std::isnan(readCurve(points, {}, 0, 9).yA));
     QCOMPARE(readCurve(points, {}, 2, 2).mean, 2.0);
     QVERIFY(std::isnan(readCurve(points, {}, 2, 2).slope));
+}
+
+void TestCurveReading::extremesAreThoseOfThePartInView() {
+    const QCPGraphDataContainer points = pointsOf(jumping);
+    const ViewStatistics all = viewStatistics(points, {}, {-1, 9});
+    QCOMPARE(all.begin, 0.0);
+    QCOMPARE(all.end, 5.0);
+    QCOMPARE(all.least, -1.0);
+    QCOMPARE(all.leastAt, 2.0);
+    QCOMPARE(all.largest, 4.0);
+    QCOMPARE(all.integral, 1.0);
+    QCOMPARE(all.mean, 0.2);
+    // Between two points of a rising line the ends of the view are the extremes.
+    const ViewStatistics part = viewStatistics(points, {}, {0.5, 1.5});
+    QCOMPARE(part.least, 1.0);
+    QCOMPARE(part.largest, 3.0);
+    QCOMPARE(part.largestAt, 1.5);
+    QCOMPARE(part.mean, 2.0);
+    QVERIFY(std::isnan(viewStatistics(points, {}, {6, 7}).least));
+    QVERIFY(std::isnan(viewStatistics({}, {}, {0, 1}).mean));
+}
+
+void TestCurveReading::crowdedPointsAreThinnedToTheirExtremes() {
+    QVector<QPointF> line;
+    for (int i = 0; i < 1000; ++i)
+        line.append({10 + i * 1e-4, i == 300 ? 7.0 : i == 600 ? -7.0 : 0.1 * (i % 3)});
+    line.append({12, 1});
+    const QVector<QPointF> thinned = thinnedLine(line, 1);
+    QCOMPARE(thinned, (QVector<QPointF>{line[0], line[300], line[600], line[999], line[1000]}));
+    // A gap stays, and points that can be told apart do.
+    const double none = std::nan("");
+    const QVector<QPointF> apart{{0, 0}, {1, 1}, {2, none}, {3, 0}, {4, 1}};
+    QCOMPARE(thinnedLine(apart, 1).size(), apart.size());
+    QVERIFY(std::isnan(thinnedLine(apart, 1)[2].y()));
+    QVERIFY(thinnedLine({}, 1).isEmpty());
 }
 
 void TestCurveReading::linesAreCutAtTheEdges() {

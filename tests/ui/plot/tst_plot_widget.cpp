@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mouse, keys, cursors, legend and drawings of a plot.
+#include <QAbstractButton>
 #include <QAction>
 #include <QClipboard>
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QGuiApplication>
 #include <QImage>
-#include <QLabel>
 #include <QMenu>
 #include <QMimeData>
 #include <QSignalSpy>
@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plot/curve_graph.h"
 #include "ui/plot/plot_menu.h"
 #include "ui/plot/plot_widget.h"
 
@@ -73,7 +74,7 @@ struct Scene {
     }
     QCPGraph* addGraph(int rect, const QString& name) {
         QCPAxisRect* on = rect == 0 ? upper : lower;
-        QCPGraph* graph = plot.addGraph(x(on), y(on));
+        QCPGraph* graph = addCurve(x(on), y(on));
         graph->setName(name);
         graph->addToLegend(legends[rect]);
         CurveMeaning meaning;
@@ -152,9 +153,14 @@ class TestPlotWidget : public QObject {
     void cursorsAreDraggedWithoutDrawingTheCurvesAgain();
     void aClickOnACurveHasItRead();
     void exactIntegralsComeFromTheMeaning();
-    void theStripSaysWhatItReads();
+    void theTableSaysWhatItReads();
     void newDataAreReadAtTheSameCursors();
-    void cursorsGoAwayWithTheirStrip();
+    void cursorsComeAndGoWithoutMovingThePlot();
+    void withoutCursorsTheTableReadsWhatIsInView();
+    void aCursorTakesTheCurveUnderThePointer();
+    void theTableIsCopiedWithAllDigits();
+    void theTableCanBeHidden();
+    void linesAreAsThickWhereManyPointsMeet();
     void theTimeCursorIsDraggedAndTold();
     void theNearestPointIsReadUnderThePointer();
     void hoveringOverAMillionPointsIsQuick();
@@ -382,18 +388,26 @@ void TestPlotWidget::exactIntegralsComeFromTheMeaning() {
     QCOMPARE(m->plot.reader().reading()->integral, 0.243);
 }
 
-void TestPlotWidget::theStripSaysWhatItReads() {
+void TestPlotWidget::theTableSaysWhatItReads() {
+    m->y(m->lower)->setLabel(QStringLiteral("F [kN]"));
     m->plot.reader().setGraph(m->step);
     m->plot.reader().place(PlotCursor::a, 1);
     m->plot.reader().place(PlotCursor::b, 5.5);
     const QString text = m->plot.reader().text().replace(QChar(QChar::Nbsp), QLatin1Char(' '));
-    QCOMPARE(text, QStringLiteral("A: 1 ms · y(A) 1 kN · B: 5.5 ms · y(B) 3 kN · Δx 4.5 ms · Δy 2 kN · "
-                                  "slope 0.444444 kN/ms · mean 1.66667 kN · integral 7.5 N s"));
-    auto* label = m->plot.findChild<QLabel*>(QStringLiteral("cursorReadout"));
-    QVERIFY(label->accessibleName().contains(m->plot.reader().text()));
-    QVERIFY(label->isVisible());
-    // The strip covers nothing of the plot.
-    QVERIFY(m->plot.viewport().bottom() < label->mapTo(&m->plot, QPoint()).y());
+    QCOMPARE(text, QStringLiteral("time t at A 1 ms · F at A 1 kN · time t at B 5.5 ms · F at B 3 kN · "
+                                  "time t from A to B 4.5 ms · F from A to B 2 kN · mean 1.66667 kN · "
+                                  "slope 0.444444 kN/ms · integral 7.5 N s"));
+    auto* bar = m->plot.findChild<QWidget*>(QStringLiteral("cursorReadout"));
+    QVERIFY(bar->accessibleName().contains(m->plot.reader().text()));
+    QVERIFY(bar->isVisible());
+    // The table covers nothing of the plot, and nothing in it covers anything else.
+    QVERIFY(m->plot.viewport().bottom() < bar->mapTo(&m->plot, QPoint()).y());
+    const QList<QWidget*> cells = bar->findChildren<QWidget*>(Qt::FindDirectChildrenOnly);
+    for (const QWidget* cell : cells) {
+        QVERIFY(bar->rect().contains(cell->geometry()));
+        for (const QWidget* other : cells)
+            QVERIFY(cell == other || !cell->geometry().intersects(other->geometry()));
+    }
 }
 
 void TestPlotWidget::newDataAreReadAtTheSameCursors() {
@@ -405,14 +419,99 @@ void TestPlotWidget::newDataAreReadAtTheSameCursors() {
         m->plot.reader().text().contains(QStringLiteral("mean") + QChar(QChar::Nbsp) + QStringLiteral("5")));
 }
 
-void TestPlotWidget::cursorsGoAwayWithTheirStrip() {
-    const QRect whole = m->plot.viewport();
-    m->plot.reader().place(PlotCursor::a, 1);
-    QVERIFY(m->plot.viewport().height() < whole.height());
+void TestPlotWidget::cursorsComeAndGoWithoutMovingThePlot() {
+    m->plot.replot();
+    const QRect place = m->plot.viewport();
+    QVERIFY(place.height() < m->plot.height());
+    for (const double width : {0.5, 1.23456789e-5}) {
+        m->plot.reader().place(PlotCursor::a, 1);
+        QCOMPARE(m->plot.viewport(), place);
+        m->plot.reader().place(PlotCursor::b, 1 + width);
+        QCOMPARE(m->plot.viewport(), place);
+    }
     m->action(QStringLiteral("Remove cursors"))->trigger();
     QVERIFY(!m->plot.reader().position(PlotCursor::a));
-    QCOMPARE(m->plot.viewport(), whole);
+    QCOMPARE(m->plot.viewport(), place);
+}
+
+void TestPlotWidget::withoutCursorsTheTableReadsWhatIsInView() {
+    m->plot.reader().setGraph(m->step);
+    m->x(m->lower)->setRange(2, 12);
+    m->plot.replot();
+    const QString text = m->plot.reader().text().replace(QChar(QChar::Nbsp), QLatin1Char(' '));
+    QVERIFY2(text.contains(QStringLiteral("least y in view 1 kN")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("largest y in view 3 kN · time t of the largest 4 ms")),
+             qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("mean in view 2.5 kN")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("integral in view 20 N s")), qPrintable(text));
+}
+
+void TestPlotWidget::aCursorTakesTheCurveUnderThePointer() {
+    const auto press = [this](PlotCursor cursor, QPoint at) { m->plot.mover().placeAt(cursor, at); };
+    press(PlotCursor::a, m->at(8, -1.6, true));
+    QCOMPARE(m->plot.reader().graph(), m->line);
+    // The other cursor reads the same curve, unless it is put to other axes.
+    press(PlotCursor::b, m->at(8, 3, true));
+    QCOMPARE(m->plot.reader().graph(), m->line);
+    press(PlotCursor::b, m->at(8, 64));
+    QCOMPARE(m->plot.reader().graph(), m->parabola);
+    m->plot.reader().clear();
+    // Far from any curve it is one of those axes.
+    press(PlotCursor::a, m->at(1, -2.9, true));
+    QCOMPARE(m->plot.reader().graph(), m->step);
+}
+
+void TestPlotWidget::theTableIsCopiedWithAllDigits() {
+    m->plot.setLocale(QLocale(QLocale::German));
+    m->plot.reader().setGraph(m->step);
+    m->plot.reader().place(PlotCursor::a, 1.123456789);
+    m->plot.reader().place(PlotCursor::b, 5.5);
+    m->plot.findChild<QAbstractButton*>(QStringLiteral("copyReadout"))->click();
+    const QString copied = QGuiApplication::clipboard()->text();
+    QVERIFY2(copied.startsWith(QStringLiteral("step\ntime t at A\t1.123456789\tms\n")), qPrintable(copied));
+    QCOMPARE(copied.count(QLatin1Char('\n')), 10);
+    QGuiApplication::clipboard()->clear();
+    m->action(QStringLiteral("Copy the table"))->trigger();
+    QCOMPARE(QGuiApplication::clipboard()->text(), copied);
+}
+
+void TestPlotWidget::theTableCanBeHidden() {
+    m->plot.reader().setTableShown(false);
+    QCOMPARE(m->plot.viewport(), m->plot.rect());
     QCOMPARE(m->plot.reader().text(), QString());
+    m->plot.reader().place(PlotCursor::a, 1);
+    QVERIFY(m->plot.viewport().height() < m->plot.height());
+}
+
+// Begins with the mechanism: the plot draws a solid line of many points piece by piece, each piece over the
+// end of the one before.
+void TestPlotWidget::linesAreAsThickWhereManyPointsMeet() {
+    QVERIFY(m->plot.plottingHints().testFlag(QCP::phFastPolylines));
+    for (QCPGraph* graph : {m->parabola, m->step, m->line}) graph->setVisible(false);
+    CurveGraph* few = addCurve(m->x(m->upper), m->y(m->upper));
+    CurveGraph* many = addCurve(m->x(m->lower), m->y(m->lower));
+    for (CurveGraph* each : {few, many}) each->setPen(QPen(Qt::black, 1.6));
+    m->y(m->upper)->setRange(-1, 1);
+    m->y(m->lower)->setRange(-1, 1);
+    few->setData({0, 10}, {0.3, 0.3}, true);
+    for (int i = 0; i <= 20000; ++i) many->addData(i * 5e-4, 0.3);
+    many->setAdaptiveSampling(false);
+    for (QCPAxisRect* rect : {m->upper, m->lower})
+        for (QCPAxis* axis : rect->axes()) axis->grid()->setVisible(false);
+    m->plot.replot();
+    const QImage image = m->plot.toPixmap().toImage();
+    const auto darkness = [&](QCPAxisRect* rect, double time) {
+        const int column = qRound(m->x(rect)->coordToPixel(time));
+        int sum = 0;
+        for (int row = rect->top() + 6; row < rect->bottom() - 6; ++row)
+            sum += 255 - qGray(image.pixel(column, row));
+        return sum;
+    };
+    for (const double time : {1.7, 5.1, 8.9}) {
+        QVERIFY(darkness(m->upper, time) > 255);
+        // The two lie differently between the rows of pixels: a tenth of a pixel.
+        QVERIFY(std::abs(darkness(m->upper, time) - darkness(m->lower, time)) <= 26);
+    }
 }
 
 void TestPlotWidget::theTimeCursorIsDraggedAndTold() {
@@ -437,7 +536,7 @@ void TestPlotWidget::theNearestPointIsReadUnderThePointer() {
     QVERIFY(lines[1].endsWith(QStringLiteral("ms")));
     // On the step's jump, where it has all values from 1 to 3.
     m->hover(m->at(4, 2, true) + QPoint(4, 0));
-    QVERIFY(m->plot.hoverText().startsWith(QStringLiteral("step\nx = 4")));
+    QVERIFY(m->plot.hoverText().startsWith(QStringLiteral("step\ntime t = 4")));
     m->hover(m->at(5, 100));
     QCOMPARE(m->plot.hoverText(), QString());
     m->plot.setCurveVisible(m->step, false);

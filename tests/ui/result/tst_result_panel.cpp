@@ -2,6 +2,7 @@
 // The result panel: energy, stresses, thrust, events, alerts.
 #include <QClipboard>
 #include <QLabel>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -246,6 +247,49 @@ class TestResultPanel : public QObject {
         QTest::keyClick(&table, Qt::Key_Down);
         QCOMPARE(chosen.count(), 3);
         QCOMPARE(*chosen.last().at(0).value<std::optional<double>>(), blow->impact.events[2].time);
+    }
+
+    // The keyboard passes on its way through the window.
+    void theTabKeyChoosesNoEvent() {
+        ResultPanel panel;
+        panel.present(solved(scenarioOf(0.5, 0.1, 10, 0.3)));
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowActive(&panel));
+        QTableView& table = eventsOf(panel);
+        QSignalSpy chosen(&panel, &ResultPanel::timeChosen);
+        table.setFocus(Qt::TabFocusReason);
+        QCoreApplication::processEvents();
+        QVERIFY(table.hasFocus());
+        QCOMPARE(chosen.count(), 0);
+        QVERIFY(!table.selectionModel()->hasSelection());
+        QTest::keyClick(&table, Qt::Key_Down);
+        QCOMPARE(chosen.count(), 1);
+    }
+
+    // A second at most in these plots, and the events of a blow that began after minutes.
+    void theEventsHaveAUnitInWhichTheyCanBeRead() {
+        Scenario late = drillOf(8e3);
+        late.bitRock.gap = 200;  // [m]
+        ResultPanel panel;
+        panel.present(solved(late, UnitSystem::si));
+        const QAbstractItemModel& events = *eventsOf(panel).model();
+        QVERIFY(events.rowCount() > 0);
+        QCOMPARE(events.headerData(0, Qt::Horizontal).toString(), QString("t [s]"));
+        QVERIFY(events.index(0, 0).data().toString().size() <= 6);
+    }
+
+    // Where there is one, its place is kept where there is none.
+    void theScrollBarTakesNoWidthFromTheNumbers() {
+        ResultPanel panel;
+        panel.present(solved(drillOf(8e3), UnitSystem::si));
+        panel.resize(320, 300);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QTRY_VERIFY(panel.verticalScrollBar()->isVisible());
+        const int width = panel.widget()->width();
+        panel.resize(320, 3000);
+        QTRY_VERIFY(!panel.verticalScrollBar()->isVisible());
+        QCOMPARE(panel.widget()->width(), width);
     }
 
     void thousandsOfEventsAreMarkedOneByOne() {

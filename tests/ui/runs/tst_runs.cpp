@@ -359,6 +359,7 @@ void TestRuns::differencesAreReadable() {
     QCOMPARE(percentText(relativeDifference(-1, 1)), QString("−200 %").replace(' ', QChar::Nbsp));
     QCOMPARE(percentText(relativeDifference(1, -2)), QString("+150 %").replace(' ', QChar::Nbsp));
     QCOMPARE(percentText(relativeDifference(2, 2)), QString("±0 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(percentText(relativeDifference(2.0001, 2)), QString("≈0 %").replace(' ', QChar::Nbsp));
     QCOMPARE(percentText(relativeDifference(30, 2)), QString("×15"));
     QCOMPARE(percentText(relativeDifference(30, 0)), QString());
     QCOMPARE(signedText(-0.25), QString("−0.25"));

@@ -2,6 +2,7 @@
 // Units of results and fields: readable prefixes, US units, and a unit for one kind of value.
 #include <QTest>
 
+#include "ui/text/number_text.h"
 #include "ui/text/shown_units.h"
 
 using namespace drillwave;
@@ -18,6 +19,7 @@ class TestShownUnits : public QObject {
     void fieldsHaveCustomaryUnits();
     void aUnitOfOneKindLeavesTheOthers();
     void theFactorLeadsFromTheGroupsToTheUnit();
+    void singleValuesAreReadWithAPrefixOfTheirOwn();
 };
 
 void TestShownUnits::everyKindHasItsUnitsInBothSystems() {
@@ -122,7 +124,31 @@ void TestShownUnits::theFactorLeadsFromTheGroupsToTheUnit() {
     QVERIFY(std::abs(us.force.factor * 4448.2216152605 / scales.force - 1) < 1e-14);
     QCOMPARE(us.length.unit, QString("ft"));
     QVERIFY(std::abs(us.length.factor * 0.3048 / scales.length - 1) < 1e-14);
-    QCOMPARE(us.time, shownUnits(UnitSystem::si, scales).time);
+    QCOMPARE(us.time.unit, shownUnits(UnitSystem::si, scales).time.unit);
+    QCOMPARE(us.time.factor, shownUnits(UnitSystem::si, scales).time.factor);
+}
+
+void TestShownUnits::singleValuesAreReadWithAPrefixOfTheirOwn() {
+    const Scales scales = scalesOf(Scenario());
+    const ShownUnits si = shownUnits(UnitSystem::si, scales);
+    const auto text = [](double value, const ShownUnit& unit, double scale) {
+        return quantityText(value / scale, unit, QLocale::c()).replace(QChar(QChar::Nbsp), ' ');
+    };
+    QCOMPARE(si.force.unit, QString("kN"));
+    QCOMPARE(text(36.06, si.force, scales.force), QString("36.06 N"));
+    QCOMPARE(text(-36.06, si.force, scales.force), QString("−36.06 N"));
+    QCOMPARE(text(187.3e3, si.force, scales.force), QString("187.3 kN"));
+    QCOMPARE(text(2.5e9, si.force, scales.force), QString("2.5 GN"));
+    QCOMPARE(text(0, si.force, scales.force), QString("0 kN"));
+    QCOMPARE(text(183.326, si.penetration, scales.penetration), QString("183.3 m"));
+    QCOMPARE(text(2.3e-6, si.penetration, scales.penetration), QString("2.3 µm"));
+    QCOMPARE(text(350e-9, si.time, scales.time), QString("350 ns"));
+    // A unit that was chosen stays, and what is dimensionless has no prefix.
+    const ShownUnits own =
+        shownUnits(UnitSystem::si, scales, {{UnitKind::force, findUnit(Quantity::force, "kN")}});
+    QCOMPARE(text(36.06, own.force, scales.force), QString("0.03606 kN"));
+    const ShownUnits plain = shownUnits(UnitSystem::dimensionless, scales);
+    QCOMPARE(text(0.003, plain.force, 1), QString("0.003 F₀"));
 }
 
 QTEST_APPLESS_MAIN(TestShownUnits)

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/plot/curve_graph.h"
+
 namespace drillwave {
 namespace {
 
@@ -138,7 +140,7 @@ void ProofPlot::setNumbersVisible(bool visible) {
 }
 
 void ProofPlot::addSeries(const ProofSeries& series, int index) {
-    QCPGraph* graph = m_plot->addGraph();
+    QCPGraph* graph = addCurve(m_plot->xAxis, m_plot->yAxis);
     graph->setName(series.name);
     graph->setAdaptiveSampling(false);
     graph->addToLegend();

@@ -17,8 +17,11 @@ std::function<double(double)> shownValue(const ShownUnits& units, const ShownUni
     };
 }
 
+const QString time = QStringLiteral("t");
+
 CurveMeaning momentumLike(const ShownUnits& units, std::function<double(double)> value) {
     CurveMeaning meaning;
+    meaning.xName = time;
     meaning.xUnit = units.time.unit;
     meaning.yUnit = units.impulse.unit;
     if (value) meaning.value = shownValue(units, units.impulse, std::move(value));
@@ -32,6 +35,7 @@ CurveMeaning momentumLike(const ShownUnits& units, std::function<double(double)>
 CurveMeaning forceLike(const ShownUnits& units, std::function<double(double)> value,
                        std::function<double(double)> impulse) {
     CurveMeaning meaning;
+    meaning.xName = time;
     meaning.xUnit = units.time.unit;
     meaning.yUnit = units.force.unit;
     meaning.integralUnit = units.impulse.unit;
@@ -56,6 +60,10 @@ CurveMeaning waveMeaning(const SolvedBlowPtr& blow, int number) {
 
 }  // namespace
 
+CurveMeaning forceMeaning(const ShownUnits& units) {
+    return forceLike(units, {}, {});
+}
+
 BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
     const ShownUnits& units = blow->units;
     BlowMeanings meanings;
@@ -70,7 +78,7 @@ BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
     meanings.force = forceLike(
         units, [blow](double t) { return WaveField(blow->impact).impactForce(t); },
         [blow](double t) { return WaveField(blow->impact).impactImpulse(t); });
-    meanings.closedForm = forceLike(units, {}, {});
+    meanings.closedForm = forceMeaning(units);
     meanings.impulse =
         momentumLike(units, [blow](double t) { return WaveField(blow->impact).impactImpulse(t); });
     meanings.momentum =

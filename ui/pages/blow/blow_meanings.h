@@ -23,6 +23,9 @@ struct BlowMeanings {
     CurveMeaning momentum;
 };
 
+/// Of a force over time that is known by its points alone.
+CurveMeaning forceMeaning(const ShownUnits& units);
+
 /// Requires a solved blow with its curves.
 BlowMeanings blowMeanings(const SolvedBlowPtr& blow);
 

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/wave/field/rod_state.h"
 #include "ui/pages/blow/blow_meanings.h"
@@ -83,11 +84,23 @@ QHBoxLayout* BlowPage::makeBar() {
 }
 
 PreparePage BlowPage::prepare() const {
-    return [section = m_observation.section()](const SolvedBlow& blow) {
-        BlowCurves curves = blowCurves(blow.impact, blow.solved.hammer, blow.units, section);
-        curves.closedForm = closedFormCurve(blow.solved, blow.units, curves.timeEnd);
-        return PageData::of(std::move(curves));
-    };
+    const auto* shown = m_blow ? m_blow->page<BlowCurves>() : nullptr;
+    std::vector<RunOverlay<BlowCurves>> made;
+    if (shown && shown->section == m_observation.section()) made = shown->runs;
+    return
+        [section = m_observation.section(), runs = m_runs, made = std::move(made)](const SolvedBlow& blow) {
+            BlowCurves curves = blowCurves(blow.impact, blow.solved.hammer, blow.units, section);
+            curves.runs = runOverlays(*runs, blow, made, [=](const SolvedBlow& run, const ShownUnits& units) {
+                return blowCurves(run.impact, run.solved.hammer, units, section);
+            });
+            curves.closedForm = closedFormCurve(blow.solved, blow.units, curves.timeEnd);
+            return PageData::of(std::move(curves));
+        };
+}
+
+void BlowPage::setRuns(const RunListPtr& runs) {
+    m_runs = runs;
+    emit needsChanged();
 }
 
 void BlowPage::showSection() {
@@ -108,10 +121,9 @@ void BlowPage::showPlace() {
 void BlowPage::showInstant() {
     const std::optional<double> time = m_observation.time();
     const bool known = time && m_blow && m_blow->problem.isEmpty();
-    m_instant->setVisible(known);
     m_plot->reader().place(PlotCursor::time,
                            known ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
-    if (!known) return;
+    if (!known) return m_instant->setText(tr("No time chosen: click an event, or press T over the plots."));
     const RodState instant = rodState(m_blow->impact, m_blow->solved.hammer, m_observation.section(), *time);
     const ShownUnits& units = m_blow->units;
     const QLocale locale;
@@ -152,6 +164,10 @@ void BlowPage::carryCursors() {
 
 void BlowPage::setMeanings() {
     BlowMeanings meanings = blowMeanings(m_blow);
+    CurveMeaning ofRuns;
+    ofRuns.xUnit = meanings.force.xUnit;
+    ofRuns.yUnit = meanings.force.yUnit;
+    for (QCPGraph* run : m_plots->forcesOfRuns()) m_plot->setMeaning(run, ofRuns);
     for (int i = 0; i < BlowCurves::waveCount; ++i)
         m_plot->setMeaning(m_plots->waveGraph(i), std::move(meanings.waves[static_cast<std::size_t>(i)]));
     for (std::size_t i = 0; i < meanings.laterWaves.size(); ++i)
@@ -182,8 +198,8 @@ void BlowPage::showMeasured() {
     m_measuredCurves->present(m_measured->signalList(), *m_blow);
     m_measuredBar->setStyle(PlotStyle::forScreen(palette(), font()));
     m_measuredBar->setComparable(isComparable(*m_blow) || !m_blow->problem.isEmpty());
-    const CurveMeaning meaning = blowMeanings(m_blow).closedForm;
-    for (const QCPGraph* graph : m_measuredCurves->graphs()) m_plot->setMeaning(graph, meaning);
+    for (const QCPGraph* graph : m_measuredCurves->graphs())
+        m_plot->setMeaning(graph, forceMeaning(m_blow->units));
 }
 
 void BlowPage::goToPlace(double x) {
@@ -196,8 +212,19 @@ void BlowPage::setGhost(const SolvedBlowPtr& before) {
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
+// As many lines as the longest readings need at this width: the plots below stand still whatever it says.
+void BlowPage::reserveInstant() {
+    const QString longest =
+        QStringLiteral("t = %1 · N = %1 · F = %1 · I = %1 · p = %1").arg(QStringLiteral("−888.8 kN s"));
+    const QMargins margins = m_instant->contentsMargins();
+    const QRect room(0, 0, std::max(1, width() - margins.left() - margins.right()), height());
+    const int text = m_instant->fontMetrics().boundingRect(room, Qt::TextWordWrap, longest).height();
+    m_instant->setFixedHeight(text + margins.top() + margins.bottom());
+}
+
 void BlowPage::resizeEvent(QResizeEvent* event) {
     PlotPage::resizeEvent(event);
+    reserveInstant();
     m_hint->setText(width() > hintChars * fontMetrics().averageCharWidth()
                         ? tr("wheel zooms · drag moves · double-click fits")
                         : QString());

@@ -27,6 +27,7 @@ class BlowPage : public PlotPage {
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;
+    void setRuns(const RunListPtr& runs) override;
 
     /// Lays measured signals over the curves. Once; the list must outlive the page.
     void follow(MeasuredList& measured);
@@ -41,6 +42,7 @@ class BlowPage : public PlotPage {
     QHBoxLayout* makeBar();
     void showSection();
     void showPlace();
+    void reserveInstant();
     void showInstant();
     void setMeanings();
     void carryCursors();
@@ -58,6 +60,7 @@ class BlowPage : public PlotPage {
     MeasuredCurves* m_measuredCurves;
     MeasuredBar* m_measuredBar = nullptr;
     SolvedBlowPtr m_blow;
+    RunListPtr m_runs = std::make_shared<const RunList>();
     ShownUnit m_cursorUnit;  // of cursors A and B
 };
 

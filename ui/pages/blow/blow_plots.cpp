@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/plot/curve_graph.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -134,12 +135,13 @@ void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGr
     m_plot->plotLayout()->setRowStretchFactor(row, 1e-3);
 
     for (const QString& name : names) {
-        QCPGraph* graph =
-            m_plot->addGraph(added.rect->axis(QCPAxis::atBottom), added.rect->axis(QCPAxis::atLeft));
+        QCPGraph* graph = addCurve(added.rect->axis(QCPAxis::atBottom), added.rect->axis(QCPAxis::atLeft));
         graph->setName(name);
         graph->addToLegend(added.legend);
         added.graphs.append(graph);
     }
+    added.runs = new RunGraphs(added.rect->axis(QCPAxis::atBottom), added.rect->axis(QCPAxis::atLeft),
+                               index == force ? added.legend : nullptr);
 }
 
 void BlowPlots::linkTimeAxes() {
@@ -155,7 +157,9 @@ void BlowPlots::linkTimeAxes() {
 
 void BlowPlots::present(const BlowCurves& curves) {
     const bool unitsChanged = !sameUnits(m_curves.units, curves.units);
+    const bool hasOtherRuns = m_curves.runs != curves.runs;
     m_curves = curves;
+    if (hasOtherRuns) showRuns();
     if (unitsChanged) setGhost(nullptr);
     setData(*sectionForceGraph(), curves.sectionForce);
     for (std::size_t i = 0; i < curves.waves.size(); ++i)
@@ -187,6 +191,21 @@ void BlowPlots::showWhereThere(std::size_t index, QCPGraph& graph, const GraphDa
         m_style.applyTo(*legend);
 }
 
+// All but the waves, which would be too many to be told apart.
+void BlowPlots::showRuns() {
+    QVector<RunCurve> forces, impulses, momenta;
+    m_runsEnd = 0;
+    for (const RunOverlay<BlowCurves>& run : m_curves.runs) {
+        forces.append({run.number, run.title, run.curves->force});
+        impulses.append({run.number, run.title, run.curves->impulse});
+        momenta.append({run.number, run.title, run.curves->momentum});
+        m_runsEnd = std::max(m_runsEnd, run.curves->timeEnd);
+    }
+    m_plots[force].runs->present(forces);
+    m_plots[impulse].runs->present(impulses);
+    m_plots[momentumOfRod].runs->present(momenta);
+}
+
 void BlowPlots::setGhost(const BlowCurves* before) {
     for (Plot& plot : m_plots) {
         for (QCPGraph* ghost : std::as_const(plot.ghosts)) m_plot->removeGraph(ghost);
@@ -206,7 +225,7 @@ void BlowPlots::setGhost(const BlowCurves* before) {
 
 void BlowPlots::addGhost(std::size_t index, int kind, const GraphData& data) {
     Plot& plot = m_plots[index];
-    QCPGraph* ghost = m_plot->addGraph(plot.rect->axis(QCPAxis::atBottom), plot.rect->axis(QCPAxis::atLeft));
+    QCPGraph* ghost = addCurve(plot.rect->axis(QCPAxis::atBottom), plot.rect->axis(QCPAxis::atLeft));
     ghost->setLayer(ghostLayer(*m_plot));
     ghost->setSelectable(QCP::stNone);
     ghost->setPen(m_style.ghostPen(kind));
@@ -216,8 +235,7 @@ void BlowPlots::addGhost(std::size_t index, int kind, const GraphData& data) {
 
 QCPGraph* BlowPlots::addOverlay(Kind kind, const QString& name) {
     Plot& plot = m_plots[kind == Kind::waves ? waves : force];
-    QCPGraph* overlay =
-        m_plot->addGraph(plot.rect->axis(QCPAxis::atBottom), plot.rect->axis(QCPAxis::atLeft));
+    QCPGraph* overlay = addCurve(plot.rect->axis(QCPAxis::atBottom), plot.rect->axis(QCPAxis::atLeft));
     overlay->setName(name);
     overlay->addToLegend(plot.legend);
     m_style.applyTo(*plot.legend);
@@ -238,6 +256,8 @@ void BlowPlots::fitUnlessZoomed() {
 void BlowPlots::showNothing(const QString& message) {
     for (const Plot& plot : m_plots)
         for (QCPGraph* graph : plot.graphs) graph->setData(GraphData::create());
+    m_curves.runs.clear();
+    showRuns();
     m_message->show(message);
     m_summary = message;
 }
@@ -289,6 +309,7 @@ void BlowPlots::setStyle(const PlotStyle& style) {
         for (int i = 0; i < plot.graphs.size(); ++i)
             plot.graphs[i]->setPen(isWaves ? wavePen(style, i) : style.linePen(i));
         for (int i = 0; i < plot.ghosts.size(); ++i) plot.ghosts[i]->setPen(style.ghostPen(i));
+        plot.runs->setStyle(style);
     }
     if (m_curves.force) setLabels();  // files have another locale
     m_message->setStyle(style);
@@ -296,9 +317,12 @@ void BlowPlots::setStyle(const PlotStyle& style) {
 
 void BlowPlots::fit() {
     m_view->fit([this] {
-        m_plots[waves].rect->axis(QCPAxis::atBottom)->setRange(0, std::max(m_timeEnd, m_ghostEnd));
+        m_plots[waves]
+            .rect->axis(QCPAxis::atBottom)
+            ->setRange(0, std::max({m_timeEnd, m_ghostEnd, m_runsEnd}));
         for (const Plot& plot : m_plots)
-            plot.rect->axis(QCPAxis::atLeft)->setRange(valueRange(plot.graphs + plot.ghosts + plot.overlays));
+            plot.rect->axis(QCPAxis::atLeft)
+                ->setRange(valueRange(plot.graphs + plot.ghosts + plot.overlays + plot.runs->graphs()));
     });
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "ui/pages/blow/blow_curves.h"
+#include "ui/pages/run_graphs.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_style.h"
@@ -50,6 +51,8 @@ class BlowPlots : public QObject {
     QCPGraph* forceGraph() const { return m_plots[1].graphs.first(); }
     /// In its legend only while the closed form holds.
     QCPGraph* closedFormGraph() const { return m_plots[1].graphs.last(); }
+    /// Of the pinned runs, in the legend of the force.
+    const QVector<QCPGraph*>& forcesOfRuns() const { return m_plots[1].runs->graphs(); }
     QCPGraph* impulseGraph() const { return m_plots[2].graphs.first(); }
     QCPGraph* momentumGraph() const { return m_plots[3].graphs.first(); }
 
@@ -61,12 +64,14 @@ class BlowPlots : public QObject {
         QVector<QCPGraph*> graphs;
         QVector<QCPGraph*> ghosts;
         QVector<QCPGraph*> overlays;
+        RunGraphs* runs = nullptr;
     };
     void addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins);
     void linkTimeAxes();
     void showClosedForm();
     /// In a legend only while it has data: nothing to be hidden or shown otherwise.
     void showWhereThere(std::size_t index, QCPGraph& graph, const GraphData& data);
+    void showRuns();
     void addGhost(std::size_t index, int kind, const GraphData& data);
     void setLabels();
     void summarize();
@@ -78,6 +83,7 @@ class BlowPlots : public QObject {
     BlowCurves m_curves;
     double m_timeEnd = 1;
     double m_ghostEnd = 0;
+    double m_runsEnd = 0;
     FittedView* m_view;
     QString m_summary;
 };

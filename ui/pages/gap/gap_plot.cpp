@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/text/units.h"
+#include "ui/plot/curve_graph.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -46,7 +47,7 @@ GapPlot::GapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
     addRects();
     linkAxes();
     addLines();
-    m_graph = plot->addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+    m_graph = addCurve(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_graph->setAdaptiveSampling(false);
     m_shares = new QCPCurve(m_beside->axis(QCPAxis::atBottom), m_beside->axis(QCPAxis::atLeft));
     m_shares->setName(tr("share in a band"));
@@ -58,6 +59,8 @@ GapPlot::GapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
         curve->addToLegend(m_legend);
     m_marks = new CurveMarks(m_graph);
     m_here = new HereMark(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+    m_runs = new RunGraphs(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft), m_legend);
+    m_runMarks = new RunMarks(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_message = new PlotMessage(plot);
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
     connect(plot, &QCustomPlot::afterLayout, this, &GapPlot::placeBands);
@@ -198,6 +201,8 @@ void GapPlot::showNothing(const QString& message) {
     m_graph->data()->clear();
     m_shares->data()->clear();
     m_below->data()->clear();
+    m_runs->present({});
+    m_runMarks->present({});
     m_marks->clear();
     m_here->setPlace({}, {});
     m_caption->setText({});
@@ -211,6 +216,12 @@ void GapPlot::setHere(const std::optional<QPointF>& place) {
         m_here->setPlace(place->x(), place->y());
     else
         m_here->setPlace({}, {});
+}
+
+void GapPlot::setRuns(const QVector<RunCurve>& curves, const QVector<RunMark>& marks) {
+    m_runs->present(curves);
+    m_runMarks->present(marks);
+    if (m_view->isFitted()) fit();
 }
 
 // 5 %, mean and 95 %, through both rects.
@@ -305,6 +316,8 @@ void GapPlot::setStyle(const PlotStyle& style) {
     for (QCPItemText* name : m_lineNames) name->setBrush(behind);
     m_marks->setStyle(style);
     m_here->setStyle(style);
+    m_runs->setStyle(style);
+    m_runMarks->setStyle(style);
     if (!m_picture.curve) return;
     showSpread();  // files have another locale
     m_marks->present(m_picture.marks, m_picture.gap, m_picture.value);
@@ -317,6 +330,11 @@ void GapPlot::fit() {
         bool found = false;
         QCPRange values = m_graph->getValueRange(found);
         if (!found) values = {0, 1};
+        for (QCPGraph* run : m_runs->graphs()) {
+            bool isThere = false;
+            const QCPRange range = run->getValueRange(isThere);
+            if (isThere) values.expand(range);
+        }
         const double size = std::max(values.size(), 0.02 * std::abs(values.upper));
         // Where super rebound begins, if that is not far off.
         const bool isNear = values.upper > 1 - size && values.lower < 1 + size;

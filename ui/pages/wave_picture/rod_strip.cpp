@@ -23,10 +23,7 @@ constexpr int enoughForOneLine = 640;
 
 RodStrip::RodStrip(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setAccessibleName(tr("The rod at the time cursor, coloured by its stress"));
-    setToolTip(
-        tr("The rod at the time cursor: hammer, rod, bit and rock. Blue is compressed, orange is in "
-           "tension."));
+    nameColours();
     m_colours = ColourScale::forBackground(palette().color(QPalette::Base));
 }
 
@@ -43,6 +40,7 @@ void RodStrip::resizeEvent(QResizeEvent* event) {
 
 void RodStrip::setBlow(const SolvedBlowPtr& blow) {
     m_blow = blow;
+    nameColours();
     compute();
     setAccessibleDescription(stateText());
 }
@@ -61,17 +59,29 @@ void RodStrip::setRodEnds(int left, int right) {
     compute();
 }
 
+void RodStrip::nameColours() {
+    const bool isForce = !m_blow || picture().raster.quantity == WaveQuantity::force;
+    setAccessibleName(isForce ? tr("The rod at the time cursor, coloured by its stress")
+                              : tr("The rod at the time cursor, coloured by its velocity"));
+    setToolTip(
+        isForce ? tr("The rod at the time cursor: hammer, rod, bit and rock. Blue is compressed, orange is "
+                     "in tension.")
+                : tr("The rod at the time cursor: hammer, rod, bit and rock. Orange moves towards the rock, "
+                     "blue away from it; as on the colour bar above."));
+}
+
 QRect RodStrip::rodRect() const {
     const int right = m_right > 0 ? m_right : width() - rockWidth - mostGapShown - bitWidth - margin;
     return {m_left, 2 * margin, std::max(1, right - m_left), rodHeight};
 }
 
 void RodStrip::compute() {
-    m_force.clear();
+    m_values.clear();
     if (m_blow) {
         const int columns =
             std::max(1, static_cast<int>(std::lround(rodRect().width() * devicePixelRatioF())));
-        m_force = waveRaster(m_blow->impact, WaveQuantity::force, {0, 1, columns, m_time, m_time, 1}).values;
+        m_values =
+            waveRaster(m_blow->impact, picture().raster.quantity, {0, 1, columns, m_time, m_time, 1}).values;
     }
     update();
 }
@@ -90,13 +100,15 @@ QString RodStrip::stateText() const {
                           : bit.gap > 0 ? tr("apart, gap %1").arg(text(bit.gap, depth))
                                         : tr("bit at the rock, no force");
     float least = 0, most = 0;
-    for (const float value : m_force) {
+    for (const float value : m_values) {
         least = std::min(least, value);
         most = std::max(most, value);
     }
-    return tr("t = %1 · %2 · stress %3 … %4")
-        .arg(timeText(m_time, picture().interesting, units.time, locale()), state,
-             text(double(least), units.stress), text(double(most), units.stress));
+    const bool isForce = picture().raster.quantity == WaveQuantity::force;
+    const ShownUnit& unit = isForce ? units.stress : units.velocity;
+    return (isForce ? tr("t = %1 · %2 · stress %3 … %4") : tr("t = %1 · %2 · velocity %3 … %4"))
+        .arg(timeText(m_time, picture().interesting, units.time, locale()), state, text(double(least), unit),
+             text(double(most), unit));
 }
 
 void RodStrip::paintEvent(QPaintEvent*) {
@@ -114,10 +126,10 @@ void RodStrip::paintEvent(QPaintEvent*) {
 }
 
 void RodStrip::paintRod(QPainter& painter, const QRect& rod) const {
-    if (!m_force.empty()) {
-        QImage line(static_cast<int>(m_force.size()), 1, QImage::Format_RGB32);
-        const double scale = 1 / picture().forceLimit;
-        std::transform(m_force.begin(), m_force.end(), reinterpret_cast<QRgb*>(line.scanLine(0)),
+    if (!m_values.empty()) {
+        QImage line(static_cast<int>(m_values.size()), 1, QImage::Format_RGB32);
+        const double scale = 1 / picture().limit;
+        std::transform(m_values.begin(), m_values.end(), reinterpret_cast<QRgb*>(line.scanLine(0)),
                        [&](float value) { return m_colours.colour(value * scale); });
         painter.drawImage(rod, line);
     }

@@ -10,8 +10,8 @@
 
 namespace drillwave {
 
-/// Hammer, rod, bit and rock from left to right, and the state of the bit in words. Redrawn for every step of
-/// a playing blow: a fraction of a millisecond.
+/// Hammer, rod, bit and rock from left to right, the rod in the colours of the picture above, and the state
+/// of the bit in words. Redrawn for every step of a playing blow: a fraction of a millisecond.
 class RodStrip : public QWidget {
     Q_OBJECT
 
@@ -25,7 +25,8 @@ class RodStrip : public QWidget {
     double time() const { return m_time; }
     /// Where the rod begins and ends [px from the left], to be in line with a picture above.
     void setRodEnds(int left, int right);
-    /// "t = 0.52 ms: contact, penetration 0.8 mm, force 120 kN; stress −45 … 12 MPa".
+    /// "t = 0.52 ms: contact, penetration 0.8 mm, force 120 kN; stress −45 … 12 MPa", or the
+    /// velocity where the picture shows that.
     QString stateText() const;
 
     QSize sizeHint() const override;
@@ -38,6 +39,7 @@ class RodStrip : public QWidget {
 
   private:
     const WavePicture& picture() const { return *m_blow->page<WavePicture>(); }
+    void nameColours();
     void compute();
     QRect rodRect() const;
     void paintRod(QPainter& painter, const QRect& rod) const;
@@ -48,7 +50,7 @@ class RodStrip : public QWidget {
     double m_time = 0;
     int m_left = 64, m_right = -1;
     ColourScale m_colours = ColourScale::onLight();
-    std::vector<float> m_force;  // N/F0 at the pixels of the rod
+    std::vector<float> m_values;  // of the field of the picture at the pixels of the rod
 };
 
 }  // namespace drillwave

@@ -44,6 +44,17 @@ PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units) {
     return {units.length, units.time, units.force, velocity, units.stress};
 }
 
+// Single precision of the raster is no value beyond the colours.
+constexpr double roundingOfRaster = 1e-6;
+
+bool isClippedBelow(const WavePicture& picture) {
+    return double(picture.least) < -picture.limit * (1 + roundingOfRaster);
+}
+
+bool isClippedAbove(const WavePicture& picture) {
+    return double(picture.largest) > picture.limit * (1 + roundingOfRaster);
+}
+
 QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QLocale& locale) {
     const double largest = std::max(std::abs(span.begin), std::abs(span.end));
     const double resolved = std::log10(largest / (span.end - span.begin));
@@ -55,18 +66,20 @@ QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QL
 }
 
 WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,
-                        const ShownUnits& units, const WavePictureNeed& need) {
+                        const ShownUnits& units, const WavePictureNeed& need, double largestForce) {
     WavePicture picture;
     picture.need = need;
     picture.units = pictureUnits(scenario, units);
     picture.interesting = interestingTime(impact, pulse);
-    picture.forceLimit = largestMagnitude(impact, WaveQuantity::force, picture.interesting);
-    picture.limit = need.field == WaveQuantity::force
-                        ? picture.forceLimit
-                        : largestMagnitude(impact, need.field, picture.interesting);
+    picture.limit = largestMagnitude(impact, need.field, picture.interesting);
+    if (need.field == WaveQuantity::force) picture.limit = std::max(picture.limit, largestForce);
     picture.fronts = pulseFronts(pulse);
     picture.contacts = contactIntervals(impact);
     picture.raster = waveRaster(impact, need.field, gridOf(need, need.time.value_or(picture.interesting)));
+    for (const float value : picture.raster.values) {
+        picture.least = std::min(picture.least, value);
+        picture.largest = std::max(picture.largest, value);
+    }
     return picture;
 }
 

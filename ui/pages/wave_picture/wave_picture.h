@@ -44,12 +44,17 @@ struct WavePicture {
     WavePictureNeed need;  ///< that it meets
     PictureUnits units;
     WaveRaster raster;
-    TimeSpan interesting;        ///< interestingTime()
-    double limit = 1;            ///< largest magnitude of the field in that time
-    double forceLimit = 1;       ///< that of the force
+    TimeSpan interesting;  ///< interestingTime()
+    double limit = 1;      ///< largest magnitude of the field in that time; the colours end there
+    float least = 0;       ///< of the field in the raster
+    float largest = 0;
     std::vector<double> fronts;  ///< pulseFronts()
     std::vector<ContactInterval> contacts;
 };
+
+/// Whether there are values in view beyond the colours, below or above: they look like those at the ends.
+bool isClippedBelow(const WavePicture& picture);
+bool isClippedAbove(const WavePicture& picture);
 
 /// A time with as many digits as tell the instants of a span apart: "10000005.3 t₀", four at least.
 QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QLocale& locale);
@@ -57,8 +62,9 @@ QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QL
 /// A raster has no more cells than this: larger needs are met more coarsely.
 inline constexpr int mostPictureCells = 4'000'000;
 
-/// Requires an impact solved with Detail::histories.
+/// Requires an impact solved with Detail::histories. `largestForce` [F0]: one that is known to come up while
+/// the blow lasts, 0 where none is.
 WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,
-                        const ShownUnits& units, const WavePictureNeed& need);
+                        const ShownUnits& units, const WavePictureNeed& need, double largestForce = 0);
 
 }  // namespace drillwave

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/wave/field/wave_field.h"
 #include "ui/pages/section_field.h"
@@ -24,6 +25,12 @@ namespace {
 const QString fieldKey = QStringLiteral("wavePicture/field");
 const QString frontsKey = QStringLiteral("wavePicture/fronts");
 const QString velocityName = QStringLiteral("velocity");
+
+// Of the result panel, while the blow lasts: the colours go as far.
+double largestForce(const SolvedBlow& blow) {
+    if (!blow.summary.rodForces) return 0;
+    return std::max(blow.summary.rodForces->compression.size, blow.summary.rodForces->tension.size);
+}
 
 }  // namespace
 
@@ -132,8 +139,8 @@ void WavePicturePage::wire() {
 
 PreparePage WavePicturePage::prepare() const {
     return [need = m_picture->need()](const SolvedBlow& blow) {
-        return PageData::of(
-            wavePicture(blow.impact, blow.solved.hammer, blow.request.scenario, blow.units, need));
+        return PageData::of(wavePicture(blow.impact, blow.solved.hammer, blow.request.scenario, blow.units,
+                                        need, largestForce(blow)));
     };
 }
 
@@ -175,8 +182,18 @@ void WavePicturePage::showSpan() {
                        picture->units.time.dimensionless ? 0 : m_picture->shown()->scales.time);
 }
 
+// The place below the pointer, also when a zoom has brought another one there; else what is in view.
+void WavePicturePage::showReadout() {
+    const QString place = m_pointer ? m_picture->readout(*m_pointer) : QString();
+    const QString range = m_picture->rangeText();
+    const bool fits = m_readout->fontMetrics().horizontalAdvance(range) < m_readout->width();
+    m_readout->setText(!place.isEmpty() ? place : fits ? range : QString());
+    m_readout->setToolTip(range);
+}
+
 // The rod below lies in line with the picture above while the whole of it is in view.
 void WavePicturePage::alignStrip() {
+    showReadout();
     const QRect axes = m_plot->axisRect()->rect();
     m_strip->setRodEnds(axes.left(), axes.right() + 1);
 }
@@ -186,9 +203,14 @@ bool WavePicturePage::eventFilter(QObject* watched, QEvent* event) {
         m_playBar->toggle();
         return true;
     }
-    if (watched == m_plot && event->type() == QEvent::MouseMove)
-        m_readout->setText(m_picture->readout(static_cast<QMouseEvent*>(event)->position()));
-    if (watched == m_plot && event->type() == QEvent::Leave) m_readout->clear();
+    if (watched == m_plot && event->type() == QEvent::MouseMove) {
+        m_pointer = static_cast<QMouseEvent*>(event)->position();
+        showReadout();
+    }
+    if (watched == m_plot && event->type() == QEvent::Leave) {
+        m_pointer.reset();
+        showReadout();
+    }
     return PlotPage::eventFilter(watched, event);
 }
 

@@ -2,6 +2,8 @@
 // The waves over position and time in one picture, and the rod playing through it (paper, Fig. 2).
 #pragma once
 
+#include <optional>
+
 #include "ui/job/observation.h"
 #include "ui/pages/plot_page.h"
 
@@ -44,6 +46,7 @@ class WavePicturePage : public PlotPage {
     void showTime();
     void showSpan();
     void alignStrip();
+    void showReadout();
     double timeShown() const;
 
     Observation& m_observation;
@@ -56,6 +59,7 @@ class WavePicturePage : public PlotPage {
     PictureCursors* m_cursors;
     RodStrip* m_strip;
     PlayBar* m_playBar;
+    std::optional<QPointF> m_pointer;  // over the plot
 };
 
 }  // namespace drillwave

@@ -44,6 +44,7 @@ void WavePicturePlot::addItems() {
     m_waves->setLayer(QStringLiteral("background"));
     m_fronts = new WaveFrontsItem(m_plot);
     m_contacts = new ContactBarsItem(m_plot);
+    m_marks = new ScaleMarksItem(m_plot, m_bar);
     m_message = new PlotMessage(m_plot);
 }
 
@@ -81,8 +82,7 @@ void WavePicturePlot::present(const SolvedBlowPtr& blow) {
     m_blow = blow;
     m_view->setEmpty(false);
     if (blow->page<WavePicture>()->need == m_announced) m_announced.reset();
-    for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_waves, m_fronts, m_contacts})
-        item->setBlow(blow);
+    for (WavePictureItem* item : items()) item->setBlow(blow);
     m_message->hide();
     m_bar->setVisible(true);
     if (m_view->isFitted()) m_time = blow->page<WavePicture>()->interesting;
@@ -94,8 +94,7 @@ void WavePicturePlot::present(const SolvedBlowPtr& blow) {
 void WavePicturePlot::showNothing(const QString& message) {
     m_blow.reset();
     m_view->setEmpty(true);
-    for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_waves, m_fronts, m_contacts})
-        item->setBlow(nullptr);
+    for (WavePictureItem* item : items()) item->setBlow(nullptr);
     m_message->show(message);
     m_bar->setVisible(false);
     m_summary = message;
@@ -157,8 +156,7 @@ void WavePicturePlot::setStyle(const PlotStyle& style) {
         axis->setSubTickLength(0, axis->tickLabels() ? 2 : 0);
     }
     m_bar->setGradient(ColourScale::forBackground(style.background).gradient());
-    for (WavePictureItem* item : std::initializer_list<WavePictureItem*>{m_waves, m_fronts, m_contacts})
-        item->setStyle(style);
+    for (WavePictureItem* item : items()) item->setStyle(style);
     m_message->setStyle(style);
 }
 
@@ -184,6 +182,20 @@ QString WavePicturePlot::readout(const QPointF& pixel) const {
         .arg(quantityText(xi, units.position, locale), timeText(t, m_time, units.time, locale),
              field == WaveQuantity::force ? QStringLiteral("N") : QStringLiteral("v"),
              quantityText(waveValue(m_blow->impact, field, xi, t), units.of(field), locale));
+}
+
+QString WavePicturePlot::rangeText() const {
+    if (!m_blow) return {};
+    const WavePicture& picture = *this->picture();
+    const ShownUnit& unit = picture.units.of(picture.raster.quantity);
+    const QLocale locale = m_plot->locale();
+    const QString name =
+        picture.raster.quantity == WaveQuantity::force ? QStringLiteral("N") : QStringLiteral("v");
+    const QString range = tr("in view %1 = %2 … %3")
+                              .arg(name, quantityText(double(picture.least), unit, locale),
+                                   quantityText(double(picture.largest), unit, locale));
+    if (!isClippedBelow(picture) && !isClippedAbove(picture)) return range;
+    return range + tr(" · colours end at ±%1").arg(quantityText(picture.limit, unit, locale));
 }
 
 void WavePicturePlot::summarize() {

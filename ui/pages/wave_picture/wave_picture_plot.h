@@ -6,6 +6,7 @@
 #include <QString>
 #include <optional>
 
+#include "ui/pages/wave_picture/scale_marks.h"
 #include "ui/pages/wave_picture/wave_picture_items.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/plot_message.h"
@@ -45,6 +46,8 @@ class WavePicturePlot : public QObject {
     QByteArray csv(char separator) const;
     /// What the picture shows, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
+    /// The extremes in view and where the colours end, in words; empty while nothing is on show.
+    QString rangeText() const;
     /// The place below a point of the plot and the field there, in words; empty outside of the picture.
     QString readout(const QPointF& pixel) const;
 
@@ -55,6 +58,7 @@ class WavePicturePlot : public QObject {
 
   private:
     void addItems();
+    QList<WavePictureItem*> items() const { return {m_waves, m_fronts, m_contacts, m_marks}; }
     void followAxes();
     void takeRanges();
     void setRanges();
@@ -67,6 +71,7 @@ class WavePicturePlot : public QObject {
     WaveFieldItem* m_waves;
     WaveFrontsItem* m_fronts;
     ContactBarsItem* m_contacts;
+    ScaleMarksItem* m_marks;
     PlotMessage* m_message;
     SolvedBlowPtr m_blow;
     WaveQuantity m_field = WaveQuantity::force;

@@ -63,6 +63,10 @@ class TestWavePicturePage : public QObject {
     void playingEndsWithTheViewOrLoops();
     void theSpaceBarPlays();
     void thePointersPlaceIsRead();
+    void theReadoutFollowsAZoom();
+    void theStripIsColouredByWhatThePictureShows();
+    void theColoursReachAsFarAsTheResultPanel();
+    void whatTheColoursDoNotReachIsMarked();
     void theDataAreTheFieldInView();
     void theMenuOffersTheDataOfThePicture();
     void theStripTellsTheStateOfTheBit();
@@ -375,6 +379,68 @@ void TestWavePicturePage::thePointersPlaceIsRead() {
     QTest::mouseMove(plot, QPoint(int(plot->xAxis->coordToPixel(0.3)), int(plot->yAxis->coordToPixel(3.5))));
     const QString text = m_page->findChild<QLabel*>(QStringLiteral("readout"))->text();
     QVERIFY2(text.contains(QStringLiteral("N = −1")), qPrintable(text));
+}
+
+void TestWavePicturePage::theReadoutFollowsAZoom() {
+    PlotWidget* plot = m_page->plot();
+    plot->replot();
+    const auto* readout = m_page->findChild<QLabel*>(QStringLiteral("readout"));
+    const QPoint pointer = plot->axisRect()->center();
+    QTest::mouseMove(plot, pointer);
+    const QString before = readout->text();
+    plot->xAxis->setRange(0.7, 0.8);
+    plot->replot();
+    QVERIFY(readout->text() != before);
+    QCOMPARE(readout->text(), m_page->picture()->readout(pointer));
+    // Without a pointer it says what is in view.
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(plot, &leave);
+    QCOMPARE(readout->text(), m_page->picture()->rangeText());
+    QVERIFY(readout->text().startsWith(QStringLiteral("in view N = ")));
+}
+
+void TestWavePicturePage::theStripIsColouredByWhatThePictureShows() {
+    m_observation->setTime(5);
+    QVERIFY(m_page->rodStrip()->stateText().contains(QStringLiteral("stress")));
+    const QImage stressed = m_page->rodStrip()->grab().toImage();
+    m_page->findChild<QComboBox*>(QStringLiteral("field"))->setCurrentIndex(1);
+    QTRY_VERIFY(settled());
+    QVERIFY(m_page->rodStrip()->stateText().contains(QStringLiteral("velocity")));
+    QVERIFY(m_page->rodStrip()->accessibleName().contains(QStringLiteral("velocity")));
+    QVERIFY(m_page->rodStrip()->toolTip().contains(QStringLiteral("towards the rock")));
+    // The blow on its way to the bit is compressed, and moves towards it: the other colour.
+    QVERIFY(m_page->rodStrip()->grab().toImage() != stressed);
+}
+
+void TestWavePicturePage::theColoursReachAsFarAsTheResultPanel() {
+    const SolvedBlowPtr& blow = m_page->picture()->shown();
+    QVERIFY(blow->summary.rodForces);
+    QVERIFY(m_page->picture()->picture()->limit >= blow->summary.rodForces->compression.size);
+    QVERIFY(m_page->picture()->picture()->limit >= blow->summary.rodForces->tension.size);
+}
+
+void TestWavePicturePage::whatTheColoursDoNotReachIsMarked() {
+    WavePicture picture;
+    picture.limit = 2;
+    picture.least = -1;
+    picture.largest = 2;
+    QVERIFY(!isClippedBelow(picture) && !isClippedAbove(picture));
+    picture.largest = 2.1F;
+    QVERIFY(!isClippedBelow(picture) && isClippedAbove(picture));
+    // On screen: an arrow head beyond that end of the bar, and the limit in words.
+    auto blow = std::make_shared<SolvedBlow>(*m_page->picture()->shown());
+    auto shown = *blow->page<WavePicture>();
+    const auto draw = [&](float largest) {
+        shown.largest = largest;
+        blow->pages = {PageData::of(WavePicture(shown))};
+        m_page->picture()->present(blow);
+        return m_page->plot()->toPixmap().toImage();
+    };
+    const QImage within = draw(0.5F * float(shown.limit));
+    QVERIFY(!m_page->picture()->rangeText().contains(QStringLiteral("colours end")));
+    const QImage beyond = draw(1.5F * float(shown.limit));
+    QVERIFY(within != beyond);
+    QVERIFY(m_page->picture()->rangeText().contains(QStringLiteral("colours end at ±")));
 }
 
 void TestWavePicturePage::theDataAreTheFieldInView() {

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/table_watch.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+#include <QGuiApplication>
+
+#include "ui/document/document.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int settleMilliseconds = 200;
+
+}  // namespace
+
+TableWatch::TableWatch(const Document& document, QObject* parent) : QObject(parent), m_document(document) {
+    m_settle.setSingleShot(true);
+    m_settle.setInterval(settleMilliseconds);
+    connect(&m_settle, &QTimer::timeout, this, &TableWatch::check);
+    const auto settle = qOverload<>(&QTimer::start);
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, &m_settle, settle);
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, &m_settle, settle);
+    connect(&m_document, &Document::scenarioChanged, this, &TableWatch::follow);
+    connect(qGuiApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
+        if (state == Qt::ApplicationActive) check();
+    });
+    follow();
+}
+
+// A file as old and as large as before is not read again.
+TableWatch::Stamp TableWatch::stampOf(const QString& path, const Stamp& before) {
+    const QFileInfo info(path);
+    if (!info.exists()) return {};
+    Stamp stamp{info.size(), info.lastModified(), {}};
+    if (stamp.size == before.size && stamp.time == before.time) return before;
+    QFile file(path);
+    if (stamp.size > largestCompared || !file.open(QIODevice::ReadOnly)) return stamp;
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(&file);
+    stamp.digest = hash.result();
+    return stamp;
+}
+
+bool TableWatch::isSame(const Stamp& a, const Stamp& b) {
+    if (a.size != b.size) return false;
+    return a.digest.isEmpty() ? a.time == b.time : a.digest == b.digest;
+}
+
+// Points that are others now have just been read.
+void TableWatch::follow() {
+    const Pulse& pulse = m_document.scenario().pulse;
+    const QString path = pulse.shape == PulseShape::table ? m_document.tablePath() : QString();
+    if (path == m_path && pulse.tablePoints == m_points) return;
+    const bool elsewhere = path != m_path;
+    m_path = path;
+    m_points = path.isEmpty() ? TablePoints() : pulse.tablePoints;
+    m_read = m_told = path.isEmpty() ? Stamp() : stampOf(path, {});
+    if (elsewhere) {
+        const QStringList before = m_watcher.files() + m_watcher.directories();
+        if (!before.isEmpty()) m_watcher.removePaths(before);
+        watch();
+    }
+    emit agrees();
+}
+
+// A file put in the place of another is not watched any more, but its folder is.
+void TableWatch::watch() {
+    if (m_path.isEmpty()) return;
+    if (m_watcher.directories().isEmpty()) m_watcher.addPath(QFileInfo(m_path).absolutePath());
+    if (m_watcher.files().isEmpty() && QFile::exists(m_path)) m_watcher.addPath(m_path);
+}
+
+void TableWatch::check() {
+    watch();
+    if (m_path.isEmpty()) return;
+    const Stamp now = stampOf(m_path, m_told);
+    if (isSame(now, m_told)) return;
+    m_told = now;
+    if (isSame(now, m_read))
+        emit agrees();
+    else
+        emit differs(now.exists() ? State::changed : State::missing);
+}
+
+}  // namespace drillwave

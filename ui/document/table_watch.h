@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether the file of a measured blow still says what was read from it.
+#pragma once
+
+#include <QByteArray>
+#include <QDateTime>
+#include <QFileSystemWatcher>
+#include <QObject>
+#include <QTimer>
+
+#include "core/model/table_points.h"
+
+namespace drillwave {
+
+class Document;
+
+/// Watches the CSV file that the hammer blow of the document is from, also through programs that put a new
+/// file in its place, and looks again whenever the program becomes active. Compares contents: touching the
+/// file is no change, unless it is larger than largestCompared.
+class TableWatch : public QObject {
+    Q_OBJECT
+
+  public:
+    static constexpr qint64 largestCompared = qint64{16} << 20;  ///< [bytes]
+
+    enum class State { changed, missing };
+
+    /// The document must outlive the watch.
+    explicit TableWatch(const Document& document, QObject* parent = nullptr);
+
+    /// Looks, and tells what is new since the points were read, once.
+    void check();
+
+  signals:
+    void differs(drillwave::TableWatch::State state);
+    /// There is no table file, or the points were read again.
+    void agrees();
+
+  private:
+    /// What a file is known by; all empty where there is none.
+    struct Stamp {
+        qint64 size = -1;
+        QDateTime time;
+        QByteArray digest;  // empty for a large file
+        bool exists() const { return size >= 0; }
+    };
+    static Stamp stampOf(const QString& path, const Stamp& before);
+    static bool isSame(const Stamp& a, const Stamp& b);
+    void follow();
+    void watch();
+
+    const Document& m_document;
+    QFileSystemWatcher m_watcher;
+    QTimer m_settle;  // programs write in several steps
+    QString m_path;
+    TablePoints m_points;  // as read
+    Stamp m_read;          // of the file they are from
+    Stamp m_told;
+};
+
+}  // namespace drillwave

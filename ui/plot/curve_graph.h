@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curves drawn as one line, of one thickness however many points they have.
+#pragma once
+
+#include <qcustomplot.h>
+
+namespace drillwave {
+
+/// QCPGraph draws a solid line on screen piece by piece, which is fast: where many points meet the pieces
+/// cover each other, flat stretches come out thicker and each point is a dot. Here the line is one path of no
+/// more points than can be told apart on the device, which is as fast and has the same dashes all along.
+class CurveGraph : public QCPGraph {
+    Q_OBJECT
+
+  public:
+    using QCPGraph::QCPGraph;
+
+  protected:
+    void drawLinePlot(QCPPainter* painter, const QVector<QPointF>& lines) const override;
+};
+
+/// The same for curves that may turn back.
+class CurvePath : public QCPCurve {
+    Q_OBJECT
+
+  public:
+    using QCPCurve::QCPCurve;
+
+  protected:
+    void drawCurveLine(QCPPainter* painter, const QVector<QPointF>& lines) const override;
+};
+
+/// A graph of the plot that owns the axes; in place of QCustomPlot::addGraph().
+CurveGraph* addCurve(QCPAxis* keyAxis, QCPAxis* valueAxis);
+
+/// Points that no device pixel of that size tells apart from the line through the others are left out: of
+/// those within one column the first, the extremes and the last stay. A point that is not finite divides the
+/// line.
+QVector<QPointF> thinnedLine(const QVector<QPointF>& line, double pixel);
+
+}  // namespace drillwave
