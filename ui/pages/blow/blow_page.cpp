@@ -172,6 +172,9 @@ void BlowPage::setMeanings() {
     for (QCPGraph* run : m_plots->forcesOfRuns()) m_plot->setMeaning(run, ofRuns);
     for (int i = 0; i < BlowCurves::waveCount; ++i)
         m_plot->setMeaning(m_plots->waveGraph(i), std::move(meanings.waves[static_cast<std::size_t>(i)]));
+    for (std::size_t i = 0; i < meanings.laterWaves.size(); ++i)
+        m_plot->setMeaning(m_plots->laterGraph(static_cast<int>(i)), std::move(meanings.laterWaves[i]));
+    m_plot->setMeaning(m_plots->sectionForceGraph(), std::move(meanings.sectionForce));
     m_plot->setMeaning(m_plots->forceGraph(), std::move(meanings.force));
     m_plot->setMeaning(m_plots->closedFormGraph(), std::move(meanings.closedForm));
     m_plot->setMeaning(m_plots->impulseGraph(), std::move(meanings.impulse));
