@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs kept in a folder beside their scenario file (files §8): a scenario a run, and an index of them.
+// Runs kept in a folder beside their scenario file (files §9): a scenario a run, and an index of them.
 #pragma once
 
 #include <optional>

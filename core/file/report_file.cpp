@@ -85,6 +85,13 @@ std::string shownValue(const SavedValue& saved, const std::optional<Stated>& sta
     return typed.valid() && typed.si == saved.number ? stated->text : valueText(saved);
 }
 
+/// "t₀" for "t0".
+std::string printedSymbol(std::string_view symbol) {
+    const std::size_t zero = symbol.find('0');
+    if (zero == std::string_view::npos) return std::string(symbol);
+    return std::string(symbol.substr(0, zero)) + "₀" + std::string(symbol.substr(zero + 1));
+}
+
 ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const ScenarioRemarks& remarks) {
     const std::optional<Stated> stated = remarks.find(saved.section, saved.key);
     const std::string key = std::string(saved.section) + "." + std::string(saved.key);
@@ -98,7 +105,8 @@ ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const Sce
     input.key = saved.parameter->key;
     input.si = saved.number;
     input.label = saved.parameter->label;
-    if (!saved.parameter->symbol.empty()) input.label += " " + std::string(saved.parameter->symbol);
+    if (const std::string symbol = printedSymbol(saved.parameter->symbol); !symbol.empty())
+        input.label += " " + symbol;
     return input;
 }
 

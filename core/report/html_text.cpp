@@ -3,6 +3,16 @@
 
 namespace drillwave {
 
+namespace {
+
+std::string unbroken(std::string_view text) {
+    std::string result;
+    for (const char c : text) result += c == ' ' ? std::string("\u00a0") : std::string(1, c);
+    return result;
+}
+
+}  // namespace
+
 std::string escapedHtml(std::string_view text) {
     std::string result;
     for (const char c : text) {
@@ -25,14 +35,15 @@ std::string htmlElement(std::string_view tag, std::string_view text) {
     return "<" + name + ">" + escapedHtml(text) + "</" + name + ">";
 }
 
-std::string htmlTable(const std::vector<std::vector<std::string>>& rows) {
-    std::string html = "<table>\n";
+std::string htmlRows(const std::vector<std::vector<std::string>>& rows) {
+    std::string html;
     for (const std::vector<std::string>& row : rows) {
         html += "<tr>";
-        for (const std::string& cell : row) html += htmlElement(&row == &rows.front() ? "th" : "td", cell);
+        for (const std::string& cell : row)
+            html += &row == &rows.front() ? htmlElement("th", cell) : htmlElement("td", unbroken(cell));
         html += "</tr>\n";
     }
-    return html + "</table>\n";
+    return html;
 }
 
 }  // namespace drillwave

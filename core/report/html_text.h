@@ -14,7 +14,7 @@ std::string escapedHtml(std::string_view text);
 /// "<TAG>text</TAG>", the text escaped.
 std::string htmlElement(std::string_view tag, std::string_view text);
 
-/// A table of texts whose first row names the columns.
-std::string htmlTable(const std::vector<std::vector<std::string>>& rows);
+/// Lines of a table, the first of which names the columns; the texts of the others are not broken.
+std::string htmlRows(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace drillwave

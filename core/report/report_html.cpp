@@ -5,6 +5,7 @@
 
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
+#include "core/report/feed_words.h"
 #include "core/report/gap_text.h"
 #include "core/report/html_text.h"
 #include "core/report/report_numbers.h"
@@ -19,19 +20,42 @@ constexpr std::string_view screenStyle =
     "background:#fff}h1{font-size:1.6em}h2{font-size:1.15em;margin:1.6em 0 .4em}"
     "table{border-collapse:collapse;font-size:.9em}"
     "td,th{border-bottom:1px solid #bbb;padding:.15em .7em .15em 0;text-align:left;vertical-align:top}"
-    "th{font-weight:600}.warning{border-left:.3em solid #b4231f;padding-left:.6em}"
+    "th{font-weight:600}td[data-value]{white-space:nowrap}.warning{border-left:.3em solid "
+    "#b4231f;padding-left:.6em}"
     ".note{border-left:.3em solid #777;padding-left:.6em}pre{font-size:.8em;background:#f4f4f4;padding:.8em;"
     "overflow-x:auto}figure{margin:1.2em 0;break-inside:avoid}figure.half{display:inline-block;width:49%}"
     "img{max-width:100%}figcaption{font-size:.9em;color:#333}"
     "@media print{body{margin:0;max-width:none;font-size:9.5pt}h2{break-after:avoid}"
     "tr{break-inside:avoid}pre{white-space:pre-wrap}}@page{size:A4;margin:15mm}";
 
+// Of lengths QTextDocument knows pixels alone.
 constexpr std::string_view paperStyle =
-    "h1{font-size:15pt;margin-top:0;margin-bottom:2pt}h2{font-size:10.5pt;margin-top:7pt;margin-bottom:2pt}"
-    "p{margin-top:0;margin-bottom:3pt}td,th{padding:0.5pt 7pt 0.5pt 0;text-align:left}"
-    ".caption{font-size:8pt}pre{font-size:7pt;white-space:pre-wrap}";
+    "h1{font-size:15pt;margin-top:0;margin-bottom:3px}h2{font-size:10pt;margin-top:10px;margin-bottom:3px}"
+    "p{margin-top:0;margin-bottom:4px}td,th{padding-right:12px;"
+    "text-align:left}p.caption{font-size:7.5pt;margin-bottom:8px}pre{font-size:6.5pt;white-space:pre-wrap}";
 
 constexpr std::string_view recordBegin = "<script type=\"application/json\" id=\"drillwave-record\">\n";
+
+/// Microseconds and micrometres as print has them.
+std::string printedUnit(std::string text) {
+    for (const std::string_view unit : {" us", " um"})
+        if (text.ends_with(unit)) text.replace(text.size() - 2, 1, "µ");
+    return text;
+}
+
+std::vector<std::vector<std::string>> printedUnits(std::vector<std::vector<std::string>> rows) {
+    for (std::vector<std::string>& row : rows)
+        for (std::string& cell : row) cell = printedUnit(std::move(cell));
+    return rows;
+}
+
+/// A reason with a capital and a full stop; names such as e stay as they are.
+std::string sentence(std::string text) {
+    const bool beginsWithWord = text.size() > 1 && text[1] >= 'a' && text[1] <= 'z';
+    if (beginsWithWord && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    if (!text.empty() && !text.ends_with('.')) text += '.';
+    return text;
+}
 
 /// Lines of the scenario that paper shows.
 constexpr std::size_t mostPaperLines = 60;
@@ -60,8 +84,11 @@ class Page {
 
     std::string feed() const {
         std::string html = heading("Verdict on the feed");
-        if (!m_report.thrust) return html + paragraph(m_report.thrustProblem);
-        for (const std::string& sentence : verdictSentences(*m_report.thrust)) html += paragraph(sentence);
+        if (!m_report.thrust) {
+            if (blow().feed) html += paragraph(feedSentence(*blow().feed));
+            return html + paragraph(sentence(m_report.thrustProblem));
+        }
+        for (const std::string& words : verdictSentences(*m_report.thrust)) html += paragraph(words);
         return html;
     }
 
@@ -77,15 +104,21 @@ class Page {
 
     /// With the whole number behind the text on the screen, where there is one.
     std::string cell(const std::string& text, const std::optional<double>& number) const {
-        if (!number || !isScreen()) return htmlElement("td", text);
-        return "<td><data value=\"" + formatNumber(*number) + "\">" + escapedHtml(text) + "</data></td>";
+        if (!number || !isScreen()) return htmlElement("td", printedUnit(text));
+        return "<td data-value=\"" + formatNumber(*number) + "\">" + escapedHtml(printedUnit(text)) + "</td>";
     }
 
-    std::string table(std::string_view id, const std::vector<std::string>& titles,
+    /// Paper has no room between lines.
+    std::string tableOf(const std::string& id, const std::string& rows) const {
+        return (isScreen() ? "<table id=\"" + id + "-table\">\n" : "<table cellspacing=\"0\">\n") + rows +
+               "</table>\n";
+    }
+
+    std::string table(const std::string& id, const std::vector<std::string>& titles,
                       const std::string& rows) const {
-        std::string html = isScreen() ? "<table id=\"" + std::string(id) + "\">\n<tr>" : "<table>\n<tr>";
-        for (const std::string& title : titles) html += htmlElement("th", title);
-        return html + "</tr>\n" + rows + "</table>\n";
+        std::string head = "<tr>";
+        for (const std::string& title : titles) head += htmlElement("th", title);
+        return tableOf(id, head + "</tr>\n" + rows);
     }
 
     std::string row(const std::string& key, const std::string& cells) const {
@@ -111,9 +144,20 @@ class Page {
         return rows;
     }
 
+    /// On paper in two halves beside each other.
     std::string scales() const {
-        return heading("Groups and scales") +
-               table("scales", {"symbol", "what", "value"}, numbers(scaleRows(blow()), true));
+        const std::vector<std::string> titles{"symbol", "what", "value"};
+        const std::vector<ReportRow> rows = scaleRows(blow());
+        const std::string title = heading("Groups and scales");
+        if (isScreen()) return title + table("scales", titles, numbers(rows, true));
+        const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() + 1) / 2;
+        return title + beside(table("", titles, numbers({rows.begin(), middle}, true)),
+                              table("", titles, numbers({middle, rows.end()}, true)));
+    }
+
+    /// On paper, which knows no other way.
+    static std::string beside(const std::string& left, const std::string& right) {
+        return "<table cellspacing=\"0\"><tr><td>" + left + "</td><td>" + right + "</td></tr></table>\n";
     }
 
     std::string results() const {
@@ -129,16 +173,17 @@ class Page {
 
     std::string thrust() const {
         if (!m_report.thrust) return {};
-        return heading("Needs of the thrust") + htmlTable(needsGrid(*m_report.thrust).rows());
+        return heading("Needs of the thrust") +
+               tableOf("thrust", htmlRows(printedUnits(needsGrid(*m_report.thrust).rows())));
     }
 
     std::string gap() const {
         std::string html = heading("All gaps between bit and rock");
-        if (!m_report.gap) return html + paragraph(m_report.gapProblem);
+        if (!m_report.gap) return html + paragraph(sentence(m_report.gapProblem));
         if (const std::string remark = m_report.gap->periodRemark(); !remark.empty())
             html += paragraph(remark);
-        html += htmlTable(gapGrid(*m_report.gap).rows());
-        for (const std::string& remark : gapRemarks(*m_report.gap)) html += paragraph(remark + ".");
+        html += tableOf("gap", htmlRows(printedUnits(gapGrid(*m_report.gap).rows())));
+        for (const std::string& remark : gapRemarks(*m_report.gap)) html += paragraph(sentence(remark));
         return html;
     }
 
@@ -165,8 +210,7 @@ class Page {
             if (isScreen())
                 html += figure(pictures[i]);
             else if (isPair)
-                html += "<table><tr><td>" + printed(pictures[i]) + "</td><td>" + printed(pictures[i + 1]) +
-                        "</td></tr></table>\n";
+                html += beside(printed(pictures[i]), printed(pictures[i + 1]));
             else
                 html += printed(pictures[i]);
             if (!isScreen() && isPair) ++i;

@@ -25,7 +25,7 @@ enum class ReportMedium {
 };
 
 /// Title, verdict, alerts, inputs with sources, results with errors, studies, scenario, plots; no time and no
-/// place. On the screen each number stands in full in a <data> element. The blow must be solved.
+/// place. On the screen each number stands in full in `data-value` of its cell. The blow must be solved.
 std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture>& pictures,
                        ReportMedium medium);
 

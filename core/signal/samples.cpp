@@ -2,6 +2,7 @@
 #include "core/signal/samples.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/signal/text_lines.h"
 #include "core/text/decimal_text.h"
@@ -11,6 +12,9 @@ namespace drillwave {
 namespace {
 
 constexpr std::size_t linesBetweenLooks = 4096;
+
+constexpr std::size_t fewJumps = 20;           // are jumps however many samples there are
+constexpr std::size_t fewestBetweenJumps = 8;  // samples, on average
 
 class SampleReader {
   public:
@@ -35,6 +39,10 @@ class SampleReader {
         if (m_samples.time.size() < 2)
             return failed(0, "fewer than two samples from line " + std::to_string(m_source.firstLine) +
                                  " on: check the first line, the separator and the columns");
+        if (hasCoarseTimes())
+            return failed(m_firstJump, "this time occurs twice, and so do " +
+                                           std::to_string(m_samples.jumps - 1) +
+                                           " others: they are too coarse, take a sampling rate instead");
         return std::move(m_samples);
     }
 
@@ -96,14 +104,30 @@ class SampleReader {
     }
 
     void append(double time, double value) {
-        if (!m_samples.time.empty() && !(time > m_samples.time.back()))
-            return refuse("the time " + formatNumber(time) + " s is not later than the one before it, " +
-                          formatNumber(m_samples.time.back()) +
-                          " s: take another column, or a sampling rate");
+        if (!m_samples.time.empty() && !(time > m_samples.time.back())) {
+            if (time != m_lastTime || m_isJump) return refuse(notLater(time));
+            // Two values at one time are a jump, as drillwave itself writes them.
+            m_isJump = true;
+            if (m_samples.jumps++ == 0) m_firstJump = m_text.number();
+            time = std::nextafter(time, HUGE_VAL);
+        } else {
+            m_isJump = false;
+            m_lastTime = time;
+        }
         if (m_samples.time.size() == mostSamples)
             return refuse("more than " + std::to_string(mostSamples) + " samples: cut the file");
         m_samples.time.push_back(time);
         m_samples.value.push_back(value);
+    }
+
+    std::string notLater(double time) const {
+        return "the time " + formatNumber(time) + " s is not later than the one before it, " +
+               formatNumber(m_lastTime) + " s: take another column, or a sampling rate";
+    }
+
+    /// So many are no jumps but a clock that is too coarse.
+    bool hasCoarseTimes() const {
+        return m_samples.jumps > fewJumps && m_samples.jumps > m_samples.time.size() / fewestBetweenJumps;
     }
 
     const SampleSource& m_source;
@@ -112,6 +136,9 @@ class SampleReader {
     std::size_t m_cellCount = 1;
     std::size_t m_rows = 0;
     std::string m_reason;
+    double m_lastTime = 0;
+    bool m_isJump = false;  // the last sample
+    std::size_t m_firstJump = 0;
     Samples m_samples;
 };
 

@@ -35,6 +35,7 @@ struct SampleSource {
 struct Samples {
     std::vector<double> time;      ///< [s], increasing; from 0 where samples are evenly spaced
     std::vector<double> value;     ///< as in the table, one for each time
+    std::size_t jumps = 0;         ///< times with two values: the second is the next double later
     std::size_t skipped = 0;       ///< rows
     std::size_t firstSkipped = 0;  ///< line of the first of them
     std::size_t problemLine = 0;   ///< 0 where the problem is of no line
@@ -46,8 +47,8 @@ inline constexpr std::size_t mostSamples = 10'000'000;
 
 /// Reads all rows from the first line with samples to the end, blank lines and comments passed over. A row
 /// with other cells than numbers where they are needed is refused with its line, or skipped and counted; a
-/// time that is not later than the one before is refused. `tell` gets the bytes read so far. Stopped, it ends
-/// with the problem "stopped".
+/// time that is not later than the one before is refused, but for two values at one time, a jump. `tell` gets
+/// the bytes read so far. Stopped, it ends with the problem "stopped".
 Samples readSamples(std::istream& in, const SampleSource& source, const std::stop_token& stop = {},
                     const std::function<void(std::uint64_t bytes)>& tell = {});
 

@@ -33,12 +33,22 @@ double impulseOf(const Points& points) {
     return sum;
 }
 
-/// To the nearest multiple of a power of ten that is at most `finest` of the size.
-double rounded(double value, double size) {
-    const int exponent = static_cast<int>(std::floor(std::log10(size * finest)));
-    const double power = std::pow(10, std::abs(exponent));
-    return exponent < 0 ? std::round(value * power) / power : std::round(value / power) * power;
-}
+/// Multiples of a power of ten that is at most `finest` of a size, as the doubles nearest to them.
+class DecimalGrid {
+  public:
+    explicit DecimalGrid(double size)
+        : m_exponent(static_cast<int>(std::floor(std::log10(size * finest)))),
+          m_power(std::pow(10, std::abs(m_exponent))) {}
+
+    double steps(double value) const {
+        return std::round(m_exponent < 0 ? value * m_power : value / m_power);
+    }
+    double at(double steps) const { return m_exponent < 0 ? steps / m_power : steps * m_power; }
+
+  private:
+    int m_exponent;
+    double m_power;
+};
 
 /// The largest distance of a sample from the lines between the points, whose times are those of samples less
 /// `origin`.
@@ -140,8 +150,12 @@ class SignalShaper {
         points.reserve(kept.size());
         for (const std::size_t i : kept) points.push_back({m_time[i], m_force[i]});
         const double whole = impulseOf(m_time, m_force);
-        if (isBlow()) settleBlow(points, whole);
         m_result.deviation = largestDeviation(m_time, m_force, points, kept);
+        if (isBlow()) {
+            keepImpulse(points, whole);
+            settleBlow(points);
+            m_result.deviation = largestDeviation(m_time, m_force, points, kept);
+        }
         m_result.impulse = impulseOf(points);
         m_result.impulseChange = m_result.impulse - whole;
         const TablePoint& peak =
@@ -151,18 +165,27 @@ class SignalShaper {
         m_result.points = std::move(points);
     }
 
-    /// Its time begins at 0, its impulse is that of all samples, its digits end.
-    void settleBlow(Points& points, double whole) const {
+    /// Where that is a matter of the thinning: the chords of an arc, all on one side of it, are made good by
+    /// little more than their distance. A bias of noise is not.
+    void keepImpulse(Points& points, double whole) const {
+        constexpr double most = 2;  // distances that the peak may be moved by
+        const double peak = std::ranges::max(points, {}, &TablePoint::force).force;
         const double factor = whole / impulseOf(points);
+        if (!(std::abs(factor - 1) * peak <= most * m_result.deviation)) return;
+        for (TablePoint& point : points) point.force *= factor;
+    }
+
+    /// Its time begins at 0, its digits end.
+    static void settleBlow(Points& points) {
         const double origin = points.front().time;
-        const double length = points.back().time - origin;
-        double peak = 0;
+        const DecimalGrid times(points.back().time - origin);
+        const DecimalGrid forces(std::ranges::max(points, {}, &TablePoint::force).force);
+        double before = -1;  // [steps]: a jump takes one
         for (TablePoint& point : points) {
-            point.time = rounded(point.time - origin, length);
-            if (factor > 0 && std::isfinite(factor)) point.force *= factor;
-            peak = std::max(peak, point.force);
+            before = std::max(before + 1, times.steps(point.time - origin));
+            point.time = times.at(before);
+            point.force = forces.at(forces.steps(point.force));
         }
-        for (TablePoint& point : points) point.force = rounded(point.force, peak);
     }
 
     const Samples& m_samples;

@@ -13,7 +13,8 @@
 
 namespace drillwave {
 
-/// A blow begins at time 0, pushes only, and keeps its impulse when it is thinned; a curve keeps its times.
+/// A blow begins at time 0, pushes only, and keeps its impulse when it is thinned, unless its forces would
+/// have to be moved by more than twice the deviation for it; a curve keeps its times.
 enum class SignalUse { blow, curve };
 
 /// What is taken off all samples.

@@ -90,7 +90,7 @@ void TestReport::settingsAndPresetsAreReportedAsTheyAreSolved() {
     const QByteArray page = output(
         {"report", "t38_medium_rock", "--set", "bit_rock.stiffness=300MN/m", "title=<b>R&D</b>", "-o", "-"});
     QVERIFY(page.contains("<h1>&lt;b&gt;R&amp;D&lt;/b&gt;</h1>"));
-    QVERIFY(page.contains("<data value=\"3e+08\">300 MN/m</data></td><td>not stated</td>"));
+    QVERIFY(page.contains("<td data-value=\"3e+08\">300 MN/m</td><td>not stated</td>"));
 }
 
 void TestReport::badPlacesAreRefused_data() {

@@ -225,8 +225,8 @@ void TestRun::plotsOfAnEarlierRunDoNotStay() {
     write(folder.filePath("notes.txt"), "mine");
     QCOMPARE(run(words + QStringList{"--plots", "png"}).exitCode, 0);
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files),
-             QStringList({"blow.png", "events.csv", "histories.csv", "notes.txt", "rock.png", "scenario.yaml",
-                          "summary.json"}));
+             QStringList({"blow.png", "events.csv", "histories.csv", "notes.txt", "rock.png", "rod.png",
+                          "scenario.yaml", "summary.json"}));
 
     // A folder that holds no run holds no plots of one.
     const QTemporaryDir other;
@@ -243,7 +243,7 @@ void TestRun::everyRunWritesTheSameBytes() {
         const QString out = folder.filePath(QString::number(round));
         QCOMPARE(run({"run", example("t38_medium_rock"), "-o", out, "--plots", "png,svg"}).exitCode, 0);
         for (const char* name : {"scenario.yaml", "histories.csv", "events.csv", "blow.png", "blow.svg",
-                                 "rock.png", "rock.svg"}) {
+                                 "rock.png", "rock.svg", "rod.png", "rod.svg"}) {
             const QByteArray bytes = read(out + "/" + name);
             if (round == 0) first[name] = bytes;
             QVERIFY2(bytes == first[name], name);

@@ -15,6 +15,7 @@
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
 #include "ui/window/page_tabs.h"
+#include "ui/window/pinned_runs.h"
 
 using namespace drillwave;
 
@@ -29,6 +30,18 @@ void settle(MainWindow& window) {
     while (part<SolveJob>(window).isBusy() || (study && study->state() == StudyState::running));
 }
 
+// Another rock, another rod, another blow.
+void pinRuns(MainWindow& window) {
+    Document& document = window.document();
+    part<PinnedRuns>(window).pinAction()->trigger();
+    for (const auto& [key, si] : {std::pair("bit_rock.stiffness", 3e8), std::pair("rod.length", 2.4),
+                                  std::pair("pulse.impulse", 70.0)}) {
+        document.assign(*findParameter(key), si, document.newGesture());
+        settle(window);
+        if (key != std::string_view("pulse.impulse")) part<PinnedRuns>(window).pinAction()->trigger();
+    }
+}
+
 bool drawPages(MainWindow& window, const QDir& folder, const char* theme, int scale) {
     auto* pages = window.findChild<PageTabs*>();
     for (int page = 0; page < pages->count(); ++page) {
@@ -38,12 +51,16 @@ bool drawPages(MainWindow& window, const QDir& folder, const char* theme, int sc
             settle(window);
             window.resize(size);  // a narrow window has moved its docks together
             settle(window);
-            const QString name =
-                QStringLiteral("%1_%2_%3x%4_%5x.png")
-                    .arg(pages->page(page).title().toLower().replace(u' ', u'_'), QLatin1String(theme))
-                    .arg(size.width())
-                    .arg(size.height())
-                    .arg(scale);
+            const QString name = QStringLiteral("%1_%2_%3x%4_%5x.png")
+                                     .arg(pages->page(page)
+                                              .title()
+                                              .section(QStringLiteral(" ("), 0, 0)
+                                              .toLower()
+                                              .replace(u' ', u'_'),
+                                          QLatin1String(theme))
+                                     .arg(size.width())
+                                     .arg(size.height())
+                                     .arg(scale);
             if (!window.grab().save(folder.filePath(name))) {
                 std::fprintf(stderr, "%s cannot be written\n", qPrintable(folder.filePath(name)));
                 return false;
@@ -58,6 +75,7 @@ bool drawThemes(const QDir& folder, int scale) {
         QApplication::setPalette(dark ? darkPalette() : lightPalette());
         MainWindow window;
         window.show();
+        pinRuns(window);
         if (!drawPages(window, folder, dark ? "dark" : "light", scale)) return false;
     }
     return true;

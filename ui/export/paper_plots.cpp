@@ -6,6 +6,7 @@
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/gap/gap_plot.h"
 #include "ui/pages/rock/rock_plot.h"
+#include "ui/pages/rod/rod_plot.h"
 #include "ui/pages/thrust/thrust_plot.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
 
@@ -32,6 +33,12 @@ PaperPlot blowPaperPlot(const Scenario& scenario, const Impact& impact) {
 
 PaperPlot rockPaperPlot(const Scenario& scenario, const Impact& impact) {
     return paperPlot<RockPlot>(rockCurve(impact, problemOf(scenario), unitsFor(scenario)), {120, 90});
+}
+
+PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std::stop_token& stop) {
+    const Problem problem = problemOf(scenario);
+    return paperPlot<RodPlot>(rodCurves(impact, problem.hammer, scenario, unitsFor(scenario), stop),
+                              {180, 110});
 }
 
 PaperPlot wavePaperPlot(const Blow& blow) {

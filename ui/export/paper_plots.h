@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 
 #include "core/blow/blow.h"
 #include "core/report/gap_report.h"
@@ -37,6 +38,8 @@ PaperPlot paperPlot(const Shown& shown, Millimetres size) {
 PaperPlot blowPaperPlot(const Scenario& scenario, const Impact& impact);
 /// Force over penetration, likewise.
 PaperPlot rockPaperPlot(const Scenario& scenario, const Impact& impact);
+/// The largest stresses over place, likewise.
+PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std::stop_token& stop);
 /// The force in the rod over place and time, of a blow solved likewise.
 PaperPlot wavePaperPlot(const Blow& blow);
 /// e over the gap and its distribution.

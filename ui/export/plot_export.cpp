@@ -30,7 +30,8 @@ Pictures drawBlowPlots(const Scenario& scenario, const Impact& impact,
         PaperPlot paper;
     };
     const std::array all{Drawn{"blow", blowPaperPlot(scenario, impact)},
-                         Drawn{"rock", rockPaperPlot(scenario, impact)}};
+                         Drawn{"rock", rockPaperPlot(scenario, impact)},
+                         Drawn{"rod", rodPaperPlot(scenario, impact, stop)}};
     const QString title = QString::fromStdString(scenario.title);
     for (const Drawn& drawn : all) {
         Pictures more =

@@ -25,7 +25,7 @@ QSizeF PlotImages::intrinsicSize(QTextDocument* /*document*/, int /*position*/, 
 void PlotImages::drawObject(QPainter* painter, const QRectF& place, QTextDocument* /*document*/,
                             int /*position*/, const QTextFormat& format) {
     const ReportPlot* plot = find(format);
-    if (!plot) return;
+    if (!plot || !m_page.contains(place.center())) return;
     painter->save();
     painter->translate(place.topLeft());
     painter->scale(m_unit / layoutDpi, m_unit / layoutDpi);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QRectF>
 #include <QTextObjectInterface>
 #include <vector>
 
@@ -20,6 +21,9 @@ class PlotImages : public QObject, public QTextObjectInterface {
     /// `unit` is that of the layout of the text [1/in]. The plots must outlive the images.
     PlotImages(const std::vector<ReportPlot>& plots, int unit) : m_plots(plots), m_unit(unit) {}
 
+    /// The page that is drawn: plots of other pages are left out, as a plot does not heed clips.
+    void setPage(const QRectF& page) { m_page = page; }
+
     QSizeF intrinsicSize(QTextDocument* document, int position, const QTextFormat& format) override;
     void drawObject(QPainter* painter, const QRectF& place, QTextDocument* document, int position,
                     const QTextFormat& format) override;
@@ -29,6 +33,7 @@ class PlotImages : public QObject, public QTextObjectInterface {
 
     const std::vector<ReportPlot>& m_plots;
     int m_unit;
+    QRectF m_page;
 };
 
 }  // namespace drillwave

@@ -6,6 +6,8 @@
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QPdfWriter>
+#include <QTextBlock>
+#include <QTextCursor>
 #include <QTextDocument>
 
 #include "core/model/version.h"
@@ -15,7 +17,7 @@ namespace drillwave {
 namespace {
 
 constexpr double margin = 15;     // [mm]
-constexpr double lineHeight = 8;  // of the lines above and below the text [mm]
+constexpr double lineHeight = 7;  // of the lines above and below the text [mm]
 constexpr int resolution = 1200;  // of the layout of the text [1/in]
 constexpr double millimetresPerInch = 25.4;
 
@@ -28,6 +30,32 @@ void removeDate(QByteArray& pdf) {
     const qsizetype begin = pdf.indexOf("/CreationDate (D:");
     const qsizetype end = pdf.indexOf(')', begin) + 1;
     if (begin >= 0 && end > begin) pdf.replace(begin, end - begin, QByteArray(end - begin, ' '));
+}
+
+// Qt writes the fonts of a PDF in the order of a hash, which is another one in every run of the program
+// unless its seed is fixed.
+class FixedHashSeed {
+  public:
+    FixedHashSeed() { QHashSeed::setDeterministicGlobalSeed(); }
+    ~FixedHashSeed() { QHashSeed::resetRandomGlobalSeed(); }
+    FixedHashSeed(const FixedHashSeed&) = delete;
+    FixedHashSeed& operator=(const FixedHashSeed&) = delete;
+};
+
+// No heading stands at the foot of a page with what it is about on the next one.
+void keepHeadings(QTextDocument& document) {
+    const QAbstractTextDocumentLayout& layout = *document.documentLayout();
+    const double page = document.pageSize().height();
+    const auto pageOf = [&](const QTextBlock& block) {
+        return int(layout.blockBoundingRect(block).top() / page);
+    };
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() == 0 || !block.next().isValid()) continue;
+        if (pageOf(block) == pageOf(block.next())) continue;
+        QTextBlockFormat format = block.blockFormat();
+        format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+        QTextCursor(block).setBlockFormat(format);
+    }
 }
 
 void drawPage(QPainter& painter, QTextDocument& document, const QSizeF& body, int page) {
@@ -57,6 +85,7 @@ void drawEdges(QPainter& painter, const QString& title, const QSizeF& body, int 
 }  // namespace
 
 QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& plots) {
+    const FixedHashSeed sameOrder;
     const QString title = QString::fromStdString(reportTitle(report));
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
@@ -71,7 +100,7 @@ QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& pl
     for (const ReportPlot& plot : plots) pictures.push_back(plot.picture);
     PlotImages images(plots, resolution);
     QFont font(PlotStyle::forPaper().font.family());
-    font.setPointSizeF(8);
+    font.setPointSizeF(7.5);
     QTextDocument document;
     document.documentLayout()->setPaintDevice(&writer);
     document.documentLayout()->registerHandler(QTextFormat::ImageObject, &images);
@@ -80,12 +109,14 @@ QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& pl
     document.setHtml(QString::fromStdString(reportHtml(report, pictures, ReportMedium::paper)));
     const QSizeF body(writer.width(), writer.height() - 2 * pixels(lineHeight));
     document.setPageSize(body);
+    keepHeadings(document);
 
     QCPPainter painter;
     painter.begin(&writer);
     const int pages = document.pageCount();
     for (int page = 0; page < pages; ++page) {
         if (page > 0) writer.newPage();
+        images.setPage(QRectF(QPointF(0, page * body.height()), body));
         drawPage(painter, document, body, page);
         painter.setFont(font);
         drawEdges(painter, title, body, page, pages);

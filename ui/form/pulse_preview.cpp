@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
+#include <cmath>
 
 #include "core/model/scales.h"
 #include "ui/form/pulse_curve.h"
@@ -34,7 +35,7 @@ QString pulseText(double si, UnitKind kind) {
     ShownUnits units;
     units.system = choice.physicalSystem();
     units.chosen = choice.chosen();
-    const ShownUnit unit = units.of(kind, si);
+    const ShownUnit unit = units.of(kind, std::abs(si));
     return numberText(si * unit.factor, digits, QLocale()) + QChar(QChar::Nbsp) + unit.unit;
 }
 

@@ -187,7 +187,7 @@ void ImportDialog::showLines() {
     const std::size_t first = m_table->source().firstLine;
     for (std::size_t i = 0; i < m_table->lines().size(); ++i)
         shown.append(QStringLiteral("%1%2  %3")
-                         .arg(i + 1 == first ? QStringLiteral("▸") : QStringLiteral(" "))
+                         .arg(i + 1 == first ? QLatin1Char('>') : QLatin1Char(' '))
                          .arg(i + 1, 3)
                          .arg(QString::fromStdString(m_table->lines()[i])));
     m_lines->setPlainText(shown.join(QLatin1Char('\n')));

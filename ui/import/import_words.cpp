@@ -15,6 +15,8 @@ QString tr(const char* text) {
     return QCoreApplication::translate("drillwave::ImportWords", text);
 }
 
+constexpr double muchOf = 0.05;  // the impulse, for what clipping adds
+
 QString percent(double share) {
     return numberText(100 * share, 2, QLocale()) + QChar(QChar::Nbsp) + QLatin1Char('%');
 }
@@ -28,19 +30,27 @@ QString countText(std::size_t count) {
 QString importSummary(const ImportPreview& preview) {
     const ShapedSignal& signal = preview.signal;
     const double peak = std::abs(signal.peak);
+    const double peakTime = signal.start + signal.peakTime - signal.points.front().time;
     QStringList parts;
-    parts << tr("Impulse %1, peak %2 at %3.")
+    parts << tr("Impulse %1, peak %2 at %3 in the file.")
                  .arg(pulseText(signal.impulse, UnitKind::impulse), pulseText(signal.peak, UnitKind::force),
-                      pulseText(signal.peakTime, UnitKind::time));
-    parts << tr("%1 of %2 samples become %3 points: no sample is further than %4 (%5 of the peak) from the "
-                "lines between them, the impulse changes by %6.")
-                 .arg(countText(signal.samples), countText(preview.samples), countText(signal.points.size()),
-                      pulseText(signal.deviation, UnitKind::force),
-                      peak > 0 ? percent(signal.deviation / peak) : QStringLiteral("–"),
-                      pulseText(signal.impulseChange, UnitKind::impulse));
+                      pulseText(peakTime, UnitKind::time));
+    if (signal.points.size() == signal.samples)
+        parts << tr("All of the %1 samples are kept, of %2 in the record.")
+                     .arg(countText(signal.samples), countText(preview.samples));
+    else
+        parts
+            << tr("%1 of %2 samples become %3 points: no sample is further than %4 (%5 of the peak) from the "
+                  "lines between them, the impulse changes by %6.")
+                   .arg(countText(signal.samples), countText(preview.samples),
+                        countText(signal.points.size()), pulseText(signal.deviation, UnitKind::force),
+                        peak > 0 ? percent(signal.deviation / peak) : QStringLiteral("–"),
+                        pulseText(signal.impulseChange, UnitKind::impulse));
     if (signal.clipped > 0)
         parts << tr("%1 negative samples are clipped, which adds %2 to the impulse.")
                      .arg(countText(signal.clipped), pulseText(signal.clippedImpulse, UnitKind::impulse));
+    if (signal.clippedImpulse > muchOf * std::abs(signal.impulse))
+        parts << tr("That is much: take less of the record.");
     if (preview.skipped > 0)
         parts << tr("%1 rows without a number are skipped, the first is line %2.")
                      .arg(countText(preview.skipped), countText(preview.firstSkipped));
@@ -57,7 +67,7 @@ QString importHelp() {
         "Take from: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and "
         "Shift+drag zoom there), “All” the whole record.\n"
         "Points at most: of so many samples only some are kept, and it is said how far the others are from "
-        "the lines between them. A blow keeps its impulse.");
+        "the lines between them. A blow keeps its impulse where that moves its forces little.");
 }
 
 }  // namespace drillwave

@@ -6,6 +6,7 @@
 
 #include "ui/job/solved_blow.h"
 #include "ui/pages/page_export.h"
+#include "ui/runs/run.h"
 
 namespace drillwave {
 
@@ -35,10 +36,17 @@ class Page : public QWidget {
     virtual void setCurrent(bool current) = 0;
     /// A blow to stay faintly behind the results while a value is dragged; nullptr when the drag has ended.
     virtual void setGhost(const SolvedBlowPtr& /*before*/) {}
+    /// The pinned runs, at first and whenever something of them has changed, also while the page cannot be
+    /// seen.
+    virtual void setRuns(const RunListPtr& /*runs*/) {}
 
   signals:
     /// The page needs something else now than in the last request.
     void needsChanged();
+    /// title() is another one.
+    void titleChanged();
+    /// The user pins what the page shows of another scenario than the present one.
+    void pinRequested(const drillwave::ScenarioDocument& contents);
     /// The user wants one of the exports.
     void exportRequested(const drillwave::PageExport& wanted);
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/result/output_unit.h"
 
+#include <cmath>
+
 namespace drillwave {
 
 ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size) {
@@ -28,6 +30,17 @@ ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size)
             return units.of(UnitKind::rate, size);
     }
     return {};
+}
+
+std::optional<double> comparableNumber(const Output& output, const SolvedBlow& blow, UnitSystem units) {
+    if (!blow.problem.isEmpty()) return std::nullopt;
+    const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin});
+    if (!value || !std::isfinite(*value)) return std::nullopt;
+    if (output.measure == Measure::share) return 100 * *value;
+    const bool isPlain = output.isOnlySi() || output.measure == Measure::number;
+    if (isPlain || units == UnitSystem::dimensionless) return value;
+    if (blow.scenario.form == ScenarioForm::dimensionless) return std::nullopt;
+    return *value * (output.measure == Measure::work ? blow.scales.energy : output.scale(blow.scales));
 }
 
 }  // namespace drillwave

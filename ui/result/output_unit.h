@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/blow/outputs.h"
+#include "ui/job/solved_blow.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {
@@ -10,5 +11,9 @@ namespace drillwave {
 /// Of an output's values in its measure (Output::measure). Plain numbers, works and shares, which are plain
 /// in SI too, have none. `size` is that of the values where there is no dimensionless number: N, W or m/s.
 ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size);
+
+/// The number of a blow that can be compared with those of others: in SI, works in J, where `units` are
+/// physical, else as outputs have it; shares in percent. Nothing where the blow has none, or no units.
+std::optional<double> comparableNumber(const Output& output, const SolvedBlow& blow, UnitSystem units);
 
 }  // namespace drillwave

@@ -11,9 +11,12 @@
 #include <algorithm>
 #include <string>
 
+#include "core/blow/thrust.h"
 #include "ui/result/event_table.h"
 #include "ui/result/feed_text.h"
 #include "ui/result/output_text.h"
+#include "ui/result/output_unit.h"
+#include "ui/runs/difference_text.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -74,6 +77,12 @@ ResultPanel::ResultPanel(QWidget* parent) : SteadyScrollArea(parent), m_veil(new
     connect(&m_worst, &WorstNeed::changed, this, &ResultPanel::showWorst);
 }
 
+ResultPanel::Number ResultPanel::numberOf(const Output& output) {
+    if (output.measure == Measure::error) return nullptr;
+    return
+        [&output](const SolvedBlow& blow, UnitSystem units) { return comparableNumber(output, blow, units); };
+}
+
 QList<ResultPanel::Entry> ResultPanel::entriesOf(const std::function<bool(const Output&)>& wanted) const {
     QList<Entry> entries;
     for (const Output& output : outputs()) {
@@ -81,6 +90,7 @@ QList<ResultPanel::Entry> ResultPanel::entriesOf(const std::function<bool(const 
         entries.append({words(output.label), words(output.note),
                         [&output](const SolvedBlow& blow) { return outputText(output, blow); },
                         partOf(output)});
+        entries.last().number = numberOf(output);
         if (output.force)
             entries.append({{},
                             tr("Where in the rod it is first that large, and when"),
@@ -103,7 +113,12 @@ void ResultPanel::addThrust() {
          {tr("needed"),
           tr("Thrust for full penetration, f·I₀·(1 + e), up to that which brings the bit back before the "
              "next blow even if nothing damps, f·I₀·(1 + 2e), with the e of this blow"),
-          thrustNeededText},
+          thrustNeededText,
+          {},
+          nullptr,
+          Weight::usual,
+          {},
+          [](const SolvedBlow& blow, UnitSystem) { return thrustNeeded(blow.scenario, blow.summary.cor); }},
          {tr("worst of 4 needs"),
           tr("The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid rock, "
              "and "
@@ -124,7 +139,7 @@ void ResultPanel::addEnergy() {
     SectionBox* section = m_rows.last().section;
     QGridLayout* grid = m_grids.last();
     m_energy = new EnergyBar(section->content());
-    grid->addWidget(m_energy, grid->rowCount(), 0, 1, 3);
+    grid->addWidget(m_energy, grid->rowCount(), 0, 1, 4);
     const auto isShare = [](const Output& output) {
         return output.group == OutputGroup::energy && output.measure != Measure::work &&
                output.measure != Measure::watt;
@@ -137,11 +152,13 @@ void ResultPanel::addPenetration() {
     QList<Entry> entries =
         entriesOf([](const Output& output) { return output.name == "residual_penetration"; });
     for (const Output& output : outputs())
-        if (output.measure == Measure::speed && output.group == OutputGroup::impact)
+        if (output.measure == Measure::speed && output.group == OutputGroup::impact) {
             entries.append({words(output.label), words(output.note), [&output](const SolvedBlow& blow) {
                                 const QString text = outputText(output, blow);
                                 return text.isEmpty() ? text : QStringLiteral("≤ ") + text;
                             }});
+            entries.last().number = numberOf(output);
+        }
     entries += entriesOf([](const Output& output) {
         return output.measure == Measure::penetration && output.name != "residual_penetration";
     });
@@ -156,12 +173,15 @@ void ResultPanel::addRebound() {
               {},
               corErrorText,
               Weight::heavy,
-              QStringLiteral("cor")};
+              QStringLiteral("cor"),
+              numberOf(*findOutput("cor"))};
     QList<Entry> entries{cor};
     for (const Output& output : outputs())
-        if (output.measure == Measure::impulse && output.group == OutputGroup::impact)
+        if (output.measure == Measure::impulse && output.group == OutputGroup::impact) {
             entries.append({words(output.label), words(output.note),
                             [&output](const SolvedBlow& blow) { return impulseText(output, blow); }});
+            entries.last().number = numberOf(output);
+        }
     addNumbers(tr("Rebound"), entries);
 }
 
@@ -207,6 +227,9 @@ void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const Entry& en
     QWidget* content = section->content();
     auto* name = new QLabel(entry.name, content);
     auto* value = new QLabel(content);
+    auto* change = new QLabel(content);
+    change->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    change->hide();
     name->setToolTip(entry.meaning);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     makeSelectable(*value);
@@ -215,19 +238,23 @@ void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const Entry& en
     const int row = grid->rowCount();
     if (entry.name.isEmpty()) {
         name->hide();
-        grid->addWidget(value, row, 1, 1, 2);
+        grid->addWidget(value, row, 1, 1, 3);
     } else if (entry.weight == Weight::heavy) {
         auto* line = new QHBoxLayout;
         line->addWidget(name);
-        line->addWidget(value, 1);
-        grid->addLayout(line, row, 1, 1, 2);
+        line->addStretch();
+        line->addWidget(change);
+        line->addSpacing(grid->horizontalSpacing());
+        line->addWidget(value);
+        grid->addLayout(line, row, 1, 1, 3);
     } else {
         if (entry.part) grid->addWidget(new EnergySwatch(*entry.part, content), row, 0);
         grid->addWidget(name, row, 1);
-        grid->addWidget(value, row, 2);
+        grid->addWidget(change, row, 2);
+        grid->addWidget(value, row, 3);
     }
     value->setObjectName(entry.objectName);
-    m_rows.append({section, name, value, entry.meaning, entry.text, entry.note});
+    m_rows.append({section, name, value, entry.meaning, entry.text, entry.note, entry.number, change});
 }
 
 void ResultPanel::addEvents() {
@@ -243,11 +270,22 @@ void ResultPanel::addEvents() {
 void ResultPanel::alignColumns() {
     const QString widest = QStringLiteral("−88.88 kN (+8888 %)");
     const int value = fontMetrics().horizontalAdvance(widest);
-    for (QGridLayout* grid : std::as_const(m_grids)) grid->setColumnMinimumWidth(2, value);
+    const int change = fontMetrics().horizontalAdvance(QStringLiteral("−88.8 %"));
+    for (QGridLayout* grid : std::as_const(m_grids)) {
+        grid->setColumnMinimumWidth(2, change);
+        grid->setColumnMinimumWidth(3, value);
+    }
 }
 
 void ResultPanel::setTime(std::optional<double> time) {
     m_events->setTime(time);
+}
+
+void ResultPanel::setReference(const SolvedBlowPtr& blow, const QString& title) {
+    m_reference = blow && blow->problem.isEmpty() ? blow : nullptr;
+    m_referenceTitle = title;
+    if (!m_blow) return;
+    for (const Row& row : std::as_const(m_rows)) showChange(row);
 }
 
 void ResultPanel::setOutOfDate(bool outOfDate) {
@@ -260,7 +298,9 @@ QString ResultPanel::text() const {
     for (const Row& row : m_rows)
         if (!row.section->isHidden())
             text += row.section->title() + QStringLiteral(": ") + row.name->text() + QLatin1Char('\t') +
-                    row.value->text() + QLatin1Char('\n');
+                    row.value->text() +
+                    (row.change->text().isEmpty() ? QString() : QLatin1Char('\t') + row.change->text()) +
+                    QLatin1Char('\n');
     return text;
 }
 
@@ -295,6 +335,23 @@ void ResultPanel::showRow(const Row& row) {
     const QString note = solved && row.note ? row.note(*m_blow) : QString();
     row.value->setToolTip(note.isEmpty() ? row.meaning : row.meaning + QStringLiteral(".\n") + note);
     row.value->setAccessibleName(QStringLiteral("%1: %2").arg(row.name->text(), row.value->text()));
+    showChange(row);
+}
+
+void ResultPanel::showChange(const Row& row) {
+    const UnitSystem units = m_blow->request.units;
+    std::optional<double> change;
+    if (m_reference && row.number && m_blow->problem.isEmpty()) {
+        const std::optional<double> now = row.number(*m_blow, units);
+        const std::optional<double> then = row.number(*m_reference, units);
+        if (now && then) change = relativeDifference(*now, *then);
+    }
+    row.change->setText(percentText(change));
+    row.change->setVisible(change.has_value());
+    if (!change) return;
+    row.change->setToolTip(tr("Off %1 by so much").arg(m_referenceTitle));
+    row.change->setAccessibleName(
+        tr("%1, against %2: %3").arg(row.name->text(), m_referenceTitle, row.change->text()));
 }
 
 void ResultPanel::showWorst() {

@@ -30,11 +30,13 @@ class ResultPanel : public SteadyScrollArea {
     explicit ResultPanel(QWidget* parent = nullptr);
 
     void present(const SolvedBlowPtr& blow);
+    /// The blow that every number is compared with, and what it is called; nullptr for none.
+    void setReference(const SolvedBlowPtr& blow, const QString& title);
     /// Marks the event at the time cursor t/t0, if there is one.
     void setTime(std::optional<double> time);
     /// Marks all that is shown as not of the present input, and what is copied too.
     void setOutOfDate(bool outOfDate);
-    /// All numbers as lines of "name<tab>value".
+    /// All numbers as lines of "name<tab>value", with a reference and "<tab>difference".
     QString text() const;
 
     AlertList* alerts() const { return m_alerts; }
@@ -51,6 +53,8 @@ class ResultPanel : public SteadyScrollArea {
   private:
     /// How one number of a blow is written; empty where it is not given.
     using Text = std::function<QString(const SolvedBlow&)>;
+    /// The number itself, to be compared; none where it has no sense.
+    using Number = std::function<std::optional<double>(const SolvedBlow&, UnitSystem)>;
     struct Row {
         SectionBox* section;
         QLabel* name;
@@ -58,6 +62,8 @@ class ResultPanel : public SteadyScrollArea {
         QString meaning;
         Text text;
         Text note;
+        Number number;
+        QLabel* change;  // against the reference
     };
     enum class Weight { usual, heavy };
     struct Entry {
@@ -68,11 +74,13 @@ class ResultPanel : public SteadyScrollArea {
         Text note = nullptr;  ///< more to say about the value of this blow, in its tooltip
         Weight weight = Weight::usual;
         QString objectName = {};
+        Number number = nullptr;
     };
 
     SectionBox* addSection(const QString& title);
     void addNumbers(const QString& title, const QList<Entry>& entries);
     void addRow(SectionBox* section, QGridLayout* grid, const Entry& entry);
+    static Number numberOf(const Output& output);
     QList<Entry> entriesOf(const std::function<bool(const Output&)>& wanted) const;
     void addThrust();
     void addEnergy();
@@ -85,9 +93,12 @@ class ResultPanel : public SteadyScrollArea {
     void alignColumns();
     void copy() const;
     void showRow(const Row& row);
+    void showChange(const Row& row);
     void showWorst();
 
     SolvedBlowPtr m_blow;
+    SolvedBlowPtr m_reference;
+    QString m_referenceTitle;
     WorstNeed m_worst;
     QList<Row> m_rows;
     QList<QGridLayout*> m_grids;

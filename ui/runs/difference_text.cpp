@@ -29,8 +29,9 @@ QString percentText(const std::optional<double>& relative) {
     const QString percent = QString(QChar(QChar::Nbsp)) + QLatin1Char('%');
     if (*relative == 0) return QStringLiteral("±0") + percent;
     if (*relative > mostPercent) return QStringLiteral("×") + numberText(1 + *relative, 3, locale);
-    // A tenth of a percent is as fine as an eye compares.
+    constexpr double leastPercent = 0.01;  // less is hardly a difference, and would be long
     const double share = 100 * *relative;
+    if (std::abs(share) < leastPercent) return QStringLiteral("≈0") + percent;
     const int digits = std::abs(share) >= 1 ? 3 : 2;
     return withSign(*relative, numberText(share, digits, locale)) + percent;
 }

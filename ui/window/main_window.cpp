@@ -23,6 +23,7 @@
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/rock/rock_page.h"
+#include "ui/pages/rod/rod_page.h"
 #include "ui/pages/stiffness/stiffness_page.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
@@ -36,6 +37,7 @@
 #include "ui/window/file_notice.h"
 #include "ui/window/help_menu.h"
 #include "ui/window/page_tabs.h"
+#include "ui/window/pinned_runs.h"
 #include "ui/window/plot_view_menu.h"
 #include "ui/window/recovery_offer.h"
 #include "ui/window/study_menu.h"
@@ -80,6 +82,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_job->setParent(this);
     const Example& example = defaultExample();
     m_document.startFrom(example.text, QString::fromStdString(example.name));
+    m_runs = new PinnedRuns(m_document, *m_questions, this);
     addTabs();
     addCenter();
     addDocks();
@@ -88,11 +91,13 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(blow, PageGroup::thisBlow);
     m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
+    m_pages->add(new RodPage(m_observation), PageGroup::thisBlow);
     m_pages->add(new StiffnessPage(m_document), PageGroup::studies);
     m_pages->add(new GapPage(m_document), PageGroup::studies);
     m_pages->add(new MapPage(m_document), PageGroup::studies);
     m_pages->add(new ThrustPage(m_document), PageGroup::studies);
     m_pages->add(new AccuracyPage(m_document), PageGroup::studies);
+    m_runs->addTo(*m_pages);
     addMenus();
     addStatusBar();
     wire();
@@ -121,6 +126,7 @@ void MainWindow::addTabs() {
     bar->toggleViewAction()->setVisible(false);
     bar->addWidget(m_pages->strip());
     bar->addWidget(m_units->button());
+    bar->addAction(m_runs->pinAction());
     bar->addAction(m_report->action());
     addToolBar(bar);
 }
@@ -144,7 +150,14 @@ void MainWindow::addDocks() {
     m_scenarioPanel = std::make_unique<ScenarioPanel>(m_document, *m_questions);
     m_resultPanel = new ResultPanel;
     m_layout->addDock(tr("Scenario"), QStringLiteral("scenario"), m_scenarioPanel.get());
-    m_layout->addDock(tr("Result"), QStringLiteral("result"), m_resultPanel);
+    m_runs->follow(*m_resultPanel);
+    m_resultSide = new QWidget;
+    auto* layout = new QVBoxLayout(m_resultSide);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_resultPanel, 1);
+    layout->addWidget(m_runs->panel());
+    m_layout->addDock(tr("Result"), QStringLiteral("result"), m_resultSide);
 }
 
 void MainWindow::addMenus() {
@@ -155,6 +168,7 @@ void MainWindow::addMenus() {
         this);
     m_fileMenu = new FileMenu(m_document, *m_questions, m_watch, m_exportMenu, this);
     m_fileMenu->insertAction(m_exportMenu->menuAction(), m_report->action());
+    m_fileMenu->insertAction(m_exportMenu->menuAction(), m_runs->keepAction());
     menuBar()->addMenu(m_fileMenu);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     QAction* undo = m_document.undoStack().createUndoAction(edit, tr("&Undo"));
@@ -162,6 +176,8 @@ void MainWindow::addMenus() {
     QAction* redo = m_document.undoStack().createRedoAction(edit, tr("&Redo"));
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     edit->addActions({undo, redo});
+    edit->addSeparator();
+    edit->addAction(m_runs->pinAction());
     addViewMenu();
     menuBar()->addMenu(new StudyMenu(*m_pages, this));
     menuBar()->addMenu(new HelpMenu(*m_questions, this));
@@ -178,7 +194,7 @@ void MainWindow::addViewMenu() {
     view->addAction(plot->tableAction());
     view->addSeparator();
     m_pages->addTo(*view);
-    (new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultPanel}, this))->addTo(*view);
+    (new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultSide}, this))->addTo(*view);
     view->addSeparator();
     m_layout->addTo(*view);
     view->addSeparator();
@@ -203,6 +219,8 @@ void MainWindow::wire() {
             [this] { m_studyStatus->follow(&m_report->activity(), tr("Report")); });
     connect(m_report, &ReportWriter::ended, this, &MainWindow::followPage);
     connect(m_pages, &PageTabs::exportRequested, m_exportMenu, &ExportMenu::save);
+    connect(m_runs->pinAction(), &QAction::triggered, this,
+            [this] { m_solveStatus->whenCurrent(tr("the run"), [this] { m_runs->pin(); }); });
     connect(m_resultPanel, &ResultPanel::timeChosen, &m_observation, &Observation::setTime);
     connect(&m_observation, &Observation::timeChanged, m_resultPanel, &ResultPanel::setTime);
     connect(m_resultPanel, &ResultPanel::parameterChosen, m_scenarioPanel.get(), &ScenarioPanel::goTo);
@@ -316,6 +334,7 @@ void MainWindow::solve() {
 void MainWindow::present(const SolvedBlowPtr& blow) {
     m_shown = blow;
     m_resultPanel->present(blow);
+    m_runs->present(blow);
     m_pages->current().setResult(blow);
     m_units->present(m_document.scenario());
     if (blow->request.number == m_asked)

@@ -22,6 +22,7 @@ class FileNotice;
 class FileMenu;
 class Importer;
 class PageTabs;
+class PinnedRuns;
 class Recovery;
 class ReportWriter;
 class ResultPanel;
@@ -90,7 +91,9 @@ class MainWindow : public QMainWindow {
     ExampleNote* m_exampleNote = nullptr;
     FileNotice* m_fileNotice = nullptr;
     Recovery* m_recovery = nullptr;
+    PinnedRuns* m_runs = nullptr;
     ResultPanel* m_resultPanel = nullptr;
+    QWidget* m_resultSide = nullptr;  // the result and the runs below it
     UnitsChoice* m_units;
     ReportWriter* m_report;
     PageTabs* m_pages;

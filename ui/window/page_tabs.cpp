@@ -19,7 +19,15 @@ QString nameOf(const Page& page) {
 }
 
 QString caption(PageGroup group) {
-    return group == PageGroup::thisBlow ? PageTabs::tr("THIS BLOW") : PageTabs::tr("STUDIES");
+    switch (group) {
+        case PageGroup::thisBlow:
+            return PageTabs::tr("THIS BLOW");
+        case PageGroup::studies:
+            return PageTabs::tr("STUDIES");
+        case PageGroup::runs:
+            break;
+    }
+    return {};  // a line is enough
 }
 
 }  // namespace
@@ -37,6 +45,8 @@ void PageTabs::add(Page* page, PageGroup group) {
     insertWidget(addTab(page, group), page);
     m_strip->setCurrentIndex(m_strip->indexOf(currentWidget()));
     connect(page, &Page::exportRequested, this, &PageTabs::exportRequested);
+    connect(page, &Page::titleChanged, this,
+            [this, page] { m_strip->rename(m_strip->indexOf(page), page->title()); });
     connect(page, &Page::needsChanged, this, [this, page] {
         if (page == currentWidget()) emit needsChanged();
     });

@@ -14,8 +14,9 @@ namespace drillwave {
 class StaleVeil;
 class TabStrip;
 
-/// What a page is about, in the order of the tabs: the blow of the scenario, or many blows.
-enum class PageGroup { thisBlow, studies };
+/// What a page is about, in the order of the tabs: the blow of the scenario, many blows, or some side by
+/// side.
+enum class PageGroup { thisBlow, studies, runs };
 
 /// The pages one upon the other. The tabs are elsewhere in the window, over its whole width.
 class PageTabs : public QStackedWidget {

@@ -36,7 +36,12 @@ void TabStrip::insertCaption(int index, const QString& text) {
 void TabStrip::insertPage(int index, QWidget* page, const QString& title) {
     const int at = insertTab(index, title);
     setTabData(at, QVariant::fromValue(page));
-    setTabToolTip(at, title);  // it may be cut short
+    rename(at, title);
+}
+
+void TabStrip::rename(int index, const QString& title) {
+    setTabText(index, title);
+    setTabToolTip(index, title);  // it may be cut short
 }
 
 QWidget* TabStrip::pageAt(int index) const {

@@ -22,6 +22,7 @@ class TabStrip : public QTabBar {
     /// nullptr for a caption, and where there is no tab.
     QWidget* pageAt(int index) const;
     /// Where the tab of a page is; −1 where there is none.
+    void rename(int index, const QString& title);
     int indexOf(const QWidget* page) const;
     /// Chooses the tab `step` tabs of pages further on, round the row.
     void choose(int step);

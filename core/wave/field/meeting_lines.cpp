@@ -210,7 +210,18 @@ double UpperEdge::leastOver(double begin, double end, double enough) const {
     return least + m_rounding;
 }
 
+// Most lines stay below.
+bool UpperEdge::isRaisedBy(const MeetingLine& line) const {
+    for (auto each = lineAt(line.begin); each != m_lines.end() && each->second.begin < line.end; ++each) {
+        const MeetingLine& old = each->second;
+        const double low = std::max(old.begin, line.begin), high = std::min(old.end, line.end);
+        if (line.at(low) - old.at(low) > m_rounding || line.at(high) - old.at(high) > m_rounding) return true;
+    }
+    return false;
+}
+
 void UpperEdge::raise(const MeetingLine& line) {
+    if (!isRaisedBy(line)) return;
     std::vector<MeetingLine> parts;  // of what was there, and of the new line
     const MeetingLine* lastOf = nullptr;
     const auto append = [&](const MeetingLine& from, double begin, double end) {

@@ -48,6 +48,7 @@ class UpperEdge {
   private:
     using Lines = std::map<double, MeetingLine>;
     Lines::const_iterator lineAt(double delay) const;
+    bool isRaisedBy(const MeetingLine& line) const;
 
     double m_rounding;
     Lines m_lines;  ///< by their begin

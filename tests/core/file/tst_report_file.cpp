@@ -11,6 +11,7 @@
 #include "core/file/result_scenario.h"
 #include "core/file/scenario_text.h"
 #include "core/report/blow_json.h"
+#include "core/report/feed_words.h"
 #include "core/report/report_html.h"
 #include "core/study/thrust/thrust_margins.h"
 
@@ -36,7 +37,7 @@ QString rowOf(const std::string& page, const QString& key) {
 /// The whole numbers behind the cells of a row.
 QList<double> numbersOf(const QString& row) {
     QList<double> numbers;
-    auto found = QRegularExpression("<data value=\"([^\"]*)\">").globalMatch(row);
+    auto found = QRegularExpression("data-value=\"([^\"]*)\"").globalMatch(row);
     while (found.hasNext()) numbers << found.next().captured(1).toDouble();
     return numbers;
 }
@@ -81,6 +82,7 @@ class TestReportFile : public QObject {
     void whatUsersTypeIsNoMarkup();
     void theVerdictIsThatOfTheThrustStudy();
     void aScenarioWithoutFrequencySaysWhyThereIsNoThrust();
+    void aBlowOfManyPiecesIsReportedWithoutStudies();
     void thePaperCutsALongScenarioShort();
     void aPageWithoutARecordIsRefused();
 };
@@ -197,7 +199,23 @@ void TestReportFile::aScenarioWithoutFrequencySaysWhyThereIsNoThrust() {
     const BlowReport report = reportOfExample("paper_fig4a");
     QVERIFY(!report.thrust);
     QVERIFY(!report.thrustProblem.empty());
-    QVERIFY(pageOf(report).find(report.thrustProblem) != std::string::npos);
+    QVERIFY(pageOf(report).find("<p>The " + report.thrustProblem.substr(4) + ".</p>") != std::string::npos);
+}
+
+void TestReportFile::aBlowOfManyPiecesIsReportedWithoutStudies() {
+    ScenarioDocument document = parseScenario(defaultExample().text, "here");
+    std::vector<TablePoint> points;
+    for (int i = 0; i <= 6000; ++i) points.push_back({i * 5e-8, i % 2 == 0 ? 2e5 : 2.1e5});
+    document.scenario.pulse.shape = PulseShape::table;
+    document.scenario.pulse.tablePoints = points;
+    const BlowReport report = reportOn(document);
+    QVERIFY(report.blow.isSolved() && report.blow.impact.pieces > 10'000);
+    QVERIFY(!report.gap && !report.thrust && !report.blow.thrustMargin);
+    const std::string page = pageOf(report);
+    for (const std::string& words :
+         {feedSentence(*report.blow.feed), report.gapProblem, report.thrustProblem})
+        QVERIFY2(page.find("<p>" + words + "</p>") != std::string::npos, words.c_str());
+    QVERIFY(inputOf(report.inputs, "pulse.points").value == "6001 points");
 }
 
 void TestReportFile::thePaperCutsALongScenarioShort() {

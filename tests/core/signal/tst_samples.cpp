@@ -54,6 +54,7 @@ class TestSamples : public QObject {
     void twoGaugesGiveTheirMean();
     void whatCannotBeReadIsRefusedWithItsLine_data();
     void whatCannotBeReadIsRefusedWithItsLine();
+    void twoValuesAtOneTimeAreAJump();
     void rowsWithoutANumberAreSkippedAndCounted();
     void skippedRowsKeepTheirPlaceInTime();
     void commentsAndBlankLinesAreNoRows();
@@ -96,7 +97,10 @@ void TestSamples::whatCannotBeReadIsRefusedWithItsLine_data() {
     QTest::addRow("empty cell") << QByteArray("0,1\n,2\n") << 2 << QByteArray("column 1 holds no value");
     QTest::addRow("missing cell") << QByteArray("0,1\n1\n") << 2 << QByteArray("column 2 is missing");
     QTest::addRow("time goes back") << QByteArray("0,1\n2,2\n\n1,3\n") << 4 << QByteArray("not later");
-    QTest::addRow("time stands still") << QByteArray("0,1\n0,2\n") << 2 << QByteArray("not later");
+    QTest::addRow("time stands still") << QByteArray("0,1\n0,2\n0,3\n") << 3 << QByteArray("not later");
+    QByteArray coarse;
+    for (int i = 0; i < 50; ++i) coarse += QByteArray::number(i / 2) + ",1\n";
+    QTest::addRow("coarse times") << coarse << 2 << QByteArray("too coarse");
     QTest::addRow("overflow") << QByteArray("0,1\n1,1e999\n") << 2 << QByteArray("not a number");
     QTest::addRow("one sample") << QByteArray("0,1\n") << 0 << QByteArray("fewer than two samples");
     QTest::addRow("none") << QByteArray("") << 0 << QByteArray("fewer than two samples");
@@ -111,6 +115,14 @@ void TestSamples::whatCannotBeReadIsRefusedWithItsLine() {
     QVERIFY2(samples.problem.find(words.toStdString()) != std::string::npos, samples.problem.c_str());
     QCOMPARE(static_cast<int>(samples.problemLine), line);
     QVERIFY(samples.time.empty() && samples.value.empty());
+}
+
+void TestSamples::twoValuesAtOneTimeAreAJump() {
+    const Samples samples = readText("0,0\n1,0\n1,5\n2,5\n3,5\n4,5\n5,5\n6,5\n7,5\n8,5\n", timesAndValues());
+    QCOMPARE(samples.problem, std::string());
+    QCOMPARE(samples.jumps, std::size_t{1});
+    QCOMPARE(samples.time[2], std::nextafter(1.0, 2.0));
+    QCOMPARE(samples.value[2], 5.0);
 }
 
 void TestSamples::rowsWithoutANumberAreSkippedAndCounted() {

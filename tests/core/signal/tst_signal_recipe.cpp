@@ -67,7 +67,9 @@ class TestSignalRecipe : public QObject {
 
   private slots:
     void aBlowFromStrainHasTheImpulseOfItsIntegral();
+    void aBlowMayJump();
     void noiseBelowZeroIsClippedAndCounted();
+    void aBiasOfNoiseDoesNotScaleTheBlow();
     void aBlowThatPullsIsRefused();
     void theStatedDeviationHolds_data();
     void theStatedDeviationHolds();
@@ -101,6 +103,16 @@ void TestSignalRecipe::aBlowFromStrainHasTheImpulseOfItsIntegral() {
     QVERIFY(pointProblem(blow.points).reason.empty());
 }
 
+// A rectangle as the program itself writes it.
+void TestSignalRecipe::aBlowMayJump() {
+    const double up = std::nextafter(1e-4, 1), down = std::nextafter(3e-4, 1);
+    const ShapedSignal blow = shapedSignal(
+        samplesOf({0, 1e-4, up, 3e-4, down, 4e-4}, {0, 0, 255e3, 255e3, 0, 0}), {.use = SignalUse::blow});
+    QCOMPARE(blow.points.size(), std::size_t{6});
+    QVERIFY(pointProblem(blow.points).reason.empty());
+    QVERIFY(std::abs(blow.impulse / 51 - 1) < 1e-8);
+}
+
 void TestSignalRecipe::noiseBelowZeroIsClippedAndCounted() {
     const Samples samples = strainOfABlow(20);
     const ShapedSignal blow = shapedSignal(samples, blowRecipe());
@@ -115,6 +127,24 @@ void TestSignalRecipe::noiseBelowZeroIsClippedAndCounted() {
     const double whole = shapedSignal(samples, unclipped).impulse;
     QVERIFY(std::abs(blow.impulse - blow.clippedImpulse - whole) < 1e-8 * whole);
     QVERIFY(pointProblem(blow.points).reason.empty());
+}
+
+// A short blow in a long record, whose clipped noise has more impulse than the blow: thinned to a few points
+// the noise has another impulse, which is stated, and the blow keeps its height.
+void TestSignalRecipe::aBiasOfNoiseDoesNotScaleTheBlow() {
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> any(0, 5);
+    Samples samples;
+    for (int i = 0; i < 200'000; ++i) {
+        samples.time.push_back(1e-6 * i);
+        samples.value.push_back((i > 1000 && i < 1100 ? 1000 : 0) + any(random));
+    }
+    const ShapedSignal blow =
+        shapedSignal(samples, {.use = SignalUse::blow, .negatives = Negatives::clipped, .points = 200});
+    QCOMPARE(blow.problem, std::string());
+    QVERIFY(std::abs(blow.peak / 1000 - 1) < 0.03);
+    QVERIFY(blow.deviation < 40);
+    QVERIFY(std::abs(blow.impulseChange) > 0.01 * blow.impulse);
 }
 
 void TestSignalRecipe::aBlowThatPullsIsRefused() {

@@ -73,7 +73,7 @@ class TestPlotExport : public QObject {
 void TestPlotExport::everyFormatIsDrawn() {
     const Pictures pictures = drawn(allFormats);
     QCOMPARE(pictures.problem, QString());
-    QCOMPARE(pictures.files.size(), std::size_t{6});
+    QCOMPARE(pictures.files.size(), std::size_t{9});
     for (const NamedFile& file : pictures.files) QVERIFY2(file.bytes.size() > 2000, file.name.c_str());
     QVERIFY(picture(pictures, "blow.pdf").startsWith("%PDF-"));
 }
@@ -108,7 +108,7 @@ void TestPlotExport::pngAndSvgAreTheSameBytesEveryTime() {
     const Formats formats{"png", "svg"};
     const Pictures first = drawn(formats);
     const Pictures second = drawn(formats);
-    for (const char* name : {"blow.png", "blow.svg", "rock.png", "rock.svg"}) {
+    for (const char* name : {"blow.png", "blow.svg", "rock.png", "rock.svg", "rod.png", "rod.svg"}) {
         QVERIFY(!picture(first, name).isEmpty());
         QCOMPARE(picture(first, name), picture(second, name));
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The import of measured signals: what is found out, what can be changed, what is taken.
+#include <QDialogButtonBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -26,6 +27,7 @@
 #include "ui/pages/blow/measured_curves.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
+#include "ui/window/file_menu.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -89,11 +91,15 @@ class TestImportDialog : public QObject {
     void wrongInputsAreToldInPlace_data();
     void wrongInputsAreToldInPlace();
     void theBlowIsOneUndoStepAndIsKeptInTheFile();
+    void aBlowOfAllThePointsThereMayBeFitsItsFile();
+    void aPlaceBeyondTheRodIsRefused();
     void aBlowThatTheScenarioRefusesStaysInTheDialog();
     void theDialogFollowsTheRod();
     void theWindowMayCloseWhileTheDialogIsOpen();
+    void aDroppedTableOpensTheDialog();
     void aMeasuredForceLiesOnTheComputedOneOfTheSameBlow_data();
     void aMeasuredForceLiesOnTheComputedOneOfTheSameBlow();
+    void anExportedCurveIsReadBack();
     void measuredCurvesAreShiftedAndRemoved();
     void everythingCanBeReadAndReached_data();
     void everythingCanBeReadAndReached();
@@ -174,7 +180,7 @@ void TestImportDialog::aGaugeRecordIsUnderstood() {
     QCOMPARE(control<ChoiceBox>(dialog, "kind").currentText(), QStringLiteral("strain"));
     QCOMPARE(control<ChoiceBox>(dialog, "valueUnit").currentText(), QStringLiteral("microstrain"));
     QCOMPARE(control<ChoiceBox>(dialog, "positive").currentText(), QStringLiteral("tension"));
-    QVERIFY(control<QPlainTextEdit>(dialog, "lines").toPlainText().contains(QStringLiteral("▸  4  0,0000")));
+    QVERIFY(control<QPlainTextEdit>(dialog, "lines").toPlainText().contains(QStringLiteral(">  4  0,0000")));
     QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
     QVERIFY(control<QPushButton>(dialog, "take").isEnabled());
 }
@@ -191,7 +197,7 @@ void TestImportDialog::aBlowFromStrainHasTheImpulseOfItsIntegral() {
     QVERIFY2(std::abs(dialog.result()->impulse / integral - 1) < 1e-3,
              qPrintable(QString::number(dialog.result()->impulse / integral, 'g', 9)));
     const QString summary = control<QLabel>(dialog, "summary").text();
-    QVERIFY2(summary.contains(QStringLiteral("Impulse 15.2")) && summary.contains(QStringLiteral("points")),
+    QVERIFY2(summary.contains(QStringLiteral("Impulse 15.2")) && summary.contains(QStringLiteral("samples")),
              qPrintable(summary));
     control<QPushButton>(dialog, "take").click();
     QVERIFY(std::abs(pulseImpulse(m_window->document().scenario()) / integral - 1) < 1e-3);
@@ -291,6 +297,35 @@ void TestImportDialog::theBlowIsOneUndoStepAndIsKeptInTheFile() {
     QCOMPARE(document.text(), before);
 }
 
+// Noise, of which no point can be left out.
+void TestImportDialog::aBlowOfAllThePointsThereMayBeFitsItsFile() {
+    QByteArray bytes("t [us],F [kN]\n");
+    for (int i = 0; i < 30000; ++i)
+        bytes += QByteArray::number(0.0137 * i) + ',' + QByteArray::number(100 + 50 * std::sin(1e4 * i * i)) +
+                 '\n';
+    ImportDialog& dialog = open(write("noise.csv", bytes), ImportUse::blow);
+    control<QSpinBox>(dialog, "points").setValue(1'000'000);
+    QCOMPARE(control<QSpinBox>(dialog, "points").value(), 10'000);
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QVERIFY(dialog.result()->points.size() > 5000);
+    control<QPushButton>(dialog, "take").click();
+    const QByteArray text = m_window->document().text();
+    QCOMPARE(parseScenario(text.toStdString(), "x.yaml").scenario.pulse.tablePoints,
+             m_window->document().scenario().pulse.tablePoints);
+}
+
+void TestImportDialog::aPlaceBeyondTheRodIsRefused() {
+    ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::normalForce);
+    type(dialog, "place", QStringLiteral("3.7 m"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("at most 3.66")), qPrintable(message(dialog)));
+    QVERIFY(!control<QPushButton>(dialog, "take").isEnabled());
+    type(dialog, "place", QStringLiteral("3.6 m"));
+    QVERIFY(settle(dialog));
+    QVERIFY(control<QPushButton>(dialog, "take").isEnabled());
+}
+
 void TestImportDialog::aBlowThatTheScenarioRefusesStaysInTheDialog() {
     // A blow of 1e-30 s asks for more than any solver can place.
     const QByteArray bytes("t [s],F [N]\n0,0\n1e-30,1\n2e-30,0\n");
@@ -318,6 +353,22 @@ void TestImportDialog::theWindowMayCloseWhileTheDialogIsOpen() {
     type(dialog, "from", QStringLiteral("50 us"));
     m_window.reset();
     QVERIFY(true);
+}
+
+void TestImportDialog::aDroppedTableOpensTheDialog() {
+    part<FileMenu>(*m_window).take({write("record.txt", gaugeRecord())});
+    auto* dialog = m_window->findChild<ImportDialog*>();
+    QVERIFY(dialog && settle(*dialog));
+    QVERIFY(dialog->result() != nullptr);
+    // Another one takes its place.
+    part<FileMenu>(*m_window).take({write("other.txt", gaugeRecord())});
+    QCOMPARE(m_window->findChildren<ImportDialog*>().size(), 1);
+    QVERIFY(m_window->findChild<ImportDialog*>()->windowTitle().contains(QStringLiteral("other.txt")));
+    QPushButton* help =
+        m_window->findChild<ImportDialog*>()->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Help);
+    QCOMPARE(help->shortcut(), QKeySequence(Qt::Key_F1));
+    help->click();
+    QVERIFY(m_answers.told.value(0).contains(QStringLiteral("Zero line")));
 }
 
 void TestImportDialog::aMeasuredForceLiesOnTheComputedOneOfTheSameBlow_data() {
@@ -357,6 +408,13 @@ void TestImportDialog::aMeasuredForceLiesOnTheComputedOneOfTheSameBlow() {
     QCOMPARE(page->measuredCurves()->graphs().size(), 1);
     const QCPGraph* graph = page->measuredCurves()->graphs().first();
     QVERIFY(graph->data()->size() <= points);
+    // Moved away it is put back where it fits.
+    type(*page, "measuredShift", QStringLiteral("130 us"));
+    page->findChild<QPushButton*>(QStringLiteral("alignMeasured"))->click();
+    const std::optional<double> shift =
+        page->findChild<QuantityField*>(QStringLiteral("measuredShift"))->value();
+    QVERIFY2(std::abs(*shift) < 2e-6, qPrintable(QString::number(*shift)));
+    type(*page, "measuredShift", QStringLiteral("0"));
     const ShownUnits& units = blow->units;
     double largest = 0;
     auto next = graph->data()->constBegin();
@@ -376,6 +434,30 @@ void TestImportDialog::aMeasuredForceLiesOnTheComputedOneOfTheSameBlow() {
     QVERIFY(deviation > 0);
 }
 
+// The data of the page, exported and imported again: jumps, blank cells and other columns included.
+void TestImportDialog::anExportedCurveIsReadBack() {
+    auto* page = m_window->findChild<BlowPage*>();
+    ImportDialog& dialog = open(write("exported.csv", page->plot()->csv()), ImportUse::impactForce);
+    choose(dialog, "valueColumn", QStringLiteral("impact force"));
+    auto& time = control<ChoiceBox>(dialog, "timeColumn");
+    time.setCurrentIndex(control<ChoiceBox>(dialog, "valueColumn").currentIndex() - 1);
+    choose(dialog, "wrongRows", QStringLiteral("skip"));
+    choose(dialog, "positive", QStringLiteral("compression"));
+    control<QSpinBox>(dialog, "points").setValue(100'000);
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    const QCPGraph* drawn = page->plots()->forceGraph();
+    const double peak = std::max_element(drawn->data()->constBegin(), drawn->data()->constEnd(),
+                                         [](const auto& a, const auto& b) { return a.value < b.value; })
+                            ->value;
+    QVERIFY(std::abs(dialog.result()->peak / 1e3 / peak - 1) < 1e-12);
+    const SolvedBlow& blow = *m_window->shown();
+    const double impulse = blow.summary.impulse * scalesOf(blow.request.scenario).impulse;
+    // The drawn chords of a curve that is drawn as straight lines between exact points.
+    QVERIFY2(std::abs(dialog.result()->impulse / impulse - 1) < 1e-3,
+             qPrintable(QString::number(dialog.result()->impulse / impulse, 'g', 9)));
+}
+
 void TestImportDialog::measuredCurvesAreShiftedAndRemoved() {
     auto* page = m_window->findChild<BlowPage*>();
     auto* bar = m_window->findChild<QWidget*>(QStringLiteral("measured"));
@@ -387,23 +469,32 @@ void TestImportDialog::measuredCurvesAreShiftedAndRemoved() {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
     QVERIFY(bar->isVisible());
-    const QVector<QCPGraph*> graphs = page->measuredCurves()->graphs();
-    QCOMPARE(graphs.size(), 2);
-    QCOMPARE(graphs[1]->name(), QStringLiteral("record (2)"));
-    QVERIFY(graphs[0]->pen().color() != graphs[1]->pen().color());
-    QVERIFY(graphs[0]->pen().dashPattern() != graphs[1]->pen().dashPattern());
+    const auto graph = [page](int i) { return page->measuredCurves()->graphs().at(i); };
+    QCOMPARE(page->measuredCurves()->graphs().size(), 2);
+    QCOMPARE(graph(1)->name(), QStringLiteral("record (2)"));
+    QVERIFY(graph(0)->pen().color() != graph(1)->pen().color());
+    QVERIFY(graph(0)->pen().dashPattern() != graph(1)->pen().dashPattern());
     // 1 m of 3.66 m: the section that is on show now.
     QVERIFY(std::abs(m_window->findChild<QDoubleSpinBox*>(QStringLiteral("section"))->value() - 0.273) <
             1e-9);
-    const double before = graphs[1]->data()->at(0)->key;
+    const double before = graph(1)->data()->at(0)->key;
     type(*bar, "measuredShift", QStringLiteral("250 us"));
-    QVERIFY(std::abs(graphs[1]->data()->at(0)->key - before - 0.25) < 1e-9);
-    QVERIFY(graphs[0]->data()->at(0)->key == before);
+    QVERIFY(std::abs(graph(1)->data()->at(0)->key - before - 0.25) < 1e-9);
+    QVERIFY(graph(0)->data()->at(0)->key == before);
+    // It outlives a blow that cannot be solved, and one without units.
+    page->setResult(failedBlow(m_window->shown()->request, QStringLiteral("too stiff")));
+    QVERIFY(page->measuredCurves()->graphs().isEmpty());
+    m_window->document().startFrom(findExample("paper_fig4b")->text, QStringLiteral("paper"));
+    QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy());
+    QVERIFY(page->measuredCurves()->graphs().isEmpty());
+    QVERIFY(bar->isVisible());
+    m_window->document().startFrom(defaultExample().text, QStringLiteral("rod"));
+    QTRY_COMPARE(page->measuredCurves()->graphs().size(), 2);
     // It stays where it is when the scenario changes, and other units show the same.
     Document& document = m_window->document();
     document.assign(*findParameter("pulse.duration"), 150e-6, document.newGesture());
     QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy());
-    QVERIFY(std::abs(graphs[0]->data()->at(0)->key - before) < 1e-9);
+    QVERIFY(std::abs(graph(0)->data()->at(0)->key - before) < 1e-9);
     control<QPushButton>(*bar, "removeMeasured").click();
     QCOMPARE(page->measuredCurves()->graphs().size(), 1);
     control<QPushButton>(*bar, "removeMeasured").click();

@@ -33,7 +33,7 @@ const Qt::Key keys[] = {
     Qt::Key_S,    Qt::Key_O,       Qt::Key_N,      Qt::Key_D,      Qt::Key_I,         Qt::Key_0,
     Qt::Key_1,    Qt::Key_5,       Qt::Key_Period, Qt::Key_Comma,  Qt::Key_E,         Qt::Key_F,
     Qt::Key_F6,   Qt::Key_F10,     Qt::Key_Menu,   Qt::Key_Q,      Qt::Key_F1,        Qt::Key_F5,
-    Qt::Key_W,
+    Qt::Key_F7,   Qt::Key_F2,      Qt::Key_W,
 };
 
 const char* const texts[] = {

@@ -11,6 +11,10 @@ namespace {
 
 const QByteArray pulseTable = "time [us],force [kN]\n0,0\n20,180\n60,240\n120,210\n180,40\n200,0\n";
 
+// Of two strain gauges, with decimal commas and an empty cell.
+const QByteArray gaugeTable =
+    "Zeit [ms];oben [µm/m];unten [µm/m]\n0,0;2,1;-1\n0,1;-950,5;-970\n0,2;-800,25;\n0,3;-3;4\n0,4;90;85\n";
+
 QByteArray textOf(const char* example) {
     const Example* found = findExample(example);
     return found ? QByteArray::fromStdString(std::string(found->text)) : QByteArray();
@@ -21,7 +25,7 @@ QByteArray textOf(const char* example) {
 MonkeyFiles::MonkeyFiles() {
     for (const char* name :
          {"rod.yaml", "groups.yaml", "broken.yaml", "invalid.yaml", "noise.yaml", "empty.yaml", "pulse.csv",
-          "ragged.csv", "missing.yaml", "folder", "notes.txt", "histories.csv"})
+          "ragged.csv", "missing.yaml", "folder", "notes.txt", "gauges.txt", "histories.csv"})
         m_toOpen.append(path(QLatin1String(name)));
     for (const char* name :
          {"rod.yaml", "new.yaml", "other.yml", "without_suffix", "missing/new.yaml", "folder"})
@@ -42,6 +46,7 @@ void MonkeyFiles::writeAll() {
     write(QStringLiteral("pulse.csv"), pulseTable);
     write(QStringLiteral("ragged.csv"), "time [us],force [kN]\n0,0\n20\n");
     write(QStringLiteral("notes.txt"), "not a scenario\n");
+    write(QStringLiteral("gauges.txt"), gaugeTable);
 }
 
 void MonkeyFiles::write(const QString& name, const QByteArray& bytes) {

@@ -12,8 +12,10 @@
 #include "tests/support/window_parts.h"
 #include "tests/ui/window/layout_check.h"
 #include "ui/job/solve_job.h"
+#include "ui/job/solve_status.h"
 #include "ui/text/settings.h"
 #include "ui/window/page_tabs.h"
+#include "ui/window/pinned_runs.h"
 #include "ui/window/units_choice.h"
 
 using namespace drillwave;
@@ -27,6 +29,17 @@ void openExample(MainWindow& window, const QString& name) {
     for (QAction* action : window.findChildren<QAction*>())
         if (action->text() == title) return action->trigger();
     QFAIL(qPrintable(title));
+}
+
+// So that the list, the differences and the comparison are on show too.
+void pinRuns(MainWindow& window) {
+    Document& document = window.document();
+    for (const double gamma : {0.2, 0.3}) {
+        document.assign(*findParameter("gamma"), gamma, document.newGesture());
+        part<PinnedRuns>(window).pinAction()->trigger();
+        QTRY_VERIFY(part<SolveStatus>(window).isCurrent());
+    }
+    QCOMPARE(part<PinnedRuns>(window).runs().list()->size(), 2u);
 }
 
 QStringList docksOverThePage(const MainWindow& window) {
@@ -106,6 +119,7 @@ void TestLayout::everythingCanBeReadAndReached() {
     QCoreApplication::processEvents();
     window.resize(size);  // now that the docks may have come together for want of room
     QCoreApplication::processEvents();
+    pinRuns(window);
     auto* pages = window.findChild<PageTabs*>();
     QStringList problems;
     if (window.width() > size.width() || window.height() > size.height())

@@ -9,6 +9,7 @@
 #include "core/wave/impact.h"
 #include "ui/pages/blow/closed_form_curve.h"
 #include "ui/plot/graph_data.h"
+#include "ui/runs/run_overlay.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {
@@ -18,13 +19,16 @@ struct BlowCurves {
     static constexpr int waveCount = 4;
 
     ShownUnits units;
-    double section = 0.5;                       ///< x/L of the waves
-    std::array<GraphData, waveCount> waves;     ///< N0p, N1n, N2p, N3n, each over its own interval
-    GraphData force;                            ///< impact force
-    GraphData impulse;                          ///< of the impact force so far
-    GraphData momentum;                         ///< of the rod, positive towards the rock
-    std::optional<ClosedFormCurve> closedForm;  ///< where it is wanted and holds
-    double timeEnd = 0;                         ///< until then something happens; the curves may go on
+    double section = 0.5;                           ///< x/L of the waves
+    std::array<GraphData, waveCount> waves;         ///< N0p, N1n, N2p, N3n, each over its own interval
+    std::array<GraphData, 2> laterWaves;            ///< N4p, N6p … and N5n, N7n …, up to timeEnd
+    GraphData sectionForce;                         ///< N there: the sum of all waves, up to timeEnd
+    GraphData force;                                ///< impact force
+    GraphData impulse;                              ///< of the impact force so far
+    GraphData momentum;                             ///< of the rod, positive towards the rock
+    std::optional<ClosedFormCurve> closedForm;      ///< where it is wanted and holds
+    double timeEnd = 0;                             ///< until then something happens; the curves may go on
+    std::vector<RunOverlay<BlowCurves>> runs = {};  ///< laid over them
 };
 
 /// Requires an impact solved with Detail::histories.

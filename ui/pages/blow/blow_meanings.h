@@ -15,11 +15,16 @@ namespace drillwave {
 /// exact values.
 struct BlowMeanings {
     std::array<CurveMeaning, BlowCurves::waveCount> waves;
+    std::array<CurveMeaning, 2> laterWaves;
+    CurveMeaning sectionForce;
     CurveMeaning force;
     CurveMeaning closedForm;
     CurveMeaning impulse;
     CurveMeaning momentum;
 };
+
+/// Of a force over time that is known by its points alone.
+CurveMeaning forceMeaning(const ShownUnits& units);
 
 /// Requires a solved blow with its curves.
 BlowMeanings blowMeanings(const SolvedBlowPtr& blow);

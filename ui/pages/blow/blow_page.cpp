@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/blow/blow_page.h"
 
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/signal/alignment.h"
 #include "core/wave/field/rod_state.h"
+#include "core/wave/field/wave_field.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_bar.h"
 #include "ui/pages/blow/measured_curves.h"
+#include "ui/pages/section_field.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
 
@@ -28,13 +29,14 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     : PlotPage(parent),
       m_observation(observation),
       m_hint(new QLabel(this)),
-      m_section(new QDoubleSpinBox(this)),
+      m_section(new SectionField(
+          observation, tr("Where in the rod the waves are observed: 0 is the struck end, 1 the bit."), this)),
       m_place(new QLabel(this)),
       m_instant(new QLabel(this)),
       m_plot(makePlot()),
       m_plots(new BlowPlots(m_plot)),
       m_measuredCurves(new MeasuredCurves(m_plots)) {
-    setUpSection();
+    m_place->setObjectName(QStringLiteral("place"));
     m_instant->setObjectName(QStringLiteral("instant"));
     m_instant->setContentsMargins(8, 0, 8, 0);
     m_instant->setWordWrap(true);
@@ -53,7 +55,6 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
         m_plots->setStyle(style);
         m_measuredCurves->setStyle(style);
     });
-    connect(m_section, &QDoubleSpinBox::valueChanged, &observation, &Observation::setSection);
     connect(&observation, &Observation::sectionChanged, this, &BlowPage::showSection);
     connect(&observation, &Observation::timeChanged, this, &BlowPage::showInstant);
     connect(m_plot, &PlotWidget::fitRequested, m_plots, &BlowPlots::fit);
@@ -62,19 +63,6 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     });
     showPlace();
     showInstant();
-}
-
-void BlowPage::setUpSection() {
-    m_section->setObjectName(QStringLiteral("section"));
-    m_section->setRange(0, 1);
-    m_section->setDecimals(3);
-    m_section->setSingleStep(0.01);
-    m_section->setValue(m_observation.section());
-    m_section->setAccessibleName(tr("Section x/L of the waves"));
-    m_section->setToolTip(
-        tr("Where in the rod the waves are observed: 0 is the struck end, 1 the bit.\n"
-           "Up and Down move it by 0.01, Page Up and Page Down by 0.1."));
-    m_place->setObjectName(QStringLiteral("place"));
 }
 
 QHBoxLayout* BlowPage::makeBar() {
@@ -98,17 +86,26 @@ QHBoxLayout* BlowPage::makeBar() {
 }
 
 PreparePage BlowPage::prepare() const {
-    return [section = m_observation.section()](const SolvedBlow& blow) {
-        BlowCurves curves = blowCurves(blow.impact, blow.solved.hammer, blow.units, section);
-        curves.closedForm = closedFormCurve(blow.solved, blow.units, curves.timeEnd);
-        return PageData::of(std::move(curves));
-    };
+    const auto* shown = m_blow ? m_blow->page<BlowCurves>() : nullptr;
+    std::vector<RunOverlay<BlowCurves>> made;
+    if (shown && shown->section == m_observation.section()) made = shown->runs;
+    return
+        [section = m_observation.section(), runs = m_runs, made = std::move(made)](const SolvedBlow& blow) {
+            BlowCurves curves = blowCurves(blow.impact, blow.solved.hammer, blow.units, section);
+            curves.runs = runOverlays(*runs, blow, made, [=](const SolvedBlow& run, const ShownUnits& units) {
+                return blowCurves(run.impact, run.solved.hammer, units, section);
+            });
+            curves.closedForm = closedFormCurve(blow.solved, blow.units, curves.timeEnd);
+            return PageData::of(std::move(curves));
+        };
 }
 
-// Shown with three decimals, kept with all.
-void BlowPage::showSection(double section) {
-    const QSignalBlocker quiet(m_section);
-    m_section->setValue(section);
+void BlowPage::setRuns(const RunListPtr& runs) {
+    m_runs = runs;
+    emit needsChanged();
+}
+
+void BlowPage::showSection() {
     showPlace();
     showInstant();
     emit needsChanged();
@@ -169,8 +166,15 @@ void BlowPage::carryCursors() {
 
 void BlowPage::setMeanings() {
     BlowMeanings meanings = blowMeanings(m_blow);
+    CurveMeaning ofRuns;
+    ofRuns.xUnit = meanings.force.xUnit;
+    ofRuns.yUnit = meanings.force.yUnit;
+    for (QCPGraph* run : m_plots->forcesOfRuns()) m_plot->setMeaning(run, ofRuns);
     for (int i = 0; i < BlowCurves::waveCount; ++i)
         m_plot->setMeaning(m_plots->waveGraph(i), std::move(meanings.waves[static_cast<std::size_t>(i)]));
+    for (std::size_t i = 0; i < meanings.laterWaves.size(); ++i)
+        m_plot->setMeaning(m_plots->laterGraph(static_cast<int>(i)), std::move(meanings.laterWaves[i]));
+    m_plot->setMeaning(m_plots->sectionForceGraph(), std::move(meanings.sectionForce));
     m_plot->setMeaning(m_plots->forceGraph(), std::move(meanings.force));
     m_plot->setMeaning(m_plots->closedFormGraph(), std::move(meanings.closedForm));
     m_plot->setMeaning(m_plots->impulseGraph(), std::move(meanings.impulse));
@@ -183,6 +187,7 @@ void BlowPage::follow(MeasuredList& measured) {
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->insertWidget(column->indexOf(m_instant), m_measuredBar);
     connect(m_measuredBar, &MeasuredBar::placeChosen, this, &BlowPage::goToPlace);
+    connect(m_measuredBar, &MeasuredBar::alignmentWanted, this, &BlowPage::align);
     connect(&measured, &MeasuredList::changed, this, [this] {
         showMeasured();
         m_plots->fitUnlessZoomed();
@@ -196,13 +201,31 @@ void BlowPage::showMeasured() {
     m_measuredCurves->present(m_measured->signalList(), *m_blow);
     m_measuredBar->setStyle(PlotStyle::forScreen(palette(), font()));
     m_measuredBar->setComparable(isComparable(*m_blow) || !m_blow->problem.isEmpty());
-    const CurveMeaning meaning = blowMeanings(m_blow).closedForm;
-    for (const QCPGraph* graph : m_measuredCurves->graphs()) m_plot->setMeaning(graph, meaning);
+    for (const QCPGraph* graph : m_measuredCurves->graphs())
+        m_plot->setMeaning(graph, forceMeaning(m_blow->units));
 }
 
 void BlowPage::goToPlace(double x) {
     if (!m_blow || m_blow->request.scenario.form != ScenarioForm::dimensional) return;
     m_observation.setSection(std::clamp(x / m_blow->request.scenario.rod.length, 0.0, 1.0));
+}
+
+// With N in its own section, or the impact force, over the time that the plots show.
+void BlowPage::align(std::size_t index) {
+    if (!m_blow || !isComparable(*m_blow) || index >= m_measured->signalList().size()) return;
+    const auto* curves = m_blow->page<BlowCurves>();
+    const MeasuredSignal& signal = m_measured->signalList()[index];
+    if (!curves || !(curves->timeEnd > 0)) return;
+    const Scenario& scenario = m_blow->request.scenario;
+    const double unit = scalesOf(scenario).time;
+    const double section = std::clamp(signal.place / scenario.rod.length, 0.0, 1.0);
+    const WaveField field(m_blow->impact);
+    const auto computed = [&](double time) {
+        return signal.quantity == MeasuredQuantity::normalForce ? field.force(section, time / unit)
+                                                                : field.impactForce(time / unit);
+    };
+    const double end = curves->timeEnd / m_blow->units.time.factor * unit;
+    m_measured->setTimeShift(index, bestShift(signal.points, computed, end));
 }
 
 void BlowPage::setGhost(const SolvedBlowPtr& before) {

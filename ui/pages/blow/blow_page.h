@@ -5,7 +5,6 @@
 #include "ui/job/observation.h"
 #include "ui/pages/plot_page.h"
 
-class QDoubleSpinBox;
 class QHBoxLayout;
 class QLabel;
 
@@ -15,6 +14,7 @@ class BlowPlots;
 class MeasuredBar;
 class MeasuredCurves;
 class MeasuredList;
+class SectionField;
 
 class BlowPage : public PlotPage {
     Q_OBJECT
@@ -27,6 +27,7 @@ class BlowPage : public PlotPage {
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;
+    void setRuns(const RunListPtr& runs) override;
 
     /// Lays measured signals over the curves. Once; the list must outlive the page.
     void follow(MeasuredList& measured);
@@ -39,19 +40,19 @@ class BlowPage : public PlotPage {
 
   private:
     QHBoxLayout* makeBar();
-    void setUpSection();
-    void showSection(double section);
+    void showSection();
     void showPlace();
     void reserveInstant();
     void showInstant();
     void setMeanings();
     void carryCursors();
     void goToPlace(double x);
+    void align(std::size_t index);
     void showMeasured();
 
     Observation& m_observation;
     QLabel* m_hint;
-    QDoubleSpinBox* m_section;
+    SectionField* m_section;
     QLabel* m_place;
     QLabel* m_instant;
     PlotWidget* m_plot;
@@ -60,6 +61,7 @@ class BlowPage : public PlotPage {
     MeasuredCurves* m_measuredCurves;
     MeasuredBar* m_measuredBar = nullptr;
     SolvedBlowPtr m_blow;
+    RunListPtr m_runs = std::make_shared<const RunList>();
     ShownUnit m_cursorUnit;  // of cursors A and B
 };
 

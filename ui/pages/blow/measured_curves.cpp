@@ -30,6 +30,13 @@ BlowPlots::Kind kindOf(const MeasuredSignal& signal) {
                                                             : BlowPlots::Kind::impactForce;
 }
 
+// Legends are one line.
+QString legendName(const MeasuredSignal& signal) {
+    constexpr int longest = 18;
+    const QString name = QString::fromStdString(signal.name);
+    return name.size() <= longest ? name : name.left(longest - 1) + QChar(0x2026);
+}
+
 }  // namespace
 
 bool isComparable(const SolvedBlow& blow) {
@@ -65,8 +72,7 @@ void MeasuredCurves::match(const std::vector<MeasuredSignal>& measured) {
     for (std::size_t i = 0; i < measured.size(); ++i) {
         if (i < m_shown.size() && sameKind(i)) continue;
         const auto at = static_cast<std::ptrdiff_t>(i);
-        m_graphs.insert(at,
-                        m_plots->addOverlay(kindOf(measured[i]), QString::fromStdString(measured[i].name)));
+        m_graphs.insert(at, m_plots->addOverlay(kindOf(measured[i]), legendName(measured[i])));
         m_shown.insert(m_shown.begin() + at, Shown{measured[i]});
     }
     setStyle(m_style);

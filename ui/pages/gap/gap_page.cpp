@@ -11,6 +11,7 @@
 #include "ui/pages/gap/gap_plot.h"
 #include "ui/pages/gap/scatter_fields.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/runs/run_overlay.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -26,18 +27,23 @@ GapPage::GapPage(Document& document, QWidget* parent)
     : StudyPage(document, parent),
       m_output(outputBox()),
       m_scatter(new ScatterFields(this)),
-      m_study(&answer) {
+      m_study(&answer),
+      m_runGaps(RunGapsStudy()) {
     PlotWidget* plot = arrange(QList<QWidget*>{m_output, m_scatter} + m_scatter->fields());
     m_plot = new GapPlot(plot);
     plot->setAccessibleName(tr("Result over the gap, and how its values are distributed"));
     plot->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
     watch(m_study.job());
+    connect(&m_runGaps.job(), &StudyActivity::changed, this, [this] {
+        if (isVisible()) showRuns();
+    });
     connect(m_output, &QComboBox::currentIndexChanged, this, &GapPage::present);
     connect(m_scatter, &ScatterFields::changed, this, &GapPage::askSoon);
     connect(plot, &PlotWidget::fitRequested, m_plot, &GapPlot::fit);
-    connect(plot, &PlotWidget::clicked, this, [this](const QCPAxisRect* rect, QPointF at) {
-        if (!m_plot->isDistribution(rect)) take(at.x());
-    });
+    connect(plot, &PlotWidget::clicked, this,
+            [this](const QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
+                if (!m_plot->isDistribution(rect)) takeGap(at.x(), modifiers);
+            });
 }
 
 ChoiceBox* GapPage::outputBox() {
@@ -78,6 +84,61 @@ void GapPage::present() {
         draw();
     }
     placeHere();
+    askRuns();
+    showRuns();
+}
+
+// Beside the study of the scenario, which is not kept waiting by them.
+void GapPage::askRuns() {
+    RunGapsQuestion question;
+    for (const Run& run : runs()) {
+        if (!run.isShown || !run.isSolved()) continue;
+        const Scenario scenario = gapQuestion(run.contents.scenario, {}).scenario;
+        if (std::ranges::find(question.scenarios, scenario) == question.scenarios.end())
+            question.scenarios.push_back(scenario);
+    }
+    const bool isNothing = question.scenarios.empty() && !m_runGaps.question();
+    if (!isNothing) m_runGaps.ask(std::move(question));
+}
+
+void GapPage::showRuns() {
+    if (!m_shown.answer || !m_runGaps.value()) return;
+    if (m_shownRuns == runList() && m_shownGaps == m_runGaps.job().value()) return;
+    m_shownRuns = runList();
+    m_shownGaps = m_runGaps.job().value();
+    QVector<RunCurve> curves;
+    QVector<RunMark> marks;
+    for (const Run& run : runs()) {
+        if (!run.isShown || !run.isSolved()) continue;
+        const auto units = unitsOf(*run.blow, m_shown.units, scalesOf(m_shown.answer->report.scenario));
+        const Scenario scenario = gapQuestion(run.contents.scenario, {}).scenario;
+        const auto gap =
+            std::ranges::find(*m_shownGaps, scenario, [](const auto& each) { return each->scenario; });
+        if (!units || gap == m_shownGaps->end()) continue;
+        const double value = m_shown.output == GapOutput::peakForce ? units->force.factor : 1;
+        const GapCurve& curve = (*gap)->curve;
+        curves.append({run.number, run.title(),
+                       runGapCurve(curve, m_shown.output, units->penetration.factor, value, m_picture.to)});
+        const double own = groupsOf(run.contents.scenario).delta;
+        if (own >= curve.start && own * units->penetration.factor <= m_picture.to)
+            marks.append(
+                {run.number, run.letter(),
+                 QPointF(own * units->penetration.factor, curve.value(m_shown.output, own) * value)});
+    }
+    m_plot->setRuns(curves, marks);
+    for (QCPGraph* graph : m_plot->runs().graphs()) {
+        CurveMeaning meaning;
+        meaning.xUnit = m_picture.gap.dimensionless ? QString() : m_picture.gap.unit;
+        meaning.yUnit = m_picture.value.unit;
+        plot()->setMeaning(graph, meaning);
+    }
+    plot()->replot(QCustomPlot::rpQueuedReplot);
+}
+
+// Out of sight nothing is solved.
+void GapPage::hideEvent(QHideEvent* event) {
+    StudyPage::hideEvent(event);
+    if (!event->spontaneous()) m_runGaps.job().cancel();
 }
 
 void GapPage::draw() {
@@ -85,6 +146,7 @@ void GapPage::draw() {
     m_picture = found.isComplete() ? gapPicture(found.report, m_shown.output, m_shown.units)
                                    : gapPreview(found.samples, m_shown.output, m_shown.units);
     m_plot->present(m_picture);
+    m_shownRuns.reset();  // over other gaps or in other units
     CurveMeaning meaning;
     if (!m_picture.gap.dimensionless) meaning.xUnit = m_picture.gap.unit;
     meaning.yUnit = m_picture.value.unit;
@@ -111,13 +173,13 @@ void GapPage::placeHere() {
 }
 
 // A click in the plot.
-void GapPage::take(double shownGap) {
+void GapPage::takeGap(double shownGap, Qt::KeyboardModifiers modifiers) {
     if (!m_shown.answer) return;
     const double gap = std::max(0.0, shownGap / m_picture.gap.factor);
     if (isDimensional(scenario()))
-        load({{findParameter("bit_rock.gap"), gap * scalesOf(scenario()).penetration}});
+        take({{findParameter("bit_rock.gap"), gap * scalesOf(scenario()).penetration}}, modifiers);
     else
-        load({{findParameter("delta"), gap}});
+        take({{findParameter("delta"), gap}}, modifiers);
 }
 
 QString GapPage::sentence() const {
@@ -128,7 +190,8 @@ QString GapPage::sentence() const {
     const QLocale locale;
     const QString period =
         m_picture.gap.dimensionless ? tr("d₀") : tr("d₀ = %1").arg(quantityText(1, m_picture.gap, locale));
-    return tr("Results repeat with every %1 of gap. A click in the plot takes over the gap there.")
+    return tr("Results repeat with every %1 of gap. A click in the plot takes over the gap there, with Shift "
+              "it pins it.")
         .arg(period);
 }
 

@@ -5,6 +5,7 @@
 #include "ui/job/asked_study.h"
 #include "ui/pages/gap/gap_picture.h"
 #include "ui/pages/gap/gap_study.h"
+#include "ui/pages/gap/run_gaps.h"
 #include "ui/pages/study/study_page.h"
 
 namespace drillwave {
@@ -23,7 +24,12 @@ class GapPage : public StudyPage {
     /// How many studies were started.
     int studies() const { return m_study.started(); }
 
+    /// How many studies of runs were started.
+    int runStudies() const { return m_runGaps.started(); }
+    GapPlot* gapPlot() const { return m_plot; }
+
   protected:
+    void hideEvent(QHideEvent* event) override;
     void ask() override;
     void present() override;
     QByteArray csv() const override;
@@ -41,7 +47,9 @@ class GapPage : public StudyPage {
     Shown wanted() const;
     void draw();
     void placeHere();
-    void take(double shownGap);
+    void askRuns();
+    void showRuns();
+    void takeGap(double shownGap, Qt::KeyboardModifiers modifiers);
     QString sentence() const;
 
     ChoiceBox* m_output;
@@ -49,7 +57,10 @@ class GapPage : public StudyPage {
     GapPlot* m_plot = nullptr;
     Shown m_shown;
     GapPicture m_picture;
-    AskedStudy<GapQuestion, GapAnswer> m_study;  // goes first: its thread works
+    std::shared_ptr<const RunGaps> m_shownGaps;  // of runs, as they are drawn
+    RunListPtr m_shownRuns;
+    AskedStudy<GapQuestion, GapAnswer> m_study;      // goes first: its thread works
+    AskedStudy<RunGapsQuestion, RunGaps> m_runGaps;  // likewise
 };
 
 }  // namespace drillwave

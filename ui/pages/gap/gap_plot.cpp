@@ -59,6 +59,8 @@ GapPlot::GapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
         curve->addToLegend(m_legend);
     m_marks = new CurveMarks(m_graph);
     m_here = new HereMark(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+    m_runs = new RunGraphs(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft), m_legend);
+    m_runMarks = new RunMarks(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_message = new PlotMessage(plot);
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
     connect(plot, &QCustomPlot::afterLayout, this, &GapPlot::placeBands);
@@ -199,6 +201,8 @@ void GapPlot::showNothing(const QString& message) {
     m_graph->data()->clear();
     m_shares->data()->clear();
     m_below->data()->clear();
+    m_runs->present({});
+    m_runMarks->present({});
     m_marks->clear();
     m_here->setPlace({}, {});
     m_caption->setText({});
@@ -212,6 +216,13 @@ void GapPlot::setHere(const std::optional<QPointF>& place) {
         m_here->setPlace(place->x(), place->y());
     else
         m_here->setPlace({}, {});
+}
+
+void GapPlot::setRuns(const QVector<RunCurve>& curves, const QVector<RunMark>& marks) {
+    m_legend->setWrap(3);  // as many as fit beside each other with their names
+    m_runs->present(curves);
+    m_runMarks->present(marks);
+    if (m_view->isFitted()) fit();
 }
 
 // 5 %, mean and 95 %, through both rects.
@@ -306,6 +317,8 @@ void GapPlot::setStyle(const PlotStyle& style) {
     for (QCPItemText* name : m_lineNames) name->setBrush(behind);
     m_marks->setStyle(style);
     m_here->setStyle(style);
+    m_runs->setStyle(style);
+    m_runMarks->setStyle(style);
     if (!m_picture.curve) return;
     showSpread();  // files have another locale
     m_marks->present(m_picture.marks, m_picture.gap, m_picture.value);
@@ -318,6 +331,11 @@ void GapPlot::fit() {
         bool found = false;
         QCPRange values = m_graph->getValueRange(found);
         if (!found) values = {0, 1};
+        for (QCPGraph* run : m_runs->graphs()) {
+            bool isThere = false;
+            const QCPRange range = run->getValueRange(isThere);
+            if (isThere) values.expand(range);
+        }
         const double size = std::max(values.size(), 0.02 * std::abs(values.upper));
         // Where super rebound begins, if that is not far off.
         const bool isNear = values.upper > 1 - size && values.lower < 1 + size;

@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "ui/pages/gap/gap_picture.h"
+#include "ui/pages/run_graphs.h"
+#include "ui/pages/study/run_marks.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/here_mark.h"
 #include "ui/plot/plot_message.h"
@@ -28,10 +30,13 @@ class GapPlot : public QObject {
     void showNothing(const QString& message);
     /// Where the present scenario is, in shown units.
     void setHere(const std::optional<QPointF>& place);
+    /// The same output of pinned runs, over the gaps of the picture, and where the runs are.
+    void setRuns(const QVector<RunCurve>& curves, const QVector<RunMark>& marks);
     void setStyle(const PlotStyle& style);
     /// The whole period in view.
     void fit();
     QCPGraph* graph() const { return m_graph; }
+    const RunGraphs& runs() const { return *m_runs; }
     /// Whether a point of the plot is beside the curve, on the distribution.
     bool isDistribution(const QCPAxisRect* rect) const { return rect == m_beside; }
     /// What the plot shows, in words, for assistive tools and the line above it.
@@ -61,6 +66,8 @@ class GapPlot : public QObject {
     QCPItemText* m_lineNames[3] = {};
     CurveMarks* m_marks = nullptr;
     HereMark* m_here = nullptr;
+    RunGraphs* m_runs = nullptr;
+    RunMarks* m_runMarks = nullptr;
     PlotMessage* m_message;
     GapPicture m_picture;
     PlotStyle m_style;

@@ -90,13 +90,14 @@ void MapPage::wire() {
         askSoon();
     });
     connect(plot(), &PlotWidget::fitRequested, m_plot, &MapPlot::fit);
-    connect(plot(), &PlotWidget::clicked, this, [this](const QCPAxisRect* rect, QPointF at) {
-        if (!m_plot->isMap(rect)) return;
-        if (const auto place = m_plot->pointAt(at)) {
-            const MapGrid& grid = m_plot->picture()->grid();
-            load(inOrder(grid.xs()[place->column], grid.ys()[place->row]));
-        }
-    });
+    connect(plot(), &PlotWidget::clicked, this,
+            [this](const QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
+                if (!m_plot->isMap(rect)) return;
+                if (const auto place = m_plot->pointAt(at)) {
+                    const MapGrid& grid = m_plot->picture()->grid();
+                    take(inOrder(grid.xs()[place->column], grid.ys()[place->row]), modifiers);
+                }
+            });
     MapCrosshair* crosshair = m_plot->crosshair();
     connect(crosshair, &MapCrosshair::dragStarted, this, [this] { m_gesture = document().newGesture(); });
     connect(crosshair, &MapCrosshair::dragged, this, &MapPage::dragTo);
@@ -177,6 +178,11 @@ void MapPage::present() {
         draw();
     }
     m_plot->setHere(m_plot->picture()->placeOf(scenario()));
+    QVector<RunMark> marks;
+    for (const Run& run : runs())
+        if (const auto place = m_plot->picture()->placeOf(run.contents.scenario); place && run.isShown)
+            marks.append({run.number, run.title(), *place});
+    m_plot->setRuns(marks);
     speak();
 }
 
@@ -197,7 +203,8 @@ void MapPage::speak() {
 
 // The blow of the crosshair, solved on its own.
 QString MapPage::hereText() const {
-    const QString help = tr("A click takes over a point, the crosshair can be dragged.");
+    const QString help =
+        tr("A click takes over a point, with Shift it pins it; the crosshair can be dragged.");
     if (!blow() || !blow()->problem.isEmpty()) return help;
     const OutputColumn& column = m_shown->study.output;
     const auto value = column.value({blow()->summary, blow()->scenario}, blow()->scales);

@@ -88,6 +88,7 @@ MapPlot::MapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
     linkAxes();
     addCuts();
     m_crosshair = new MapCrosshair(plot, m_map, m_below, m_beside);
+    m_runs = new RunMarks(plot, m_map->axis(QCPAxis::atBottom), m_map->axis(QCPAxis::atLeft));
     m_message = new PlotMessage(plot);
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_map->axis(side));
     m_view->setEmpty(true);
@@ -181,6 +182,7 @@ void MapPlot::showNothing(const QString& message) {
     showContours();
     placePresets();
     m_crosshair->setPlace({});
+    m_runs->present({});
     m_summary = message;
     m_message->show(message);
 }
@@ -269,6 +271,10 @@ void MapPlot::setHere(const std::optional<QPointF>& place) {
     }
 }
 
+void MapPlot::setRuns(const QVector<RunMark>& marks) {
+    if (m_runs->present(marks)) m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
 void MapPlot::placePresets() {
     for (QCPAbstractItem* item : m_presetItems) m_plot->removeItem(item);
     m_presetItems.clear();
@@ -327,6 +333,7 @@ void MapPlot::setStyle(const PlotStyle& style) {
     m_crosshair->setStyle(style);
     showContours();
     placePresets();
+    m_runs->setStyle(style);
     if (!m_picture) return;
     showCuts();  // files have another locale
     m_summary = summary();

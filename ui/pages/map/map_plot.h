@@ -9,6 +9,7 @@
 
 #include "ui/pages/map/map_picture.h"
 #include "ui/pages/map/map_raster.h"
+#include "ui/pages/study/run_marks.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_style.h"
@@ -31,6 +32,9 @@ class MapPlot : public QObject {
     void showNothing(const QString& message);
     /// Where the present scenario is, in shown units: at first that of the map.
     void setHere(const std::optional<QPointF>& place);
+    /// Where pinned runs are, in shown units.
+    void setRuns(const QVector<RunMark>& marks);
+    const QVector<RunMark>& runs() const { return m_runs->marks(); }
     void setStyle(const PlotStyle& style);
     /// The whole map in view.
     void fit();
@@ -70,6 +74,7 @@ class MapPlot : public QObject {
     QVector<QCPItemText*> m_levels;
     QVector<QCPAbstractItem*> m_presetItems;
     MapCrosshair* m_crosshair = nullptr;
+    RunMarks* m_runs = nullptr;
     PlotMessage* m_message;
     std::optional<MapPicture> m_picture;
     std::optional<MapGrid::Place> m_cut;  // through which point the cuts are

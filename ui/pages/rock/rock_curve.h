@@ -7,6 +7,7 @@
 
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
+#include "ui/runs/run_overlay.h"
 #include "ui/text/shown_units.h"
 
 class QCPCurveData;
@@ -23,13 +24,14 @@ struct RockCurve {
     Path path;  ///< penetration, force; the parameter t is the global time
     /// The path as it is drawn and filled: the same, but of a bounded number of points.
     Path outline;
-    double peakForce = 0;            ///< Fm
-    double maxPenetration = 0;       ///< Um
-    double residualPenetration = 0;  ///< Ur
-    double loading = 0;              ///< k
-    double unloading = 0;            ///< k/γ
-    double energy = 0;               ///< left in the rock: the enclosed area
-    double energyShare = 0;          ///< of the hammer work
+    double peakForce = 0;                          ///< Fm
+    double maxPenetration = 0;                     ///< Um
+    double residualPenetration = 0;                ///< Ur
+    double loading = 0;                            ///< k
+    double unloading = 0;                          ///< k/γ
+    double energy = 0;                             ///< left in the rock: the enclosed area
+    double energyShare = 0;                        ///< of the hammer work
+    std::vector<RunOverlay<RockCurve>> runs = {};  ///< laid over it
 };
 
 /// Requires an impact solved with Detail::histories. The penetration follows from the force by the law of

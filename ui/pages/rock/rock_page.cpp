@@ -47,8 +47,21 @@ RockPage::RockPage(Observation& observation, QWidget* parent)
 }
 
 PreparePage RockPage::prepare() const {
-    return
-        [](const SolvedBlow& blow) { return PageData::of(rockCurve(blow.impact, blow.solved, blow.units)); };
+    const auto* shown = m_blow ? m_blow->page<RockCurve>() : nullptr;
+    std::vector<RunOverlay<RockCurve>> made;
+    if (shown) made = shown->runs;
+    return [runs = m_runs, made = std::move(made)](const SolvedBlow& blow) {
+        RockCurve curve = rockCurve(blow.impact, blow.solved, blow.units);
+        curve.runs = runOverlays(*runs, blow, made, [](const SolvedBlow& run, const ShownUnits& units) {
+            return rockCurve(run.impact, run.solved, units);
+        });
+        return PageData::of(std::move(curve));
+    };
+}
+
+void RockPage::setRuns(const RunListPtr& runs) {
+    m_runs = runs;
+    emit needsChanged();
 }
 
 void RockPage::setResult(const SolvedBlowPtr& blow) {
@@ -58,6 +71,7 @@ void RockPage::setResult(const SolvedBlowPtr& blow) {
         meaning.xUnit = blow->units.penetration.unit;
         meaning.yUnit = blow->units.force.unit;
         m_plot->setMeaning(m_rock->path(), meaning);
+        for (QCPCurve* run : m_rock->runs()) m_plot->setMeaning(run, meaning);
     } else if (!blow->problem.isEmpty()) {
         m_rock->showNothing(tr("Nothing to show: %1").arg(blow->problem));
     } else {

@@ -22,6 +22,7 @@ class RockPage : public PlotPage {
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;
+    void setRuns(const RunListPtr& runs) override;
 
     RockPlot* rockPlot() const { return m_rock; }
 
@@ -33,6 +34,7 @@ class RockPage : public PlotPage {
     PlotWidget* m_plot;
     RockPlot* m_rock;
     SolvedBlowPtr m_blow;
+    RunListPtr m_runs = std::make_shared<const RunList>();
 };
 
 }  // namespace drillwave

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/pages/run_graphs.h"
 #include "ui/plot/curve_graph.h"
+#include "ui/plot/run_pen.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -99,9 +101,11 @@ void RockPlot::addDropLines() {
 
 void RockPlot::present(const RockCurve& curve) {
     const bool unitsChanged = !sameUnits(m_curve.units, curve.units);
+    const bool hasOtherRuns = m_curve.runs != curve.runs;
     if (unitsChanged) setGhost(nullptr);
     m_curve = curve;
     m_path->setData(curve.outline);
+    if (hasOtherRuns) showRuns();
     m_plot->xAxis->setLabel(curve.units.penetration.axisLabel(tr("penetration U")));
     m_plot->yAxis->setLabel(curve.units.force.axisLabel(tr("impact force F")));
     m_message->hide();
@@ -116,6 +120,7 @@ void RockPlot::showNothing(const QString& message) {
     m_point->setVisible(false);
     m_caption->setText({});
     m_curve = {};
+    showRuns();
     m_message->show(message);
     m_summary = message;
 }
@@ -196,6 +201,26 @@ void RockPlot::setGhost(const RockCurve* before) {
     if (m_view->isFitted()) fit();
 }
 
+void RockPlot::showRuns() {
+    for (QCPCurve* run : std::as_const(m_runs)) m_plot->removePlottable(run);
+    m_runs.clear();
+    for (const RunOverlay<RockCurve>& each : m_curve.runs) {
+        auto* run = new QCPCurve(m_plot->xAxis, m_plot->yAxis);
+        run->setSelectable(QCP::stNone);
+        run->setLayer(ghostLayer(*m_plot));
+        run->setName(runLegend(each.title, qsizetype(m_curve.runs.size())));
+        run->setData(each.curves->outline);
+        m_runs.append(run);
+    }
+    styleRuns();
+}
+
+void RockPlot::styleRuns() {
+    for (qsizetype i = 0; i < m_runs.size(); ++i)
+        m_runs[i]->setPen(runPen(m_curve.runs[static_cast<std::size_t>(i)].number, m_style));
+    m_style.applyTo(*m_plot->legend);
+}
+
 void RockPlot::setPoint(const std::optional<QPointF>& point) {
     m_point->setVisible(point.has_value());
     if (point) m_point->position->setCoords(*point);
@@ -206,7 +231,7 @@ void RockPlot::setStyle(const PlotStyle& style) {
     m_style = style;
     m_plot->setBackground(style.background);
     style.applyTo(*m_plot->axisRect());
-    style.applyTo(*m_plot->legend);
+    styleRuns();
     m_path->setPen(style.linePen(0));
     m_path->setBrush(style.areaBrush(0));
     style.applyTo(*m_caption);
@@ -232,13 +257,18 @@ void RockPlot::setStyle(const PlotStyle& style) {
 }
 
 void RockPlot::fit() {
-    const auto range = [](double present, double ghost) {
-        const double size = std::max(present, ghost);
+    double penetration = m_ghostSize.width(), force = m_ghostSize.height();  // of others than the present
+    for (const RunOverlay<RockCurve>& run : m_curve.runs) {
+        penetration = std::max(penetration, run.curves->maxPenetration);
+        force = std::max(force, run.curves->peakForce);
+    }
+    const auto range = [](double present, double other) {
+        const double size = std::max(present, other);
         return size > 0 ? QCPRange(-0.03 * size, 1.14 * size) : QCPRange(0, 1);
     };
     m_view->fit([&] {
-        m_plot->xAxis->setRange(range(m_curve.maxPenetration, m_ghostSize.width()));
-        m_plot->yAxis->setRange(range(m_curve.peakForce, m_ghostSize.height()));
+        m_plot->xAxis->setRange(range(m_curve.maxPenetration, penetration));
+        m_plot->yAxis->setRange(range(m_curve.peakForce, force));
     });
 }
 

@@ -37,6 +37,8 @@ class RockPlot : public QObject {
     /// The whole path in view.
     void fit();
     QCPCurve* path() const { return m_path; }
+    /// Those of pinned runs.
+    const QVector<QCPCurve*>& runs() const { return m_runs; }
     /// What the plot shows, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
 
@@ -46,12 +48,15 @@ class RockPlot : public QObject {
     void addDropLines();
     void nameNumbers(const RockCurve& curve);
     void placeLabels();
+    void showRuns();
+    void styleRuns();
     void setMarksVisible(bool visible);
 
     QCustomPlot* m_plot;
     QCPCurve* m_path;
     QCPTextElement* m_caption;  // what the area is
     QCPCurve* m_ghost = nullptr;
+    QVector<QCPCurve*> m_runs;  // as in the curve
     QCPItemText* m_peakName;
     QCPItemText* m_residualName;
     QCPItemText* m_loadingName;

@@ -174,6 +174,7 @@ void StiffnessPage::present() {
         draw();
     }
     showHere();
+    showRuns();
 }
 
 void StiffnessPage::draw() {
@@ -193,17 +194,35 @@ void StiffnessPage::draw() {
 
 /// By the blow that is on show, which follows the hand.
 void StiffnessPage::showHere() {
+    const Point here = pointOf(*blow());
+    m_stiffness->setHere(here.x, here.y);
+}
+
+void StiffnessPage::showRuns() {
+    QVector<RunMark> marks;
+    for (const Run& run : runs()) {
+        if (!run.isShown || !run.isSolved()) continue;
+        const Point place = pointOf(*run.blow);
+        if (place.x && place.y) marks.append({run.number, run.title(), {*place.x, *place.y}});
+    }
+    m_stiffness->setRuns(marks);
+}
+
+// Where a blow lies on the plot.
+StiffnessPage::Point StiffnessPage::pointOf(const SolvedBlow& blow) const {
     const StiffnessPicture& picture = m_stiffness->picture();
-    if (!picture.output || !m_shown.study) return;
-    const Parameter& along = *m_shown.study->question.curve.along.parameter;
-    if (!along.applies(blow()->scenario)) return m_stiffness->setHere({}, {});
-    const std::optional<double> x = along.value(blow()->scenario);
+    if (!picture.output || !m_shown.study) return {};
+    const CurveQuestion& asked = m_shown.study->question.curve;
+    const Parameter& along = *asked.along.parameter;
+    if (!along.applies(blow.scenario)) return {};
+    const std::optional<double> x = along.value(blow.scenario);
     std::optional<double> y;
-    if (blow()->problem.isEmpty()) y = picture.output->value({blow()->summary, blow()->scenario});
-    const bool isSi = m_shown.study->question.curve.columns.front().units == OutputUnits::si;
-    if (y && isSi) y = *y * picture.output->scale(scalesOf(blow()->scenario));
-    m_stiffness->setHere(x ? std::optional(*x * picture.x.factor) : std::nullopt,
-                         y ? std::optional(*y * picture.valueFactor) : std::nullopt);
+    if (blow.problem.isEmpty()) y = picture.output->value({blow.summary, blow.scenario});
+    const bool isSi = asked.columns.front().units == OutputUnits::si;
+    if (isSi && blow.scenario.form == ScenarioForm::dimensionless) return {};
+    if (y && isSi) y = *y * picture.output->scale(scalesOf(blow.scenario));
+    return {x ? std::optional(*x * picture.x.factor) : std::nullopt,
+            y ? std::optional(*y * picture.valueFactor) : std::nullopt};
 }
 
 void StiffnessPage::showEvent(QShowEvent* event) {
@@ -237,7 +256,7 @@ QStringList StiffnessPage::commandWords() const {
 }
 
 void StiffnessPage::click(QCPAxisRect*, QPointF coordinates, Qt::KeyboardModifiers modifiers) {
-    if (modifiers != Qt::NoModifier || !m_shown.study) return;
+    if ((modifiers & ~Qt::ShiftModifier) || !m_shown.study) return;
     const StiffnessPlot::Target target = m_stiffness->targetAt(coordinates);
     const StiffnessPicture& picture = m_stiffness->picture();
     const CurveQuestion& asked = m_shown.study->question.curve;
@@ -248,7 +267,7 @@ void StiffnessPage::click(QCPAxisRect*, QPointF coordinates, Qt::KeyboardModifie
             {asked.family->parameter,
              *m_shown.study->curve.lines[std::size_t(picture.lines[target.line].number)].family});
     values.push_back({asked.along.parameter, m_shown.xUnit->toSi(isExact ? target.x : readable(target.x))});
-    load(values);
+    take(values, modifiers);
 }
 
 }  // namespace drillwave

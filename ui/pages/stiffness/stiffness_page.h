@@ -66,6 +66,11 @@ class StiffnessPage : public StudyPage {
     void refuse(const QString& problem);
     void draw();
     void showHere();
+    void showRuns();
+    struct Point {
+        std::optional<double> x, y;  // as shown
+    };
+    Point pointOf(const SolvedBlow& blow) const;
     void click(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
 
     AxisFields* m_axis;

@@ -41,6 +41,7 @@ StiffnessPlot::StiffnessPlot(QCustomPlot* plot)
     m_extremes = plot->addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_extremes->setLineStyle(QCPGraph::lsNone);
     m_here = new HereMark(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+    m_runs = new RunMarks(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_message = new PlotMessage(plot);
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
     connect(plot, &QCustomPlot::afterLayout, this, &StiffnessPlot::placeBands);
@@ -103,6 +104,7 @@ void StiffnessPlot::showNothing(const QString& message) {
     m_extremes->data()->clear();
     m_one->setVisible(false);
     m_here->setPlace({}, {});
+    m_runs->present({});
     m_message->show(message);
 }
 
@@ -222,6 +224,10 @@ void StiffnessPlot::setHere(std::optional<double> x, std::optional<double> y) {
     m_here->setPlace(x, y);
 }
 
+void StiffnessPlot::setRuns(const QVector<RunMark>& marks) {
+    if (m_runs->present(marks)) m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
 void StiffnessPlot::setStyle(const PlotStyle& style) {
     m_style = style;
     if (m_message) m_message->setStyle(style);
@@ -259,6 +265,7 @@ void StiffnessPlot::setStyle(const PlotStyle& style) {
     }
     if (m_marks) m_marks->setStyle(style);
     m_here->setStyle(style);
+    m_runs->setStyle(style);
 }
 
 void StiffnessPlot::fit() {

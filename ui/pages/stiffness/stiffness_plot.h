@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "ui/pages/stiffness/stiffness_picture.h"
+#include "ui/pages/study/run_marks.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/here_mark.h"
 #include "ui/plot/plot_message.h"
@@ -30,6 +31,9 @@ class StiffnessPlot : public QObject {
     void showNothing(const QString& message);
     /// Where the present scenario is, in shown units.
     void setHere(std::optional<double> x, std::optional<double> y);
+    /// Where pinned runs are, in shown units.
+    void setRuns(const QVector<RunMark>& marks);
+    const QVector<RunMark>& runs() const { return m_runs->marks(); }
     void setStyle(const PlotStyle& style);
     /// The whole range in view.
     void fit();
@@ -64,6 +68,7 @@ class StiffnessPlot : public QObject {
     QVector<QCPItemText*> m_bandNames;
     std::unique_ptr<CurveMarks> m_marks;
     HereMark* m_here = nullptr;
+    RunMarks* m_runs = nullptr;
     PlotMessage* m_message;
     StiffnessPicture m_picture;
     PlotStyle m_style;

@@ -76,6 +76,11 @@ void StudyPage::setResult(const SolvedBlowPtr& blow) {
     if (isVisible()) present();
 }
 
+void StudyPage::setRuns(const RunListPtr& runs) {
+    m_runs = runs;
+    if (isVisible()) present();
+}
+
 void StudyPage::setCurrent(bool current) {
     m_inputCurrent = current;
     follow();
@@ -142,6 +147,24 @@ void StudyPage::showWords() {
 void StudyPage::load(const std::vector<ParameterValue>& values) {
     m_refusal = m_document.assign(values, m_document.newGesture());
     showWords();
+}
+
+void StudyPage::pin(const std::vector<ParameterValue>& values) {
+    ScenarioDocument contents;
+    try {
+        m_refusal = m_document.contentsWith(values, contents);
+    } catch (const ScenarioError& error) {
+        m_refusal = QString::fromUtf8(error.what());
+    }
+    showWords();
+    if (m_refusal.isEmpty()) emit pinRequested(contents);
+}
+
+void StudyPage::take(const std::vector<ParameterValue>& values, Qt::KeyboardModifiers modifiers) {
+    if (modifiers & Qt::ShiftModifier)
+        pin(values);
+    else
+        load(values);
 }
 
 QList<PageExport> StudyPage::exports() const {

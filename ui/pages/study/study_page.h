@@ -32,6 +32,7 @@ class StudyPage : public PlotPage {
     /// A study is no part of the blow.
     PreparePage prepare() const override { return {}; }
     void setResult(const SolvedBlowPtr& blow) override;
+    void setRuns(const RunListPtr& runs) override;
     void setCurrent(bool current) override;
     QList<PageExport> exports() const override;
     StudyActivity* activity() const override { return m_activity; }
@@ -66,10 +67,17 @@ class StudyPage : public PlotPage {
     void say(const QString& sentence);
     /// Takes over values of parameters as one undo step, as a click in the plot does; says why not.
     void load(const std::vector<ParameterValue>& values);
+    /// Pins the scenario with those values, which stays as it is; says why not.
+    void pin(const std::vector<ParameterValue>& values);
+    /// The one or the other, by Shift.
+    void take(const std::vector<ParameterValue>& values, Qt::KeyboardModifiers modifiers);
 
     Document& document() const { return m_document; }
     const Scenario& scenario() const { return m_document.scenario(); }
     const SolvedBlowPtr& blow() const { return m_blow; }
+    /// The pinned runs; those that are solved and shown are laid over the plot.
+    const RunList& runs() const { return *m_runs; }
+    const RunListPtr& runList() const { return m_runs; }
 
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
@@ -81,6 +89,7 @@ class StudyPage : public PlotPage {
 
     Document& m_document;
     SolvedBlowPtr m_blow;
+    RunListPtr m_runs = std::make_shared<const RunList>();
     StudyActivity* m_activity = nullptr;
     bool m_due = true;           // something has changed while the page could not be seen
     bool m_inputCurrent = true;  // the blow on show answers the present input

@@ -58,7 +58,9 @@ ThrustPage::ThrustPage(Document& document, QWidget* parent)
     });
     connect(widget, &PlotWidget::fitRequested, m_plot, &ThrustPlot::fit);
     connect(widget, &PlotWidget::clicked, this,
-            [this](const QCPAxisRect*, QPointF at) { takeParameter(at.x()); });
+            [this](const QCPAxisRect*, QPointF at, Qt::KeyboardModifiers modifiers) {
+                takeParameter(at.x(), modifiers);
+            });
     connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
         if (isVisible()) present();
     });
@@ -92,6 +94,22 @@ void ThrustPage::present() {
         draw(*answer);
     }
     placeHere(*answer);
+    showRuns(*answer);
+}
+
+// By what each needs for full penetration, f I0 (1 + e).
+void ThrustPage::showRuns(const ThrustAnswer& answer) {
+    const Parameter& along = *answer.along.axis.parameter;
+    QVector<RunMark> marks;
+    for (const Run& run : runs()) {
+        if (!run.isShown || !run.isSolved() || !along.applies(run.contents.scenario)) continue;
+        const std::optional<double> x = along.value(run.contents.scenario);
+        const std::optional<double> need = thrustNeeded(run.contents.scenario, run.blow->summary.cor);
+        if (x && need)
+            marks.append(
+                {run.number, run.title(), {*x * m_units.along.factor, *need * m_units.force.factor}});
+    }
+    m_plot->setRuns(marks);
 }
 
 void ThrustPage::draw(const ThrustAnswer& answer) {
@@ -134,11 +152,12 @@ void ThrustPage::showNothing(const QString& why) {
 }
 
 // A click in the plot.
-void ThrustPage::takeParameter(double shown) {
+void ThrustPage::takeParameter(double shown, Qt::KeyboardModifiers modifiers) {
     if (!m_shown) return;
     const QCPAxis& axis = *plot()->xAxis;
-    load({{m_shown->along.axis.parameter,
-           readable(shown, axis, axis.coordToPixel(shown)) / m_units.along.factor}});
+    take({{m_shown->along.axis.parameter,
+           readable(shown, axis, axis.coordToPixel(shown)) / m_units.along.factor}},
+         modifiers);
 }
 
 void ThrustPage::hold(double shownForce) {

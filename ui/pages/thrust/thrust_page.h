@@ -35,9 +35,10 @@ class ThrustPage : public StudyPage {
 
   private:
     void draw(const ThrustAnswer& answer);
+    void showRuns(const ThrustAnswer& answer);
     void placeHere(const ThrustAnswer& answer);
     void showNothing(const QString& why);
-    void takeParameter(double shown);
+    void takeParameter(double shown, Qt::KeyboardModifiers modifiers);
     void hold(double shownForce);
     void moveHeld(double shownForce);
 

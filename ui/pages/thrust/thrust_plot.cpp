@@ -43,6 +43,7 @@ ThrustPlot::ThrustPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(
     m_feedName->setPadding(QMargins(6, 2, 6, 2));
     m_feedName->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
     m_here = new HereMark(plot, plot->xAxis, plot->yAxis);
+    m_runs = new RunMarks(plot, plot->xAxis, plot->yAxis);
     m_message = new PlotMessage(plot);
     for (const QCPAxis* axis : {plot->xAxis, plot->yAxis}) m_view->watch(axis);
     connect(plot, &QCustomPlot::beforeReplot, this, &ThrustPlot::followLegend);
@@ -105,6 +106,7 @@ void ThrustPlot::showNothing(const QString& message) {
     m_feed->setData(nothing);
     m_bands->clear();
     m_here->setPlace({}, {});
+    m_runs->present({});
     nameFeed();
     m_message->show(message);
     m_summary = message;
@@ -140,6 +142,10 @@ std::optional<double> ThrustPlot::heightAboveFeed(QPointF pixel) const {
     return m_plot->yAxis->coordToPixel(before.y() + share * (next->y() - before.y())) - pixel.y();
 }
 
+void ThrustPlot::setRuns(const QVector<RunMark>& marks) {
+    if (m_runs->present(marks)) m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
 void ThrustPlot::setStyle(const PlotStyle& style) {
     m_message->setStyle(style);
     m_plot->setBackground(style.background);
@@ -160,6 +166,7 @@ void ThrustPlot::setStyle(const PlotStyle& style) {
     m_feedName->setFont(style.font);
     m_feedName->setColor(style.text);
     m_here->setStyle(style);
+    m_runs->setStyle(style);
     if (!m_picture.feed.isEmpty()) nameFeed();  // files have another locale
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <optional>
 
+#include "ui/pages/study/run_marks.h"
 #include "ui/pages/thrust/thrust_picture.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/here_mark.h"
@@ -32,6 +33,9 @@ class ThrustPlot : public QObject {
     void showNothing(const QString& message);
     /// Where the present scenario is: its value of the parameter and its effective force, in shown units.
     void setHere(std::optional<double> along, std::optional<double> force);
+    /// What blows of pinned runs need for full penetration, in shown units.
+    void setRuns(const QVector<RunMark>& marks);
+    const QVector<RunMark>& runs() const { return m_runs->marks(); }
     void setStyle(const PlotStyle& style);
     /// All along the parameter, from no thrust to the largest.
     void fit();
@@ -58,6 +62,7 @@ class ThrustPlot : public QObject {
     QCPTextElement* m_caption = nullptr;  // what the brackets are
     QCPItemText* m_feedName;
     HereMark* m_here;
+    RunMarks* m_runs;
     PlotMessage* m_message;
     ThrustPicture m_picture;
     FittedView* m_view;

@@ -3,16 +3,15 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "core/wave/field/wave_field.h"
+#include "ui/pages/section_field.h"
 #include "ui/pages/wave_picture/picture_cursors.h"
 #include "ui/pages/wave_picture/play_bar.h"
 #include "ui/pages/wave_picture/rod_strip.h"
@@ -40,7 +39,11 @@ WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
       m_observation(observation),
       m_field(new QComboBox(this)),
       m_fronts(new QCheckBox(tr("Fronts"), this)),
-      m_section(new QDoubleSpinBox(this)),
+      m_section(new SectionField(observation,
+                                 tr("The dashed line: where in the rod the waves of the page Blow are "
+                                    "observed; 0 is the struck end, "
+                                    "1 the bit."),
+                                 this)),
       m_readout(new QLabel(this)),
       m_plot(makePlot()),
       m_picture(new WavePicturePlot(m_plot)),
@@ -77,15 +80,6 @@ QHBoxLayout* WavePicturePage::makeBar() {
     m_fronts->setToolTip(
         tr("Lines where the hammer force begins (solid), jumps or ends (dashed), running with "
            "the wave speed"));
-    m_section->setObjectName(QStringLiteral("section"));
-    m_section->setRange(0, 1);
-    m_section->setDecimals(3);
-    m_section->setSingleStep(0.05);
-    m_section->setValue(m_observation.section());
-    m_section->setAccessibleName(tr("Section x/L of the waves"));
-    m_section->setToolTip(tr(
-        "The dashed line: where in the rod the waves of the page Blow are observed; 0 is the struck end, 1 "
-        "the bit"));
     auto* label = new QLabel(tr("Section x/L"), this);
     label->setBuddy(m_section);
     m_readout->setObjectName(QStringLiteral("readout"));
@@ -133,9 +127,8 @@ void WavePicturePage::wire() {
     connect(m_plot, &PlotWidget::fitRequested, m_picture, &WavePicturePlot::fit);
     connect(m_plot, &QCustomPlot::afterReplot, this, &WavePicturePage::alignStrip);
 
-    connect(m_section, &QDoubleSpinBox::valueChanged, &m_observation, &Observation::setSection);
     connect(m_cursors, &PictureCursors::sectionMoved, &m_observation, &Observation::setSection);
-    connect(&m_observation, &Observation::sectionChanged, this, &WavePicturePage::showSection);
+    connect(&m_observation, &Observation::sectionChanged, m_cursors, &PictureCursors::setSection);
     connect(m_cursors, &PictureCursors::timeMoved, &m_observation, &Observation::setTime);
     connect(m_playBar, &PlayBar::timeChosen, &m_observation, &Observation::setTime);
     connect(&m_observation, &Observation::timeChanged, this, &WavePicturePage::showTime);
@@ -163,13 +156,6 @@ void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
     showTime();
     m_plot->setAccessibleDescription(m_picture->textSummary());
     m_plot->replot(QCustomPlot::rpQueuedReplot);
-}
-
-// Shown with three decimals, kept with all.
-void WavePicturePage::showSection(double section) {
-    const QSignalBlocker quiet(m_section);
-    m_section->setValue(section);
-    m_cursors->setSection(section);
 }
 
 // While nobody has chosen a time: when the blow is on its way to the bit.

@@ -9,7 +9,6 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QHBoxLayout;
 class QLabel;
 
@@ -18,6 +17,7 @@ namespace drillwave {
 class PictureCursors;
 class PlayBar;
 class RodStrip;
+class SectionField;
 class WavePicturePlot;
 
 class WavePicturePage : public PlotPage {
@@ -43,7 +43,6 @@ class WavePicturePage : public PlotPage {
     QHBoxLayout* makeBar();
     void restoreChoices();
     void wire();
-    void showSection(double section);
     void showTime();
     void showSpan();
     void alignStrip();
@@ -53,7 +52,7 @@ class WavePicturePage : public PlotPage {
     Observation& m_observation;
     QComboBox* m_field;
     QCheckBox* m_fronts;
-    QDoubleSpinBox* m_section;
+    SectionField* m_section;
     QLabel* m_readout;
     PlotWidget* m_plot;
     WavePicturePlot* m_picture;

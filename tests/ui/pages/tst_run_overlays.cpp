@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pinned runs laid over the plots: their own numbers in the units on show, and nothing solved out of sight.
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/blow/thrust.h"
+#include "core/file/examples.h"
+#include "tests/support/window.h"
+#include "ui/pages/blow/blow_page.h"
+#include "ui/pages/blow/blow_plots.h"
+#include "ui/pages/gap/gap_page.h"
+#include "ui/pages/gap/gap_plot.h"
+#include "ui/pages/map/map_page.h"
+#include "ui/pages/map/map_plot.h"
+#include "ui/pages/rock/rock_page.h"
+#include "ui/pages/rock/rock_plot.h"
+#include "ui/pages/stiffness/stiffness_page.h"
+#include "ui/pages/stiffness/stiffness_plot.h"
+#include "ui/pages/thrust/thrust_page.h"
+#include "ui/pages/thrust/thrust_plot.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/plot/run_pen.h"
+#include "ui/runs/runs.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+namespace {
+
+// Studies on a machine that is busy with other tests.
+constexpr int patience = 60'000;
+// Products of two or three factors in another order.
+constexpr double rounding = 1e-13;
+
+bool isNear(double a, double b) {
+    return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+}
+
+}  // namespace
+
+class TestRunOverlays : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void init();
+    void theBlowHasForceImpulseAndMomentum();
+    void inGroupsEachHasItsOwnUnits();
+    void aRunWithoutUnitsIsNotLaidOverForces();
+    void hiddenRunsAreNotDrawn();
+    void theRockHasThePaths();
+    void theGapHasTheCurveOfTheRunsScenario();
+    void outOfSightNoGapIsStudied();
+    void whatIsKnownIsNotStudiedAgain();
+    void theMapHasThemByName();
+    void stiffnessAndThrustHaveTheirPoints();
+    void shiftAndAClickPin();
+
+  private:
+    SolvedBlowPtr solve(const Page& page, UnitSystem units = UnitSystem::si) {
+        SolveRequest request;
+        request.scenario = m_document->scenario();
+        request.units = units;
+        request.pages = {page.prepare()};
+        return m_job.solveNow(request);
+    }
+    void pin(const char* key, double si) {
+        m_document->assign(*findParameter(key), si, m_document->newGesture());
+        const SolvedBlowPtr blow = m_job.solveNow(
+            {.scenario = m_document->scenario(), .units = UnitSystem::si, .chosenUnits = {}, .pages = {}});
+        QCOMPARE(m_runs->pin(m_document->contents(), blow, "first"), QString());
+    }
+    const Run& run(int number) { return *m_runs->find(number); }
+    void present(Page& page, UnitSystem units = UnitSystem::si) {
+        page.setRuns(m_runs->list());
+        page.setResult(solve(page, units));
+    }
+
+    QTemporaryDir m_folder;
+    SolveJob m_job;
+    Observation m_observation;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<Runs> m_runs;
+};
+
+void TestRunOverlays::initTestCase() {
+    keepSettingsIn(m_folder.path());
+    QLocale::setDefault(QLocale::c());
+}
+
+void TestRunOverlays::init() {
+    m_document = std::make_unique<Document>();
+    m_document->startFrom(findExample("t38_medium_rock")->text, "example");
+    m_runs = std::make_unique<Runs>();
+    pin("bit_rock.stiffness", 3e8);
+    pin("pulse.impulse", 102);
+}
+
+void TestRunOverlays::theBlowHasForceImpulseAndMomentum() {
+    BlowPage page(m_observation);
+    present(page);
+    m_document->assign(*findParameter("rod.length"), 2, 0);
+    present(page);
+    const QVector<QCPGraph*>& graphs = page.plots()->forcesOfRuns();
+    QCOMPARE(graphs.size(), 2);
+    for (const int number : {0, 1}) {
+        bool found = false;
+        const double peak = graphs[number]->getValueRange(found).upper;
+        const SolvedBlow& blow = *run(number).blow;
+        QVERIFY(isNear(peak, blow.summary.peakForce * blow.scales.force / 1e3));  // kN
+        QCOMPARE(graphs[number]->name(), run(number).title());
+        const QPen expected = runPen(number, PlotStyle::forScreen(page.palette(), page.font()));
+        QCOMPARE(graphs[number]->pen().color(), expected.color());
+        QCOMPARE(graphs[number]->pen().dashPattern(), expected.dashPattern());
+    }
+    // Twice the impulse of the same shape: twice everything.
+    QVERIFY(run(1).blow->scales.impulse == 2 * run(0).blow->scales.impulse);
+    // All of the longest is in view.
+    const double end = page.plots()->axisRect(0)->axis(QCPAxis::atBottom)->range().upper;
+    QVERIFY(end >= run(0).blow->summary.separationTime * run(0).blow->scales.time * 1e3);
+    // Copied with the others, under their names.
+    QVERIFY(page.plot()->csv().contains("A  first [kN]"));
+}
+
+void TestRunOverlays::inGroupsEachHasItsOwnUnits() {
+    BlowPage page(m_observation);
+    present(page, UnitSystem::dimensionless);
+    bool found = false;
+    const auto peak = [&](int number) {
+        return page.plots()->forcesOfRuns()[number]->getValueRange(found).upper;
+    };
+    QCOMPARE(peak(0), run(0).blow->summary.peakForce);
+    // The same groups: the same blow, whatever its impulse.
+    QVERIFY(isNear(peak(0), peak(1)));
+}
+
+void TestRunOverlays::aRunWithoutUnitsIsNotLaidOverForces() {
+    m_document->startFrom(findExample("paper_fig4b")->text, "example");
+    pin("beta", 0.7);
+    m_document->startFrom(findExample("t38_medium_rock")->text, "example");
+    BlowPage page(m_observation);
+    present(page);
+    QCOMPARE(page.plots()->forcesOfRuns().size(), 2);
+    present(page, UnitSystem::dimensionless);
+    QCOMPARE(page.plots()->forcesOfRuns().size(), 3);
+}
+
+void TestRunOverlays::hiddenRunsAreNotDrawn() {
+    BlowPage page(m_observation);
+    QSignalSpy needs(&page, &Page::needsChanged);
+    m_runs->setShown(0, false);
+    present(page);
+    QCOMPARE(needs.count(), 1);
+    QCOMPARE(page.plots()->forcesOfRuns().size(), 1);
+    QCOMPARE(page.plots()->forcesOfRuns().first()->name(), run(1).title());
+    // Nothing of those that went is drawn, nor in the legend.
+    page.plot()->replot();
+    m_runs->setShown(1, false);
+    present(page);
+    page.plot()->replot();
+    int entries = 0;
+    for (int i = 0; i < page.plot()->plotLayout()->elements(true).size(); ++i) {
+        auto* item = qobject_cast<QCPPlottableLegendItem*>(page.plot()->plotLayout()->elements(true).at(i));
+        if (!item) continue;
+        ++entries;
+        QVERIFY(page.plot()->hasPlottable(item->plottable()));
+    }
+    QVERIFY(entries > 4);  // the waves, the force and the others
+    m_runs->setShown(1, true);
+    present(page);
+    QCOMPARE(page.plots()->forcesOfRuns().size(), 1);
+    page.setResult(failedBlow({}, "out of rock"));
+    QVERIFY(page.plots()->forcesOfRuns().isEmpty());
+}
+
+void TestRunOverlays::theRockHasThePaths() {
+    RockPage page(m_observation);
+    present(page);
+    QCOMPARE(page.rockPlot()->runs().size(), 2);
+    for (const int number : {0, 1}) {
+        bool found = false;
+        const QCPRange range = page.rockPlot()->runs()[number]->getKeyRange(found);
+        const SolvedBlow& blow = *run(number).blow;
+        QVERIFY(isNear(range.upper, blow.summary.maxPenetration * blow.scales.penetration * 1e3));  // mm
+        QVERIFY(page.plot()->xAxis->range().contains(range.upper));
+    }
+}
+
+void TestRunOverlays::theGapHasTheCurveOfTheRunsScenario() {
+    m_document->assign(*findParameter("bit_rock.stiffness"), 1e8, 0);
+    GapPage page(*m_document);
+    page.resize(900, 600);
+    page.show();
+    present(page);
+    QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runs().graphs().size(), 2, patience);
+    for (const int number : {0, 1}) {
+        const QCPGraph* graph = page.gapPlot()->runs().graphs()[number];
+        QVERIFY(graph->dataCount() > 200);
+        const auto point = graph->data()->at(graph->dataCount() / 3);
+        Scenario scenario = run(number).contents.scenario;
+        findParameter("bit_rock.gap")->assign(scenario, point->key / 1e3);
+        // The curve is known to 1e-10.
+        QVERIFY(std::abs(point->value - solveBlow(scenario, {}, Detail::cor).summary.cor) < 2e-10);
+    }
+    // The first repeats within the range of the present one, which has twice the impulse.
+    const QCPGraph* half = page.gapPlot()->runs().graphs()[0];
+    const QCPGraph* present = page.gapPlot()->graph();
+    bool found = false;
+    QVERIFY(half->getKeyRange(found).upper > 0.99 * present->getKeyRange(found).upper);
+}
+
+void TestRunOverlays::outOfSightNoGapIsStudied() {
+    GapPage page(*m_document);
+    present(page);
+    QCOMPARE(page.runStudies(), 0);
+    page.show();
+    QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runs().graphs().size(), 2, patience);
+    QCOMPARE(page.runStudies(), 1);
+    page.hide();
+    m_runs->setShown(0, false);
+    page.setRuns(m_runs->list());
+    QCOMPARE(page.runStudies(), 1);
+}
+
+void TestRunOverlays::whatIsKnownIsNotStudiedAgain() {
+    RunGapsStudy study;
+    std::stop_source stop;
+    const StudyFeed<RunGaps> feed{stop.get_token(), [](StudyProgress) {}, [](const RunGaps&) {}};
+    Scenario a = run(0).contents.scenario, b = a;
+    b.bitRock.gamma = 0.5;
+    const RunGaps first = study({{a}}, feed);
+    const RunGaps both = RunGapsStudy(study)({{b, a}}, feed);
+    QCOMPARE(both.size(), 2u);
+    QCOMPARE(both[1], first[0]);
+    stop.request_stop();
+    a.bitRock.gamma = 0.6;
+    QVERIFY(study({{a}}, feed).empty());
+}
+
+void TestRunOverlays::theMapHasThemByName() {
+    MapPage page(*m_document);
+    page.resize(900, 600);
+    page.show();
+    present(page);
+    QTRY_COMPARE_WITH_TIMEOUT(page.map()->runs().size(), 2, patience);
+    QCOMPARE(page.map()->runs()[0].title, run(0).title());
+    QVERIFY(isNear(page.map()->runs()[0].at.x(), 300));  // MN/m
+    QVERIFY(isNear(page.map()->runs()[0].at.y(), 0.1));
+    m_runs->setShown(0, false);
+    page.setRuns(m_runs->list());
+    QCOMPARE(page.map()->runs().size(), 1);
+}
+
+void TestRunOverlays::stiffnessAndThrustHaveTheirPoints() {
+    StiffnessPage stiffness(*m_document);
+    stiffness.resize(900, 600);
+    stiffness.show();
+    present(stiffness);
+    auto* curves = stiffness.findChild<StiffnessPlot*>();
+    QTRY_COMPARE_WITH_TIMEOUT(curves->runs().size(), 2, patience);
+    QVERIFY(isNear(curves->runs()[1].at.x(), 300));
+    QCOMPARE(curves->runs()[1].at.y(), run(1).blow->summary.cor);
+    stiffness.hide();
+    ThrustPage thrust(*m_document);
+    thrust.resize(900, 600);
+    thrust.show();
+    present(thrust);
+    auto* needs = thrust.findChild<ThrustPlot*>();
+    QTRY_COMPARE_WITH_TIMEOUT(needs->runs().size(), 2, patience);
+    QVERIFY(isNear(needs->runs()[0].at.x(), 60));  // Hz
+    const double need = *thrustNeeded(run(0).contents.scenario, run(0).blow->summary.cor);
+    QVERIFY(isNear(needs->runs()[0].at.y(), need / 1e3));
+}
+
+void TestRunOverlays::shiftAndAClickPin() {
+    GapPage page(*m_document);
+    page.resize(900, 600);
+    page.show();
+    present(page);
+    QTRY_COMPARE_WITH_TIMEOUT(page.activity()->state(), StudyState::finished, patience);
+    QSignalSpy pins(&page, &Page::pinRequested);
+    const QCPGraph* graph = page.gapPlot()->graph();
+    const QPoint pixel(int(graph->keyAxis()->coordToPixel(1)),
+                       int(graph->valueAxis()->axisRect()->center().y()));
+    QTest::mouseClick(page.plot(), Qt::LeftButton, Qt::ShiftModifier, pixel);
+    QCOMPARE(pins.count(), 1);
+    const auto contents = pins[0][0].value<ScenarioDocument>();
+    QVERIFY(std::abs(contents.scenario.bitRock.gap - 1e-3) < 0.02e-3);  // within the pixel
+    QVERIFY(contents.text.find("gap:") != std::string::npos);
+    QCOMPARE(parseScenario(contents.text, "").scenario, contents.scenario);
+    QCOMPARE(m_document->scenario().bitRock.gap, 0.0);
+}
+
+QTEST_MAIN(TestRunOverlays)
+#include "tst_run_overlays.moc"

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page Compare: the present result and the pinned runs side by side.
+#pragma once
+
+#include "ui/pages/compare/compare_model.h"
+#include "ui/pages/page.h"
+#include "ui/runs/runs.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QStackedLayout;
+class QTableView;
+
+namespace drillwave {
+
+class ComparePage : public Page {
+    Q_OBJECT
+
+  public:
+    /// The runs must outlive the page.
+    explicit ComparePage(Runs& runs, QWidget* parent = nullptr);
+
+    QString title() const override;
+    PreparePage prepare() const override { return {}; }
+    void setResult(const SolvedBlowPtr& blow) override;
+    void fit() override;
+    QList<PageExport> exports() const override;
+    void setCurrent(bool current) override { m_current = current; }
+    const CompareTable& table() const { return m_model->table(); }
+
+  public slots:
+    /// The whole table to the clipboard, for a spreadsheet.
+    void copy() const;
+
+  signals:
+    /// The user wants the scenario of that run back.
+    void revertRequested(int number);
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+  private:
+    QWidget* makeBar();
+    void makeTable();
+    void follow();
+    void present();
+    void offerReferences();
+    const Run* chosen() const;
+    void choose();
+    QString obstacle() const;
+
+    Runs& m_runs;
+    SolvedBlowPtr m_now;
+    bool m_current = true;
+    QStackedLayout* m_layers;
+    QLabel* m_empty;
+    QComboBox* m_reference = nullptr;
+    QPushButton* m_revert = nullptr;
+    QTableView* m_view;
+    CompareModel* m_model;
+};
+
+}  // namespace drillwave

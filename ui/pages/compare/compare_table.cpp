@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/compare/compare_table.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "core/model/scenario_difference.h"
+#include "core/text/csv.h"
+#include "ui/pages/study/output_box.h"
+#include "ui/pages/study/parameter_names.h"
+#include "ui/result/output_unit.h"
+#include "ui/runs/difference_text.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/typed_text.h"
+#include "ui/text/unit_choice.h"
+
+namespace drillwave {
+namespace {
+
+using Columns = std::vector<CompareColumn>;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("drillwave::CompareTable", text);
+}
+
+bool isSolved(const CompareColumn& column) {
+    return column.blow && column.blow->problem.isEmpty();
+}
+
+CompareRow heading(const QString& name) {
+    return {.kind = CompareRow::Kind::heading, .name = name, .unit = {}, .numbers = {}, .words = {}};
+}
+
+/// Shape and table of the hammer blow, where they differ.
+void addBlow(CompareTable& table, const Columns& columns) {
+    const Pulse& first = columns.front().scenario->pulse;
+    const bool isOther = std::ranges::any_of(columns, [&](const CompareColumn& each) {
+        const Pulse& pulse = each.scenario->pulse;
+        return pulse.shape != first.shape || !(pulse.tablePoints == first.tablePoints);
+    });
+    if (!isOther) return;
+    CompareRow row{.kind = CompareRow::Kind::parameter,
+                   .name = tr("hammer blow"),
+                   .unit = {},
+                   .numbers = {},
+                   .words = {}};
+    for (const CompareColumn& each : columns) {
+        const Pulse& pulse = each.scenario->pulse;
+        row.words << (pulse.tableFile.empty() ? fromView(name(pulse.shape)).replace(u'_', u' ')
+                                              : QString::fromStdString(pulse.tableFile));
+    }
+    table.rows.push_back(std::move(row));
+}
+
+void addParameters(CompareTable& table, const Columns& columns) {
+    std::vector<const Scenario*> scenarios;
+    for (const CompareColumn& each : columns) scenarios.push_back(each.scenario);
+    for (const Parameter* parameter : differingParameters(scenarios)) {
+        const Unit& unit = UnitChoice::shared().fieldUnit(*parameter);
+        CompareRow row{.kind = CompareRow::Kind::parameter,
+                       .name = parameterName(*parameter),
+                       .unit = shownUnitName(unit.name),
+                       .numbers = {},
+                       .words = {}};
+        for (const Scenario* scenario : scenarios) {
+            const std::optional<double> si = valueIn(*scenario, *parameter);
+            row.numbers.push_back(si ? std::optional(unit.fromSi(*si)) : std::nullopt);
+        }
+        table.rows.push_back(std::move(row));
+    }
+}
+
+/// From those numbers to the ones on show, whose scale `base` has.
+ShownUnit unitOf(const Output& output, const ShownUnits& units, const Scales& base, double size) {
+    if (output.measure == Measure::share) return {1, QStringLiteral("%"), false};
+    if (output.measure == Measure::number) return {};
+    ShownUnit unit = output.measure == Measure::work ? units.energy : outputUnit(output, units, size);
+    if (output.isOnlySi() || unit.dimensionless) return unit;
+    unit.factor /= output.measure == Measure::work ? base.energy : output.scale(base);
+    return unit;
+}
+
+void addResults(CompareTable& table, const Columns& columns, UnitSystem system, const ChosenUnits& chosen) {
+    const bool isPhysical = system != UnitSystem::dimensionless;
+    const auto base = std::ranges::find_if(columns, [=](const CompareColumn& each) {
+        return isSolved(each) && (!isPhysical || each.scenario->form == ScenarioForm::dimensional);
+    });
+    if (base == columns.end()) return;
+    const Scales& scales = base->blow->scales;
+    const ShownUnits units = shownUnits(system, scales, chosen);
+    for (const Output& output : outputs()) {
+        if (output.measure == Measure::error || output.name == "efficiency") continue;  // that is rock_work
+        CompareRow row{.kind = CompareRow::Kind::result,
+                       .name = outputName(output),
+                       .unit = {},
+                       .numbers = {},
+                       .words = {}};
+        double size = 0;
+        for (const CompareColumn& each : columns) {
+            row.numbers.push_back(each.blow ? comparableNumber(output, *each.blow, system) : std::nullopt);
+            size = std::max(size, std::abs(row.numbers.back().value_or(0)));
+        }
+        const auto isThere = [](const std::optional<double>& number) { return number.has_value(); };
+        if (std::ranges::none_of(row.numbers, isThere)) continue;
+        const ShownUnit unit = unitOf(output, units, scales, size);
+        row.unit = unit.unit;
+        for (std::optional<double>& number : row.numbers)
+            if (number) *number *= unit.factor;
+        table.rows.push_back(std::move(row));
+    }
+}
+
+std::string cell(const QString& text, char separator) {
+    return separator == ',' ? csvCell(text.toStdString()) : text.simplified().toStdString();
+}
+
+std::string cell(const std::optional<double>& number) {
+    return number ? formatNumber(*number) : std::string();
+}
+
+}  // namespace
+
+std::optional<double> CompareRow::difference(std::size_t column, std::size_t reference) const {
+    if (numbers.empty() || !numbers[column] || !numbers[reference]) return std::nullopt;
+    return *numbers[column] - *numbers[reference];
+}
+
+std::optional<double> CompareRow::relative(std::size_t column, std::size_t reference) const {
+    if (!difference(column, reference)) return std::nullopt;
+    return relativeDifference(*numbers[column], *numbers[reference]);
+}
+
+CompareTable compareTable(const Columns& columns, std::size_t reference, UnitSystem units,
+                          const ChosenUnits& chosen) {
+    CompareTable table;
+    table.reference = reference;
+    for (const CompareColumn& each : columns) table.titles << each.title;
+    table.rows.push_back(heading(tr("what differs")));
+    addBlow(table, columns);
+    addParameters(table, columns);
+    if (table.rows.size() == 1) table.rows.front().name = tr("nothing differs");
+    table.rows.push_back(heading(tr("results")));
+    addResults(table, columns, units, chosen);
+    return table;
+}
+
+QByteArray compareText(const CompareTable& table, char separator) {
+    std::string text = cell(tr("quantity"), separator) + separator + cell(tr("unit"), separator);
+    const auto count = static_cast<std::size_t>(table.titles.size());
+    const QString reference = table.titles[static_cast<qsizetype>(table.reference)];
+    for (const QString& title : table.titles) text += separator + cell(title, separator);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i == table.reference) continue;
+        const QString title = table.titles[static_cast<qsizetype>(i)];
+        text += separator + cell(tr("(%1) − (%2)").arg(title, reference), separator);
+        text += separator + cell(tr("(%1) / (%2) − 1 [%]").arg(title, reference), separator);
+    }
+    text += '\n';
+    for (const CompareRow& row : table.rows) {
+        if (row.kind == CompareRow::Kind::heading) continue;
+        text += cell(row.name, separator) + separator + cell(row.unit, separator);
+        for (std::size_t i = 0; i < count; ++i)
+            text += separator + (row.hasNumbers() ? cell(row.numbers[i])
+                                                  : cell(row.words[static_cast<qsizetype>(i)], separator));
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i == table.reference) continue;
+            const std::optional<double> relative = row.relative(i, table.reference);
+            text += separator + cell(row.difference(i, table.reference));
+            text += separator + cell(relative ? std::optional(100 * *relative) : std::nullopt);
+        }
+        text += '\n';
+    }
+    return QByteArray::fromStdString(text);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs side by side as numbers: changed parameters first, then results.
+#pragma once
+
+#include <QByteArray>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+#include "ui/job/solved_blow.h"
+
+namespace drillwave {
+
+/// What stands side by side.
+struct CompareColumn {
+    QString title;             ///< "now", "A  k 300 MN/m"
+    const Scenario* scenario;  ///< not nullptr
+    const SolvedBlow* blow;    ///< nullptr where there is none
+};
+
+/// One quantity of all columns, in the units on show.
+struct CompareRow {
+    enum class Kind { heading, parameter, result } kind = Kind::result;
+    QString name;
+    QString unit;                                ///< empty for plain numbers
+    std::vector<std::optional<double>> numbers;  ///< one for each column; none where it has none
+    QStringList words;                           ///< in place of numbers: shapes of the blow
+
+    bool hasNumbers() const { return !numbers.empty(); }
+    /// number − that of the reference; nothing where one of them is missing.
+    std::optional<double> difference(std::size_t column, std::size_t reference) const;
+    /// The same by the size of the reference's.
+    std::optional<double> relative(std::size_t column, std::size_t reference) const;
+};
+
+struct CompareTable {
+    QStringList titles;         ///< of the columns
+    std::size_t reference = 0;  ///< the column that the others are compared with
+    std::vector<CompareRow> rows;
+};
+
+/// All results that at least one of the columns has, but for numerical errors. `units` and `chosen` are those
+/// on show; their prefixes follow the first column that is solved.
+CompareTable compareTable(const std::vector<CompareColumn>& columns, std::size_t reference, UnitSystem units,
+                          const ChosenUnits& chosen);
+
+/// The table with all digits: name, unit, the columns, and for each but the reference its difference and its
+/// relative difference in percent. RFC 4180 with ',', or with a tab for spreadsheets.
+QByteArray compareText(const CompareTable& table, char separator);
+
+}  // namespace drillwave

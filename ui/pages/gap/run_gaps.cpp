@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/gap/run_gaps.h"
+
+#include <qcustomplot.h>
+
+#include <algorithm>
+
+#include "core/wave/problem.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int mostPeriods = 20;  // drawn: of a run with a small blow there could be thousands
+
+}  // namespace
+
+RunGaps RunGapsStudy::operator()(const RunGapsQuestion& question, const StudyFeed<RunGaps>& feed) {
+    RunGaps found;
+    for (const Scenario& scenario : question.scenarios) {
+        const auto known =
+            std::ranges::find(*m_known, scenario, [](const auto& each) { return each->scenario; });
+        if (known != m_known->end()) {
+            found.push_back(*known);
+            continue;
+        }
+        GapCurve curve = gapCurve(problemOf(scenario), Detail::summary, feed.stop);
+        if (feed.stop.stop_requested()) break;
+        if (!curve.isComplete()) continue;
+        found.push_back(std::make_shared<const RunGap>(RunGap{scenario, std::move(curve)}));
+        feed.show(found);
+    }
+    // What was stopped goes on from there.
+    *m_known = found;
+    return found;
+}
+
+GraphData runGapCurve(const GapCurve& curve, GapOutput output, double gapFactor, double valueFactor,
+                      double to) {
+    QVector<QCPGraphData> points;
+    const std::vector<double> gaps = sampleGaps(curve);
+    const auto append = [&](double gap, double shift) {
+        const double x = (gap + shift) * gapFactor;
+        if (x <= to) appendFinite(points, x, curve.value(output, gap) * valueFactor);
+        return x <= to;
+    };
+    bool isInside = true;
+    for (const double gap : gaps)
+        if (isInside) isInside = append(gap, 0);
+    const bool hasPeriod = curve.dependsOnGap && curve.end > curve.periodStart;
+    for (int period = 1; isInside && hasPeriod && period < mostPeriods; ++period)
+        for (const double gap : gaps)
+            if (isInside && gap >= curve.periodStart) isInside = append(gap, period);
+    return graphData(points);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/rod/rod_curves.h"
+
+#include <qcustomplot.h>
+
+#include <algorithm>
+
+#include "core/text/csv.h"
+#include "core/text/units.h"
+
+namespace drillwave {
+namespace {
+
+constexpr EnvelopeLine RodEnvelope::*linesOf[] = {&RodEnvelope::compression, &RodEnvelope::tension,
+                                                  &RodEnvelope::compressionAfter, &RodEnvelope::tensionAfter};
+constexpr RodForce RodForces::*largestOf[] = {&RodForces::compression, &RodForces::tension,
+                                              &RodForces::compressionAfter, &RodForces::tensionAfter};
+constexpr const char* columnNames[] = {"compression", "tension", "compression of the waves left",
+                                       "tension of the waves left"};
+
+GraphData curveOf(const RodCurves& curves, RodLine line) {
+    QVector<QCPGraphData> points;
+    points.reserve(static_cast<qsizetype>(curves.forces(line).size()));
+    for (const RodForce& force : curves.forces(line))
+        appendFinite(points, curves.position(force), curves.stress(line, force));
+    return graphData(points);
+}
+
+std::optional<double> shownStrength(const std::optional<double>& strength, const Scenario& scenario,
+                                    const ShownUnits& units) {
+    if (!strength || scenario.form != ScenarioForm::dimensional) return {};
+    return *strength / scalesOf(scenario).stress * units.stress.factor;
+}
+
+}  // namespace
+
+const EnvelopeLine& RodCurves::forces(RodLine line) const {
+    return envelope.*linesOf[static_cast<std::size_t>(line)];
+}
+
+const RodForce& RodCurves::largest(RodLine line) const {
+    return envelope.largest.*largestOf[static_cast<std::size_t>(line)];
+}
+
+RodCurves rodCurves(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,
+                    const ShownUnits& units, const std::stop_token& stop) {
+    RodCurves curves;
+    curves.units = units;
+    curves.envelope = rodEnvelope(impact, pulse, stop);
+    for (const RodLine line : rodLines) curves.curves[static_cast<std::size_t>(line)] = curveOf(curves, line);
+    curves.yieldStrength = shownStrength(scenario.rod.yieldStrength, scenario, units);
+    curves.fatigueStrength = shownStrength(scenario.rod.fatigueStrength, scenario, units);
+    return curves;
+}
+
+QByteArray rodCsv(const RodCurves& curves, char separator) {
+    std::string text;
+    std::size_t rows = 0;
+    const auto append = [&](const std::string& cell) {
+        if (!text.empty() && text.back() != '\n') text += separator;
+        text += cell;
+    };
+    const auto heading = [&](const char* name, const ShownUnit& unit) {
+        append(csvCell(name + (" [" + unit.unit.toStdString() + "]")));
+    };
+    for (const RodLine line : rodLines) {
+        heading("position", curves.units.length);
+        heading(columnNames[static_cast<std::size_t>(line)], curves.units.stress);
+        heading("time", curves.units.time);
+        rows = std::max(rows, curves.forces(line).size());
+    }
+    text += '\n';
+    for (std::size_t row = 0; row < rows; ++row) {
+        std::string cells;
+        for (const RodLine line : rodLines) {
+            if (!cells.empty()) cells += separator;
+            if (row >= curves.forces(line).size()) {
+                cells += std::string(2, separator);
+                continue;
+            }
+            const RodForce& force = curves.forces(line)[row];
+            cells += formatNumber(curves.position(force)) + separator +
+                     formatNumber(curves.stress(line, force)) + separator +
+                     formatNumber(force.time * curves.units.time.factor);
+        }
+        text += cells + '\n';
+    }
+    return QByteArray::fromStdString(text);
+}
+
+}  // namespace drillwave

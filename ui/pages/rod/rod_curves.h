@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The largest stresses along the rod as ready plot data, built away from the window's thread.
+#pragma once
+
+#include <QByteArray>
+#include <array>
+#include <optional>
+#include <stop_token>
+
+#include "core/model/pulse_force.h"
+#include "core/model/scenario.h"
+#include "core/wave/field/rod_envelope.h"
+#include "core/wave/impact.h"
+#include "ui/plot/graph_data.h"
+#include "ui/text/shown_units.h"
+
+namespace drillwave {
+
+/// The largest of one sign while the blow lasts, or of the waves it leaves.
+enum class RodLine : std::size_t { compression, tension, compressionAfter, tensionAfter };
+inline constexpr std::array rodLines{RodLine::compression, RodLine::tension, RodLine::compressionAfter,
+                                     RodLine::tensionAfter};
+
+inline constexpr bool isTension(RodLine line) {
+    return line == RodLine::tension || line == RodLine::tensionAfter;
+}
+inline constexpr bool isAfter(RodLine line) {
+    return line == RodLine::compressionAfter || line == RodLine::tensionAfter;
+}
+
+/// Never changed once built; stresses as they are shown are positive in tension.
+struct RodCurves {
+    ShownUnits units;
+    RodEnvelope envelope;                           ///< dimensionless
+    std::array<GraphData, rodLines.size()> curves;  ///< position in the rod, stress
+    std::optional<double> yieldStrength, fatigueStrength;
+
+    const GraphData& curve(RodLine line) const { return curves[static_cast<std::size_t>(line)]; }
+    const EnvelopeLine& forces(RodLine line) const;
+    const RodForce& largest(RodLine line) const;
+    /// As shown.
+    double stress(RodLine line, const RodForce& force) const {
+        return (isTension(line) ? 1 : -1) * force.size * units.stress.factor;
+    }
+    double position(const RodForce& force) const { return force.section * units.length.factor; }
+};
+
+/// Requires an impact solved with Detail::histories. A stop ends the work early, with lines that are too low.
+RodCurves rodCurves(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,
+                    const ShownUnits& units, const std::stop_token& stop = {});
+
+/// For each line position, stress and the time at which it occurs, side by side, in the units shown.
+QByteArray rodCsv(const RodCurves& curves, char separator);
+
+}  // namespace drillwave

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/rod/rod_page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "core/wave/field/wave_field.h"
+#include "ui/pages/rod/rod_plot.h"
+#include "ui/pages/section_field.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+
+RodPage::RodPage(Observation& observation, QWidget* parent)
+    : PlotPage(parent),
+      m_observation(observation),
+      m_readout(new QLabel(this)),
+      m_plot(makePlot()),
+      m_rod(new RodPlot(m_plot)) {
+    auto* section = new SectionField(observation,
+                                     tr("The dotted line: where in the rod one looks, 0 is the struck end, 1 "
+                                        "the bit.\nA click in the plot moves it, and the time cursor to when "
+                                        "the stress there is largest."),
+                                     this);
+    auto* label = new QLabel(tr("Section x/L"), this);
+    label->setBuddy(section);
+    m_readout->setObjectName(QStringLiteral("readout"));
+    m_readout->setWordWrap(true);
+    m_readout->setContentsMargins(8, 0, 8, 0);
+    m_readout->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_readout->setToolTip(tr("The largest stresses at the section, and when they occur"));
+    auto* fitButton = new QPushButton(tr("Fit"), this);
+    fitButton->setToolTip(tr("Bring the whole rod into view (double-click in the plot)"));
+    connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
+
+    auto* bar = new QHBoxLayout;
+    bar->setContentsMargins(8, 6, 8, 0);
+    bar->addWidget(label);
+    bar->addWidget(section);
+    bar->addStretch(1);
+    bar->addWidget(fitButton);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addLayout(bar);
+    layout->addWidget(m_readout);
+    layout->addWidget(m_plot, 1);
+
+    m_plot->setAccessibleName(tr("Largest stresses along the rod"));
+    m_plot->followPalette([this](const PlotStyle& style) { m_rod->setStyle(style); });
+    connect(&observation, &Observation::sectionChanged, this, &RodPage::showHere);
+    connect(&observation, &Observation::timeChanged, this, &RodPage::showHere);
+    connect(m_plot, &PlotWidget::fitRequested, m_rod, &RodPlot::fit);
+    connect(m_plot, &PlotWidget::clicked, this,
+            [this](QCPAxisRect* /*rect*/, QPointF coordinates) { goTo(coordinates); });
+    showReadout();
+}
+
+PreparePage RodPage::prepare() const {
+    return [](const SolvedBlow& blow) {
+        return PageData::of(
+            rodCurves(blow.impact, blow.solved.hammer, blow.request.scenario, blow.units, blow.request.stop));
+    };
+}
+
+const RodCurves* RodPage::curves() const {
+    return m_blow ? m_blow->page<RodCurves>() : nullptr;
+}
+
+void RodPage::setResult(const SolvedBlowPtr& blow) {
+    if (const auto* curves = blow->page<RodCurves>()) {
+        m_rod->present(*curves);
+        CurveMeaning meaning;
+        meaning.xUnit = blow->units.length.unit;
+        meaning.yUnit = blow->units.stress.unit;
+        for (const RodLine line : rodLines) m_plot->setMeaning(m_rod->graph(line), meaning);
+        m_plot->setDataText([blow](char separator) { return rodCsv(*blow->page<RodCurves>(), separator); });
+    } else if (!blow->problem.isEmpty()) {
+        m_rod->showNothing(tr("Nothing to show: %1").arg(blow->problem));
+        m_plot->setDataText({});
+    } else {
+        return;  // solved for another page; what was asked for is on its way
+    }
+    m_blow = blow;
+    showHere();
+    m_plot->setAccessibleDescription(m_rod->textSummary());
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void RodPage::setGhost(const SolvedBlowPtr& before) {
+    m_rod->setGhost(before ? before->page<RodCurves>() : nullptr);
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void RodPage::showHere() {
+    showReadout();
+    const RodCurves* shown = curves();
+    if (!shown) return;
+    const double section = m_observation.section();
+    std::optional<double> stress;
+    if (const std::optional<double> time = m_observation.time())
+        stress = WaveField(m_blow->impact).force(section, *time) * shown->units.stress.factor;
+    m_rod->setHere(section * shown->units.length.factor, stress);
+}
+
+// The line is there before it has anything to say: nothing jumps.
+void RodPage::showReadout() {
+    const RodCurves* shown = curves();
+    if (!shown) return m_readout->setText(QStringLiteral(" "));
+    const QLocale locale;
+    const auto words = [&](RodLine line) {
+        const RodForce force = forceAt(shown->forces(line), m_observation.section());
+        const QString stress =
+            numberText(shown->stress(line, force), 4, locale) + QChar(QChar::Nbsp) + shown->units.stress.unit;
+        if (!(force.size > 0)) return stress;
+        return tr("%1 at %2").arg(stress, quantityText(force.time, shown->units.time, locale));
+    };
+    const QString place = quantityText(m_observation.section(), shown->units.length, locale);
+    m_readout->setText(tr("At %1 in the blow: %2 and %3\nof the waves left: %4 and %5")
+                           .arg(place, words(RodLine::compression), words(RodLine::tension),
+                                words(RodLine::compressionAfter), words(RodLine::tensionAfter)));
+}
+
+void RodPage::goTo(QPointF coordinates) {
+    const std::optional<RodForce> force = m_rod->forceAt(coordinates);
+    if (!force) return;
+    m_observation.setSection(force->section);
+    if (force->size > 0) m_observation.setTime(force->time);
+}
+
+}  // namespace drillwave

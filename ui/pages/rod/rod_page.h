@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rod under the blow: the largest stresses at every section, where and when they occur.
+#pragma once
+
+#include "ui/job/observation.h"
+#include "ui/pages/plot_page.h"
+
+class QLabel;
+
+namespace drillwave {
+
+class RodPlot;
+struct RodCurves;
+
+class RodPage : public PlotPage {
+    Q_OBJECT
+
+  public:
+    /// The observation must outlive the page.
+    explicit RodPage(Observation& observation, QWidget* parent = nullptr);
+
+    QString title() const override { return tr("Rod"); }
+    PreparePage prepare() const override;
+    void setResult(const SolvedBlowPtr& blow) override;
+    void setGhost(const SolvedBlowPtr& before) override;
+
+    RodPlot* rodPlot() const { return m_rod; }
+
+  private:
+    void showHere();
+    void showReadout();
+    void goTo(QPointF coordinates);
+    const RodCurves* curves() const;
+
+    Observation& m_observation;
+    QLabel* m_readout;
+    PlotWidget* m_plot;
+    RodPlot* m_rod;
+    SolvedBlowPtr m_blow;
+};
+
+}  // namespace drillwave

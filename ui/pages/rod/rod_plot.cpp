@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/rod/rod_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plot/curve_graph.h"
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr double markReach = 12;  // of a click around a mark [px]
+/// A strength this many times the largest stress would squeeze the curves.
+constexpr double strengthInView = 2.5;
+/// Of the waves left, a peak that is not above that of the blow by this needs no number of its own.
+constexpr double tellingDifference = 1.02;
+
+// By name: their factors follow the scenario.
+bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
+    return a.stress.unit == b.stress.unit && a.length.unit == b.length.unit;
+}
+
+QString nameOf(RodLine line) {
+    switch (line) {
+        case RodLine::compression:
+            return RodPlot::tr("largest compression in the blow");
+        case RodLine::tension:
+            return RodPlot::tr("largest tension in the blow");
+        case RodLine::compressionAfter:
+            return RodPlot::tr("compression of the waves left");
+        case RodLine::tensionAfter:
+            return RodPlot::tr("tension of the waves left");
+    }
+    return {};
+}
+
+/// Compression and tension in two colours, the waves left thinner and dashed.
+QPen penOf(const PlotStyle& style, RodLine line) {
+    QPen pen = style.linePen(0);
+    pen.setColor(style.lines[isTension(line) ? 1 : 0]);
+    if (isAfter(line)) {
+        pen.setDashPattern({5, 3});
+        pen.setCapStyle(Qt::FlatCap);
+    }
+    return pen;
+}
+
+}  // namespace
+
+RodPlot::RodPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
+    plot->axisRect()->setupFullAxesBox(true);
+    plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
+    addHeader();
+    for (const RodLine line : rodLines) {
+        QCPGraph* graph = addCurve(plot->xAxis, plot->yAxis);
+        graph->setName(nameOf(line));
+        m_graphs[static_cast<std::size_t>(line)] = graph;
+    }
+    addStrength(m_yield);
+    addStrength(m_fatigue);
+    for (Mark& mark : m_marks) addMark(mark);
+    m_here = new HereMark(plot, plot->xAxis, plot->yAxis);
+    m_message = new PlotMessage(plot);
+    for (const QCPAxis* axis : {plot->xAxis, plot->yAxis}) m_view->watch(axis);
+    connect(plot, &QCustomPlot::beforeReplot, this, &RodPlot::followLegend);
+    setStyle(PlotStyle::forPaper());
+    showNothing({});
+}
+
+// Above the plot, where it can hide no part of a curve.
+void RodPlot::addHeader() {
+    m_plot->plotLayout()->insertRow(0);
+    auto* header = new QCPLayoutGrid;
+    header->setRowSpacing(0);
+    m_plot->plotLayout()->addElement(0, 0, header);
+    header->addElement(0, 0, m_plot->legend);
+    m_plot->plotLayout()->setRowStretchFactor(0, 1e-3);
+    m_plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    m_plot->legend->setWrap(2);
+    m_plot->legend->setVisible(true);
+    m_plot->legend->setMargins(QMargins(7, 6, 0, 0));
+    m_caption = new QCPTextElement(m_plot);
+    m_caption->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    m_caption->setMargins(QMargins(7, 0, 0, 2));
+    header->addElement(1, 0, m_caption);
+}
+
+void RodPlot::addStrength(Strength& strength) {
+    for (QCPItemStraightLine*& line : strength.lines) {
+        line = new QCPItemStraightLine(m_plot);
+        line->setSelectable(false);
+        line->setClipAxisRect(m_plot->axisRect());
+        for (QCPItemPosition* end : {line->point1, line->point2}) {
+            end->setTypeX(QCPItemPosition::ptAxisRectRatio);
+            end->setTypeY(QCPItemPosition::ptPlotCoords);
+        }
+    }
+    strength.name = new QCPItemText(m_plot);
+    strength.name->setSelectable(false);
+    strength.name->setPadding(QMargins(6, 1, 6, 1));
+    strength.name->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+    strength.name->position->setTypeY(QCPItemPosition::ptPlotCoords);
+    strength.name->setClipAxisRect(m_plot->axisRect());
+}
+
+void RodPlot::addMark(Mark& mark) {
+    mark.ring = new QCPItemTracer(m_plot);
+    mark.ring->setStyle(QCPItemTracer::tsCircle);
+    mark.ring->setSelectable(false);
+    mark.number = new QCPItemText(m_plot);
+    mark.number->setSelectable(false);
+    mark.number->setPadding(QMargins(6, 3, 6, 3));
+}
+
+void RodPlot::present(const RodCurves& curves) {
+    const bool unitsChanged = !sameUnits(m_curves.units, curves.units);
+    if (unitsChanged) setGhost(nullptr);
+    m_curves = curves;
+    for (const RodLine line : rodLines) graph(line)->setData(curves.curve(line));
+    const ShownUnits& units = curves.units;
+    m_plot->xAxis->setLabel(units.length.axisLabel(tr("position x from the struck end")));
+    m_plot->yAxis->setLabel(units.stress.axisLabel(
+        units.stress.dimensionless ? tr("force N (tension positive)") : tr("stress (tension positive)")));
+    m_message->hide();
+    placeMarks();
+    nameNumbers();
+    summarize();
+    if (m_view->isFitted() || unitsChanged) fit();
+}
+
+void RodPlot::showNothing(const QString& message) {
+    m_curves = {};
+    for (QCPGraph* graph : m_graphs) graph->setData(GraphData::create());
+    placeMarks();
+    placeStrength(m_yield, {}, {});
+    placeStrength(m_fatigue, {}, {});
+    m_caption->setText({});
+    m_here->setPlace({}, {});
+    m_message->show(message);
+    m_summary = message;
+}
+
+void RodPlot::setGhost(const RodCurves* before) {
+    for (QCPGraph* ghost : std::as_const(m_ghosts)) m_plot->removeGraph(ghost);
+    m_ghosts.clear();
+    if (before && sameUnits(before->units, m_curves.units)) {
+        for (const RodLine line : {RodLine::compression, RodLine::tension}) {
+            QCPGraph* ghost = addCurve(m_plot->xAxis, m_plot->yAxis);
+            ghost->removeFromLegend();
+            ghost->setLayer(ghostLayer(*m_plot));
+            ghost->setSelectable(QCP::stNone);
+            ghost->setPen(m_style.ghostPen(isTension(line) ? 1 : 0));
+            ghost->setData(before->curve(line));
+            m_ghosts.append(ghost);
+        }
+    }
+    if (m_view->isFitted()) fit();
+}
+
+void RodPlot::setHere(std::optional<double> position, std::optional<double> stress) {
+    m_here->setPlace(position, stress);
+}
+
+QString RodPlot::stressText(double stress) const {
+    return numberText(stress, 4, m_plot->locale()) + QChar(QChar::Nbsp) + m_curves.units.stress.unit;
+}
+
+void RodPlot::placeStrength(const Strength& strength, const std::optional<double>& value,
+                            const QString& name) {
+    const bool isYield = &strength == &m_yield;
+    for (std::size_t i = 0; i < strength.lines.size(); ++i) {
+        QCPItemStraightLine* line = strength.lines[i];
+        line->setVisible(value && (i == 0 || isYield));
+        if (!value) continue;
+        const double stress = i == 0 ? *value : -*value;
+        line->point1->setCoords(0, stress);
+        line->point2->setCoords(1, stress);
+    }
+    strength.name->setVisible(value.has_value());
+    if (!value) return;
+    strength.name->setText(name.arg(stressText(*value)));
+    // On the side where the rod is not pulled most.
+    const bool pulledAtRight = m_curves.largest(RodLine::tension).section > 0.5;
+    strength.name->setPositionAlignment((pulledAtRight ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignBottom);
+    strength.name->position->setCoords(pulledAtRight ? 0 : 1, *value);
+}
+
+bool RodPlot::isNumbered(RodLine line) const {
+    const double size = m_curves.largest(line).size;
+    if (!isAfter(line)) return size > 0;
+    const RodLine blow = isTension(line) ? RodLine::tension : RodLine::compression;
+    return size > tellingDifference * m_curves.largest(blow).size;
+}
+
+// Outside of the curves, towards the middle of the rod.
+void RodPlot::placeMarks() {
+    for (const RodLine line : rodLines) {
+        const Mark& mark = m_marks[static_cast<std::size_t>(line)];
+        const RodForce& largest = m_curves.largest(line);
+        const QPointF at(m_curves.position(largest), m_curves.stress(line, largest));
+        mark.ring->position->setCoords(at);
+        mark.number->position->setCoords(at);
+        const Qt::AlignmentFlag side = largest.section < 0.2   ? Qt::AlignLeft
+                                       : largest.section > 0.8 ? Qt::AlignRight
+                                                               : Qt::AlignHCenter;
+        mark.number->setPositionAlignment(side | (isTension(line) ? Qt::AlignBottom : Qt::AlignTop));
+    }
+    followLegend();
+}
+
+// What is hidden by the legend has no mark either.
+void RodPlot::followLegend() {
+    for (const RodLine line : rodLines) {
+        const Mark& mark = m_marks[static_cast<std::size_t>(line)];
+        const bool shown = graph(line)->visible() && m_curves.largest(line).size > 0;
+        mark.ring->setVisible(shown);
+        mark.number->setVisible(shown && isNumbered(line));
+    }
+}
+
+void RodPlot::nameNumbers() {
+    for (const RodLine line : rodLines)
+        m_marks[static_cast<std::size_t>(line)].number->setText(
+            stressText(m_curves.stress(line, m_curves.largest(line))));
+    placeStrength(m_yield, m_curves.yieldStrength, tr("yield strength %1"));
+    placeStrength(m_fatigue, m_curves.fatigueStrength, tr("fatigue strength %1"));
+    const double missed = m_curves.envelope.missed * m_curves.units.stress.factor;
+    m_caption->setText(
+        missed > 0
+            ? tr("so many waves that between the peaks a curve may be too low by %1").arg(stressText(missed))
+            : tr("of the uniform rod; couplings and threads raise stresses locally, nothing "
+                 "damps the waves left"));
+}
+
+void RodPlot::summarize() {
+    const QLocale locale = m_plot->locale();
+    QStringList extremes;
+    for (const RodLine line : rodLines) {
+        const RodForce& largest = m_curves.largest(line);
+        extremes << tr("%1 up to %2 at %3, %4")
+                        .arg(nameOf(line), stressText(m_curves.stress(line, largest)),
+                             quantityText(largest.section, m_curves.units.length, locale),
+                             quantityText(largest.time, m_curves.units.time, locale));
+    }
+    m_summary = tr("Largest stresses along the rod, tension positive: %1.").arg(extremes.join(u"; "));
+}
+
+void RodPlot::setStyle(const PlotStyle& style) {
+    m_message->setStyle(style);
+    m_style = style;
+    m_plot->setBackground(style.background);
+    style.applyTo(*m_plot->axisRect());
+    style.applyTo(*m_plot->legend);
+    style.applyTo(*m_caption);
+    for (const RodLine line : rodLines) {
+        const QPen pen = penOf(style, line);
+        graph(line)->setPen(pen);
+        const Mark& mark = m_marks[static_cast<std::size_t>(line)];
+        mark.ring->setSize(isAfter(line) ? 6 : 8);
+        mark.ring->setPen(QPen(pen.color(), 1.5));
+        mark.ring->setBrush(style.background);
+        mark.number->setFont(style.font);
+        mark.number->setColor(style.text);
+    }
+    for (qsizetype i = 0; i < m_ghosts.size(); ++i) m_ghosts[i]->setPen(style.ghostPen(static_cast<int>(i)));
+    for (const Strength* strength : {&m_yield, &m_fatigue}) {
+        for (QCPItemStraightLine* line : strength->lines)
+            line->setPen(QPen(style.text, 1, strength == &m_yield ? Qt::DashDotLine : Qt::DotLine));
+        strength->name->setFont(style.font);
+        strength->name->setColor(style.text);
+    }
+    m_here->setStyle(style);
+    if (m_curves.curves.front()) nameNumbers();  // files have another locale
+}
+
+void RodPlot::fit() {
+    m_view->fit([&] {
+        double low = 0, high = 0;
+        for (const auto& graphs : {QVector<QCPGraph*>(m_graphs.begin(), m_graphs.end()), m_ghosts})
+            for (const QCPGraph* graph : graphs)
+                for (const QCPGraphData& point : *graph->data()) {
+                    low = std::min(low, point.value);
+                    high = std::max(high, point.value);
+                }
+        const double largest = std::max(-low, high);
+        const auto take = [&](const std::optional<double>& strength, bool alsoCompression) {
+            if (!strength || *strength > strengthInView * largest) return;
+            high = std::max(high, *strength);
+            if (alsoCompression) low = std::min(low, -*strength);
+        };
+        take(m_curves.yieldStrength, true);
+        take(m_curves.fatigueStrength, false);
+        const double size = high - low;
+        m_plot->xAxis->setRange(0, m_curves.curves.front() ? m_curves.units.length.factor : 1);
+        if (size > 0)
+            m_plot->yAxis->setRange(low - 0.1 * size, high + 0.1 * size);
+        else
+            m_plot->yAxis->setRange(-1, 1);
+    });
+}
+
+std::optional<RodForce> RodPlot::forceAt(QPointF coordinates) const {
+    if (!m_curves.curves.front()) return {};
+    const auto pixelOf = [this](QPointF at) {
+        return QPointF(m_plot->xAxis->coordToPixel(at.x()), m_plot->yAxis->coordToPixel(at.y()));
+    };
+    const QPointF pixel = pixelOf(coordinates);
+    std::optional<RodForce> nearest;
+    double distance = markReach;
+    const auto offer = [&](const RodForce& force, double away) {
+        if (!(away < distance)) return;  // of marks at one place that of the blow
+        nearest = force;
+        distance = away;
+    };
+    for (const RodLine line : rodLines) {
+        const RodForce& largest = m_curves.largest(line);
+        if (!graph(line)->visible() || !(largest.size > 0)) continue;
+        const QPointF mark = pixelOf({m_curves.position(largest), m_curves.stress(line, largest)});
+        offer(largest, std::hypot(mark.x() - pixel.x(), mark.y() - pixel.y()));
+    }
+    if (nearest) return nearest;
+    const double section = coordinates.x() / m_curves.units.length.factor;
+    if (section < 0 || section > 1) return {};
+    distance = std::numeric_limits<double>::infinity();
+    for (const RodLine line : rodLines) {
+        if (!graph(line)->visible()) continue;
+        RodForce force = drillwave::forceAt(m_curves.forces(line), section);
+        const QPointF there = pixelOf({coordinates.x(), m_curves.stress(line, force)});
+        force.section = section;
+        offer(force, std::abs(there.y() - pixel.y()));
+    }
+    return nearest;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The largest stresses along the rod: the same drawing code for the page and for files.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <QObject>
+#include <QString>
+#include <array>
+#include <optional>
+
+#include "ui/pages/rod/rod_curves.h"
+#include "ui/plot/fitted_view.h"
+#include "ui/plot/here_mark.h"
+#include "ui/plot/plot_message.h"
+#include "ui/plot/plot_style.h"
+
+namespace drillwave {
+
+/// Largest tension above and largest compression below zero over the position in the rod, while the blow
+/// lasts (solid) and of the waves left (dashed), with the strengths of the rod and a mark at each extreme.
+/// Lives as a child of the plot.
+class RodPlot : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit RodPlot(QCustomPlot* plot);
+
+    /// Shows the curves; the view stays where it is unless it was fitted or the units changed.
+    void present(const RodCurves& curves);
+    /// No curves, and `message` in their place (why there are none).
+    void showNothing(const QString& message);
+    /// The curves of another blow faintly behind, in no legend; nullptr takes them away.
+    void setGhost(const RodCurves* before);
+    /// Where one looks: a position and, where a time is chosen, the stress there and then; in shown units.
+    void setHere(std::optional<double> position, std::optional<double> stress);
+    void setStyle(const PlotStyle& style);
+    /// All curves in view, and the strengths that are not far from them.
+    void fit();
+
+    /// What a point of the plot stands for, in its coordinates: the extreme that is marked near it, or the
+    /// largest stress at that position by the curve nearest to it. Nothing beside the rod.
+    std::optional<RodForce> forceAt(QPointF coordinates) const;
+    QCPGraph* graph(RodLine line) const { return m_graphs[static_cast<std::size_t>(line)]; }
+    /// What the plot shows, in words, for assistive tools.
+    QString textSummary() const { return m_summary; }
+
+  private:
+    /// A value of strength of the rod: a line across the plot with its name.
+    struct Strength {
+        std::array<QCPItemStraightLine*, 2> lines{};  ///< in tension and, of the yield strength, compression
+        QCPItemText* name = nullptr;
+    };
+    struct Mark {
+        QCPItemTracer* ring = nullptr;
+        QCPItemText* number = nullptr;
+    };
+
+    void addHeader();
+    void addStrength(Strength& strength);
+    void addMark(Mark& mark);
+    void placeStrength(const Strength& strength, const std::optional<double>& value, const QString& name);
+    void placeMarks();
+    void followLegend();
+    void nameNumbers();
+    void summarize();
+    bool isNumbered(RodLine line) const;
+    QString stressText(double stress) const;
+
+    QCustomPlot* m_plot;
+    std::array<QCPGraph*, rodLines.size()> m_graphs{};
+    std::array<Mark, rodLines.size()> m_marks;
+    Strength m_yield, m_fatigue;
+    QVector<QCPGraph*> m_ghosts;
+    QCPTextElement* m_caption = nullptr;
+    HereMark* m_here;
+    PlotMessage* m_message;
+    PlotStyle m_style;
+    RodCurves m_curves;
+    FittedView* m_view;
+    QString m_summary;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where pinned runs are on a plot of a study.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <QObject>
+#include <QPointF>
+#include <QVector>
+
+#include "ui/plot/plot_style.h"
+#include "ui/runs/run.h"
+
+namespace drillwave {
+
+/// A run as a point, in the units of the axes.
+struct RunMark {
+    int number = 0;  ///< of its letter and colour
+    QString title;
+    QPointF at;
+    bool operator==(const RunMark&) const = default;
+};
+
+/// Points in the colours of their runs, with the letters beside them, over everything else. Lives as a child
+/// of the plot.
+class RunMarks : public QObject {
+    Q_OBJECT
+
+  public:
+    RunMarks(QCustomPlot* plot, QCPAxis* x, QCPAxis* y);
+
+    /// These in place of the last ones; true where they are others, and the plot is to be drawn anew.
+    bool present(const QVector<RunMark>& marks);
+    void setStyle(const PlotStyle& style);
+    const QVector<RunMark>& marks() const { return m_marks; }
+
+  private:
+    void draw();
+
+    QCustomPlot* m_plot;
+    QCPAxis* m_x;
+    QCPAxis* m_y;
+    PlotStyle m_style;
+    QVector<RunMark> m_marks;
+    QVector<QCPAbstractItem*> m_items;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/pinned_runs.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFile>
+
+#include "ui/pages/compare/compare_page.h"
+#include "ui/result/result_panel.h"
+#include "ui/window/page_tabs.h"
+
+namespace drillwave {
+
+PinnedRuns::PinnedRuns(Document& document, Questions& questions, QWidget* window)
+    : QObject(window),
+      m_document(document),
+      m_questions(questions),
+      m_window(window),
+      m_solver(m_runs),
+      m_keeper(document, m_runs),
+      m_pinAction(new QAction(tr("&Pin this result"), this)),
+      m_keepAction(new QAction(tr("&Keep runs beside the file"), this)),
+      m_panel(new RunPanel(m_runs, window)) {
+    m_pinAction->setIconText(tr("Pin"));
+    m_pinAction->setToolTip(tr("Keep this result with its scenario, to compare others with (F7)"));
+    m_pinAction->setShortcut(QKeySequence(Qt::Key_F7));
+    m_keepAction->setCheckable(true);
+    m_keepAction->setToolTip(tr(
+        "In a folder of the same name, “.runs”: a scenario for each, so that they are there when the file is "
+        "opened again"));
+    connect(m_keepAction, &QAction::triggered, this, &PinnedRuns::keep);
+    connect(&m_keeper, &RunKeeper::keptChanged, m_keepAction, &QAction::setChecked);
+    connect(&m_keeper, &RunKeeper::failed, this, &PinnedRuns::fail);
+    connect(m_panel, &RunPanel::revertRequested, this, &PinnedRuns::revertTo);
+}
+
+void PinnedRuns::addTo(PageTabs& pages) {
+    auto* compare = new ComparePage(m_runs);
+    pages.add(compare, PageGroup::runs);
+    connect(compare, &ComparePage::revertRequested, this, &PinnedRuns::revertTo);
+    for (int index = 0; index < pages.count(); ++index) {
+        Page& page = pages.page(index);
+        connect(&m_runs, &Runs::changed, &page, [this, &page] { page.setRuns(m_runs.list()); });
+        connect(&page, &Page::pinRequested, this,
+                [this](const ScenarioDocument& contents) { pin(contents, nullptr); });
+        page.setRuns(m_runs.list());
+    }
+}
+
+void PinnedRuns::follow(ResultPanel& result) {
+    connect(&m_runs, &Runs::changed, &result, [this, &result] {
+        const Run* reference = m_runs.reference();
+        result.setReference(reference ? reference->blow : nullptr,
+                            reference ? reference->title() : QString());
+    });
+}
+
+void PinnedRuns::present(const SolvedBlowPtr& blow) {
+    m_now = blow;
+    m_panel->present(blow);
+}
+
+void PinnedRuns::pin() {
+    if (!m_now->problem.isEmpty()) return fail(tr("There is no result to be pinned."), m_now->problem);
+    try {
+        ScenarioDocument contents = m_document.contents();
+        contents.text = m_document.text().toStdString();
+        pin(std::move(contents), m_now);
+    } catch (const ScenarioError& error) {
+        fail(tr("This result cannot be pinned."), QString::fromUtf8(error.what()));
+    }
+}
+
+void PinnedRuns::pin(ScenarioDocument contents, const SolvedBlowPtr& blow) {
+    contents.source = QFile::encodeName(m_document.origin()).toStdString();
+    const QString problem = m_runs.pin(std::move(contents), blow, m_document.displayName());
+    if (!problem.isEmpty()) fail(tr("This result is not pinned."), problem);
+}
+
+void PinnedRuns::revertTo(int number) {
+    const Run* run = m_runs.find(number);
+    if (!run) return;
+    const QString problem = m_document.useContents(run->contents, tr("revert to %1").arg(run->title()));
+    if (!problem.isEmpty()) fail(tr("The run cannot be brought back."), problem);
+}
+
+void PinnedRuns::keep(bool wanted) {
+    const QString folder = QDir::toNativeSeparators(m_keeper.folder());
+    if (!wanted) {
+        if (m_questions.confirm(m_window, tr("Shall the kept runs be taken away?"),
+                                tr("%1\nThey stay on the list until the window is closed.").arg(folder),
+                                tr("Take away")))
+            m_keeper.giveUp();
+    } else if (!m_keeper.holdsOthers() ||
+               m_questions.confirm(m_window, tr("There are runs beside this file already."),
+                                   tr("%1\nThose that are not on the list here would be lost.").arg(folder),
+                                   tr("Replace"))) {
+        if (const QString problem = m_keeper.keep(); !problem.isEmpty())
+            fail(tr("The runs are not kept."), problem);
+    }
+    m_keepAction->setChecked(m_keeper.isKept());
+}
+
+void PinnedRuns::fail(const QString& what, const QString& problem) {
+    m_questions.tell(m_window, Questions::Tone::failure, what, problem);
+}
+
+}  // namespace drillwave

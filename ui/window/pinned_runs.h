@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pinned runs in the window: pins, solves, lists, compares, reverts and keeps them.
+#pragma once
+
+#include <QObject>
+
+#include "ui/document/document.h"
+#include "ui/questions/questions.h"
+#include "ui/runs/run_keeper.h"
+#include "ui/runs/run_panel.h"
+#include "ui/runs/run_solver.h"
+
+class QAction;
+
+namespace drillwave {
+
+class PageTabs;
+class ResultPanel;
+
+class PinnedRuns : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Document, questions and window must outlive it.
+    PinnedRuns(Document& document, Questions& questions, QWidget* window);
+
+    Runs& runs() { return m_runs; }
+    /// The list, for the window to place and to keep.
+    RunPanel* panel() const { return m_panel; }
+    /// Asks to pin the present result; see pin().
+    QAction* pinAction() const { return m_pinAction; }
+    /// Keeps the runs beside the scenario file, or no more.
+    QAction* keepAction() const { return m_keepAction; }
+    /// Has the numbers of the panel compared with the reference.
+    void follow(ResultPanel& result);
+    /// Adds the page that compares them, and has all pages know them. Once.
+    void addTo(PageTabs& pages);
+
+    /// The present result.
+    void present(const SolvedBlowPtr& blow);
+    /// Pins it, which must be of the document's scenario.
+    void pin();
+    /// Brings back the scenario of a run, as one undo step.
+    void revertTo(int number);
+
+  private:
+    void pin(ScenarioDocument contents, const SolvedBlowPtr& blow);
+    void keep(bool wanted);
+    void fail(const QString& what, const QString& problem);
+
+    Document& m_document;
+    Questions& m_questions;
+    QWidget* m_window;
+    Runs m_runs;
+    RunSolver m_solver;
+    RunKeeper m_keeper;
+    QAction* m_pinAction;
+    QAction* m_keepAction;
+    RunPanel* m_panel;
+    SolvedBlowPtr m_now;
+};
+
+}  // namespace drillwave
