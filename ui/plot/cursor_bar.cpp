@@ -16,6 +16,8 @@ constexpr int cellColumns = 3;  // of two lines each
 constexpr int margin = 3;
 constexpr int choiceWidth = 96;
 constexpr int digitsWhereNarrow = 5;
+constexpr int largeType = 20;    // [px] high: a narrow table has no room for it
+constexpr double shrunk = 0.75;  // then
 constexpr int lineGap = 1;
 
 QString cellText(const ReadingCell& cell, const QLocale& locale, int digits) {
@@ -78,6 +80,9 @@ int CursorBar::heightFor(int width) const {
 // In five columns, or in three with what follows from both cursors below them.
 void CursorBar::arrange() {
     const bool wide = isWide(width());
+    QFont small = font();
+    if (!wide && fontMetrics().height() > largeType) small.setPointSizeF(shrunk * small.pointSizeF());
+    for (QLabel* label : std::as_const(m_labels)) label->setFont(small);
     while (m_grid->count() > 0) delete m_grid->takeAt(0);
     for (int column = 1; column <= cellColumns + 2; ++column)
         m_grid->setColumnStretch(column, column <= cellColumns || wide ? 1 : 0);

@@ -35,11 +35,32 @@ class Column {
     std::array<qsizetype, 4> m_kept{};  // first, lowest, highest, last
 };
 
+// As one path a line costs with its length: that of a noisy record is drawn piece by piece, in a small part
+// of the time. In so dense a band neither the ends of the pieces nor dashes could be seen.
+constexpr double longestPath = 20'000;  // [device pixels]
+
+double lengthOf(const QVector<QPointF>& line) {
+    double length = 0;
+    for (qsizetype i = 1; i < line.size(); ++i) {
+        const QPointF way = line[i] - line[i - 1];
+        if (isFinite(way)) length += std::abs(way.x()) + std::abs(way.y());
+    }
+    return length;
+}
+
+void drawPieces(QCPPainter& painter, const QVector<QPointF>& line) {
+    const QPen pen = painter.pen();
+    painter.setPen(QPen(pen.brush(), pen.widthF(), Qt::SolidLine, Qt::SquareCap));
+    for (qsizetype i = 1; i < line.size(); ++i)
+        if (isFinite(line[i - 1]) && isFinite(line[i])) painter.drawLine(QLineF(line[i - 1], line[i]));
+    painter.setPen(pen);
+}
+
 void drawLine(QCPPainter& painter, const QVector<QPointF>& line) {
-    const QVector<QPointF> drawn =
-        painter.modes().testFlag(QCPPainter::pmVectorized)
-            ? line
-            : thinnedLine(line, 1 / std::max(1.0, painter.deviceTransform().m11()));
+    const double scale = std::max(1.0, painter.deviceTransform().m11());
+    const bool isVector = painter.modes().testFlag(QCPPainter::pmVectorized);
+    const QVector<QPointF> drawn = isVector ? line : thinnedLine(line, 1 / scale);
+    if (!isVector && lengthOf(drawn) * scale > longestPath) return drawPieces(painter, drawn);
     qsizetype begin = 0;
     for (qsizetype i = 0; i <= drawn.size(); ++i) {
         if (i < drawn.size() && isFinite(drawn[i])) continue;
