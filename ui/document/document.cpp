@@ -9,6 +9,7 @@
 #include "core/file/pulse_table.h"
 #include "core/file/result_scenario.h"
 #include "ui/document/scenario_edit.h"
+#include "ui/document/table_name.h"
 #include "ui/document/whole_file.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
@@ -57,16 +58,6 @@ QString fileStemOf(const std::string& title) {
     stem.truncate(longest);
     while (stem.endsWith(u'_')) stem.chop(1);
     return stem.isEmpty() ? QStringLiteral("scenario") : stem;
-}
-
-// The name of the scenario's table for a file elsewhere, when it is named relative to the first.
-std::string tableSeenFrom(const QString& origin, const QString& path, const Scenario& scenario) {
-    const QString table = QFile::decodeName(scenario.pulse.tableFile.c_str());
-    const QDir from = QFileInfo(origin).absoluteDir();
-    const QDir to = QFileInfo(path).absoluteDir();
-    const bool isElsewhere = !origin.isEmpty() && !path.isEmpty() && from != to;
-    if (table.isEmpty() || !isElsewhere || QDir::isAbsolutePath(table)) return scenario.pulse.tableFile;
-    return nativePath(to.relativeFilePath(from.absoluteFilePath(table)));
 }
 
 }  // namespace
@@ -277,7 +268,8 @@ QString Document::useContents(const ScenarioDocument& contents, const QString& s
     if (!problems.empty())
         return lines(ScenarioError(ScenarioError::Kind::invalid, contents.source, std::move(problems)));
     Scenario after = contents.scenario;
-    after.pulse.tableFile = tableSeenFrom(QFile::decodeName(contents.source.c_str()), m_origin, after);
+    after.pulse.tableFile =
+        tableSeenFrom(m_origin, QFile::decodeName(contents.source.c_str()), after.pulse.tableFile);
     // Comments are no part of the scenario.
     const bool isSame = after == m_scenario && contents.text == text().toStdString();
     if (isSame) return {};
@@ -323,7 +315,7 @@ QString Document::takeTable(const QString& path, const std::string& name, const 
 // The points of a table are in a file named relative to the scenario: saved elsewhere, the name must follow.
 bool Document::keepTableInReach(const QString& path) {
     Scenario changed = m_scenario;
-    changed.pulse.tableFile = tableSeenFrom(m_origin, path, m_scenario);
+    changed.pulse.tableFile = tableSeenFrom(path, m_origin, m_scenario.pulse.tableFile);
     if (changed.pulse.tableFile == m_scenario.pulse.tableFile) return false;
     push(std::move(changed), tr("follow the table of the pulse"));
     return true;

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A column of widgets to be scrolled, as wide with a scroll bar as without.
+// A column of widgets to be scrolled, always as wide: its scroll bar is there whether it is needed or not.
 #pragma once
 
 #include <QScrollArea>
 
 namespace drillwave {
 
-/// Scrolls vertically only. The place of the scroll bar stays empty while there is none.
+/// Scrolls vertically only.
 class SteadyScrollArea : public QScrollArea {
     Q_OBJECT
 
   public:
     explicit SteadyScrollArea(QWidget* parent = nullptr);
-
-  protected:
-    void resizeEvent(QResizeEvent* event) override;
 };
 
 }  // namespace drillwave

@@ -30,10 +30,11 @@ QString countText(std::size_t count) {
 QString importSummary(const ImportPreview& preview) {
     const ShapedSignal& signal = preview.signal;
     const double peak = std::abs(signal.peak);
+    const double peakTime = signal.start + signal.peakTime - signal.points.front().time;
     QStringList parts;
-    parts << tr("Impulse %1, peak %2 at %3.")
+    parts << tr("Impulse %1, peak %2 at %3 in the file.")
                  .arg(pulseText(signal.impulse, UnitKind::impulse), pulseText(signal.peak, UnitKind::force),
-                      pulseText(signal.peakTime, UnitKind::time));
+                      pulseText(peakTime, UnitKind::time));
     if (signal.points.size() == signal.samples)
         parts << tr("All of the %1 samples are kept, of %2 in the record.")
                      .arg(countText(signal.samples), countText(preview.samples));

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/model/scales.h"
+#include "ui/form/pulse_preview.h"
 #include "ui/import/import_rows.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
@@ -298,6 +299,9 @@ QString SignalFields::problem() const {
     for (const QuantityField* field : m_fields)
         if (field->isVisibleTo(this) && !field->problem().isEmpty())
             return QStringLiteral("%1: %2").arg(field->accessibleName(), field->problem());
+    if (m_use == ImportUse::normalForce && m_rod && place() > m_rod->length)
+        return tr("place x: must be at most %1, the length of the rod")
+            .arg(pulseText(m_rod->length, UnitKind::length));
     return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/run_graphs.h"
 
+#include "ui/plot/curve_graph.h"
 #include "ui/plot/run_pen.h"
 
 namespace drillwave {
@@ -17,7 +18,7 @@ void RunGraphs::present(const QVector<RunCurve>& curves) {
     m_graphs.clear();
     m_curves = curves;
     for (const RunCurve& curve : curves) {
-        QCPGraph* graph = plot.addGraph(m_x, m_y);
+        QCPGraph* graph = addCurve(m_x, m_y);
         graph->setLayer(ghostLayer(plot));
         graph->setSelectable(QCP::stNone);
         graph->setAdaptiveSampling(false);

@@ -89,7 +89,9 @@ void CurveReader::aim(QPointF pixel) {
 
 bool CurveReader::isBarShown() const {
     if (position(PlotCursor::a) || position(PlotCursor::b)) return true;
-    return m_tableShown && !m_meanings.isEmpty() && !m_cursors.rects().isEmpty();
+    // Only curves with a name are read.
+    return m_tableShown && !m_meanings.isEmpty() && !m_cursors.rects().isEmpty() &&
+           !namedCurves(m_plot).isEmpty();
 }
 
 void CurveReader::read() {

@@ -61,7 +61,7 @@ ReadingCells cursorCells(const CursorReading& reading, const CurveMeaning& meani
              meaning.yUnit},
             {tr("mean"), tr("mean"), both ? reading.mean : none, meaning.yUnit},
             {tr("slope"), tr("slope"), both ? reading.slope : none, slopeUnitOf(meaning)},
-            {tr("integral"), tr("integral"), both ? reading.integral : none, integralUnitOf(meaning)}};
+            {tr("integral"), tr("∫"), both ? reading.integral : none, integralUnitOf(meaning)}};
 }
 
 ReadingCells viewCells(const ViewStatistics& statistics, const CurveMeaning& meaning) {
@@ -75,7 +75,7 @@ ReadingCells viewCells(const ViewStatistics& statistics, const CurveMeaning& mea
             {tr("%1 to").arg(x), tr("to"), statistics.end, meaning.xUnit},
             {tr("mean in view"), tr("mean"), statistics.mean, meaning.yUnit},
             {},
-            {tr("integral in view"), tr("integral"), statistics.integral, integralUnitOf(meaning)}};
+            {tr("integral in view"), tr("∫"), statistics.integral, integralUnitOf(meaning)}};
 }
 
 QString readingText(const ReadingCells& cells, const QLocale& locale) {

@@ -230,7 +230,6 @@ void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const Entry& en
     auto* change = new QLabel(content);
     change->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     change->hide();
-    makeSelectable(*change);
     name->setToolTip(entry.meaning);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     makeSelectable(*value);
@@ -245,6 +244,7 @@ void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const Entry& en
         line->addWidget(name);
         line->addStretch();
         line->addWidget(change);
+        line->addSpacing(grid->horizontalSpacing());
         line->addWidget(value);
         grid->addLayout(line, row, 1, 1, 3);
     } else {

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "ui/document/table_name.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -117,8 +118,21 @@ void RunKeeper::setKept(bool kept) {
     emit keptChanged(kept);
 }
 
+// Tables that are named relative to another folder are named relative to the scenario's.
+std::vector<NamedFile> RunKeeper::files() const {
+    std::vector<KeptRun> runs = m_runs.toKeep();
+    for (KeptRun& run : runs) {
+        std::string& table = run.contents.scenario.pulse.tableFile;
+        const std::string seen = tableSeenFrom(m_path, QFile::decodeName(run.contents.source.c_str()), table);
+        if (seen == table) continue;
+        table = seen;
+        run.contents.text = writeScenario(run.contents);
+    }
+    return runFiles(runs);
+}
+
 void RunKeeper::writeSoon() {
-    if (m_kept && !isSame(m_files, runFiles(m_runs.toKeep()))) m_due.start();
+    if (m_kept && !isSame(m_files, files())) m_due.start();
 }
 
 void RunKeeper::writeNow() {
@@ -130,15 +144,15 @@ void RunKeeper::writeNow() {
 }
 
 QString RunKeeper::write() {
-    FolderFiles files{runFiles(m_runs.toKeep()), {}};
+    FolderFiles folderFiles{files(), {}};
     std::vector<std::string> outdated;
-    const std::vector<std::string> names = files.names();
+    const std::vector<std::string> names = folderFiles.names();
     for (const NamedFile& file : m_files)
         if (std::ranges::find(names, file.name) == names.end()) outdated.push_back(file.name);
-    files.outdated = [outdated](const std::string&) { return outdated; };
-    const FolderEnd end = writeWholeFolder(nativePath(folder()), files, ExistingFiles::replaced);
+    folderFiles.outdated = [outdated](const std::string&) { return outdated; };
+    const FolderEnd end = writeWholeFolder(nativePath(folder()), folderFiles, ExistingFiles::replaced);
     if (!end.isWritten()) return translated(end.problem);
-    m_files = std::move(files.files);
+    m_files = std::move(folderFiles.files);
     m_partial = false;
     return {};
 }

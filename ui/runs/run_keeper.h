@@ -41,6 +41,7 @@ class RunKeeper : public QObject {
     void leave();
     void read();
     void followSaved();
+    std::vector<NamedFile> files() const;
     void writeSoon();
     void writeNow();
     QString write();

@@ -38,7 +38,6 @@ std::vector<RunOverlay<Curves>> runOverlays(const RunList& runs, const SolvedBlo
         const auto same = std::ranges::find_if(made, [&](const RunOverlay<Curves>& each) {
             return each.blow == run.blow && each.units == *units;
         });
-        if (now.request.stop.stop_requested()) break;
         auto curves =
             same == made.end() ? std::make_shared<const Curves>(make(*run.blow, *units)) : same->curves;
         overlays.push_back({run.number, run.title(), run.blow, *units, std::move(curves)});

@@ -140,7 +140,7 @@ void RunPanel::fill() {
         if (run.number == number) m_list->setCurrentItem(row);
     }
     const int shown = std::min(m_list->topLevelItemCount(), mostRows);
-    const int rowHeight = std::max(fontMetrics().height() + 4, lineSize.height() + 4);
+    const int rowHeight = m_list->sizeHintForRow(0);
     m_list->setFixedHeight(m_list->header()->sizeHint().height() + shown * rowHeight + 6);
     update();
 }

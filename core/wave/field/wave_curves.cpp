@@ -76,29 +76,30 @@ double startOf(const RodDelays& delays, int number) {
 
 }  // namespace
 
+SectionWave sampledWave(const Impact& impact, double xi, int number, double end) {
+    const RodDelays delays(impact);
+    SectionWave wave{number, {}};
+    const bool forward = headingOf(number) == Heading::toBit;
+    const double shift = delays.shift(headingOf(number), xi);
+    double from = startOf(delays, number);
+    const double to = std::min(from + delays.roundTrip(), end - shift);
+    const auto value = [&](const Piece& g, const Piece& f, double x) {
+        const double incident = impact.incident.value(g, x);
+        return forward ? -incident : incident - impact.force.value(f, x);
+    };
+    while (from < to) {  // past the recording the last period repeats itself
+        const double recorded = recordedTime(impact, from);
+        const double stretch = std::min(to - from, uninterrupted(impact, from));
+        if (!(stretch > negligibleTime * delays.roundTrip())) break;
+        sampleRecorded(impact, recorded, recorded + stretch, from - recorded + shift, value, wave.curve);
+        from += stretch;
+    }
+    return wave;
+}
+
 std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count) {
     std::vector<SectionWave> waves;
-    const RodDelays delays(impact);
-    for (int number = 0; number < count; ++number) {
-        SectionWave wave;
-        wave.number = number;
-        const bool forward = headingOf(number) == Heading::toBit;
-        double from = startOf(delays, number);
-        const double to = from + delays.roundTrip();
-        const double shift = delays.shift(headingOf(number), xi);
-        const auto value = [&](const Piece& g, const Piece& f, double x) {
-            const double incident = impact.incident.value(g, x);
-            return forward ? -incident : incident - impact.force.value(f, x);
-        };
-        while (from < to) {  // past the recording the last period repeats itself
-            const double recorded = recordedTime(impact, from);
-            const double stretch = std::min(to - from, uninterrupted(impact, from));
-            if (!(stretch > negligibleTime * delays.roundTrip())) break;
-            sampleRecorded(impact, recorded, recorded + stretch, from - recorded + shift, value, wave.curve);
-            from += stretch;
-        }
-        waves.push_back(std::move(wave));
-    }
+    for (int number = 0; number < count; ++number) waves.push_back(sampledWave(impact, xi, number));
     return waves;
 }
 

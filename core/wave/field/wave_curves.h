@@ -2,6 +2,7 @@
 // The waves of a blow as curves over time, to be drawn or written.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/wave/impact.h"
@@ -25,6 +26,10 @@ struct SectionWave {
 
 /// The first `count` waves at the section ξ. The chords follow the curve to about 1e-4 of its pieces' size.
 std::vector<SectionWave> sectionWaves(const Impact& impact, double xi, int count = 4);
+
+/// One of them, without what is later than `end`.
+SectionWave sampledWave(const Impact& impact, double xi, int number,
+                        double end = std::numeric_limits<double>::infinity());
 
 /// The wave of that number at the section ξ, exactly; NaN before its arrival and after that round trip.
 double sectionWave(const Impact& impact, double xi, int number, double t);

@@ -9,6 +9,7 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <cmath>
 
 #include "core/file/examples.h"
@@ -91,6 +92,8 @@ class TestImportDialog : public QObject {
     void wrongInputsAreToldInPlace_data();
     void wrongInputsAreToldInPlace();
     void theBlowIsOneUndoStepAndIsKeptInTheFile();
+    void aBlowOfAllThePointsThereMayBeFitsItsFile();
+    void aPlaceBeyondTheRodIsRefused();
     void aBlowThatTheScenarioRefusesStaysInTheDialog();
     void theDialogFollowsTheRod();
     void theWindowMayCloseWhileTheDialogIsOpen();
@@ -295,6 +298,35 @@ void TestImportDialog::theBlowIsOneUndoStepAndIsKeptInTheFile() {
     QCOMPARE(document.text(), before);
 }
 
+// Noise, of which no point can be left out.
+void TestImportDialog::aBlowOfAllThePointsThereMayBeFitsItsFile() {
+    QByteArray bytes("t [us],F [kN]\n");
+    for (int i = 0; i < 30000; ++i)
+        bytes += QByteArray::number(0.0137 * i) + ',' + QByteArray::number(100 + 50 * std::sin(1e4 * i * i)) +
+                 '\n';
+    ImportDialog& dialog = open(write("noise.csv", bytes), ImportUse::blow);
+    control<QSpinBox>(dialog, "points").setValue(1'000'000);
+    QCOMPARE(control<QSpinBox>(dialog, "points").value(), 10'000);
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QVERIFY(dialog.result()->points.size() > 5000);
+    control<QPushButton>(dialog, "take").click();
+    const QByteArray text = m_window->document().text();
+    QCOMPARE(parseScenario(text.toStdString(), "x.yaml").scenario.pulse.tablePoints,
+             m_window->document().scenario().pulse.tablePoints);
+}
+
+void TestImportDialog::aPlaceBeyondTheRodIsRefused() {
+    ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::normalForce);
+    type(dialog, "place", QStringLiteral("3.7 m"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("at most 3.66")), qPrintable(message(dialog)));
+    QVERIFY(!control<QPushButton>(dialog, "take").isEnabled());
+    type(dialog, "place", QStringLiteral("3.6 m"));
+    QVERIFY(settle(dialog));
+    QVERIFY(control<QPushButton>(dialog, "take").isEnabled());
+}
+
 void TestImportDialog::aBlowThatTheScenarioRefusesStaysInTheDialog() {
     // A blow of 1e-30 s asks for more than any solver can place.
     const QByteArray bytes("t [s],F [N]\n0,0\n1e-30,1\n2e-30,0\n");
@@ -377,6 +409,13 @@ void TestImportDialog::aMeasuredForceLiesOnTheComputedOneOfTheSameBlow() {
     QCOMPARE(page->measuredCurves()->graphs().size(), 1);
     const QCPGraph* graph = page->measuredCurves()->graphs().first();
     QVERIFY(graph->data()->size() <= points);
+    // Moved away it is put back where it fits.
+    type(*page, "measuredShift", QStringLiteral("130 us"));
+    page->findChild<QPushButton*>(QStringLiteral("alignMeasured"))->click();
+    const std::optional<double> shift =
+        page->findChild<QuantityField*>(QStringLiteral("measuredShift"))->value();
+    QVERIFY2(std::abs(*shift) < 2e-6, qPrintable(QString::number(*shift)));
+    type(*page, "measuredShift", QStringLiteral("0"));
     const ShownUnits& units = blow->units;
     double largest = 0;
     auto next = graph->data()->constBegin();
@@ -457,9 +496,9 @@ void TestImportDialog::measuredCurvesAreShiftedAndRemoved() {
     document.assign(*findParameter("pulse.duration"), 150e-6, document.newGesture());
     QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy());
     QVERIFY(std::abs(graph(0)->data()->at(0)->key - before) < 1e-9);
-    control<QPushButton>(*bar, "removeMeasured").click();
+    control<QToolButton>(*bar, "removeMeasured").click();
     QCOMPARE(page->measuredCurves()->graphs().size(), 1);
-    control<QPushButton>(*bar, "removeMeasured").click();
+    control<QToolButton>(*bar, "removeMeasured").click();
     QVERIFY(page->measuredCurves()->graphs().isEmpty());
     QVERIFY(!bar->isVisible());
 }

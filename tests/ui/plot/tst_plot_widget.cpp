@@ -161,6 +161,7 @@ class TestPlotWidget : public QObject {
     void theTableIsCopiedWithAllDigits();
     void theTableCanBeHidden();
     void linesAreAsThickWhereManyPointsMeet();
+    void dashesStayDashesOnLongTables();
     void theTimeCursorIsDraggedAndTold();
     void theNearestPointIsReadUnderThePointer();
     void hoveringOverAMillionPointsIsQuick();
@@ -512,6 +513,37 @@ void TestPlotWidget::linesAreAsThickWhereManyPointsMeet() {
         // The two lie differently between the rows of pixels: a tenth of a pixel.
         QVERIFY(std::abs(darkness(m->upper, time) - darkness(m->lower, time)) <= 26);
     }
+}
+
+// Counted along the line: as many gaps from two thousand points, or two hundred thousand, as from two.
+void TestPlotWidget::dashesStayDashesOnLongTables() {
+    for (QCPGraph* graph : {m->parabola, m->step, m->line}) graph->setVisible(false);
+    CurveGraph* curve = addCurve(m->x(m->upper), m->y(m->upper));
+    QPen pen(Qt::black, 1.6, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({6, 3});
+    curve->setPen(pen);
+    for (QCPAxis* axis : m->upper->axes()) axis->grid()->setVisible(false);
+    m->y(m->upper)->setRange(-1, 1);
+    const auto gaps = [&](int points) {
+        QVector<QCPGraphData> data;
+        for (int i = 0; i <= points; ++i) data.append({10.0 * i / points, 0.3});
+        curve->data()->set(data, true);
+        m->plot.replot();
+        const QImage image = m->plot.toPixmap().toImage();
+        const int row = qRound(m->y(m->upper)->coordToPixel(0.3));
+        int count = 0;
+        bool wasDark = true;
+        for (int column = m->upper->left() + 8; column < m->upper->right() - 8; ++column) {
+            const int least = std::min(qGray(image.pixel(column, row)), qGray(image.pixel(column, row - 1)));
+            const bool isDark = least < 160;
+            if (wasDark && !isDark) ++count;
+            wasDark = isDark;
+        }
+        return count;
+    };
+    const int few = gaps(1);
+    QVERIFY2(few > 20, qPrintable(QString::number(few)));
+    for (const int points : {2000, 200'000}) QVERIFY(std::abs(gaps(points) - few) <= 1);
 }
 
 void TestPlotWidget::theTimeCursorIsDraggedAndTold() {

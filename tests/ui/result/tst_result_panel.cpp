@@ -10,6 +10,7 @@
 #include "core/model/alerts.h"
 #include "core/wave/exact/exact_solver.h"
 #include "ui/result/result_panel.h"
+#include "ui/runs/difference_text.h"
 #include "ui/text/number_text.h"
 
 using namespace drillwave;
@@ -112,6 +113,33 @@ class TestResultPanel : public QObject {
                  QString::number(stress, 'g', 4) + " MPa");
         panel.present(solved(scenario));
         QVERIFY(valueOf(panel, "Stress in the rod: tension, after").endsWith(" F₀"));
+    }
+
+    void numbersSayHowFarTheyAreOffTheReference() {
+        ResultPanel panel;
+        Scenario scenario;
+        const SolvedBlowPtr before = solved(scenario, UnitSystem::si);
+        scenario.bitRock.stiffness *= 2;
+        scenario.pulse.impulse *= 3;
+        const SolvedBlowPtr now = solved(scenario, UnitSystem::si);
+        panel.present(now);
+        const auto changeOf = [&](const char* name) { return valueOf(panel, name).section('\t', 1); };
+        QCOMPARE(changeOf("Rebound: COR e"), QString());
+        panel.setReference(before, "A  first");
+        const auto percent = [](double value, double reference) {
+            return percentText(relativeDifference(value, reference)).replace(QChar(QChar::Nbsp), ' ');
+        };
+        QVERIFY(now->summary.cor != before->summary.cor);
+        QCOMPARE(changeOf("Rebound: COR e"), percent(now->summary.cor, before->summary.cor));
+        // In newtons, not in the unit of each blow.
+        QCOMPARE(changeOf("Force and times: peak force"),
+                 percent(3 * now->summary.peakForce, before->summary.peakForce));
+        QCOMPARE(changeOf("Energy: hammer work W"), percent(9, 1));
+        QCOMPARE(changeOf("Energy: balance error"), QString());
+        panel.present(before);
+        QCOMPARE(changeOf("Rebound: COR e"), QString("±0 %"));
+        panel.setReference(nullptr, {});
+        QCOMPARE(changeOf("Rebound: COR e"), QString());
     }
 
     void theInstalledThrustIsJudged_data() {
@@ -278,17 +306,17 @@ class TestResultPanel : public QObject {
         QVERIFY(events.index(0, 0).data().toString().size() <= 6);
     }
 
-    // Where there is one, its place is kept where there is none.
+    // Whether there is something to scroll or not.
     void theScrollBarTakesNoWidthFromTheNumbers() {
         ResultPanel panel;
         panel.present(solved(drillOf(8e3), UnitSystem::si));
         panel.resize(320, 300);
         panel.show();
         QVERIFY(QTest::qWaitForWindowExposed(&panel));
-        QTRY_VERIFY(panel.verticalScrollBar()->isVisible());
+        QTRY_VERIFY(panel.verticalScrollBar()->maximum() > 0);
         const int width = panel.widget()->width();
         panel.resize(320, 3000);
-        QTRY_VERIFY(!panel.verticalScrollBar()->isVisible());
+        QTRY_COMPARE(panel.verticalScrollBar()->maximum(), 0);
         QCOMPARE(panel.widget()->width(), width);
     }
 

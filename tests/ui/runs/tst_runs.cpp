@@ -66,6 +66,7 @@ class TestRuns : public QObject {
     void othersStayWhenAnotherFileIsOpened();
     void aBrokenRunIsToldAndNotWrittenOver();
     void aChangedTableIsTold();
+    void tablesAreFoundFromAnotherFolder();
     void givenUpNothingIsLeft();
     void revertingBringsTheBytesBack();
     void everyRunHasAColourAndADashOfItsOwn();
@@ -290,6 +291,25 @@ void TestRuns::aChangedTableIsTold() {
     QCOMPARE(m_document->open(path("t38.yaml")), QString());
     QTRY_COMPARE(failures.count(), 1);
     QVERIFY(failures[0][1].toString().startsWith("A  first had e = "));
+}
+
+void TestRuns::tablesAreFoundFromAnotherFolder() {
+    write(path("blow.csv"), "time [us],force [kN]\n0,0\n100,300\n200,0\n");
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    QCOMPARE(m_document->useTable(path("blow.csv")), QString());
+    QCOMPARE(m_document->scenario().pulse.tableFile, std::string("blow.csv"));
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    set("bit_rock.gap", 1e-3);
+    QVERIFY(QDir().mkdir(path("elsewhere")));
+    QCOMPARE(m_document->save(path("elsewhere/t38.yaml")), QString());
+    QCOMPARE(m_document->useContents(m_runs->list()->front().contents, "revert"), QString());
+    QCOMPARE(m_document->tablePath(), path("blow.csv"));
+    QSignalSpy failures(m_keeper.get(), &RunKeeper::failed);
+    QCOMPARE(m_document->open(path("elsewhere/t38.yaml")), QString());
+    QCOMPARE(failures.count(), 0);
+    QCOMPARE(m_runs->list()->size(), 1u);
+    QCOMPARE(m_runs->list()->front().contents.scenario.pulse.tableFile, std::string("../blow.csv"));
 }
 
 void TestRuns::givenUpNothingIsLeft() {

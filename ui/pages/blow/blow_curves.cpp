@@ -8,6 +8,7 @@
 
 #include "core/model/visible_pulse.h"
 #include "core/wave/field/rod_state.h"
+#include "core/wave/field/section_force.h"
 #include "core/wave/field/wave_curves.h"
 
 namespace drillwave {
@@ -51,7 +52,11 @@ BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const Shown
     const std::vector<SectionWave> waves = sectionWaves(impact, section, BlowCurves::waveCount);
     for (const SectionWave& wave : waves)
         curves.waves[static_cast<std::size_t>(wave.number)] = waveData(wave.curve, units);
-    curves.timeEnd = interestingEnd(impact, pulse, waves) * units.time.factor;
+    const double end = interestingEnd(impact, pulse, waves);
+    const SectionForce all = sectionForce(impact, section, waves, end);
+    curves.laterWaves = {waveData(all.toBit, units), waveData(all.fromBit, units)};
+    curves.sectionForce = graphData(shownPoints(all.force.time, all.force.value, units.time, units.force));
+    curves.timeEnd = end * units.time.factor;
     const SampledHistory history = sampleHistory(impact);
     curves.force =
         historyData(shownPoints(history.time, history.force, units.time, units.force), curves.timeEnd, tail);

@@ -21,6 +21,8 @@ struct BlowCurves {
     ShownUnits units;
     double section = 0.5;                           ///< x/L of the waves
     std::array<GraphData, waveCount> waves;         ///< N0p, N1n, N2p, N3n, each over its own interval
+    std::array<GraphData, 2> laterWaves;            ///< N4p, N6p … and N5n, N7n …, up to timeEnd
+    GraphData sectionForce;                         ///< N there: the sum of all waves, up to timeEnd
     GraphData force;                                ///< impact force
     GraphData impulse;                              ///< of the impact force so far
     GraphData momentum;                             ///< of the rod, positive towards the rock

@@ -2,6 +2,7 @@
 #include "ui/pages/blow/blow_meanings.h"
 
 #include "core/wave/field/rod_state.h"
+#include "core/wave/field/section_force.h"
 #include "core/wave/field/wave_curves.h"
 #include "core/wave/field/wave_field.h"
 
@@ -68,6 +69,12 @@ BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
     BlowMeanings meanings;
     for (int i = 0; i < BlowCurves::waveCount; ++i)
         meanings.waves[static_cast<std::size_t>(i)] = waveMeaning(blow, i);
+    // Read from their points: each is many waves.
+    meanings.laterWaves.fill(forceLike(units, {}, {}));
+    const double section = blow->page<BlowCurves>()->section;
+    meanings.sectionForce = forceLike(
+        units, [blow, section](double t) { return WaveField(blow->impact).force(section, t); },
+        [blow, section](double t) { return sectionImpulse(blow->impact, section, t); });
     meanings.force = forceLike(
         units, [blow](double t) { return WaveField(blow->impact).impactForce(t); },
         [blow](double t) { return WaveField(blow->impact).impactImpulse(t); });

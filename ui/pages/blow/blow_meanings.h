@@ -15,6 +15,8 @@ namespace drillwave {
 /// exact values.
 struct BlowMeanings {
     std::array<CurveMeaning, BlowCurves::waveCount> waves;
+    std::array<CurveMeaning, 2> laterWaves;
+    CurveMeaning sectionForce;
     CurveMeaning force;
     CurveMeaning closedForm;
     CurveMeaning impulse;

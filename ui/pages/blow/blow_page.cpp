@@ -7,7 +7,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/signal/alignment.h"
 #include "core/wave/field/rod_state.h"
+#include "core/wave/field/wave_field.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_bar.h"
@@ -170,6 +172,9 @@ void BlowPage::setMeanings() {
     for (QCPGraph* run : m_plots->forcesOfRuns()) m_plot->setMeaning(run, ofRuns);
     for (int i = 0; i < BlowCurves::waveCount; ++i)
         m_plot->setMeaning(m_plots->waveGraph(i), std::move(meanings.waves[static_cast<std::size_t>(i)]));
+    for (std::size_t i = 0; i < meanings.laterWaves.size(); ++i)
+        m_plot->setMeaning(m_plots->laterGraph(static_cast<int>(i)), std::move(meanings.laterWaves[i]));
+    m_plot->setMeaning(m_plots->sectionForceGraph(), std::move(meanings.sectionForce));
     m_plot->setMeaning(m_plots->forceGraph(), std::move(meanings.force));
     m_plot->setMeaning(m_plots->closedFormGraph(), std::move(meanings.closedForm));
     m_plot->setMeaning(m_plots->impulseGraph(), std::move(meanings.impulse));
@@ -182,6 +187,7 @@ void BlowPage::follow(MeasuredList& measured) {
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->insertWidget(column->indexOf(m_instant), m_measuredBar);
     connect(m_measuredBar, &MeasuredBar::placeChosen, this, &BlowPage::goToPlace);
+    connect(m_measuredBar, &MeasuredBar::alignmentWanted, this, &BlowPage::align);
     connect(&measured, &MeasuredList::changed, this, [this] {
         showMeasured();
         m_plots->fitUnlessZoomed();
@@ -202,6 +208,24 @@ void BlowPage::showMeasured() {
 void BlowPage::goToPlace(double x) {
     if (!m_blow || m_blow->request.scenario.form != ScenarioForm::dimensional) return;
     m_observation.setSection(std::clamp(x / m_blow->request.scenario.rod.length, 0.0, 1.0));
+}
+
+// With N in its own section, or the impact force, over the time that the plots show.
+void BlowPage::align(std::size_t index) {
+    if (!m_blow || !isComparable(*m_blow) || index >= m_measured->signalList().size()) return;
+    const auto* curves = m_blow->page<BlowCurves>();
+    const MeasuredSignal& signal = m_measured->signalList()[index];
+    if (!curves || !(curves->timeEnd > 0)) return;
+    const Scenario& scenario = m_blow->request.scenario;
+    const double unit = scalesOf(scenario).time;
+    const double section = std::clamp(signal.place / scenario.rod.length, 0.0, 1.0);
+    const WaveField field(m_blow->impact);
+    const auto computed = [&](double time) {
+        return signal.quantity == MeasuredQuantity::normalForce ? field.force(section, time / unit)
+                                                                : field.impactForce(time / unit);
+    };
+    const double end = curves->timeEnd / m_blow->units.time.factor * unit;
+    m_measured->setTimeShift(index, bestShift(signal.points, computed, end));
 }
 
 void BlowPage::setGhost(const SolvedBlowPtr& before) {

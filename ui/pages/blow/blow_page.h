@@ -47,6 +47,7 @@ class BlowPage : public PlotPage {
     void setMeanings();
     void carryCursors();
     void goToPlace(double x);
+    void align(std::size_t index);
     void showMeasured();
 
     Observation& m_observation;

@@ -12,8 +12,28 @@ namespace {
 
 enum PlotIndex : std::size_t { waves, force, impulse, momentumOfRod };
 
-const QStringList waveNames{QStringLiteral("N₀ₚ"), QStringLiteral("N₁ₙ"), QStringLiteral("N₂ₚ"),
-                            QStringLiteral("N₃ₙ")};
+// The sum, the first waves, and all behind them by their heading.
+const QStringList waveNames{QStringLiteral("N"),   QStringLiteral("N₀ₚ"), QStringLiteral("N₁ₙ"),
+                            QStringLiteral("N₂ₚ"), QStringLiteral("N₃ₙ"), QStringLiteral("N₄ₚ…"),
+                            QStringLiteral("N₅ₙ…")};
+
+// The sum is a broad band below the waves, which lie on it while they are alone; the later ones are muted.
+QPen wavePen(const PlotStyle& style, int index) {
+    QPen pen = style.linePen(std::max(0, index - 1));
+    const auto mute = [&pen](const QColor& color, int alpha, double width) {
+        pen.setColor(QColor(color.red(), color.green(), color.blue(), alpha));
+        pen.setWidthF(width);
+    };
+    if (index == 0) {
+        mute(style.text, 80, 4);
+        pen.setCapStyle(Qt::FlatCap);
+    } else if (index > BlowCurves::waveCount) {
+        const int heading = index - 1 - BlowCurves::waveCount;
+        pen = style.linePen(heading);
+        mute(style.lines[2 + heading], 190, 1);
+    }
+    return pen;
+}
 
 // By name: their factors follow the scenario.
 bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
@@ -141,8 +161,11 @@ void BlowPlots::present(const BlowCurves& curves) {
     m_curves = curves;
     if (hasOtherRuns) showRuns();
     if (unitsChanged) setGhost(nullptr);
+    setData(*sectionForceGraph(), curves.sectionForce);
     for (std::size_t i = 0; i < curves.waves.size(); ++i)
-        setData(*m_plots[waves].graphs[static_cast<qsizetype>(i)], curves.waves[i]);
+        setData(*waveGraph(static_cast<int>(i)), curves.waves[i]);
+    for (std::size_t i = 0; i < curves.laterWaves.size(); ++i)
+        showWhereThere(waves, *laterGraph(static_cast<int>(i)), curves.laterWaves[i]);
     setData(*forceGraph(), curves.force);
     setData(*impulseGraph(), curves.impulse);
     setData(*momentumGraph(), curves.momentum);
@@ -154,14 +177,18 @@ void BlowPlots::present(const BlowCurves& curves) {
     if (m_view->isFitted() || unitsChanged) fit();
 }
 
-// Where it does not hold there is nothing to be hidden or shown either.
 void BlowPlots::showClosedForm() {
     const std::optional<ClosedFormCurve>& closedForm = m_curves.closedForm;
-    setData(*closedFormGraph(), closedForm ? closedForm->force : GraphData::create());
-    if (!closedForm)
-        closedFormGraph()->removeFromLegend(m_plots[force].legend);
-    else if (closedFormGraph()->addToLegend(m_plots[force].legend))
-        m_style.applyTo(*m_plots[force].legend);
+    showWhereThere(force, *closedFormGraph(), closedForm ? closedForm->force : GraphData::create());
+}
+
+void BlowPlots::showWhereThere(std::size_t index, QCPGraph& graph, const GraphData& data) {
+    QCPLegend* legend = m_plots[index].legend;
+    setData(graph, data);
+    if (data->isEmpty())
+        graph.removeFromLegend(legend);
+    else if (graph.addToLegend(legend))
+        m_style.applyTo(*legend);
 }
 
 // All but the waves, which would be too many to be told apart.
@@ -242,7 +269,7 @@ void BlowPlots::setLabels() {
         closedFormGraph()->setName(
             tr("closed form, error of e < %1").arg(boundText(m_curves.closedForm->error, locale)));
     m_plots[waves].title->setText(tr("waves at x/L = %1").arg(sectionText(m_curves.section, locale)));
-    m_plots[waves].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(QStringLiteral("N")));
+    m_plots[waves].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(tr("N, tension +")));
     m_plots[force].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(QStringLiteral("F")));
     m_plots[impulse].rect->axis(QCPAxis::atLeft)->setLabel(units.impulse.axisLabel(QStringLiteral("I")));
     m_plots[momentumOfRod]
@@ -257,17 +284,18 @@ void BlowPlots::summarize() {
     const auto shown = [&locale](double value, const ShownUnit& unit) {
         return locale.toString(value, 'g', 4) + QLatin1Char(' ') + unit.unit;
     };
-    m_summary =
-        tr("Four plots over time from 0 to %1. Waves at x/L = %2: largest N0p %3, N1n %4, N2p %5, N3n %6. "
-           "Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.")
-            .arg(shown(curves.timeEnd, curves.units.time), sectionText(curves.section, locale),
-                 shown(largestMagnitude(curves.waves[0]), curves.units.force),
-                 shown(largestMagnitude(curves.waves[1]), curves.units.force),
-                 shown(largestMagnitude(curves.waves[2]), curves.units.force),
-                 shown(largestMagnitude(curves.waves[3]), curves.units.force),
-                 shown(largestMagnitude(curves.force), curves.units.force),
-                 shown(largestMagnitude(curves.impulse), curves.units.impulse),
-                 shown(largestMagnitude(curves.momentum), curves.units.impulse));
+    m_summary = tr("Four plots over time from 0 to %1. Waves at x/L = %2: largest N %10, N0p %3, N1n %4, N2p "
+                   "%5, N3n %6. "
+                   "Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.")
+                    .arg(shown(curves.timeEnd, curves.units.time), sectionText(curves.section, locale),
+                         shown(largestMagnitude(curves.waves[0]), curves.units.force),
+                         shown(largestMagnitude(curves.waves[1]), curves.units.force),
+                         shown(largestMagnitude(curves.waves[2]), curves.units.force),
+                         shown(largestMagnitude(curves.waves[3]), curves.units.force),
+                         shown(largestMagnitude(curves.force), curves.units.force),
+                         shown(largestMagnitude(curves.impulse), curves.units.impulse),
+                         shown(largestMagnitude(curves.momentum), curves.units.impulse))
+                    .arg(shown(largestMagnitude(curves.sectionForce), curves.units.force));
 }
 
 void BlowPlots::setStyle(const PlotStyle& style) {
@@ -277,7 +305,9 @@ void BlowPlots::setStyle(const PlotStyle& style) {
         style.applyTo(*plot.rect);
         style.applyTo(*plot.legend);
         style.applyTo(*plot.title);
-        for (int i = 0; i < plot.graphs.size(); ++i) plot.graphs[i]->setPen(style.linePen(i));
+        const bool isWaves = &plot == &m_plots[waves];
+        for (int i = 0; i < plot.graphs.size(); ++i)
+            plot.graphs[i]->setPen(isWaves ? wavePen(style, i) : style.linePen(i));
         for (int i = 0; i < plot.ghosts.size(); ++i) plot.ghosts[i]->setPen(style.ghostPen(i));
         plot.runs->setStyle(style);
     }

@@ -42,8 +42,12 @@ class BlowPlots : public QObject {
     /// What the plots show, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
     QCPAxisRect* axisRect(int index) const { return m_plots.at(static_cast<std::size_t>(index)).rect; }
+    /// N at the section, the sum of all waves there.
+    QCPGraph* sectionForceGraph() const { return m_plots[0].graphs.first(); }
     /// The waves N0p, N1n, N2p, N3n.
-    QCPGraph* waveGraph(int number) const { return m_plots[0].graphs[number]; }
+    QCPGraph* waveGraph(int number) const { return m_plots[0].graphs[1 + number]; }
+    /// All behind them towards the bit (0) or from it (1), in the legend only where there are such.
+    QCPGraph* laterGraph(int heading) const { return m_plots[0].graphs[1 + BlowCurves::waveCount + heading]; }
     QCPGraph* forceGraph() const { return m_plots[1].graphs.first(); }
     /// In its legend only while the closed form holds.
     QCPGraph* closedFormGraph() const { return m_plots[1].graphs.last(); }
@@ -65,6 +69,8 @@ class BlowPlots : public QObject {
     void addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins);
     void linkTimeAxes();
     void showClosedForm();
+    /// In a legend only while it has data: nothing to be hidden or shown otherwise.
+    void showWhereThere(std::size_t index, QCPGraph& graph, const GraphData& data);
     void showRuns();
     void addGhost(std::size_t index, int kind, const GraphData& data);
     void setLabels();

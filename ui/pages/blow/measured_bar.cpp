@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QToolButton>
 
 #include "ui/form/choice_box.h"
 #include "ui/form/pulse_preview.h"
@@ -42,12 +43,14 @@ MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
       m_box(new ChoiceBox(this)),
       m_place(new QPushButton(this)),
       m_shift(new QuantityField(Quantity::time, *findUnit(Quantity::time, "us"), this)),
-      m_remove(new QPushButton(tr("Remove"), this)),
+      m_align(new QPushButton(tr("Align"), this)),
+      m_remove(new QToolButton(this)),
       m_remark(new QLabel(tr("not drawn: this scenario has no physical units"), this)) {
     setObjectName(QStringLiteral("measured"));
     m_box->setObjectName(QStringLiteral("measuredSignal"));
     m_box->setAccessibleName(tr("Measured curve"));
     m_box->setIconSize({28, 12});
+    m_box->setMinimumContentsLength(10);
     m_place->setObjectName(QStringLiteral("measuredPlace"));
     m_place->setToolTip(tr("Show the waves at the section where this was measured"));
     m_shift->setObjectName(QStringLiteral("measuredShift"));
@@ -58,6 +61,11 @@ MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
         m_list.setTimeShift(chosen(), seconds);
         return QString();
     });
+    m_align->setObjectName(QStringLiteral("alignMeasured"));
+    m_align->setToolTip(tr("Shift it to where it fits the computed curve best"));
+    m_remove->setText(QStringLiteral("×"));
+    m_remove->setAutoRaise(true);
+    m_remove->setAccessibleName(tr("Remove the measured curve"));
     m_remove->setObjectName(QStringLiteral("removeMeasured"));
     m_remove->setToolTip(tr("Take this measured curve away; its file stays"));
     auto* measured = new QLabel(tr("Measured"), this);
@@ -68,13 +76,14 @@ MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
     auto* layout = new FlowLayout(this);
     layout->setContentsMargins(8, 0, 8, 0);
     for (QWidget* each : std::initializer_list<QWidget*>{measured, m_box, m_place, shift, m_shift,
-                                                         m_shift->unitButton(), m_remove, m_remark})
+                                                         m_shift->unitButton(), m_align, m_remove, m_remark})
         layout->addWidget(each);
     connect(m_box, &QComboBox::currentIndexChanged, this, &MeasuredBar::showChosen);
     connect(m_place, &QPushButton::clicked, this, [this] {
         if (chosen() < m_list.signalList().size()) emit placeChosen(m_list.signalList()[chosen()].place);
     });
-    connect(m_remove, &QPushButton::clicked, this, [this] { m_list.remove(chosen()); });
+    connect(m_align, &QPushButton::clicked, this, [this] { emit alignmentWanted(chosen()); });
+    connect(m_remove, &QToolButton::clicked, this, [this] { m_list.remove(chosen()); });
     connect(&m_list, &MeasuredList::changed, this, &MeasuredBar::showList);
     setComparable(true);
     showList();
@@ -91,6 +100,7 @@ void MeasuredBar::setStyle(const PlotStyle& style) {
 
 void MeasuredBar::setComparable(bool comparable) {
     m_remark->setVisible(!comparable);
+    m_align->setEnabled(comparable);
 }
 
 // A new one is the chosen one, and its section the one to look at.

@@ -9,6 +9,7 @@
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace drillwave {
 
@@ -30,6 +31,8 @@ class MeasuredBar : public QWidget {
   signals:
     /// The section where one was measured, x [m], is to be shown.
     void placeChosen(double x);
+    /// The one with that index is to be shifted to where it fits the computed curve.
+    void alignmentWanted(std::size_t index);
 
   private:
     std::size_t chosen() const;
@@ -41,7 +44,8 @@ class MeasuredBar : public QWidget {
     ChoiceBox* m_box;
     QPushButton* m_place;
     QuantityField* m_shift;
-    QPushButton* m_remove;
+    QPushButton* m_align;
+    QToolButton* m_remove;
     QLabel* m_remark;
 };
 

@@ -219,6 +219,7 @@ void GapPlot::setHere(const std::optional<QPointF>& place) {
 }
 
 void GapPlot::setRuns(const QVector<RunCurve>& curves, const QVector<RunMark>& marks) {
+    m_legend->setWrap(3);  // as many as fit beside each other with their names
     m_runs->present(curves);
     m_runMarks->present(marks);
     if (m_view->isFitted()) fit();

@@ -119,7 +119,7 @@ void RodPage::showReadout() {
         return tr("%1 at %2").arg(stress, quantityText(force.time, shown->units.time, locale));
     };
     const QString place = quantityText(m_observation.section(), shown->units.length, locale);
-    m_readout->setText(tr("At %1, in the blow: %2 and %3 · of the waves left: %4 and %5")
+    m_readout->setText(tr("At %1 in the blow: %2 and %3\nof the waves left: %4 and %5")
                            .arg(place, words(RodLine::compression), words(RodLine::tension),
                                 words(RodLine::compressionAfter), words(RodLine::tensionAfter)));
 }

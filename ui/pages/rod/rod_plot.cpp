@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plot/curve_graph.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -52,7 +53,7 @@ RodPlot::RodPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
     addHeader();
     for (const RodLine line : rodLines) {
-        QCPGraph* graph = plot->addGraph();
+        QCPGraph* graph = addCurve(plot->xAxis, plot->yAxis);
         graph->setName(nameOf(line));
         m_graphs[static_cast<std::size_t>(line)] = graph;
     }
@@ -145,7 +146,7 @@ void RodPlot::setGhost(const RodCurves* before) {
     m_ghosts.clear();
     if (before && sameUnits(before->units, m_curves.units)) {
         for (const RodLine line : {RodLine::compression, RodLine::tension}) {
-            QCPGraph* ghost = m_plot->addGraph();
+            QCPGraph* ghost = addCurve(m_plot->xAxis, m_plot->yAxis);
             ghost->removeFromLegend();
             ghost->setLayer(ghostLayer(*m_plot));
             ghost->setSelectable(QCP::stNone);

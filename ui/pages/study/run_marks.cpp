@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/study/run_marks.h"
 
+#include <QHash>
+#include <algorithm>
+
 #include "ui/plot/run_pen.h"
 
 namespace drillwave {
 namespace {
 
 constexpr double pointSize = 9;  // [px]
+
+// Runs at one place are one mark, with their letters.
+QVector<RunMark> together(const QVector<RunMark>& marks) {
+    QVector<RunMark> places;
+    QHash<qsizetype, QStringList> letters;
+    for (const RunMark& mark : marks) {
+        const auto same = std::ranges::find(places, mark.at, &RunMark::at);
+        const qsizetype place = same - places.begin();
+        if (same == places.end()) places.append(mark);
+        letters[place] << mark.title.left(1);
+    }
+    for (qsizetype i = 0; i < places.size(); ++i)
+        if (letters[i].size() > 1) places[i].title = letters[i].join(QStringLiteral(", "));
+    return places;
+}
 
 }  // namespace
 
@@ -30,7 +48,7 @@ void RunMarks::draw() {
     m_items.clear();
     QColor behind = m_style.background;
     behind.setAlpha(190);
-    for (const RunMark& mark : std::as_const(m_marks)) {
+    for (const RunMark& mark : together(m_marks)) {
         const QColor colour = runPen(mark.number, m_style).color();
         auto* point = new QCPItemTracer(m_plot);
         point->setStyle(QCPItemTracer::tsSquare);

@@ -62,6 +62,7 @@ class TestBlowCurves : public QObject {
     void momentumRisesWithTheHammer();
     void theFirstWaveIsThePulsePassingBy();
     void aWaveEndsBeforeTheJumpOfTheNext();
+    void theForceAtTheSectionIsTheSumOfAllWaves();
     void curvesScaleWithTheirUnits();
     void everyPointIsFinite();
     void aCutTailEndsOnTheCurve();
@@ -109,6 +110,28 @@ void TestBlowCurves::aWaveEndsBeforeTheJumpOfTheNext() {
     QCOMPARE(last(curves.waves[0]), 0.0);
 }
 
+void TestBlowCurves::theForceAtTheSectionIsTheSumOfAllWaves() {
+    // Short against the blow: twenty waves are there, which overlap.
+    const BlowCurves curves = curvesOf(solved({0.5, 0.2, 0.4, 0}, PulseShape::halfSine), 0.3);
+    int summed = 0;
+    for (double t = 0.0137; t < curves.timeEnd; t += 0.0071) {
+        double sum = 0;
+        const auto add = [&](const GraphData& wave) {
+            if (wave->isEmpty() || t < wave->constBegin()->key || t > (wave->constEnd() - 1)->key) return;
+            sum += valueAt(wave, t);
+        };
+        for (const GraphData& wave : curves.waves) add(wave);
+        for (const GraphData& wave : curves.laterWaves) add(wave);
+        QVERIFY(std::abs(valueAt(curves.sectionForce, t) - sum) < 1e-3);
+        ++summed;
+    }
+    QVERIFY(summed > 100);
+    for (const GraphData& wave : curves.laterWaves) {
+        QVERIFY(!wave->isEmpty());
+        QVERIFY(last(wave) != 0 && (wave->constEnd() - 1)->key <= curves.timeEnd * (1 + 1e-12));
+    }
+}
+
 void TestBlowCurves::curvesScaleWithTheirUnits() {
     Scenario scenario;  // the default rod, in SI
     const Problem problem = problemOf(scenario);
@@ -123,8 +146,8 @@ void TestBlowCurves::curvesScaleWithTheirUnits() {
 
 void TestBlowCurves::everyPointIsFinite() {
     const BlowCurves curves = curvesOf(solved({1e9, 1e-6, 10, 0.3}));
-    for (const GraphData& data :
-         {curves.waves[0], curves.waves[3], curves.force, curves.impulse, curves.momentum})
+    for (const GraphData& data : {curves.waves[0], curves.waves[3], curves.laterWaves[0], curves.sectionForce,
+                                  curves.force, curves.impulse, curves.momentum})
         for (auto point = data->constBegin(); point != data->constEnd(); ++point)
             QVERIFY(std::isfinite(point->key) && std::isfinite(point->value));
 }

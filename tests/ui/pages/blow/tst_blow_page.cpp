@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/wave/field/section_force.h"
 #include "core/wave/field/wave_field.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
@@ -193,6 +194,11 @@ void TestBlowPage::cursorsReadExactImpulses() {
             1e-9 * plot.reader().reading()->mean * end);
     plot.reader().setGraph(m_page->plots()->waveGraph(0));  // the blow itself, compressive
     QVERIFY(std::abs(plot.reader().reading()->integral / -unit - 1) < 1e-9);
+    // At the middle section what runs up has taken back all but the rebound.
+    plot.reader().setGraph(m_page->plots()->sectionForceGraph());
+    const double atSection = sectionImpulse(blow->impact, 0.5, end / blow->units.time.factor) -
+                             sectionImpulse(blow->impact, 0.5, 0);
+    QVERIFY(std::abs(plot.reader().reading()->integral / (atSection * unit) - 1) < 1e-9);
     plot.reader().setGraph(m_page->plots()->impulseGraph());
     QVERIFY(std::abs(plot.reader().reading()->yB / impulse - 1) < 1e-12);
     plot.reader().setGraph(m_page->plots()->momentumGraph());

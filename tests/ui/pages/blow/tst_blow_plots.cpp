@@ -62,6 +62,7 @@ class TestBlowPlots : public QObject {
     void aGhostStaysBehindInNoLegend();
     void aGhostInOtherUnitsGoes();
     void aSectionIsNamedAsExactlyAsItWasChosen();
+    void laterWavesAreNamedWhereThereAreSuch();
 
   private:
     QList<QCPLegend*> legends() const;
@@ -92,11 +93,12 @@ void TestBlowPlots::init() {
 }
 
 void TestBlowPlots::allCurvesAreInView() {
-    QCOMPARE(m_widget->graphCount(), 8);
+    QCOMPARE(m_widget->graphCount(), 11);
     for (int i = 0; i < m_widget->graphCount(); ++i) {
         bool found = false;
         const QCPRange range = m_widget->graph(i)->getValueRange(found);
-        QVERIFY(found);
+        QCOMPARE(found, m_widget->graph(i) != m_plots->laterGraph(1));  // N5n begins where the plot ends
+        if (!found) continue;
         QVERIFY(m_widget->graph(i)->valueAxis()->range().contains(range.lower));
         QVERIFY(m_widget->graph(i)->valueAxis()->range().contains(range.upper));
     }
@@ -276,28 +278,28 @@ void TestBlowPlots::aGhostStaysBehindInNoLegend() {
     for (QCPLegend* legend : legends()) entries -= legend->itemCount();
     QCOMPARE(entries, 1);  // the closed form of the elastic rock shown before
     // The data are shared with the blow they come from, and both stay in view.
-    QCOMPARE(m_widget->graph(8)->data().get(), before.waves[0].get());
+    QCOMPARE(m_widget->graph(11)->data().get(), before.waves[0].get());
     m_plots->present(curvesFor(0.01, 0.5));
     QVERIFY(valueAxis(1)->range().upper > largestValue(*before.force));
     m_plots->setGhost(nullptr);
-    QCOMPARE(m_widget->graphCount(), 8);
+    QCOMPARE(m_widget->graphCount(), 11);
     QVERIFY(valueAxis(1)->range().upper < largestValue(*before.force));
 }
 
 void TestBlowPlots::aGhostInOtherUnitsGoes() {
     const BlowCurves before = curvesFor(0.5);
     m_plots->setGhost(&before);
-    QCOMPARE(m_widget->graphCount(), 15);
+    QCOMPARE(m_widget->graphCount(), 18);
     BlowCurves shown = curvesFor(0.5);
     shown.units.force = {3, QStringLiteral("kN"), false};
     m_plots->present(shown);
-    QCOMPARE(m_widget->graphCount(), 8);
+    QCOMPARE(m_widget->graphCount(), 11);
     // Another factor of the same unit is another blow in the same units.
     m_plots->setGhost(&shown);
     timeAxis(0)->setRange(10, 20);
     shown.units.force.factor = 4;
     m_plots->present(shown);
-    QCOMPARE(m_widget->graphCount(), 15);
+    QCOMPARE(m_widget->graphCount(), 18);
     QCOMPARE(timeAxis(0)->range(), QCPRange(10, 20));
 }
 
@@ -309,6 +311,25 @@ void TestBlowPlots::aSectionIsNamedAsExactlyAsItWasChosen() {
     curves.section = 0.25;
     m_plots->present(curves);
     QVERIFY(m_plots->textSummary().contains(QStringLiteral("x/L = 0.25:")));
+}
+
+void TestBlowPlots::laterWavesAreNamedWhereThereAreSuch() {
+    const auto isNamed = [this](QCPGraph* graph) {
+        for (QCPLegend* each : legends())
+            if (each->hasItemWithPlottable(graph)) return true;
+        return false;
+    };
+    QVERIFY(isNamed(m_plots->sectionForceGraph()));
+    QVERIFY(m_plots->sectionForceGraph()->visible());
+    QVERIFY(isNamed(m_plots->laterGraph(0)));
+    QVERIFY(!isNamed(m_plots->laterGraph(1)));  // N5n begins where the plot ends
+    BlowCurves few = curvesFor(0.5);
+    few.laterWaves.fill(GraphData::create());
+    m_plots->present(few);
+    QVERIFY(!isNamed(m_plots->laterGraph(0)));
+    QVERIFY(isNamed(m_plots->waveGraph(3)));
+    m_plots->present(curvesFor(0.5));
+    QVERIFY(isNamed(m_plots->laterGraph(0)));
 }
 
 QTEST_MAIN(TestBlowPlots)
