@@ -23,7 +23,7 @@ constexpr std::string_view screenStyle =
     "th{font-weight:600}td[data-value]{white-space:nowrap}.warning{border-left:.3em solid "
     "#b4231f;padding-left:.6em}"
     ".note{border-left:.3em solid #777;padding-left:.6em}pre{font-size:.8em;background:#f4f4f4;padding:.8em;"
-    "overflow-x:auto}figure{margin:1.2em 0;break-inside:avoid}figure.half{display:inline-block;width:49%}"
+    "overflow-x:auto}figure{margin:1.2em 0;break-inside:avoid}"
     "img{max-width:100%}figcaption{font-size:.9em;color:#333}"
     "@media print{body{margin:0;max-width:none;font-size:9.5pt}h2{break-after:avoid}"
     "tr{break-inside:avoid}pre{white-space:pre-wrap}}@page{size:A4;margin:15mm}";
@@ -203,18 +203,8 @@ class Page {
     }
 
     std::string plots(const std::vector<ReportPicture>& pictures) const {
-        std::string html =
-            isScreen() ? heading("Plots") : "<h2 style=\"page-break-before:always\">Plots</h2>\n";
-        for (std::size_t i = 0; i < pictures.size(); ++i) {
-            const bool isPair = !pictures[i].isWide && i + 1 < pictures.size() && !pictures[i + 1].isWide;
-            if (isScreen())
-                html += figure(pictures[i]);
-            else if (isPair)
-                html += beside(printed(pictures[i]), printed(pictures[i + 1]));
-            else
-                html += printed(pictures[i]);
-            if (!isScreen() && isPair) ++i;
-        }
+        std::string html = heading("Plots");
+        for (const ReportPicture& picture : pictures) html += isScreen() ? figure(picture) : printed(picture);
         return html;
     }
 
@@ -222,8 +212,7 @@ class Page {
         return "<img src=\"" + picture.source + "\" alt=\"" + escapedHtml(picture.caption) + "\">";
     }
     static std::string figure(const ReportPicture& picture) {
-        return std::string("<figure id=\"") + picture.name +
-               (picture.isWide ? "\">\n" : "\" class=\"half\">\n") + image(picture) + "\n" +
+        return "<figure id=\"" + picture.name + "\">\n" + image(picture) + "\n" +
                htmlElement("figcaption", picture.caption) + "\n</figure>\n";
     }
     static std::string printed(const ReportPicture& picture) {

@@ -15,7 +15,6 @@ struct ReportPicture {
     std::string name;     ///< "blow"
     std::string caption;  ///< a sentence
     std::string source;   ///< of <img>: a data: URI, or a name that the printer of the page knows
-    bool isWide = true;   ///< takes a line for itself; two of the others stand side by side
 };
 
 /// What the page is for.

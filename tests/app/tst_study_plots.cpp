@@ -5,9 +5,9 @@
 #include <QDir>
 #include <QImage>
 #include <QTemporaryDir>
-#include <QXmlStreamReader>
 
 #include "tests/support/program.h"
+#include "tests/support/svg_texts.h"
 
 using namespace drillwave::test;
 
@@ -23,11 +23,7 @@ QString packed(QString text) {
 }
 
 QString textsOf(const QByteArray& svg) {
-    QXmlStreamReader xml(svg);
-    QString texts;
-    while (!xml.atEnd())
-        if (xml.readNext() == QXmlStreamReader::Characters) texts += xml.text().toString().trimmed();
-    return xml.hasError() ? QString() : packed(texts);
+    return packed(svgTexts(svg).join(QString()));
 }
 
 /// Pixels of one of the four colours of curves on paper, the light ones of areas not among them.

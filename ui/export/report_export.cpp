@@ -24,7 +24,7 @@ std::string htmlOf(const BlowReport& report, const std::vector<ReportPlot>& plot
 Pictures drawReport(const BlowReport& report, const PictureOrder& order) {
     Pictures drawn;
     const QString title = QString::fromStdString(reportTitle(report));
-    const std::vector<ReportPlot> plots = reportPlots(report);
+    const std::vector<ReportPlot> plots = reportPlots(report, order.stop);
     for (const std::string& format : order.formats) {
         if (order.stop.stop_requested()) return drawn;
         const std::string name = order.stem + "." + format;

@@ -9,6 +9,7 @@
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
+#include <cmath>
 
 #include "core/model/version.h"
 #include "ui/export/plot_images.h"
@@ -42,19 +43,24 @@ class FixedHashSeed {
     FixedHashSeed& operator=(const FixedHashSeed&) = delete;
 };
 
-// No heading stands at the foot of a page with what it is about on the next one.
+// No heading stands at the foot of a page while what it is about is on the next one.
 void keepHeadings(QTextDocument& document) {
+    constexpr double foot = 1.0 / 8;  // of a page: a table of a few lines
     const QAbstractTextDocumentLayout& layout = *document.documentLayout();
-    const double page = document.pageSize().height();
-    const auto pageOf = [&](const QTextBlock& block) {
-        return int(layout.blockBoundingRect(block).top() / page);
+    const QSizeF size = document.pageSize();
+    const auto pages = [&](const QTextBlock& block) {
+        return layout.blockBoundingRect(block).top() / size.height();
     };
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         if (block.blockFormat().headingLevel() == 0 || !block.next().isValid()) continue;
-        if (pageOf(block) == pageOf(block.next())) continue;
+        const double place = pages(block);
+        if (std::floor(place + foot) == std::floor(place) &&
+            std::floor(pages(block.next())) == std::floor(place))
+            continue;
         QTextBlockFormat format = block.blockFormat();
         format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
         QTextCursor(block).setBlockFormat(format);
+        document.setPageSize(size);  // lays all of it out anew
     }
 }
 

@@ -2,6 +2,7 @@
 // The plots of a report with what is said of them.
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "core/report/report_html.h"
@@ -15,7 +16,7 @@ struct ReportPlot {
     PaperPlot paper;
 };
 
-/// Those that the report has something for.
-std::vector<ReportPlot> reportPlots(const BlowReport& report);
+/// Those that the report has something for. A stop ends the work early: they are not to be used then.
+std::vector<ReportPlot> reportPlots(const BlowReport& report, const std::stop_token& stop);
 
 }  // namespace drillwave

@@ -16,6 +16,7 @@
 #include "ui/result/feed_text.h"
 #include "ui/result/output_text.h"
 #include "ui/result/output_unit.h"
+#include "ui/result/place_link.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/number_text.h"
 
@@ -91,10 +92,11 @@ QList<ResultPanel::Entry> ResultPanel::entriesOf(const std::function<bool(const 
                         [&output](const SolvedBlow& blow) { return outputText(output, blow); },
                         partOf(output)});
         entries.last().number = numberOf(output);
-        if (output.force)
-            entries.append({{},
-                            tr("Where in the rod it is first that large, and when"),
-                            [&output](const SolvedBlow& blow) { return placeText(output, blow); }});
+        if (!output.force) continue;
+        entries.append({{},
+                        tr("Where in the rod it is first that large, and when: a click leads there"),
+                        [&output](const SolvedBlow& blow) { return placeText(output, blow); }});
+        entries.last().place = output.force;
     }
     return entries;
 }
@@ -226,13 +228,17 @@ void ResultPanel::addNumbers(const QString& title, const QList<Entry>& entries) 
 void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const Entry& entry) {
     QWidget* content = section->content();
     auto* name = new QLabel(entry.name, content);
-    auto* value = new QLabel(content);
+    auto* link = entry.place ? new PlaceLink(content) : nullptr;
+    QLabel* value = link ? link : new QLabel(content);
     auto* change = new QLabel(content);
     change->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     change->hide();
     name->setToolTip(entry.meaning);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    makeSelectable(*value);
+    if (link)
+        connect(link, &PlaceLink::followed, this, [this, place = entry.place] { follow(place); });
+    else
+        makeSelectable(*value);
     name->setBuddy(value);
     if (entry.weight == Weight::heavy) makeHeavy(*value);
     const int row = grid->rowCount();
@@ -336,6 +342,12 @@ void ResultPanel::showRow(const Row& row) {
     row.value->setToolTip(note.isEmpty() ? row.meaning : row.meaning + QStringLiteral(".\n") + note);
     row.value->setAccessibleName(QStringLiteral("%1: %2").arg(row.name->text(), row.value->text()));
     showChange(row);
+}
+
+void ResultPanel::follow(RodForce RodForces::*place) {
+    if (!m_blow || !m_blow->problem.isEmpty() || !m_blow->summary.rodForces) return;
+    const RodForce& force = (*m_blow->summary.rodForces).*place;
+    if (force.size > 0) emit placeChosen(force.section, force.time);
 }
 
 void ResultPanel::showChange(const Row& row) {

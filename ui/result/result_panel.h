@@ -47,6 +47,8 @@ class ResultPanel : public SteadyScrollArea {
   signals:
     /// The user chose an event: its global time t/t0.
     void timeChosen(std::optional<double> time);
+    /// The user follows a largest stress to where in the rod, x/L, and when, t/t0, it occurs.
+    void placeChosen(double section, double time);
     /// The user follows an alert to its parameter: the key, as in parameters().
     void parameterChosen(const QString& key);
 
@@ -75,6 +77,7 @@ class ResultPanel : public SteadyScrollArea {
         Weight weight = Weight::usual;
         QString objectName = {};
         Number number = nullptr;
+        RodForce RodForces::*place = nullptr;  ///< what the text leads to
     };
 
     SectionBox* addSection(const QString& title);
@@ -93,6 +96,7 @@ class ResultPanel : public SteadyScrollArea {
     void alignColumns();
     void copy() const;
     void showRow(const Row& row);
+    void follow(RodForce RodForces::*place);
     void showChange(const Row& row);
     void showWorst();
 

@@ -91,7 +91,8 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(blow, PageGroup::thisBlow);
     m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
-    m_pages->add(new RodPage(m_observation), PageGroup::thisBlow);
+    m_rodPage = new RodPage(m_observation);
+    m_pages->add(m_rodPage, PageGroup::thisBlow);
     m_pages->add(new StiffnessPage(m_document), PageGroup::studies);
     m_pages->add(new GapPage(m_document), PageGroup::studies);
     m_pages->add(new MapPage(m_document), PageGroup::studies);
@@ -223,6 +224,7 @@ void MainWindow::wire() {
             [this] { m_solveStatus->whenCurrent(tr("the run"), [this] { m_runs->pin(); }); });
     connect(m_resultPanel, &ResultPanel::timeChosen, &m_observation, &Observation::setTime);
     connect(&m_observation, &Observation::timeChanged, m_resultPanel, &ResultPanel::setTime);
+    connect(m_resultPanel, &ResultPanel::placeChosen, this, &MainWindow::goToPlace);
     connect(m_resultPanel, &ResultPanel::parameterChosen, m_scenarioPanel.get(), &ScenarioPanel::goTo);
     connect(qApp, &QGuiApplication::commitDataRequest, this, &MainWindow::endSession, Qt::DirectConnection);
 }
@@ -279,6 +281,13 @@ void MainWindow::wireImport() {
     connect(m_scenarioPanel.get(), &ScenarioPanel::importRequested, this,
             [this] { m_importer->start(ImportUse::blow); });
     connect(m_importer.get(), &Importer::imported, this, &MainWindow::inform);
+}
+
+// Pages of this blow show the place themselves; from the others the page Rod does.
+void MainWindow::goToPlace(double section, double time) {
+    if (!m_pages->current().prepare()) m_pages->setCurrentWidget(m_rodPage);
+    m_observation.setSection(section);
+    m_observation.setTime(time);
 }
 
 // What the page on show can write, and what it computes.

@@ -26,6 +26,7 @@ class PinnedRuns;
 class Recovery;
 class ReportWriter;
 class ResultPanel;
+class RodPage;
 class ScenarioPanel;
 class SolveStatus;
 class StudyStatus;
@@ -67,6 +68,7 @@ class MainWindow : public QMainWindow {
     void wireSolving();
     void wireImport();
     void followPage();
+    void goToPlace(double section, double time);
     void saveChoices() const;
     void endSession(QSessionManager& session);
     void inform(const QString& message);
@@ -97,6 +99,7 @@ class MainWindow : public QMainWindow {
     UnitsChoice* m_units;
     ReportWriter* m_report;
     PageTabs* m_pages;
+    RodPage* m_rodPage = nullptr;
     SolveStatus* m_solveStatus;
     StudyStatus* m_studyStatus;
     WindowLayout* m_layout;

@@ -130,7 +130,7 @@ void TestExportMenu::everythingIsWhatTheCommandLineWrites() {
     const test::Finished finished = test::run(words);
     QVERIFY2(finished.exitCode == 0, finished.error);
     const QStringList names = QDir(path("command")).entryList(QDir::Files);
-    QCOMPARE(names.size(), 10);
+    QCOMPARE(names.size(), 13);
     QCOMPARE(QDir(path("window")).entryList(QDir::Files), names);
     for (const QString& name : names) {
         const QByteArray here = comparable(path("window/") + name);

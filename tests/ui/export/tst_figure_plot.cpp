@@ -2,23 +2,15 @@
 // Figures as files: every curve in view, named, and the same bytes every time.
 #include <QImage>
 #include <QTest>
-#include <QXmlStreamReader>
 
 #include "core/study/paper/figures.h"
+#include "tests/support/svg_texts.h"
 #include "ui/export/figure_plot.h"
 #include "ui/plot/plot_style.h"
 
 using namespace drillwave;
 
 namespace {
-
-QStringList textsOf(const QByteArray& svg) {
-    QXmlStreamReader xml(svg);
-    QStringList texts;
-    while (!xml.atEnd())
-        if (xml.readNext() == QXmlStreamReader::Characters) texts << xml.text().toString().trimmed();
-    return texts;
-}
 
 int count(const QImage& image, QColor color) {
     int found = 0;
@@ -64,14 +56,15 @@ class TestFigurePlot : public QObject {
 
 void TestFigurePlot::axesAndCurvesAreNamedInSymbols() {
     // SVG cuts a text where its script changes.
-    const QString texts = textsOf(drawFigure(sample(), QStringLiteral("svg"))).join(QString()).remove(' ');
-    for (const char* text : {"(a) γ = 1", "time t/t₀", "force F/F₀", "N₀ₚ", "N₁ₙ", "stiffness β", "exact"})
+    const QString texts =
+        test::svgTexts(drawFigure(sample(), QStringLiteral("svg"))).join(QString()).remove(' ');
+    for (const char* text : {"(a) γ = 1", "time t/t0", "force F/F0", "N0p", "N1n", "stiffness β", "exact"})
         QVERIFY2(texts.contains(QString::fromUtf8(text).remove(' ')), text);
     QVERIFY(!texts.contains(QStringLiteral("notdrawn")));
 }
 
 void TestFigurePlot::theAxesCoverWhatIsDrawnAndNoMore() {
-    const QStringList texts = textsOf(drawFigure(sample(), QStringLiteral("svg")));
+    const QStringList texts = test::svgTexts(drawFigure(sample(), QStringLiteral("svg")));
     for (const char* tick : {"0.1", "10", "1.4", "-1"}) QVERIFY2(texts.contains(QLatin1String(tick)), tick);
     // The default range of an axis ends at 5; the curve that is not drawn lies at 900.
     for (const char* tick : {"5", "100", "900"}) QVERIFY2(!texts.contains(QLatin1String(tick)), tick);

@@ -9,6 +9,7 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <cmath>
 
 #include "core/file/examples.h"
@@ -495,9 +496,9 @@ void TestImportDialog::measuredCurvesAreShiftedAndRemoved() {
     document.assign(*findParameter("pulse.duration"), 150e-6, document.newGesture());
     QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy());
     QVERIFY(std::abs(graph(0)->data()->at(0)->key - before) < 1e-9);
-    control<QPushButton>(*bar, "removeMeasured").click();
+    control<QToolButton>(*bar, "removeMeasured").click();
     QCOMPARE(page->measuredCurves()->graphs().size(), 1);
-    control<QPushButton>(*bar, "removeMeasured").click();
+    control<QToolButton>(*bar, "removeMeasured").click();
     QVERIFY(page->measuredCurves()->graphs().isEmpty());
     QVERIFY(!bar->isVisible());
 }

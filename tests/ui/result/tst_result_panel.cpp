@@ -9,6 +9,7 @@
 
 #include "core/model/alerts.h"
 #include "core/wave/exact/exact_solver.h"
+#include "ui/result/place_link.h"
 #include "ui/result/result_panel.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/number_text.h"
@@ -140,6 +141,27 @@ class TestResultPanel : public QObject {
         QCOMPARE(changeOf("Rebound: COR e"), QString("±0 %"));
         panel.setReference(nullptr, {});
         QCOMPARE(changeOf("Rebound: COR e"), QString());
+    }
+
+    void aLargestStressLeadsToItsPlaceAndTime() {
+        ResultPanel panel;
+        const SolvedBlowPtr blow = solved(Scenario(), UnitSystem::si);
+        panel.present(blow);
+        panel.setAttribute(Qt::WA_DontShowOnScreen);
+        panel.show();
+        QSignalSpy chosen(&panel, &ResultPanel::placeChosen);
+        const QList<PlaceLink*> links = panel.findChildren<PlaceLink*>();
+        QCOMPARE(links.size(), 4);
+        QVERIFY(links[1]->text().contains("from the hammer"));
+        QTest::mouseClick(links[1], Qt::LeftButton);
+        const RodForce& tension = blow->summary.rodForces->tension;
+        QCOMPARE(chosen.takeFirst(), QVariantList({tension.section, tension.time}));
+        QTest::keyClick(links[2], Qt::Key_Return);
+        const RodForce& after = blow->summary.rodForces->compressionAfter;
+        QCOMPARE(chosen.takeFirst(), QVariantList({after.section, after.time}));
+        panel.present(failedBlow({}, "The rod has melted."));
+        QTest::mouseClick(links[1], Qt::LeftButton);
+        QVERIFY(chosen.isEmpty());
     }
 
     void theInstalledThrustIsJudged_data() {

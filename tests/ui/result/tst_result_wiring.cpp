@@ -11,8 +11,11 @@
 #include "tests/support/window_parts.h"
 #include "ui/form/scenario_panel.h"
 #include "ui/job/observation.h"
+#include "ui/pages/map/map_page.h"
+#include "ui/result/place_link.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
+#include "ui/window/page_tabs.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -47,6 +50,22 @@ class TestResultWiring : public QObject {
         QWidget* field = part<ScenarioPanel>(window).findChild<QWidget*>(QStringLiteral("bit_rock.gap"));
         QVERIFY(field->isVisibleTo(&window));
         QCOMPARE(window.focusWidget() == field || field->isAncestorOf(window.focusWidget()), true);
+    }
+
+    void aLargestStressLeadsToItsPlaceOnPagesThatShowOne() {
+        MainWindow window;
+        window.setAttribute(Qt::WA_DontShowOnScreen);
+        window.show();
+        auto& pages = part<PageTabs>(window);
+        PlaceLink* tension = part<ResultPanel>(window).findChildren<PlaceLink*>().at(1);
+        const RodForce& force = window.shown()->summary.rodForces->tension;
+        emit tension->followed();
+        QCOMPARE(part<Observation>(window).section(), force.section);
+        QCOMPARE(part<Observation>(window).time(), std::optional(force.time));
+        QCOMPARE(pages.current().title(), QString("Blow"));
+        pages.setCurrentWidget(&part<MapPage>(window));
+        emit tension->followed();
+        QCOMPARE(pages.current().title(), QString("Rod"));
     }
 
     void theTimeCursorOfTheWindowMarksTheEvent() {

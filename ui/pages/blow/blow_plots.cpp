@@ -191,16 +191,18 @@ void BlowPlots::showWhereThere(std::size_t index, QCPGraph& graph, const GraphDa
         m_style.applyTo(*legend);
 }
 
-// All but the waves, which would be too many to be told apart.
+// Of the waves their sum only: all of them would be too many to be told apart.
 void BlowPlots::showRuns() {
-    QVector<RunCurve> forces, impulses, momenta;
+    QVector<RunCurve> sums, forces, impulses, momenta;
     m_runsEnd = 0;
     for (const RunOverlay<BlowCurves>& run : m_curves.runs) {
+        sums.append({run.number, run.title, run.curves->sectionForce});
         forces.append({run.number, run.title, run.curves->force});
         impulses.append({run.number, run.title, run.curves->impulse});
         momenta.append({run.number, run.title, run.curves->momentum});
         m_runsEnd = std::max(m_runsEnd, run.curves->timeEnd);
     }
+    m_plots[waves].runs->present(sums);
     m_plots[force].runs->present(forces);
     m_plots[impulse].runs->present(impulses);
     m_plots[momentumOfRod].runs->present(momenta);

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QToolButton>
 
 #include "ui/form/choice_box.h"
 #include "ui/form/pulse_preview.h"
@@ -43,12 +44,13 @@ MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
       m_place(new QPushButton(this)),
       m_shift(new QuantityField(Quantity::time, *findUnit(Quantity::time, "us"), this)),
       m_align(new QPushButton(tr("Align"), this)),
-      m_remove(new QPushButton(tr("Remove"), this)),
+      m_remove(new QToolButton(this)),
       m_remark(new QLabel(tr("not drawn: this scenario has no physical units"), this)) {
     setObjectName(QStringLiteral("measured"));
     m_box->setObjectName(QStringLiteral("measuredSignal"));
     m_box->setAccessibleName(tr("Measured curve"));
     m_box->setIconSize({28, 12});
+    m_box->setMinimumContentsLength(10);
     m_place->setObjectName(QStringLiteral("measuredPlace"));
     m_place->setToolTip(tr("Show the waves at the section where this was measured"));
     m_shift->setObjectName(QStringLiteral("measuredShift"));
@@ -61,6 +63,9 @@ MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
     });
     m_align->setObjectName(QStringLiteral("alignMeasured"));
     m_align->setToolTip(tr("Shift it to where it fits the computed curve best"));
+    m_remove->setText(QStringLiteral("×"));
+    m_remove->setAutoRaise(true);
+    m_remove->setAccessibleName(tr("Remove the measured curve"));
     m_remove->setObjectName(QStringLiteral("removeMeasured"));
     m_remove->setToolTip(tr("Take this measured curve away; its file stays"));
     auto* measured = new QLabel(tr("Measured"), this);
@@ -78,7 +83,7 @@ MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
         if (chosen() < m_list.signalList().size()) emit placeChosen(m_list.signalList()[chosen()].place);
     });
     connect(m_align, &QPushButton::clicked, this, [this] { emit alignmentWanted(chosen()); });
-    connect(m_remove, &QPushButton::clicked, this, [this] { m_list.remove(chosen()); });
+    connect(m_remove, &QToolButton::clicked, this, [this] { m_list.remove(chosen()); });
     connect(&m_list, &MeasuredList::changed, this, &MeasuredBar::showList);
     setComparable(true);
     showList();

@@ -9,6 +9,7 @@
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace drillwave {
 
@@ -44,7 +45,7 @@ class MeasuredBar : public QWidget {
     QPushButton* m_place;
     QuantityField* m_shift;
     QPushButton* m_align;
-    QPushButton* m_remove;
+    QToolButton* m_remove;
     QLabel* m_remark;
 };
 

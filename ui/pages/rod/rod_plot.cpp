@@ -10,7 +10,8 @@
 namespace drillwave {
 namespace {
 
-constexpr double markReach = 12;  // of a click around a mark [px]
+constexpr double markReach = 12;    // of a click around a mark [px]
+constexpr double sameHeight = 0.5;  // of two marks or curves [px]
 /// A strength this many times the largest stress would squeeze the curves.
 constexpr double strengthInView = 2.5;
 /// Of the waves left, a peak that is not above that of the blow by this needs no number of its own.
@@ -309,7 +310,8 @@ std::optional<RodForce> RodPlot::forceAt(QPointF coordinates) const {
     std::optional<RodForce> nearest;
     double distance = markReach;
     const auto offer = [&](const RodForce& force, double away) {
-        if (!(away < distance)) return;  // of marks at one place that of the blow
+        // Of marks and curves at one place those of the blow.
+        if (!(away < distance - sameHeight)) return;
         nearest = force;
         distance = away;
     };

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands to be read in an SVG picture.
+#pragma once
+
+#include <QStringList>
+#include <QXmlStreamReader>
+
+namespace drillwave::test {
+
+/// The texts, each with what is set below or above its line; nothing where the picture is no XML.
+inline QStringList svgTexts(const QByteArray& svg) {
+    QXmlStreamReader xml(svg);
+    QStringList texts;
+    while (!xml.atEnd())
+        if (xml.readNext() == QXmlStreamReader::StartElement && xml.name() == QLatin1StringView("text"))
+            texts << xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed();
+    return xml.hasError() ? QStringList() : texts;
+}
+
+}  // namespace drillwave::test
