@@ -67,9 +67,9 @@ ReadingCells cursorCells(const CursorReading& reading, const CurveMeaning& meani
 ReadingCells viewCells(const ViewStatistics& statistics, const CurveMeaning& meaning) {
     const QString& x = meaning.xName;
     const QString& y = meaning.yName;
-    return {{tr("least %1 in view").arg(y), tr("least"), statistics.least, meaning.yUnit},
+    return {{tr("least %1 in view").arg(y), tr("min"), statistics.least, meaning.yUnit},
             {tr("%1 of the least").arg(x), tr("at"), statistics.leastAt, meaning.xUnit},
-            {tr("largest %1 in view").arg(y), tr("largest"), statistics.largest, meaning.yUnit},
+            {tr("largest %1 in view").arg(y), tr("max"), statistics.largest, meaning.yUnit},
             {tr("%1 of the largest").arg(x), tr("at"), statistics.largestAt, meaning.xUnit},
             {tr("%1 from").arg(x), tr("from"), statistics.begin, meaning.xUnit},
             {tr("%1 to").arg(x), tr("to"), statistics.end, meaning.xUnit},
