@@ -20,10 +20,11 @@ std::vector<ReportPlot> reportPlots(const BlowReport& report, const std::stop_to
     // On paper the first one fills the page of the words, the next two a page, the others the last one.
     plots.push_back(placed("rock", "Force over penetration: the area inside stays in the rock as energy.",
                            rockPaperPlot(blow.scenario, blow.impact), {120, 66}));
-    plots.push_back(placed("blow",
-                           "The waves at the middle of the rod, the impact force, its impulse and the "
-                           "momentum of the rod over time.",
-                           blowPaperPlot(blow.scenario, blow.impact), {180, 128}));
+    plots.push_back(
+        placed("blow",
+               "The force N at the middle of the rod and its waves, the impact force, its impulse "
+               "and the momentum of the rod over time.",
+               blowPaperPlot(blow.scenario, blow.impact), {180, 128}));
     plots.push_back(placed("wave_picture",
                            "The force in the rod over place and time, tension positive; bars at the right "
                            "show the contact of bit and rock.",
