@@ -88,7 +88,7 @@ void TestPlotExport::theSvgNamesFourPlotsWithTheirUnits() {
     const Formats svg{"svg"};
     const QString texts = textsOf(picture(drawn(svg), "blow.svg"));
     for (const char* text :
-         {"waves at x/L = 0.50", "N0p", "N1n", "N2p", "N3n", "N [kN]", "impact force F", "F [kN]",
+         {"waves at x/L = 0.50", "N0p", "N1n", "N2p", "N3n", "N, tension + [kN]", "impact force F", "F [kN]",
           "impulse of the impact force I", "I [N s]", "momentum of the rod p", "p [N s]", "time t [ms]"})
         QVERIFY2(texts.contains(QString::fromUtf8(text)), text);
     Scenario scenario;
