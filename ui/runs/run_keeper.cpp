@@ -81,10 +81,16 @@ void RunKeeper::read() {
 
 void RunKeeper::followSaved() {
     if (m_document.path() == m_path) return;
+    if (m_due.isActive()) writeNow();
     m_path = m_document.path();
     m_files.clear();
+    m_partial = false;
+    m_runs.reserve({});
     if (!m_kept) return read();
-    if (const QString problem = keep(); !problem.isEmpty()) {
+    if (holdsOthers()) {
+        setKept(false);
+        emit othersFound(folder());
+    } else if (const QString problem = keep(); !problem.isEmpty()) {
         setKept(false);
         emit failed(tr("The runs are not kept beside the new file."), problem);
     }

@@ -12,7 +12,7 @@ namespace drillwave {
 
 /// A scenario that is opened brings the runs of its folder with it; those of the scenario before go where
 /// they are kept, and stay beside the new ones where nothing else has them. While runs are kept, every change
-/// of them is written, and after "save as" beside the new file.
+/// of them is written, and after "save as" beside the new file, where there are no others.
 class RunKeeper : public QObject {
     Q_OBJECT
 
@@ -34,6 +34,8 @@ class RunKeeper : public QObject {
 
   signals:
     void keptChanged(bool kept);
+    /// Saved under a name beside which this folder is already: nothing is kept there until keep() is called.
+    void othersFound(const QString& folder);
     /// Some runs could not be taken from their files, or not be written: why, line by line.
     void failed(const QString& what, const QString& problem);
 

@@ -31,6 +31,13 @@ PinnedRuns::PinnedRuns(Document& document, Questions& questions, QWidget* window
     connect(m_keepAction, &QAction::triggered, this, &PinnedRuns::keep);
     connect(&m_keeper, &RunKeeper::keptChanged, m_keepAction, &QAction::setChecked);
     connect(&m_keeper, &RunKeeper::failed, this, &PinnedRuns::fail);
+    // Once saving is over: others hear of it while the question is open. Another file may be opened then.
+    connect(
+        &m_keeper, &RunKeeper::othersFound, this,
+        [this](const QString& folder) {
+            if (folder == m_keeper.folder() && !m_keeper.isKept()) keep(true);
+        },
+        Qt::QueuedConnection);
     connect(m_panel, &RunPanel::revertRequested, this, &PinnedRuns::revertTo);
 }
 

@@ -63,6 +63,7 @@ class TestRuns : public QObject {
     void keptRunsComeBackWithTheirFile();
     void everyChangeIsWritten();
     void keptRunsGoAlongToANewName();
+    void runsOfTheFileThatIsSavedOverAreAskedAbout();
     void othersStayWhenAnotherFileIsOpened();
     void aBrokenRunIsToldAndNotWrittenOver();
     void aChangedTableIsTold();
@@ -242,6 +243,26 @@ void TestRuns::keptRunsGoAlongToANewName() {
     QCOMPARE(m_document->save(path("t51.yaml")), QString());
     QCOMPARE(read(path("t51.runs/A.yaml")), read(path("t38.runs/A.yaml")));
     QVERIFY(m_keeper->isKept());
+}
+
+void TestRuns::runsOfTheFileThatIsSavedOverAreAskedAbout() {
+    QCOMPARE(m_document->save(path("t51.yaml")), QString());
+    pin("mine");
+    QCOMPARE(m_keeper->keep(), QString());
+    const QByteArray theirs = read(path("t51.runs/A.yaml"));
+    m_document->startFrom(findExample("t51_soft_rock")->text, "example");
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin("soft");
+    QCOMPARE(m_keeper->keep(), QString());
+    QSignalSpy questions(m_keeper.get(), &RunKeeper::othersFound);
+    QCOMPARE(m_document->save(path("t51.yaml")), QString());
+    QCOMPARE(questions.count(), 1);
+    QVERIFY(!m_keeper->isKept());
+    QVERIFY(m_keeper->holdsOthers());
+    m_runs->rename(0, "renamed");
+    QCoreApplication::processEvents();
+    QCOMPARE(read(path("t51.runs/A.yaml")), theirs);
+    QVERIFY(read(path("t51.runs/runs.csv")).contains("mine"));
 }
 
 void TestRuns::othersStayWhenAnotherFileIsOpened() {
