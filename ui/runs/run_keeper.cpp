@@ -6,6 +6,8 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "core/file/scenario_reader.h"
+#include "core/text/text_input.h"
 #include "ui/document/table_name.h"
 #include "ui/text/shown_text.h"
 
@@ -20,6 +22,16 @@ bool isSame(const std::vector<NamedFile>& a, const std::vector<NamedFile>& b) {
     return std::ranges::equal(a, b, [](const NamedFile& one, const NamedFile& other) {
         return one.name == other.name && one.bytes == other.bytes;
     });
+}
+
+/// What is there under the names of these files.
+std::vector<NamedFile> filesAsTheyAre(const std::string& folder, const std::vector<NamedFile>& named) {
+    std::vector<NamedFile> files;
+    for (const NamedFile& file : named) {
+        FileBytes found = readFile(folder + "/" + file.name, maximumScenarioBytes);
+        if (found.problem.empty()) files.push_back({file.name, std::move(found.bytes)});
+    }
+    return files;
 }
 
 }  // namespace
@@ -64,13 +76,18 @@ void RunKeeper::read() {
     const KeptRuns found = readRuns(nativePath(folder()), nativePath(m_path));
     m_runs.reserve(found.foreign);
     if (found.runs.empty() && found.problems.empty()) return;
-    m_files = runFiles(found.runs);
+    m_files = filesAsTheyAre(nativePath(folder()), runFiles(found.runs));
     QStringList problems;
     for (const std::string& problem : found.problems) problems << QString::fromStdString(problem);
     for (const QString& title : m_runs.add(found.runs))
         problems
             << tr("%1: there is no room for it among the runs on show; remove some and open the file again")
                    .arg(title);
+    for (const int number : found.foreign)
+        if (const Run* run = m_runs.find(number))
+            problems
+                << tr("%1: its file would replace another one in %2; remove the run and open the file again")
+                       .arg(run->title(), QDir::toNativeSeparators(folder()));
     // Written without them, the index would lose those that are not on show.
     m_partial = !problems.isEmpty();
     setKept(!m_partial);
@@ -97,13 +114,32 @@ void RunKeeper::followSaved() {
 }
 
 bool RunKeeper::holdsOthers() const {
-    return m_partial || (m_files.empty() && QFileInfo::exists(folder()));
+    if (folder().isEmpty()) return false;
+    return m_partial || (m_files.empty() && QFileInfo::exists(folder())) || !foreignFile().empty();
 }
 
-QString RunKeeper::keep() {
+// A file that is there and not as it was read or written.
+bool RunKeeper::isForeign(const std::string& name) const {
+    const std::string path = nativePath(folder()) + "/" + name;
+    if (!isThere(path)) return false;
+    const auto ours = std::ranges::find(m_files, name, &NamedFile::name);
+    const FileBytes found = readFile(path, maximumScenarioBytes);
+    return ours == m_files.end() || !found.problem.empty() || found.bytes != ours->bytes;
+}
+
+// The first one that writing would replace or remove; empty where there is none.
+std::string RunKeeper::foreignFile() const {
+    std::vector<std::string> names = FolderFiles{runFiles(m_runs.toKeep()), {}}.names();
+    for (const NamedFile& file : m_files) names.push_back(file.name);
+    const auto found = std::ranges::find_if(names, [this](const auto& name) { return isForeign(name); });
+    return found == names.end() ? std::string() : *found;
+}
+
+QString RunKeeper::keep(ExistingFiles existing) {
     if (folder().isEmpty())
         return tr("The scenario has no file yet: save it first, the runs are kept beside it.");
-    if (const QString problem = write(); !problem.isEmpty()) return problem;
+    if (const QString problem = write(existing); !problem.isEmpty()) return problem;
+    m_runs.reserve(readRuns(nativePath(folder()), nativePath(m_path)).foreign);
     setKept(true);
     return {};
 }
@@ -112,7 +148,8 @@ void RunKeeper::giveUp() {
     m_due.stop();
     setKept(false);
     for (const NamedFile& file : m_files)
-        QFile::remove(folder() + QLatin1Char('/') + QString::fromStdString(file.name));
+        if (!isForeign(file.name))
+            QFile::remove(folder() + QLatin1Char('/') + QString::fromStdString(file.name));
     QFile::remove(folder() + QStringLiteral("/.drillwave.lock"));
     QDir().rmdir(folder());
     m_files.clear();
@@ -138,19 +175,30 @@ std::vector<NamedFile> RunKeeper::files() const {
 }
 
 void RunKeeper::writeSoon() {
-    if (m_kept && !isSame(m_files, files())) m_due.start();
+    if (m_kept) m_due.start();
 }
 
 void RunKeeper::writeNow() {
     m_due.stop();
-    if (const QString problem = write(); !problem.isEmpty()) {
+    if (const QString problem = write(ExistingFiles::kept); !problem.isEmpty()) {
         setKept(false);
         emit failed(tr("The runs are not kept any more."), problem);
     }
 }
 
-QString RunKeeper::write() {
-    FolderFiles folderFiles{files(), {}};
+QString RunKeeper::write(ExistingFiles existing) {
+    FolderFiles folderFiles;
+    try {
+        folderFiles.files = files();
+    } catch (const ScenarioError& error) {
+        return QString::fromUtf8(error.what());
+    }
+    if (m_kept && isSame(m_files, folderFiles.files)) return {};
+    if (const std::string foreign = foreignFile(); existing == ExistingFiles::kept && !foreign.empty())
+        return tr("%1: has been put there or changed by somebody else; move it away, or keep the runs again "
+                  "to "
+                  "replace it")
+            .arg(QDir::toNativeSeparators(folder() + QLatin1Char('/') + QString::fromStdString(foreign)));
     std::vector<std::string> outdated;
     const std::vector<std::string> names = folderFiles.names();
     for (const NamedFile& file : m_files)

@@ -28,8 +28,10 @@ class RunKeeper : public QObject {
     /// The files that are there but not of the runs on show, and would stay: to be asked about first.
     bool holdsOthers() const;
     /// From now on, and now. Returns why not; then nothing is kept.
-    QString keep();
-    /// From now on no more; takes the files of the runs, and the folder where nothing else is in it, away.
+    /// What somebody else has put there is replaced only if that is asked for.
+    QString keep(ExistingFiles existing = ExistingFiles::kept);
+    /// From now on no more; takes the files of the runs, but for those that somebody else has changed, and
+    /// the folder where nothing else is in it, away.
     void giveUp();
 
   signals:
@@ -43,10 +45,12 @@ class RunKeeper : public QObject {
     void leave();
     void read();
     void followSaved();
+    bool isForeign(const std::string& name) const;
+    std::string foreignFile() const;
     std::vector<NamedFile> files() const;
     void writeSoon();
     void writeNow();
-    QString write();
+    QString write(ExistingFiles existing);
     void setKept(bool kept);
 
     Document& m_document;

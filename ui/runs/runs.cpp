@@ -60,7 +60,8 @@ QStringList Runs::add(const std::vector<KeptRun>& kept) {
         });
         if (isThere) continue;
         const auto isTaken = [&](int number) {
-            return std::ranges::find(list, number, &Run::number) != list.end();
+            return std::ranges::find(list, number, &Run::number) != list.end() ||
+                   std::ranges::find(m_reserved, number) != m_reserved.end();
         };
         int number = each.number;
         if (isTaken(number))

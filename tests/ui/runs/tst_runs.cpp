@@ -66,6 +66,8 @@ class TestRuns : public QObject {
     void runsOfTheFileThatIsSavedOverAreAskedAbout();
     void othersStayWhenAnotherFileIsOpened();
     void aBrokenRunIsToldAndNotWrittenOver();
+    void whatOthersPutIntoTheFolderIsNotWrittenOver();
+    void lettersOfOtherFilesAreNotGiven();
     void aChangedTableIsTold();
     void tablesAreFoundFromAnotherFolder();
     void givenUpNothingIsLeft();
@@ -297,6 +299,59 @@ void TestRuns::aBrokenRunIsToldAndNotWrittenOver() {
     QCOMPARE(m_runs->list()->back().letter(), QString("C"));
     QCOMPARE(m_keeper->keep(), QString());
     QCOMPARE(read(path("t38.runs/A.yaml")), QByteArray("drillwave: 1\nnonsense"));
+}
+
+void TestRuns::whatOthersPutIntoTheFolderIsNotWrittenOver() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    // Changed, new under a letter that is given next, and changed before it is removed.
+    const auto isLeft = [this](const char* name, const std::function<void()>& change) {
+        write(path(name), "mine");
+        QSignalSpy failures(m_keeper.get(), &RunKeeper::failed);
+        change();
+        QTRY_COMPARE(failures.count(), 1);
+        QVERIFY(failures[0][1].toString().startsWith(path(name) + ": "));
+        QCOMPARE(read(path(name)), QByteArray("mine"));
+        QVERIFY(!m_keeper->isKept());
+        QVERIFY(m_keeper->holdsOthers());
+        QVERIFY(!m_keeper->keep().isEmpty());
+        QCOMPARE(m_keeper->keep(ExistingFiles::replaced), QString());
+        QVERIFY(m_keeper->isKept());
+        QVERIFY(!QFile::exists(path(name)) || read(path(name)) != "mine");
+    };
+    isLeft("t38.runs/runs.csv", [this] { m_runs->rename(0, "other"); });
+    isLeft("t38.runs/B.yaml", [this] {
+        set("bit_rock.gap", 1e-3);
+        pin();
+    });
+    isLeft("t38.runs/A.yaml", [this] { m_runs->remove(0); });
+    write(path("t38.runs/B.yaml"), "mine");
+    m_keeper->giveUp();
+    QCOMPARE(QDir(path("t38.runs")).entryList(QDir::Files), QStringList("B.yaml"));
+}
+
+void TestRuns::lettersOfOtherFilesAreNotGiven() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    write(path("t38.runs/B.yaml"), "mine");
+    m_document->startFrom(findExample("t51_soft_rock")->text, "example");
+    pin("soft");
+    QCOMPARE(m_document->open(path("t38.yaml")), QString());
+    QCOMPARE(titles(*m_runs), QStringList({"A  soft", "C  first"}));
+    QVERIFY(m_keeper->isKept());
+    // That of a run on the list would be written over.
+    m_document->startFrom(findExample("t51_soft_rock")->text, "example");
+    pin("soft");
+    set("bit_rock.gap", 1e-3);
+    pin("gap");
+    QCOMPARE(m_runs->list()->back().letter(), QString("B"));
+    QSignalSpy failures(m_keeper.get(), &RunKeeper::failed);
+    QCOMPARE(m_document->open(path("t38.yaml")), QString());
+    QCOMPARE(failures.count(), 1);
+    QVERIFY(failures[0][1].toString().startsWith("B  "));
+    QVERIFY(!m_keeper->isKept());
 }
 
 void TestRuns::aChangedTableIsTold() {
