@@ -52,6 +52,7 @@ RunKeeper::RunKeeper(Document& document, Runs& runs, QObject* parent)
 }
 
 RunKeeper::~RunKeeper() {
+    blockSignals(true);
     if (m_due.isActive()) writeNow();
 }
 

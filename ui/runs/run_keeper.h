@@ -19,7 +19,7 @@ class RunKeeper : public QObject {
   public:
     /// Document and runs must outlive it.
     RunKeeper(Document& document, Runs& runs, QObject* parent = nullptr);
-    /// Writes what has not been written yet.
+    /// Writes what has not been written yet; a failure is told to nobody, who may be gone already.
     ~RunKeeper() override;
 
     bool isKept() const { return m_kept; }

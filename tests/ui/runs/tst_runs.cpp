@@ -62,6 +62,7 @@ class TestRuns : public QObject {
     void undoLeavesThemAlone();
     void keptRunsComeBackWithTheirFile();
     void everyChangeIsWritten();
+    void whatIsLeftIsWrittenInTheEndAndNothingTold();
     void keptRunsGoAlongToANewName();
     void runsOfTheFileThatIsSavedOverAreAskedAbout();
     void othersStayWhenAnotherFileIsOpened();
@@ -236,6 +237,25 @@ void TestRuns::everyChangeIsWritten() {
     QTRY_VERIFY(read(path("t38.runs/runs.csv")).contains("A.yaml,other,yes,yes,"));
     m_runs->remove(0);
     QTRY_VERIFY(!QFile::exists(path("t38.runs/A.yaml")));
+}
+
+void TestRuns::whatIsLeftIsWrittenInTheEndAndNothingTold() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    QCOMPARE(m_keeper->keep(), QString());
+    pin();
+    m_keeper.reset();
+    QCOMPARE(read(path("t38.runs/A.yaml")), m_document->text());
+    auto keeper = std::make_unique<RunKeeper>(*m_document, *m_runs);
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    QVERIFY(keeper->isKept());
+    write(path("t38.runs/A.yaml"), "mine");
+    m_runs->rename(0, "other");
+    QSignalSpy failures(keeper.get(), &RunKeeper::failed);
+    QSignalSpy changes(keeper.get(), &RunKeeper::keptChanged);
+    keeper.reset();
+    QCOMPARE(failures.count(), 0);
+    QCOMPARE(changes.count(), 0);
+    QCOMPARE(read(path("t38.runs/A.yaml")), QByteArray("mine"));
 }
 
 void TestRuns::keptRunsGoAlongToANewName() {
