@@ -76,8 +76,8 @@ void RunKeeper::read() {
     if (m_path.isEmpty()) return;
     const KeptRuns found = readRuns(nativePath(folder()), nativePath(m_path));
     m_runs.reserve(found.foreign);
-    if (found.runs.empty() && found.problems.empty()) return;
     m_files = filesAsTheyAre(nativePath(folder()), runFiles(found.runs));
+    if (m_files.empty() && found.problems.empty()) return;  // an index without runs is one all the same
     QStringList problems;
     for (const std::string& problem : found.problems) problems << QString::fromStdString(problem);
     for (const QString& title : m_runs.add(found.runs))

@@ -61,6 +61,7 @@ class TestRuns : public QObject {
     void whatHasNoBlowIsSolved();
     void undoLeavesThemAlone();
     void keptRunsComeBackWithTheirFile();
+    void withoutRunsTheyAreKeptAsWell();
     void everyChangeIsWritten();
     void whatIsLeftIsWrittenInTheEndAndNothingTold();
     void keptRunsGoAlongToANewName();
@@ -224,6 +225,19 @@ void TestRuns::keptRunsComeBackWithTheirFile() {
         QCOMPARE((*runs.list())[i].blow->summary.cor, before[i].blow->summary.cor);
     }
     QCOMPARE(failures.count(), 0);
+}
+
+void TestRuns::withoutRunsTheyAreKeptAsWell() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    m_runs->remove(0);
+    QTRY_VERIFY(!QFile::exists(path("t38.runs/A.yaml")));
+    QCOMPARE(m_document->open(path("t38.yaml")), QString());
+    QVERIFY(m_keeper->isKept());
+    QVERIFY(!m_keeper->holdsOthers());
+    pin();
+    QTRY_VERIFY(QFile::exists(path("t38.runs/A.yaml")));
 }
 
 void TestRuns::everyChangeIsWritten() {
