@@ -187,27 +187,38 @@ void RunKeeper::writeNow() {
     }
 }
 
+// The disk is waited for with every file. The index, which is last, tells that the folder is complete.
+void RunKeeper::leaveOutWritten(std::vector<NamedFile>& files) const {
+    const std::string index = files.back().name;
+    std::erase_if(files, [&](const NamedFile& file) {
+        const auto ours = std::ranges::find(m_files, file.name, &NamedFile::name);
+        const bool isWritten = ours != m_files.end() && ours->bytes == file.bytes;
+        return isWritten && file.name != index && isThere(nativePath(folder()) + "/" + file.name);
+    });
+}
+
 QString RunKeeper::write(ExistingFiles existing) {
-    FolderFiles folderFiles;
+    std::vector<NamedFile> wanted;
     try {
-        folderFiles.files = files();
+        wanted = files();
     } catch (const ScenarioError& error) {
         return QString::fromUtf8(error.what());
     }
-    if (m_kept && isSame(m_files, folderFiles.files)) return {};
+    if (m_kept && isSame(m_files, wanted)) return {};
     if (const std::string foreign = foreignFile(); existing == ExistingFiles::kept && !foreign.empty())
         return tr("%1: has been put there or changed by somebody else; move it away, or keep the runs again "
-                  "to "
-                  "replace it")
+                  "to replace it")
             .arg(QDir::toNativeSeparators(folder() + QLatin1Char('/') + QString::fromStdString(foreign)));
+    FolderFiles folderFiles{wanted, {}};
     std::vector<std::string> outdated;
     const std::vector<std::string> names = folderFiles.names();
     for (const NamedFile& file : m_files)
         if (std::ranges::find(names, file.name) == names.end()) outdated.push_back(file.name);
     folderFiles.outdated = [outdated](const std::string&) { return outdated; };
+    if (existing == ExistingFiles::kept) leaveOutWritten(folderFiles.files);
     const FolderEnd end = writeWholeFolder(nativePath(folder()), folderFiles, ExistingFiles::replaced);
     if (!end.isWritten()) return translated(end.problem);
-    m_files = std::move(folderFiles.files);
+    m_files = std::move(wanted);
     m_partial = false;
     return {};
 }

@@ -48,6 +48,7 @@ class RunKeeper : public QObject {
     bool isForeign(const std::string& name) const;
     std::string foreignFile() const;
     std::vector<NamedFile> files() const;
+    void leaveOutWritten(std::vector<NamedFile>& files) const;
     void writeSoon();
     void writeNow();
     QString write(ExistingFiles existing);

@@ -63,6 +63,7 @@ class TestRuns : public QObject {
     void keptRunsComeBackWithTheirFile();
     void withoutRunsTheyAreKeptAsWell();
     void everyChangeIsWritten();
+    void onlyWhatChangesIsWritten();
     void whatIsLeftIsWrittenInTheEndAndNothingTold();
     void keptRunsGoAlongToANewName();
     void runsOfTheFileThatIsSavedOverAreAskedAbout();
@@ -251,6 +252,22 @@ void TestRuns::everyChangeIsWritten() {
     QTRY_VERIFY(read(path("t38.runs/runs.csv")).contains("A.yaml,other,yes,yes,"));
     m_runs->remove(0);
     QTRY_VERIFY(!QFile::exists(path("t38.runs/A.yaml")));
+}
+
+void TestRuns::onlyWhatChangesIsWritten() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    set("bit_rock.gap", 1e-3);
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    // A file that takes its place has other permissions.
+    QVERIFY(QFile::setPermissions(path("t38.runs/A.yaml"), QFile::ReadOwner | QFile::ReadUser));
+    const QFile::Permissions mark = QFile::permissions(path("t38.runs/A.yaml"));
+    QVERIFY(QFile::remove(path("t38.runs/B.yaml")));
+    m_runs->rename(0, "other");
+    QTRY_VERIFY(read(path("t38.runs/runs.csv")).contains("A.yaml,other,"));
+    QCOMPARE(QFile::permissions(path("t38.runs/A.yaml")), mark);
+    QVERIFY(QFile::exists(path("t38.runs/B.yaml")));
 }
 
 void TestRuns::whatIsLeftIsWrittenInTheEndAndNothingTold() {
