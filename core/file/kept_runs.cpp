@@ -110,7 +110,9 @@ std::string runLetter(int number) {
 }
 
 std::string runsFolderOf(const std::string& scenarioPath) {
-    return std::filesystem::path(scenarioPath).replace_extension(".runs").string();
+    const std::filesystem::path path(scenarioPath);
+    const bool isUsual = path.extension() == ending;
+    return (isUsual ? path.parent_path() / path.stem() : path).string() + ".runs";
 }
 
 std::vector<NamedFile> runFiles(const std::vector<KeptRun>& runs) {

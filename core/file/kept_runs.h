@@ -35,7 +35,7 @@ struct KeptRuns {
                                         ///< written over
 };
 
-/// "t38.runs" beside "t38.yaml".
+/// "t38.runs" beside "t38.yaml"; other endings stay, "t38.yml.runs", for both may be there.
 std::string runsFolderOf(const std::string& scenarioPath);
 
 /// The files of the folder: the scenarios and, last, the index.

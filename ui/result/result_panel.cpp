@@ -352,15 +352,15 @@ void ResultPanel::follow(RodForce RodForces::*place) {
 
 void ResultPanel::showChange(const Row& row) {
     const UnitSystem units = m_blow->request.units;
-    std::optional<double> change;
+    QString change;
     if (m_reference && row.number && m_blow->problem.isEmpty()) {
         const std::optional<double> now = row.number(*m_blow, units);
         const std::optional<double> then = row.number(*m_reference, units);
-        if (now && then) change = relativeDifference(*now, *then);
+        if (now && then) change = percentText(*now, *then);
     }
-    row.change->setText(percentText(change));
-    row.change->setVisible(change.has_value());
-    if (!change) return;
+    row.change->setText(change);
+    row.change->setVisible(!change.isEmpty());
+    if (change.isEmpty()) return;
     row.change->setToolTip(tr("Off %1 by so much").arg(m_referenceTitle));
     row.change->setAccessibleName(
         tr("%1, against %2: %3").arg(row.name->text(), m_referenceTitle, row.change->text()));

@@ -22,13 +22,15 @@ std::optional<double> relativeDifference(double value, double reference) {
     return std::abs(relative) < rounding ? 0 : relative;
 }
 
-QString percentText(const std::optional<double>& relative) {
+QString percentText(double value, double reference) {
     constexpr double mostPercent = 10;  // as a share
+    const std::optional<double> relative = relativeDifference(value, reference);
     if (!relative) return {};
     const QLocale locale;
     const QString percent = QString(QChar(QChar::Nbsp)) + QLatin1Char('%');
     if (*relative == 0) return QStringLiteral("±0") + percent;
-    if (*relative > mostPercent) return QStringLiteral("×") + numberText(1 + *relative, 3, locale);
+    if (*relative > mostPercent && reference > 0)
+        return QStringLiteral("×") + numberText(value / reference, 3, locale);
     constexpr double leastPercent = 0.01;  // less is hardly a difference, and would be long
     const double share = 100 * *relative;
     if (std::abs(share) < leastPercent) return QStringLiteral("≈0") + percent;

@@ -7,12 +7,12 @@
 
 namespace drillwave {
 
-/// value/reference − 1, by the size of the reference; nothing where that is zero.
+/// (value − reference)/|reference|; nothing where the reference is zero.
 std::optional<double> relativeDifference(double value, double reference);
 
-/// "+32 %", "−0.4 %", "±0 %", "≈0 %" below a hundredth; empty for nothing. Beyond a thousand percent as a
-/// factor, "×12.3".
-QString percentText(const std::optional<double>& relative);
+/// The relative difference: "+32 %", "−0.4 %", "±0 %", "≈0 %" below a hundredth; empty for nothing. Beyond a
+/// thousand percent of a positive reference as a factor, "×12.3".
+QString percentText(double value, double reference);
 
 /// "+0.2047", "−3.1", "±0".
 QString signedText(double difference);

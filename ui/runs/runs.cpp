@@ -10,6 +10,14 @@
 #include "ui/text/number_text.h"
 
 namespace drillwave {
+namespace {
+
+// A run of a file stays as it was first solved: another result is to be told every time.
+std::optional<double> corToKeep(const Run& run) {
+    return !run.kept && run.isSolved() ? std::optional(run.blow->summary.cor) : run.kept;
+}
+
+}  // namespace
 
 const Run* Runs::find(int number) const {
     const auto found = std::ranges::find(*m_list, number, &Run::number);
@@ -60,7 +68,8 @@ QStringList Runs::add(const std::vector<KeptRun>& kept) {
         });
         if (isThere) continue;
         const auto isTaken = [&](int number) {
-            return std::ranges::find(list, number, &Run::number) != list.end();
+            return std::ranges::find(list, number, &Run::number) != list.end() ||
+                   std::ranges::find(m_reserved, number) != m_reserved.end();
         };
         int number = each.number;
         if (isTaken(number))
@@ -89,7 +98,7 @@ std::vector<KeptRun> Runs::toKeep() const {
                         .contents = run.contents,
                         .isShown = run.isShown,
                         .isReference = m_reference == run.number,
-                        .cor = run.isSolved() ? std::optional(run.blow->summary.cor) : run.kept});
+                        .cor = corToKeep(run)});
     return kept;
 }
 

@@ -31,6 +31,13 @@ PinnedRuns::PinnedRuns(Document& document, Questions& questions, QWidget* window
     connect(m_keepAction, &QAction::triggered, this, &PinnedRuns::keep);
     connect(&m_keeper, &RunKeeper::keptChanged, m_keepAction, &QAction::setChecked);
     connect(&m_keeper, &RunKeeper::failed, this, &PinnedRuns::fail);
+    // Once saving is over: others hear of it while the question is open. Another file may be opened then.
+    connect(
+        &m_keeper, &RunKeeper::othersFound, this,
+        [this](const QString& folder) {
+            if (folder == m_keeper.folder() && !m_keeper.isKept()) keep(true);
+        },
+        Qt::QueuedConnection);
     connect(m_panel, &RunPanel::revertRequested, this, &PinnedRuns::revertTo);
 }
 
@@ -91,11 +98,13 @@ void PinnedRuns::keep(bool wanted) {
                                 tr("%1\nThey stay on the list until the window is closed.").arg(folder),
                                 tr("Take away")))
             m_keeper.giveUp();
-    } else if (!m_keeper.holdsOthers() ||
+    } else if (const bool hasOthers = m_keeper.holdsOthers();
+               !hasOthers ||
                m_questions.confirm(m_window, tr("There are runs beside this file already."),
                                    tr("%1\nThose that are not on the list here would be lost.").arg(folder),
                                    tr("Replace"))) {
-        if (const QString problem = m_keeper.keep(); !problem.isEmpty())
+        const auto existing = hasOthers ? ExistingFiles::replaced : ExistingFiles::kept;
+        if (const QString problem = m_keeper.keep(existing); !problem.isEmpty())
             fail(tr("The runs are not kept."), problem);
     }
     m_keepAction->setChecked(m_keeper.isKept());

@@ -28,6 +28,7 @@ class TestKeptRuns : public QObject {
 
   private slots:
     void init();
+    void everyScenarioFileHasAFolderOfItsOwn();
     void aFolderThatIsNotThereHasNoRuns();
     void runsReadBackByteForByte();
     void aMissingFileIsToldAndTheOthersAreTaken();
@@ -60,8 +61,14 @@ void TestKeptRuns::init() {
     m_folder = m_place->filePath("t38.runs");
 }
 
+void TestKeptRuns::everyScenarioFileHasAFolderOfItsOwn() {
+    QCOMPARE(runsFolderOf("/in/a.b/t38.yaml"), std::string("/in/a.b/t38.runs"));
+    QCOMPARE(runsFolderOf("/in/a.b/t38.yml"), std::string("/in/a.b/t38.yml.runs"));
+    QCOMPARE(runsFolderOf("/in/a.b/t38.soft.yaml"), std::string("/in/a.b/t38.soft.runs"));
+    QCOMPARE(runsFolderOf("t38.yaml"), std::string("t38.runs"));
+}
+
 void TestKeptRuns::aFolderThatIsNotThereHasNoRuns() {
-    QCOMPARE(runsFolderOf(m_scenario.toStdString()), m_folder.toStdString());
     QVERIFY(read().runs.empty());
     QVERIFY(read().problems.empty());
 }

@@ -128,7 +128,7 @@ class TestResultPanel : public QObject {
         QCOMPARE(changeOf("Rebound: COR e"), QString());
         panel.setReference(before, "A  first");
         const auto percent = [](double value, double reference) {
-            return percentText(relativeDifference(value, reference)).replace(QChar(QChar::Nbsp), ' ');
+            return percentText(value, reference).replace(QChar(QChar::Nbsp), ' ');
         };
         QVERIFY(now->summary.cor != before->summary.cor);
         QCOMPARE(changeOf("Rebound: COR e"), percent(now->summary.cor, before->summary.cor));

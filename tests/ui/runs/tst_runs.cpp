@@ -61,10 +61,16 @@ class TestRuns : public QObject {
     void whatHasNoBlowIsSolved();
     void undoLeavesThemAlone();
     void keptRunsComeBackWithTheirFile();
+    void withoutRunsTheyAreKeptAsWell();
     void everyChangeIsWritten();
+    void onlyWhatChangesIsWritten();
+    void whatIsLeftIsWrittenInTheEndAndNothingTold();
     void keptRunsGoAlongToANewName();
+    void runsOfTheFileThatIsSavedOverAreAskedAbout();
     void othersStayWhenAnotherFileIsOpened();
     void aBrokenRunIsToldAndNotWrittenOver();
+    void whatOthersPutIntoTheFolderIsNotWrittenOver();
+    void lettersOfOtherFilesAreNotGiven();
     void aChangedTableIsTold();
     void tablesAreFoundFromAnotherFolder();
     void givenUpNothingIsLeft();
@@ -222,6 +228,19 @@ void TestRuns::keptRunsComeBackWithTheirFile() {
     QCOMPARE(failures.count(), 0);
 }
 
+void TestRuns::withoutRunsTheyAreKeptAsWell() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    m_runs->remove(0);
+    QTRY_VERIFY(!QFile::exists(path("t38.runs/A.yaml")));
+    QCOMPARE(m_document->open(path("t38.yaml")), QString());
+    QVERIFY(m_keeper->isKept());
+    QVERIFY(!m_keeper->holdsOthers());
+    pin();
+    QTRY_VERIFY(QFile::exists(path("t38.runs/A.yaml")));
+}
+
 void TestRuns::everyChangeIsWritten() {
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     QVERIFY(!m_keeper->holdsOthers());
@@ -235,6 +254,41 @@ void TestRuns::everyChangeIsWritten() {
     QTRY_VERIFY(!QFile::exists(path("t38.runs/A.yaml")));
 }
 
+void TestRuns::onlyWhatChangesIsWritten() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    set("bit_rock.gap", 1e-3);
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    // A file that takes its place has other permissions.
+    QVERIFY(QFile::setPermissions(path("t38.runs/A.yaml"), QFile::ReadOwner | QFile::ReadUser));
+    const QFile::Permissions mark = QFile::permissions(path("t38.runs/A.yaml"));
+    QVERIFY(QFile::remove(path("t38.runs/B.yaml")));
+    m_runs->rename(0, "other");
+    QTRY_VERIFY(read(path("t38.runs/runs.csv")).contains("A.yaml,other,"));
+    QCOMPARE(QFile::permissions(path("t38.runs/A.yaml")), mark);
+    QVERIFY(QFile::exists(path("t38.runs/B.yaml")));
+}
+
+void TestRuns::whatIsLeftIsWrittenInTheEndAndNothingTold() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    QCOMPARE(m_keeper->keep(), QString());
+    pin();
+    m_keeper.reset();
+    QCOMPARE(read(path("t38.runs/A.yaml")), m_document->text());
+    auto keeper = std::make_unique<RunKeeper>(*m_document, *m_runs);
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    QVERIFY(keeper->isKept());
+    write(path("t38.runs/A.yaml"), "mine");
+    m_runs->rename(0, "other");
+    QSignalSpy failures(keeper.get(), &RunKeeper::failed);
+    QSignalSpy changes(keeper.get(), &RunKeeper::keptChanged);
+    keeper.reset();
+    QCOMPARE(failures.count(), 0);
+    QCOMPARE(changes.count(), 0);
+    QCOMPARE(read(path("t38.runs/A.yaml")), QByteArray("mine"));
+}
+
 void TestRuns::keptRunsGoAlongToANewName() {
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     pin();
@@ -242,6 +296,26 @@ void TestRuns::keptRunsGoAlongToANewName() {
     QCOMPARE(m_document->save(path("t51.yaml")), QString());
     QCOMPARE(read(path("t51.runs/A.yaml")), read(path("t38.runs/A.yaml")));
     QVERIFY(m_keeper->isKept());
+}
+
+void TestRuns::runsOfTheFileThatIsSavedOverAreAskedAbout() {
+    QCOMPARE(m_document->save(path("t51.yaml")), QString());
+    pin("mine");
+    QCOMPARE(m_keeper->keep(), QString());
+    const QByteArray theirs = read(path("t51.runs/A.yaml"));
+    m_document->startFrom(findExample("t51_soft_rock")->text, "example");
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin("soft");
+    QCOMPARE(m_keeper->keep(), QString());
+    QSignalSpy questions(m_keeper.get(), &RunKeeper::othersFound);
+    QCOMPARE(m_document->save(path("t51.yaml")), QString());
+    QCOMPARE(questions.count(), 1);
+    QVERIFY(!m_keeper->isKept());
+    QVERIFY(m_keeper->holdsOthers());
+    m_runs->rename(0, "renamed");
+    QCoreApplication::processEvents();
+    QCOMPARE(read(path("t51.runs/A.yaml")), theirs);
+    QVERIFY(read(path("t51.runs/runs.csv")).contains("mine"));
 }
 
 void TestRuns::othersStayWhenAnotherFileIsOpened() {
@@ -278,6 +352,59 @@ void TestRuns::aBrokenRunIsToldAndNotWrittenOver() {
     QCOMPARE(read(path("t38.runs/A.yaml")), QByteArray("drillwave: 1\nnonsense"));
 }
 
+void TestRuns::whatOthersPutIntoTheFolderIsNotWrittenOver() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    // Changed, new under a letter that is given next, and changed before it is removed.
+    const auto isLeft = [this](const char* name, const std::function<void()>& change) {
+        write(path(name), "mine");
+        QSignalSpy failures(m_keeper.get(), &RunKeeper::failed);
+        change();
+        QTRY_COMPARE(failures.count(), 1);
+        QVERIFY(failures[0][1].toString().startsWith(path(name) + ": "));
+        QCOMPARE(read(path(name)), QByteArray("mine"));
+        QVERIFY(!m_keeper->isKept());
+        QVERIFY(m_keeper->holdsOthers());
+        QVERIFY(!m_keeper->keep().isEmpty());
+        QCOMPARE(m_keeper->keep(ExistingFiles::replaced), QString());
+        QVERIFY(m_keeper->isKept());
+        QVERIFY(!QFile::exists(path(name)) || read(path(name)) != "mine");
+    };
+    isLeft("t38.runs/runs.csv", [this] { m_runs->rename(0, "other"); });
+    isLeft("t38.runs/B.yaml", [this] {
+        set("bit_rock.gap", 1e-3);
+        pin();
+    });
+    isLeft("t38.runs/A.yaml", [this] { m_runs->remove(0); });
+    write(path("t38.runs/B.yaml"), "mine");
+    m_keeper->giveUp();
+    QCOMPARE(QDir(path("t38.runs")).entryList(QDir::Files), QStringList("B.yaml"));
+}
+
+void TestRuns::lettersOfOtherFilesAreNotGiven() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    write(path("t38.runs/B.yaml"), "mine");
+    m_document->startFrom(findExample("t51_soft_rock")->text, "example");
+    pin("soft");
+    QCOMPARE(m_document->open(path("t38.yaml")), QString());
+    QCOMPARE(titles(*m_runs), QStringList({"A  soft", "C  first"}));
+    QVERIFY(m_keeper->isKept());
+    // That of a run on the list would be written over.
+    m_document->startFrom(findExample("t51_soft_rock")->text, "example");
+    pin("soft");
+    set("bit_rock.gap", 1e-3);
+    pin("gap");
+    QCOMPARE(m_runs->list()->back().letter(), QString("B"));
+    QSignalSpy failures(m_keeper.get(), &RunKeeper::failed);
+    QCOMPARE(m_document->open(path("t38.yaml")), QString());
+    QCOMPARE(failures.count(), 1);
+    QVERIFY(failures[0][1].toString().startsWith("B  "));
+    QVERIFY(!m_keeper->isKept());
+}
+
 void TestRuns::aChangedTableIsTold() {
     write(path("blow.csv"), "time [us],force [kN]\n0,0\n100,300\n200,0\n");
     m_solver = std::make_unique<RunSolver>(*m_runs);
@@ -286,11 +413,17 @@ void TestRuns::aChangedTableIsTold() {
     pin();
     QTRY_VERIFY(m_runs->list()->front().isSolved());
     QCOMPARE(m_keeper->keep(), QString());
+    const QByteArray index = read(path("t38.runs/runs.csv"));
     write(path("blow.csv"), "time [us],force [kN]\n0,0\n100,900\n900,0\n");
     QSignalSpy failures(m_keeper.get(), &RunKeeper::failed);
     QCOMPARE(m_document->open(path("t38.yaml")), QString());
     QTRY_COMPARE(failures.count(), 1);
     QVERIFY(failures[0][1].toString().startsWith("A  first had e = "));
+    // And again the next time.
+    QCoreApplication::processEvents();
+    QCOMPARE(read(path("t38.runs/runs.csv")), index);
+    QCOMPARE(m_document->open(path("t38.yaml")), QString());
+    QTRY_COMPARE(failures.count(), 2);
 }
 
 void TestRuns::tablesAreFoundFromAnotherFolder() {
@@ -375,13 +508,16 @@ void TestRuns::everyRunHasAColourAndADashOfItsOwn() {
 }
 
 void TestRuns::differencesAreReadable() {
-    QCOMPARE(percentText(relativeDifference(0.634, 0.4297)), QString("+47.5 %").replace(' ', QChar::Nbsp));
-    QCOMPARE(percentText(relativeDifference(-1, 1)), QString("−200 %").replace(' ', QChar::Nbsp));
-    QCOMPARE(percentText(relativeDifference(1, -2)), QString("+150 %").replace(' ', QChar::Nbsp));
-    QCOMPARE(percentText(relativeDifference(2, 2)), QString("±0 %").replace(' ', QChar::Nbsp));
-    QCOMPARE(percentText(relativeDifference(2.0001, 2)), QString("≈0 %").replace(' ', QChar::Nbsp));
-    QCOMPARE(percentText(relativeDifference(30, 2)), QString("×15"));
-    QCOMPARE(percentText(relativeDifference(30, 0)), QString());
+    QCOMPARE(percentText(0.634, 0.4297), QString("+47.5 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(percentText(-1, 1), QString("−200 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(percentText(1, -2), QString("+150 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(percentText(2, 2), QString("±0 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(percentText(2.0001, 2), QString("≈0 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(percentText(30, 2), QString("×15"));
+    QCOMPARE(percentText(30, 0), QString());
+    // There is no factor between numbers of different signs.
+    QCOMPARE(percentText(60, -3), QString("+2100 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(percentText(-60, 3), QString("−2100 %").replace(' ', QChar::Nbsp));
     QCOMPARE(signedText(-0.25), QString("−0.25"));
     QCOMPARE(signedText(0.25), QString("+0.25"));
 }

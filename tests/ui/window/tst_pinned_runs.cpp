@@ -34,6 +34,7 @@ class TestPinnedRuns : public QObject {
     void pinWaitsForTheAnswer();
     void pinnedPointsOfAStudyAreSolved();
     void keptRunsSurviveTheWindow();
+    void savedOverAnotherFileItsRunsAreReplacedIfConfirmed();
     void refusalsAreTold();
 
   private:
@@ -203,6 +204,39 @@ void TestPinnedRuns::keptRunsSurviveTheWindow() {
     part<PinnedRuns>(window()).keepAction()->trigger();
     QVERIFY(!part<PinnedRuns>(window()).keepAction()->isChecked());
     QVERIFY(!QFile::exists(m_folder.filePath("kept.runs")));
+}
+
+void TestPinnedRuns::savedOverAnotherFileItsRunsAreReplacedIfConfirmed() {
+    const auto saveAs = [this](const char* name) {
+        m_answers.save = m_folder.filePath(QLatin1String(name));
+        QVERIFY(part<FileMenu>(window()).saveAs());
+    };
+    const QString index = m_folder.filePath("other.runs/runs.csv");
+    QVERIFY(QDir().mkpath(m_folder.filePath("other.runs")));
+    write(index, "file,name,shown,reference,cor\n");
+    pinThree();
+    saveAs("mine.yaml");
+    QAction* keep = part<PinnedRuns>(window()).keepAction();
+    keep->trigger();
+    QVERIFY(keep->isChecked());
+    saveAs("other.yaml");
+    QTRY_COMPARE(m_answers.confirmed.size(), 1);
+    QVERIFY(!keep->isChecked());
+    QCOMPARE(read(index).count('\n'), 1);
+    m_answers.confirm = true;
+    saveAs("mine.yaml");
+    QVERIFY(keep->isChecked());  // they are there still
+    saveAs("other.yaml");
+    QTRY_COMPARE(m_answers.confirmed.size(), 2);
+    QVERIFY(keep->isChecked());
+    QCOMPARE(read(index).count('\n'), 4);
+    // Nothing is asked about a file that is left at once.
+    saveAs("mine.yaml");
+    QVERIFY(!keep->isChecked());
+    window().document().start();
+    QCoreApplication::processEvents();
+    QCOMPARE(m_answers.confirmed.size(), 2);
+    QVERIFY(m_answers.told.isEmpty());
 }
 
 void TestPinnedRuns::refusalsAreTold() {

@@ -50,7 +50,7 @@ QString CompareModel::text(const CompareRow& row, std::size_t column) const {
     if (column == m_table.reference) return value + QLatin1Char('\n') + tr("reference");
     const std::optional<double> difference = row.difference(column, m_table.reference);
     if (!difference) return value + QLatin1Char('\n');
-    const QString share = percentText(row.relative(column, m_table.reference));
+    const QString share = percentText(*number, *row.numbers[m_table.reference]);
     return value + QLatin1Char('\n') + signedText(*difference) +
            (share.isEmpty() ? QString() : QStringLiteral("   ") + share);
 }

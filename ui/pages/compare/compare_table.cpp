@@ -154,7 +154,7 @@ QByteArray compareText(const CompareTable& table, char separator) {
         if (i == table.reference) continue;
         const QString title = table.titles[static_cast<qsizetype>(i)];
         text += separator + cell(tr("(%1) − (%2)").arg(title, reference), separator);
-        text += separator + cell(tr("(%1) / (%2) − 1 [%]").arg(title, reference), separator);
+        text += separator + cell(tr("((%1) − (%2)) / |%2| [%]").arg(title, reference), separator);
     }
     text += '\n';
     for (const CompareRow& row : table.rows) {

@@ -198,6 +198,7 @@ void TestComparePage::theCsvHasWhatIsOnShowWithAllDigits() {
     const QList<QList<QByteArray>> rows = rowsOf(csv);
     QCOMPARE(rows[0].mid(0, 5), QList<QByteArray>({"quantity", "unit", "now", "A  first", "B  γ 0.3"}));
     QCOMPARE(rows[0][5], QByteArray("(now) − (A  first)"));
+    QCOMPARE(rows[0][6], QByteArray("((now) − (A  first)) / |A  first| [%]"));
     QCOMPARE(rows[1].mid(0, 7), QList<QByteArray>({"elasticity γ", "", "0.3", "0.1", "0.3",
                                                    "0.19999999999999998", "199.99999999999997"}));
     const CompareRow* cor = rowOf(m_page->table(), "COR e");
