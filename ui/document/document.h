@@ -119,6 +119,7 @@ class Document : public QObject {
     QString change(Scenario& scenario, const std::vector<ParameterValue>& values) const;
     void push(Scenario after, const QString& name, const QString& key = {}, int gesture = 0);
     void push(std::unique_ptr<ScenarioEdit> edit, const QString& name);
+    void pushContents(Scenario after, const std::string& text, const QString& name);
     std::unique_ptr<ScenarioEdit> newEdit(Scenario after, const QString& key, int gesture);
     void announceChange();
     void take(ScenarioDocument source, const QString& path, const QString& origin);
@@ -128,7 +129,7 @@ class Document : public QObject {
     Check m_check;
     Scenario m_scenario;
     ScenarioDocument m_source;  // as last read or written
-    std::string m_text;         // what saving changes as little as possible
+    std::string m_text;         // what saving changes as little as possible; changes only with the history
     QString m_path;
     QString m_origin;  // what the names of other files are relative to
     QUndoStack m_undoStack;
