@@ -195,6 +195,7 @@ void Document::take(ScenarioDocument source, const QString& path, const QString&
     emit replaced();
     m_scenario = m_source.scenario;
     announceChange();
+    emit tableRead();
 }
 
 void Document::start() {
@@ -233,6 +234,7 @@ QString Document::reload() {
         return lines(error);
     }
     m_undoStack.setClean();
+    emit tableRead();
     emit stateChanged();
     return {};
 }
@@ -315,6 +317,7 @@ QString Document::takeTable(const QString& path, const std::string& name, const 
     if (!problems.empty())
         return lines(ScenarioError(ScenarioError::Kind::invalid, nativePath(path), std::move(problems)));
     push(std::move(changed), step);
+    emit tableRead();
     return {};
 }
 

@@ -110,6 +110,9 @@ class Document : public QObject {
     /// Written to its file, which may be another one than before.
     void saved();
     void scenarioChanged();
+    /// The points of the hammer blow, if they have a tablePath(), were read from it just now. Emitted after
+    /// scenarioChanged().
+    void tableRead();
     /// A preset is about to change the scenario.
     void presetTaken();
     /// Path, title or modified state may have changed.
