@@ -23,7 +23,7 @@ template <class Curves>
 struct RunOverlay {
     int number = 0;  ///< of its letter, colour and dash
     QString title;
-    SolvedBlowPtr blow;
+    std::weak_ptr<const SolvedBlow> blow;  ///< what is drawn does not keep it
     ShownUnits units;
     std::shared_ptr<const Curves> curves;
     /// Of the same blow in the same units, where the curves are the same.
@@ -43,7 +43,7 @@ std::vector<RunOverlay<Curves>> runOverlays(const RunList& runs, const SolvedBlo
         const std::optional<ShownUnits> units = unitsOf(*run.blow, now.units, now.scales);
         if (!units) continue;
         const auto same = std::ranges::find_if(made, [&](const RunOverlay<Curves>& each) {
-            return each.blow == run.blow && areSameUnits(each.units, *units);
+            return each.blow.lock() == run.blow && areSameUnits(each.units, *units);
         });
         if (same == made.end())
             overlays.push_back({.number = run.number,

@@ -51,6 +51,7 @@ class TestRunOverlays : public QObject {
     void aRunWithoutUnitsIsNotLaidOverForces();
     void hiddenRunsAreNotDrawn();
     void aDragDrawsNoRunAnew();
+    void aRemovedRunIsFreed();
     void theRockHasThePaths();
     void theGapHasTheCurveOfTheRunsScenario();
     void outOfSightNoGapIsStudied();
@@ -204,6 +205,23 @@ void TestRunOverlays::aDragDrawsNoRunAnew() {
     // Other units are other curves.
     overlays = runOverlays(*m_runs->list(), *solve(blow, UnitSystem::us), overlays, make);
     QCOMPARE(made, 4);
+}
+
+// Also by a later one that was solved while it was laid over the page.
+void TestRunOverlays::aRemovedRunIsFreed() {
+    BlowPage page(m_observation);
+    present(page);
+    m_document->assign(*findParameter("bit_rock.gap"), 1e-3, 0);
+    present(page);
+    const SolvedBlowPtr later = solve(page);
+    QCOMPARE(later->page<BlowCurves>()->runs.size(), 2u);
+    QCOMPARE(m_runs->pin(m_document->contents(), later, "later"), QString());
+    const std::weak_ptr<const SolvedBlow> removed = run(0).blow;
+    m_runs->remove(0);
+    present(page);
+    present(page);
+    QVERIFY(removed.expired());
+    QVERIFY(run(2).blow == later);
 }
 
 void TestRunOverlays::theRockHasThePaths() {
