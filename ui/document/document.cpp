@@ -152,9 +152,6 @@ void Document::setTitle(const QString& title) {
 }
 
 void Document::push(Scenario after, const QString& name, const QString& key, int gesture) {
-    // Points that were read again and are the same need no memory of their own in the history.
-    if (after.pulse.tablePoints == m_scenario.pulse.tablePoints)
-        after.pulse.tablePoints = m_scenario.pulse.tablePoints;
     if (after != m_scenario) push(newEdit(std::move(after), key, gesture), name);
 }
 
@@ -163,7 +160,22 @@ void Document::push(std::unique_ptr<ScenarioEdit> edit, const QString& name) {
     m_undoStack.push(edit.release());
 }
 
+// With its text, byte for byte.
+void Document::pushContents(Scenario after, const std::string& text, const QString& name) {
+    ScenarioDocument contents{std::move(after), text, m_source.source};
+    // Comments are no part of the scenario.
+    const bool isSame =
+        contents.scenario == m_scenario && writeScenario(contents) == writeScenario(this->contents());
+    if (isSame) return;
+    std::unique_ptr<ScenarioEdit> edit = newEdit(std::move(contents.scenario), {}, 0);
+    edit->takeText(m_text, text);
+    push(std::move(edit), name);
+}
+
 std::unique_ptr<ScenarioEdit> Document::newEdit(Scenario after, const QString& key, int gesture) {
+    // Points that were read again and are the same need no memory of their own in the history.
+    if (after.pulse.tablePoints == m_scenario.pulse.tablePoints)
+        after.pulse.tablePoints = m_scenario.pulse.tablePoints;
     return std::make_unique<ScenarioEdit>(
         m_scenario, [this] { announceChange(); }, std::move(after), key, gesture);
 }
@@ -183,6 +195,7 @@ void Document::take(ScenarioDocument source, const QString& path, const QString&
     emit replaced();
     m_scenario = m_source.scenario;
     announceChange();
+    emit tableRead();
 }
 
 void Document::start() {
@@ -215,13 +228,13 @@ QString Document::open(const QString& path) {
 QString Document::reload() {
     try {
         ScenarioDocument source = loadScenario(nativePath(m_path));
-        push(source.scenario, tr("reload the file"));
+        pushContents(source.scenario, source.text, tr("reload the file"));
         m_source = std::move(source);
-        m_text = m_source.text;
     } catch (const ScenarioError& error) {
         return lines(error);
     }
     m_undoStack.setClean();
+    emit tableRead();
     emit stateChanged();
     return {};
 }
@@ -270,12 +283,7 @@ QString Document::useContents(const ScenarioDocument& contents, const QString& s
     Scenario after = contents.scenario;
     after.pulse.tableFile =
         tableSeenFrom(m_origin, QFile::decodeName(contents.source.c_str()), after.pulse.tableFile);
-    // Comments are no part of the scenario.
-    const bool isSame = after == m_scenario && contents.text == text().toStdString();
-    if (isSame) return {};
-    std::unique_ptr<ScenarioEdit> edit = newEdit(std::move(after), {}, 0);
-    edit->takeText(m_text, contents.text);
-    push(std::move(edit), step);
+    pushContents(std::move(after), contents.text, step);
     return {};
 }
 
@@ -309,6 +317,7 @@ QString Document::takeTable(const QString& path, const std::string& name, const 
     if (!problems.empty())
         return lines(ScenarioError(ScenarioError::Kind::invalid, nativePath(path), std::move(problems)));
     push(std::move(changed), step);
+    emit tableRead();
     return {};
 }
 
@@ -337,8 +346,8 @@ QString Document::save(const QString& path) {
         return failed(lines(error));
     }
     if (const QString reason = replaceFile(absolute, bytes); !reason.isEmpty()) return failed(reason);
+    // The text it came from stays: the bytes of every step of the history are what they were before.
     m_source = {m_scenario, bytes.toStdString(), nativePath(absolute)};
-    m_text = m_source.text;
     m_path = m_origin = absolute;
     m_undoStack.setClean();
     emit saved();

@@ -110,6 +110,9 @@ class Document : public QObject {
     /// Written to its file, which may be another one than before.
     void saved();
     void scenarioChanged();
+    /// The points of the hammer blow, if they have a tablePath(), were read from it just now. Emitted after
+    /// scenarioChanged().
+    void tableRead();
     /// A preset is about to change the scenario.
     void presetTaken();
     /// Path, title or modified state may have changed.
@@ -119,6 +122,7 @@ class Document : public QObject {
     QString change(Scenario& scenario, const std::vector<ParameterValue>& values) const;
     void push(Scenario after, const QString& name, const QString& key = {}, int gesture = 0);
     void push(std::unique_ptr<ScenarioEdit> edit, const QString& name);
+    void pushContents(Scenario after, const std::string& text, const QString& name);
     std::unique_ptr<ScenarioEdit> newEdit(Scenario after, const QString& key, int gesture);
     void announceChange();
     void take(ScenarioDocument source, const QString& path, const QString& origin);
@@ -128,7 +132,7 @@ class Document : public QObject {
     Check m_check;
     Scenario m_scenario;
     ScenarioDocument m_source;  // as last read or written
-    std::string m_text;         // what saving changes as little as possible
+    std::string m_text;         // what saving changes as little as possible; changes only with the history
     QString m_path;
     QString m_origin;  // what the names of other files are relative to
     QUndoStack m_undoStack;

@@ -15,12 +15,13 @@ ScenarioEdit::ScenarioEdit(Scenario& current, std::function<void()> changed, Sce
 
 void ScenarioEdit::takeText(std::string& current, std::string after) {
     m_currentText = &current;
-    m_otherText = std::move(after);
+    m_textBefore = current;
+    m_textAfter = std::move(after);
 }
 
-void ScenarioEdit::exchange() {
+void ScenarioEdit::exchange(const std::string& text) {
     std::swap(m_current, m_other);
-    if (m_currentText) std::swap(*m_currentText, m_otherText);
+    if (m_currentText) *m_currentText = text;
     m_changed();
 }
 

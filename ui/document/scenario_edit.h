@@ -12,7 +12,8 @@
 namespace drillwave {
 
 /// Exchanges the scenario of a document for another one and back: it holds the one that is not shown, so that
-/// nothing is copied. Edits of the same parameter within a gesture melt into one.
+/// nothing is copied. Texts it sets as they were, whatever has become of them since. Edits of the same
+/// parameter within a gesture melt into one.
 class ScenarioEdit : public QUndoCommand {
   public:
     /// `current` and what `changed` tells, after each exchange, must outlive this. An empty `key`: melts with
@@ -23,22 +24,24 @@ class ScenarioEdit : public QUndoCommand {
     const Scenario& before() const { return m_other; }
     bool isOf(const QString& key, int gesture) const { return m_key == key && m_gesture == gesture; }
 
-    /// Exchanges the text that the scenario came from, too. `current` must outlive this.
+    /// Sets the text that the scenario came from, too, and back to what it is now. `current` must outlive
+    /// this.
     void takeText(std::string& current, std::string after);
 
-    void undo() override { exchange(); }
-    void redo() override { exchange(); }
+    void undo() override { exchange(m_textBefore); }
+    void redo() override { exchange(m_textAfter); }
     int id() const override { return m_key.isEmpty() ? -1 : 1; }
     bool mergeWith(const QUndoCommand* other) override;
 
   private:
-    void exchange();
+    void exchange(const std::string& text);
 
     Scenario& m_current;
     std::function<void()> m_changed;
     Scenario m_other;
     std::string* m_currentText = nullptr;
-    std::string m_otherText;
+    std::string m_textBefore;
+    std::string m_textAfter;
     QString m_key;
     int m_gesture;
 };

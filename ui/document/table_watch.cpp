@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <algorithm>
 
 #include "ui/document/document.h"
 
@@ -12,6 +13,7 @@ namespace drillwave {
 namespace {
 
 constexpr int settleMilliseconds = 200;
+constexpr std::size_t mostReadings = 64;
 
 }  // namespace
 
@@ -22,11 +24,15 @@ TableWatch::TableWatch(const Document& document, QObject* parent) : QObject(pare
     const auto settle = qOverload<>(&QTimer::start);
     connect(&m_watcher, &QFileSystemWatcher::fileChanged, &m_settle, settle);
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, &m_settle, settle);
+    connect(&m_document, &Document::replaced, this, [this] { m_readings.clear(); });
     connect(&m_document, &Document::scenarioChanged, this, &TableWatch::follow);
+    connect(&m_document, &Document::saved, this, &TableWatch::follow);  // with a name from another folder
+    connect(&m_document, &Document::tableRead, this, &TableWatch::remember);
     connect(qGuiApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
         if (state == Qt::ApplicationActive) check();
     });
     follow();
+    remember();
 }
 
 // A file as old and as large as before is not read again.
@@ -48,7 +54,8 @@ bool TableWatch::isSame(const Stamp& a, const Stamp& b) {
     return a.digest.isEmpty() ? a.time == b.time : a.digest == b.digest;
 }
 
-// Points that are others now have just been read.
+// Other points may have come back by undo, from a run or a file: whether theirs is still the same is looked
+// at when all has settled.
 void TableWatch::follow() {
     const Pulse& pulse = m_document.scenario().pulse;
     const QString path = pulse.shape == PulseShape::table ? m_document.tablePath() : QString();
@@ -56,13 +63,35 @@ void TableWatch::follow() {
     const bool elsewhere = path != m_path;
     m_path = path;
     m_points = path.isEmpty() ? TablePoints() : pulse.tablePoints;
-    m_read = m_told = path.isEmpty() ? Stamp() : stampOf(path, {});
+    m_read = stampOfPoints();
+    m_told.reset();
     if (elsewhere) {
         const QStringList before = m_watcher.files() + m_watcher.directories();
         if (!before.isEmpty()) m_watcher.removePaths(before);
         watch();
     }
+    if (path.isEmpty())
+        emit agrees();
+    else
+        m_settle.start();
+}
+
+void TableWatch::remember() {
+    if (m_path.isEmpty()) return;
+    m_read = m_told = stampOf(m_path, {});
+    std::erase_if(m_readings, [this](const Reading& reading) {
+        return reading.path == m_path && reading.points == m_points;
+    });
+    if (m_readings.size() == mostReadings) m_readings.erase(m_readings.begin());
+    m_readings.push_back({m_path, m_points, *m_read});
     emit agrees();
+}
+
+std::optional<TableWatch::Stamp> TableWatch::stampOfPoints() const {
+    const auto found = std::ranges::find_if(m_readings, [this](const Reading& reading) {
+        return reading.path == m_path && reading.points == m_points;
+    });
+    return found == m_readings.end() ? std::nullopt : std::optional(found->stamp);
 }
 
 // A file put in the place of another is not watched any more, but its folder is.
@@ -75,10 +104,10 @@ void TableWatch::watch() {
 void TableWatch::check() {
     watch();
     if (m_path.isEmpty()) return;
-    const Stamp now = stampOf(m_path, m_told);
-    if (isSame(now, m_told)) return;
+    const Stamp now = stampOf(m_path, m_told.value_or(Stamp()));
+    if (m_told && isSame(now, *m_told)) return;
     m_told = now;
-    if (isSame(now, m_read))
+    if (m_read && isSame(now, *m_read))
         emit agrees();
     else
         emit differs(now.exists() ? State::changed : State::missing);

@@ -7,6 +7,8 @@
 #include <QFileSystemWatcher>
 #include <QObject>
 #include <QTimer>
+#include <optional>
+#include <vector>
 
 #include "core/model/table_points.h"
 
@@ -28,12 +30,12 @@ class TableWatch : public QObject {
     /// The document must outlive the watch.
     explicit TableWatch(const Document& document, QObject* parent = nullptr);
 
-    /// Looks, and tells what is new since the points were read, once.
+    /// Looks, and tells what is new since the points on show were read, once.
     void check();
 
   signals:
     void differs(drillwave::TableWatch::State state);
-    /// There is no table file, or the points were read again.
+    /// There is no table file, or it is the one that the points on show were read from.
     void agrees();
 
   private:
@@ -46,16 +48,25 @@ class TableWatch : public QObject {
     };
     static Stamp stampOf(const QString& path, const Stamp& before);
     static bool isSame(const Stamp& a, const Stamp& b);
+    /// When the points of a file were read.
+    struct Reading {
+        QString path;
+        TablePoints points;
+        Stamp stamp;
+    };
     void follow();
+    void remember();
+    std::optional<Stamp> stampOfPoints() const;
     void watch();
 
     const Document& m_document;
     QFileSystemWatcher m_watcher;
     QTimer m_settle;  // programs write in several steps
     QString m_path;
-    TablePoints m_points;  // as read
-    Stamp m_read;          // of the file they are from
-    Stamp m_told;
+    TablePoints m_points;
+    std::vector<Reading> m_readings;  // of the present history, to which points may come back
+    std::optional<Stamp> m_read;      // of the file m_points are from, where that is known
+    std::optional<Stamp> m_told;
 };
 
 }  // namespace drillwave

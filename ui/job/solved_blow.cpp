@@ -19,6 +19,12 @@ void preparePages(SolvedBlow& blow) {
         if (prepare) blow.pages.push_back(prepare(blow));
 }
 
+// What the pages hold to make their data, lists of runs among it, does not live as long as the answer.
+void dropMeans(SolveRequest& request) {
+    request.pages.clear();
+    request.stop = {};
+}
+
 }  // namespace
 
 SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexcept {
@@ -32,6 +38,7 @@ SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexc
         blow->units = shownUnits(request.units, blow->scales, request.chosenUnits);
         blow->problem = whyUnsolved(*blow);
         if (blow->isSolved()) preparePages(*blow);
+        dropMeans(blow->request);
     } catch (const std::exception& error) {
         return failedBlow(request, QString::fromUtf8(error.what()));
     }
@@ -41,6 +48,7 @@ SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexc
 SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem) {
     auto blow = std::make_shared<SolvedBlow>();
     blow->request = request;
+    dropMeans(blow->request);
     blow->problem = problem;
     blow->units.system = request.units;
     blow->units.chosen = request.chosenUnits;

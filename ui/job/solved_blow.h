@@ -28,10 +28,10 @@ struct SolveRequest {
 /// The answer, never changed once made: the blow, and what the pages asked for. `problem` is empty when the
 /// blow was solved; otherwise it says in a sentence why not, and the numbers are not to be used.
 struct SolvedBlow : Blow {
-    SolveRequest request;
+    SolveRequest request;  ///< its `pages` and `stop` are there only while it is being answered
     QString problem;
     ShownUnits units;
-    std::vector<PageData> pages;  ///< one for each of the request's that is not empty
+    std::vector<PageData> pages;  ///< one for each of the request's that was not empty
 
     /// What a page has asked for; nullptr when it has not, or there is no blow.
     template <class Value>

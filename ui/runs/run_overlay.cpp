@@ -21,4 +21,12 @@ std::optional<ShownUnits> unitsOf(const SolvedBlow& run, const ShownUnits& units
     return own;
 }
 
+bool areSameUnits(const ShownUnits& a, const ShownUnits& b) {
+    const auto isSame = [&](ShownUnit ShownUnits::*unit) { return (a.*unit).unit == (b.*unit).unit; };
+    return a.system == b.system && isSame(&ShownUnits::time) && isSame(&ShownUnits::force) &&
+           isSame(&ShownUnits::impulse) && isSame(&ShownUnits::penetration) &&
+           isSame(&ShownUnits::stiffness) && isSame(&ShownUnits::energy) && isSame(&ShownUnits::stress) &&
+           isSame(&ShownUnits::length);
+}
+
 }  // namespace drillwave

@@ -14,15 +14,22 @@ namespace drillwave {
 /// `scales` are those of the present blow. nullopt where it has physical units and the run has none.
 std::optional<ShownUnits> unitsOf(const SolvedBlow& run, const ShownUnits& units, const Scales& scales);
 
+/// Whether both are named alike. The factors are not looked at: of one run they follow from the names, but
+/// for their last digits.
+bool areSameUnits(const ShownUnits& a, const ShownUnits& b);
+
 /// One run with what a page draws of it.
 template <class Curves>
 struct RunOverlay {
     int number = 0;  ///< of its letter, colour and dash
     QString title;
-    SolvedBlowPtr blow;
+    std::weak_ptr<const SolvedBlow> blow;  ///< what is drawn does not keep it
     ShownUnits units;
     std::shared_ptr<const Curves> curves;
-    bool operator==(const RunOverlay&) const = default;
+    /// Of the same blow in the same units, where the curves are the same.
+    bool operator==(const RunOverlay& other) const {
+        return number == other.number && title == other.title && curves == other.curves;
+    }
 };
 
 /// Of the solved runs that are to be shown, in the units of the present blow. Those that `made` holds already
@@ -36,11 +43,16 @@ std::vector<RunOverlay<Curves>> runOverlays(const RunList& runs, const SolvedBlo
         const std::optional<ShownUnits> units = unitsOf(*run.blow, now.units, now.scales);
         if (!units) continue;
         const auto same = std::ranges::find_if(made, [&](const RunOverlay<Curves>& each) {
-            return each.blow == run.blow && each.units == *units;
+            return each.blow.lock() == run.blow && areSameUnits(each.units, *units);
         });
-        auto curves =
-            same == made.end() ? std::make_shared<const Curves>(make(*run.blow, *units)) : same->curves;
-        overlays.push_back({run.number, run.title(), run.blow, *units, std::move(curves)});
+        if (same == made.end())
+            overlays.push_back({.number = run.number,
+                                .title = run.title(),
+                                .blow = run.blow,
+                                .units = *units,
+                                .curves = std::make_shared<const Curves>(make(*run.blow, *units))});
+        else
+            overlays.push_back({run.number, run.title(), same->blow, same->units, same->curves});
     }
     return overlays;
 }

@@ -86,13 +86,15 @@ const Unit* unitInOtherCase(const QString& spelling, Quantity quantity) {
     return found;
 }
 
-// "5' 6 1/2\"" and "1 1/2 in", whose blank is a plus, as sums.
+// "5' 6 1/2\"" and "1 1/2 in", whose blank is a plus, as sums. So is the hyphen of "12'-3\"", which touches
+// both; any other, as in "12 ft - 3 in", is a minus.
 QString withSumsWrittenOut(QString text) {
     static const QString part = QStringLiteral(R"((?:\d+\s+\d+/\d+|\d+/\d+|\d+(?:[.,]\d+)?))");
     static const QRegularExpression feetAndInches(
-        QStringLiteral(R"(^(\d+)\s*(?:'|′|’|ft|feet)\s*-?\s*(%1)\s*(?:"|″|”|''|in|inch|inches)$)").arg(part),
+        QStringLiteral(R"(^(\d+)(?:['′’]-|\s*(?:'|′|’|ft|feet)\s*)(%1)\s*(?:"|″|”|''|in|inch|inches)$)")
+            .arg(part),
         QRegularExpression::CaseInsensitiveOption);
-    static const QRegularExpression mixed(QStringLiteral(R"((\d+)\s+(\d{1,2}/\d{1,3}))"));
+    static const QRegularExpression mixed(QStringLiteral(R"((?<![\d/.,])(\d+)\s+(\d{1,2}/\d{1,3}))"));
     if (const auto match = feetAndInches.match(text); match.hasMatch())
         text = QStringLiteral("(%1*12 + %2) in").arg(match.captured(1), match.captured(2));
     return text.replace(mixed, QStringLiteral("(\\1+\\2)"));
@@ -238,10 +240,10 @@ TypedQuantity typedQuantity(const QString& typed, Quantity quantity, const Unit&
             ? parseQuantity(plain.text.toStdString(), quantity, BareNumber::inDefaultUnit, &defaultUnit)
             : refused(plain.problem);
     if (simple.valid()) return simple;
-    QString text = withoutInvisible(typed).trimmed().replace(u'−', u'-');
+    QString text = withoutInvisible(typed).trimmed();
     const bool hasDigit = std::ranges::any_of(text, [](QChar c) { return c.isDigit(); });
     if (!hasDigit || text.size() > longestArithmetic || text.contains(u'\n')) return simple;
-    text = withSumsWrittenOut(text);
+    text = withSumsWrittenOut(text).replace(u'−', u'-');
     Arithmetic arithmetic(text, locale);
     const QList<Summand> summands = arithmetic.summands();
     static const QRegularExpression operators(QStringLiteral(R"([*×/÷(]|\d\s*[+-])"));

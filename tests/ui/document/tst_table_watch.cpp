@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The file of a measured blow changed by other programs: told, read again on request, taken back by undo.
+#include <QDir>
 #include <QFile>
 #include <QPushButton>
 #include <QSaveFile>
@@ -29,6 +30,9 @@ class TestTableWatch : public QObject {
     void init();
     void cleanup() { m_window.reset(); }
     void aChangedTableIsToldAndReadAgain();
+    void pointsOfTheHistoryAreNotThoseOfTheFile();
+    void anotherShapeAndBackIsNoReading();
+    void savedElsewhereTheTableIsStillWatched();
     void aFileInItsPlaceIsToldToo();
     void keepingMineStaysKept();
     void touchingTheFileIsNoChange();
@@ -69,6 +73,50 @@ void TestTableWatch::aChangedTableIsToldAndReadAgain() {
     QCOMPARE(impulse(), 60.0);
     m_window->document().undoStack().undo();
     QCOMPARE(impulse(), 30.0);
+}
+
+// Points that undo brings back are of a file that is not there any more.
+void TestTableWatch::pointsOfTheHistoryAreNotThoseOfTheFile() {
+    write(m_path, stronger);
+    QTRY_VERIFY(notice().isVisible());
+    click("reloadBlow");
+    QUndoStack& history = m_window->document().undoStack();
+    for (int again = 0; again < 2; ++again) {
+        history.undo();
+        QCOMPARE(impulse(), 30.0);
+        QTRY_VERIFY(notice().isVisible());
+        QVERIFY(notice().text().contains(QStringLiteral("changed by another program")));
+        history.redo();
+        QCOMPARE(impulse(), 60.0);
+        QTRY_VERIFY(notice().isHidden());
+    }
+    history.undo();
+    write(m_path, table);
+    part<TableWatch>(*m_window).check();
+    QVERIFY(notice().isHidden());
+}
+
+void TestTableWatch::anotherShapeAndBackIsNoReading() {
+    m_window->document().setShape(PulseShape::rectangular);
+    write(m_path, stronger);
+    m_window->document().undoStack().undo();
+    QCOMPARE(impulse(), 30.0);
+    QTRY_VERIFY(notice().isVisible());
+    click("reloadBlow");
+    QCOMPARE(impulse(), 60.0);
+    QVERIFY(notice().isHidden());
+}
+
+// The name of the table is another one for a moment before its folder is.
+void TestTableWatch::savedElsewhereTheTableIsStillWatched() {
+    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("elsewhere")));
+    QCOMPARE(m_window->document().save(m_folder->filePath(QStringLiteral("t38.yaml"))), QString());
+    QCOMPARE(m_window->document().save(m_folder->filePath(QStringLiteral("elsewhere/t38.yaml"))), QString());
+    part<TableWatch>(*m_window).check();
+    QVERIFY(notice().isHidden());
+    write(m_path, stronger);
+    QTRY_VERIFY(notice().isVisible());
+    QVERIFY(notice().text().contains(QStringLiteral("changed by another program")));
 }
 
 void TestTableWatch::aFileInItsPlaceIsToldToo() {

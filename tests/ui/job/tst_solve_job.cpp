@@ -66,6 +66,7 @@ class TestSolveJob : public QObject {
     void answersAreThoseOfTheExactSolver();
     void aPageGetsItsDataAndNoOthers();
     void whatAPageThrowsBecomesTheProblem();
+    void anAnswerKeepsNothingOfHowPagesAreMade();
     void anInvalidScenarioIsAProblem();
 };
 
@@ -283,6 +284,23 @@ void TestSolveJob::whatAPageThrowsBecomesTheProblem() {
     SolveRequest request = requestFor(0.5);
     request.pages = {[](const SolvedBlow&) -> PageData { throw std::runtime_error("nothing to draw"); }};
     QCOMPARE(job.solveNow(request)->problem, QStringLiteral("nothing to draw"));
+}
+
+// What pages hold to make their data would otherwise live as long as the blow, which may be pinned.
+void TestSolveJob::anAnswerKeepsNothingOfHowPagesAreMade() {
+    SolveJob job;
+    auto means = std::make_shared<int>(7);
+    const std::weak_ptr<int> watched = means;
+    SolveRequest request = requestFor(0.5);
+    request.pages = {[means](const SolvedBlow&) { return PageData::of(*means); }};
+    SolveRequest failing = requestFor(0.5);
+    failing.pages = {[means](const SolvedBlow&) -> PageData { throw std::runtime_error("none"); }};
+    const SolvedBlowPtr blow = job.solveNow(request), failed = job.solveNow(failing);
+    QCOMPARE(*blow->page<int>(), 7);
+    QCOMPARE(failed->problem, QStringLiteral("none"));
+    request = failing = {};
+    means.reset();
+    QVERIFY(watched.expired());
 }
 
 void TestSolveJob::anInvalidScenarioIsAProblem() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pinned runs laid over the plots: their own numbers in the units on show, and nothing solved out of sight.
+#include <QPointer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -49,6 +50,8 @@ class TestRunOverlays : public QObject {
     void inGroupsEachHasItsOwnUnits();
     void aRunWithoutUnitsIsNotLaidOverForces();
     void hiddenRunsAreNotDrawn();
+    void aDragDrawsNoRunAnew();
+    void aRemovedRunIsFreed();
     void theRockHasThePaths();
     void theGapHasTheCurveOfTheRunsScenario();
     void outOfSightNoGapIsStudied();
@@ -172,6 +175,53 @@ void TestRunOverlays::hiddenRunsAreNotDrawn() {
     QCOMPARE(page.plots()->forcesOfRuns().size(), 1);
     page.setResult(failedBlow({}, "out of rock"));
     QVERIFY(page.plots()->forcesOfRuns().isEmpty());
+}
+
+// (factors of a run's units: the last digit varies with the present scales)
+void TestRunOverlays::aDragDrawsNoRunAnew() {
+    BlowPage blow(m_observation);
+    present(blow);
+    QVector<QPointer<QObject>> drawn;
+    for (QCPGraph* graph : blow.plots()->forcesOfRuns()) drawn << graph;
+    QCOMPARE(drawn.size(), 2);
+    int made = 0;
+    std::vector<RunOverlay<double>> overlays;
+    const auto make = [&](const SolvedBlow&, const ShownUnits&) { return double(++made); };
+    for (int step = 0; step < 40; ++step) {
+        m_document->assign(*findParameter("rod.length"), 3 + 0.0137 * step, 0);
+        present(blow);
+        overlays = runOverlays(*m_runs->list(), *solve(blow), overlays, make);
+        QCOMPARE(overlays.size(), 2u);
+    }
+    QCOMPARE(made, 2);
+    for (const auto& graph : std::as_const(drawn)) QVERIFY(graph);
+    // Another name is drawn, with the same curves.
+    m_runs->rename(0, "other");
+    overlays = runOverlays(*m_runs->list(), *solve(blow), overlays, make);
+    QCOMPARE(made, 2);
+    QCOMPARE(overlays[0].title, run(0).title());
+    present(blow);
+    QCOMPARE(blow.plots()->forcesOfRuns()[0]->name(), run(0).title());
+    // Other units are other curves.
+    overlays = runOverlays(*m_runs->list(), *solve(blow, UnitSystem::us), overlays, make);
+    QCOMPARE(made, 4);
+}
+
+// Also by a later one that was solved while it was laid over the page.
+void TestRunOverlays::aRemovedRunIsFreed() {
+    BlowPage page(m_observation);
+    present(page);
+    m_document->assign(*findParameter("bit_rock.gap"), 1e-3, 0);
+    present(page);
+    const SolvedBlowPtr later = solve(page);
+    QCOMPARE(later->page<BlowCurves>()->runs.size(), 2u);
+    QCOMPARE(m_runs->pin(m_document->contents(), later, "later"), QString());
+    const std::weak_ptr<const SolvedBlow> removed = run(0).blow;
+    m_runs->remove(0);
+    present(page);
+    present(page);
+    QVERIFY(removed.expired());
+    QVERIFY(run(2).blow == later);
 }
 
 void TestRunOverlays::theRockHasThePaths() {

@@ -75,6 +75,8 @@ class TestRuns : public QObject {
     void tablesAreFoundFromAnotherFolder();
     void givenUpNothingIsLeft();
     void revertingBringsTheBytesBack();
+    void savingLeavesEveryStepItsBytes();
+    void reloadingIsAStepWithItsBytes();
     void everyRunHasAColourAndADashOfItsOwn();
     void differencesAreReadable();
 
@@ -486,6 +488,55 @@ void TestRuns::revertingBringsTheBytesBack() {
     QCOMPARE(m_document->undoStack().count(), steps + 1);  // nothing to be undone
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     QCOMPARE(read(path("t38.yaml")), text);
+}
+
+// Saving writes a file and leaves every step of the history its bytes.
+void TestRuns::savingLeavesEveryStepItsBytes() {
+    const QByteArray text =
+        "# mine\n" + m_document->text().replace("gamma: 0.1", "gamma:   0.1   # by experience");
+    m_document->startFrom(text.toStdString(), "mine");
+    pin();
+    set("bit_rock.gamma", 0.3);
+    QCOMPARE(m_document->useContents(m_runs->list()->front().contents, "revert to A"), QString());
+    set("bit_rock.gamma", 0.5);
+    QUndoStack& history = m_document->undoStack();
+    QCOMPARE(history.count(), 3);
+    QList<QByteArray> steps;
+    for (int step = 0; step <= 3; ++step) {
+        history.setIndex(step);
+        steps << m_document->text();
+    }
+    QCOMPARE(steps[2], text);
+    QVERIFY(!steps[1].contains("by experience") && !steps[3].contains("by experience"));
+    for (const int savedAt : {3, 2, 0, 1}) {
+        history.setIndex(savedAt);
+        QCOMPARE(m_document->save(path("t38.yaml")), QString());
+        for (const int step : {0, 1, 2, 3, 2, 1, 2, 3, 0}) {
+            history.setIndex(step);
+            QCOMPARE(m_document->text(), steps[step]);
+            // What is not modified is what the file says.
+            QCOMPARE(!m_document->isModified(), step == savedAt);
+            if (step == savedAt) QCOMPARE(read(path("t38.yaml")), steps[step]);
+        }
+    }
+}
+
+// Of a file in which only a comment has changed, too.
+void TestRuns::reloadingIsAStepWithItsBytes() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    const QByteArray before = m_document->text(), after = before + "# a note\n";
+    QCOMPARE(m_document->reload(), QString());
+    QCOMPARE(m_document->undoStack().count(), 0);  // nothing new
+    write(path("t38.yaml"), after);
+    QCOMPARE(m_document->reload(), QString());
+    QVERIFY(!m_document->isModified());
+    QCOMPARE(m_document->text(), after);
+    m_document->undoStack().undo();
+    QCOMPARE(m_document->text(), before);
+    QVERIFY(m_document->isModified());
+    m_document->undoStack().redo();
+    QCOMPARE(m_document->text(), after);
+    QVERIFY(!m_document->isModified());
 }
 
 void TestRuns::everyRunHasAColourAndADashOfItsOwn() {

@@ -41,6 +41,13 @@ void TestTypedQuantity::arithmeticIsDoneBeforeTheUnit_data() {
     QTest::newRow("feet and inches") << "12' 6\"" << 3.81;
     QTest::newRow("feet and inches, close") << "5'6\"" << 1.6764;
     QTest::newRow("feet and a fraction of inches") << "1 ft 6 1/2 in" << 0.4699;
+    QTest::newRow("feet and inches with a hyphen") << "12'-3\"" << 3.7338;
+    QTest::newRow("feet and a fraction with a hyphen") << "12'-3 1/2\"" << 3.7465;
+    QTest::newRow("feet less inches") << "12 ft - 3 in" << 3.5814;
+    QTest::newRow("feet less inches, close") << "12 ft -3 in" << 3.5814;
+    QTest::newRow("feet less inches by their marks") << "12' - 3\"" << 3.5814;
+    QTest::newRow("feet less inches, blank before") << "12' -3\"" << 3.5814;
+    QTest::newRow("feet and a minus sign") << QString::fromUtf8("12'−3\"") << 3.5814;
     QTest::newRow("a word") << "3.66 metres" << 3.66;
     QTest::newRow("one metre") << "1 meter" << 1.0;
     QTest::newRow("capitals") << "12 FT" << 3.6576;
@@ -95,6 +102,8 @@ void TestTypedQuantity::whatCannotBeCalculatedIsRefusedWithAReason_data() {
                                                << "kg";
     QTest::newRow("beyond doubles") << "1e308*1e308 m"
                                     << "too large";
+    QTest::newRow("a fraction of fractions") << "1/2 1/2 in"
+                                             << "not one number";
     QTest::newRow("only a sign") << "1+-m"
                                  << "no number";
     QTest::newRow("no digits") << "a/b"
