@@ -32,6 +32,8 @@ class TestDetectedTable : public QObject {
     void theHeaderNamesColumnsAndUnits_data();
     void theHeaderNamesColumnsAndUnits();
     void linesBeforeTheSamplesArePassedOver();
+    void samplesThatAreLeftOutDoNotHideTheHeader_data();
+    void samplesThatAreLeftOutDoNotHideTheHeader();
     void aTableWithoutNumbersHasNoSamples();
     void aColumnThatGrowsIsNotCutAtItsDecimalComma();
     void columnsAreGuessedByUnitAndName();
@@ -105,6 +107,31 @@ void TestDetectedTable::linesBeforeTheSamplesArePassedOver() {
     const DetectedTable table = detectTable(linesOf(text));
     QCOMPARE(table.firstLine, std::size_t{7});
     QCOMPARE(table.columns[1], (TableColumn{"a", "microstrain", true}));
+}
+
+void TestDetectedTable::samplesThatAreLeftOutDoNotHideTheHeader_data() {
+    QTest::addColumn<QByteArray>("header");
+    QTest::addColumn<int>("headerLines");
+    QTest::addRow("one line") << QByteArray("t [us];a [kN]\n") << 1;
+    QTest::addRow("two lines") << QByteArray("t;a\nus;kN\n") << 2;
+    QTest::addRow("a blank line and a comment below") << QByteArray("t [us];a [kN]\n\n# begins\n") << 3;
+    QTest::addRow("in a comment") << QByteArray("Recorder;7\n# t [us];a [kN]\n") << 2;
+}
+
+void TestDetectedTable::samplesThatAreLeftOutDoNotHideTheHeader() {
+    QFETCH(QByteArray, header);
+    QFETCH(int, headerLines);
+    const std::vector<std::string> lines =
+        linesOf(header.toStdString() + "0;1.5\n10;NaN\n\n# pause\n20;2.5\n30;0.5\n");
+    const RowFormat format{';', DecimalSign::point};
+    for (const int leftOut : {0, 1, 4, 5}) {
+        const DetectedTable table =
+            tableFrom(lines, format, static_cast<std::size_t>(headerLines + leftOut + 1));
+        QCOMPARE(table.columns, (std::vector<TableColumn>{{"t", "us", true}, {"a", "kN", true}}));
+    }
+    // What stands between the samples is no header of those below it.
+    const DetectedTable single = tableFrom(linesOf("F [kN]\n1\n# pause\n2\n3\n"), {',', {}}, 4);
+    QCOMPARE(single.columns, (std::vector<TableColumn>{{"F", "kN", true}}));
 }
 
 void TestDetectedTable::aTableWithoutNumbersHasNoSamples() {
