@@ -85,7 +85,16 @@ std::size_t firstSample(const std::vector<RowLook>& rows, const Pattern& pattern
     return rows.size();
 }
 
-/// "time [us]", "Time (us)", "t / us", "t in us" in their parts.
+/// Whether a last word without brackets is a unit, and no word of the name: "strain", "ε", "min".
+bool isUnitWord(std::string_view word) {
+    if (findUnit(Quantity::time, word)) return word != "min";
+    const std::optional<NamedSignalUnit> found = findSignalUnit(word);
+    return found && (found->kind != SignalKind::strain || found->unit.name == word ||
+                     word.find_first_of("/%") != std::string_view::npos || word.starts_with("\u00b5") ||
+                     word.starts_with("\u03bc"));
+}
+
+/// "time [us]", "Time (us)", "t / us", "t in us", "t us" in their parts.
 TableColumn heading(std::string_view cell) {
     TableColumn column;
     cell = trimmed(cell);
@@ -102,6 +111,12 @@ TableColumn heading(std::string_view cell) {
             column.unit = trimmed(cell.substr(at + word.size()));
             return column;
         }
+    if (const std::size_t blank = cell.rfind(' ');
+        blank != std::string_view::npos && isUnitWord(cell.substr(blank + 1))) {
+        column.name = trimmed(cell.substr(0, blank));
+        column.unit = cell.substr(blank + 1);
+        return column;
+    }
     column.name = cell;
     return column;
 }
@@ -128,24 +143,48 @@ std::vector<TableColumn> headings(std::string_view line, char separator, std::si
     return columns;
 }
 
-/// Names, and a line of units below them where there is one.
-void readHeader(std::span<const std::string> lines, DetectedTable& table) {
-    const std::size_t count = table.columns.size();
+/// The line from which on there are nothing but samples, blank lines and comments down to the first one that
+/// is taken; lines from 0.
+std::size_t topSample(std::span<const std::string> lines, const DetectedTable& table,
+                      const Pattern& pattern) {
+    TableRow row;
+    std::size_t top = table.firstLine - 1;
+    for (std::size_t i = top; i-- > 0;) {
+        const RowLook seen = look(lines[i], table.format, row);
+        if (seen.count > 0 && seen.numbers == pattern)
+            top = i;
+        else if (!seen.numbers.empty())
+            break;
+    }
+    return top;
+}
+
+/// The nearest headings above a line, which becomes theirs; empty where something else is nearer.
+std::vector<TableColumn> headingsAbove(std::span<const std::string> lines, const DetectedTable& table,
+                                       std::size_t& line) {
+    const auto hasUnit = [](const TableColumn& column) { return !column.unit.empty(); };
+    while (line-- > 0) {
+        if (trimmed(lines[line]).empty()) continue;
+        std::vector<TableColumn> found = headings(lines[line], table.format.separator, table.columns.size());
+        if (!isComment(lines[line])) return found;
+        // Any comment is one cell: of a single column only one with a unit speaks.
+        if (found.size() > 1 || std::ranges::any_of(found, hasUnit)) return found;
+    }
+    return {};
+}
+
+/// Names, and a line of units below them where there is one, above all samples.
+void readHeader(std::span<const std::string> lines, const Pattern& pattern, DetectedTable& table) {
     const auto take = [&](const std::vector<TableColumn>& header) {
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i < header.size(); ++i) {
             if (!header[i].name.empty()) table.columns[i].name = header[i].name;
             if (!header[i].unit.empty()) table.columns[i].unit = header[i].unit;
         }
     };
-    if (table.firstLine < 2) return;
-    const auto above = [&](std::size_t back) {
-        return table.firstLine > back
-                   ? headings(lines[table.firstLine - 1 - back], table.format.separator, count)
-                   : std::vector<TableColumn>{};
-    };
-    std::vector<TableColumn> last = above(1);
+    std::size_t line = topSample(lines, table, pattern);
+    std::vector<TableColumn> last = headingsAbove(lines, table, line);
     if (last.empty()) return;
-    const std::vector<TableColumn> names = above(2);
+    const std::vector<TableColumn> names = headingsAbove(lines, table, line);
     if (!names.empty() && isUnitsOnly(last)) {
         take(names);
         for (TableColumn& column : last)
@@ -185,7 +224,7 @@ DetectedTable tableFrom(std::span<const std::string> lines, RowFormat format, st
     TableRow row;
     const RowLook first = look(lines[firstLine - 1], format, row);
     for (const bool isNumber : first.numbers) table.columns.push_back({{}, {}, isNumber});
-    readHeader(lines, table);
+    readHeader(lines, first.numbers, table);
     return table;
 }
 

@@ -35,7 +35,8 @@ DetectedTable detectTable(std::span<const std::string> lines);
 /// The same with the format given.
 DetectedTable detectTable(std::span<const std::string> lines, RowFormat format);
 
-/// The columns of a table whose samples begin at that line.
+/// The columns of a table whose samples begin at that line; samples before it that are left out do not hide
+/// the header.
 DetectedTable tableFrom(std::span<const std::string> lines, RowFormat format, std::size_t firstLine);
 
 }  // namespace drillwave

@@ -32,9 +32,13 @@ class TestDetectedTable : public QObject {
     void theHeaderNamesColumnsAndUnits_data();
     void theHeaderNamesColumnsAndUnits();
     void linesBeforeTheSamplesArePassedOver();
+    void samplesThatAreLeftOutDoNotHideTheHeader_data();
+    void samplesThatAreLeftOutDoNotHideTheHeader();
     void aTableWithoutNumbersHasNoSamples();
     void aColumnThatGrowsIsNotCutAtItsDecimalComma();
     void columnsAreGuessedByUnitAndName();
+    void aUnitThatIsNotKnownIsNotGuessed_data();
+    void aUnitThatIsNotKnownIsNotGuessed();
     void aSingleColumnIsEvenlySpaced();
     void linesAreReadInAnyEncoding_data();
     void linesAreReadInAnyEncoding();
@@ -83,6 +87,7 @@ void TestDetectedTable::theHeaderNamesColumnsAndUnits_data() {
     QTest::addRow("brackets") << QByteArray("time [us],force [kN]\n");
     QTest::addRow("parentheses") << QByteArray("time (us),force (kN)\n");
     QTest::addRow("slash") << QByteArray("time / us,force / kN\n");
+    QTest::addRow("blank") << QByteArray("time us,force kN\n");
     QTest::addRow("two lines") << QByteArray("time,force\nus,kN\n");
     QTest::addRow("two lines with brackets") << QByteArray("time,force\n[us],[kN]\n");
     QTest::addRow("quoted") << QByteArray("\"time [us]\",\"force [kN]\"\n");
@@ -105,6 +110,31 @@ void TestDetectedTable::linesBeforeTheSamplesArePassedOver() {
     const DetectedTable table = detectTable(linesOf(text));
     QCOMPARE(table.firstLine, std::size_t{7});
     QCOMPARE(table.columns[1], (TableColumn{"a", "microstrain", true}));
+}
+
+void TestDetectedTable::samplesThatAreLeftOutDoNotHideTheHeader_data() {
+    QTest::addColumn<QByteArray>("header");
+    QTest::addColumn<int>("headerLines");
+    QTest::addRow("one line") << QByteArray("t [us];a [kN]\n") << 1;
+    QTest::addRow("two lines") << QByteArray("t;a\nus;kN\n") << 2;
+    QTest::addRow("a blank line and a comment below") << QByteArray("t [us];a [kN]\n\n# begins\n") << 3;
+    QTest::addRow("in a comment") << QByteArray("Recorder;7\n# t [us];a [kN]\n") << 2;
+}
+
+void TestDetectedTable::samplesThatAreLeftOutDoNotHideTheHeader() {
+    QFETCH(QByteArray, header);
+    QFETCH(int, headerLines);
+    const std::vector<std::string> lines =
+        linesOf(header.toStdString() + "0;1.5\n10;NaN\n\n# pause\n20;2.5\n30;0.5\n");
+    const RowFormat format{';', DecimalSign::point};
+    for (const int leftOut : {0, 1, 4, 5}) {
+        const DetectedTable table =
+            tableFrom(lines, format, static_cast<std::size_t>(headerLines + leftOut + 1));
+        QCOMPARE(table.columns, (std::vector<TableColumn>{{"t", "us", true}, {"a", "kN", true}}));
+    }
+    // What stands between the samples is no header of those below it.
+    const DetectedTable single = tableFrom(linesOf("F [kN]\n1\n# pause\n2\n3\n"), {',', {}}, 4);
+    QCOMPARE(single.columns, (std::vector<TableColumn>{{"F", "kN", true}}));
 }
 
 void TestDetectedTable::aTableWithoutNumbersHasNoSamples() {
@@ -130,15 +160,42 @@ void TestDetectedTable::columnsAreGuessedByUnitAndName() {
     QCOMPARE(guess.source.timeColumn, std::optional<std::size_t>(1));
     QCOMPARE(guess.source.timeUnit, 1e-3);
     QCOMPARE(guess.source.valueColumn, std::size_t{3});
-    QCOMPARE(guess.kind, SignalKind::strain);
-    QCOMPARE(guess.unit.factor, 1e-6);
+    QVERIFY(guess.unit && guess.unit->kind == SignalKind::strain);
+    QCOMPARE(guess.unit->unit.factor, 1e-6);
+}
+
+void TestDetectedTable::aUnitThatIsNotKnownIsNotGuessed_data() {
+    QTest::addColumn<std::string>("time");
+    QTest::addColumn<double>("timeUnit");  // 0: not known
+    QTest::addColumn<std::string>("force");
+    QTest::addColumn<double>("forceUnit");
+    QTest::addRow("none") << std::string("Time") << 1.0 << std::string("Load") << 1.0;
+    QTest::addRow("known") << std::string("Time [msec]") << 1e-3 << std::string("Load [daN]") << 10.0;
+    QTest::addRow("micro") << std::string("Time [µsec]") << 1e-6 << std::string("F kN") << 1e3;
+    QTest::addRow("not known") << std::string("Time [ticks]") << 0.0 << std::string("Load [V]") << 0.0;
+    QTest::addRow("a name of words") << std::string("Time") << 1.0 << std::string("Load min") << 1.0;
+    QTest::addRow("strain by name") << std::string("t us") << 1e-6 << std::string("axial strain") << 1e-6;
+}
+
+void TestDetectedTable::aUnitThatIsNotKnownIsNotGuessed() {
+    QFETCH(std::string, time);
+    QFETCH(double, timeUnit);
+    QFETCH(std::string, force);
+    QFETCH(double, forceUnit);
+    const DetectedTable table = detectTable(linesOf(time + ";" + force + "\n0;1.5\n1;2.5\n2;0.5\n"));
+    QCOMPARE(guessedSource(table).source.timeColumn, std::optional<std::size_t>(0));
+    QCOMPARE(guessedTimeUnit(table.columns[0]).value_or(0), timeUnit);
+    const std::optional<NamedSignalUnit> unit = guessedUnit(table.columns[1]);
+    QCOMPARE(unit ? unit->unit.factor : 0, forceUnit);
+    QCOMPARE(guessedSource(table).unit, unit);
 }
 
 void TestDetectedTable::aSingleColumnIsEvenlySpaced() {
     const SampleGuess guess = guessedSource(detectTable(linesOf("F [kN]\n1.5\n2.5\n0.5\n")));
     QVERIFY(!guess.source.timeColumn);
     QCOMPARE(guess.source.valueColumn, std::size_t{0});
-    QCOMPARE(guess.unit.factor, 1e3);
+    QVERIFY(guess.unit.has_value());
+    QCOMPARE(guess.unit->unit.factor, 1e3);
 }
 
 void TestDetectedTable::linesAreReadInAnyEncoding_data() {

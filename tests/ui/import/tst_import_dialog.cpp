@@ -86,9 +86,12 @@ class TestImportDialog : public QObject {
     void init();
     void cleanup();
     void aGaugeRecordIsUnderstood();
+    void theSignIsThatOverTheZeroLine_data();
+    void theSignIsThatOverTheZeroLine();
     void aBlowFromStrainHasTheImpulseOfItsIntegral();
     void theSameFileAsAMeasuredForceKeepsItsSign();
     void everyChoiceCanBeChanged();
+    void unitsThatAreNotKnownAreToBeChosen();
     void wrongInputsAreToldInPlace_data();
     void wrongInputsAreToldInPlace();
     void theBlowIsOneUndoStepAndIsKeptInTheFile();
@@ -186,6 +189,35 @@ void TestImportDialog::aGaugeRecordIsUnderstood() {
     QVERIFY(control<QPushButton>(dialog, "take").isEnabled());
 }
 
+void TestImportDialog::theSignIsThatOverTheZeroLine_data() {
+    QTest::addColumn<double>("offset");
+    QTest::addColumn<double>("peak");
+    QTest::addColumn<QString>("positive");
+    QTest::addRow("down from above") << 500.0 << -900.0 << "tension";
+    QTest::addRow("down from far above") << 5000.0 << -900.0 << "tension";
+    QTest::addRow("up from below") << -500.0 << 900.0 << "compression";
+    QTest::addRow("up from zero") << 0.0 << 900.0 << "compression";
+}
+
+// A blow presses, whatever the gauge shows at rest.
+void TestImportDialog::theSignIsThatOverTheZeroLine() {
+    QFETCH(double, offset);
+    QFETCH(double, peak);
+    QFETCH(QString, positive);
+    QByteArray bytes("t [us];gauge [µm/m]\n");
+    for (int t = 0; t <= 1000; ++t) {
+        const double pulse = t > 100 && t < 200 ? peak * std::sin(M_PI * (t - 100) / 100.0) : 0;
+        bytes += QByteArray::number(t) + ';' + QByteArray::number(offset + pulse) + '\n';
+    }
+    ImportDialog& dialog = open(write("offset.csv", bytes), ImportUse::blow);
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QCOMPARE(control<ChoiceBox>(dialog, "positive").currentText(), positive);
+    const Rod& rod = m_window->document().scenario().rod;
+    const double expected = 900e-6 * rod.youngsModulus * propertiesOf(rod).area;
+    QVERIFY(std::abs(dialog.result()->peak / expected - 1) < 1e-3);
+}
+
 // E A ∫ε dt = E A · 1000 µε · 100 µs · 2/π; what is left of the noise after clipping and trimming at 2 % of
 // the peak is less than 1e-3 of it.
 void TestImportDialog::aBlowFromStrainHasTheImpulseOfItsIntegral() {
@@ -254,6 +286,27 @@ void TestImportDialog::everyChoiceCanBeChanged() {
     QVERIFY(settle(dialog));
     QVERIFY(!dialog.result());
     QVERIFY(!message(dialog).isEmpty());
+}
+
+void TestImportDialog::unitsThatAreNotKnownAreToBeChosen() {
+    const QByteArray bytes("Time [ticks];Load [tf]\n0;1\n1;2\n2;0\n");
+    ImportDialog& dialog = open(write("units.csv", bytes), ImportUse::impactForce);
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("ticks is not known")), qPrintable(message(dialog)));
+    choose(dialog, "timeUnit", QStringLiteral("ms"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("unit in the header is not known")),
+             qPrintable(message(dialog)));
+    QVERIFY(!dialog.result());
+    choose(dialog, "kind", QStringLiteral("strain"));
+    QVERIFY(settle(dialog));
+    QVERIFY(!dialog.result());
+    choose(dialog, "kind", QStringLiteral("force"));
+    choose(dialog, "valueUnit", QStringLiteral("kN"));
+    choose(dialog, "positive", QStringLiteral("compression"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QCOMPARE(dialog.result()->points, (TablePoints{{0, 1000}, {1e-3, 2000}, {2e-3, 0}}));
 }
 
 void TestImportDialog::wrongInputsAreToldInPlace_data() {
