@@ -75,7 +75,8 @@ void printTimes(const QString& name, std::vector<double> times) {
 }
 
 void measurePage(MainWindow& window, const QString& name, int repeats) {
-    auto* page = static_cast<PlotPage*>(window.findChild<PageTabs*>()->currentWidget());
+    auto* page = qobject_cast<PlotPage*>(window.findChild<PageTabs*>()->currentWidget());
+    if (!page) return;  // a table
     PaintWatch watch(window);
     page->plot()->installEventFilter(&watch);
     // Where the plot does not depend on the field, as a map does not on its own parameters, words do.
