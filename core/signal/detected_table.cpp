@@ -85,7 +85,16 @@ std::size_t firstSample(const std::vector<RowLook>& rows, const Pattern& pattern
     return rows.size();
 }
 
-/// "time [us]", "Time (us)", "t / us", "t in us" in their parts.
+/// Whether a last word without brackets is a unit, and no word of the name: "strain", "ε", "min".
+bool isUnitWord(std::string_view word) {
+    if (findUnit(Quantity::time, word)) return word != "min";
+    const std::optional<NamedSignalUnit> found = findSignalUnit(word);
+    return found && (found->kind != SignalKind::strain || found->unit.name == word ||
+                     word.find_first_of("/%") != std::string_view::npos || word.starts_with("\u00b5") ||
+                     word.starts_with("\u03bc"));
+}
+
+/// "time [us]", "Time (us)", "t / us", "t in us", "t us" in their parts.
 TableColumn heading(std::string_view cell) {
     TableColumn column;
     cell = trimmed(cell);
@@ -102,6 +111,12 @@ TableColumn heading(std::string_view cell) {
             column.unit = trimmed(cell.substr(at + word.size()));
             return column;
         }
+    if (const std::size_t blank = cell.rfind(' ');
+        blank != std::string_view::npos && isUnitWord(cell.substr(blank + 1))) {
+        column.name = trimmed(cell.substr(0, blank));
+        column.unit = cell.substr(blank + 1);
+        return column;
+    }
     column.name = cell;
     return column;
 }

@@ -51,15 +51,16 @@ std::size_t valueColumn(const std::vector<TableColumn>& columns, std::optional<s
 
 }  // namespace
 
-double guessedTimeUnit(const TableColumn& column) {
+std::optional<double> guessedTimeUnit(const TableColumn& column) {
+    if (column.unit.empty()) return 1;
     const Unit* unit = findUnit(Quantity::time, column.unit);
-    return unit ? unit->factor() : 1;
+    return unit ? std::optional(unit->factor()) : std::nullopt;
 }
 
-NamedSignalUnit guessedUnit(const TableColumn& column) {
-    if (const std::optional<NamedSignalUnit> found = findSignalUnit(column.unit)) return *found;
+std::optional<NamedSignalUnit> guessedUnit(const TableColumn& column) {
+    if (!column.unit.empty()) return findSignalUnit(column.unit);
     const SignalKind kind = saysStrain(column) ? SignalKind::strain : SignalKind::force;
-    return {kind, signalUnits(kind).front()};
+    return NamedSignalUnit{kind, signalUnits(kind).front()};
 }
 
 SampleGuess guessedSource(const DetectedTable& table) {
@@ -69,13 +70,10 @@ SampleGuess guessedSource(const DetectedTable& table) {
     guess.source.interval = usualInterval;
     guess.source.timeColumn = timeColumn(table.columns);
     if (guess.source.timeColumn)
-        guess.source.timeUnit = guessedTimeUnit(table.columns[*guess.source.timeColumn]);
+        guess.source.timeUnit = guessedTimeUnit(table.columns[*guess.source.timeColumn]).value_or(1);
     guess.source.valueColumn = valueColumn(table.columns, guess.source.timeColumn);
-    if (guess.source.valueColumn < table.columns.size()) {
-        const NamedSignalUnit unit = guessedUnit(table.columns[guess.source.valueColumn]);
-        guess.kind = unit.kind;
-        guess.unit = unit.unit;
-    }
+    if (guess.source.valueColumn < table.columns.size())
+        guess.unit = guessedUnit(table.columns[guess.source.valueColumn]);
     return guess;
 }
 

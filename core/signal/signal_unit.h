@@ -29,6 +29,7 @@ std::vector<SignalUnit> signalUnits(SignalKind kind);
 struct NamedSignalUnit {
     SignalKind kind = SignalKind::force;
     SignalUnit unit;
+    bool operator==(const NamedSignalUnit&) const = default;
 };
 std::optional<NamedSignalUnit> findSignalUnit(std::string_view name);
 

@@ -56,6 +56,7 @@ constexpr std::array forceUnits{decimal("N", 0),
                                 decimal("kN", 3),
                                 decimal("MN", 6),
                                 decimal("GN", 9),
+                                decimal("daN", 1),
                                 multiple("lbf", poundForce),
                                 multiple("kip", 1000 * poundForce),
                                 multiple("kgf", 980665, 1e5)};
@@ -94,6 +95,7 @@ constexpr std::array spellings{
     Spelling{"in2", "in^2"},   Spelling{"kg/m3", "kg/m^3"},   Spelling{"g/cm3", "g/cm^3"},
     Spelling{"t/m3", "t/m^3"}, Spelling{"lb/ft3", "lb/ft^3"}, Spelling{"blows/min", "bpm"},
     Spelling{"1/s", "Hz"},     Spelling{"°", "deg"},          Spelling{"lbs", "lb"},
+    Spelling{"msec", "ms"},    Spelling{"usec", "us"},
 };
 
 void replaceAll(std::string& text, std::string_view from, std::string_view to) {

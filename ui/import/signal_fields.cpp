@@ -25,6 +25,8 @@ constexpr int usualPoints = 1000;
 /// Of a record, from its beginning, in which nothing has happened yet, probably.
 constexpr double restShare = 0.03;
 
+constexpr int noUnit = -1;  // is chosen
+
 enum Sense { tension, compression };
 enum Bar { rodOfScenario, otherBar };
 
@@ -187,9 +189,10 @@ void SignalFields::setScenario(const Scenario& scenario) {
     emit changed();
 }
 
-void SignalFields::setUnit(const NamedSignalUnit& unit) {
-    choose(*m_kind, value(unit.kind));
-    fillUnits(unit.unit);
+void SignalFields::setUnit(const std::optional<NamedSignalUnit>& unit) {
+    m_unitIsKnown = unit.has_value();
+    if (unit) choose(*m_kind, value(unit->kind));
+    fillUnits(unit ? std::optional(unit->unit) : std::nullopt);
     showRows();
     emit changed();
 }
@@ -199,10 +202,11 @@ void SignalFields::fillUnits(std::optional<SignalUnit> wanted) {
     QList<RowChoice> entries;
     for (const SignalUnit& unit : m_unitList)
         entries.append({shownUnitName(unit.name), static_cast<int>(entries.size())});
+    if (!m_unitIsKnown) entries.prepend({tr("choose"), noUnit});
     setEntries(*m_unit, entries);
     for (std::size_t i = 0; wanted && i < m_unitList.size(); ++i)
         if (m_unitList[i] == *wanted) choose(*m_unit, static_cast<int>(i));
-    if (!wanted) choose(*m_unit, 0);
+    if (!wanted) choose(*m_unit, m_unitIsKnown ? 0 : noUnit);
 }
 
 // A strain has a zero line to be found; a force has been given one. The blow presses where it is largest.
@@ -266,7 +270,7 @@ double SignalFields::axialStiffness() const {
 double SignalFields::forcePerNumberNow() const {
     const GaugedBar bar{axialStiffness(), *m_gaugeFactor->value(),
                         static_cast<double>(chosenValue(*m_activeGauges))};
-    const auto unit = static_cast<std::size_t>(chosenValue(*m_unit));
+    const auto unit = static_cast<std::size_t>(std::max(0, chosenValue(*m_unit)));
     const double size =
         forcePerNumber(static_cast<SignalKind>(chosenValue(*m_kind)), m_unitList[unit].factor, bar);
     const bool positiveHere = (chosenValue(*m_positive) == tension) == (m_use == ImportUse::normalForce);
@@ -296,6 +300,8 @@ double SignalFields::place() const {
 }
 
 QString SignalFields::problem() const {
+    if (chosenValue(*m_unit) == noUnit)
+        return tr("The unit in the header is not known: choose what the signal is, and its unit.");
     for (const QuantityField* field : m_fields)
         if (field->isVisibleTo(this) && !field->problem().isEmpty())
             return QStringLiteral("%1: %2").arg(field->accessibleName(), field->problem());

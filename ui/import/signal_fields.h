@@ -39,8 +39,8 @@ class SignalFields : public QWidget {
     void setUse(ImportUse use);
     /// The rod whose E A a strain takes; a dimensionless scenario has none.
     void setScenario(const Scenario& scenario);
-    /// What the header says of the column.
-    void setUnit(const NamedSignalUnit& unit);
+    /// What the header says of the column; without one the user has to choose.
+    void setUnit(const std::optional<NamedSignalUnit>& unit);
     /// What is known of a new record: its zero line and its sign are proposed, where nothing was chosen.
     void propose(RecordSpan record, double signOfPeak);
     /// Takes these times; nothing for all of the record.
@@ -76,6 +76,7 @@ class SignalFields : public QWidget {
     ImportUse m_use = ImportUse::blow;
     std::optional<Rod> m_rod;
     std::vector<SignalUnit> m_unitList;
+    bool m_unitIsKnown = true;
     QFormLayout* m_form;
     QuantityField* m_place = nullptr;
     ChoiceBox* m_kind = nullptr;

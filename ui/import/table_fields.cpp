@@ -35,7 +35,8 @@ int indexOfTimeUnit(double factor) {
     return 0;
 }
 
-std::optional<std::size_t> columnOf(const ChoiceBox& box) {
+/// The place that is chosen, of a column or a unit; nothing for none.
+std::optional<std::size_t> placeOf(const ChoiceBox& box) {
     const int column = chosenValue(box);
     return column == none ? std::nullopt : std::optional(static_cast<std::size_t>(column));
 }
@@ -90,8 +91,7 @@ void TableFields::wire() {
     connect(m_firstLine, &QSpinBox::valueChanged, this,
             [this](int line) { takeTable(tableFrom(m_lines, format(), static_cast<std::size_t>(line))); });
     connect(m_time, &QComboBox::currentIndexChanged, this, [this] {
-        if (const auto column = columnOf(*m_time); column && *column < m_table.columns.size())
-            choose(*m_timeUnit, indexOfTimeUnit(guessedTimeUnit(m_table.columns[*column])));
+        showTimeUnit();
         showRows();
         emit changed();
     });
@@ -136,8 +136,18 @@ void TableFields::showColumns() {
     choose(*m_value, static_cast<int>(guess.source.valueColumn));
     choose(*m_second, none);
     choose(*m_time, guess.source.timeColumn ? static_cast<int>(*guess.source.timeColumn) : none);
-    choose(*m_timeUnit, indexOfTimeUnit(guess.source.timeUnit));
+    showTimeUnit();
     showRows();
+}
+
+// One that is not known is to be chosen.
+void TableFields::showTimeUnit() {
+    const std::optional<std::size_t> column = placeOf(*m_time);
+    const std::optional<double> unit = column && *column < m_table.columns.size()
+                                           ? guessedTimeUnit(m_table.columns[*column])
+                                           : std::optional(1.0);
+    setEntries(*m_timeUnit, unit ? timeUnits() : QList<RowChoice>{{tr("choose"), none}} + timeUnits());
+    choose(*m_timeUnit, unit ? indexOfTimeUnit(*unit) : none);
 }
 
 void TableFields::showRows() {
@@ -151,17 +161,18 @@ SampleSource TableFields::source() const {
     SampleSource source;
     source.format = format();
     source.firstLine = static_cast<std::size_t>(m_firstLine->value());
-    source.timeColumn = columnOf(*m_time);
-    source.timeUnit = unitsOf(Quantity::time)[static_cast<std::size_t>(chosenValue(*m_timeUnit))].factor();
+    source.timeColumn = placeOf(*m_time);
+    const std::optional<std::size_t> unit = placeOf(*m_timeUnit);
+    source.timeUnit = unit ? unitsOf(Quantity::time)[*unit].factor() : 1;
     source.interval = 1 / *m_rate->value();
-    source.valueColumn = columnOf(*m_value).value_or(0);
-    source.secondGauge = columnOf(*m_second);
+    source.valueColumn = placeOf(*m_value).value_or(0);
+    source.secondGauge = placeOf(*m_second);
     source.wrongRows = static_cast<WrongRows>(chosenValue(*m_wrongRows));
     return source;
 }
 
-NamedSignalUnit TableFields::valueUnit() const {
-    const std::size_t column = columnOf(*m_value).value_or(0);
+std::optional<NamedSignalUnit> TableFields::valueUnit() const {
+    const std::size_t column = placeOf(*m_value).value_or(0);
     return guessedUnit(column < m_table.columns.size() ? m_table.columns[column] : TableColumn{});
 }
 
@@ -175,6 +186,9 @@ QString TableFields::problem() const {
         return tr("Time and signal are the same column: choose another one, or a sampling rate.");
     if (now.secondGauge == now.valueColumn || (now.secondGauge && now.secondGauge == now.timeColumn))
         return tr("The second gauge is a column that is used already: choose another one.");
+    if (now.timeColumn && chosenValue(*m_timeUnit) == none)
+        return tr("unit of time: %1 is not known: choose one.")
+            .arg(QString::fromStdString(m_table.columns[*now.timeColumn].unit));
     if (!m_rate->problem().isEmpty()) return tr("sampling rate: %1").arg(m_rate->problem());
     return {};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,8 @@ class TableFields : public QWidget {
     const std::vector<std::string>& lines() const { return m_lines; }
 
     SampleSource source() const;
-    /// What the header says of the chosen column of values.
-    NamedSignalUnit valueUnit() const;
+    /// What the header says of the chosen column of values; nothing where its unit is not known.
+    std::optional<NamedSignalUnit> valueUnit() const;
     /// Why the choices make no source; empty when they do.
     QString problem() const;
 
@@ -47,6 +48,7 @@ class TableFields : public QWidget {
     RowFormat format() const;
     void takeTable(DetectedTable table);
     void showColumns();
+    void showTimeUnit();
     void showRows();
 
     std::vector<std::string> m_lines;

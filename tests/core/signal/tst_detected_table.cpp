@@ -37,6 +37,8 @@ class TestDetectedTable : public QObject {
     void aTableWithoutNumbersHasNoSamples();
     void aColumnThatGrowsIsNotCutAtItsDecimalComma();
     void columnsAreGuessedByUnitAndName();
+    void aUnitThatIsNotKnownIsNotGuessed_data();
+    void aUnitThatIsNotKnownIsNotGuessed();
     void aSingleColumnIsEvenlySpaced();
     void linesAreReadInAnyEncoding_data();
     void linesAreReadInAnyEncoding();
@@ -85,6 +87,7 @@ void TestDetectedTable::theHeaderNamesColumnsAndUnits_data() {
     QTest::addRow("brackets") << QByteArray("time [us],force [kN]\n");
     QTest::addRow("parentheses") << QByteArray("time (us),force (kN)\n");
     QTest::addRow("slash") << QByteArray("time / us,force / kN\n");
+    QTest::addRow("blank") << QByteArray("time us,force kN\n");
     QTest::addRow("two lines") << QByteArray("time,force\nus,kN\n");
     QTest::addRow("two lines with brackets") << QByteArray("time,force\n[us],[kN]\n");
     QTest::addRow("quoted") << QByteArray("\"time [us]\",\"force [kN]\"\n");
@@ -157,15 +160,42 @@ void TestDetectedTable::columnsAreGuessedByUnitAndName() {
     QCOMPARE(guess.source.timeColumn, std::optional<std::size_t>(1));
     QCOMPARE(guess.source.timeUnit, 1e-3);
     QCOMPARE(guess.source.valueColumn, std::size_t{3});
-    QCOMPARE(guess.kind, SignalKind::strain);
-    QCOMPARE(guess.unit.factor, 1e-6);
+    QVERIFY(guess.unit && guess.unit->kind == SignalKind::strain);
+    QCOMPARE(guess.unit->unit.factor, 1e-6);
+}
+
+void TestDetectedTable::aUnitThatIsNotKnownIsNotGuessed_data() {
+    QTest::addColumn<std::string>("time");
+    QTest::addColumn<double>("timeUnit");  // 0: not known
+    QTest::addColumn<std::string>("force");
+    QTest::addColumn<double>("forceUnit");
+    QTest::addRow("none") << std::string("Time") << 1.0 << std::string("Load") << 1.0;
+    QTest::addRow("known") << std::string("Time [msec]") << 1e-3 << std::string("Load [daN]") << 10.0;
+    QTest::addRow("micro") << std::string("Time [µsec]") << 1e-6 << std::string("F kN") << 1e3;
+    QTest::addRow("not known") << std::string("Time [ticks]") << 0.0 << std::string("Load [V]") << 0.0;
+    QTest::addRow("a name of words") << std::string("Time") << 1.0 << std::string("Load min") << 1.0;
+    QTest::addRow("strain by name") << std::string("t us") << 1e-6 << std::string("axial strain") << 1e-6;
+}
+
+void TestDetectedTable::aUnitThatIsNotKnownIsNotGuessed() {
+    QFETCH(std::string, time);
+    QFETCH(double, timeUnit);
+    QFETCH(std::string, force);
+    QFETCH(double, forceUnit);
+    const DetectedTable table = detectTable(linesOf(time + ";" + force + "\n0;1.5\n1;2.5\n2;0.5\n"));
+    QCOMPARE(guessedSource(table).source.timeColumn, std::optional<std::size_t>(0));
+    QCOMPARE(guessedTimeUnit(table.columns[0]).value_or(0), timeUnit);
+    const std::optional<NamedSignalUnit> unit = guessedUnit(table.columns[1]);
+    QCOMPARE(unit ? unit->unit.factor : 0, forceUnit);
+    QCOMPARE(guessedSource(table).unit, unit);
 }
 
 void TestDetectedTable::aSingleColumnIsEvenlySpaced() {
     const SampleGuess guess = guessedSource(detectTable(linesOf("F [kN]\n1.5\n2.5\n0.5\n")));
     QVERIFY(!guess.source.timeColumn);
     QCOMPARE(guess.source.valueColumn, std::size_t{0});
-    QCOMPARE(guess.unit.factor, 1e3);
+    QVERIFY(guess.unit.has_value());
+    QCOMPARE(guess.unit->unit.factor, 1e3);
 }
 
 void TestDetectedTable::linesAreReadInAnyEncoding_data() {

@@ -89,6 +89,7 @@ class TestImportDialog : public QObject {
     void aBlowFromStrainHasTheImpulseOfItsIntegral();
     void theSameFileAsAMeasuredForceKeepsItsSign();
     void everyChoiceCanBeChanged();
+    void unitsThatAreNotKnownAreToBeChosen();
     void wrongInputsAreToldInPlace_data();
     void wrongInputsAreToldInPlace();
     void theBlowIsOneUndoStepAndIsKeptInTheFile();
@@ -254,6 +255,27 @@ void TestImportDialog::everyChoiceCanBeChanged() {
     QVERIFY(settle(dialog));
     QVERIFY(!dialog.result());
     QVERIFY(!message(dialog).isEmpty());
+}
+
+void TestImportDialog::unitsThatAreNotKnownAreToBeChosen() {
+    const QByteArray bytes("Time [ticks];Load [tf]\n0;1\n1;2\n2;0\n");
+    ImportDialog& dialog = open(write("units.csv", bytes), ImportUse::impactForce);
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("ticks is not known")), qPrintable(message(dialog)));
+    choose(dialog, "timeUnit", QStringLiteral("ms"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("unit in the header is not known")),
+             qPrintable(message(dialog)));
+    QVERIFY(!dialog.result());
+    choose(dialog, "kind", QStringLiteral("strain"));
+    QVERIFY(settle(dialog));
+    QVERIFY(!dialog.result());
+    choose(dialog, "kind", QStringLiteral("force"));
+    choose(dialog, "valueUnit", QStringLiteral("kN"));
+    choose(dialog, "positive", QStringLiteral("compression"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QCOMPARE(dialog.result()->points, (TablePoints{{0, 1000}, {1e-3, 2000}, {2e-3, 0}}));
 }
 
 void TestImportDialog::wrongInputsAreToldInPlace_data() {
