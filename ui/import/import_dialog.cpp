@@ -74,7 +74,7 @@ ImportDialog::ImportDialog(const QString& path, ImportUse use, const Document& d
     connect(m_table, &TableFields::changed, this, &ImportDialog::showLines);
     connect(m_table, &TableFields::valueColumnChanged, this, [this] {
         m_signal->setUnit(m_table->valueUnit());
-        m_proposal = Proposal::zeroAndSign;
+        m_proposal = Proposal::zero;
     });
     connect(m_signal, &SignalFields::changed, this, &ImportDialog::askSoon);
     connect(m_signal, &SignalFields::timesAroundPeakWanted, this, [this] {
@@ -203,7 +203,7 @@ ImportUse ImportDialog::use() const {
 void ImportDialog::setUse(ImportUse use) {
     choose(*m_use, static_cast<int>(use));
     m_name->setEnabled(use != ImportUse::blow);
-    m_proposal = Proposal::zeroAndSign;
+    m_proposal = Proposal::zero;
     m_signal->setUse(use);
 }
 
@@ -244,11 +244,14 @@ void ImportDialog::showAnswer() {
 // A record of a gauge has its zero line, and of its waves the first is the blow.
 void ImportDialog::proposeFrom(const ImportPreview& preview) {
     if (m_proposal == Proposal::none || !preview.problem.isEmpty() || m_ask.isActive()) return;
-    if (m_proposal == Proposal::zeroAndSign) {
-        m_proposal = Proposal::times;
-        return m_signal->propose(preview.time, preview.signOfPeak);
+    if (m_proposal == Proposal::zero) {
+        m_proposal = Proposal::signAndTimes;
+        const SignalRecipe before = m_signal->recipe();
+        m_signal->proposeZero(preview.time);
+        if (m_signal->recipe() != before) return;  // sign and peak are those over the zero line
     }
     m_proposal = Proposal::none;
+    m_signal->proposeSign(preview.signOfPeak);
     const bool isGauge = m_signal->recipe().zeroLine == ZeroLine::ofFirstSamples;
     m_signal->proposeTimes(use() == ImportUse::blow && isGauge ? preview.aroundPeak : std::nullopt);
 }

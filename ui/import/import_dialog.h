@@ -65,7 +65,7 @@ class ImportDialog : public QDialog {
     QString obstacle() const;
 
     /// What is still to be proposed from what the record turns out to be.
-    enum class Proposal { zeroAndSign, times, none };
+    enum class Proposal { zero, signAndTimes, none };
 
     QString m_path;
     QString m_unreadable;
@@ -82,7 +82,7 @@ class ImportDialog : public QDialog {
     QPushButton* m_take = nullptr;
     QTimer m_ask;
     QString m_refusal;  // of the present result
-    Proposal m_proposal = Proposal::zeroAndSign;
+    Proposal m_proposal = Proposal::zero;
     AskedStudy<ImportQuestion, ImportPreview> m_study{ImportStudy()};
 };
 

@@ -209,19 +209,24 @@ void SignalFields::fillUnits(std::optional<SignalUnit> wanted) {
     if (!wanted) choose(*m_unit, m_unitIsKnown ? 0 : noUnit);
 }
 
-// A strain has a zero line to be found; a force has been given one. The blow presses where it is largest.
-// What the user has chosen already stays.
-void SignalFields::propose(RecordSpan record, double signOfPeak) {
+void SignalFields::proposeChoice(ChoiceBox& box, int choice) const {
+    if (!m_touched.contains(&box)) choose(box, choice);
+}
+
+// A strain has a zero line to be found; a force has been given one. What the user has chosen already stays.
+void SignalFields::proposeZero(RecordSpan record) {
     const bool isForce = chosenValue(*m_kind) == value(SignalKind::force);
-    const auto proposeChoice = [this](ChoiceBox& box, int choice) {
-        if (!m_touched.contains(&box)) choose(box, choice);
-    };
     proposeChoice(*m_zero, value(isForce ? ZeroLine::asRecorded : ZeroLine::ofFirstSamples));
     if (!m_touched.contains(m_zeroSpan))
         m_zeroSpan->setValue(oneDigit(restShare * (record.to - record.from)));
+    showRows();
+    emit changed();
+}
+
+// The blow presses where it is largest.
+void SignalFields::proposeSign(double signOfPeak) {
     const bool presses = m_use != ImportUse::normalForce;
     proposeChoice(*m_positive, presses && signOfPeak > 0 ? compression : tension);
-    showRows();
     emit changed();
 }
 

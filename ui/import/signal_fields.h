@@ -41,8 +41,10 @@ class SignalFields : public QWidget {
     void setScenario(const Scenario& scenario);
     /// What the header says of the column; without one the user has to choose.
     void setUnit(const std::optional<NamedSignalUnit>& unit);
-    /// What is known of a new record: its zero line and its sign are proposed, where nothing was chosen.
-    void propose(RecordSpan record, double signOfPeak);
+    /// Of a new record its zero line is proposed, where nothing was chosen.
+    void proposeZero(RecordSpan record);
+    /// Its sign, of the largest value with the zero line off, where nothing was chosen.
+    void proposeSign(double signOfPeak);
     /// Takes these times; nothing for all of the record.
     void setTimes(std::optional<RecordSpan> times);
     /// The same, unless the user has chosen times.
@@ -68,6 +70,7 @@ class SignalFields : public QWidget {
     QuantityField* quantity(const char* name, const QString& label, const QString& toolTip, Quantity kind,
                             const char* unit, FieldRange range, std::optional<double> si);
     void fillUnits(std::optional<SignalUnit> wanted);
+    void proposeChoice(ChoiceBox& box, int choice) const;
     void showRows();
     void showTimes(std::optional<RecordSpan> times);
     double axialStiffness() const;

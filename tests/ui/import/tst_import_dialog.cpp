@@ -86,6 +86,8 @@ class TestImportDialog : public QObject {
     void init();
     void cleanup();
     void aGaugeRecordIsUnderstood();
+    void theSignIsThatOverTheZeroLine_data();
+    void theSignIsThatOverTheZeroLine();
     void aBlowFromStrainHasTheImpulseOfItsIntegral();
     void theSameFileAsAMeasuredForceKeepsItsSign();
     void everyChoiceCanBeChanged();
@@ -185,6 +187,35 @@ void TestImportDialog::aGaugeRecordIsUnderstood() {
     QVERIFY(control<QPlainTextEdit>(dialog, "lines").toPlainText().contains(QStringLiteral(">  4  0,0000")));
     QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
     QVERIFY(control<QPushButton>(dialog, "take").isEnabled());
+}
+
+void TestImportDialog::theSignIsThatOverTheZeroLine_data() {
+    QTest::addColumn<double>("offset");
+    QTest::addColumn<double>("peak");
+    QTest::addColumn<QString>("positive");
+    QTest::addRow("down from above") << 500.0 << -900.0 << "tension";
+    QTest::addRow("down from far above") << 5000.0 << -900.0 << "tension";
+    QTest::addRow("up from below") << -500.0 << 900.0 << "compression";
+    QTest::addRow("up from zero") << 0.0 << 900.0 << "compression";
+}
+
+// A blow presses, whatever the gauge shows at rest.
+void TestImportDialog::theSignIsThatOverTheZeroLine() {
+    QFETCH(double, offset);
+    QFETCH(double, peak);
+    QFETCH(QString, positive);
+    QByteArray bytes("t [us];gauge [µm/m]\n");
+    for (int t = 0; t <= 1000; ++t) {
+        const double pulse = t > 100 && t < 200 ? peak * std::sin(M_PI * (t - 100) / 100.0) : 0;
+        bytes += QByteArray::number(t) + ';' + QByteArray::number(offset + pulse) + '\n';
+    }
+    ImportDialog& dialog = open(write("offset.csv", bytes), ImportUse::blow);
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QCOMPARE(control<ChoiceBox>(dialog, "positive").currentText(), positive);
+    const Rod& rod = m_window->document().scenario().rod;
+    const double expected = 900e-6 * rod.youngsModulus * propertiesOf(rod).area;
+    QVERIFY(std::abs(dialog.result()->peak / expected - 1) < 1e-3);
 }
 
 // E A ∫ε dt = E A · 1000 µε · 100 µs · 2/π; what is left of the noise after clipping and trimming at 2 % of
