@@ -128,9 +128,9 @@ void MeasuredBar::showChosen() {
     m_place->setVisible(hasPlace);
     if (hasPlace) m_place->setText(tr("at %1").arg(pulseText(signal.place, UnitKind::length)));
     m_shift->setValue(signal.timeShift);
-    m_box->setToolTip(tr("%1 points; no sample is further than %2 from them")
+    m_box->setToolTip(tr("%1 points; no sample of what is taken is further than %2 from them")
                           .arg(locale().toString(static_cast<qulonglong>(signal.points.size())),
-                               pulseText(signal.deviation, UnitKind::force)));
+                               pulseBoundText(signal.deviation, UnitKind::force)));
 }
 
 }  // namespace drillwave
