@@ -83,8 +83,10 @@ ImportDialog::ImportDialog(const QString& path, ImportUse use, const Document& d
     });
     connect(m_signal, &SignalFields::visibleTimesWanted, this,
             [this] { m_signal->setTimes(m_drawing->visibleTimes()); });
-    connect(&document, &Document::scenarioChanged, this,
-            [this] { m_signal->setScenario(m_document.scenario()); });
+    connect(&document, &Document::scenarioChanged, this, [this] {
+        m_signal->setScenario(m_document.scenario());
+        showState();
+    });
     m_signal->setScenario(document.scenario());
     setUse(use);
     resize(1000, 680);
@@ -303,7 +305,10 @@ void ImportDialog::showState() {
     if (message.isEmpty()) message = m_refusal;
     m_message->setText(message);
     const bool known = result() != nullptr;
-    m_summary->setText(known ? importSummary(*preview) : QString());
+    QString summary = known ? importSummary(*preview) : QString();
+    if (known && use() == ImportUse::blow && m_document.scenario().form != ScenarioForm::dimensional)
+        summary += QLatin1Char(' ') + tr("Only the shape is taken: this scenario has no physical units.");
+    m_summary->setText(summary);
     m_take->setEnabled(known);
 }
 

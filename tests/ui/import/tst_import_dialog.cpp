@@ -96,6 +96,7 @@ class TestImportDialog : public QObject {
     void wrongInputsAreToldInPlace();
     void theBlowIsOneUndoStepAndIsKeptInTheFile();
     void aBlowOfAllThePointsThereMayBeFitsItsFile();
+    void withoutPhysicalUnitsOnlyTheShapeIsTaken();
     void aPlaceBeyondTheRodIsRefused();
     void aBlowThatTheScenarioRefusesStaysInTheDialog();
     void theDialogFollowsTheRod();
@@ -367,6 +368,22 @@ void TestImportDialog::aBlowOfAllThePointsThereMayBeFitsItsFile() {
     const QByteArray text = m_window->document().text();
     QCOMPARE(parseScenario(text.toStdString(), "x.yaml").scenario.pulse.tablePoints,
              m_window->document().scenario().pulse.tablePoints);
+}
+
+void TestImportDialog::withoutPhysicalUnitsOnlyTheShapeIsTaken() {
+    const QString path = write("blow.csv", "t [us];F [kN]\n0;0\n100;50\n200;0\n");
+    const QString words = QStringLiteral("Only the shape is taken");
+    ImportDialog& dialog = open(path, ImportUse::blow);
+    QVERIFY(settle(dialog));
+    QVERIFY(dialog.result() != nullptr);
+    QVERIFY(!control<QLabel>(dialog, "summary").text().contains(words));
+    m_window->document().startFrom(findExample("paper_fig4b")->text, QStringLiteral("paper"));
+    QVERIFY(settle(dialog));
+    QVERIFY(control<QLabel>(dialog, "summary").text().contains(words));
+    auto& use = control<ChoiceBox>(dialog, "use");
+    use.setCurrentIndex(use.findData(static_cast<int>(ImportUse::impactForce)));
+    QVERIFY(settle(dialog));
+    QVERIFY(!control<QLabel>(dialog, "summary").text().contains(words));
 }
 
 void TestImportDialog::aPlaceBeyondTheRodIsRefused() {
