@@ -189,7 +189,8 @@ QString TableFields::problem() const {
     if (now.timeColumn && chosenValue(*m_timeUnit) == none)
         return tr("unit of time: %1 is not known: choose one.")
             .arg(QString::fromStdString(m_table.columns[*now.timeColumn].unit));
-    if (!m_rate->problem().isEmpty()) return tr("sampling rate: %1").arg(m_rate->problem());
+    if (!now.timeColumn && !m_rate->problem().isEmpty())
+        return tr("sampling rate: %1").arg(m_rate->problem());
     return {};
 }
 

@@ -92,6 +92,7 @@ class TestImportDialog : public QObject {
     void theSameFileAsAMeasuredForceKeepsItsSign();
     void everyChoiceCanBeChanged();
     void unitsThatAreNotKnownAreToBeChosen();
+    void aSamplingRateOutOfSightDoesNotMatter();
     void wrongInputsAreToldInPlace_data();
     void wrongInputsAreToldInPlace();
     void theBlowIsOneUndoStepAndIsKeptInTheFile();
@@ -308,6 +309,17 @@ void TestImportDialog::unitsThatAreNotKnownAreToBeChosen() {
     QVERIFY(settle(dialog));
     QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
     QCOMPARE(dialog.result()->points, (TablePoints{{0, 1000}, {1e-3, 2000}, {2e-3, 0}}));
+}
+
+void TestImportDialog::aSamplingRateOutOfSightDoesNotMatter() {
+    ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::normalForce);
+    choose(dialog, "timeColumn", QStringLiteral("evenly"));
+    type(dialog, "rate", QStringLiteral("-5 kHz"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("sampling rate")), qPrintable(message(dialog)));
+    choose(dialog, "timeColumn", QStringLiteral("Zeit"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
 }
 
 void TestImportDialog::wrongInputsAreToldInPlace_data() {
