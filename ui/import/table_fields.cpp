@@ -154,7 +154,9 @@ void TableFields::showRows() {
     const bool evenly = chosenValue(*m_time) == none || m_time->count() == 0;
     setRowVisible(*m_form, *m_timeUnit, !evenly);
     setRowVisible(*m_form, *m_rate, evenly);
-    setRowVisible(*m_form, *m_second, m_second->count() > 3);
+    const bool hasSecond = m_value->count() - (evenly ? 0 : 1) > 1;
+    if (!hasSecond) choose(*m_second, none);
+    setRowVisible(*m_form, *m_second, hasSecond);
 }
 
 SampleSource TableFields::source() const {

@@ -93,6 +93,7 @@ class TestImportDialog : public QObject {
     void everyChoiceCanBeChanged();
     void unitsThatAreNotKnownAreToBeChosen();
     void aSamplingRateOutOfSightDoesNotMatter();
+    void theSecondGaugeCanBeChosenWithoutTimes();
     void wrongInputsAreToldInPlace_data();
     void wrongInputsAreToldInPlace();
     void theBlowIsOneUndoStepAndIsKeptInTheFile();
@@ -320,6 +321,28 @@ void TestImportDialog::aSamplingRateOutOfSightDoesNotMatter() {
     choose(dialog, "timeColumn", QStringLiteral("Zeit"));
     QVERIFY(settle(dialog));
     QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+}
+
+void TestImportDialog::theSecondGaugeCanBeChosenWithoutTimes() {
+    ImportDialog& dialog = open(write("two.csv", "a [kN];b [kN]\n1;3\n2;4\n3;5\n"), ImportUse::impactForce);
+    const auto& second = control<ChoiceBox>(dialog, "secondGauge");
+    QVERIFY(!second.isVisible());
+    choose(dialog, "timeColumn", QStringLiteral("evenly"));
+    QVERIFY(second.isVisible());
+    choose(dialog, "valueColumn", QStringLiteral("column 1"));
+    choose(dialog, "secondGauge", QStringLiteral("column 2"));
+    choose(dialog, "positive", QStringLiteral("compression"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QCOMPARE(dialog.result()->points.front().force, 2000.0);
+    // Out of sight it is not taken.
+    choose(dialog, "valueColumn", QStringLiteral("column 2"));
+    choose(dialog, "timeColumn", QStringLiteral("column 1"));
+    choose(dialog, "timeUnit", QStringLiteral("ms"));
+    QVERIFY(settle(dialog));
+    QVERIFY(!second.isVisible());
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QCOMPARE(dialog.result()->points.front().force, 3000.0);
 }
 
 void TestImportDialog::wrongInputsAreToldInPlace_data() {
