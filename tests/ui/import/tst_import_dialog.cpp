@@ -94,6 +94,7 @@ class TestImportDialog : public QObject {
     void unitsThatAreNotKnownAreToBeChosen();
     void aSamplingRateOutOfSightDoesNotMatter();
     void theSecondGaugeCanBeChosenWithoutTimes();
+    void anotherFirstLineKeepsWhatWasChosen();
     void wrongInputsAreToldInPlace_data();
     void wrongInputsAreToldInPlace();
     void theBlowIsOneUndoStepAndIsKeptInTheFile();
@@ -343,6 +344,25 @@ void TestImportDialog::theSecondGaugeCanBeChosenWithoutTimes() {
     QVERIFY(!second.isVisible());
     QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
     QCOMPARE(dialog.result()->points.front().force, 3000.0);
+}
+
+void TestImportDialog::anotherFirstLineKeepsWhatWasChosen() {
+    const QByteArray bytes("a;b;c\n0;1;5\n1;2;6\n2;3;7\n3;4;8\n");
+    ImportDialog& dialog = open(write("chosen.csv", bytes), ImportUse::impactForce);
+    choose(dialog, "valueColumn", QStringLiteral("column 3"));
+    choose(dialog, "secondGauge", QStringLiteral("column 2"));
+    choose(dialog, "timeUnit", QStringLiteral("ms"));
+    choose(dialog, "valueUnit", QStringLiteral("kN"));
+    choose(dialog, "positive", QStringLiteral("compression"));
+    control<QSpinBox>(dialog, "firstLine").setValue(3);
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QCOMPARE(dialog.result()->points, (TablePoints{{1e-3, 4000}, {2e-3, 5000}, {3e-3, 6000}}));
+    // Other columns are found out anew.
+    choose(dialog, "separator", QStringLiteral("tab"));
+    choose(dialog, "separator", QStringLiteral("semicolon"));
+    QVERIFY(settle(dialog));
+    QCOMPARE(control<ChoiceBox>(dialog, "valueColumn").currentText(), QStringLiteral("column 2: b"));
 }
 
 void TestImportDialog::wrongInputsAreToldInPlace_data() {
