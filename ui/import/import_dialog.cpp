@@ -32,7 +32,7 @@ namespace drillwave {
 namespace {
 
 constexpr std::size_t startBytes = std::size_t{1} << 18;
-constexpr std::size_t mostLines = 300;
+constexpr std::size_t mostLines = 2000;
 constexpr int linesOnShow = 6;
 constexpr int summaryLines = 4;
 
@@ -187,10 +187,11 @@ void ImportDialog::readStart() {
 void ImportDialog::showLines() {
     QStringList shown;
     const std::size_t first = m_table->source().firstLine;
+    const int digits = m_table->lines().size() < 1000 ? 3 : 4;
     for (std::size_t i = 0; i < m_table->lines().size(); ++i)
         shown.append(QStringLiteral("%1%2  %3")
                          .arg(i + 1 == first ? QLatin1Char('>') : QLatin1Char(' '))
-                         .arg(i + 1, 3)
+                         .arg(i + 1, digits)
                          .arg(QString::fromStdString(m_table->lines()[i])));
     m_lines->setPlainText(shown.join(QLatin1Char('\n')));
     const int above = 3;

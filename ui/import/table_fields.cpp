@@ -12,7 +12,6 @@ namespace drillwave {
 namespace {
 
 constexpr int none = -1;
-constexpr int mostHeaderLines = 100'000;
 
 QString columnText(const TableColumn& column, std::size_t index) {
     const QString number = TableFields::tr("column %1").arg(index + 1);
@@ -64,7 +63,7 @@ void TableFields::addFormat() {
                    {tr("comma 1,5"), static_cast<int>(DecimalSign::comma)}});
     m_firstLine = addCount(
         *m_form, {"firstLine", tr("samples from line"), tr("The first line of the file that is a sample")}, 1,
-        mostHeaderLines, 1);
+        1, 1);
 }
 
 void TableFields::addColumns() {
@@ -114,6 +113,10 @@ RowFormat TableFields::format() const {
 void TableFields::setLines(std::vector<std::string> lines) {
     m_lines = std::move(lines);
     m_table = {};
+    {
+        const QSignalBlocker quiet(m_firstLine);
+        m_firstLine->setMaximum(std::max(1, static_cast<int>(m_lines.size())));
+    }
     takeTable(detectTable(m_lines));
 }
 
@@ -208,9 +211,10 @@ std::optional<NamedSignalUnit> TableFields::valueUnit() const {
 
 QString TableFields::problem() const {
     if (!m_table.hasSamples())
-        return tr(
-            "No line of numbers is found with this separator and decimal sign: choose others, or the "
-            "line where the samples begin.");
+        return tr("No line of numbers is found in the first %1 lines with this separator and decimal sign: "
+                  "choose "
+                  "others, or the line where the samples begin; a longer header is to be cut off the file.")
+            .arg(m_lines.size());
     const SampleSource now = source();
     if (now.timeColumn == now.valueColumn)
         return tr("Time and signal are the same column: choose another one, or a sampling rate.");

@@ -95,6 +95,7 @@ class TestImportDialog : public QObject {
     void aSamplingRateOutOfSightDoesNotMatter();
     void theSecondGaugeCanBeChosenWithoutTimes();
     void anotherFirstLineKeepsWhatWasChosen();
+    void aLongHeaderIsPassedOverAndALongerOneIsTold();
     void wrongInputsAreToldInPlace_data();
     void wrongInputsAreToldInPlace();
     void theBlowIsOneUndoStepAndIsKeptInTheFile();
@@ -188,7 +189,7 @@ void TestImportDialog::aGaugeRecordIsUnderstood() {
     QCOMPARE(control<ChoiceBox>(dialog, "kind").currentText(), QStringLiteral("strain"));
     QCOMPARE(control<ChoiceBox>(dialog, "valueUnit").currentText(), QStringLiteral("microstrain"));
     QCOMPARE(control<ChoiceBox>(dialog, "positive").currentText(), QStringLiteral("tension"));
-    QVERIFY(control<QPlainTextEdit>(dialog, "lines").toPlainText().contains(QStringLiteral(">  4  0,0000")));
+    QVERIFY(control<QPlainTextEdit>(dialog, "lines").toPlainText().contains(QStringLiteral(">   4  0,0000")));
     QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
     QVERIFY(control<QPushButton>(dialog, "take").isEnabled());
 }
@@ -363,6 +364,20 @@ void TestImportDialog::anotherFirstLineKeepsWhatWasChosen() {
     choose(dialog, "separator", QStringLiteral("semicolon"));
     QVERIFY(settle(dialog));
     QCOMPARE(control<ChoiceBox>(dialog, "valueColumn").currentText(), QStringLiteral("column 2: b"));
+}
+
+void TestImportDialog::aLongHeaderIsPassedOverAndALongerOneIsTold() {
+    const QByteArray header = QByteArray("a setting of the recorder\n").repeated(1500);
+    const QByteArray table("t [us];F [kN]\n0;0\n100;50\n200;0\n");
+    ImportDialog& dialog = open(write("long.csv", header + table), ImportUse::blow);
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QCOMPARE(control<QSpinBox>(dialog, "firstLine").value(), 1502);
+    ImportDialog& longer = open(write("longer.csv", header + header + table), ImportUse::blow);
+    QVERIFY(settle(longer));
+    QVERIFY2(message(longer).contains(QStringLiteral("in the first 2000 lines")),
+             qPrintable(message(longer)));
+    QCOMPARE(control<QSpinBox>(longer, "firstLine").maximum(), 2000);
 }
 
 void TestImportDialog::wrongInputsAreToldInPlace_data() {
