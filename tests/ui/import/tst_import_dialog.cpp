@@ -106,6 +106,7 @@ class TestImportDialog : public QObject {
     void theDialogFollowsTheRod();
     void theWindowMayCloseWhileTheDialogIsOpen();
     void aDroppedTableOpensTheDialog();
+    void aDroppedCsvThatIsNoBlowOpensTheDialog();
     void aMeasuredForceLiesOnTheComputedOneOfTheSameBlow_data();
     void aMeasuredForceLiesOnTheComputedOneOfTheSameBlow();
     void anExportedCurveIsReadBack();
@@ -510,6 +511,15 @@ void TestImportDialog::aDroppedTableOpensTheDialog() {
     QCOMPARE(help->shortcut(), QKeySequence(Qt::Key_F1));
     help->click();
     QVERIFY(m_answers.told.value(0).contains(QStringLiteral("Zero line")));
+}
+
+void TestImportDialog::aDroppedCsvThatIsNoBlowOpensTheDialog() {
+    part<FileMenu>(*m_window).take({write("record.csv", gaugeRecord())});
+    auto* dialog = m_window->findChild<ImportDialog*>();
+    QVERIFY(dialog && settle(*dialog));
+    QVERIFY2(dialog->result() != nullptr, qPrintable(message(*dialog)));
+    QVERIFY(m_answers.told.isEmpty());
+    QVERIFY(!m_window->document().isModified());
 }
 
 void TestImportDialog::aMeasuredForceLiesOnTheComputedOneOfTheSameBlow_data() {
