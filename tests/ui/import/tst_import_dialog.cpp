@@ -28,6 +28,7 @@
 #include "ui/pages/blow/measured_curves.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
+#include "ui/text/unit_choice.h"
 #include "ui/window/file_menu.h"
 
 using namespace drillwave;
@@ -111,6 +112,7 @@ class TestImportDialog : public QObject {
     void aMeasuredForceLiesOnTheComputedOneOfTheSameBlow();
     void anExportedCurveIsReadBack();
     void measuredCurvesAreShiftedAndRemoved();
+    void theMeasuredRowFollowsTheUnits();
     void everythingCanBeReadAndReached_data();
     void everythingCanBeReadAndReached();
 
@@ -651,6 +653,24 @@ void TestImportDialog::measuredCurvesAreShiftedAndRemoved() {
     control<QToolButton>(*bar, "removeMeasured").click();
     QVERIFY(page->measuredCurves()->graphs().isEmpty());
     QVERIFY(!bar->isVisible());
+}
+
+void TestImportDialog::theMeasuredRowFollowsTheUnits() {
+    ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::normalForce);
+    type(dialog, "place", QStringLiteral("1.5 m"));
+    QVERIFY(settle(dialog));
+    control<QPushButton>(dialog, "take").click();
+    const auto& place = control<QPushButton>(*m_window, "measuredPlace");
+    const auto& box = control<ChoiceBox>(*m_window, "measuredSignal");
+    const QString before = place.text() + box.toolTip();
+    QVERIFY2(place.text().endsWith(QStringLiteral("m")), qPrintable(place.text()));
+    UnitChoice::shared().choose(UnitSystem::us);
+    const QString after = place.text(), toolTip = box.toolTip();
+    UnitChoice::shared().choose(UnitSystem::si);
+    QVERIFY2(after.endsWith(QStringLiteral("ft")) || after.endsWith(QStringLiteral("in")), qPrintable(after));
+    QVERIFY2(toolTip.contains(QStringLiteral("lbf")) || toolTip.contains(QStringLiteral("kip")),
+             qPrintable(toolTip));
+    QCOMPARE(place.text() + box.toolTip(), before);
 }
 
 void TestImportDialog::everythingCanBeReadAndReached_data() {

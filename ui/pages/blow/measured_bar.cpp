@@ -13,6 +13,7 @@
 #include "ui/form/quantity_field.h"
 #include "ui/pages/blow/measured_curves.h"
 #include "ui/pages/study/flow_layout.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -85,6 +86,7 @@ MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
     connect(m_align, &QPushButton::clicked, this, [this] { emit alignmentWanted(chosen()); });
     connect(m_remove, &QToolButton::clicked, this, [this] { m_list.remove(chosen()); });
     connect(&m_list, &MeasuredList::changed, this, &MeasuredBar::showList);
+    connect(&UnitChoice::shared(), &UnitChoice::changed, this, &MeasuredBar::showChosen);
     setComparable(true);
     showList();
 }
