@@ -20,6 +20,15 @@ namespace {
 constexpr int digits = 3;
 constexpr int gap = 4;  // between the frame, the labels and the curve [px]
 
+// One that suits this value, which may be far from the mean force that other units go by.
+ShownUnit pulseUnit(double si, UnitKind kind) {
+    const UnitChoice& choice = UnitChoice::shared();
+    ShownUnits units;
+    units.system = choice.physicalSystem();
+    units.chosen = choice.chosen();
+    return units.of(kind, std::abs(si));
+}
+
 QString peakText(double peak, const Scenario& scenario) {
     if (naturalUnits(scenario) == UnitSystem::si)
         return pulseText(peak * scalesOf(scenario).force, UnitKind::force);
@@ -29,14 +38,15 @@ QString peakText(double peak, const Scenario& scenario) {
 
 }  // namespace
 
-// In a unit that suits this value, which may be far from the mean force that other units go by.
 QString pulseText(double si, UnitKind kind) {
-    const UnitChoice& choice = UnitChoice::shared();
-    ShownUnits units;
-    units.system = choice.physicalSystem();
-    units.chosen = choice.chosen();
-    const ShownUnit unit = units.of(kind, std::abs(si));
+    const ShownUnit unit = pulseUnit(si, kind);
     return numberText(si * unit.factor, digits, QLocale()) + QChar(QChar::Nbsp) + unit.unit;
+}
+
+QString pulseBoundText(double si, UnitKind kind) {
+    const ShownUnit unit = pulseUnit(si, kind);
+    return numberText(roundedUp(si * unit.factor, digits), digits, QLocale()) + QChar(QChar::Nbsp) +
+           unit.unit;
 }
 
 PulsePreview::PulsePreview(QWidget* parent) : QWidget(parent) {

@@ -41,4 +41,7 @@ QString shapeText(PulseShape shape);
 /// A duration, force or impulse of the hammer with three digits, in the user's units: "200 µs", "57.3 kip".
 QString pulseText(double si, UnitKind kind);
 
+/// The same of a bound ≥ 0, never smaller than it is.
+QString pulseBoundText(double si, UnitKind kind);
+
 }  // namespace drillwave

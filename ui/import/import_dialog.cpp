@@ -32,7 +32,7 @@ namespace drillwave {
 namespace {
 
 constexpr std::size_t startBytes = std::size_t{1} << 18;
-constexpr std::size_t mostLines = 300;
+constexpr std::size_t mostLines = 2000;
 constexpr int linesOnShow = 6;
 constexpr int summaryLines = 4;
 
@@ -83,8 +83,10 @@ ImportDialog::ImportDialog(const QString& path, ImportUse use, const Document& d
     });
     connect(m_signal, &SignalFields::visibleTimesWanted, this,
             [this] { m_signal->setTimes(m_drawing->visibleTimes()); });
-    connect(&document, &Document::scenarioChanged, this,
-            [this] { m_signal->setScenario(m_document.scenario()); });
+    connect(&document, &Document::scenarioChanged, this, [this] {
+        m_signal->setScenario(m_document.scenario());
+        showState();
+    });
     m_signal->setScenario(document.scenario());
     setUse(use);
     resize(1000, 680);
@@ -185,10 +187,11 @@ void ImportDialog::readStart() {
 void ImportDialog::showLines() {
     QStringList shown;
     const std::size_t first = m_table->source().firstLine;
+    const int digits = m_table->lines().size() < 1000 ? 3 : 4;
     for (std::size_t i = 0; i < m_table->lines().size(); ++i)
         shown.append(QStringLiteral("%1%2  %3")
                          .arg(i + 1 == first ? QLatin1Char('>') : QLatin1Char(' '))
-                         .arg(i + 1, 3)
+                         .arg(i + 1, digits)
                          .arg(QString::fromStdString(m_table->lines()[i])));
     m_lines->setPlainText(shown.join(QLatin1Char('\n')));
     const int above = 3;
@@ -303,7 +306,10 @@ void ImportDialog::showState() {
     if (message.isEmpty()) message = m_refusal;
     m_message->setText(message);
     const bool known = result() != nullptr;
-    m_summary->setText(known ? importSummary(*preview) : QString());
+    QString summary = known ? importSummary(*preview) : QString();
+    if (known && use() == ImportUse::blow && m_document.scenario().form != ScenarioForm::dimensional)
+        summary += QLatin1Char(' ') + tr("Only the shape is taken: this scenario has no physical units.");
+    m_summary->setText(summary);
     m_take->setEnabled(known);
 }
 

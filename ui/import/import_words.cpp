@@ -17,8 +17,10 @@ QString tr(const char* text) {
 
 constexpr double muchOf = 0.05;  // the impulse, for what clipping adds
 
+constexpr int percentDigits = 2;
+
 QString percent(double share) {
-    return numberText(100 * share, 2, QLocale()) + QChar(QChar::Nbsp) + QLatin1Char('%');
+    return numberText(100 * share, percentDigits, QLocale()) + QChar(QChar::Nbsp) + QLatin1Char('%');
 }
 
 QString countText(std::size_t count) {
@@ -39,13 +41,13 @@ QString importSummary(const ImportPreview& preview) {
         parts << tr("All of the %1 samples are kept, of %2 in the record.")
                      .arg(countText(signal.samples), countText(preview.samples));
     else
-        parts
-            << tr("%1 of %2 samples become %3 points: no sample is further than %4 (%5 of the peak) from the "
-                  "lines between them, the impulse changes by %6.")
-                   .arg(countText(signal.samples), countText(preview.samples),
-                        countText(signal.points.size()), pulseText(signal.deviation, UnitKind::force),
-                        peak > 0 ? percent(signal.deviation / peak) : QStringLiteral("–"),
-                        pulseText(signal.impulseChange, UnitKind::impulse));
+        parts << tr("%1 of %2 samples become %3 points: no sample of what is taken is further than %4 (%5 of "
+                    "the peak) from the lines between them, the impulse changes by %6.")
+                     .arg(countText(signal.samples), countText(preview.samples),
+                          countText(signal.points.size()), pulseBoundText(signal.deviation, UnitKind::force),
+                          peak > 0 ? percent(roundedUp(signal.deviation / peak, percentDigits))
+                                   : QStringLiteral("–"),
+                          pulseText(signal.impulseChange, UnitKind::impulse));
     if (signal.clipped > 0)
         parts << tr("%1 negative samples are clipped, which adds %2 to the impulse.")
                      .arg(countText(signal.clipped), pulseText(signal.clippedImpulse, UnitKind::impulse));

@@ -2,6 +2,7 @@
 #include "ui/import/table_fields.h"
 
 #include <QSignalBlocker>
+#include <algorithm>
 
 #include "core/signal/sample_guess.h"
 #include "ui/import/import_rows.h"
@@ -11,7 +12,6 @@ namespace drillwave {
 namespace {
 
 constexpr int none = -1;
-constexpr int mostHeaderLines = 100'000;
 
 QString columnText(const TableColumn& column, std::size_t index) {
     const QString number = TableFields::tr("column %1").arg(index + 1);
@@ -63,7 +63,7 @@ void TableFields::addFormat() {
                    {tr("comma 1,5"), static_cast<int>(DecimalSign::comma)}});
     m_firstLine = addCount(
         *m_form, {"firstLine", tr("samples from line"), tr("The first line of the file that is a sample")}, 1,
-        mostHeaderLines, 1);
+        1, 1);
 }
 
 void TableFields::addColumns() {
@@ -90,7 +90,10 @@ void TableFields::wire() {
                 [this] { takeTable(detectTable(m_lines, format())); });
     connect(m_firstLine, &QSpinBox::valueChanged, this,
             [this](int line) { takeTable(tableFrom(m_lines, format(), static_cast<std::size_t>(line))); });
+    for (ChoiceBox* box : {m_time, m_timeUnit, m_value, m_second})
+        connect(box, &QComboBox::currentIndexChanged, this, [this, box] { m_touched.insert(box); });
     connect(m_time, &QComboBox::currentIndexChanged, this, [this] {
+        m_touched.remove(m_timeUnit);
         showTimeUnit();
         showRows();
         emit changed();
@@ -109,10 +112,32 @@ RowFormat TableFields::format() const {
 
 void TableFields::setLines(std::vector<std::string> lines) {
     m_lines = std::move(lines);
+    m_table = {};
+    {
+        const QSignalBlocker quiet(m_firstLine);
+        m_firstLine->setMaximum(std::max(1, static_cast<int>(m_lines.size())));
+    }
     takeTable(detectTable(m_lines));
 }
 
+std::optional<TableColumn> TableFields::valueColumn() const {
+    const std::size_t column = placeOf(*m_value).value_or(0);
+    return column < m_table.columns.size() ? std::optional(m_table.columns[column]) : std::nullopt;
+}
+
+// What the user has chosen stays while the columns do, and names where no others are found.
 void TableFields::takeTable(DetectedTable table) {
+    const bool sameColumns = table.columns.size() == m_table.columns.size() && table.hasSamples();
+    const auto isNameless = [](const TableColumn& column) {
+        return column.name.empty() && column.unit.empty();
+    };
+    if (sameColumns && std::ranges::all_of(table.columns, isNameless))
+        for (std::size_t i = 0; i < table.columns.size(); ++i) {
+            table.columns[i].name = m_table.columns[i].name;
+            table.columns[i].unit = m_table.columns[i].unit;
+        }
+    const std::optional<TableColumn> before = valueColumn();
+    const int columnBefore = chosenValue(*m_value);
     m_table = std::move(table);
     choose(*m_separator, m_table.format.separator);
     choose(*m_decimal, static_cast<int>(m_table.format.decimal));
@@ -120,12 +145,16 @@ void TableFields::takeTable(DetectedTable table) {
         const QSignalBlocker quiet(m_firstLine);
         m_firstLine->setValue(static_cast<int>(m_table.firstLine));
     }
-    showColumns();
-    emit valueColumnChanged();
+    showColumns(sameColumns);
+    const std::optional<TableColumn> now = valueColumn();
+    const bool sameSignal = before && now && columnBefore == chosenValue(*m_value) &&
+                            before->name == now->name && before->unit == now->unit;
+    if (!sameSignal) emit valueColumnChanged();
     emit changed();
 }
 
-void TableFields::showColumns() {
+void TableFields::showColumns(bool keepsChoices) {
+    if (!keepsChoices) m_touched.clear();
     QList<RowChoice> columns;
     for (std::size_t i = 0; i < m_table.columns.size(); ++i)
         columns.append({columnText(m_table.columns[i], i), static_cast<int>(i)});
@@ -133,10 +162,13 @@ void TableFields::showColumns() {
     setEntries(*m_second, QList<RowChoice>{{tr("no other gauge"), none}} + columns);
     setEntries(*m_time, columns + QList<RowChoice>{{tr("evenly spaced"), none}});
     const SampleGuess guess = guessedSource(m_table);
-    choose(*m_value, static_cast<int>(guess.source.valueColumn));
-    choose(*m_second, none);
-    choose(*m_time, guess.source.timeColumn ? static_cast<int>(*guess.source.timeColumn) : none);
-    showTimeUnit();
+    const auto propose = [this](ChoiceBox& box, int choice) {
+        if (!m_touched.contains(&box)) choose(box, choice);
+    };
+    propose(*m_value, static_cast<int>(guess.source.valueColumn));
+    propose(*m_second, none);
+    propose(*m_time, guess.source.timeColumn ? static_cast<int>(*guess.source.timeColumn) : none);
+    if (!m_touched.contains(m_timeUnit)) showTimeUnit();
     showRows();
 }
 
@@ -154,7 +186,9 @@ void TableFields::showRows() {
     const bool evenly = chosenValue(*m_time) == none || m_time->count() == 0;
     setRowVisible(*m_form, *m_timeUnit, !evenly);
     setRowVisible(*m_form, *m_rate, evenly);
-    setRowVisible(*m_form, *m_second, m_second->count() > 3);
+    const bool hasSecond = m_value->count() - (evenly ? 0 : 1) > 1;
+    if (!hasSecond) choose(*m_second, none);
+    setRowVisible(*m_form, *m_second, hasSecond);
 }
 
 SampleSource TableFields::source() const {
@@ -172,15 +206,15 @@ SampleSource TableFields::source() const {
 }
 
 std::optional<NamedSignalUnit> TableFields::valueUnit() const {
-    const std::size_t column = placeOf(*m_value).value_or(0);
-    return guessedUnit(column < m_table.columns.size() ? m_table.columns[column] : TableColumn{});
+    return guessedUnit(valueColumn().value_or(TableColumn{}));
 }
 
 QString TableFields::problem() const {
     if (!m_table.hasSamples())
-        return tr(
-            "No line of numbers is found with this separator and decimal sign: choose others, or the "
-            "line where the samples begin.");
+        return tr("No line of numbers is found in the first %1 lines with this separator and decimal sign: "
+                  "choose "
+                  "others, or the line where the samples begin; a longer header is to be cut off the file.")
+            .arg(m_lines.size());
     const SampleSource now = source();
     if (now.timeColumn == now.valueColumn)
         return tr("Time and signal are the same column: choose another one, or a sampling rate.");
@@ -189,7 +223,8 @@ QString TableFields::problem() const {
     if (now.timeColumn && chosenValue(*m_timeUnit) == none)
         return tr("unit of time: %1 is not known: choose one.")
             .arg(QString::fromStdString(m_table.columns[*now.timeColumn].unit));
-    if (!m_rate->problem().isEmpty()) return tr("sampling rate: %1").arg(m_rate->problem());
+    if (!now.timeColumn && !m_rate->problem().isEmpty())
+        return tr("sampling rate: %1").arg(m_rate->problem());
     return {};
 }
 

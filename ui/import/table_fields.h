@@ -2,6 +2,7 @@
 // How a table of samples is written, and which of its columns are wanted: found out, and to be changed.
 #pragma once
 
+#include <QSet>
 #include <QWidget>
 #include <optional>
 #include <string>
@@ -38,7 +39,7 @@ class TableFields : public QWidget {
   signals:
     /// Another source.
     void changed();
-    /// Another column of values, before changed().
+    /// Another column of values, or another unit in its header, before changed().
     void valueColumnChanged();
 
   private:
@@ -47,11 +48,13 @@ class TableFields : public QWidget {
     void wire();
     RowFormat format() const;
     void takeTable(DetectedTable table);
-    void showColumns();
+    void showColumns(bool keepsChoices);
     void showTimeUnit();
+    std::optional<TableColumn> valueColumn() const;
     void showRows();
 
     std::vector<std::string> m_lines;
+    QSet<const QWidget*> m_touched;  // columns and units that the user has chosen
     DetectedTable m_table;
     QFormLayout* m_form;
     ChoiceBox* m_separator = nullptr;

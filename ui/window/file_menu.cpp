@@ -174,7 +174,8 @@ void FileMenu::take(const QStringList& paths) {
                (isCsv(paths.first()) && isResult(paths.first()))) {
         if (mayDiscard()) openFile(paths.first());
     } else if (isCsv(paths.first())) {
-        succeeded(tr("The hammer blow cannot be taken from this file."), m_document.useTable(paths.first()));
+        // What is no table of a blow as it stands may become one.
+        if (!m_document.useTable(paths.first()).isEmpty()) emit importRequested(paths.first());
     } else if (isTableName(paths.first())) {
         emit importRequested(paths.first());
     } else {

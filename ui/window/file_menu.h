@@ -22,7 +22,7 @@ class FileMenu : public QMenu {
     /// why if it cannot. True when opened.
     bool openFile(const QString& path);
     /// Takes what was dropped onto the window: a scenario, the CSV file of a result, or that of a hammer
-    /// blow.
+    /// blow; asks for an import of any other table.
     void take(const QStringList& paths);
     /// Whether the present scenario may be replaced or closed: saved, unchanged or given up.
     bool mayDiscard();

@@ -28,6 +28,7 @@
 #include "ui/pages/blow/measured_curves.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
+#include "ui/text/unit_choice.h"
 #include "ui/window/file_menu.h"
 
 using namespace drillwave;
@@ -92,19 +93,26 @@ class TestImportDialog : public QObject {
     void theSameFileAsAMeasuredForceKeepsItsSign();
     void everyChoiceCanBeChanged();
     void unitsThatAreNotKnownAreToBeChosen();
+    void aSamplingRateOutOfSightDoesNotMatter();
+    void theSecondGaugeCanBeChosenWithoutTimes();
+    void anotherFirstLineKeepsWhatWasChosen();
+    void aLongHeaderIsPassedOverAndALongerOneIsTold();
     void wrongInputsAreToldInPlace_data();
     void wrongInputsAreToldInPlace();
     void theBlowIsOneUndoStepAndIsKeptInTheFile();
     void aBlowOfAllThePointsThereMayBeFitsItsFile();
+    void withoutPhysicalUnitsOnlyTheShapeIsTaken();
     void aPlaceBeyondTheRodIsRefused();
     void aBlowThatTheScenarioRefusesStaysInTheDialog();
     void theDialogFollowsTheRod();
     void theWindowMayCloseWhileTheDialogIsOpen();
     void aDroppedTableOpensTheDialog();
+    void aDroppedCsvThatIsNoBlowOpensTheDialog();
     void aMeasuredForceLiesOnTheComputedOneOfTheSameBlow_data();
     void aMeasuredForceLiesOnTheComputedOneOfTheSameBlow();
     void anExportedCurveIsReadBack();
     void measuredCurvesAreShiftedAndRemoved();
+    void theMeasuredRowFollowsTheUnits();
     void everythingCanBeReadAndReached_data();
     void everythingCanBeReadAndReached();
 
@@ -184,7 +192,7 @@ void TestImportDialog::aGaugeRecordIsUnderstood() {
     QCOMPARE(control<ChoiceBox>(dialog, "kind").currentText(), QStringLiteral("strain"));
     QCOMPARE(control<ChoiceBox>(dialog, "valueUnit").currentText(), QStringLiteral("microstrain"));
     QCOMPARE(control<ChoiceBox>(dialog, "positive").currentText(), QStringLiteral("tension"));
-    QVERIFY(control<QPlainTextEdit>(dialog, "lines").toPlainText().contains(QStringLiteral(">  4  0,0000")));
+    QVERIFY(control<QPlainTextEdit>(dialog, "lines").toPlainText().contains(QStringLiteral(">   4  0,0000")));
     QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
     QVERIFY(control<QPushButton>(dialog, "take").isEnabled());
 }
@@ -309,6 +317,72 @@ void TestImportDialog::unitsThatAreNotKnownAreToBeChosen() {
     QCOMPARE(dialog.result()->points, (TablePoints{{0, 1000}, {1e-3, 2000}, {2e-3, 0}}));
 }
 
+void TestImportDialog::aSamplingRateOutOfSightDoesNotMatter() {
+    ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::normalForce);
+    choose(dialog, "timeColumn", QStringLiteral("evenly"));
+    type(dialog, "rate", QStringLiteral("-5 kHz"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("sampling rate")), qPrintable(message(dialog)));
+    choose(dialog, "timeColumn", QStringLiteral("Zeit"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+}
+
+void TestImportDialog::theSecondGaugeCanBeChosenWithoutTimes() {
+    ImportDialog& dialog = open(write("two.csv", "a [kN];b [kN]\n1;3\n2;4\n3;5\n"), ImportUse::impactForce);
+    const auto& second = control<ChoiceBox>(dialog, "secondGauge");
+    QVERIFY(!second.isVisible());
+    choose(dialog, "timeColumn", QStringLiteral("evenly"));
+    QVERIFY(second.isVisible());
+    choose(dialog, "valueColumn", QStringLiteral("column 1"));
+    choose(dialog, "secondGauge", QStringLiteral("column 2"));
+    choose(dialog, "positive", QStringLiteral("compression"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QCOMPARE(dialog.result()->points.front().force, 2000.0);
+    // Out of sight it is not taken.
+    choose(dialog, "valueColumn", QStringLiteral("column 2"));
+    choose(dialog, "timeColumn", QStringLiteral("column 1"));
+    choose(dialog, "timeUnit", QStringLiteral("ms"));
+    QVERIFY(settle(dialog));
+    QVERIFY(!second.isVisible());
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QCOMPARE(dialog.result()->points.front().force, 3000.0);
+}
+
+void TestImportDialog::anotherFirstLineKeepsWhatWasChosen() {
+    const QByteArray bytes("a;b;c\n0;1;5\n1;2;6\n2;3;7\n3;4;8\n");
+    ImportDialog& dialog = open(write("chosen.csv", bytes), ImportUse::impactForce);
+    choose(dialog, "valueColumn", QStringLiteral("column 3"));
+    choose(dialog, "secondGauge", QStringLiteral("column 2"));
+    choose(dialog, "timeUnit", QStringLiteral("ms"));
+    choose(dialog, "valueUnit", QStringLiteral("kN"));
+    choose(dialog, "positive", QStringLiteral("compression"));
+    control<QSpinBox>(dialog, "firstLine").setValue(3);
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QCOMPARE(dialog.result()->points, (TablePoints{{1e-3, 4000}, {2e-3, 5000}, {3e-3, 6000}}));
+    // Other columns are found out anew.
+    choose(dialog, "separator", QStringLiteral("tab"));
+    choose(dialog, "separator", QStringLiteral("semicolon"));
+    QVERIFY(settle(dialog));
+    QCOMPARE(control<ChoiceBox>(dialog, "valueColumn").currentText(), QStringLiteral("column 2: b"));
+}
+
+void TestImportDialog::aLongHeaderIsPassedOverAndALongerOneIsTold() {
+    const QByteArray header = QByteArray("a setting of the recorder\n").repeated(1500);
+    const QByteArray table("t [us];F [kN]\n0;0\n100;50\n200;0\n");
+    ImportDialog& dialog = open(write("long.csv", header + table), ImportUse::blow);
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QCOMPARE(control<QSpinBox>(dialog, "firstLine").value(), 1502);
+    ImportDialog& longer = open(write("longer.csv", header + header + table), ImportUse::blow);
+    QVERIFY(settle(longer));
+    QVERIFY2(message(longer).contains(QStringLiteral("in the first 2000 lines")),
+             qPrintable(message(longer)));
+    QCOMPARE(control<QSpinBox>(longer, "firstLine").maximum(), 2000);
+}
+
 void TestImportDialog::wrongInputsAreToldInPlace_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<QString>("words");
@@ -369,6 +443,22 @@ void TestImportDialog::aBlowOfAllThePointsThereMayBeFitsItsFile() {
              m_window->document().scenario().pulse.tablePoints);
 }
 
+void TestImportDialog::withoutPhysicalUnitsOnlyTheShapeIsTaken() {
+    const QString path = write("blow.csv", "t [us];F [kN]\n0;0\n100;50\n200;0\n");
+    const QString words = QStringLiteral("Only the shape is taken");
+    ImportDialog& dialog = open(path, ImportUse::blow);
+    QVERIFY(settle(dialog));
+    QVERIFY(dialog.result() != nullptr);
+    QVERIFY(!control<QLabel>(dialog, "summary").text().contains(words));
+    m_window->document().startFrom(findExample("paper_fig4b")->text, QStringLiteral("paper"));
+    QVERIFY(settle(dialog));
+    QVERIFY(control<QLabel>(dialog, "summary").text().contains(words));
+    auto& use = control<ChoiceBox>(dialog, "use");
+    use.setCurrentIndex(use.findData(static_cast<int>(ImportUse::impactForce)));
+    QVERIFY(settle(dialog));
+    QVERIFY(!control<QLabel>(dialog, "summary").text().contains(words));
+}
+
 void TestImportDialog::aPlaceBeyondTheRodIsRefused() {
     ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::normalForce);
     type(dialog, "place", QStringLiteral("3.7 m"));
@@ -423,6 +513,15 @@ void TestImportDialog::aDroppedTableOpensTheDialog() {
     QCOMPARE(help->shortcut(), QKeySequence(Qt::Key_F1));
     help->click();
     QVERIFY(m_answers.told.value(0).contains(QStringLiteral("Zero line")));
+}
+
+void TestImportDialog::aDroppedCsvThatIsNoBlowOpensTheDialog() {
+    part<FileMenu>(*m_window).take({write("record.csv", gaugeRecord())});
+    auto* dialog = m_window->findChild<ImportDialog*>();
+    QVERIFY(dialog && settle(*dialog));
+    QVERIFY2(dialog->result() != nullptr, qPrintable(message(*dialog)));
+    QVERIFY(m_answers.told.isEmpty());
+    QVERIFY(!m_window->document().isModified());
 }
 
 void TestImportDialog::aMeasuredForceLiesOnTheComputedOneOfTheSameBlow_data() {
@@ -554,6 +653,24 @@ void TestImportDialog::measuredCurvesAreShiftedAndRemoved() {
     control<QToolButton>(*bar, "removeMeasured").click();
     QVERIFY(page->measuredCurves()->graphs().isEmpty());
     QVERIFY(!bar->isVisible());
+}
+
+void TestImportDialog::theMeasuredRowFollowsTheUnits() {
+    ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::normalForce);
+    type(dialog, "place", QStringLiteral("1.5 m"));
+    QVERIFY(settle(dialog));
+    control<QPushButton>(dialog, "take").click();
+    const auto& place = control<QPushButton>(*m_window, "measuredPlace");
+    const auto& box = control<ChoiceBox>(*m_window, "measuredSignal");
+    const QString before = place.text() + box.toolTip();
+    QVERIFY2(place.text().endsWith(QStringLiteral("m")), qPrintable(place.text()));
+    UnitChoice::shared().choose(UnitSystem::us);
+    const QString after = place.text(), toolTip = box.toolTip();
+    UnitChoice::shared().choose(UnitSystem::si);
+    QVERIFY2(after.endsWith(QStringLiteral("ft")) || after.endsWith(QStringLiteral("in")), qPrintable(after));
+    QVERIFY2(toolTip.contains(QStringLiteral("lbf")) || toolTip.contains(QStringLiteral("kip")),
+             qPrintable(toolTip));
+    QCOMPARE(place.text() + box.toolTip(), before);
 }
 
 void TestImportDialog::everythingCanBeReadAndReached_data() {

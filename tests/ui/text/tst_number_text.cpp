@@ -13,6 +13,8 @@ class TestNumberText : public QObject {
   private slots:
     void numbersAreWrittenForPeople_data();
     void numbersAreWrittenForPeople();
+    void boundsAreRoundedUp_data();
+    void boundsAreRoundedUp();
     void theLocaleGivesTheComma();
 };
 
@@ -37,6 +39,26 @@ void TestNumberText::numbersAreWrittenForPeople() {
     QFETCH(const double, value);
     QFETCH(const int, digits);
     QTEST(numberText(value, digits, QLocale::c()), "text");
+}
+
+void TestNumberText::boundsAreRoundedUp_data() {
+    QTest::addColumn<double>("value");
+    QTest::addColumn<int>("digits");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("just above") << 1.2301 << 3 << QStringLiteral("1.24");
+    QTest::newRow("already round") << 0.3 << 1 << QStringLiteral("0.3");
+    QTest::newRow("already round, three digits") << 1.1 << 3 << QStringLiteral("1.1");
+    QTest::newRow("one digit more") << 99.91 << 3 << QStringLiteral("100");
+    QTest::newRow("large") << 1234.0 << 2 << QStringLiteral("1300");
+    QTest::newRow("small") << 3.21e-7 << 2 << QStringLiteral("3.3·10⁻⁷");
+    QTest::newRow("nothing") << 0.0 << 3 << QStringLiteral("0");
+}
+
+void TestNumberText::boundsAreRoundedUp() {
+    QFETCH(const double, value);
+    QFETCH(const int, digits);
+    QTEST(numberText(roundedUp(value, digits), digits, QLocale::c()), "text");
+    QCOMPARE(boundText(3.2e-15, QLocale::c()), QStringLiteral("4·10⁻¹⁵"));
 }
 
 void TestNumberText::theLocaleGivesTheComma() {

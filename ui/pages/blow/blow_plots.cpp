@@ -40,12 +40,6 @@ bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
     return a.time.unit == b.time.unit && a.force.unit == b.force.unit && a.impulse.unit == b.impulse.unit;
 }
 
-// A bound with one digit, not smaller than it is.
-QString boundText(double bound, const QLocale& locale) {
-    const double decade = std::pow(10, std::floor(std::log10(bound)));
-    return magnitudeText(std::ceil(bound / decade) * decade, locale);
-}
-
 // Two decimals, three where they say more.
 QString sectionText(double section, const QLocale& locale) {
     const bool twoDo = std::abs(100 * section - std::round(100 * section)) < 0.05;

@@ -13,6 +13,7 @@
 #include "ui/form/quantity_field.h"
 #include "ui/pages/blow/measured_curves.h"
 #include "ui/pages/study/flow_layout.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -85,6 +86,7 @@ MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
     connect(m_align, &QPushButton::clicked, this, [this] { emit alignmentWanted(chosen()); });
     connect(m_remove, &QToolButton::clicked, this, [this] { m_list.remove(chosen()); });
     connect(&m_list, &MeasuredList::changed, this, &MeasuredBar::showList);
+    connect(&UnitChoice::shared(), &UnitChoice::changed, this, &MeasuredBar::showChosen);
     setComparable(true);
     showList();
 }
@@ -128,9 +130,9 @@ void MeasuredBar::showChosen() {
     m_place->setVisible(hasPlace);
     if (hasPlace) m_place->setText(tr("at %1").arg(pulseText(signal.place, UnitKind::length)));
     m_shift->setValue(signal.timeShift);
-    m_box->setToolTip(tr("%1 points; no sample is further than %2 from them")
+    m_box->setToolTip(tr("%1 points; no sample of what is taken is further than %2 from them")
                           .arg(locale().toString(static_cast<qulonglong>(signal.points.size())),
-                               pulseText(signal.deviation, UnitKind::force)));
+                               pulseBoundText(signal.deviation, UnitKind::force)));
 }
 
 }  // namespace drillwave
