@@ -138,6 +138,10 @@ void CursorBar::writeCells() {
     }
 }
 
+void CursorBar::setCopyEnabled(bool enabled) {
+    m_copy->setEnabled(enabled);
+}
+
 void CursorBar::copy() const {
     QGuiApplication::clipboard()->setText(readingTable(m_choice->currentText(), m_cells));
 }

@@ -32,6 +32,8 @@ class CursorBar : public QFrame {
     QString text() const { return m_text; }
     /// Puts the table into the clipboard.
     void copy() const;
+    /// Whether the user may copy it.
+    void setCopyEnabled(bool enabled);
     /// [px] for a width [px]: two lines, three where that is narrow.
     int heightFor(int width) const;
 

@@ -153,6 +153,10 @@ QString CurveReader::text() const {
     return m_bar->isVisibleTo(&m_plot) ? m_bar->text() : QString();
 }
 
+void CurveReader::setCurrent(bool current) {
+    m_bar->setCopyEnabled(current);
+}
+
 void CurveReader::copy() const {
     m_bar->copy();
 }

@@ -47,6 +47,8 @@ class CurveReader : public QObject {
     QString text() const;
     /// Puts what the strip says into the clipboard, as a table.
     void copy() const;
+    /// Whether what the strip reads may be copied: the curves answer the present input.
+    void setCurrent(bool current);
     /// Whether the strip has its place also while neither A nor B is there: what is in view is read then.
     void setTableShown(bool shown);
     /// The curve has data of its own: reads it again. Replots do that by themselves.

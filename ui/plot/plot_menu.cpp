@@ -115,7 +115,7 @@ void PlotActions::addCursors() {
     remove->setEnabled(reader.position(PlotCursor::a) || reader.position(PlotCursor::b));
     QAction* copy = m_menu.addAction(tr("Copy the &table below"), &reader, &CurveReader::copy);
     copy->setToolTip(tr("What is read at the cursors, or in view, to paste into a spreadsheet"));
-    copy->setEnabled(!reader.text().isEmpty());
+    copy->setEnabled(!reader.text().isEmpty() && m_plot.isCurrent());
 }
 
 }  // namespace

@@ -113,6 +113,11 @@ void PlotWidget::setAxisScale(QCPAxis* axis, QCPAxis::ScaleType scale) {
     replot(rpQueuedReplot);
 }
 
+void PlotWidget::setCurrent(bool current) {
+    m_current = current;
+    m_reader.setCurrent(current);
+}
+
 void PlotWidget::fit() {
     m_view.remember();
     emit fitRequested();

@@ -76,8 +76,8 @@ class PlotWidget : public QCustomPlot {
     /// For a plot whose data are not curves: its text with a separator between cells, as plotCsv() gives it.
     void setDataText(DataText text) { m_dataText = std::move(text); }
 
-    /// Whether what is shown answers the present input; the menu copies and saves nothing else.
-    void setCurrent(bool current) { m_current = current; }
+    /// Whether what is shown answers the present input; nothing else is copied or saved.
+    void setCurrent(bool current);
     bool isCurrent() const { return m_current; }
 
     /// The context menu for a point of the plot; without one for the middle of the axes used last.

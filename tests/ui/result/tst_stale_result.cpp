@@ -8,6 +8,7 @@
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <atomic>
 #include <semaphore>
 
@@ -248,13 +249,17 @@ class TestStaleResult : public QObject {
                 enabled += action->text().startsWith(QStringLiteral("Copy")) && action->isEnabled();
             return enabled;
         };
-        QCOMPARE(copyEnabled(), 2);
+        const auto* button = part<BlowPage>(*m_window).findChild<QToolButton*>(QStringLiteral("copyReadout"));
+        QCOMPARE(copyEnabled(), 3);
+        QVERIFY(button->isEnabled());
         m_gate->open = false;
         edit(4);
         QCOMPARE(copyEnabled(), 0);
+        QVERIFY(!button->isEnabled());
         m_gate->open = true;
         QTRY_VERIFY(status().isCurrent());
-        QCOMPARE(copyEnabled(), 2);
+        QCOMPARE(copyEnabled(), 3);
+        QVERIFY(button->isEnabled());
     }
 
   private:
