@@ -6,7 +6,7 @@
 namespace drillwave {
 
 void addThrustMargin(Blow& blow, const std::stop_token& stop) {
-    if (!blow.isSolved()) return;
+    if (!blow.isSolved() || blow.impact.pieces > mostPiecesForMargin) return;
     blow.thrustMargin =
         ThrustMargins().of(blow.scenario, blow.solved, {blow.impact.cor, blow.impact.corError}, stop);
 }

@@ -11,8 +11,11 @@
 
 namespace drillwave {
 
+/// A study of all gaps solves hundreds of blows: of one with more pieces it would take minutes.
+inline constexpr long mostPiecesForMargin = 1'000;
+
 /// Blow::thrustMargin of a blow that is solved, for files and JSON, which have all outputs: a study of all
-/// gaps.
+/// gaps. Left out for a blow of more pieces than that, where `drillwave thrust` takes its time.
 void addThrustMargin(Blow& blow, const std::stop_token& stop = {});
 
 /// Shares what cases have in common: no further work for one that differs from an earlier one only in gap,

@@ -12,7 +12,7 @@ namespace drillwave {
 namespace {
 
 /// More than any plot can show, and little to keep: slow drifts have millions of round trips.
-constexpr std::size_t mostPoints = 500'000;
+constexpr std::size_t mostPoints = 100'000;
 
 void append(SampledCurve& curve, double time, double value) {
     // Rounding apart one wave begins where the one before ends.

@@ -90,7 +90,13 @@ SectionWave sampledWave(const Impact& impact, double xi, int number, double end)
     while (from < to) {  // past the recording the last period repeats itself
         const double recorded = recordedTime(impact, from);
         const double stretch = std::min(to - from, uninterrupted(impact, from));
-        if (!(stretch > negligibleTime * delays.roundTrip())) break;
+        // After very many round trips the rounding of the time itself is the larger one.
+        const double least =
+            std::max(negligibleTime * delays.roundTrip(), 8 * std::numeric_limits<double>::epsilon() * from);
+        if (!(stretch > least)) {
+            from += least;
+            continue;
+        }
         sampleRecorded(impact, recorded, recorded + stretch, from - recorded + shift, value, wave.curve);
         from += stretch;
     }

@@ -36,6 +36,7 @@ class TestThrust : public QObject {
     void thrustIsFrequencyTimesImpulse();
     void whereThereIsNoThrustTheReasonSaysWhatToDo();
     void theCasesAreThoseOfTheTheory();
+    void theMarginOfAHeavyBlowIsLeftOut();
     void anElasticRockNeedsMoreThanARigidOne();
     void marginsAndFrequencyLimitFollowFromTheInstalledThrust();
     void eachNeedJudgesTheFeedByItsOwnRebound();
@@ -270,6 +271,23 @@ void TestThrust::aStopEndsTheStudy() {
     std::stop_source stop;
     stop.request_stop();
     QVERIFY(studyThrust(drill(), stop.get_token()).stopped);
+}
+
+// A file of results is not to wait for minutes.
+void TestThrust::theMarginOfAHeavyBlowIsLeftOut() {
+    Scenario scenario;
+    scenario.drill.blowFrequency = 60;
+    scenario.drill.thrust = 8000;
+    Blow light = solveBlow(scenario, {}, Detail::summary);
+    QVERIFY(light.impact.pieces < mostPiecesForMargin);
+    addThrustMargin(light);
+    QVERIFY(light.thrustMargin);
+    scenario.bitRock.stiffness /= 1e6;
+    Blow heavy = solveBlow(scenario, {}, Detail::summary);
+    QVERIFY(heavy.isSolved());
+    QVERIFY2(heavy.impact.pieces > mostPiecesForMargin, qPrintable(QString::number(heavy.impact.pieces)));
+    addThrustMargin(heavy);
+    QVERIFY(!heavy.thrustMargin);
 }
 
 QTEST_GUILESS_MAIN(TestThrust)

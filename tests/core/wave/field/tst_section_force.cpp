@@ -33,6 +33,21 @@ class TestSectionForce : public QObject {
     Q_OBJECT
 
   private slots:
+    // The rounding of a time after so many round trips is larger than what is no part of a curve.
+    void aDriftOverMillionsOfRoundTripsIsCutShort() {
+        for (const double tau : {3.0, 3.1, 0.7}) {
+            const Impact impact =
+                solve({PulseShape::rectangular, {0.5, 1, tau, 3e6 + 0.25}}, Detail::histories);
+            QVERIFY(impact.separationTime > 1e6 * impact.roundTrip);
+            for (const double xi : {0.0, 0.5, 0.9999}) {
+                const SectionForce found = forceOf(impact, xi, 1.1 * impact.separationTime);
+                QVERIFY(found.force.time.size() > 10'000);
+                QVERIFY(found.force.time.size() < 1'000'000);
+                QVERIFY(std::ranges::is_sorted(found.force.time));
+            }
+        }
+    }
+
     void itIsTheForceOfTheField_data() {
         QTest::addColumn<Scene>("scene");
         QTest::newRow("paper Fig. 4 (a)") << Scene{PulseShape::rectangular, {0.5, 1, 10, 0}};
