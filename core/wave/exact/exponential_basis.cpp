@@ -12,35 +12,27 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // Where a blow is left to power series from the start. Elsewhere the basis may still fail and be replaced,
 // but mostly it solves what series solve, several times as fast; the numbers are where that ends.
 
-/// β/γ: one decade below what ContactMarch takes for a layer without thickness.
-constexpr double largestRate = 1e14;
-
 /// γ < 1: terms of the other rate are divided by 1 − γ at every reflection. From 0.9 on none is solved.
 constexpr double largestGamma = 0.7;
 
 /// βτ: contact lasts about 1.6/√(βτ) round trips, and each needs another of the few terms. Below, a growing
 /// share fails, and what is solved takes longer than series.
-constexpr double leastContactDecay = 1.5;
+constexpr double leastContactDecay = 0.3;
 
 /// β: rounding persists for the 1/β that the force takes to decay, and e errs by as much.
-constexpr double leastBeta = 0.02;
+constexpr double leastBeta = 0.002;
 
-/// Each is a piece that all reflections repeat: with more, series are as fast.
-constexpr std::size_t mostSegments = 12;
+/// Each is a piece that all reflections repeat, and most of them are short where there are many.
+constexpr std::size_t mostSegments = 1000;
+
+/// β and β/γ beside the rate of an exponential blow, 1/t0: the response is divided by the difference.
+constexpr double leastDetuning = 0.1;
 
 /// A sum of terms so much larger than any wave force cancels, and loses as many digits.
-constexpr double mostCancellation = 64;
+constexpr double mostCancellation = 1024;
 
 /// Of the roundings that could be seen: terms of less are dropped.
 constexpr int negligibleExponent = -62;
-
-// A zero is near beyond doubt where the function falls, is hardly bent on the way to it, and no exponential
-// of it changes much: then Halley's method converges.
-constexpr double nearInDecays = 0.25;
-constexpr double nearInBend = 0.4;
-
-/// A last step so small, in units of the fastest change, leaves an error of its third power: rounding.
-constexpr double lastHalleyStep = 1e-5;
 
 /// F' + aF = 2a g for the terms of the same rate: F_{m+1} = 2 g_m; F_0 is left to the initial condition.
 bool resonant(const DecayTerms& g, DecayTerms& force) {
@@ -60,6 +52,10 @@ void nonResonant(const DecayTerms& g, double a, double lambda, DecayTerms& force
     }
 }
 
+HammerTerms combine(double p, const HammerTerms& g, double q, const HammerTerms& f) {
+    return {p * g.sine + q * f.sine, p * g.cosine + q * f.cosine, p * g.decay + q * f.decay, true};
+}
+
 /// out = p·g + q·f
 void combine(double p, const DecayTerms& g, double q, const DecayTerms& f, DecayTerms& out) {
     out.count = std::max(g.count, f.count);
@@ -73,55 +69,40 @@ void combine(double p, const ExponentialSum& g, double q, const ExponentialSum& 
     out.c1 = p * g.c1 + q * f.c1;
     combine(p, g.primary, q, f.primary, out.primary);
     combine(p, g.elastic, q, f.elastic, out.elastic);
+    if (g.hammer.present || f.hammer.present)
+        out.hammer = combine(p, g.hammer, q, f.hammer);
+    else
+        out.hammer = {};
     out.primaryDecay = g.primaryDecay;
     out.elasticDecay = g.elasticDecay;
     out.rates = g.rates;
 }
 
-/// The zero at x unless it lies beyond the end.
-Zero<double> zeroUpTo(double end, double x) {
-    return x <= end ? Zero<double>::at(x) : Zero<double>{};
-}
-
-/// Value, slope/rate, curvature/rate² at y, and a lower bound of the latter over [y, ∞), of Σ c_m φ_m.
-struct Local {
-    double value = 0, slope = 0, curvature = 0, leastCurvature = 0, size = 0;
-};
-Local localOf(const DecayTerms& f, double y, double decay) {
-    // largest values of φ_m, at y = m
-    static constexpr double peak[] = {1,
-                                      0.36787944117144233,
-                                      0.27067056647322538,
-                                      0.22404180765538775,
-                                      0.19536681481316454,
-                                      0.17546736976785068};
-    Local local;
-    double phi = decay;
-    for (int m = 0; m < f.count; ++m) {
-        const double a = f.c[m];
-        const double b = m + 1 < f.count ? f.c[m + 1] : 0;
-        const double c = m + 2 < f.count ? f.c[m + 2] : 0;
-        local.value += a * phi;
-        local.slope += (b - a) * phi;
-        local.size += std::abs(a) * phi;
-        const double curvature = a - 2 * b + c;
-        local.curvature += curvature * phi;
-        if (curvature < 0) local.leastCurvature += curvature * (y >= m ? phi : peak[m]);
-        phi *= y / (m + 1);
+/// The forced responses, which begin anywhere: 2a (a + d/dx)^{-1} of a sine and of e^{−x}.
+HammerTerms forced(const HammerTerms& g, double a) {
+    constexpr double pi = HammerTerms::pi;
+    HammerTerms force;
+    force.present = g.present;
+    if (g.hasSine()) {
+        const double factor = 2 * a / (a * a + pi * pi);
+        force.sine = factor * (a * g.sine + pi * g.cosine);
+        force.cosine = factor * (a * g.cosine - pi * g.sine);
     }
-    return local;
+    if (g.decay != 0) force.decay = 2 * a / (a - 1) * g.decay;
+    return force;
 }
 
 }  // namespace
 
 bool ExponentialBasis::suits(const Problem& problem) {
-    if (BilinearLaw<>(problem.law).slopes().elastic > largestRate) return false;
-    if (problem.law.gamma > largestGamma && problem.law.gamma < 1) return false;
-    if (problem.law.beta * problem.transitTime < leastContactDecay || problem.law.beta < leastBeta)
-        return false;
+    const auto [beta, gamma] = problem.law;
+    if (gamma > largestGamma && gamma < 1) return false;
+    if (beta * problem.transitTime < leastContactDecay || beta < leastBeta) return false;
     if (problem.hammer.segments.size() > mostSegments) return false;
-    for (const PulseSegment& segment : problem.hammer.segments)
-        if (segment.kind != PulseSegment::Kind::linear) return false;
+    if (problem.hammer.shape == PulseShape::exponential) {
+        const auto isDetuned = [](double rate) { return std::abs(rate - 1) > leastDetuning; };
+        return isDetuned(beta) && isDetuned(beta / gamma);
+    }
     return true;
 }
 
@@ -142,12 +123,25 @@ ExponentialSum ExponentialBasis::constant(double length, double value) const {
 
 const ExponentialSum& ExponentialBasis::addHammer(const PulseSegment& segment, double into, double length,
                                                   Piece& g) {
-    m_hammer.length = length;
-    m_hammer.c0 = segment.value + segment.slope * into;
-    m_hammer.c1 = segment.slope;
+    m_hammer = Piece::zero(length);
+    switch (segment.kind) {
+        case PulseSegment::Kind::linear:
+            m_hammer.c0 = segment.value + segment.slope * into;
+            m_hammer.c1 = segment.slope;
+            break;
+        case PulseSegment::Kind::sine: {
+            const double phase = HammerTerms::pi * (segment.start + into);
+            m_hammer.hammer = {segment.value * std::cos(phase), segment.value * std::sin(phase), 0, true};
+            break;
+        }
+        case PulseSegment::Kind::exponential:
+            m_hammer.hammer = {0, 0, segment.value * std::exp(-into), true};
+            break;
+    }
     g.shorten(length);
     g.c0 += m_hammer.c0;
     g.c1 += m_hammer.c1;
+    if (m_hammer.hammer.present) g.hammer = combine(1, g.hammer, 1, m_hammer.hammer);
     return m_hammer;
 }
 
@@ -173,7 +167,8 @@ ExponentialBasis::Response& ExponentialBasis::respond(const Piece& g, double rat
         m_failed = true;
         return r;
     }
-    forceSame.c[0] = force - r.force.c0 - forceDifferent.start();
+    r.force.hammer = r.incident.hammer.present ? forced(r.incident.hammer, rate) : HammerTerms{};
+    forceSame.c[0] = force - r.force.c0 - forceDifferent.start() - r.force.hammer.startValue();
     // the decays over the whole piece serve all functions of this piece
     if (r.incident.primaryDecay < 0 && r.force.primary.count)
         r.incident.primaryDecay = std::exp(-m_rates.primary * g.length);
@@ -212,94 +207,23 @@ void ExponentialBasis::dropFront(Piece& g, const Response& r) const {
     g.dropFront(r.length, r.force.primaryDecay, r.force.elasticDecay);
 }
 
-ExponentialBasis::Sample ExponentialBasis::sample(const Piece& f, double c2, double x) const {
-    Sample s;
-    s.value = f.c0 + x * (f.c1 + x * c2);
-    s.slope = f.c1 + 2 * c2 * x;
-    s.curvature = s.leastCurvature = 2 * c2;
-    s.size = std::abs(f.c0) + std::abs(f.c1) * x + std::abs(c2) * x * x;
-    const auto add = [&](const DecayTerms& terms, double rate) {
-        if (terms.count == 0) return;
-        const double y = rate * x;
-        const Local local = localOf(terms, y, x == 0 ? 1.0 : std::exp(-y));
-        s.value += local.value;
-        s.slope += rate * local.slope;
-        s.curvature += rate * rate * local.curvature;
-        s.leastCurvature += rate * rate * local.leastCurvature;
-        s.size += local.size * (1 + y);
-        s.fastest = std::max(s.fastest, rate);
-    };
-    add(f.primary, m_rates.primary);
-    add(f.elastic, m_rates.elastic);
-    return s;
-}
-
-/// First zero in (start, end] of f + c2 x², positive just after the start: steps from a lower bound on the
-/// curvature pass no zero; once one is near beyond doubt, Halley's method takes it.
-Zero<double> ExponentialBasis::firstZero(const Piece& f, double c2, double end, double start,
-                                         bool zeroAtStart) {
-    if (f.c0 >= 0 && f.c1 >= 0 && c2 >= 0 && f.primary.allAtLeastZero() && f.elastic.allAtLeastZero())
-        return {};
-    double x = start;
-    for (int step = 0; step < mostSteps; ++step) {
-        Sample s = sample(f, c2, x);
-        const double noise = 4 * epsilon * s.size;
-        if (step == 0 && (zeroAtStart || std::abs(s.value) <= noise)) {
-            if (std::abs(s.slope) <= 16 * epsilon * (std::abs(f.c1) + s.size * s.fastest))
-                break;  // tangential
-            if (s.slope < 0) return Zero<double>::at(start);
-            s.value = 0;
-        } else if (s.value <= noise) {
-            return Zero<double>::at(x);
-        }
-        double h;
-        if (s.leastCurvature >= 0) {
-            if (s.slope >= 0) return {};
-            h = s.value / -s.slope;
-        } else {
-            const double root = std::sqrt(s.slope * s.slope - 2 * s.leastCurvature * s.value);
-            h = s.slope > 0 ? (s.slope + root) / -s.leastCurvature : 2 * s.value / (root - s.slope);
-        }
-        const bool near =
-            s.slope < 0 && h * s.fastest < nearInDecays && h * std::abs(s.curvature) < -nearInBend * s.slope;
-        if (near) return closeIn(f, c2, x, s, end, x + 2 * h);
-        x += std::max(h, 4 * epsilon * x);
-        if (!(x <= end)) return {};
-    }
-    m_failed = true;
-    return {};
-}
-
-/// Halley's method from x, where f is still positive, to the zero expected before `latest`. A step back
-/// before x, or far beyond, finds no zero or a later one: the function turns within rounding.
-Zero<double> ExponentialBasis::closeIn(const Piece& f, double c2, double x, Sample s, double end,
-                                       double latest) {
-    const double first = x;
-    for (int step = 0; step < mostSteps; ++step) {
-        const double h = -2 * s.value * s.slope / (2 * s.slope * s.slope - s.value * s.curvature);
-        x += h;
-        if (!(x >= first && x <= latest)) break;
-        const double quickest = std::max(s.fastest, std::abs(s.curvature / s.slope));
-        if (std::abs(h) * quickest < lastHalleyStep) return zeroUpTo(end, x);
-        s = sample(f, c2, x);
-    }
-    m_failed = true;
-    return {};
-}
-
 Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
-    if (g.c0 <= 0 && g.c1 <= 0 && g.primary.allAtMostZero() && g.elastic.allAtMostZero())
-        return gap < 0 ? Zero<double>::at(0) : Zero<double>{};
-    const double most = std::max({0.0, g.c0, g.c0 + g.c1 * g.length}) * g.length +
-                        g.primary.positivePart() / m_rates.primary +
-                        g.elastic.positivePart() / m_rates.elastic;
+    if (g.allAtMostZero()) return gap < 0 ? Zero<double>::at(0) : Zero<double>{};
+    const double most =
+        std::max({0.0, g.c0, g.c0 + g.c1 * g.length}) * g.length +
+        g.primary.positivePart() / m_rates.primary + g.elastic.positivePart() / m_rates.elastic +
+        g.hammer.amplitude() * g.length + std::max(g.hammer.decay, 0.0) * std::min(g.length, 1.0);
     if (gap > 2 * most) return {};
-    if (g.primary.count == 0 && g.elastic.count == 0 && g.c1 == 0) {
+    const bool isConstant =
+        g.primary.count == 0 && g.elastic.count == 0 && g.c1 == 0 && !g.hammer.present;
+    if (isConstant) {
         const double x = gap / (2 * g.c0);
-        return zeroUpTo(g.length, x);
+        return x <= g.length ? Zero<double>::at(x) : Zero<double>{};
     }
     // gap − 2∫g: ∫φ_m(λx) = (1 − φ_0 − … − φ_m)/λ
-    Piece f = Piece::zero(g.length);
+    Piece& f = m_searched;
+    f = Piece::zero(g.length);
+    f.rates = &m_rates;
     f.c0 = gap;
     f.c1 = -2 * g.c0;
     const auto integrate = [&](const DecayTerms& terms, double rate, DecayTerms& out) {
@@ -313,18 +237,22 @@ Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
     };
     integrate(g.primary, m_rates.primary, f.primary);
     integrate(g.elastic, m_rates.elastic, f.elastic);
-    return firstZero(f, -g.c1, g.length, 0, gap == 0);
+    if (g.hammer.present) {
+        constexpr double pi = HammerTerms::pi;
+        f.hammer = {-2 * g.hammer.cosine / pi, 2 * g.hammer.sine / pi, 2 * g.hammer.decay, true};
+        f.c0 -= f.hammer.startValue();
+    }
+    return decided(firstZero(f, -g.c1, 0, gap == 0 ? SearchStart::zero : SearchStart::anywhere));
 }
 
 Zero<double> ExponentialBasis::forceVanishes(Response& r) {
-    const Piece& g = r.incident;  // a compressive wave cannot pull the rod off: F is a positive mean of 2g
-    if (g.c0 >= 0 && g.c0 + g.c1 * g.length >= 0 && g.primary.allAtLeastZero() && g.elastic.allAtLeastZero())
-        return {};
-    return firstZero(r.force, 0, r.length);
+    // a compressive wave cannot pull the rod off: F is a positive mean of 2g and of what it was
+    if (r.incident.allAtLeastZero()) return {};
+    return decided(firstZero(r.force, 0));
 }
 
 Zero<double> ExponentialBasis::driveVanishes(Response& r) {
-    return firstZero(drive(r), 0, r.length);
+    return decided(firstZero(drive(r), 0));
 }
 
 Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tangential) {
@@ -332,29 +260,26 @@ Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tange
     double start = 0;
     if (tangential) {  // no return before the force has turned: F' = a·drive changes sign
         combine(-2, r.incident, 1, r.force, f);  // −drive
-        const auto turn = firstZero(f, 0, r.length, 0, true);
+        const auto turn = decided(firstZero(f, 0, 0, SearchStart::zero));
         if (!turn.found || m_failed) return {};
         start = turn.u;
         if (start == 0) return Zero<double>::at(0);
     }
-    // F ≤ max(F(0), 2 max g) as F' = a(2g − F)
-    const Piece& g = r.incident;
-    const double most =
-        2 * (std::max(g.c0, g.c0 + g.c1 * g.length) + g.primary.positivePart() + g.elastic.positivePart());
-    if (start == 0 && most <= peak) return {};
+    if (start == 0 && 2 * r.incident.mostValue() <= peak) return {};  // F ≤ max(F(0), 2 max g)
     combine(0, r.force, -1, r.force, f);
     f.c0 += peak;
-    return firstZero(f, 0, r.length, start);
+    return decided(firstZero(f, 0, start));
 }
 
 double ExponentialBasis::largestIntegral(const Piece& g) {
-    if (g.c0 < 0 || g.c1 != 0 || g.primary.count || g.elastic.count) m_failed = true;  // slow drift
+    if (g.c0 < 0 || g.c1 != 0 || g.primary.count || g.elastic.count || g.hammer.present)
+        m_failed = true;  // slow drift
     return g.integral(g.length);
 }
 
 double ExponentialBasis::roundingError(const Response& r, double length) const {
     const double weighted =
-        (std::abs(r.force.c0) + std::abs(r.force.c1) * length) * length +
+        (std::abs(r.force.c0) + std::abs(r.force.c1) * length + r.force.hammer.magnitude()) * length +
         r.force.primary.magnitude() * std::min(length, DecayTerms::capacity / m_rates.primary) +
         r.force.elastic.magnitude() * std::min(length, DecayTerms::capacity / m_rates.elastic);
     const double persisting =
@@ -366,6 +291,7 @@ void ExponentialBasis::tidy(Piece& piece) const {
     piece.rates = &m_rates;
     piece.primary.trim(m_negligible);
     piece.elastic.trim(m_negligible);
+    if (piece.hammer.present) piece.hammer.trim(m_negligible);
     if (std::abs(piece.c0) + std::abs(piece.c1) * piece.length <= m_negligible) piece.c0 = piece.c1 = 0;
 }
 

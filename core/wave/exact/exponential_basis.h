@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/wave/exact/exponential_sum.h"
-#include "core/wave/exact/first_zero.h"
+#include "core/wave/exact/exponential_zero.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
 
@@ -61,17 +61,11 @@ class ExponentialBasis {
     [[gnu::cold]] void record(const Piece& incident, const Piece* force, double length, Impact& impact) const;
 
   private:
-    /// A function at one point, with a lower bound of its curvature from there on.
-    struct Sample {
-        double value = 0, slope = 0, curvature = 0, leastCurvature = 0;
-        double size = 0;     ///< what the rounding of `value` is relative to
-        double fastest = 0;  ///< the largest rate in it
-    };
-    static constexpr int mostSteps = 200;
-
-    Sample sample(const Piece& f, double c2, double x) const;
-    Zero<double> firstZero(const Piece& f, double c2, double end, double start = 0, bool zeroAtStart = false);
-    Zero<double> closeIn(const Piece& f, double c2, double x, Sample s, double end, double latest);
+    /// The zero, unless the search was undecided: then failed().
+    Zero<double> decided(Zero<double> zero) {
+        m_failed |= zero.undecided;
+        return zero;
+    }
 
     ContactRates<double> m_rates;
     double m_scale = 1;

@@ -52,12 +52,15 @@ class ExponentialStretches {
     void tidy(ExponentialSum& f) const {
         f.primary.trim(m_negligible);
         f.elastic.trim(m_negligible);
+        f.hammer.trim(m_negligible);
     }
     double fastestDecay() const {
         double fastest = 0;
         for (const ExponentialSum& f : m_rest) {
             if (f.primary.count) fastest = std::max(fastest, f.rates->primary);
             if (f.elastic.count) fastest = std::max(fastest, f.rates->elastic);
+            if (f.hammer.decay != 0) fastest = std::max(fastest, 1.0);
+            if (f.hammer.hasSine()) fastest = std::max(fastest, rateOfSine);
         }
         return fastest;
     }
@@ -82,6 +85,20 @@ class ExponentialStretches {
         f.count = PowerSeries<double>::capacity;
     }
 
+    /// Adds s sin πx + k cos πx + d e^{−x}, x = length·u.
+    static void add(const HammerTerms& terms, double length, PowerSeries<double>& f) {
+        const double reach = HammerTerms::pi * length;
+        double turn = 1, decay = terms.decay;
+        for (int j = 0; j < PowerSeries<double>::capacity; ++j) {
+            const double wave = j % 2 == 0 ? terms.cosine : terms.sine;
+            if (j >= f.count) f.c[j] = 0;
+            f.c[j] += decay + (j % 4 < 2 ? wave : -wave) * turn;
+            turn *= reach / (j + 1);
+            decay *= -length / (j + 1);
+        }
+        f.count = PowerSeries<double>::capacity;
+    }
+
     PowerSeries<double> seriesOf(const ExponentialSum& f, double length) const {
         auto series = PowerSeries<double>::zero(length);
         series.count = 2;
@@ -91,9 +108,12 @@ class ExponentialStretches {
             add(f.primary, f.rates->primary * length, series);
             add(f.elastic, f.rates->elastic * length, series);
         }
+        if (f.hammer.present) add(f.hammer, length, series);
         series.trim(m_negligible);
         return series;
     }
+
+    static constexpr double rateOfSine = 4;  ///< a stretch is half of a half sine, as for SeriesBasis
 
     double m_length, m_negligible;
     std::array<ExponentialSum, count> m_rest;

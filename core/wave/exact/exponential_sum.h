@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of c0 + c1 x and decaying exponentials of two fixed rates: the fast representation of the exact
-// solver.
+// Sums of c0 + c1 x, decaying exponentials of two fixed rates and what a curved hammer force leaves: the fast
+// representation of the exact solver.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace drillwave {
 /// The coefficients of φ_m(λx) = e^{−λx}(λx)^m/m!, m = 0, 1, …, for one rate λ. The factorials make the
 /// resonant response a mere shift: F' + λF = 2λ φ_m gives F = 2 φ_{m+1}.
 struct DecayTerms {
-    static constexpr int capacity = 6;
+    static constexpr int capacity = 8;
     int count = 0;
     std::array<double, capacity> c;
 
@@ -79,11 +79,61 @@ struct DecayTerms {
     }
 };
 
-/// f(x) = c0 + c1 x + Σ primary + Σ elastic on 0 ≤ x ≤ length.
+/// s sin πx + k cos πx + d e^{−x}, x in t0: what a half sine and an exponential blow leave in every wave. None
+/// of the three grows by reflection, unless a rate of the contact is near that of e^{−x}.
+struct HammerTerms {
+    double sine = 0, cosine = 0, decay = 0;
+    bool present = false;  ///< most pieces have none, and should not pay for them
+
+    double startValue() const { return cosine + decay; }
+    /// Amplitude of the sine.
+    double amplitude() const { return std::abs(sine) + std::abs(cosine); }
+    double magnitude() const { return amplitude() + std::abs(decay); }
+    bool allAtLeastZero(double length) const {
+        // at most a half sine: a stretch below zero in it would hold an end or the middle
+        return !present || (decay >= 0 && cosine >= 0 && length <= 1 && wave(length / 2) >= 0 &&
+                            wave(length) >= 0);
+    }
+    bool allAtMostZero(double length) const { return negated().allAtLeastZero(length); }
+    HammerTerms negated() const { return {-sine, -cosine, -decay, present}; }
+
+    double value(double x) const { return wave(x) + (decay == 0 ? 0 : decay * std::exp(-x)); }
+    double integral(double x) const {
+        double sum = decay == 0 ? 0 : -decay * std::expm1(-x);
+        if (hasSine()) {
+            const double half = std::sin(pi / 2 * x);
+            sum += (sine * 2 * half * half + cosine * std::sin(pi * x)) / pi;
+        }
+        return sum;
+    }
+    /// The same terms seen from x on.
+    void dropFront(double x) {
+        if (hasSine()) {
+            const double s = std::sin(pi * x), c = std::cos(pi * x), before = sine;
+            sine = before * c - cosine * s;
+            cosine = cosine * c + before * s;
+        }
+        if (decay != 0) decay *= std::exp(-x);
+    }
+    void trim(double negligible) {
+        if (magnitude() <= negligible) *this = {};
+    }
+
+    static constexpr double pi = 3.14159265358979323846;
+    bool hasSine() const { return sine != 0 || cosine != 0; }
+
+  private:
+    double wave(double x) const {
+        return hasSine() ? sine * std::sin(pi * x) + cosine * std::cos(pi * x) : 0.0;
+    }
+};
+
+/// f(x) = c0 + c1 x + Σ primary + Σ elastic + hammer on 0 ≤ x ≤ length.
 struct ExponentialSum {
     double length = 0;
     double c0 = 0, c1 = 0;
     DecayTerms primary, elastic;
+    HammerTerms hammer;
     mutable double primaryDecay = -1, elasticDecay = -1;  ///< e^{−rate·length}; negative: not computed yet
     const ContactRates<double>* rates = nullptr;
 
@@ -92,10 +142,27 @@ struct ExponentialSum {
         f.length = length;
         return f;
     }
-    bool isZero() const { return c0 == 0 && c1 == 0 && primary.count == 0 && elastic.count == 0; }
-    double startValue() const { return c0 + primary.start() + elastic.start(); }
+    bool isZero() const {
+        return c0 == 0 && c1 == 0 && primary.count == 0 && elastic.count == 0 && !hammer.present;
+    }
+    double startValue() const { return c0 + primary.start() + elastic.start() + hammer.startValue(); }
     double magnitude() const {
-        return std::abs(c0) + std::abs(c1) * length + primary.magnitude() + elastic.magnitude();
+        return std::abs(c0) + std::abs(c1) * length + primary.magnitude() + elastic.magnitude() +
+               hammer.magnitude();
+    }
+    /// Whether no term is below zero anywhere: enough for f ≥ 0, not needed for it.
+    bool allAtLeastZero() const {
+        return c0 >= 0 && c0 + c1 * length >= 0 && primary.allAtLeastZero() && elastic.allAtLeastZero() &&
+               hammer.allAtLeastZero(length);
+    }
+    bool allAtMostZero() const {
+        return c0 <= 0 && c0 + c1 * length <= 0 && primary.allAtMostZero() && elastic.allAtMostZero() &&
+               hammer.allAtMostZero(length);
+    }
+    /// An upper bound of f.
+    double mostValue() const {
+        return std::max(c0, c0 + c1 * length) + primary.positivePart() + elastic.positivePart() +
+               hammer.amplitude() + std::max(hammer.decay, 0.0);
     }
 
     double decayOver(double x, double rate, double& whole) const {
@@ -107,6 +174,7 @@ struct ExponentialSum {
         double f = c0 + c1 * x;
         if (primary.count) f += primary.value(rates->primary * x, decayOver(x, rates->primary, primaryDecay));
         if (elastic.count) f += elastic.value(rates->elastic * x, decayOver(x, rates->elastic, elasticDecay));
+        if (hammer.present) f += hammer.value(x);
         return f;
     }
     double integral(double x) const {
@@ -117,6 +185,7 @@ struct ExponentialSum {
         if (elastic.count)
             f += elastic.integral(rates->elastic * x, decayOver(x, rates->elastic, elasticDecay)) /
                  rates->elastic;
+        if (hammer.present) f += hammer.integral(x);
         return f;
     }
     /// The function seen from x on, with the decays up to there given.
@@ -124,6 +193,7 @@ struct ExponentialSum {
         c0 += c1 * x;
         if (primary.count) primary.dropFront(rates->primary * x, primaryTo);
         if (elastic.count) elastic.dropFront(rates->elastic * x, elasticTo);
+        if (hammer.present) hammer.dropFront(x);
         length -= x;
         primaryDecay = elasticDecay = -1;
     }

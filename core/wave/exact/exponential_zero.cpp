@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/exact/exponential_zero.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace drillwave {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+constexpr int mostSteps = 200;
+
+// A zero is near beyond doubt where the function falls, is hardly bent on the way to it, and no exponential
+// of it changes much: then Halley's method converges.
+constexpr double nearInDecays = 0.25;
+constexpr double nearInBend = 0.4;
+
+/// A last step so small, in units of the fastest change, leaves an error of its third power: rounding.
+constexpr double lastHalleyStep = 1e-5;
+
+/// A function at one point, with a lower bound of its curvature from there on.
+struct Sample {
+    double value = 0, slope = 0, curvature = 0, leastCurvature = 0;
+    double size = 0;     ///< what the rounding of `value` is relative to
+    double fastest = 0;  ///< the largest rate in it
+
+    double noise() const { return 4 * epsilon * size; }
+};
+
+/// Largest values of φ_m, at y = m.
+constexpr double peaks[DecayTerms::capacity] = {1,
+                                                0.36787944117144233,
+                                                0.27067056647322538,
+                                                0.22404180765538775,
+                                                0.19536681481316454,
+                                                0.17546736976785068,
+                                                0.16062314104798003,
+                                                0.14900277967433771};
+
+/// Adds Σ c_m φ_m(λx).
+void add(const DecayTerms& f, double rate, double x, Sample& s) {
+    if (f.count == 0) return;
+    const double y = rate * x;
+    double value = 0, slope = 0, bend = 0, leastBend = 0, size = 0;
+    double phi = x == 0 ? 1.0 : std::exp(-y);
+    for (int m = 0; m < f.count; ++m) {
+        const double a = f.c[m];
+        const double b = m + 1 < f.count ? f.c[m + 1] : 0;
+        const double c = m + 2 < f.count ? f.c[m + 2] : 0;
+        value += a * phi;
+        slope += (b - a) * phi;
+        size += std::abs(a) * phi;
+        const double curvature = a - 2 * b + c;
+        bend += curvature * phi;
+        if (curvature < 0) leastBend += curvature * (y >= m ? phi : peaks[m]);
+        phi *= y / (m + 1);
+    }
+    s.value += value;
+    s.slope += rate * slope;
+    s.curvature += rate * rate * bend;
+    s.leastCurvature += rate * rate * leastBend;
+    s.size += size * (1 + y);
+    s.fastest = std::max(s.fastest, rate);
+}
+
+void add(const HammerTerms& f, double x, Sample& s) {
+    constexpr double pi = HammerTerms::pi;
+    if (f.hasSine()) {
+        const double sine = std::sin(pi * x), cosine = std::cos(pi * x);
+        const double value = f.sine * sine + f.cosine * cosine;
+        s.value += value;
+        s.slope += pi * (f.sine * cosine - f.cosine * sine);
+        s.curvature -= pi * pi * value;
+        s.leastCurvature -= pi * pi * std::hypot(f.sine, f.cosine);
+        s.size += f.amplitude();
+        s.fastest = std::max(s.fastest, pi);
+    }
+    if (f.decay != 0) {
+        const double value = f.decay * std::exp(-x);
+        s.value += value;
+        s.slope -= value;
+        s.curvature += value;
+        s.leastCurvature += std::min(value, 0.0);
+        s.size += std::abs(value) * (1 + x);
+        s.fastest = std::max(s.fastest, 1.0);
+    }
+}
+
+Sample sample(const ExponentialSum& f, double c2, double x) {
+    Sample s;
+    s.value = f.c0 + x * (f.c1 + x * c2);
+    s.slope = f.c1 + 2 * c2 * x;
+    s.curvature = s.leastCurvature = 2 * c2;
+    s.size = std::abs(f.c0) + std::abs(f.c1) * x + std::abs(c2) * x * x;
+    if (f.primary.count) add(f.primary, f.rates->primary, x, s);
+    if (f.elastic.count) add(f.elastic, f.rates->elastic, x, s);
+    if (f.hammer.present) add(f.hammer, x, s);
+    return s;
+}
+
+/// An upper bound of |f'''|, x ≥ 0.
+double mostThirdDerivative(const ExponentialSum& f) {
+    constexpr double pi = HammerTerms::pi;
+    const auto of = [](const DecayTerms& terms, double rate) {  // differences of third order: 8 |c|
+        return 8 * terms.magnitude() * rate * rate * rate;
+    };
+    double most = f.hammer.amplitude() * pi * pi * pi + std::abs(f.hammer.decay);
+    if (f.primary.count) most += of(f.primary, f.rates->primary);
+    if (f.elastic.count) most += of(f.elastic, f.rates->elastic);
+    return most;
+}
+
+/// The largest step from s that passes no zero.
+double safeStep(const Sample& s) {
+    if (s.leastCurvature >= 0)
+        return s.slope >= 0 ? std::numeric_limits<double>::infinity() : s.value / -s.slope;
+    const double root = std::sqrt(s.slope * s.slope - 2 * s.leastCurvature * s.value);
+    return s.slope > 0 ? (s.slope + root) / -s.leastCurvature : 2 * s.value / (root - s.slope);
+}
+
+double halleyStep(const Sample& s) {
+    return -2 * s.value * s.slope / (2 * s.slope * s.slope - s.value * s.curvature);
+}
+
+bool isNear(const Sample& s, double step) {
+    return s.slope < 0 && step > 0 && step * s.fastest < nearInDecays &&
+           step * std::abs(s.curvature) < -nearInBend * s.slope;
+}
+
+/// Halley's method from x, where f is still positive, to the zero expected a `step` further. A step back before
+/// x, or far beyond, finds no zero or a later one: the function turns within rounding.
+Zero<double> closeIn(const ExponentialSum& f, double c2, double x, double step, const Sample& near) {
+    const double first = x, latest = x + 2 * step;
+    Sample s = near;
+    for (int i = 0; i < mostSteps; ++i) {
+        x += step;
+        if (!(x >= first && x <= latest)) break;
+        const double quickest = std::max(s.fastest, std::abs(s.curvature / s.slope));
+        if (std::abs(step) * quickest < lastHalleyStep)
+            return x <= f.length ? Zero<double>::at(x) : Zero<double>{};
+        s = sample(f, c2, x);
+        step = halleyStep(s);
+    }
+    return {.found = false, .undecided = true, .u = x};
+}
+
+/// How a function goes on that is zero within rounding.
+enum class Onward { down, up, tangentUp, unknown };
+
+Onward onwardFromZero(const ExponentialSum& f, double c2, const Sample& s) {
+    if (std::abs(s.slope) > 16 * epsilon * (std::abs(f.c1) + s.size * s.fastest))
+        return s.slope < 0 ? Onward::down : Onward::up;
+    if (std::abs(s.curvature) > 64 * epsilon * (std::abs(c2) + s.size * s.fastest * s.fastest))
+        return s.curvature < 0 ? Onward::down : Onward::tangentUp;
+    return Onward::unknown;
+}
+
+}  // namespace
+
+Zero<double> firstZero(const ExponentialSum& f, double c2, double start, SearchStart how) {
+    if (f.c0 >= 0 && f.c1 >= 0 && c2 >= 0 && f.primary.allAtLeastZero() && f.elastic.allAtLeastZero() &&
+        !f.hammer.present)
+        return {};
+    const double end = f.length;
+    double x = start;
+    Sample s = sample(f, c2, x);
+    if (how == SearchStart::zero || std::abs(s.value) <= s.noise()) {
+        switch (onwardFromZero(f, c2, s)) {
+            case Onward::down:
+                return Zero<double>::at(start);
+            case Onward::up:
+                s.value = 0;
+                break;
+            case Onward::tangentUp: {
+                // f ≥ curvature h²/2 − third h³/6 is at least half of the first of these until here
+                const double third = mostThirdDerivative(f);
+                if (!(x + 1.5 * s.curvature / third <= end)) return {};
+                x += 1.5 * s.curvature / third;
+                s = sample(f, c2, x);
+                break;
+            }
+            case Onward::unknown:
+                return {.found = false, .undecided = true, .u = x};
+        }
+    } else if (s.value < 0) {
+        return Zero<double>::at(start);
+    }
+    for (int step = 0; step < mostSteps; ++step) {
+        const double safe = safeStep(s);
+        if (!(x + safe <= end)) return {};
+        const double halley = halleyStep(s);
+        if (isNear(s, halley)) return closeIn(f, c2, x, halley, s);
+        x += std::max(safe, 4 * epsilon * x);
+        s = sample(f, c2, x);
+        if (s.value <= s.noise()) return Zero<double>::at(x);
+    }
+    return {.found = false, .undecided = true, .u = x};
+}
+
+}  // namespace drillwave
