@@ -242,17 +242,17 @@ Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
         f.hammer = {-2 * g.hammer.cosine / pi, 2 * g.hammer.sine / pi, 2 * g.hammer.decay, true};
         f.c0 -= f.hammer.startValue();
     }
-    return decided(firstZero(f, -g.c1, 0, gap == 0 ? SearchStart::zero : SearchStart::anywhere));
+    return decided(firstZero(f, -g.c1, {.startsAtZero = gap == 0}));
 }
 
 Zero<double> ExponentialBasis::forceVanishes(Response& r) {
     // a compressive wave cannot pull the rod off: F is a positive mean of 2g and of what it was
     if (r.incident.allAtLeastZero()) return {};
-    return decided(firstZero(r.force, 0));
+    return decided(firstZero(r.force, 0, {.negligible = m_negligible}));
 }
 
 Zero<double> ExponentialBasis::driveVanishes(Response& r) {
-    return decided(firstZero(drive(r), 0));
+    return decided(firstZero(drive(r), 0, {.negligible = m_negligible}));
 }
 
 Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tangential) {
@@ -260,7 +260,7 @@ Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tange
     double start = 0;
     if (tangential) {  // no return before the force has turned: F' = a·drive changes sign
         combine(-2, r.incident, 1, r.force, f);  // −drive
-        const auto turn = decided(firstZero(f, 0, 0, SearchStart::zero));
+        const auto turn = decided(firstZero(f, 0, {.startsAtZero = true, .negligible = m_negligible}));
         if (!turn.found || m_failed) return {};
         start = turn.u;
         if (start == 0) return Zero<double>::at(0);
@@ -268,13 +268,20 @@ Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tange
     if (start == 0 && 2 * r.incident.mostValue() <= peak) return {};  // F ≤ max(F(0), 2 max g)
     combine(0, r.force, -1, r.force, f);
     f.c0 += peak;
-    return decided(firstZero(f, 0, start));
+    return decided(firstZero(f, 0, {.start = start, .negligible = m_negligible}));
 }
 
 double ExponentialBasis::largestIntegral(const Piece& g) {
-    if (g.c0 < 0 || g.c1 != 0 || g.primary.count || g.elastic.count || g.hammer.present)
-        m_failed = true;  // slow drift
-    return g.integral(g.length);
+    const double whole = g.integral(g.length);
+    if (g.allAtLeastZero()) return whole;
+    double most = std::max(whole, 0.0), before = 0;
+    ExponentialStretches(std::array{&g}, g.length, m_negligible).forEach([&](double, const auto& series) {
+        const PowerSeries<double>& f = series[0];
+        const auto look = [&](double x) { most = std::max(most, before + f.integral(x)); };
+        if (!forEachMaximum(f, f.length, look)) m_failed = true;
+        before += f.integral(f.length);
+    });
+    return most;
 }
 
 double ExponentialBasis::roundingError(const Response& r, double length) const {

@@ -157,19 +157,63 @@ Onward onwardFromZero(const ExponentialSum& f, double c2, const Sample& s) {
     return Onward::unknown;
 }
 
+/// An upper bound of |f| from x on, for sums that die away.
+double mostFrom(const ExponentialSum& f, double x) {
+    const auto of = [x](const DecayTerms& terms, double rate) {
+        const double y = rate * x;
+        double sum = 0, phi = std::exp(-y);
+        for (int m = 0; m < terms.count; ++m) {
+            sum += std::abs(terms.c[m]) * (y >= m ? phi : peaks[m]);
+            phi *= y / (m + 1);
+        }
+        return sum;
+    };
+    double most = std::abs(f.hammer.decay) * std::exp(-x);
+    if (f.primary.count) most += of(f.primary, f.rates->primary);
+    if (f.elastic.count) most += of(f.elastic, f.rates->elastic);
+    return most;
+}
+
+bool diesAway(const ExponentialSum& f, double c2) {
+    return f.c0 == 0 && f.c1 == 0 && c2 == 0 && !f.hammer.hasSine();
+}
+
+/// The only family of a function that is e^{−y} times a polynomial; nullptr where there is more in it.
+const DecayTerms* onlyDecay(const ExponentialSum& f, double& rate) {
+    if (f.hammer.present) return nullptr;
+    if (f.elastic.count == 0) {
+        rate = f.rates->primary;
+        return &f.primary;
+    }
+    rate = f.rates->elastic;
+    return f.primary.count == 0 ? &f.elastic : nullptr;
+}
+
+/// The first zero of e^{−y}(c_0 + c_1 y + c_2 y²/2) behind its start, where it is positive.
+Zero<double> firstZeroOfShortDecay(const DecayTerms& terms, double rate, double end) {
+    const double c0 = terms.c[0];
+    const double c1 = terms.count > 1 ? terms.c[1] : 0;
+    const double c2 = terms.count > 2 ? terms.c[2] : 0;
+    const double discriminant = c1 * c1 - 2 * c2 * c0;
+    if (discriminant < 0 || (c1 >= 0 && c2 >= 0)) return {};
+    const double root = std::sqrt(discriminant);
+    const double y = c1 <= 0 ? 2 * c0 / (root - c1) : (c1 + root) / -c2;
+    return y > 0 && y <= rate * end ? Zero<double>::at(std::min(y / rate, end)) : Zero<double>{};
+}
+
 }  // namespace
 
-Zero<double> firstZero(const ExponentialSum& f, double c2, double start, SearchStart how) {
+Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search) {
     if (f.c0 >= 0 && f.c1 >= 0 && c2 >= 0 && f.primary.allAtLeastZero() && f.elastic.allAtLeastZero() &&
         !f.hammer.present)
         return {};
     const double end = f.length;
-    double x = start;
+    double x = search.start;
     Sample s = sample(f, c2, x);
-    if (how == SearchStart::zero || std::abs(s.value) <= s.noise()) {
+    if (search.startsAtZero || std::abs(s.value) <= s.noise()) {
         switch (onwardFromZero(f, c2, s)) {
             case Onward::down:
-                return Zero<double>::at(start);
+                return Zero<double>::at(x);
             case Onward::up:
                 s.value = 0;
                 break;
@@ -185,7 +229,11 @@ Zero<double> firstZero(const ExponentialSum& f, double c2, double start, SearchS
                 return {.found = false, .undecided = true, .u = x};
         }
     } else if (s.value < 0) {
-        return Zero<double>::at(start);
+        return Zero<double>::at(x);
+    } else if (x == 0 && diesAway(f, c2)) {
+        double rate = 0;
+        const DecayTerms* only = onlyDecay(f, rate);
+        if (only && only->count <= 3) return firstZeroOfShortDecay(*only, rate, end);
     }
     for (int step = 0; step < mostSteps; ++step) {
         const double safe = safeStep(s);
@@ -194,6 +242,7 @@ Zero<double> firstZero(const ExponentialSum& f, double c2, double start, SearchS
         if (isNear(s, halley)) return closeIn(f, c2, x, halley, s);
         x += std::max(safe, 4 * epsilon * x);
         s = sample(f, c2, x);
+        if (s.size <= search.negligible && diesAway(f, c2) && mostFrom(f, x) <= search.negligible) return {};
         if (s.value <= s.noise()) return Zero<double>::at(x);
     }
     return {.found = false, .undecided = true, .u = x};

@@ -7,18 +7,18 @@
 
 namespace drillwave {
 
-/// How the searched function starts.
-enum class SearchStart {
-    anywhere,  ///< its value decides; rounding of zero counts as zero
-    zero,      ///< zero by construction, whatever rounding says
+/// Where a search begins, and what it may leave out.
+struct Search {
+    double start = 0;
+    bool startsAtZero = false;  ///< by construction, whatever rounding says
+    double negligible = 0;      ///< a function that stays below has no zero any more
 };
 
-/// First zero in (start, f.length] of f + c2 x², which is positive, or zero, at `start`: steps from a lower
+/// First zero in (start, f.length] of f + c2 x², which is positive, or zero, at the start: steps from a lower
 /// bound of the curvature pass no zero, and once one is near beyond doubt Halley's method takes it. A function
-/// that starts at zero and turns down has its zero at `start`.
+/// that starts at zero and turns down has its zero there.
 ///
 /// Undecided where rounding hides what follows, and where very many steps do not suffice.
-Zero<double> firstZero(const ExponentialSum& f, double c2, double start = 0,
-                       SearchStart how = SearchStart::anywhere);
+Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search);
 
 }  // namespace drillwave
