@@ -63,6 +63,13 @@ struct PowerSeries {
         return sum;
     }
 
+    /// An upper bound of f.
+    Real mostValue() const {
+        Real most = startValue();
+        for (int k = 1; k < count; ++k) most += std::max(c[k], Real(0));
+        return most;
+    }
+
     /// Drops trailing coefficients of at most `negligible`.
     void trim(Real negligible) {
         while (count > 0 && std::abs(c[count - 1]) <= negligible) --count;

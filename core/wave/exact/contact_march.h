@@ -20,10 +20,15 @@ bool ContactMarch<Basis>::solve(const Problem& problem, Detail detail, Impact& i
     m_nextLook = std::min(m_mostPieces, piecesBetweenLooks);
     begin(problem, detail, impact);
     for (;;) {
-        const bool hammerEnded = m_hammerPiece >= m_pulse->segments.size();
-        if (m_line == ContactLine::apart && hammerEnded && m_incident.length <= 0) {
-            if (flyFree() == Progress::goesOn) continue;
-            return !m_basis.failed() || undecided();
+        if (m_line == ContactLine::apart && m_incident.length <= 0) {
+            if (hammerHasEnded()) {
+                if (flyFree() == Progress::goesOn) continue;
+                return !m_basis.failed() || undecided();
+            }
+            if (m_s >= m_nextProof && staysAway()) {
+                finish();
+                return true;
+            }
         }
         if (m_incident.length <= 0) nextArrival();
         if (m_line == ContactLine::apart)
@@ -55,6 +60,7 @@ void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& i
     m_everTouched = m_touching = m_justUnloaded = false;
     m_eventsOnTheSpot = 0;
     m_line = ContactLine::apart;
+    m_nextProof = never;
     // Free flight advances by 2 in each period once the hammer has ended: whole periods of the gap beyond
     // that are kept apart, exactly.
     const double gap = problem.firstGap();

@@ -10,6 +10,29 @@
 
 namespace drillwave {
 
+/// Whether no contact can follow although the hammer still pushes. Each period moves the front end by twice the
+/// momentum of the rod, of which the hammer adds at most what is left of its impulse, and within a period by no
+/// more than the waves on their way and that rest.
+template <class Basis>
+bool ContactMarch<Basis>::staysAway() {
+    m_nextProof = m_s + m_roundTrip;
+    constexpr Real impulseOfHammer = Real(1e-12);  // pulses of 100 000 segments add up to 1 but for that
+    const Real uncertain = 4 * m_error + impulseOfHammer;
+    const Real momentum = 1 - m_impulse;  // when the hammer has ended
+    if (m_touching || m_periodsAhead > 0 || momentum > -uncertain) return false;
+    const Real rest = 1 - Real(m_pulse->segments[m_hammerPiece].impulseBefore);
+    const Real free = m_gap / 2 - rest - uncertain;
+    if (free <= 0) return false;
+    Real reached = 0;
+    for (std::size_t i = 0; i < m_waves.size(); ++i) {
+        const Piece& piece = m_waves[i];
+        const Real bound = std::max(Real(0), piece.mostValue()) * piece.length;
+        if (reached + bound > free && reached + m_basis.largestIntegral(piece) > free) return false;
+        reached += piece.integral(piece.length);
+    }
+    return !m_basis.failed();
+}
+
 /// The hammer has ended and the ends are free: the incident wave is periodic. Finds the next contact, or the
 /// proof that none follows: a whole period without contact and momentum not towards the rock (T21).
 template <class Basis>

@@ -64,6 +64,8 @@ class ContactMarch {
     /// How often to look for a stop: every millisecond or so.
     static constexpr long piecesBetweenLooks = 8192;
 
+    static constexpr Real never = std::numeric_limits<Real>::infinity();
+
     static constexpr std::size_t mostWaiting = 400'000;
     static constexpr long mostRecordedPieces = 4'000'000;  ///< some 600 MB of histories
 
@@ -75,6 +77,8 @@ class ContactMarch {
     bool mayStay(const Response& response);
     void advanceContact();
     void changeBranch(Ending ending, Real length);
+    bool hammerHasEnded() const { return m_hammerPiece >= m_pulse->segments.size(); }
+    bool staysAway();
     Progress flyFree();
     Progress skipPeriods(Real momentum);
     void passPeriods(Real periods);
@@ -146,6 +150,7 @@ class ContactMarch {
     ContactLine m_line = ContactLine::apart;  ///< apart, with a zero gap: also forceless contact
     Real m_periodsAhead = 0;                  ///< periods of free flight still to come before `m_gap` counts
     Real m_gap = 0;                           ///< distance still to close, displacement unit I0/Z
+    Real m_nextProof = never;                 ///< time of the next look whether the rod stays away
     Real m_opened = 0;                        ///< largest gap since the last separation
     double m_separatedBefore = 0;             ///< time of the separation before the last one
     Real m_force = 0;

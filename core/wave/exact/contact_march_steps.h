@@ -92,6 +92,7 @@ void ContactMarch<Basis>::separate() {
     // impulse that this displaces is at most 2 Fmax times that.
     if (m_impact->contacts > 1 && m_contactForce > 0)
         m_growth *= 1 + 2 * m_contactForce / std::max(m_closingSpeed, Real(0));
+    if (m_detail == Detail::cor) m_nextProof = m_s + m_roundTrip;  // else the work of the hammer is wanted
     m_separatedBefore = m_impact->separationTime;
     m_impact->separationTime = double(m_arrival + m_s);
     note(ContactEvent::separation);

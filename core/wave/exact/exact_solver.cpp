@@ -22,7 +22,7 @@ struct ExactSolver::Workspace {
 namespace {
 
 /// A blow that needs more exponential pieces than this is one for power series.
-constexpr long mostClosedPieces = 2000;
+constexpr long mostClosedPieces = 100000;
 
 bool isSolved(const Impact& impact) {
     return impact.outcome == Outcome::rebounded;
