@@ -100,6 +100,23 @@ double PulseSegment::impulseOf(double x) const {
     return 0;
 }
 
+double PulseSegment::energyOf(double from, double x) const {
+    switch (kind) {
+        case Kind::linear: {
+            const double first = value + slope * from, rise = slope * x;
+            return x * (first * (first + rise) + rise * rise / 3);
+        }
+        case Kind::sine: {
+            const double middle = 2 * start + 2 * from + x;  // sin 2b − sin 2a = 2 cos(a + b) sin(b − a)
+            const double swing = std::cos(std::numbers::pi * middle) * std::sin(std::numbers::pi * x);
+            return value * value * (x - swing / std::numbers::pi) / 2;
+        }
+        case Kind::exponential:
+            return -value * value * std::exp(-2 * from) * std::expm1(-2 * x) / 2;
+    }
+    return 0;
+}
+
 double pistonStepCount(double impedanceRatio) {
     if (!(impedanceRatio > 1)) return 1;
     return std::max(1.0, std::ceil(-cutOff / std::log1p(-2 / (impedanceRatio + 1))));

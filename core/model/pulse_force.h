@@ -24,6 +24,7 @@ struct PulseSegment {
 
     double forceAt(double x) const;    ///< Fa(start + x)/F0
     double impulseOf(double x) const;  ///< ∫Fa from start to start + x, 0 … 1
+    double energyOf(double from, double x) const;  ///< ∫Fa² over x from start + from on [F0² t0]
     bool operator==(const PulseSegment&) const = default;
 };
 

@@ -12,7 +12,8 @@ namespace drillwave {
 /// How much a solver is asked for; each level includes those before it.
 enum class Detail {
     cor,        ///< e and its error only: no history kept
-    summary,    ///< peaks, times, energies, events
+    summary,    ///< peak force, times, work of the hammer and on the rock: hardly more work than e alone
+    ledger,     ///< events, and sums over the waves that balance momentum and energy
     histories,  ///< g(s) and F(s), from which every wave field follows by delays
 };
 
@@ -71,9 +72,11 @@ struct Impact {
     double separationTime = 0;    ///< global time of the last separation
     double contactDuration = 0;   ///< summed over contacts
     double hammerWork = 0;        ///< W = ∫Fa va dt = ∫Fa (2g − Fa) dt [I0²/(Z t0)] (T19)
-    double rockWork = 0;          ///< ∫F dU = ∫F (2g − F) ds [I0²/(Z t0)], from the pieces
-    double finalMomentum = 0;     ///< ∫g over the last period, independent of `impulse`; −e
-    double finalEnergy = 0;       ///< ∫g² over the last period [I0²/(Z t0)]
+    double rockWork = 0;          ///< ∫F dU = (1 − γ) Fm²/(2β) [I0²/(Z t0)]: what the law has kept (T6)
+
+    // Detail::ledger and above; of the exact solver not a number below
+    double finalMomentum = 0;  ///< ∫g over the last period, independent of `impulse`; −e
+    double finalEnergy = 0;    ///< ∫g² over the last period [I0²/(Z t0)]
     std::vector<ImpactEvent> events;
 
     // Detail::histories
@@ -87,7 +90,7 @@ struct Impact {
     long pieces = 0;   ///< smooth pieces solved (steps for the lattice)
     int contacts = 0;  ///< separate contacts
 
-    bool hasEvents() const { return contacts == 0 || !events.empty(); }  ///< of Detail::summary or above
+    bool hasEvents() const { return contacts == 0 || !events.empty(); }  ///< of Detail::ledger or above
     bool hasHistories() const { return !incident.pieces().empty(); }     ///< of Detail::histories
 };
 

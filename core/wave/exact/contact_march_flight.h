@@ -121,13 +121,19 @@ void ContactMarch<Basis>::finish() {
     if (m_detail != Detail::cor) summarise();
 }
 
-/// Peak, end and the sums over the last period that balance momentum and energy independently.
+/// Peak, end and the work on the rock; the sums over the last period, which balance momentum and energy
+/// independently.
 template <class Basis>
 void ContactMarch<Basis>::summarise() {
     Impact& impact = *m_impact;
     impact.peakForce = double(m_law.largestForce());
     impact.contactDuration = double(m_contactTime);
     if (m_touching) impact.separationTime = double(m_arrival + m_s);
+    impact.rockWork = double(m_law.kept());
+    if (m_detail == Detail::summary) {
+        impact.finalMomentum = impact.finalEnergy = std::numeric_limits<double>::quiet_NaN();
+        return;
+    }
     Real momentum = 0, energy = 0;
     for (std::size_t i = 0; i < m_waves.size(); ++i) {
         const Piece& piece = m_waves[i];

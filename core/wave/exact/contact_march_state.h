@@ -72,6 +72,7 @@ class ContactMarch {
     void begin(const Problem& problem, Detail detail, Impact& impact);
     bool isSliver(const Piece& piece);
     void nextArrival();
+    Real hammerWork(const PulseSegment& segment, Real into, Real length);
     void advanceApart();
     Stretch firstEvent(Response& response);
     bool mayStay(const Response& response);
@@ -91,7 +92,7 @@ class ContactMarch {
     void finish();
     void summarise();
     void note(ContactEvent kind) {
-        if (m_detail != Detail::cor) m_impact->events.push_back({kind, double(m_arrival + m_s)});
+        if (m_detail >= Detail::ledger) m_impact->events.push_back({kind, double(m_arrival + m_s)});
     }
     /// Whether the work must end, and why; cheap enough for every piece.
     bool isOver() {

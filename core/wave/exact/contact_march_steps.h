@@ -27,7 +27,7 @@ template <class Basis>
 void ContactMarch<Basis>::nextArrival() {
     while (m_waves.size() > 1 && isSliver(m_waves.front())) m_waves.popFront();
     m_incident = m_waves.front();
-    if (m_hammerPiece >= m_pulse->segments.size()) {
+    if (hammerHasEnded()) {
         m_waves.popFront();
         return;
     }
@@ -42,16 +42,23 @@ void ContactMarch<Basis>::nextArrival() {
     } else {
         m_waves.popFront();
     }
-    const Piece& hammer = m_basis.addHammer(segment, into, length, m_incident);
-    if (m_detail != Detail::cor)  // Fa va = Fa (2g − Fa) [paper (1)]
-        m_impact->hammerWork += double(2 * m_basis.productIntegral(hammer, m_incident, length) -
-                                       m_basis.productIntegral(hammer, hammer, length));
+    if (m_detail != Detail::cor) m_impact->hammerWork += double(hammerWork(segment, into, length));
+    m_basis.addHammer(segment, into, length, m_incident);
     m_hammerTime += length;
     if (left - length <= coincident) {
         ++m_hammerPiece;
         m_hammerTime = m_hammerPiece < m_pulse->segments.size() ? Real(m_pulse->segments[m_hammerPiece].start)
                                                                 : Real(m_pulse->end);
     }
+}
+
+/// ∫Fa va = ∫Fa (Fa + 2g) over the next `length` of the hammer force [paper (1)], where g is what comes back to
+/// it, now arriving.
+template <class Basis>
+typename ContactMarch<Basis>::Real ContactMarch<Basis>::hammerWork(const PulseSegment& segment, Real into,
+                                                                   Real length) {
+    const Real alone = Real(segment.energyOf(double(into), double(length)));
+    return m_incident.isZero() ? alone : alone + 2 * m_basis.hammerProduct(segment, into, m_incident, length);
 }
 
 /// The gap is closed where `length` of `arriving` has passed.
@@ -102,7 +109,7 @@ void ContactMarch<Basis>::separate() {
 template <class Basis>
 void ContactMarch<Basis>::rejoin() {
     m_impact->separationTime = m_separatedBefore;
-    if (m_detail != Detail::cor) m_impact->events.pop_back();
+    if (m_detail >= Detail::ledger) m_impact->events.pop_back();
 }
 
 /// A stretch of the front end has passed: its reflected wave goes back into the rod.
@@ -211,11 +218,8 @@ void ContactMarch<Basis>::advanceContact() {
     m_basis.endAt(response, length);
     m_impulse += response.force.integral(length);
     m_error += m_basis.roundingError(response, length);
-    if (m_detail != Detail::cor) {
-        m_impact->rockWork +=
-            double(m_basis.productIntegral(response.force, m_basis.drive(response), length));
-        if (m_law.isElastic()) m_law.remember(m_basis.largest(response, length));
-    }
+    if (m_detail != Detail::cor && m_law.isElastic())
+        m_law.remember(m_basis.largest(response, length, m_law.largestForce()));
     m_force = std::max(response.force.value(length), Real(0));  // below it: rounding
     m_contactForce = std::max(m_contactForce, m_force);
     leave(response.reflected, response.incident, &response.force, length);

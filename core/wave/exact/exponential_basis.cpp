@@ -92,6 +92,23 @@ HammerTerms forced(const HammerTerms& g, double a) {
     return force;
 }
 
+/// ∫ e^{−x} f over [0, length], of a sum without sine: e^{−x} φ_m(λx) = (λ/μ)^m φ_m(μx), μ = λ + 1.
+double decayingIntegral(const ExponentialSum& f, double length) {
+    const auto of = [length](DecayTerms terms, double rate) {
+        const double together = rate + 1;
+        double power = 1;
+        for (int m = 0; m < terms.count; ++m, power *= rate / together) terms.c[m] *= power;
+        const double y = together * length;
+        return terms.integral(y, std::exp(-y)) / together;
+    };
+    const double decayed = -std::expm1(-length);
+    double sum = f.c0 * decayed + f.c1 * (decayed - length * std::exp(-length));
+    sum -= f.hammer.decay * std::expm1(-2 * length) / 2;
+    if (f.primary.count) sum += of(f.primary, f.rates->primary);
+    if (f.elastic.count) sum += of(f.elastic, f.rates->elastic);
+    return sum;
+}
+
 }  // namespace
 
 bool ExponentialBasis::suits(const Problem& problem) {
@@ -121,28 +138,36 @@ ExponentialSum ExponentialBasis::constant(double length, double value) const {
     return f;
 }
 
-const ExponentialSum& ExponentialBasis::addHammer(const PulseSegment& segment, double into, double length,
-                                                  Piece& g) {
-    m_hammer = Piece::zero(length);
+void ExponentialBasis::addHammer(const PulseSegment& segment, double into, double length, Piece& g) const {
+    g.shorten(length);
     switch (segment.kind) {
         case PulseSegment::Kind::linear:
-            m_hammer.c0 = segment.value + segment.slope * into;
-            m_hammer.c1 = segment.slope;
+            g.c0 += segment.value + segment.slope * into;
+            g.c1 += segment.slope;
             break;
         case PulseSegment::Kind::sine: {
             const double phase = HammerTerms::pi * (segment.start + into);
-            m_hammer.hammer = {segment.value * std::cos(phase), segment.value * std::sin(phase), 0, true};
+            g.hammer.sine += segment.value * std::cos(phase);
+            g.hammer.cosine += segment.value * std::sin(phase);
+            g.hammer.present = true;
             break;
         }
         case PulseSegment::Kind::exponential:
-            m_hammer.hammer = {0, 0, segment.value * std::exp(-into), true};
+            g.hammer.decay += segment.value * std::exp(-into);
+            g.hammer.present = true;
             break;
     }
-    g.shorten(length);
-    g.c0 += m_hammer.c0;
-    g.c1 += m_hammer.c1;
-    if (m_hammer.hammer.present) g.hammer = combine(1, g.hammer, 1, m_hammer.hammer);
-    return m_hammer;
+}
+
+double ExponentialBasis::hammerProduct(const PulseSegment& segment, double into, const Piece& g,
+                                       double length) const {
+    const bool isConstant = segment.kind == PulseSegment::Kind::linear && segment.slope == 0;
+    if (isConstant) return segment.value * g.integral(length);
+    if (segment.kind == PulseSegment::Kind::exponential && !g.hammer.hasSine())
+        return segment.value * std::exp(-into) * decayingIntegral(g, length);
+    Piece hammer = Piece::zero(length);
+    addHammer(segment, into, length, hammer);
+    return productIntegral(hammer, g, length);
 }
 
 ExponentialBasis::Response& ExponentialBasis::respond(const Piece& g, double rate, double force) {
@@ -302,15 +327,26 @@ void ExponentialBasis::tidy(Piece& piece) const {
     if (std::abs(piece.c0) + std::abs(piece.c1) * piece.length <= m_negligible) piece.c0 = piece.c1 = 0;
 }
 
-double ExponentialBasis::largest(const Response& r, double length) {
-    double most = std::max(r.force.startValue(), r.force.value(length));
-    const std::array<const Piece*, 2> functions{&r.force, &drive(r)};
-    ExponentialStretches(functions, length, m_negligible).forEach([&](double, const auto& series) {
-        const auto& [force, slope] = series;
-        most = std::max(most, force.startValue());
-        if (!forEachMaximum(slope, slope.length, [&](double x) { most = std::max(most, force.value(x)); }))
-            m_failed = true;
-    });
+double ExponentialBasis::largest(const Response& r, double length, double before) {
+    if (2 * r.incident.mostValue() <= before) return before;  // F ≤ max(F(0), 2 max g)
+    double most = std::max(before, r.force.value(length));
+    const Piece& slope = drive(r);
+    if (slope.allAtLeastZero() || slope.allAtMostZero()) return most;
+    // F turns where the drive changes its sign, at most once more for each of its terms
+    Piece& turning = m_searched;
+    turning = slope;
+    turning.shorten(length);
+    bool isRising = turning.startValue() > 0;
+    if (!isRising) combine(-1, turning, 0, turning, turning);
+    double start = 0;
+    for (int turn = 0; turn < 2 * DecayTerms::capacity; ++turn) {
+        const auto zero = decided(firstZero(turning, 0, {.start = start, .negligible = m_negligible}));
+        if (!zero.found || m_failed) break;
+        if (isRising) most = std::max(most, r.force.value(zero.u));
+        isRising = !isRising;
+        combine(-1, turning, 0, turning, turning);
+        start = zero.u;
+    }
     return most;
 }
 

@@ -39,7 +39,9 @@ class ExponentialBasis {
     double momentumNoise() const { return 4 * std::numeric_limits<double>::epsilon(); }
     Piece constant(double length, double value) const;
     double hammerPieceLength(const PulseSegment&, double left) const { return left; }
-    const Piece& addHammer(const PulseSegment& segment, double into, double length, Piece& g);
+    void addHammer(const PulseSegment& segment, double into, double length, Piece& g) const;
+    /// ∫Fa g over `length`, Fa counted from `into` the segment.
+    double hammerProduct(const PulseSegment& segment, double into, const Piece& g, double length) const;
 
     /// Solves F' = a(2g − F), F(0) = force, over g [paper (5)] [paper (8)].
     Response& respond(const Piece& g, double rate, double force);
@@ -55,8 +57,8 @@ class ExponentialBasis {
     double roundingError(const Response& r, double length) const;
     void tidy(Piece& piece) const;
 
-    /// Largest F over [0, length].
-    [[gnu::cold]] double largest(const Response& r, double length);
+    /// Largest F over [0, length], or the largest before if that is not exceeded.
+    double largest(const Response& r, double length, double before);
     [[gnu::cold]] double productIntegral(const Piece& f, const Piece& g, double length) const;
     [[gnu::cold]] void record(const Piece& incident, const Piece* force, double length, Impact& impact) const;
 
@@ -71,7 +73,7 @@ class ExponentialBasis {
     double m_scale = 1;
     double m_negligible = 0;
     bool m_failed = false;
-    Piece m_hammer, m_drive, m_searched;
+    Piece m_drive, m_searched;
     Response m_response;
 };
 

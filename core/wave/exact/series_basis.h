@@ -69,8 +69,8 @@ class SeriesBasis {
         return left;
     }
 
-    /// Adds the hammer force from `into` the segment to `g` over `length`, on the scale of `length`.
-    const Piece& addHammer(const PulseSegment& segment, Real into, Real length, Piece& g) {
+    /// The hammer force from `into` the segment over `length`.
+    const Piece& hammerPiece(const PulseSegment& segment, Real into, Real length) {
         m_hammer = Piece::zero(length);
         auto& c = m_hammer.c;
         switch (segment.kind) {
@@ -102,11 +102,24 @@ class SeriesBasis {
             }
         }
         m_hammer.trim(m_negligible);
-        if (g.scale != length) g.rescale(length);
-        for (int k = g.count; k < m_hammer.count; ++k) g.c[k] = 0;
-        g.count = std::max(g.count, m_hammer.count);
-        for (int k = 0; k < m_hammer.count; ++k) g.c[k] += m_hammer.c[k];
         return m_hammer;
+    }
+
+    /// Adds the hammer force from `into` the segment to `g` over `length`, on the scale of `length`.
+    void addHammer(const PulseSegment& segment, Real into, Real length, Piece& g) {
+        const Piece& hammer = hammerPiece(segment, into, length);
+        if (g.scale != length) g.rescale(length);
+        for (int k = g.count; k < hammer.count; ++k) g.c[k] = 0;
+        g.count = std::max(g.count, hammer.count);
+        for (int k = 0; k < hammer.count; ++k) g.c[k] += hammer.c[k];
+    }
+
+    /// ∫Fa g over that length.
+    Real hammerProduct(const PulseSegment& segment, Real into, const Piece& g, Real length) {
+        const Piece& hammer = hammerPiece(segment, into, length);
+        Piece scaled = g;
+        scaled.rescale(hammer.scale);
+        return Piece::productIntegral(hammer, scaled, length);
     }
 
     /// Solves as much of F' = a(2g − F), F(0) = force, over g as one piece can hold [paper (5)] [paper (8)].
@@ -174,8 +187,9 @@ class SeriesBasis {
                       r.length);
     }
 
-    /// Largest F over [0, length].
-    Real largest(const Response& r, Real length) {
+    /// Largest F over [0, length], or the largest before if that is not exceeded.
+    Real largest(const Response& r, Real length, Real before) {
+        if (2 * r.incident.mostValue() <= before) return before;  // F ≤ max(F(0), 2 max g)
         Real most = std::max(r.force.startValue(), r.force.value(length));
         m_undecided |=
             !forEachMaximum(r.drive, length, [&](Real x) { most = std::max(most, r.force.value(x)); });
