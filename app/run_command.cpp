@@ -98,7 +98,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     const bool writesFiles = !files.directory.empty();
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
-    SolvedRun run{.blow = solve(document.scenario, choice, writesFiles ? Detail::histories : Detail::summary,
+    SolvedRun run{.blow = solve(document.scenario, choice, writesFiles ? Detail::histories : Detail::ledger,
                                 json ? Stresses::wanted : Stresses::asNeeded, interruption.token()),
                   .scenarioText = {},
                   .units = files.units.value_or(customaryUnits(document.scenario))};

@@ -16,7 +16,7 @@ struct EnergyLedger {
     bool operator==(const EnergyLedger&) const = default;
 };
 
-/// Of an impact solved with Detail::summary or more.
+/// Of an impact solved with Detail::ledger or more.
 EnergyLedger ledgerOf(const Impact& impact, const Problem& problem);
 
 }  // namespace drillwave

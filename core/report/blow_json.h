@@ -10,7 +10,7 @@ namespace drillwave {
 
 /// The JSON object of a blow (files §5): results dimensionless and, where the scenario has units, in SI with
 /// the unit of each; and the scenario as the text that gives them again (completeScenarioText()). Numbers
-/// read back exactly; they are null where the case could not be solved. Requires Detail::summary or more.
+/// read back exactly; they are null where the case could not be solved. Requires Detail::ledger or more.
 std::string blowJson(const Blow& blow, const std::string& scenarioText);
 
 }  // namespace drillwave

@@ -25,7 +25,7 @@ GapReport studyGap(const Scenario& scenario, const std::optional<NormalGap>& nor
     const double period = gapPeriodStart(problem);
     const double start = normal ? std::min(lowestGap(*normal), period) : period;
     GapReport report{.scenario = scenario,
-                     .curve = gapCurve(problem, start, Detail::summary, stop, progress),
+                     .curve = gapCurve(problem, start, Detail::events, stop, progress),
                      .normal = normal,
                      .statistics = {},
                      .runTime = 0,

@@ -13,7 +13,8 @@ namespace drillwave {
 enum class Detail {
     cor,        ///< e and its error only: no history kept
     summary,    ///< peak force, times, work of the hammer and on the rock: hardly more work than e alone
-    ledger,     ///< events, and sums over the waves that balance momentum and energy
+    events,     ///< what happened when, too
+    ledger,     ///< sums over the waves that balance momentum and energy independently
     histories,  ///< g(s) and F(s), from which every wave field follows by delays
 };
 
@@ -77,7 +78,8 @@ struct Impact {
     // Detail::ledger and above; of the exact solver not a number below
     double finalMomentum = 0;  ///< ∫g over the last period, independent of `impulse`; −e
     double finalEnergy = 0;    ///< ∫g² over the last period [I0²/(Z t0)]
-    std::vector<ImpactEvent> events;
+
+    std::vector<ImpactEvent> events;  ///< Detail::events and above
 
     // Detail::histories
     double frontArrival = 0;        ///< global time of s = 0: τ, or 0 for the reference case
@@ -90,7 +92,7 @@ struct Impact {
     long pieces = 0;   ///< smooth pieces solved (steps for the lattice)
     int contacts = 0;  ///< separate contacts
 
-    bool hasEvents() const { return contacts == 0 || !events.empty(); }  ///< of Detail::ledger or above
+    bool hasEvents() const { return contacts == 0 || !events.empty(); }  ///< of Detail::events or above
     bool hasHistories() const { return !incident.pieces().empty(); }     ///< of Detail::histories
 };
 

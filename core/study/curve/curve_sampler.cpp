@@ -37,7 +37,7 @@ CurveSampler::CurveSampler(const CurveQuestion& question, const std::vector<Swee
       m_range(question.range()),
       m_stop(std::move(stop)),
       m_scenario(question.base, axes),
-      m_solver(question.columns, question.method, question.workLimit, Detail::summary),
+      m_solver(question.columns, question.method, question.workLimit, Detail::events),
       m_values(axes.size()),
       m_pulseMoves(m_scenario.movesPulse(axes.size() - 1)) {
     if (question.family) m_values.front() = question.family->value(line);

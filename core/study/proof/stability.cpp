@@ -138,7 +138,7 @@ StabilityRow check(const StabilityCase& stabilityCase, ExactSolver& solver, Latt
     row.stabilityCase = stabilityCase;
     const Problem problem = problemOf(stabilityCase);
     const auto start = std::chrono::steady_clock::now();
-    const Impact impact = solver.solve(problem, Detail::summary, stop);
+    const Impact impact = solver.solve(problem, Detail::ledger, stop);
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     row.outcome = impact.outcome;
     row.reason = impact.reason;

@@ -26,7 +26,7 @@ std::string CaseSolver::solve(const Scenario& scenario, std::span<double> output
     m_problem = problemOf(std::move(m_problem.hammer), groupsOf(scenario));
     m_impact = m_solver.solve(m_problem, m_detail, m_method, stop);
     if (m_impact.hindrance == Hindrance::histories && m_needsLess)
-        m_impact = m_solver.solve(m_problem, Detail::summary, m_method, stop);
+        m_impact = m_solver.solve(m_problem, Detail::ledger, m_method, stop);
     if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
     const ImpactSummary summary = summarizeWithWaves(m_impact, m_problem);
     OutputSource source{summary, scenario};

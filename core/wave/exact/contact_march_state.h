@@ -92,7 +92,7 @@ class ContactMarch {
     void finish();
     void summarise();
     void note(ContactEvent kind) {
-        if (m_detail >= Detail::ledger) m_impact->events.push_back({kind, double(m_arrival + m_s)});
+        if (m_detail >= Detail::events) m_impact->events.push_back({kind, double(m_arrival + m_s)});
     }
     /// Whether the work must end, and why; cheap enough for every piece.
     bool isOver() {

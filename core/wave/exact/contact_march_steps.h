@@ -109,7 +109,7 @@ void ContactMarch<Basis>::separate() {
 template <class Basis>
 void ContactMarch<Basis>::rejoin() {
     m_impact->separationTime = m_separatedBefore;
-    if (m_detail >= Detail::ledger) m_impact->events.pop_back();
+    if (m_detail >= Detail::events) m_impact->events.pop_back();
 }
 
 /// A stretch of the front end has passed: its reflected wave goes back into the rod.

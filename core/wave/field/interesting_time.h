@@ -16,7 +16,7 @@ struct TimeSpan {
 
 /// From the beginning of a blow to a round trip after its last separation. A long flight before the first
 /// contact is left out but for its end, and so is what comes later than a dozen round trips. Of an impact
-/// solved with Detail::summary or more.
+/// solved with Detail::events or more.
 TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse);
 
 }  // namespace drillwave

@@ -42,7 +42,7 @@ struct ContactInterval {
     bool operator==(const ContactInterval&) const = default;
 };
 
-/// In order of time. Needs an impact solved with Detail::summary or more.
+/// In order of time. Needs an impact solved with Detail::events or more.
 std::vector<ContactInterval> contactIntervals(const Impact& impact);
 
 }  // namespace drillwave

@@ -92,7 +92,7 @@ void TestBlow::theAlertsDoNotDependOnWhatWasAsked() {
     for (const Scenario& scenario : {overloadedDrill(), withoutStrength}) {
         const Blow window = solveBlow(scenario, {}, Detail::histories, {}, Stresses::wanted);
         QCOMPARE(solveBlow(scenario, {}, Detail::histories).alerts, window.alerts);
-        QCOMPARE(solveBlow(scenario, {}, Detail::summary).alerts, window.alerts);
+        QCOMPARE(solveBlow(scenario, {}, Detail::ledger).alerts, window.alerts);
     }
 }
 
@@ -100,11 +100,11 @@ void TestBlow::noMoreIsRecordedThanIsAsked() {
     const Scenario scenario;
     const Blow quick = solveBlow(scenario, {}, Detail::cor);
     QVERIFY(quick.impact.events.empty());
-    const Blow summary = solveBlow(scenario, {}, Detail::summary);
+    const Blow summary = solveBlow(scenario, {}, Detail::ledger);
     QVERIFY(!summary.impact.events.empty());
     QVERIFY(summary.impact.force.empty());
     QVERIFY(!summary.summary.rodForces);
-    const Blow stresses = solveBlow(scenario, {}, Detail::summary, {}, Stresses::wanted);
+    const Blow stresses = solveBlow(scenario, {}, Detail::ledger, {}, Stresses::wanted);
     QVERIFY(!stresses.impact.force.empty());
     QVERIFY(stresses.summary.rodForces);
 }
@@ -112,7 +112,7 @@ void TestBlow::noMoreIsRecordedThanIsAsked() {
 void TestBlow::aBlowWithoutWavesHasNoStresses() {
     const Scenario scenario = softReferenceCase();
     QVERIFY(!solveBlow(scenario, {}, Detail::histories, {}, Stresses::wanted).isSolved());
-    const Blow blow = solveBlow(scenario, {}, Detail::summary, {}, Stresses::wanted);
+    const Blow blow = solveBlow(scenario, {}, Detail::ledger, {}, Stresses::wanted);
     QVERIFY(blow.isSolved());
     QVERIFY(!blow.summary.rodForces);
     QVERIFY(std::abs(blow.summary.cor - std::sqrt(0.5)) < 1e-9);  // (T30)
@@ -121,7 +121,7 @@ void TestBlow::aBlowWithoutWavesHasNoStresses() {
 void TestBlow::anUnsolvedBlowHasTheRemarksOnItsScenarioOnly() {
     const Scenario scenario = overloadedDrill();
     MethodSolver solver(1);
-    const Blow blow = solveBlow(scenario, {}, Detail::summary, {}, Stresses::asNeeded, solver);
+    const Blow blow = solveBlow(scenario, {}, Detail::ledger, {}, Stresses::asNeeded, solver);
     QVERIFY(!blow.isSolved());
     QVERIFY(!blow.impact.reason.empty());
     QCOMPARE(blow.alerts, alertsFor(scenario));

@@ -32,7 +32,7 @@ Scenario scenarioOf(const Case& wanted) {
 
 ImpactSummary summaryOf(const Scenario& scenario) {
     const Problem problem = problemOf(scenario);
-    return summarize(ExactSolver().solve(problem, Detail::summary), problem);
+    return summarize(ExactSolver().solve(problem, Detail::ledger), problem);
 }
 
 /// The alert of that code; nullptr when there is none.

@@ -68,7 +68,7 @@ void TestOutputs::everyOutputHasANumberWhereTheScenarioHasIt() {
         const std::optional<double> value = output.value({drill.summary, drill.scenario, 0.1});
         QVERIFY2(value && std::isfinite(*value), std::string(output.name).c_str());
     }
-    const Blow groups = solveBlow(groupsCase({0.5, 0.1, 10, 0.2}), {}, Detail::summary);
+    const Blow groups = solveBlow(groupsCase({0.5, 0.1, 10, 0.2}), {}, Detail::ledger);
     for (const Output& output : outputs()) {
         const bool isThere = output.problem(groups.scenario).empty() && output.detail != Detail::histories;
         QCOMPARE(output.value({groups.summary, groups.scenario}).has_value(), isThere);
@@ -132,7 +132,7 @@ void TestOutputs::thrustIsFrequencyTimesTheImpulseThatComesBack() {
 
 // Work and penetration of a blow, 50 times a second.
 void TestOutputs::powerAndRateAreThoseOfOneBlowTimesTheFrequency() {
-    const Blow blow = solveBlow(drillOf(50), {}, Detail::summary);
+    const Blow blow = solveBlow(drillOf(50), {}, Detail::ledger);
     const double work = siOf(blow, "work_ratio") * blow.scales.energy;
     QVERIFY(std::abs(siOf(blow, "percussion_power") / (50 * work) - 1) < 1e-14);
     QVERIFY(std::abs(siOf(blow, "penetration_rate") / (50 * siOf(blow, "residual_penetration")) - 1) < 1e-14);
@@ -140,7 +140,7 @@ void TestOutputs::powerAndRateAreThoseOfOneBlowTimesTheFrequency() {
     QCOMPARE(findOutput("penetration_rate")->quantity(), Quantity::velocity);
     for (const char* name : {"percussion_power", "penetration_rate"}) {
         QVERIFY(findOutput(name)->isOnlySi());
-        QVERIFY(!valueOf(solveBlow(Scenario(), {}, Detail::summary), name));
+        QVERIFY(!valueOf(solveBlow(Scenario(), {}, Detail::ledger), name));
         const std::string problem = findOutput(name)->problem(Scenario());
         QVERIFY(problem.find("drill.blow_frequency") != std::string::npos);
         QVERIFY(problem.find("thrust") == std::string::npos);

@@ -148,7 +148,7 @@ void TestReportFile::theNumbersAreThoseOfTheJson() {
     QFETCH(QByteArray, name);
     const std::string page = pageOf(reportOfExample(name.constData()));
     const Scenario scenario = parseScenario(findExample(name.toStdString())->text, "here").scenario;
-    Blow blow = solveBlow(scenario, {}, Detail::summary, {}, Stresses::wanted);
+    Blow blow = solveBlow(scenario, {}, Detail::ledger, {}, Stresses::wanted);
     addThrustMargin(blow);
     const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(blowJson(blow, "x"))).object();
     int compared = 0;

@@ -52,14 +52,14 @@ void TestBlowJson::numbersReadBackExactly() {
 }
 
 void TestBlowJson::everyNumberInSiHasItsUnit() {
-    const QJsonObject object = json(solveBlow(Scenario{}, MethodChoice{}, Detail::summary));
+    const QJsonObject object = json(solveBlow(Scenario{}, MethodChoice{}, Detail::ledger));
     QCOMPARE(object["units"].toObject().keys(), object["si"].toObject().keys());
     QCOMPARE(object["units"].toObject()["peak_force"].toString(), QString("N"));
     QCOMPARE(object["units"].toObject()["cor"].toString(), QString("1"));
 }
 
 void TestBlowJson::anUnsolvedBlowHasReasonAndNoNumbers() {
-    Blow blow = solveBlow(Scenario{}, MethodChoice{}, Detail::summary);
+    Blow blow = solveBlow(Scenario{}, MethodChoice{}, Detail::ledger);
     blow.impact.outcome = Outcome::notSolved;
     blow.impact.reason = "it takes too long";
     const QJsonObject object = json(blow);

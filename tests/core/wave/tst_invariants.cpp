@@ -19,7 +19,7 @@ class TestInvariants : public QObject {
     void momentumAndEnergyBalance() {
         QFETCH(bool, extreme);
         RandomScenes scenes(extreme ? extremeDomain : engineeringDomain, 11);
-        scenes.forEachSolved(2000, Detail::summary, [](const Scene& scene, const Impact& impact) {
+        scenes.forEachSolved(2000, Detail::ledger, [](const Scene& scene, const Impact& impact) {
             // the impulse is summed from F, the momentum from the waves that are left: independent sums
             QVERIFY2(std::abs(1 - impact.impulse - impact.finalMomentum) <= 1e-11, describe(scene).c_str());
             const double energy = impact.hammerWork - impact.rockWork - impact.finalEnergy;
@@ -48,7 +48,7 @@ class TestInvariants : public QObject {
 
     void eventsFollowTheContactLaw() {
         RandomScenes scenes(engineeringDomain, 13);
-        scenes.forEachSolved(400, Detail::summary, [](const Scene& scene, const Impact& impact) {
+        scenes.forEachSolved(400, Detail::ledger, [](const Scene& scene, const Impact& impact) {
             QVERIFY(!impact.events.empty());
             QCOMPARE(impact.events.front().kind, ContactEvent::contact);
             double last = 0;
@@ -64,10 +64,10 @@ class TestInvariants : public QObject {
     }
 
     void unloadingEventsNeedAnInelasticRock() {
-        const Impact elastic = solve({PulseShape::rectangular, {0.5, 1, 10, 0.3}}, Detail::summary);
+        const Impact elastic = solve({PulseShape::rectangular, {0.5, 1, 10, 0.3}}, Detail::ledger);
         for (const ImpactEvent& event : elastic.events)
             QVERIFY(event.kind == ContactEvent::contact || event.kind == ContactEvent::separation);
-        const Impact inelastic = solve({PulseShape::rectangular, {0.5, 0.1, 10, 0.3}}, Detail::summary);
+        const Impact inelastic = solve({PulseShape::rectangular, {0.5, 0.1, 10, 0.3}}, Detail::ledger);
         int unloadings = 0;
         for (const ImpactEvent& event : inelastic.events) unloadings += event.kind == ContactEvent::unloading;
         QVERIFY(unloadings >= 1);

@@ -135,7 +135,7 @@ void TestPlotExport::failuresAreToldInOneLine() {
     QFETCH(QString, format);
     QFETCH(bool, histories);
     QFETCH(QString, says);
-    const Impact impact = solved(m_scenario, histories ? Detail::histories : Detail::summary);
+    const Impact impact = solved(m_scenario, histories ? Detail::histories : Detail::ledger);
     const Pictures pictures = drawBlowPlots(m_scenario, impact, {format.toStdString()});
     QVERIFY(pictures.files.empty());
     QVERIFY2(pictures.problem.contains(says), qPrintable(pictures.problem));

@@ -52,7 +52,7 @@ class Preview {
     void take(double gap) {
         if (m_feed.stop.stop_requested()) return;
         m_problem.gap = gap;
-        const Impact impact = m_solver.solve(m_problem, Detail::summary, m_feed.stop);
+        const Impact impact = m_solver.solve(m_problem, Detail::events, m_feed.stop);
         m_pieces += impact.pieces;
         if (impact.outcome != Outcome::rebounded) return;
         const ImpactSummary summary = summarize(impact, m_problem);

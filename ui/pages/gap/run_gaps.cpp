@@ -23,7 +23,7 @@ RunGaps RunGapsStudy::operator()(const RunGapsQuestion& question, const StudyFee
             found.push_back(*known);
             continue;
         }
-        GapCurve curve = gapCurve(problemOf(scenario), Detail::summary, feed.stop);
+        GapCurve curve = gapCurve(problemOf(scenario), Detail::events, feed.stop);
         if (feed.stop.stop_requested()) break;
         if (!curve.isComplete()) continue;
         found.push_back(std::make_shared<const RunGap>(RunGap{scenario, std::move(curve)}));

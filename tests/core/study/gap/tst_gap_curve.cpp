@@ -66,7 +66,7 @@ void TestGapCurve::theCurveIsWhatTheSolverSaysAtEveryGap() {
     QFETCH(double, gamma);
     QFETCH(double, tau);
     Problem problem = problemOf(static_cast<PulseShape>(shape), {beta, gamma, tau, 0});
-    const GapCurve curve = gapCurve(problem, Detail::summary);
+    const GapCurve curve = gapCurve(problem, Detail::events);
     QVERIFY(curve.usable());
     QCOMPARE(curve.unsolved, 0.0);
     QVERIFY2(curve.solves < 10000, QByteArray::number(curve.solves));
@@ -84,7 +84,7 @@ void TestGapCurve::theCurveIsWhatTheSolverSaysAtEveryGap() {
         const double near = std::pow(10, exponent(random));
         const double share = i % 2 == 0 ? place(random) : i % 4 == 1 ? near : 1 - near;
         problem.gap = curve.periodStart + share;
-        const ImpactSummary s = summarize(solver.solve(problem, Detail::summary), problem);
+        const ImpactSummary s = summarize(solver.solve(problem, Detail::events), problem);
         // 1e-10 is what the curve promises, of the size of the output.
         QVERIFY2(std::abs(curve.value(GapOutput::cor, problem.gap) - s.cor) < 1e-10 + 8 * s.corError,
                  QByteArray::number(problem.gap, 'g', 17));
@@ -95,13 +95,13 @@ void TestGapCurve::theCurveIsWhatTheSolverSaysAtEveryGap() {
 
 void TestGapCurve::theCorAloneIsTheSameCurve() {
     const Problem problem = problemOf(PulseShape::rectangular, {0.5, 0.1, 10, 0});
-    const GapCurve full = gapCurve(problem, Detail::summary), quick = gapCurve(problem, Detail::cor);
+    const GapCurve full = gapCurve(problem, Detail::events), quick = gapCurve(problem, Detail::cor);
     for (double gap = 0; gap < 1; gap += 0.00137)
         QVERIFY(std::abs(full.value(GapOutput::cor, gap) - quick.value(GapOutput::cor, gap)) < 2e-10);
 }
 
 void TestGapCurve::theSecondContactSetsInAtABorder() {
-    const GapCurve curve = gapCurve(problemOf(PulseShape::rectangular, {0.5, 1, 10, 0}), Detail::summary);
+    const GapCurve curve = gapCurve(problemOf(PulseShape::rectangular, {0.5, 1, 10, 0}), Detail::events);
     ExactSolver solver;
     const auto contacts = [&](double gap) {
         return solver.solve(problemOf(PulseShape::rectangular, {0.5, 1, 10, gap})).contacts;
@@ -163,7 +163,7 @@ void TestGapCurve::earlierGapsAreNotPeriodic() {
 }
 
 void TestGapCurve::theReferenceCaseIsOneBlow() {
-    const GapCurve curve = gapCurve(problemOf(PulseShape::rigidBody, {0.5, 0.1, 3, 0.7}), Detail::summary);
+    const GapCurve curve = gapCurve(problemOf(PulseShape::rigidBody, {0.5, 0.1, 3, 0.7}), Detail::events);
     QVERIFY(!curve.dependsOnGap);
     QCOMPARE(curve.solves, std::uint64_t{1});
     QCOMPARE(curve.value(GapOutput::cor, 0.4), cor(PulseShape::rigidBody, {0.5, 0.1, 3, 0}, 0));
@@ -180,7 +180,7 @@ void TestGapCurve::aStopEndsTheWork() {
     const auto progress = [&](double share) {
         if (share > 0.3) stop.request_stop();
     };
-    const GapCurve curve = gapCurve(problemOf(PulseShape::rectangular, {0.5, 0.1, 10, 0}), Detail::summary,
+    const GapCurve curve = gapCurve(problemOf(PulseShape::rectangular, {0.5, 0.1, 10, 0}), Detail::events,
                                     stop.get_token(), progress);
     QVERIFY(curve.stopped && !curve.usable());
     QVERIFY(curve.pieces.back().end < 0.6);

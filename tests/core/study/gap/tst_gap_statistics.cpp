@@ -71,7 +71,7 @@ class TestGapStatistics : public QObject {
 
 // theory §7: computed with 33 digits, the last digit rounded.
 void TestGapStatistics::theExtremesOfThePapersFigure8AreFound() {
-    const GapStatistics s = statisticsOf(fig8, Detail::summary);
+    const GapStatistics s = statisticsOf(fig8, Detail::events);
     const GapOutputStatistics& e = s.of(GapOutput::cor);
     QVERIFY(std::abs(e.least.value.value - 0.8419988) < 5.1e-8);
     QVERIFY(std::abs(e.least.gap.value - 0.52711) < 5.1e-6);
@@ -85,7 +85,7 @@ void TestGapStatistics::theExtremesOfThePapersFigure8AreFound() {
 
 // Against the solver near the places found: nothing lies beyond the extremes by more than the error.
 void TestGapStatistics::theErrorsStatedHold() {
-    const GapStatistics s = statisticsOf(fig8, Detail::summary);
+    const GapStatistics s = statisticsOf(fig8, Detail::events);
     const GapExtreme& least = s.of(GapOutput::cor).least;
     QVERIFY(least.value.error < 1e-9 && least.gap.error < 1e-5);
     const double width = 10 * least.gap.error;
@@ -101,7 +101,7 @@ void TestGapStatistics::theErrorsStatedHold() {
 }
 
 void TestGapStatistics::theMaximumAtNoGapIsACuspAndTheMinimumIsNot() {
-    const GapStatistics s = statisticsOf(fig8, Detail::summary);
+    const GapStatistics s = statisticsOf(fig8, Detail::events);
     QVERIFY(s.of(GapOutput::cor).largest.kind == GapExtreme::Kind::kink);
     QVERIFY(s.of(GapOutput::cor).least.kind == GapExtreme::Kind::smooth);
     QCOMPARE(s.kinks.size(), std::size_t{1});
@@ -155,7 +155,7 @@ void TestGapStatistics::quantilesLieBetweenTheExtremesInOrder() {
         for (const double gamma : {0.1, 0.6, 1.0}) {
             const NormalGap normal{0.4, 0.3};
             const GapStatistics s =
-                statisticsOf(problemOf(PulseShape::halfSine, {beta, gamma, 4, 0}), Detail::summary, normal);
+                statisticsOf(problemOf(PulseShape::halfSine, {beta, gamma, 4, 0}), Detail::events, normal);
             for (const GapOutputStatistics& output : s.outputs)
                 for (const GapSpread& spread : {output.uniform, *output.normal}) {
                     // rounding, where an output is the same everywhere
@@ -263,7 +263,7 @@ void TestGapStatistics::aScatterFartherOutByPeriodsIsTheSame() {
 
 void TestGapStatistics::theReferenceCaseIsTheSameEverywhere() {
     const Problem problem = problemOf(PulseShape::rigidBody, {0.5, 0.1, 3, 0});
-    const GapStatistics s = statisticsOf(problem, Detail::summary, NormalGap{0.2, 0.1});
+    const GapStatistics s = statisticsOf(problem, Detail::events, NormalGap{0.2, 0.1});
     const double e = grid(problem, 0, 0, 1).front();
     const GapOutputStatistics& output = s.of(GapOutput::cor);
     QVERIFY(output.least.kind == GapExtreme::Kind::everywhere);
@@ -276,7 +276,7 @@ void TestGapStatistics::theReferenceCaseIsTheSameEverywhere() {
 }
 
 void TestGapStatistics::anElasticSpringKeepsNothingAtAnyGap() {
-    const GapStatistics s = statisticsOf(problemOf(PulseShape::triangular, {0.7, 1, 3, 0}), Detail::summary);
+    const GapStatistics s = statisticsOf(problemOf(PulseShape::triangular, {0.7, 1, 3, 0}), Detail::events);
     QVERIFY(std::abs(s.of(GapOutput::efficiency).largest.value.value) < 1e-11);
     QVERIFY(s.of(GapOutput::efficiency).largest.kind == GapExtreme::Kind::everywhere);
 }

@@ -72,7 +72,7 @@ ImpactSummary solvedAlone(const Scenario& base, const std::vector<std::string>& 
         for (std::size_t a = 0; a < axes; ++a)
             if (rank(header[a]) == wanted) setCell(scenario, header[a], cells[a]);
     const Problem problem = problemOf(scenario);
-    return summarize(ExactSolver().solve(problem, Detail::summary), problem);
+    return summarize(ExactSolver().solve(problem, Detail::ledger), problem);
 }
 
 }  // namespace

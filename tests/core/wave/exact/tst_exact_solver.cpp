@@ -72,7 +72,7 @@ class TestExactSolver : public QObject {
     void agreesWithTheReferenceCases() {
         int row = 0;
         for (const ReferenceCase& expected : referenceCases()) {
-            const Impact impact = solve(expected.scene, Detail::summary);
+            const Impact impact = solve(expected.scene, Detail::ledger);
             QCOMPARE(impact.outcome, Outcome::rebounded);
             const std::string where = "row " + std::to_string(++row) + ": " + describe(expected.scene);
             QVERIFY2(close(impact.cor, expected.cor, 2e-14), where.c_str());
@@ -91,7 +91,7 @@ class TestExactSolver : public QObject {
     void detailDoesNotChangeTheRebound() {
         for (const ReferenceCase& expected : referenceCases()) {
             const double short_ = solve(expected.scene, Detail::cor).cor;
-            QCOMPARE(solve(expected.scene, Detail::summary).cor, short_);
+            QCOMPARE(solve(expected.scene, Detail::ledger).cor, short_);
             QCOMPARE(solve(expected.scene, Detail::histories).cor, short_);
         }
     }
@@ -262,7 +262,7 @@ class TestExactSolver : public QObject {
 
     void forcelessContactDoesNotChatter() {
         // after the first peak F decays to 1e-300 before the next wave arrives
-        const Impact impact = solve({PulseShape::rectangular, {50, 0.1, 30, 0}}, Detail::summary);
+        const Impact impact = solve({PulseShape::rectangular, {50, 0.1, 30, 0}}, Detail::ledger);
         QCOMPARE(impact.contacts, 1);
         QVERIFY(impact.events.size() <= 8);
         QVERIFY(impact.pieces < 200);
@@ -272,11 +272,11 @@ class TestExactSolver : public QObject {
         // F = e^−43 after 20 t0: a contact without force, neither left nor found again
         const Scene scene{PulseShape::rectangular, {0.5, 0.1, 10, 0.521}};
         QCOMPARE(solve(scene, Detail::cor).contacts, 2);
-        const Impact impact = solve(scene, Detail::summary);
+        const Impact impact = solve(scene, Detail::ledger);
         QCOMPARE(impact.contacts, 2);
         QCOMPARE(impact.events.size(), std::size_t(7));
         QVERIFY(close(impact.events[4].time, 31.217, 1e-3));  // the first separation
-        const Impact halfSine = solve({PulseShape::halfSine, {0.5, 0.1, 10, 0}}, Detail::summary);
+        const Impact halfSine = solve({PulseShape::halfSine, {0.5, 0.1, 10, 0}}, Detail::ledger);
         QCOMPARE(halfSine.contacts, 1);
     }
 
@@ -290,7 +290,7 @@ class TestExactSolver : public QObject {
 
     void theSoftestReferenceCaseIsAMassOnASpring() {
         for (const double gamma : {1.0, 0.3, 1e-3}) {
-            const Impact impact = solve({PulseShape::rigidBody, {1e-20, gamma, 10, 0}}, Detail::summary);
+            const Impact impact = solve({PulseShape::rigidBody, {1e-20, gamma, 10, 0}}, Detail::ledger);
             QCOMPARE(impact.outcome, Outcome::rebounded);
             QVERIFY(close(impact.cor, std::sqrt(gamma), 1e-15));
             QVERIFY(impact.corError < 1e-14);
@@ -306,9 +306,9 @@ class TestExactSolver : public QObject {
         for (const double gamma : {1.0, 0.5, 0.01})
             for (const double softness : {1e-4, 1e-6}) {
                 const Groups groups{softness * gamma / 0.5, gamma, 0.5, 0};
-                const Impact march = solve({PulseShape::rigidBody, groups}, Detail::summary);
+                const Impact march = solve({PulseShape::rigidBody, groups}, Detail::ledger);
                 const Impact expansion =
-                    softReference(problemOf(Scene{PulseShape::rigidBody, groups}), Detail::summary);
+                    softReference(problemOf(Scene{PulseShape::rigidBody, groups}), Detail::ledger);
                 QVERIFY(close(expansion.cor, march.cor, expansion.corError + march.corError));
                 const double second = softness * std::sqrt(softness);  // the order left out, relative
                 QVERIFY(close(expansion.peakForce / march.peakForce, 1, second + 1e-11));
@@ -340,8 +340,8 @@ class TestExactSolver : public QObject {
 
     void aGapBeyondTheDigitsOfAFractionStillTakesItsTime() {
         // δ = 1e17 has no fraction: the rod flies 1e17 periods and meets the rock as with δ = 1
-        const Impact near = solve({PulseShape::rectangular, {0.5, 0.1, 10, 1}}, Detail::summary);
-        const Impact far = solve({PulseShape::rectangular, {0.5, 0.1, 10, 1e17}}, Detail::summary);
+        const Impact near = solve({PulseShape::rectangular, {0.5, 0.1, 10, 1}}, Detail::ledger);
+        const Impact far = solve({PulseShape::rectangular, {0.5, 0.1, 10, 1e17}}, Detail::ledger);
         QVERIFY(close(far.cor, near.cor, 1e-13));
         QVERIFY(close(far.firstContactTime, 2e18, 1e3));
         QVERIFY(close(far.contactDuration, near.contactDuration, 1e-9));

@@ -76,10 +76,10 @@ class TestWaveFronts : public QObject {
 
     void theInterestingTimeEndsARoundTripAfterTheBlow() {
         const Scene near{PulseShape::rectangular, {0.5, 0.1, 3, 0}};
-        const Impact impact = solve(near, Detail::summary);
+        const Impact impact = solve(near, Detail::events);
         QVERIFY(interestingTime(impact, problemOf(near).hammer) == (TimeSpan{0, impact.separationTime + 6}));
         const Scene far{PulseShape::rectangular, {0.5, 0.1, 3, 100.25}};
-        const Impact late = solve(far, Detail::summary);
+        const Impact late = solve(far, Detail::events);
         const TimeSpan span = interestingTime(late, problemOf(far).hammer);
         QCOMPARE(span.begin, late.firstContactTime - 9);
         QCOMPARE(span.end, late.separationTime + 6);
@@ -87,7 +87,7 @@ class TestWaveFronts : public QObject {
 
     void contactsAreTheTimesFromTouchingToSeparation() {
         RandomScenes scenes(engineeringDomain, 3);
-        scenes.forEachSolved(200, Detail::summary, [](const Scene& scene, const Impact& impact) {
+        scenes.forEachSolved(200, Detail::events, [](const Scene& scene, const Impact& impact) {
             const auto contacts = contactIntervals(impact);
             QCOMPARE(static_cast<int>(contacts.size()), impact.contacts);
             double sum = 0;

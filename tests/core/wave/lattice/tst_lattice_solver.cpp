@@ -14,7 +14,7 @@ constexpr LatticeOptions withoutEstimate(int segments, LatticeWaves waves = Latt
     return {.segments = segments, .waves = waves, .estimate = ErrorEstimate::none};
 }
 
-Impact solveLattice(const Scene& scene, const LatticeOptions& options, Detail detail = Detail::summary) {
+Impact solveLattice(const Scene& scene, const LatticeOptions& options, Detail detail = Detail::ledger) {
     LatticeSolver solver;
     return solver.solve(problemOf(scene), detail, options);
 }
@@ -136,7 +136,7 @@ class TestLatticeSolver : public QObject {
         int solved = 0;
         for (const ReferenceCase& expected : referenceCases()) {
             const Impact found =
-                lattice.solve(problemOf(expected.scene), Detail::summary, {.segments = 2000});
+                lattice.solve(problemOf(expected.scene), Detail::ledger, {.segments = 2000});
             if (found.outcome != Outcome::rebounded) continue;
             ++solved;
             const std::string where = describe(expected.scene);
@@ -202,7 +202,7 @@ class TestLatticeSolver : public QObject {
     void eventsAreThoseOfTheExactSolution() {
         const Scene scene{PulseShape::rectangular, {0.05, 0.05, 3.3, 0.9}};
         const Impact found = solveLattice(scene, withoutEstimate(20000));
-        const Impact expected = solve(scene, Detail::summary);
+        const Impact expected = solve(scene, Detail::ledger);
         QCOMPARE(found.contacts, expected.contacts);
         QCOMPARE(found.events.size(), expected.events.size());
         for (std::size_t i = 0; i < found.events.size(); ++i) {

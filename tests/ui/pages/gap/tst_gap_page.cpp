@@ -248,7 +248,7 @@ void TestGapPage::aSlowCurveIsShownCoarseFirst() {
     for (std::size_t i = 0; i < 9; ++i) QCOMPARE(shown[1].samples[i].gap, double(i) / 8);
     Problem problem = problemOf(scenario);
     problem.gap = 0.5;
-    QCOMPARE(shown[1].samples[4].values[0], ExactSolver().solve(problem, Detail::summary).cor);
+    QCOMPARE(shown[1].samples[4].values[0], ExactSolver().solve(problem, Detail::events).cor);
     QVERIFY(!shown[1].isComplete());
     const ShownUnits units = shownUnits(UnitSystem::si, scalesOf(scenario));
     const GapPicture picture = gapPreview(shown[1].samples, GapOutput::cor, units);
