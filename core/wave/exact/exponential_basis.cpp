@@ -35,15 +35,15 @@ constexpr double mostCancellation = 1024;
 constexpr int negligibleExponent = -62;
 
 /// F' + aF = 2a g for the terms of the same rate: F_{m+1} = 2 g_m; F_0 is left to the initial condition.
-bool resonant(const DecayTerms& g, DecayTerms& force) {
-    if (g.count + 1 > DecayTerms::capacity) return false;
+bool resonant(const Coefficients& g, Coefficients& force) {
+    if (g.count + 1 > Coefficients::capacity) return false;
     force.count = g.count + 1;
     for (int m = 0; m < g.count; ++m) force.c[m + 1] = 2 * g.c[m];
     return true;
 }
 
 /// The same for terms of another rate λ: (a − λ) F_m + λ F_{m+1} = 2a g_m.
-void nonResonant(const DecayTerms& g, double a, double lambda, DecayTerms& force) {
+void nonResonant(const Coefficients& g, double a, double lambda, Coefficients& force) {
     force.count = g.count;
     double next = 0;
     for (int m = g.count - 1; m >= 0; --m) {
@@ -57,7 +57,7 @@ HammerTerms combine(double p, const HammerTerms& g, double q, const HammerTerms&
 }
 
 /// out = p·g + q·f
-void combine(double p, const DecayTerms& g, double q, const DecayTerms& f, DecayTerms& out) {
+void combine(double p, const Coefficients& g, double q, const Coefficients& f, Coefficients& out) {
     out.count = std::max(g.count, f.count);
     for (int m = 0; m < out.count; ++m)
         out.c[m] = (m < g.count ? p * g.c[m] : 0) + (m < f.count ? q * f.c[m] : 0);
@@ -67,8 +67,10 @@ void combine(double p, const ExponentialSum& g, double q, const ExponentialSum& 
     out.length = g.length;
     out.c0 = p * g.c0 + q * f.c0;
     out.c1 = p * g.c1 + q * f.c1;
-    combine(p, g.primary, q, f.primary, out.primary);
-    combine(p, g.elastic, q, f.elastic, out.elastic);
+    combine(p, g.primary.decays, q, f.primary.decays, out.primary.decays);
+    combine(p, g.elastic.decays, q, f.elastic.decays, out.elastic.decays);
+    combine(p, g.primary.rises, q, f.primary.rises, out.primary.rises);
+    combine(p, g.elastic.rises, q, f.elastic.rises, out.elastic.rises);
     if (g.hammer.present || f.hammer.present)
         out.hammer = combine(p, g.hammer, q, f.hammer);
     else
@@ -92,21 +94,26 @@ HammerTerms forced(const HammerTerms& g, double a) {
     return force;
 }
 
-/// ∫ e^{−x} f over [0, length], of a sum without sine: e^{−x} φ_m(λx) = (λ/μ)^m φ_m(μx), μ = λ + 1.
+/// ∫ e^{−x} f over [0, length], of a sum without sine and rises, which an exponential blow leaves: e^{−x} φ_m(λx) = (λ/μ)^m φ_m(μx), μ = λ + 1.
 double decayingIntegral(const ExponentialSum& f, double length) {
-    const auto of = [length](DecayTerms terms, double rate) {
+    const auto of = [length](Coefficients terms, double rate) {
         const double together = rate + 1;
         double power = 1;
         for (int m = 0; m < terms.count; ++m, power *= rate / together) terms.c[m] *= power;
         const double y = together * length;
-        return terms.integral(y, std::exp(-y)) / together;
+        return terms.rises(y, std::exp(-y)) / together;
     };
     const double decayed = -std::expm1(-length);
     double sum = f.c0 * decayed + f.c1 * (decayed - length * std::exp(-length));
     sum -= f.hammer.decay * std::expm1(-2 * length) / 2;
-    if (f.primary.count) sum += of(f.primary, f.rates->primary);
-    if (f.elastic.count) sum += of(f.elastic, f.rates->elastic);
+    if (f.primary.decays.count) sum += of(f.primary.decays, f.rates->primary);
+    if (f.elastic.decays.count) sum += of(f.elastic.decays, f.rates->elastic);
     return sum;
+}
+
+/// An upper bound of ∫f over [0, x] for every x up to the length.
+double mostIntegral(const RateTerms& f, double rate, double length) {
+    return f.decays.positivePart() / rate + f.rises.positivePart() * std::min(rate * length, 1.0) * length;
 }
 
 }  // namespace
@@ -178,26 +185,38 @@ ExponentialBasis::Response& ExponentialBasis::respond(const Piece& g, double rat
     r.rate = rate;
     const bool primary = rate == m_rates.primary;
     const double other = primary ? m_rates.elastic : m_rates.primary;
-    const DecayTerms& same = primary ? r.incident.primary : r.incident.elastic;
-    const DecayTerms& different = primary ? r.incident.elastic : r.incident.primary;
-    DecayTerms& forceSame = primary ? r.force.primary : r.force.elastic;
-    DecayTerms& forceDifferent = primary ? r.force.elastic : r.force.primary;
+    const RateTerms& same = primary ? r.incident.primary : r.incident.elastic;
+    const RateTerms& different = primary ? r.incident.elastic : r.incident.primary;
+    RateTerms& forceSame = primary ? r.force.primary : r.force.elastic;
+    RateTerms& forceDifferent = primary ? r.force.elastic : r.force.primary;
 
     r.force.length = g.length;
     r.force.rates = &m_rates;
     r.force.c1 = 2 * g.c1;
-    r.force.c0 = 2 * g.c0 - r.force.c1 / rate;
-    nonResonant(different, rate, other, forceDifferent);
-    if (!resonant(same, forceSame)) {
+    r.force.c0 = 2 * g.c0;
+    nonResonant(different.decays, rate, other, forceDifferent.decays);
+    if (!resonant(same.decays, forceSame.decays)) {
         m_failed = true;
         return r;
     }
+    if (g.c1 == 0 && same.rises.count == 0 && different.rises.count == 0) {
+        forceSame.rises.count = forceDifferent.rises.count = 0;
+    } else {
+        // F' = 0 at the start for all that begins at zero: 2x − 2ω_0(ax)/a for a ramp, −(λ/a) F_0 ω_0(ax) for
+        // rises of another rate
+        nonResonant(different.rises, rate, other, forceDifferent.rises);
+        if (!resonant(same.rises, forceSame.rises)) {
+            m_failed = true;
+            return r;
+        }
+        forceSame.rises.c[0] = -(r.force.c1 + other * forceDifferent.rises[0]) / rate;
+    }
     r.force.hammer = r.incident.hammer.present ? forced(r.incident.hammer, rate) : HammerTerms{};
-    forceSame.c[0] = force - r.force.c0 - forceDifferent.start() - r.force.hammer.startValue();
+    forceSame.decays.c[0] = force - r.force.c0 - forceDifferent.start() - r.force.hammer.startValue();
     // the decays over the whole piece serve all functions of this piece
-    if (r.incident.primaryDecay < 0 && r.force.primary.count)
+    if (r.incident.primaryDecay < 0 && !r.force.primary.isZero())
         r.incident.primaryDecay = std::exp(-m_rates.primary * g.length);
-    if (r.incident.elasticDecay < 0 && r.force.elastic.count)
+    if (r.incident.elasticDecay < 0 && !r.force.elastic.isZero())
         r.incident.elasticDecay = std::exp(-m_rates.elastic * g.length);
     r.force.primaryDecay = r.incident.primaryDecay;
     r.force.elasticDecay = r.incident.elasticDecay;
@@ -220,8 +239,8 @@ void ExponentialBasis::endAt(Response& r, double length) {
     if (length == r.length) return;
     r.length = length;
     r.force.shorten(length);
-    if (r.force.primary.count) r.force.primaryDecay = std::exp(-m_rates.primary * length);
-    if (r.force.elastic.count) r.force.elasticDecay = std::exp(-m_rates.elastic * length);
+    if (!r.force.primary.isZero()) r.force.primaryDecay = std::exp(-m_rates.primary * length);
+    if (!r.force.elastic.isZero()) r.force.elasticDecay = std::exp(-m_rates.elastic * length);
     r.reflected.length = length;
     r.reflected.primaryDecay = r.force.primaryDecay;
     r.reflected.elasticDecay = r.force.elasticDecay;
@@ -236,29 +255,25 @@ Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
     if (g.allAtMostZero()) return gap < 0 ? Zero<double>::at(0) : Zero<double>{};
     const double most =
         std::max({0.0, g.c0, g.c0 + g.c1 * g.length}) * g.length +
-        g.primary.positivePart() / m_rates.primary + g.elastic.positivePart() / m_rates.elastic +
+        mostIntegral(g.primary, m_rates.primary, g.length) + mostIntegral(g.elastic, m_rates.elastic, g.length) +
         g.hammer.amplitude() * g.length + std::max(g.hammer.decay, 0.0) * std::min(g.length, 1.0);
     if (gap > 2 * most) return {};
     const bool isConstant =
-        g.primary.count == 0 && g.elastic.count == 0 && g.c1 == 0 && !g.hammer.present;
+        g.primary.isZero() && g.elastic.isZero() && g.c1 == 0 && !g.hammer.present;
     if (isConstant) {
         const double x = gap / (2 * g.c0);
         return x <= g.length ? Zero<double>::at(x) : Zero<double>{};
     }
-    // gap − 2∫g: ∫φ_m(λx) = (1 − φ_0 − … − φ_m)/λ
+    // gap − 2∫g: ∫φ_m = ω_m/λ, and ∫ω_m = x − Σ_{k≤m} ω_k/λ
     Piece& f = m_searched;
     f = Piece::zero(g.length);
     f.rates = &m_rates;
     f.c0 = gap;
     f.c1 = -2 * g.c0;
-    const auto integrate = [&](const DecayTerms& terms, double rate, DecayTerms& out) {
-        out.count = terms.count;
-        double sum = 0;
-        for (int m = terms.count - 1; m >= 0; --m) {
-            sum += terms.c[m];
-            out.c[m] = 2 * sum / rate;
-        }
-        f.c0 -= 2 * sum / rate;
+    const auto integrate = [&f](const RateTerms& terms, double rate, RateTerms& out) {
+        const Coefficients sums = RateTerms::sumsFromEach(terms.rises);
+        combine(-2 / rate, terms.decays, 2 / rate, sums, out.rises);
+        f.c1 -= 2 * sums[0];
     };
     integrate(g.primary, m_rates.primary, f.primary);
     integrate(g.elastic, m_rates.elastic, f.elastic);
@@ -310,10 +325,13 @@ double ExponentialBasis::largestIntegral(const Piece& g) {
 }
 
 double ExponentialBasis::roundingError(const Response& r, double length) const {
+    const auto lasting = [length](const RateTerms& terms, double rate) {
+        return terms.decays.magnitude() * std::min(length, Coefficients::capacity / rate) +
+               terms.rises.magnitude() * std::min(rate * length, 1.0) * length;
+    };
     const double weighted =
         (std::abs(r.force.c0) + std::abs(r.force.c1) * length + r.force.hammer.magnitude()) * length +
-        r.force.primary.magnitude() * std::min(length, DecayTerms::capacity / m_rates.primary) +
-        r.force.elastic.magnitude() * std::min(length, DecayTerms::capacity / m_rates.elastic);
+        lasting(r.force.primary, m_rates.primary) + lasting(r.force.elastic, m_rates.elastic);
     const double persisting =
         r.size * epsilon / m_rates.primary;  // decays only as slowly as the contact force
     return 4 * (epsilon * weighted + persisting + m_negligible * length);
@@ -339,7 +357,7 @@ double ExponentialBasis::largest(const Response& r, double length, double before
     bool isRising = turning.startValue() > 0;
     if (!isRising) combine(-1, turning, 0, turning, turning);
     double start = 0;
-    for (int turn = 0; turn < 2 * DecayTerms::capacity; ++turn) {
+    for (int turn = 0; turn < 2 * Coefficients::capacity; ++turn) {
         const auto zero = decided(firstZero(turning, 0, {.start = start, .negligible = m_negligible}));
         if (!zero.found || m_failed) break;
         if (isRising) most = std::max(most, r.force.value(zero.u));

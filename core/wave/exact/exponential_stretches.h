@@ -57,21 +57,23 @@ class ExponentialStretches {
     double fastestDecay() const {
         double fastest = 0;
         for (const ExponentialSum& f : m_rest) {
-            if (f.primary.count) fastest = std::max(fastest, f.rates->primary);
-            if (f.elastic.count) fastest = std::max(fastest, f.rates->elastic);
+            if (!f.primary.isZero()) fastest = std::max(fastest, f.rates->primary);
+            if (!f.elastic.isZero()) fastest = std::max(fastest, f.rates->elastic);
             if (f.hammer.decay != 0) fastest = std::max(fastest, 1.0);
             if (f.hammer.hasSine()) fastest = std::max(fastest, rateOfSine);
         }
         return fastest;
     }
 
-    /// Adds Σ c_m φ_m(λx), φ_m(y) = e^{−y} y^m/m!, with y = reach·u: the coefficient of u^j is
+    using Series = std::array<double, PowerSeries<double>::capacity>;
+
+    /// Σ c_m φ_m(y), φ_m(y) = e^{−y} y^m/m!, with y = reach·u: the coefficient of u^j is
     /// reach^j Σ_m c_m/m! (−1)^(j−m)/(j−m)!.
-    static void add(const DecayTerms& terms, double reach, PowerSeries<double>& f) {
-        if (terms.count == 0) return;
-        std::array<double, PowerSeries<double>::capacity> decay;  // of e^{−y}
+    static Series seriesOf(const Coefficients& terms, double reach) {
+        Series decay;  // of e^{−y}
         decay[0] = 1;
         for (std::size_t j = 1; j < decay.size(); ++j) decay[j] = -decay[j - 1] / double(j);
+        Series series;
         double power = 1;
         for (int j = 0; j < PowerSeries<double>::capacity; ++j, power *= reach) {
             double sum = 0, factorial = 1;
@@ -79,24 +81,41 @@ class ExponentialStretches {
                 sum += terms.c[m] / factorial * decay[j - m];
                 factorial *= m + 1;
             }
-            if (j >= f.count) f.c[j] = 0;
-            f.c[j] += sum * power;
+            series[j] = sum * power;
         }
+        return series;
+    }
+
+    static void makeFull(PowerSeries<double>& f) {
+        std::fill(f.c.begin() + f.count, f.c.end(), 0.0);
         f.count = PowerSeries<double>::capacity;
+    }
+
+    /// Adds the terms with y = reach·u; ω_m is the integral of φ_m.
+    static void add(const RateTerms& terms, double reach, PowerSeries<double>& f) {
+        if (terms.isZero()) return;
+        makeFull(f);
+        if (terms.decays.count) {
+            const Series decays = seriesOf(terms.decays, reach);
+            for (int j = 0; j < f.count; ++j) f.c[j] += decays[j];
+        }
+        if (terms.rises.count) {
+            const Series slopes = seriesOf(terms.rises, reach);
+            for (int j = 1; j < f.count; ++j) f.c[j] += reach * slopes[j - 1] / j;
+        }
     }
 
     /// Adds s sin πx + k cos πx + d e^{−x}, x = length·u.
     static void add(const HammerTerms& terms, double length, PowerSeries<double>& f) {
         const double reach = HammerTerms::pi * length;
         double turn = 1, decay = terms.decay;
+        makeFull(f);
         for (int j = 0; j < PowerSeries<double>::capacity; ++j) {
             const double wave = j % 2 == 0 ? terms.cosine : terms.sine;
-            if (j >= f.count) f.c[j] = 0;
             f.c[j] += decay + (j % 4 < 2 ? wave : -wave) * turn;
             turn *= reach / (j + 1);
             decay *= -length / (j + 1);
         }
-        f.count = PowerSeries<double>::capacity;
     }
 
     PowerSeries<double> seriesOf(const ExponentialSum& f, double length) const {

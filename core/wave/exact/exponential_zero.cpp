@@ -30,7 +30,7 @@ struct Sample {
 };
 
 /// Largest values of φ_m, at y = m.
-constexpr double peaks[DecayTerms::capacity] = {1,
+constexpr double peaks[Coefficients::capacity] = {1,
                                                 0.36787944117144233,
                                                 0.27067056647322538,
                                                 0.22404180765538775,
@@ -39,23 +39,32 @@ constexpr double peaks[DecayTerms::capacity] = {1,
                                                 0.16062314104798003,
                                                 0.14900277967433771};
 
-/// Adds Σ c_m φ_m(λx).
-void add(const DecayTerms& f, double rate, double x, Sample& s) {
-    if (f.count == 0) return;
+/// Adds the terms of one rate. The slope of Σ c_m φ_m + Σ q_m ω_m is Σ (c_{m+1} − c_m + q_m) φ_m.
+void add(const RateTerms& f, double rate, double x, Sample& s) {
+    if (f.isZero()) return;
     const double y = rate * x;
+    const double decay = x == 0 ? 1.0 : std::exp(-y);
     double value = 0, slope = 0, bend = 0, leastBend = 0, size = 0;
-    double phi = x == 0 ? 1.0 : std::exp(-y);
-    for (int m = 0; m < f.count; ++m) {
-        const double a = f.c[m];
-        const double b = m + 1 < f.count ? f.c[m + 1] : 0;
-        const double c = m + 2 < f.count ? f.c[m + 2] : 0;
-        value += a * phi;
-        slope += (b - a) * phi;
-        size += std::abs(a) * phi;
-        const double curvature = a - 2 * b + c;
+    double phi = decay;
+    const int count = std::max(f.decays.count, f.rises.count);
+    double here = f.decays[0], next = f.decays[1], slopeHere = next - here + f.rises[0];
+    for (int m = 0; m < count; ++m) {
+        const double afterNext = f.decays[m + 2];
+        const double slopeNext = afterNext - next + f.rises[m + 1];
+        value += here * phi;
+        size += std::abs(here) * phi;
+        slope += slopeHere * phi;
+        const double curvature = slopeNext - slopeHere;
         bend += curvature * phi;
         if (curvature < 0) leastBend += curvature * (y >= m ? phi : peaks[m]);
         phi *= y / (m + 1);
+        here = next;
+        next = afterNext;
+        slopeHere = slopeNext;
+    }
+    if (f.rises.count) {
+        value += f.rises.rises(y, decay);
+        size += f.rises.magnitude() * std::min(y, 1.0);
     }
     s.value += value;
     s.slope += rate * slope;
@@ -94,8 +103,8 @@ Sample sample(const ExponentialSum& f, double c2, double x) {
     s.slope = f.c1 + 2 * c2 * x;
     s.curvature = s.leastCurvature = 2 * c2;
     s.size = std::abs(f.c0) + std::abs(f.c1) * x + std::abs(c2) * x * x;
-    if (f.primary.count) add(f.primary, f.rates->primary, x, s);
-    if (f.elastic.count) add(f.elastic, f.rates->elastic, x, s);
+    if (!f.primary.isZero()) add(f.primary, f.rates->primary, x, s);
+    if (!f.elastic.isZero()) add(f.elastic, f.rates->elastic, x, s);
     if (f.hammer.present) add(f.hammer, x, s);
     return s;
 }
@@ -103,12 +112,12 @@ Sample sample(const ExponentialSum& f, double c2, double x) {
 /// An upper bound of |f'''|, x ≥ 0.
 double mostThirdDerivative(const ExponentialSum& f) {
     constexpr double pi = HammerTerms::pi;
-    const auto of = [](const DecayTerms& terms, double rate) {  // differences of third order: 8 |c|
-        return 8 * terms.magnitude() * rate * rate * rate;
+    const auto of = [](const RateTerms& terms, double rate) {  // differences of third and second order
+        return (8 * terms.decays.magnitude() + 4 * terms.rises.magnitude()) * rate * rate * rate;
     };
     double most = f.hammer.amplitude() * pi * pi * pi + std::abs(f.hammer.decay);
-    if (f.primary.count) most += of(f.primary, f.rates->primary);
-    if (f.elastic.count) most += of(f.elastic, f.rates->elastic);
+    if (!f.primary.isZero()) most += of(f.primary, f.rates->primary);
+    if (!f.elastic.isZero()) most += of(f.elastic, f.rates->elastic);
     return most;
 }
 
@@ -159,7 +168,7 @@ Onward onwardFromZero(const ExponentialSum& f, double c2, const Sample& s) {
 
 /// An upper bound of |f| from x on, for sums that die away.
 double mostFrom(const ExponentialSum& f, double x) {
-    const auto of = [x](const DecayTerms& terms, double rate) {
+    const auto of = [x](const Coefficients& terms, double rate) {
         const double y = rate * x;
         double sum = 0, phi = std::exp(-y);
         for (int m = 0; m < terms.count; ++m) {
@@ -169,28 +178,29 @@ double mostFrom(const ExponentialSum& f, double x) {
         return sum;
     };
     double most = std::abs(f.hammer.decay) * std::exp(-x);
-    if (f.primary.count) most += of(f.primary, f.rates->primary);
-    if (f.elastic.count) most += of(f.elastic, f.rates->elastic);
+    if (f.primary.decays.count) most += of(f.primary.decays, f.rates->primary);
+    if (f.elastic.decays.count) most += of(f.elastic.decays, f.rates->elastic);
     return most;
 }
 
 bool diesAway(const ExponentialSum& f, double c2) {
-    return f.c0 == 0 && f.c1 == 0 && c2 == 0 && !f.hammer.hasSine();
+    return f.c0 == 0 && f.c1 == 0 && c2 == 0 && f.primary.rises.count == 0 && f.elastic.rises.count == 0 &&
+           !f.hammer.hasSine();
 }
 
 /// The only family of a function that is e^{−y} times a polynomial; nullptr where there is more in it.
-const DecayTerms* onlyDecay(const ExponentialSum& f, double& rate) {
+const Coefficients* onlyDecay(const ExponentialSum& f, double& rate) {
     if (f.hammer.present) return nullptr;
-    if (f.elastic.count == 0) {
+    if (f.elastic.isZero()) {
         rate = f.rates->primary;
-        return &f.primary;
+        return &f.primary.decays;
     }
     rate = f.rates->elastic;
-    return f.primary.count == 0 ? &f.elastic : nullptr;
+    return f.primary.isZero() ? &f.elastic.decays : nullptr;
 }
 
 /// The first zero of e^{−y}(c_0 + c_1 y + c_2 y²/2) behind its start, where it is positive.
-Zero<double> firstZeroOfShortDecay(const DecayTerms& terms, double rate, double end) {
+Zero<double> firstZeroOfShortDecay(const Coefficients& terms, double rate, double end) {
     const double c0 = terms.c[0];
     const double c1 = terms.count > 1 ? terms.c[1] : 0;
     const double c2 = terms.count > 2 ? terms.c[2] : 0;
@@ -223,6 +233,7 @@ Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search)
                 if (!(x + 1.5 * s.curvature / third <= end)) return {};
                 x += 1.5 * s.curvature / third;
                 s = sample(f, c2, x);
+                if (s.value <= s.noise()) return {.found = false, .undecided = true, .u = x};
                 break;
             }
             case Onward::unknown:
@@ -232,7 +243,7 @@ Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search)
         return Zero<double>::at(x);
     } else if (x == 0 && diesAway(f, c2)) {
         double rate = 0;
-        const DecayTerms* only = onlyDecay(f, rate);
+        const Coefficients* only = onlyDecay(f, rate);
         if (only && only->count <= 3) return firstZeroOfShortDecay(*only, rate, end);
     }
     for (int step = 0; step < mostSteps; ++step) {
