@@ -22,7 +22,10 @@ struct ExactSolver::Workspace {
 namespace {
 
 /// A blow that needs more exponential pieces than this is one for power series.
-constexpr long mostClosedPieces = 100000;
+constexpr long mostClosedPieces = 100'000;
+
+/// Where the error of the closed form may be more than this, terms have cancelled: series keep the digits.
+constexpr double mostClosedError = 3e-13;
 
 bool isSolved(const Impact& impact) {
     return impact.outcome == Outcome::rebounded;
@@ -36,7 +39,9 @@ void ExactSolver::Workspace::march(const Problem& problem, Detail detail, const 
     if (ExponentialBasis::suits(problem)) {
         MarchLimits few = limits;
         few.pieces = std::min(limits.pieces, mostClosedPieces);
-        if (closed.solve(problem, detail, impact, few) && isSolved(impact)) return;
+        if (closed.solve(problem, detail, impact, few) && isSolved(impact) &&
+            impact.corError <= mostClosedError)
+            return;
         impact = Impact{};
     }
     series.solve(problem, detail, impact, limits);

@@ -15,12 +15,31 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// γ < 1: terms of the other rate are divided by 1 − γ at every reflection. From 0.9 on none is solved.
 constexpr double largestGamma = 0.7;
 
-/// βτ: contact lasts about 1.6/√(βτ) round trips, and each needs another of the few terms. Below, a growing
-/// share fails, and what is solved takes longer than series.
-constexpr double leastContactDecay = 0.3;
+/// Nearer to 1 where contact ends within a round trip, so that few reflections divide by 1 − γ.
+constexpr double largestStiffGamma = 0.9, leastStiffDecay = 3;
 
-/// β: rounding persists for the 1/β that the force takes to decay, and e errs by as much.
-constexpr double leastBeta = 0.002;
+/// βτ and β below which a growing share fails, loses more digits than series do, or takes longer. Contact lasts
+/// about 1.6/√(βτ) round trips, each of which needs another of the few terms; and rounding persists for the
+/// 1/β that the force takes to decay.
+struct Stiffness {
+    double decay, beta;
+};
+constexpr Stiffness leastForSteps{0.3, 0.02}, leastForCurves{0.3, 0.15}, leastForRamps{1, 0.4};
+constexpr Stiffness leastForTables{3, 1.5};  ///< dozens of ramps, many of them steep
+
+/// Pulses of fewer linear pieces are those of a formula.
+constexpr std::size_t leastTable = 12;
+
+Stiffness leastFor(const PulseForce& hammer) {
+    using Kind = PulseSegment::Kind;
+    const auto& segments = hammer.segments;
+    if (segments.empty()) return leastForSteps;
+    if (segments.front().kind != Kind::linear) return leastForCurves;
+    const bool isSteps = std::all_of(segments.begin(), segments.end(),
+                                     [](const PulseSegment& segment) { return segment.slope == 0; });
+    if (isSteps) return leastForSteps;
+    return segments.size() < leastTable ? leastForRamps : leastForTables;
+}
 
 /// Each is a piece that all reflections repeat, and most of them are short where there are many.
 constexpr std::size_t mostSegments = 1000;
@@ -120,9 +139,12 @@ double mostIntegral(const RateTerms& f, double rate, double length) {
 
 bool ExponentialBasis::suits(const Problem& problem) {
     const auto [beta, gamma] = problem.law;
-    if (gamma > largestGamma && gamma < 1) return false;
-    if (beta * problem.transitTime < leastContactDecay || beta < leastBeta) return false;
+    const double decay = beta * problem.transitTime;
+    if (decay < leastForSteps.decay || beta < leastForSteps.beta) return false;
+    if (gamma < 1 && gamma > (decay < leastStiffDecay ? largestGamma : largestStiffGamma)) return false;
     if (problem.hammer.segments.size() > mostSegments) return false;
+    const Stiffness least = leastFor(problem.hammer);
+    if (decay < least.decay || beta < least.beta) return false;
     if (problem.hammer.shape == PulseShape::exponential) {
         const auto isDetuned = [](double rate) { return std::abs(rate - 1) > leastDetuning; };
         return isDetuned(beta) && isDetuned(beta / gamma);
