@@ -68,6 +68,7 @@ class ContactMarch {
     static constexpr long mostRecordedPieces = 4'000'000;  ///< some 600 MB of histories
 
     void begin(const Problem& problem, Detail detail, Impact& impact);
+    bool march();
     bool isSliver(const Piece& piece);
     void nextArrival();
     void advanceApart();

@@ -37,7 +37,9 @@ void ExactSolver::Workspace::march(const Problem& problem, Detail detail, const 
         MarchLimits few = limits;
         few.pieces = std::min(limits.pieces, mostClosedPieces);
         if (closed.solve(problem, detail, impact, few) && isSolved(impact)) return;
+        const long abandoned = impact.pieces;
         impact = Impact{};
+        impact.abandoned = abandoned;
     }
     series.solve(problem, detail, impact, limits);
 }

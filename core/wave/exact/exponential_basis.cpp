@@ -127,6 +127,7 @@ bool ExponentialBasis::suits(const Problem& problem) {
 
 void ExponentialBasis::begin(const Problem& problem, ContactRates<double> rates) {
     m_failed = false;
+    m_count = {};
     m_rates = rates;
     m_scale = std::max(problem.hammer.peak, problem.transitTime < 0.5 || problem.hammer.isRigidBody()
                                                 ? 1 / (2 * problem.transitTime)
@@ -241,8 +242,10 @@ Zero<double> ExponentialBasis::firstZero(const Piece& f, double c2, double end, 
     if (f.c0 >= 0 && f.c1 >= 0 && c2 >= 0 && f.primary.allAtLeastZero() && f.elastic.allAtLeastZero())
         return {};
     double x = start;
+    ++m_count.searches;
     for (int step = 0; step < mostSteps; ++step) {
         Sample s = sample(f, c2, x);
+        ++m_count.samples;
         const double noise = 4 * epsilon * s.size;
         if (step == 0 && (zeroAtStart || std::abs(s.value) <= noise)) {
             if (std::abs(s.slope) <= 16 * epsilon * (std::abs(f.c1) + s.size * s.fastest))
@@ -282,6 +285,7 @@ Zero<double> ExponentialBasis::closeIn(const Piece& f, double c2, double x, Samp
         const double quickest = std::max(s.fastest, std::abs(s.curvature / s.slope));
         if (std::abs(h) * quickest < lastHalleyStep) return zeroUpTo(end, x);
         s = sample(f, c2, x);
+        ++m_count.samples;
     }
     m_failed = true;
     return {};
