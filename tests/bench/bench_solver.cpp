@@ -139,9 +139,9 @@ void addRow(Table& table, std::string words, Sample sample) {
     const auto count = sample.seconds.size();
     double sum = 0;
     for (const double seconds : sample.seconds) sum += seconds;
-    table.add({std::move(words), double(count), sample.seconds[count / 2], sample.seconds[count * 99 / 100],
-               sample.seconds.back(), sum / double(count), sample.closed / double(count),
-               double(sample.notSolved)});
+    table.add({std::move(words), double(count), sample.seconds[count / 2],
+               sample.seconds[(count * 99 + 99) / 100 - 1], sample.seconds.back(), sum / double(count),
+               sample.closed / double(count), double(sample.notSolved)});
 }
 
 void benchDomain(const Options& options, RandomBench::Domain domain, int usualCount) {
