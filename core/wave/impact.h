@@ -89,8 +89,11 @@ struct Impact {
     std::vector<PeriodSkip> skips;  ///< where the recorded time leaves out periods of free flight
 
     // How much work it was
-    long pieces = 0;   ///< smooth pieces solved (steps for the lattice)
-    int contacts = 0;  ///< separate contacts
+    long pieces = 0;     ///< smooth pieces solved (steps for the lattice)
+    int contacts = 0;    ///< separate contacts
+    long searches = 0;   ///< for events: those that bounds alone did not answer; none by the lattice
+    long samples = 0;    ///< points at which these searches looked
+    long abandoned = 0;  ///< pieces solved in a representation that did not come to its end, besides `pieces`
 
     bool hasEvents() const { return contacts == 0 || !events.empty(); }  ///< of Detail::events or above
     bool hasHistories() const { return !incident.pieces().empty(); }     ///< of Detail::histories

@@ -3,30 +3,16 @@
 #pragma once
 
 #include <QTest>
-#include <cmath>
 #include <fstream>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/text/csv.h"
-#include "core/text/units.h"
 #include "core/wave/exact/exact_solver.h"
-#include "core/wave/problem.h"
+#include "tests/support/scene.h"
 
 namespace drillwave::test {
-
-/// A dimensionless scene: a pulse shape and the four groups.
-struct Scene {
-    PulseShape shape = PulseShape::rectangular;
-    Groups groups;
-    double impedanceRatio = 2;  ///< of a piston
-};
-
-inline Problem problemOf(const Scene& scene) {
-    return problemOf(pulseForceOf(scene.shape, scene.impedanceRatio), scene.groups);
-}
 
 inline Impact solve(const Scene& scene, Detail detail = Detail::cor) {
     ExactSolver solver;
@@ -35,13 +21,6 @@ inline Impact solve(const Scene& scene, Detail detail = Detail::cor) {
 
 inline double cor(PulseShape shape, double beta, double gamma, double tau, double delta) {
     return solve({shape, {beta, gamma, tau, delta}}).cor;
-}
-
-/// Words that find the scene again when a check fails.
-inline std::string describe(const Scene& scene) {
-    return std::string(name(scene.shape)) + " beta " + formatNumber(scene.groups.beta) + " gamma " +
-           formatNumber(scene.groups.gamma) + " tau " + formatNumber(scene.groups.tau) + " delta " +
-           formatNumber(scene.groups.delta) + " impedance ratio " + formatNumber(scene.impedanceRatio);
 }
 
 /// One row of tests/cases/reference.csv (33-digit event-driven solution).
@@ -87,34 +66,34 @@ inline bool isQuick(const Problem& problem) {
 /// commensurate transit times occur often.
 class RandomScenes {
   public:
-    RandomScenes(const Domain& domain, unsigned seed) : m_domain(domain), m_random(seed) {}
+    RandomScenes(const Domain& domain, unsigned seed) : m_domain(domain), m_chance(seed) {}
 
     Scene next() {
         static constexpr PulseShape shapes[] = {
             PulseShape::rectangular, PulseShape::triangular, PulseShape::halfSine, PulseShape::trapezoid,
             PulseShape::exponential, PulseShape::piston,     PulseShape::rigidBody};
         Scene scene;
-        scene.shape = shapes[below(7)];
-        scene.impedanceRatio = logarithmic(0.3, 5);
+        scene.shape = shapes[m_chance.below(7)];
+        scene.impedanceRatio = m_chance.logarithmic(0.3, 5);
         Groups& g = scene.groups;
-        g.beta = logarithmic(m_domain.leastBeta, m_domain.mostBeta);
-        g.gamma = logarithmic(m_domain.leastGamma, 1);
-        if (below(3) == 0) g.gamma = 1;
-        if (below(10) == 0) g.gamma = 1 - logarithmic(1e-12, 0.1);
-        g.tau = logarithmic(m_domain.leastTau, m_domain.mostTau);
-        if (below(10) == 0) g.tau = 0.5 * (1 + below(8));
-        switch (below(4)) {
+        g.beta = m_chance.logarithmic(m_domain.leastBeta, m_domain.mostBeta);
+        g.gamma = m_chance.logarithmic(m_domain.leastGamma, 1);
+        if (m_chance.below(3) == 0) g.gamma = 1;
+        if (m_chance.below(10) == 0) g.gamma = 1 - m_chance.logarithmic(1e-12, 0.1);
+        g.tau = m_chance.logarithmic(m_domain.leastTau, m_domain.mostTau);
+        if (m_chance.below(10) == 0) g.tau = 0.5 * (1 + m_chance.below(8));
+        switch (m_chance.below(4)) {
             case 0:
                 g.delta = 0;
                 break;
             case 1:
-                g.delta = below(4);
+                g.delta = m_chance.below(4);
                 break;
             case 2:
-                g.delta = 3 * fraction();
+                g.delta = 3 * m_chance.fraction();
                 break;
             default:
-                g.delta = logarithmic(1e-6, m_domain.mostDelta);
+                g.delta = m_chance.logarithmic(1e-6, m_domain.mostDelta);
         }
         if (scene.shape == PulseShape::rigidBody) g.delta = 0;
         return scene;
@@ -156,12 +135,8 @@ class RandomScenes {
     }
 
   private:
-    unsigned below(unsigned n) { return static_cast<unsigned>(m_random() % n); }
-    double fraction() { return static_cast<double>(m_random() >> 11) * 0x1p-53; }
-    double logarithmic(double low, double high) { return low * std::pow(high / low, fraction()); }
-
     Domain m_domain;
-    std::mt19937_64 m_random;
+    Chance m_chance;
 };
 
 }  // namespace drillwave::test

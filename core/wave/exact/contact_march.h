@@ -19,6 +19,14 @@ bool ContactMarch<Basis>::solve(const Problem& problem, Detail detail, Impact& i
     m_mostPieces = detail == Detail::histories ? std::min(limits.pieces, mostRecordedPieces) : limits.pieces;
     m_nextLook = std::min(m_mostPieces, piecesBetweenLooks);
     begin(problem, detail, impact);
+    const bool isDecided = march();
+    impact.searches = m_basis.searchCount().searches;
+    impact.samples = m_basis.searchCount().samples;
+    return isDecided;
+}
+
+template <class Basis>
+bool ContactMarch<Basis>::march() {
     for (;;) {
         if (m_line == ContactLine::apart && m_incident.length <= 0) {
             if (hammerHasEnded()) {

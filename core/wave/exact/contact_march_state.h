@@ -70,6 +70,7 @@ class ContactMarch {
     static constexpr long mostRecordedPieces = 4'000'000;  ///< some 600 MB of histories
 
     void begin(const Problem& problem, Detail detail, Impact& impact);
+    bool march();
     bool isSliver(const Piece& piece);
     void nextArrival();
     Real hammerWork(const PulseSegment& segment, Real into, Real length);

@@ -42,7 +42,9 @@ void ExactSolver::Workspace::march(const Problem& problem, Detail detail, const 
         if (closed.solve(problem, detail, impact, few) && isSolved(impact) &&
             impact.corError <= mostClosedError)
             return;
+        const long abandoned = impact.pieces;
         impact = Impact{};
+        impact.abandoned = abandoned;
     }
     series.solve(problem, detail, impact, limits);
 }

@@ -154,6 +154,7 @@ bool ExponentialBasis::suits(const Problem& problem) {
 
 void ExponentialBasis::begin(const Problem& problem, ContactRates<double> rates) {
     m_failed = false;
+    m_count = {};
     m_rates = rates;
     m_scale = std::max(problem.hammer.peak, problem.transitTime < 0.5 || problem.hammer.isRigidBody()
                                                 ? 1 / (2 * problem.transitTime)
@@ -304,17 +305,17 @@ Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
         f.hammer = {-2 * g.hammer.cosine / pi, 2 * g.hammer.sine / pi, 2 * g.hammer.decay, true};
         f.c0 -= f.hammer.startValue();
     }
-    return decided(firstZero(f, -g.c1, {.startsAtZero = gap == 0}));
+    return decided(firstZero(f, -g.c1, {.startsAtZero = gap == 0}, m_count));
 }
 
 Zero<double> ExponentialBasis::forceVanishes(Response& r) {
     // a compressive wave cannot pull the rod off: F is a positive mean of 2g and of what it was
     if (r.incident.allAtLeastZero()) return {};
-    return decided(firstZero(r.force, 0, {.negligible = m_negligible}));
+    return decided(firstZero(r.force, 0, {.negligible = m_negligible}, m_count));
 }
 
 Zero<double> ExponentialBasis::driveVanishes(Response& r) {
-    return decided(firstZero(drive(r), 0, {.negligible = m_negligible}));
+    return decided(firstZero(drive(r), 0, {.negligible = m_negligible}, m_count));
 }
 
 Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tangential) {
@@ -322,7 +323,7 @@ Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tange
     double start = 0;
     if (tangential) {  // no return before the force has turned: F' = a·drive changes sign
         combine(-2, r.incident, 1, r.force, f);  // −drive
-        const auto turn = decided(firstZero(f, 0, {.startsAtZero = true, .negligible = m_negligible}));
+        const auto turn = decided(firstZero(f, 0, {.startsAtZero = true, .negligible = m_negligible}, m_count));
         if (!turn.found || m_failed) return {};
         start = turn.u;
         if (start == 0) return Zero<double>::at(0);
@@ -330,7 +331,7 @@ Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tange
     if (start == 0 && 2 * r.incident.mostValue() <= peak) return {};  // F ≤ max(F(0), 2 max g)
     combine(0, r.force, -1, r.force, f);
     f.c0 += peak;
-    return decided(firstZero(f, 0, {.start = start, .negligible = m_negligible}));
+    return decided(firstZero(f, 0, {.start = start, .negligible = m_negligible}, m_count));
 }
 
 double ExponentialBasis::largestIntegral(const Piece& g) {
@@ -380,7 +381,7 @@ double ExponentialBasis::largest(const Response& r, double length, double before
     if (!isRising) combine(-1, turning, 0, turning, turning);
     double start = 0;
     for (int turn = 0; turn < 2 * Coefficients::capacity; ++turn) {
-        const auto zero = decided(firstZero(turning, 0, {.start = start, .negligible = m_negligible}));
+        const auto zero = decided(firstZero(turning, 0, {.start = start, .negligible = m_negligible}, m_count));
         if (!zero.found || m_failed) break;
         if (isRising) most = std::max(most, r.force.value(zero.u));
         isRising = !isRising;

@@ -33,6 +33,8 @@ class ExponentialBasis {
 
     void begin(const Problem& problem, ContactRates<double> rates);
     bool failed() const { return m_failed; }
+    /// The searches for events since begin().
+    SearchCount searchCount() const { return m_count; }
     /// Events that repeat without progress in time hang on rounding here.
     void stall() { m_failed = true; }
     double negligibleForce() const { return m_negligible; }
@@ -73,6 +75,7 @@ class ExponentialBasis {
     double m_scale = 1;
     double m_negligible = 0;
     bool m_failed = false;
+    SearchCount m_count;
     Piece m_drive, m_searched;
     Response m_response;
 };

@@ -140,7 +140,8 @@ bool isNear(const Sample& s, double step) {
 
 /// Halley's method from x, where f is still positive, to the zero expected a `step` further. A step back before
 /// x, or far beyond, finds no zero or a later one: the function turns within rounding.
-Zero<double> closeIn(const ExponentialSum& f, double c2, double x, double step, const Sample& near) {
+Zero<double> closeIn(const ExponentialSum& f, double c2, double x, double step, const Sample& near,
+                     long& samples) {
     const double first = x, latest = x + 2 * step;
     Sample s = near;
     for (int i = 0; i < mostSteps; ++i) {
@@ -150,6 +151,7 @@ Zero<double> closeIn(const ExponentialSum& f, double c2, double x, double step, 
         if (std::abs(step) * quickest < lastHalleyStep)
             return x <= f.length ? Zero<double>::at(x) : Zero<double>{};
         s = sample(f, c2, x);
+        ++samples;
         step = halleyStep(s);
     }
     return {.found = false, .undecided = true, .u = x};
@@ -213,13 +215,15 @@ Zero<double> firstZeroOfShortDecay(const Coefficients& terms, double rate, doubl
 
 }  // namespace
 
-Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search) {
+Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search, SearchCount& tally) {
     if (f.c0 >= 0 && f.c1 >= 0 && c2 >= 0 && f.primary.allAtLeastZero() && f.elastic.allAtLeastZero() &&
         !f.hammer.present)
         return {};
     const double end = f.length;
     double x = search.start;
     Sample s = sample(f, c2, x);
+    ++tally.searches;
+    ++tally.samples;
     if (search.startsAtZero || std::abs(s.value) <= s.noise()) {
         switch (onwardFromZero(f, c2, s)) {
             case Onward::down:
@@ -250,9 +254,10 @@ Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search)
         const double safe = safeStep(s);
         if (!(x + safe <= end)) return {};
         const double halley = halleyStep(s);
-        if (isNear(s, halley)) return closeIn(f, c2, x, halley, s);
+        if (isNear(s, halley)) return closeIn(f, c2, x, halley, s, tally.samples);
         x += std::max(safe, 4 * epsilon * x);
         s = sample(f, c2, x);
+        ++tally.samples;
         if (s.size <= search.negligible && diesAway(f, c2) && mostFrom(f, x) <= search.negligible) return {};
         if (s.value <= s.noise()) return Zero<double>::at(x);
     }

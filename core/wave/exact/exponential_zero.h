@@ -18,7 +18,7 @@ struct Search {
 /// bound of the curvature pass no zero, and once one is near beyond doubt Halley's method takes it. A function
 /// that starts at zero and turns down has its zero there.
 ///
-/// Undecided where rounding hides what follows, and where very many steps do not suffice.
-Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search);
+/// Adds the search to `tally`. Undecided where rounding hides what follows, and where very many steps do not suffice.
+Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search, SearchCount& tally);
 
 }  // namespace drillwave

@@ -35,6 +35,7 @@ class SeriesBasis {
 
     void begin(const Problem& problem, ContactRates<Real> rates) {
         m_undecided = false;
+        m_count = {};
         m_scale = std::max(Real(problem.hammer.peak), 1 / (2 * Real(problem.transitTime)));
         if (!problem.hammer.isRigidBody() && problem.transitTime >= 0.5) m_scale = Real(problem.hammer.peak);
         m_joiner.begin(problem, rates.elastic);
@@ -44,6 +45,8 @@ class SeriesBasis {
     static constexpr std::size_t manyPieces = 32;
 
     bool failed() const { return m_undecided; }
+    /// The searches for events since begin().
+    SearchCount searchCount() const { return m_count; }
     void stall() const {}
     Real negligibleForce() const { return m_negligible; }
     /// Rounding of a sum of impulses of order one.
@@ -158,7 +161,7 @@ class SeriesBasis {
         Real c[Piece::capacity + 1];
         c[0] = gap;
         for (int k = 0; k < g.count; ++k) c[k + 1] = -2 * g.scale * g.c[k] * inverse(k + 1);
-        return scaled(firstZero(c, g.count + 1, g.length / g.scale), g.scale, g.length);
+        return scaled(firstZero(c, g.count + 1, g.length / g.scale, m_count), g.scale, g.length);
     }
     /// F is a positive mean of 2g and of what it was: a compressive wave cannot pull the rod off.
     Zero<Real> forceVanishes(const Response& r) {
@@ -183,8 +186,8 @@ class SeriesBasis {
         else if (tangential && r.force.count > 1)
             c[1] = 0;
         if (c[0] > rise) return {};
-        return scaled(firstZero(c, std::max(r.force.count, 1), r.length / r.force.scale), r.force.scale,
-                      r.length);
+        return scaled(firstZero(c, std::max(r.force.count, 1), r.length / r.force.scale, m_count),
+                      r.force.scale, r.length);
     }
 
     /// Largest F over [0, length], or the largest before if that is not exceeded.
@@ -260,7 +263,7 @@ class SeriesBasis {
         return zero;
     }
     Zero<Real> zeroOf(const Piece& f, const Response& r) {
-        return scaled(firstZero(f.c.data(), f.count, r.length / f.scale), f.scale, r.length);
+        return scaled(firstZero(f.c.data(), f.count, r.length / f.scale, m_count), f.scale, r.length);
     }
 
     /// F = 2g − F'/a as the exact polynomial; false while the layer in front of it still matters.
@@ -336,9 +339,10 @@ class SeriesBasis {
     }
 
     bool m_undecided = false;  ///< a search for an event ended without an answer
-    Real m_scale = 1;          ///< largest wave force of this blow
-    Real m_negligible = 0;     ///< what is dropped
-    Real m_layer = 0;          ///< distance of F from the slow solution
+    SearchCount m_count;
+    Real m_scale = 1;       ///< largest wave force of this blow
+    Real m_negligible = 0;  ///< what is dropped
+    Real m_layer = 0;       ///< distance of F from the slow solution
     SeriesJoiner<Real> m_joiner;
     Piece m_hammer;
     Response m_response;

@@ -15,7 +15,8 @@ PowerSeries<double> series(double length, std::initializer_list<double> coeffici
 }
 
 Zero<double> zeroOf(std::initializer_list<double> c, double end = 1) {
-    return firstZero(std::data(c), static_cast<int>(c.size()), end);
+    SearchCount count;
+    return firstZero(std::data(c), static_cast<int>(c.size()), end, count);
 }
 
 }  // namespace
@@ -81,12 +82,14 @@ class TestPowerSeries : public QObject {
 
     void partsFindTheFirstFallThroughZero() {
         std::array<double, 4> c{0.135, -0.87, 1.7, -1};  // (0.3 − u)(0.5 − u)(0.9 − u)
-        const auto zero = firstZeroInParts(c.data(), 4, 1.0, 0.0, 1e-16);
+        long samples = 0;
+        const auto zero = firstZeroInParts(c.data(), 4, 1.0, 0.0, 1e-16, samples);
         QVERIFY(zero.found && std::abs(zero.u - 0.3) < 1e-14);
-        const auto second = firstZeroInParts(c.data(), 4, 0.4, 0.35, 1e-16);  // it starts below: at once
+        const auto second =
+            firstZeroInParts(c.data(), 4, 0.4, 0.35, 1e-16, samples);  // it starts below: at once
         QVERIFY(second.found);
         c[0] += 1;
-        QVERIFY(!firstZeroInParts(c.data(), 4, 1.0, 0.0, 1e-16).found);
+        QVERIFY(!firstZeroInParts(c.data(), 4, 1.0, 0.0, 1e-16, samples).found);
     }
 
     void aSteepDecayOverALongPieceHasNoZero() {
@@ -98,9 +101,10 @@ class TestPowerSeries : public QObject {
             c[k] = term;
             term *= -6.0 / (k + 1);
         }
-        QVERIFY(!firstZero(c.data(), 30, 1.0).found);
+        SearchCount count;
+        QVERIFY(!firstZero(c.data(), 30, 1.0, count).found);
         c[0] -= std::exp(-3.0);
-        const auto zero = firstZero(c.data(), 30, 1.0);
+        const auto zero = firstZero(c.data(), 30, 1.0, count);
         QVERIFY(zero.found);
         QVERIFY(std::abs(zero.u - 0.5) < 1e-12);
     }

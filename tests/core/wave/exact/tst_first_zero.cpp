@@ -20,7 +20,8 @@ std::vector<double> exponentialSeries(double rate, double shift) {
 }
 
 Zero<double> firstZeroOf(const std::vector<double>& c, double start = 0) {
-    return firstZero(c.data(), int(c.size()), 1.0, start);
+    SearchCount count;
+    return firstZero(c.data(), int(c.size()), 1.0, count, start);
 }
 
 }  // namespace

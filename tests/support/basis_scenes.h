@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes on which the closed basis may err: where reflections are few, and around everything that divides,
+// cancels or ties.
+#pragma once
+
+#include <optional>
+
+#include "core/wave/exact/contact_march.h"
+#include "core/wave/exact/series_basis.h"
+#include "tests/support/scene.h"
+
+namespace drillwave::test {
+
+/// Random scenes of every shape by their number, each on its own: βτ 0.2 … 1e6, half of them on rods shorter
+/// than the blow; γ 0.05 … 1, often 0.7 … 1, nearly 1 and 1; integral gaps and nearly such; rates near that
+/// of exponential blows; and grazing events.
+class BasisScenes {
+  public:
+    /// `only` restricts to one shape. `seed` begins another sequence.
+    explicit BasisScenes(unsigned seed, std::optional<PulseShape> only = {}) : m_seed(seed), m_only(only) {}
+
+    Scene scene(unsigned number) {
+        Chance chance(m_seed * 1'000'000'007ULL + number);
+        Scene scene;
+        scene.shape = m_only ? *m_only : PulseShape(number % 8);
+        scene.impedanceRatio = chance.logarithmic(0.05, 20);
+        scene.table = {.points = int(chance.logarithmic(2, 300)), .seed = chance.below(1'000'000)};
+        drawGroups(chance, scene);
+        if (chance.oneIn(10)) graze(chance, scene);
+        return scene;
+    }
+
+  private:
+    static double near(Chance& chance, double value) {
+        const double distance = chance.logarithmic(1e-16, 1e-3);
+        return std::max(0.0, value + (chance.oneIn(2) ? distance : -distance));
+    }
+
+    static void drawGroups(Chance& chance, Scene& scene) {
+        Groups& g = scene.groups;
+        g.gamma = drawGamma(chance);
+        g.tau = chance.oneIn(2) ? chance.logarithmic(0.05, 0.5) : chance.logarithmic(0.5, 20);
+        if (chance.oneIn(8)) g.tau = 0.5 * (1 + chance.below(8));
+        if (chance.oneIn(16)) g.tau = 0.5 / (1 + chance.below(8));
+        // more of the middle, where reflections meet
+        const double softness = chance.oneIn(3) ? chance.logarithmic(0.2, 1e6) : chance.logarithmic(0.2, 100);
+        g.beta = softness / g.tau;
+        if (scene.shape == PulseShape::exponential && chance.oneIn(3)) {
+            const double away = chance.logarithmic(1e-12, 0.2);
+            g.beta = (chance.oneIn(2) ? 1 + away : 1 - away) * (chance.oneIn(2) ? 1 : g.gamma);
+            if (chance.oneIn(16)) g.beta = 1;
+            g.tau = chance.logarithmic(std::max(0.05, 0.2 / g.beta), 20);
+        }
+        switch (chance.below(5)) {
+            case 0:
+                g.delta = 0;
+                break;
+            case 1:
+                g.delta = chance.below(4);
+                break;
+            case 2:
+                g.delta = near(chance, chance.below(4));
+                break;
+            case 3:
+                g.delta = chance.logarithmic(1e-14, 100);
+                break;
+            default:
+                g.delta = 3 * chance.fraction();
+        }
+        if (scene.shape == PulseShape::rigidBody) g.delta = 0;
+    }
+
+    static double drawGamma(Chance& chance) {
+        switch (chance.below(8)) {
+            case 0:
+            case 1:
+                return 1;
+            case 2:
+                return 1 - chance.logarithmic(1e-12, 0.3);
+            case 3:
+            case 4:
+                return 0.7 + 0.3 * chance.fraction();
+            default:
+                return chance.logarithmic(0.05, 0.7);
+        }
+    }
+
+    /// Moves one group to where the number of events changes, within 1e-16 to 1e-3 of it.
+    void graze(Chance& chance, Scene& scene) {
+        double* const groups[] = {&scene.groups.delta, &scene.groups.beta, &scene.groups.tau};
+        double& value = *groups[scene.shape == PulseShape::rigidBody ? 1 + chance.below(2) : chance.below(3)];
+        const bool isGap = &value == &scene.groups.delta;
+        double here = value, there = isGap ? 3 * chance.fraction() : value * (1 + chance.fraction());
+        const std::size_t eventsHere = eventsAt(scene, value, here);
+        if (eventsAt(scene, value, there) == eventsHere) {
+            value = here;
+            return;
+        }
+        for (int step = 0; step < 60 && here != there; ++step) {
+            const double middle = (here + there) / 2;
+            (eventsAt(scene, value, middle) == eventsHere ? here : there) = middle;
+        }
+        value = chance.oneIn(4) ? here : here * near(chance, 1);
+    }
+
+    std::size_t eventsAt(const Scene& scene, double& value, double wanted) {
+        value = wanted;
+        Impact impact;
+        m_march.solve(problemOf(scene), Detail::summary, impact, {.pieces = 3000});
+        return impact.outcome == Outcome::rebounded ? impact.events.size() : 0;
+    }
+
+    unsigned m_seed;
+    std::optional<PulseShape> m_only;
+    ContactMarch<SeriesBasis<double>> m_march;
+};
+
+}  // namespace drillwave::test
