@@ -159,7 +159,7 @@ int main(int argc, char** argv) {
     BasisScenes scenes(options->seed, options->shape);
     BasisComparison comparison;
     comparison.triesUnsuited = options->ungated;
-    if (options->summary) comparison.detail = Detail::summary;
+    if (options->summary) comparison.detail = Detail::ledger;
     std::array<Tally, 8> tallies;
     Tally all;
     unsigned printed = 0;

@@ -252,8 +252,17 @@ ExponentialBasis::Response& ExponentialBasis::respond(const Piece& g, double rat
     return r;
 }
 
+/// 2g − F; where both nearly cancel on stiff rock, term by term as F'/a.
 const ExponentialSum& ExponentialBasis::drive(const Response& r) {
     combine(2, r.incident, -1, r.force, m_drive);
+    const bool primary = r.rate == m_rates.primary;
+    const Coefficients& slow = primary ? r.force.elastic.decays : r.force.primary.decays;
+    Coefficients& drive = primary ? m_drive.elastic.decays : m_drive.primary.decays;
+    const double share = (primary ? m_rates.elastic : m_rates.primary) / r.rate;
+    for (int m = 0; m < slow.count; ++m) drive.c[m] = share * (slow[m + 1] - slow.c[m]);
+    if (const HammerTerms& force = r.force.hammer; force.present)
+        m_drive.hammer = {-HammerTerms::pi / r.rate * force.cosine, HammerTerms::pi / r.rate * force.sine,
+                          -force.decay / r.rate, true};
     return m_drive;
 }
 
@@ -322,7 +331,8 @@ Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tange
     Piece& f = m_searched;
     double start = 0;
     if (tangential) {  // no return before the force has turned: F' = a·drive changes sign
-        combine(-2, r.incident, 1, r.force, f);  // −drive
+        const Piece& falling = drive(r);
+        combine(-1, falling, 0, falling, f);
         const auto turn = decided(firstZero(f, 0, {.startsAtZero = true, .negligible = m_negligible}, m_count));
         if (!turn.found || m_failed) return {};
         start = turn.u;

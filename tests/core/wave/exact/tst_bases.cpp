@@ -50,7 +50,7 @@ class TestBases : public QObject {
     void energiesAndPeaksAgreeAsWell() {
         BasisScenes scenes(3);
         BasisComparison comparison;
-        comparison.detail = Detail::summary;
+        comparison.detail = Detail::ledger;
         unsigned compared = 0;
         for (unsigned i = 0; i < scenesToTry() / 4; ++i) {
             const BasisFinding found = comparison.compare(scenes.scene(i), false, false);
