@@ -235,7 +235,11 @@ ExponentialBasis::Response& ExponentialBasis::respond(const Piece& g, double rat
         forceSame.rises.c[0] = -(r.force.c1 + other * forceDifferent.rises[0]) / rate;
     }
     r.force.hammer = r.incident.hammer.present ? forced(r.incident.hammer, rate) : HammerTerms{};
-    forceSame.decays.c[0] = force - r.force.c0 - forceDifferent.start() - r.force.hammer.startValue();
+    // the layer in which the force joins the slow solution; on stiff rock its rounding would seem an event
+    const double slow = r.force.c0 + forceDifferent.start() + r.force.hammer.startValue();
+    const double layer = force - slow;
+    const bool isRounding = std::abs(layer) <= 4 * epsilon * (std::abs(force) + std::abs(r.force.c0));
+    forceSame.decays.c[0] = isRounding ? 0 : layer;
     // the decays over the whole piece serve all functions of this piece
     if (r.incident.primaryDecay < 0 && !r.force.primary.isZero())
         r.incident.primaryDecay = std::exp(-m_rates.primary * g.length);

@@ -22,55 +22,55 @@ struct Work {
 // At most so much each. Where the solver has become better, let the numbers fall: run the test with
 // DRILLWAVE_PRINT_WORK=1 and put the lines that it prints in place of these.
 const std::vector<Work> mostWork{
-    {"elastic", 8, 0, 2, 2, 4},
-    {"bilinear", 13, 0, 5, 10, 23},
+    {"elastic", 8, 0, 2, 3, 3},
+    {"bilinear", 13, 0, 5, 10, 18},
     {"reference", 5, 0, 2, 2, 6},
-    {"gap", 22, 0, 7, 17, 36},
+    {"gap", 22, 0, 7, 17, 29},
     {"soft", 229, 0, 37, 45, 178},
     {"stiff", 8, 0, 3, 3, 10},
     {"near_elastic", 17, 0, 3, 4, 13},
-    {"half_sine", 41, 0, 5, 7, 27},
-    {"triangular", 41, 1, 5, 7, 29},
-    {"piston", 193, 0, 5, 3, 20},
+    {"half_sine", 14, 0, 5, 14, 34},
+    {"triangular", 19, 0, 5, 16, 37},
+    {"piston", 74, 0, 5, 7, 16},
     {"softest", 5739, 0, 3, 2, 7},
-    {"stiffest", 89, 0, 3, 26, 303},
-    {"rectangular 0.5 0.1", 13, 0, 5, 10, 23},
-    {"rectangular 0.5 1", 8, 0, 2, 2, 4},
+    {"stiffest", 11, 0, 3, 3, 9},
+    {"rectangular 0.5 0.1", 13, 0, 5, 10, 18},
+    {"rectangular 0.5 1", 8, 0, 2, 3, 3},
     {"rectangular 5 0.1", 8, 0, 3, 4, 12},
     {"rectangular 5 1", 7, 0, 2, 2, 6},
-    {"triangular 0.5 0.1", 41, 1, 5, 7, 29},
-    {"triangular 0.5 1", 19, 1, 2, 2, 8},
-    {"triangular 5 0.1", 70, 1, 3, 2, 11},
-    {"triangular 5 1", 38, 1, 2, 2, 8},
-    {"half_sine 0.5 0.1", 41, 0, 5, 7, 27},
-    {"half_sine 0.5 1", 19, 0, 2, 2, 8},
-    {"half_sine 5 0.1", 66, 0, 3, 2, 9},
-    {"half_sine 5 1", 38, 0, 2, 2, 8},
-    {"trapezoid 0.5 0.1", 44, 1, 5, 6, 25},
-    {"trapezoid 0.5 1", 22, 1, 2, 2, 8},
-    {"trapezoid 5 0.1", 62, 1, 3, 4, 14},
-    {"trapezoid 5 1", 38, 1, 2, 2, 8},
-    {"exponential 0.5 0.1", 200, 0, 5, 4, 29},
-    {"exponential 0.5 1", 38, 0, 2, 3, 19},
-    {"exponential 5 0.1", 1195, 0, 3, 8, 36},
-    {"exponential 5 1", 203, 0, 2, 1, 13},
-    {"piston 0.5 0.1", 193, 0, 5, 3, 20},
-    {"piston 0.5 1", 66, 0, 2, 1, 6},
-    {"piston 5 0.1", 858, 0, 3, 6, 19},
-    {"piston 5 1", 195, 0, 2, 1, 10},
+    {"triangular 0.5 0.1", 19, 0, 5, 16, 37},
+    {"triangular 0.5 1", 11, 0, 2, 6, 11},
+    {"triangular 5 0.1", 11, 0, 3, 7, 17},
+    {"triangular 5 1", 11, 0, 2, 5, 12},
+    {"half_sine 0.5 0.1", 14, 0, 5, 14, 34},
+    {"half_sine 0.5 1", 8, 0, 2, 5, 11},
+    {"half_sine 5 0.1", 9, 0, 3, 9, 26},
+    {"half_sine 5 1", 7, 0, 2, 3, 9},
+    {"trapezoid 0.5 0.1", 22, 0, 5, 17, 33},
+    {"trapezoid 0.5 1", 14, 0, 2, 7, 10},
+    {"trapezoid 5 0.1", 14, 0, 3, 7, 16},
+    {"trapezoid 5 1", 14, 0, 2, 6, 11},
+    {"exponential 0.5 0.1", 18, 0, 5, 16, 78},
+    {"exponential 0.5 1", 4, 0, 2, 5, 28},
+    {"exponential 5 0.1", 12, 0, 3, 7, 64},
+    {"exponential 5 1", 4, 0, 2, 4, 32},
+    {"piston 0.5 0.1", 74, 0, 5, 7, 16},
+    {"piston 0.5 1", 43, 0, 2, 2, 5},
+    {"piston 5 0.1", 43, 0, 3, 4, 12},
+    {"piston 5 1", 42, 0, 2, 2, 6},
     {"table 0.5 0.1", 219, 0, 7, 6, 26},
     {"table 0.5 1", 160, 0, 2, 2, 8},
-    {"table 5 0.1", 136, 0, 3, 2, 10},
-    {"table 5 1", 138, 0, 2, 1, 5},
-    {"rigid_body 0.5 0.1", 7, 0, 3, 4, 20},
+    {"table 5 0.1", 114, 0, 3, 32, 38},
+    {"table 5 1", 116, 0, 2, 20, 24},
+    {"rigid_body 0.5 0.1", 7, 0, 3, 4, 19},
     {"rigid_body 0.5 1", 5, 0, 2, 2, 6},
     {"rigid_body 5 0.1", 6, 0, 3, 3, 7},
     {"rigid_body 5 1", 5, 0, 2, 2, 6},
 };
 
 Work workOf(const NamedScene& named) {
-    const Impact impact = solve(named.scene), summary = solve(named.scene, Detail::summary);
-    return {named.name,      impact.pieces, impact.abandoned, long(summary.events.size()),
+    const Impact impact = solve(named.scene), listed = solve(named.scene, Detail::events);
+    return {named.name,      impact.pieces, impact.abandoned, long(listed.events.size()),
             impact.searches, impact.samples};
 }
 
@@ -117,12 +117,15 @@ class TestAmountOfWork : public QObject {
             const BasisFinding found = comparison.compare(scenes.scene(i), false, false);
             if (!found.series.isSolved() || found.growth() > coveredGrowth) continue;
             const Impact impact = solve(found.scene);
-            const BasisResult& used = found.closed.isSolved() ? found.closed : found.series;
+            const bool isClosed = found.closed.isSolved() && impact.abandoned == 0;
+            const BasisResult& used = isClosed ? found.closed : found.series;
+            // what has been solved is given up only where digits were lost
+            QVERIFY(isClosed || !found.closed.isSolved() || found.closed.impact.corError > 1e-13);
             QCOMPARE(impact.pieces, used.impact.pieces);
             QCOMPARE(impact.searches, used.impact.searches);
             QCOMPARE(impact.samples, used.impact.samples);
             QVERIFY(impact.samples >= impact.searches);
-            QCOMPARE(impact.abandoned, found.closed.isSolved() ? 0 : found.closed.impact.pieces);
+            QCOMPARE(impact.abandoned, isClosed ? 0 : found.closed.impact.pieces);
             abandoned += impact.abandoned > 0;
         }
         QVERIFY2(abandoned > 0, "no scene tries this");
