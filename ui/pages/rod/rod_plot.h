@@ -56,7 +56,6 @@ class RodPlot : public QObject {
         QCPItemText* number = nullptr;
     };
 
-    void addHeader();
     void addStrength(Strength& strength);
     void addMark(Mark& mark);
     void placeStrength(const Strength& strength, const std::optional<double>& value, const QString& name);

@@ -50,7 +50,6 @@ class ThrustPlot : public QObject {
     QString textSummary() const { return m_summary; }
 
   private:
-    void addHeader();
     void followLegend();
     void nameFeed();
 
