@@ -5,6 +5,7 @@
 #include <qcustomplot.h>
 
 #include <QObject>
+#include <memory>
 #include <optional>
 
 #include "ui/pages/map/map_picture.h"
@@ -16,7 +17,9 @@
 
 namespace drillwave {
 
+class MapContours;
 class MapCrosshair;
+class MapPresets;
 
 /// Colours over two parameters with a bar, lines where contours are, and through the crosshair a cut below
 /// and one beside. Lives as a child of the plot.
@@ -25,6 +28,7 @@ class MapPlot : public QObject {
 
   public:
     explicit MapPlot(QCustomPlot* plot);
+    ~MapPlot() override;
 
     /// Shows a map; the view stays where it is unless it was fitted, or parameters, ranges or units changed.
     void present(const MapPicture& picture);
@@ -56,9 +60,7 @@ class MapPlot : public QObject {
     void addRects();
     void addCuts();
     void linkAxes();
-    void showContours();
     void showCuts();
-    void placePresets();
     void setLabels();
     QString summary() const;
 
@@ -70,9 +72,8 @@ class MapPlot : public QObject {
     MapRaster* m_raster = nullptr;
     QCPGraph* m_alongX = nullptr;
     QCPCurve* m_alongY = nullptr;
-    QVector<QCPCurve*> m_contours;  // each with its halo before it
-    QVector<QCPItemText*> m_levels;
-    QVector<QCPAbstractItem*> m_presetItems;
+    std::unique_ptr<MapContours> m_contours;
+    std::unique_ptr<MapPresets> m_presets;
     MapCrosshair* m_crosshair = nullptr;
     RunMarks* m_runs = nullptr;
     PlotMessage* m_message;
