@@ -61,10 +61,8 @@ class MainWindow : public QMainWindow {
     void addCenter();
     void addDocks();
     void addMenus();
-    void addViewMenu();
     void addStatusBar();
     void wire();
-    void wireGhost();
     void wireSolving();
     void wireImport();
     void followPage();
@@ -103,9 +101,6 @@ class MainWindow : public QMainWindow {
     SolveStatus* m_solveStatus;
     StudyStatus* m_studyStatus;
     WindowLayout* m_layout;
-    // What a preset leaves of the case before it.
-    enum class GhostStay { no, overThisChange, untilTheNextChange };
-    GhostStay m_ghostStays = GhostStay::no;
     // Hands the last edits over as it goes: while all of the above is still there.
     std::unique_ptr<ScenarioPanel> m_scenarioPanel;
     std::unique_ptr<Importer> m_importer;
