@@ -280,6 +280,27 @@ QString MapPlot::readout(QPointF pixel) const {
              m_picture->yText(grid.ys()[place->row], locale), result);
 }
 
+KeyPlaces MapPlot::keyPlaces() const {
+    KeyPlaces places;
+    places.rect = m_map;
+    places.on = KeyPlaces::On::area;
+    places.start = [this] { return m_crosshair->place(); };
+    places.marks = [this] {
+        QVector<QPointF> marks;
+        if (!m_picture) return marks;
+        for (const PresetPoint& preset : m_picture->presets)
+            marks.append({preset.x * m_picture->x.factor, preset.y * m_picture->y.factor});
+        return marks;
+    };
+    // As narrow as it can be: it stands beside the point.
+    places.words = [this](QPointF place) {
+        return readout({m_map->axis(QCPAxis::atBottom)->coordToPixel(place.x()),
+                        m_map->axis(QCPAxis::atLeft)->coordToPixel(place.y())})
+            .replace(QStringLiteral(" · "), QStringLiteral("\n"));
+    };
+    return places;
+}
+
 QString MapPlot::summary() const {
     const QLocale locale = m_plot->locale();
     const MapGrid& grid = m_picture->grid();

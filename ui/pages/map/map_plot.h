@@ -12,6 +12,7 @@
 #include "ui/pages/map/map_raster.h"
 #include "ui/pages/study/run_marks.h"
 #include "ui/plot/fitted_view.h"
+#include "ui/plot/key_point.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_style.h"
 
@@ -53,6 +54,8 @@ class MapPlot : public QObject {
     std::optional<MapGrid::Place> pointAt(QPointF shown) const;
     /// What is below a pixel, in words: both parameters, and the value or why there is none. Empty outside.
     QString readout(QPointF pixel) const;
+    /// Where keys may go: anywhere on the map, to the presets.
+    KeyPlaces keyPlaces() const;
     /// What the plot shows, in words, for assistive tools and the line above it.
     QString textSummary() const { return m_summary; }
 

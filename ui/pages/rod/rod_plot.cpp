@@ -286,6 +286,22 @@ void RodPlot::fit() {
     });
 }
 
+KeyPlaces RodPlot::keyPlaces() const {
+    KeyPlaces places;
+    places.rect = m_plot->axisRect();
+    places.start = [this] {
+        return m_here->x() ? std::optional(QPointF(*m_here->x(), m_here->y().value_or(0))) : std::nullopt;
+    };
+    places.marks = [this] {
+        QVector<QPointF> marks;
+        for (const RodLine line : rodLines)
+            if (const RodForce& largest = m_curves.largest(line); graph(line)->visible() && largest.size > 0)
+                marks.append({m_curves.position(largest), m_curves.stress(line, largest)});
+        return marks;
+    };
+    return places;
+}
+
 std::optional<RodForce> RodPlot::forceAt(QPointF coordinates) const {
     if (!m_curves.curves.front()) return {};
     const auto pixelOf = [this](QPointF at) {

@@ -155,6 +155,13 @@ void ThrustPlot::setStyle(const PlotStyle& style) {
     if (!m_picture.feed.isEmpty()) nameFeed();  // files have another locale
 }
 
+KeyPlaces ThrustPlot::keyPlaces() const {
+    KeyPlaces places;
+    places.rect = m_plot->axisRect();
+    places.start = [this] { return m_here->place(); };
+    return places;
+}
+
 void ThrustPlot::fit() {
     m_view->fit([&] {
         double most = 0;
