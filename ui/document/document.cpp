@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLocale>
+#include <algorithm>
 
 #include "core/file/pulse_table.h"
 #include "core/file/result_scenario.h"
@@ -65,6 +66,19 @@ QString fileStemOf(const std::string& title) {
 Document::Document(QObject* parent, Check check) : QObject(parent), m_check(std::move(check)) {
     m_undoStack.setUndoLimit(undoLimit);
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Document::stateChanged);
+    // A step is in the history only after it has been done. Who empties it tells that, but for the
+    // destructor.
+    connect(&m_undoStack, &QUndoStack::indexChanged, this, [this] {
+        if (m_undoStack.count() > 0) emit stateChanged();
+    });
+}
+
+bool Document::isModified() const {
+    if (m_undoStack.cleanIndex() < 0) return true;
+    const auto [from, to] = std::minmax({m_undoStack.cleanIndex(), m_undoStack.index()});
+    for (int i = from; i < to; ++i)
+        if (dynamic_cast<const ScenarioEdit*>(m_undoStack.command(i))) return true;
+    return false;
 }
 
 QString Document::displayName() const {
@@ -124,7 +138,7 @@ void Document::clear(const Parameter& parameter, int gesture) {
         parameter.rules.clear(changed);
     } else {
         // Only the diameter of a rod that was given by its area can have had no value before.
-        const auto* last = static_cast<const ScenarioEdit*>(m_undoStack.command(m_undoStack.index() - 1));
+        const auto* last = dynamic_cast<const ScenarioEdit*>(m_undoStack.command(m_undoStack.index() - 1));
         if (!last || !last->isOf(keyOf(parameter), gesture)) return;
         changed = last->before();
     }

@@ -44,7 +44,8 @@ class Document : public QObject {
     QString suggestedPath() const;
     /// Title of the scenario, else the name of its file, else "Untitled".
     QString displayName() const;
-    bool isModified() const { return !m_undoStack.isClean(); }
+    /// Whether the scenario is another one than in its file; other steps of the history do not count.
+    bool isModified() const;
     /// The bytes that saving would write. Throws ScenarioError where they would be more than a file may have.
     QByteArray text() const;
     /// The scenario as it is, with the text it came from: all that its bytes are made of.

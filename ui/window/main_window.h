@@ -80,7 +80,7 @@ class MainWindow : public QMainWindow {
     Document m_document;
     FileWatch m_watch{m_document, this};
     Observation m_observation{this};
-    MeasuredList m_measured{this};
+    MeasuredList m_measured{m_document.undoStack(), this};
     std::unique_ptr<Questions> m_questions;
     std::unique_ptr<SolveJob> m_job;
     SolvedBlowPtr m_shown;

@@ -144,7 +144,12 @@ void TestImportOfCurve::measuredCurvesAreShiftedAndRemoved() {
     QVERIFY(std::abs(m_window->findChild<QDoubleSpinBox*>(QStringLiteral("section"))->value() - 0.273) <
             1e-9);
     const double before = graph(1)->data()->at(0)->key;
+    QUndoStack& history = m_window->document().undoStack();
+    const int steps = history.count();
     type(*bar, "measuredShift", QStringLiteral("250 us"));
+    QCOMPARE(history.count(), steps + 1);
+    QCOMPARE(history.undoText(), QStringLiteral("shift the measured curve record (2)"));
+    QVERIFY(!m_window->isWindowModified());
     QVERIFY(std::abs(graph(1)->data()->at(0)->key - before - 0.25) < 1e-9);
     QVERIFY(graph(0)->data()->at(0)->key == before);
     // It outlives a blow that cannot be solved, and one without units.
@@ -162,6 +167,11 @@ void TestImportOfCurve::measuredCurvesAreShiftedAndRemoved() {
     QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy());
     QVERIFY(std::abs(graph(0)->data()->at(0)->key - before) < 1e-9);
     control<QToolButton>(*bar, "removeMeasured").click();
+    QCOMPARE(page->measuredCurves()->graphs().size(), 1);
+    history.undo();
+    QCOMPARE(page->measuredCurves()->graphs().size(), 2);
+    QCOMPARE(graph(1)->name(), QStringLiteral("record (2)"));
+    history.redo();
     QCOMPARE(page->measuredCurves()->graphs().size(), 1);
     control<QToolButton>(*bar, "removeMeasured").click();
     QVERIFY(page->measuredCurves()->graphs().isEmpty());
