@@ -318,7 +318,7 @@ void MainWindow::startRecovery(const QString& folder) {
 // The desktop ends the session: the window may not get another chance to ask.
 void MainWindow::endSession(QSessionManager& session) {
     if (!session.allowsInteraction()) return;
-    if (m_fileMenu->mayDiscard())
+    if (mayClose())
         saveChoices();
     else
         session.cancel();
@@ -372,8 +372,12 @@ void MainWindow::saveChoices() const {
     m_pages->saveChoice();
 }
 
+bool MainWindow::mayClose() {
+    return m_fileMenu->mayDiscard() && m_runs->mayClose();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_fileMenu->mayDiscard()) return event->ignore();
+    if (!mayClose()) return event->ignore();
     saveChoices();
     if (m_recovery) m_recovery->end();
     event->accept();

@@ -69,6 +69,7 @@ class MainWindow : public QMainWindow {
     void wireImport();
     void followPage();
     void goToPlace(double section, double time);
+    bool mayClose();
     void saveChoices() const;
     void endSession(QSessionManager& session);
     void inform(const QString& message);
