@@ -10,6 +10,7 @@ namespace drillwave {
 
 struct ScriptedAnswers {
     Questions::Unsaved unsaved = Questions::Unsaved::cancel;
+    bool closeAllTheSame = true;
     QString open;
     QString import;
     QString save;
@@ -23,6 +24,7 @@ struct ScriptedAnswers {
     QStringList confirmed;  ///< what was to be confirmed
     QStringList found;      ///< what could have been recovered
     QStringList told;
+    QStringList unwritten;  ///< of what it was asked whether to close all the same
 };
 
 class ScriptedQuestions : public Questions {
@@ -32,6 +34,10 @@ class ScriptedQuestions : public Questions {
     Unsaved unsavedChanges(QWidget* /*parent*/, const QString& /*name*/) override {
         ++m_answers.unsavedAsked;
         return m_answers.unsaved;
+    }
+    bool closeAllTheSame(QWidget* /*parent*/, const QString& what, const QString& details) override {
+        m_answers.unwritten.append(what + QLatin1Char('\n') + details);
+        return m_answers.closeAllTheSame;
     }
     QString fileToOpen(QWidget* /*parent*/, const QString& /*folder*/) override { return m_answers.open; }
     QString fileToImport(QWidget* /*parent*/, const QString& /*title*/, const QString& /*folder*/,

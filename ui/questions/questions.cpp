@@ -25,6 +25,10 @@ bool someoneIsThere() {
     return platform != QLatin1String("offscreen") && platform != QLatin1String("minimal");
 }
 
+void printOut(const QString& what, const QString& details) {
+    std::fprintf(stderr, "%s: %s\n", qPrintable(what), qPrintable(details));
+}
+
 QString scenarioFilter() {
     return tr("Scenarios (*.yaml *.yml);;All files (*)");
 }
@@ -49,6 +53,19 @@ Questions::Unsaved DialogQuestions::unsavedChanges(QWidget* parent, const QStrin
         default:
             return Unsaved::cancel;
     }
+}
+
+bool DialogQuestions::closeAllTheSame(QWidget* parent, const QString& what, const QString& details) {
+    if (!someoneIsThere()) {
+        printOut(what, details);
+        return true;
+    }
+    QMessageBox box(QMessageBox::Warning, tr("Drillwave"), what, QMessageBox::Cancel, parent);
+    box.setInformativeText(details);
+    const QAbstractButton* closes = box.addButton(tr("Close all the same"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == closes;
 }
 
 QString DialogQuestions::fileToOpen(QWidget* parent, const QString& folder) {
@@ -120,10 +137,7 @@ Questions::Recovery DialogQuestions::recover(QWidget* parent, const QString& nam
 }
 
 void DialogQuestions::tell(QWidget* parent, Tone tone, const QString& what, const QString& details) {
-    if (!someoneIsThere()) {
-        std::fprintf(stderr, "%s: %s\n", qPrintable(what), qPrintable(details));
-        return;
-    }
+    if (!someoneIsThere()) return printOut(what, details);
     auto* box = new QMessageBox(tone == Tone::failure ? QMessageBox::Warning : QMessageBox::Information,
                                 tr("Drillwave"), what, QMessageBox::Ok, parent);
     box->setInformativeText(details);

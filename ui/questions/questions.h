@@ -20,6 +20,8 @@ class Questions {
     virtual ~Questions() = default;
     /// What to do with changes that would be lost.
     virtual Unsaved unsavedChanges(QWidget* parent, const QString& name) = 0;
+    /// Whether to close the window although something has not been written: what, and why.
+    virtual bool closeAllTheSame(QWidget* parent, const QString& what, const QString& details) = 0;
     /// The file to open; empty when the user gave up.
     virtual QString fileToOpen(QWidget* parent, const QString& folder) = 0;
     /// A file to take something from, other than a scenario; empty when the user gave up.
@@ -44,11 +46,12 @@ class Questions {
 };
 
 /// Asks by dialogs. On a platform without a screen nobody could answer, so there every question is answered
-/// by "cancel" or "later" and the unsaved changes of a closing window are dropped; what is told goes to the
-/// error output.
+/// by "cancel" or "later", but a window may always be closed: its unsaved changes are dropped. What is told
+/// goes to the error output.
 class DialogQuestions : public Questions {
   public:
     Unsaved unsavedChanges(QWidget* parent, const QString& name) override;
+    bool closeAllTheSame(QWidget* parent, const QString& what, const QString& details) override;
     QString fileToOpen(QWidget* parent, const QString& folder) override;
     QString fileToImport(QWidget* parent, const QString& title, const QString& folder,
                          const QString& filter) override;

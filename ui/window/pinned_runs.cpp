@@ -117,7 +117,8 @@ void PinnedRuns::askAboutOthers() {
 
 bool PinnedRuns::mayClose() {
     askAboutOthers();
-    return true;
+    const QString problem = m_keeper.finish();
+    return problem.isEmpty() || m_questions.closeAllTheSame(m_window, tr("The runs are not kept."), problem);
 }
 
 void PinnedRuns::fail(const QString& what, const QString& problem) {

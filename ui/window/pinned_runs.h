@@ -42,7 +42,8 @@ class PinnedRuns : public QObject {
     void pin();
     /// Brings back the scenario of a run, as one undo step.
     void revertTo(int number);
-    /// Asks what is still to be asked.
+    /// Asks what is still to be asked, and waits until the runs are written. False where that has failed and
+    /// the user would rather have the window stay.
     bool mayClose();
 
   private:

@@ -36,6 +36,7 @@ class TestPinnedRuns : public QObject {
     void keptRunsSurviveTheWindow();
     void savedOverAnotherFileItsRunsAreReplacedIfConfirmed();
     void closingAsksAboutTheRunsOfAFileSavedOver();
+    void closingWaitsForTheRunsAndTellsWhyTheyAreNotKept();
     void refusalsAreTold();
 
   private:
@@ -230,7 +231,7 @@ void TestPinnedRuns::savedOverAnotherFileItsRunsAreReplacedIfConfirmed() {
     saveAs("other.yaml");
     QTRY_COMPARE(m_answers.confirmed.size(), 2);
     QVERIFY(keep->isChecked());
-    QCOMPARE(read(index).count('\n'), 4);
+    QTRY_COMPARE(read(index).count('\n'), 4);
     // Nothing is asked about a file that is left at once.
     saveAs("mine.yaml");
     QVERIFY(!keep->isChecked());
@@ -261,6 +262,29 @@ void TestPinnedRuns::closingAsksAboutTheRunsOfAFileSavedOver() {
     }
     QCoreApplication::processEvents();
     QCOMPARE(m_answers.confirmed.size(), 1);
+    QCOMPARE(m_answers.unwritten, QStringList());
+}
+
+void TestPinnedRuns::closingWaitsForTheRunsAndTellsWhyTheyAreNotKept() {
+    pinThree();
+    saveAs("closed.yaml");
+    part<PinnedRuns>(window()).keepAction()->trigger();
+    QVERIFY(window().close());
+    QCOMPARE(m_answers.unwritten, QStringList());
+    QCOMPARE(read(m_folder.filePath("closed.runs/runs.csv")).count('\n'), 4);
+    window().show();
+    write(m_folder.filePath("closed.runs/A.yaml"), "mine");
+    runs().rename(1, "renamed");
+    m_answers.closeAllTheSame = false;
+    QVERIFY(!window().close());
+    QVERIFY(window().isVisible());
+    QCOMPARE(m_answers.unwritten.size(), 1);
+    QVERIFY(m_answers.unwritten.first().contains("A.yaml"));
+    QCOMPARE(m_answers.told, QStringList());
+    QCOMPARE(read(m_folder.filePath("closed.runs/A.yaml")), QByteArray("mine"));
+    // Nothing is left to be written.
+    QVERIFY(window().close());
+    QCOMPARE(m_answers.unwritten.size(), 1);
 }
 
 void TestPinnedRuns::refusalsAreTold() {
