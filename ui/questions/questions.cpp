@@ -3,13 +3,13 @@
 
 #include <QCoreApplication>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QPushButton>
 #include <cstdio>
 
+#include "ui/questions/export_dialog.h"
 #include "ui/questions/folder_dialog.h"
 #include "ui/questions/picture_dialog.h"
 
@@ -91,10 +91,7 @@ QString DialogQuestions::fileToSave(QWidget* parent, const QString& suggestion) 
 QString DialogQuestions::fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
                                       const QString& filter) {
     if (!someoneIsThere()) return {};
-    QFileDialog dialog(parent, title, suggestion, filter);
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QFileInfo(suggestion).suffix());
-    dialog.selectFile(suggestion);
+    ExportDialog dialog(parent, title, suggestion, filter);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 

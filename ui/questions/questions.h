@@ -29,7 +29,8 @@ class Questions {
                                  const QString& filter) = 0;
     /// Where to save, overwriting confirmed; empty when the user gave up.
     virtual QString fileToSave(QWidget* parent, const QString& suggestion) = 0;
-    /// Where to write something else than a scenario, overwriting confirmed; empty when the user gave up.
+    /// Where to write something else than a scenario, overwriting confirmed; empty when the user gave up. A
+    /// name without an ending gets that of the filter.
     virtual QString fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
                                  const QString& filter) = 0;
     /// The folder to write several files into; empty when the user gave up.
