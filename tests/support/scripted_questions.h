@@ -2,6 +2,7 @@
 // Answers to the window's questions that a test has prepared, and a record of what it was told.
 #pragma once
 
+#include <QPrinter>
 #include <QStringList>
 
 #include "ui/questions/questions.h"
@@ -15,6 +16,7 @@ struct ScriptedAnswers {
     QString import;
     QString save;
     QString exportTo;
+    QString printTo;  ///< a PDF file in place of paper
     QString folder;
     std::optional<PictureChoice> picture;
     bool confirm = false;
@@ -49,6 +51,14 @@ class ScriptedQuestions : public Questions {
     QString fileToExport(QWidget* /*parent*/, const QString& /*title*/, const QString& /*suggestion*/,
                          const QString& /*filter*/) override {
         return m_answers.exportTo;
+    }
+    std::unique_ptr<QPrinter> printer(QWidget* /*parent*/, const QString& title) override {
+        if (m_answers.printTo.isEmpty()) return nullptr;
+        auto printer = std::make_unique<QPrinter>(QPrinter::HighResolution);
+        printer->setDocName(title);
+        printer->setPageSize(QPageSize(QPageSize::A4));
+        printer->setOutputFileName(m_answers.printTo);
+        return printer;
     }
     QString folderToExport(QWidget* /*parent*/, const QString& /*suggestion*/) override {
         return m_answers.folder;

@@ -6,6 +6,8 @@
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QMessageBox>
+#include <QPrintDialog>
+#include <QPrinter>
 #include <QPushButton>
 #include <cstdio>
 
@@ -93,6 +95,16 @@ QString DialogQuestions::fileToExport(QWidget* parent, const QString& title, con
     if (!someoneIsThere()) return {};
     ExportDialog dialog(parent, title, suggestion, filter);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+std::unique_ptr<QPrinter> DialogQuestions::printer(QWidget* parent, const QString& title) {
+    if (!someoneIsThere()) return nullptr;
+    auto printer = std::make_unique<QPrinter>(QPrinter::HighResolution);
+    printer->setDocName(title);
+    QPrintDialog dialog(printer.get(), parent);
+    dialog.setWindowTitle(title);
+    dialog.setOption(QAbstractPrintDialog::PrintPageRange, false);  // nobody knows the pages yet
+    return dialog.exec() == QDialog::Accepted ? std::move(printer) : nullptr;
 }
 
 QString DialogQuestions::folderToExport(QWidget* parent, const QString& suggestion) {

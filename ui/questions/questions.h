@@ -3,10 +3,12 @@
 #pragma once
 
 #include <QString>
+#include <memory>
 #include <optional>
 
 #include "ui/questions/picture_choice.h"
 
+class QPrinter;
 class QWidget;
 
 namespace drillwave {
@@ -33,6 +35,8 @@ class Questions {
     /// name without an ending gets that of the filter.
     virtual QString fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
                                  const QString& filter) = 0;
+    /// A printer, set up by the user for a document of that name; nothing when the user gave up.
+    virtual std::unique_ptr<QPrinter> printer(QWidget* parent, const QString& title) = 0;
     /// The folder to write several files into; empty when the user gave up.
     virtual QString folderToExport(QWidget* parent, const QString& suggestion) = 0;
     /// Format, size and resolution of a picture; nothing when the user gave up.
@@ -59,6 +63,7 @@ class DialogQuestions : public Questions {
     QString fileToSave(QWidget* parent, const QString& suggestion) override;
     QString fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
                          const QString& filter) override;
+    std::unique_ptr<QPrinter> printer(QWidget* parent, const QString& title) override;
     QString folderToExport(QWidget* parent, const QString& suggestion) override;
     std::optional<PictureChoice> picture(QWidget* parent, const PictureChoice& before) override;
     bool confirm(QWidget* parent, const QString& question, const QString& details,
