@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "core/file/preset_remarks.h"
 #include "core/file/pulse_table.h"
 #include "core/file/result_scenario.h"
 #include "ui/document/scenario_edit.h"
@@ -277,8 +278,15 @@ QString Document::applyPreset(const Preset& preset) {
     std::vector<InputProblem> problems = m_check(changed);
     if (!problems.empty())
         return lines(ScenarioError(ScenarioError::Kind::invalid, preset.name, std::move(problems)));
-    if (changed != m_scenario) emit presetTaken();
-    push(std::move(changed), tr("take the preset %1").arg(QString::fromStdString(preset.name)));
+    if (changed == m_scenario) return {};
+    try {
+        const std::string text = writeWithPreset({changed, m_text, m_source.source}, preset);
+        emit presetTaken();
+        pushContents(std::move(changed), text,
+                     tr("take the preset %1").arg(QString::fromStdString(preset.name)));
+    } catch (const ScenarioError& error) {
+        return lines(error);
+    }
     return {};
 }
 

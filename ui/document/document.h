@@ -71,7 +71,7 @@ class Document : public QObject {
     bool canHaveShape(PulseShape shape) const;
     void setShape(PulseShape shape);
     void setTitle(const QString& title);
-    /// Takes the values of a preset as one undo step. Returns why not; then nothing has changed.
+    /// Takes values and sources of a preset as one undo step. Returns why not; then nothing has changed.
     QString applyPreset(const Preset& preset);
     /// Takes another scenario as one undo step of that name. Returns why not; then nothing has changed.
     QString useScenario(const Scenario& scenario, const QString& step);

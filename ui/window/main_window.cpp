@@ -170,7 +170,7 @@ void MainWindow::addMenus() {
          [this](const QString& what, auto then) { m_solveStatus->whenCurrent(what, std::move(then)); }},
         this);
     m_fileMenu = new FileMenu(m_document, *m_questions, m_watch, m_exportMenu, this);
-    m_fileMenu->insertAction(m_exportMenu->menuAction(), m_report->action());
+    m_fileMenu->insertActions(m_exportMenu->menuAction(), {m_report->action(), m_report->printAction()});
     m_fileMenu->insertAction(m_exportMenu->menuAction(), m_runs->keepAction());
     menuBar()->addMenu(m_fileMenu);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -287,7 +287,7 @@ void MainWindow::startRecovery(const QString& folder) {
 // The desktop ends the session: the window may not get another chance to ask.
 void MainWindow::endSession(QSessionManager& session) {
     if (!session.allowsInteraction()) return;
-    if (m_fileMenu->mayDiscard())
+    if (mayClose())
         saveChoices();
     else
         session.cancel();
@@ -341,8 +341,12 @@ void MainWindow::saveChoices() const {
     m_pages->saveChoice();
 }
 
+bool MainWindow::mayClose() {
+    return m_fileMenu->mayDiscard() && m_runs->mayClose();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_fileMenu->mayDiscard()) return event->ignore();
+    if (!mayClose()) return event->ignore();
     saveChoices();
     if (m_recovery) m_recovery->end();
     event->accept();

@@ -67,6 +67,7 @@ class MainWindow : public QMainWindow {
     void wireImport();
     void followPage();
     void goToPlace(double section, double time);
+    bool mayClose();
     void saveChoices() const;
     void endSession(QSessionManager& session);
     void inform(const QString& message);
