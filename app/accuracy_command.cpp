@@ -48,10 +48,8 @@ std::vector<int> ladderOf(const Arguments& arguments) {
 
 /// With progress on a terminal.
 Accuracy measure(const Scenario& scenario, const std::vector<int>& ladder, const Interruption& interruption) {
-    constexpr double parts = 1000;
-    ProgressBar bar(static_cast<std::uint64_t>(parts));
-    const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
-    Accuracy accuracy = measureAccuracy(scenario, ladder, interruption.token(), progress);
+    ShareBar bar;
+    Accuracy accuracy = measureAccuracy(scenario, ladder, interruption.token(), bar.progress());
     interruption.check();
     return accuracy;
 }

@@ -50,12 +50,10 @@ CurveQuestion questionOf(const Arguments& arguments, const RowOptions& options, 
 }
 
 CurveReport study(const CurveQuestion& question, int jobs, const Interruption& interruption) {
-    constexpr double parts = 1000;
-    ProgressBar bar(static_cast<std::uint64_t>(parts));
-    const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
+    ShareBar bar;
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
-    CurveReport report{studyCurve(question, jobs, interruption.token(), progress), 0, {}};
+    CurveReport report{studyCurve(question, jobs, interruption.token(), bar.progress()), 0, {}};
     interruption.check();
     report.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
     return report;

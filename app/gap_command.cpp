@@ -58,10 +58,8 @@ std::optional<NormalGap> normalOf(const Arguments& arguments, const Scenario& sc
 
 GapReport study(const Scenario& scenario, const std::optional<NormalGap>& normal,
                 const Interruption& interruption) {
-    constexpr double parts = 1000;
-    ProgressBar bar(static_cast<std::uint64_t>(parts));
-    const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
-    GapReport report = studyGap(scenario, normal, interruption.token(), progress);
+    ShareBar bar;
+    GapReport report = studyGap(scenario, normal, interruption.token(), bar.progress());
     interruption.check();
     return report;
 }

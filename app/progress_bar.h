@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string_view>
 #include <thread>
 
@@ -29,6 +30,19 @@ class ProgressBar {
     bool m_drawn = false;
     Clock::time_point m_start = Clock::now();
     Clock::time_point m_nextDrawing = m_start + std::chrono::seconds(1);
+};
+
+/// The same for work that tells what share of it is done.
+class ShareBar {
+  public:
+    /// Takes the share, 0 … 1. The bar must outlive it.
+    std::function<void(double)> progress() {
+        return [this](double done) { m_bar.show(static_cast<std::uint64_t>(done * parts)); };
+    }
+
+  private:
+    static constexpr double parts = 1000;  // finer than the bar is drawn
+    ProgressBar m_bar{static_cast<std::uint64_t>(parts)};
 };
 
 /// Draws "solving for 3 s; Ctrl-C ends it" on stderr, when that is a terminal and the work, whose end nobody

@@ -66,10 +66,8 @@ void check(const ReportPlace& place, const std::string& input, const ScenarioDoc
 }
 
 BlowReport study(const ScenarioDocument& document, const Interruption& interruption) {
-    constexpr double parts = 1000;
-    ProgressBar bar(static_cast<std::uint64_t>(parts));
-    const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
-    BlowReport report = reportOn(document, interruption.token(), progress);
+    ShareBar bar;
+    BlowReport report = reportOn(document, interruption.token(), bar.progress());
     interruption.check();
     return report;
 }

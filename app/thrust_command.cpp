@@ -67,10 +67,8 @@ void checkSolved(const ThrustCurve& curve, const std::string& path) {
 }
 
 ThrustStudy study(const Scenario& scenario, const Interruption& interruption) {
-    constexpr double parts = 1000;
-    ProgressBar bar(static_cast<std::uint64_t>(parts));
-    const auto progress = [&](double done) { bar.show(static_cast<std::uint64_t>(done * parts)); };
-    ThrustStudy found = studyThrust(scenario, interruption.token(), progress);
+    ShareBar bar;
+    ThrustStudy found = studyThrust(scenario, interruption.token(), bar.progress());
     interruption.check();
     return found;
 }

@@ -19,14 +19,10 @@ constexpr std::size_t indexColumns = 5;
 constexpr std::size_t maximumIndexBytes = std::size_t{1} << 16;
 constexpr char ending[] = ".yaml";
 
-std::string fileOf(int number) {
-    return runLetter(number) + ending;
-}
-
 /// The number of a file's letter; nothing where it is no file of a run.
 std::optional<int> numberOf(const std::string& file) {
     for (int number = 0; number < mostRuns; ++number)
-        if (file == fileOf(number)) return number;
+        if (file == runFileName(number)) return number;
     return std::nullopt;
 }
 
@@ -46,7 +42,8 @@ class Reader {
         else
             refuse(indexName, index.problem + "; the runs in this folder are not shown");
         for (int number = 0; number < mostRuns; ++number)
-            if (isThere(m_folder + "/" + fileOf(number)) && !has(number)) m_kept.foreign.push_back(number);
+            if (isThere(m_folder + "/" + runFileName(number)) && !has(number))
+                m_kept.foreign.push_back(number);
         return std::move(m_kept);
     }
 
@@ -109,18 +106,32 @@ std::string runLetter(int number) {
     return std::string(1, static_cast<char>('A' + number));
 }
 
+std::string runFileName(int number) {
+    return runLetter(number) + ending;
+}
+
+// "t38.yaml" has the short name. Any other name keeps its ending, or is given one where it has none that a
+// scenario is known by; and what would be mistaken for one of those without its ".yaml" keeps that.
 std::string runsFolderOf(const std::string& scenarioPath) {
+    constexpr char otherEnding[] = ".scenario";
+    const auto isEndingOfOthers = [&](const std::filesystem::path& extension) {
+        return extension == ".yml" || extension == ".json";
+    };
     const std::filesystem::path path(scenarioPath);
-    const bool isUsual = path.extension() == ending;
-    return (isUsual ? path.parent_path() / path.stem() : path).string() + ".runs";
+    if (path.extension() == ending) {
+        const std::filesystem::path inner = path.stem().extension();
+        const bool isMistaken = isEndingOfOthers(inner) || inner == ending || inner == otherEnding;
+        return (isMistaken ? path : path.parent_path() / path.stem()).string() + ".runs";
+    }
+    return path.string() + (isEndingOfOthers(path.extension()) ? "" : otherEnding) + ".runs";
 }
 
 std::vector<NamedFile> runFiles(const std::vector<KeptRun>& runs) {
     std::vector<NamedFile> files;
     std::string index = std::string(indexHeader) + '\n';
     for (const KeptRun& run : runs) {
-        files.push_back({fileOf(run.number), run.contents.text});
-        index += fileOf(run.number) + ',' + csvCell(run.name) + (run.isShown ? ",yes" : ",no") +
+        files.push_back({runFileName(run.number), run.contents.text});
+        index += runFileName(run.number) + ',' + csvCell(run.name) + (run.isShown ? ",yes" : ",no") +
                  (run.isReference ? ",yes," : ",no,") + (run.cor ? formatNumber(*run.cor) : std::string()) +
                  '\n';
     }

@@ -17,6 +17,9 @@ inline constexpr int mostRuns = 12;
 /// "A" for 0, the next for the next.
 std::string runLetter(int number);
 
+/// "A.yaml" for 0.
+std::string runFileName(int number);
+
 /// What is kept of a run: enough to solve it again.
 struct KeptRun {
     int number = 0;             ///< 0 … mostRuns − 1, of its letter
@@ -35,7 +38,8 @@ struct KeptRuns {
                                         ///< written over
 };
 
-/// "t38.runs" beside "t38.yaml"; other endings stay, "t38.yml.runs", for both may be there.
+/// "t38.runs" beside "t38.yaml", "t38.yml.runs" beside "t38.yml", "t38.scenario.runs" beside "t38": no two
+/// files have the same one.
 std::string runsFolderOf(const std::string& scenarioPath);
 
 /// The files of the folder: the scenarios and, last, the index.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/file/preset_file.h"
+#include "core/file/preset_remarks.h"
 #include "core/file/result_scenario.h"
 #include "core/file/scenario_text.h"
 #include "core/file/yaml_extent.h"
@@ -63,10 +64,11 @@ class ScenarioRemarks {
 std::string presetSource(const Scenario& scenario, const SavedValue& saved) {
     for (const Preset& preset : builtInPresets()) {
         if (!matches(preset, scenario)) continue;
-        const std::string words = "preset " + preset.name + ": ";
-        if (!saved.parameter && preset.shape && saved.key == "shape") return words + preset.shapeSource;
+        if (!saved.parameter && preset.shape && saved.key == "shape")
+            return presetRemark(preset, preset.shapeSource);
         for (const PresetValue& value : preset.values)
-            if (value.parameter == saved.parameter && saved.parameter) return words + value.source;
+            if (value.parameter == saved.parameter && saved.parameter)
+                return presetRemark(preset, value.source);
     }
     return {};
 }

@@ -9,17 +9,21 @@ namespace {
 
 constexpr std::string_view frequencyKey = "drill.blow_frequency";
 
-/// A study solves blows by the thousand, in proportion to their pieces: up to here in seconds, that of all
-/// outputs and that of e alone. Counted, not timed, so that the report does not depend on the machine.
-constexpr long mostPiecesOverGaps = 2'000;
-constexpr long mostPiecesForThrust = 10'000;
+/// Shares of the progress: two curves of e alone, and one of all outputs, which takes about as long.
+constexpr double shareOfThrust = 0.5;
 
-/// Why a study is left out; empty where it is not.
-std::string tooLarge(const Blow& blow, long mostPieces, std::string_view command) {
-    if (blow.impact.pieces <= mostPieces) return {};
+/// A reason of a study, in a sentence; where the study was given up, how to have it all the same.
+std::string sentenceOf(const std::string& reason, const Blow& blow, std::string_view command) {
+    if (reason != tooManyPieces) return reason;
     return "This blow has " + std::to_string(blow.impact.pieces) +
            " pieces, too many to be followed over all gaps in a report: `drillwave " + std::string(command) +
            "` does that, and takes its time.";
+}
+
+/// From `begin` to `end` of the whole.
+GapProgress partOf(const GapProgress& whole, double begin, double end) {
+    if (!whole) return {};
+    return [whole, begin, end](double done) { whole(begin + (end - begin) * done); };
 }
 
 /// From half the blow frequency to half as much again, as far as it may go.
@@ -36,33 +40,35 @@ std::optional<SweepAxis> frequencyAxis(const Scenario& scenario) {
     return std::move(parsed.axis);
 }
 
-void addThrust(BlowReport& report, const std::stop_token& stop) {
+void addThrust(BlowReport& report, const std::stop_token& stop, const GapProgress& progress) {
     const Scenario& scenario = report.blow.scenario;
     report.thrustProblem = thrustProblem(scenario);
-    if (report.thrustProblem.empty())
-        report.thrustProblem = tooLarge(report.blow, mostPiecesForThrust, "thrust");
     if (!report.thrustProblem.empty()) return;
     ThrustReport thrust;
     thrust.scenario = scenario;
-    thrust.study = studyThrust(scenario, stop);
-    report.thrustProblem = thrust.study.reason;
+    thrust.study = studyThrust(scenario, stop, progress, mostPiecesInPassing);
+    report.thrustProblem = sentenceOf(thrust.study.reason, report.blow, "thrust");
     if (!report.thrustProblem.empty() || thrust.study.stopped) return;
     report.blow.thrustMargin = thrust.study.margin();
+    // The frequency changes no blow, and nothing over the gap.
+    GapReboundFinder finder;
+    finder.remember(report.blow.solved, thrust.study.rebounds);
     if (const std::optional<SweepAxis> axis = frequencyAxis(scenario))
-        thrust.along = ThrustAlong{*axis, thrustAlong(scenario, *axis->parameter, valuesOf(*axis), 1, stop)};
+        thrust.along =
+            ThrustAlong{*axis, thrustAlong(scenario, *axis->parameter, valuesOf(*axis), finder, stop)};
     report.thrust = std::move(thrust);
 }
 
 void addGap(BlowReport& report, const std::stop_token& stop, const GapProgress& progress) {
-    report.gapProblem = tooLarge(report.blow, mostPiecesOverGaps, "gap");
-    if (!report.gapProblem.empty()) return;
-    GapReport gap = studyGap(report.blow.scenario, std::nullopt, stop, progress);
+    GapReport gap = studyGap(report.blow.scenario, std::nullopt, stop, progress, mostPiecesInPassing);
     if (!gap.curve.dependsOnGap)
         report.gapProblem = gap.periodRemark();
-    else if (!gap.curve.isComplete())
-        report.gapProblem = "The blow could not be solved at all gaps: " + gap.curve.reason;
-    else
+    else if (gap.curve.isComplete())
         report.gap = std::move(gap);
+    else if (gap.curve.reason == tooManyPieces)
+        report.gapProblem = sentenceOf(gap.curve.reason, report.blow, "gap");
+    else
+        report.gapProblem = "The blow could not be solved at all gaps: " + gap.curve.reason;
 }
 
 }  // namespace
@@ -71,8 +77,8 @@ BlowReport studyReport(const Scenario& scenario, const std::stop_token& stop, co
     BlowReport report;
     report.blow = solveBlow(scenario, {}, Detail::histories, stop, Stresses::wanted);
     if (!report.blow.isSolved()) return report;
-    addThrust(report, stop);
-    addGap(report, stop, progress);
+    addThrust(report, stop, partOf(progress, 0, shareOfThrust));
+    addGap(report, stop, partOf(progress, shareOfThrust, 1));
     return report;
 }
 

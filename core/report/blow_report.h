@@ -34,8 +34,8 @@ struct BlowReport {
     std::string thrustProblem;           ///< why not, likewise
 };
 
-/// Solves a valid scenario and, unless the blow has too many pieces for that, follows it over the gap and the
-/// blow frequency: all but scenarioText and inputs. Where the blow is not solved there is nothing else. A
+/// Solves a valid scenario and, unless that takes more than mostPiecesInPassing, follows it over the gap and
+/// the blow frequency: all but scenarioText and inputs. Where the blow is not solved there is nothing else. A
 /// stop leaves it unsolved, or without studies.
 BlowReport studyReport(const Scenario& scenario, const std::stop_token& stop = {},
                        const GapProgress& progress = {});

@@ -18,14 +18,14 @@ std::string GapReport::periodRemark() const {
 }
 
 GapReport studyGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
-                   const std::stop_token& stop, const GapProgress& progress) {
+                   const std::stop_token& stop, const GapProgress& progress, long mostPieces) {
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     const Problem problem = problemOf(scenario);
     const double period = gapPeriodStart(problem);
     const double start = normal ? std::min(lowestGap(*normal), period) : period;
     GapReport report{.scenario = scenario,
-                     .curve = gapCurve(problem, start, Detail::events, stop, progress),
+                     .curve = gapCurve(problem, start, Detail::events, stop, progress, mostPieces),
                      .normal = normal,
                      .statistics = {},
                      .runTime = 0,

@@ -25,8 +25,9 @@ struct GapReport {
 };
 
 /// Follows all outputs over the gap and takes the statistics, all but scenarioText. The gap of the scenario
-/// does not matter. Statistics are there where the curve is complete.
+/// does not matter. Statistics are there where the curve is complete; it takes at most `mostPieces`.
 GapReport studyGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
-                   const std::stop_token& stop = {}, const GapProgress& progress = {});
+                   const std::stop_token& stop = {}, const GapProgress& progress = {},
+                   long mostPieces = anyNumberOfPieces);
 
 }  // namespace drillwave

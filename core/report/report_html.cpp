@@ -8,6 +8,7 @@
 #include "core/report/feed_words.h"
 #include "core/report/gap_text.h"
 #include "core/report/html_text.h"
+#include "core/report/paper_text.h"
 #include "core/report/report_numbers.h"
 #include "core/text/json.h"
 
@@ -57,16 +58,20 @@ std::string sentence(std::string text) {
     return text;
 }
 
-/// Lines of the scenario that paper shows.
-constexpr std::size_t mostPaperLines = 60;
+/// What paper shows of texts that may be of any length, so that they do not fill it: of a line of the
+/// scenario as many columns as 180 mm have of 6.5 pt; of a title, of a cell, and of a list of gaps.
+constexpr std::size_t paperColumns = 120;
+constexpr std::size_t mostTitleColumns = 160, mostCellColumns = 120, mostListColumns = 800;
 
 class Page {
   public:
-    Page(const BlowReport& report, ReportMedium medium) : m_report(report), m_medium(medium) {}
+    Page(const BlowReport& report, ReportMedium medium, std::size_t paperLines)
+        : m_report(report), m_medium(medium), m_paperLines(paperLines) {}
 
     std::string body(const std::vector<ReportPicture>& pictures) const {
-        return "<h1>" + escapedHtml(reportTitle(m_report)) + "</h1>\n" + paragraph(about()) + feed() +
-               alerts() + inputs() + scales() + results() + thrust() + gap() + scenario() + plots(pictures);
+        return htmlElement("h1", bounded(reportTitle(m_report), mostTitleColumns)) + "\n" +
+               paragraph(about()) + feed() + alerts() + inputs() + scales() + results() + thrust() + gap() +
+               scenario() + plots(pictures);
     }
 
   private:
@@ -75,6 +80,11 @@ class Page {
 
     static std::string paragraph(std::string_view text) { return htmlElement("p", text) + "\n"; }
     static std::string heading(std::string_view text) { return htmlElement("h2", text) + "\n"; }
+
+    /// A text that may be of any length.
+    std::string bounded(std::string_view text, std::size_t mostColumns = mostCellColumns) const {
+        return isScreen() ? std::string(text) : cellOnPaper(text, mostColumns);
+    }
 
     std::string about() const {
         return std::string("Report on one blow of a percussive drill, written by Drillwave ") + versionText +
@@ -129,7 +139,8 @@ class Page {
         std::string rows;
         for (const ReportInput& input : m_report.inputs)
             rows += row(input.key, htmlElement("td", input.key) + htmlElement("td", input.label) +
-                                       cell(input.value, input.si) + htmlElement("td", input.source));
+                                       cell(bounded(input.value), input.si) +
+                                       htmlElement("td", bounded(input.source)));
         return heading("Inputs") + table("inputs", {"key", "what", "value", "source"}, rows);
     }
 
@@ -183,22 +194,19 @@ class Page {
         if (const std::string remark = m_report.gap->periodRemark(); !remark.empty())
             html += paragraph(remark);
         html += tableOf("gap", htmlRows(printedUnits(gapGrid(*m_report.gap).rows())));
-        for (const std::string& remark : gapRemarks(*m_report.gap)) html += paragraph(sentence(remark));
+        for (const std::string& remark : gapRemarks(*m_report.gap))
+            html += paragraph(bounded(sentence(remark), mostListColumns));
         return html;
     }
 
     std::string scenario() const {
-        std::string_view text = m_report.scenarioText;
-        std::string html = heading("Scenario");
-        std::size_t end = 0;
-        if (!isScreen())
-            for (std::size_t line = 0; line < mostPaperLines && end < text.size(); ++line)
-                end = std::min(text.find('\n', end), text.size() - 1) + 1;
-        else
-            end = text.size();
-        html += (isScreen() ? "<pre id=\"scenario\">\n" : "<pre>") + escapedHtml(text.substr(0, end)) +
-                "</pre>\n";
-        if (end < text.size()) html += paragraph("The rest of the scenario is in the report as HTML.");
+        const std::string title = heading("Scenario");
+        if (isScreen())
+            return title + "<pre id=\"scenario\">\n" + escapedHtml(m_report.scenarioText) + "</pre>\n";
+        const PaperLines paper = linesOnPaper(m_report.scenarioText, m_paperLines, paperColumns);
+        if (paper.text.empty()) return title + paragraph("The scenario is in the report as HTML.");
+        std::string html = title + "<pre>" + escapedHtml(paper.text) + "</pre>\n";
+        if (!paper.isWhole) html += paragraph("The rest of the scenario is in the report as HTML.");
         return html;
     }
 
@@ -222,6 +230,7 @@ class Page {
 
     const BlowReport& m_report;
     ReportMedium m_medium;
+    std::size_t m_paperLines;
 };
 
 /// Read as the JSON of a command is; nothing in it can end the <script>.
@@ -254,7 +263,7 @@ std::string_view reportRecord(std::string_view html) {
 }
 
 std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture>& pictures,
-                       ReportMedium medium) {
+                       ReportMedium medium, std::size_t paperLines) {
     const bool isScreen = medium == ReportMedium::screen;
     std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
                        escapedHtml(reportTitle(report)) + "</title>\n";
@@ -262,7 +271,7 @@ std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture
         page += std::string("<meta name=\"generator\" content=\"Drillwave ") + versionText + "\">\n" +
                 std::string(recordBegin) + recordText(report) + "</script>\n";
     page += "<style>" + std::string(isScreen ? screenStyle : paperStyle) + "</style>\n</head>\n<body>\n";
-    return page + Page(report, medium).body(pictures) + "</body>\n</html>\n";
+    return page + Page(report, medium, paperLines).body(pictures) + "</body>\n</html>\n";
 }
 
 }  // namespace drillwave

@@ -23,10 +23,13 @@ enum class ReportMedium {
     paper,   ///< the little HTML that QTextDocument knows; long scenarios are cut short
 };
 
+/// Lines of the scenario on paper, where there is room for so many.
+inline constexpr std::size_t mostPaperLines = 60;
+
 /// Title, verdict, alerts, inputs with sources, results with errors, studies, scenario, plots; no time and no
 /// place. On the screen each number stands in full in `data-value` of its cell. The blow must be solved.
 std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture>& pictures,
-                       ReportMedium medium);
+                       ReportMedium medium, std::size_t paperLines = mostPaperLines);
 
 /// Version, method, title and scenario as JSON, from the top of such a page for the screen; empty where there
 /// are none.

@@ -28,6 +28,8 @@ class TestReport : public QObject {
   private slots:
     void everyExampleMakesAPageAndTwoToFourSheets_data();
     void everyExampleMakesAPageAndTwoToFourSheets();
+    void textsOfAnyLengthMakeTwoToFourSheets_data();
+    void textsOfAnyLengthMakeTwoToFourSheets();
     void thePageRunsAgainToTheSameNumbers();
     void theSameReportIsTheSameBytes();
     void standardOutputGetsThePage();
@@ -59,6 +61,32 @@ void TestReport::everyExampleMakesAPageAndTwoToFourSheets() {
     const QByteArray pdf = read(place.filePath("out/report.pdf"));
     QVERIFY(pdf.startsWith("%PDF-"));
     const qsizetype pages = pagesOf(pdf);
+    QVERIFY2(pages >= 2 && pages <= 4, qPrintable(QString::number(pages)));
+}
+
+void TestReport::textsOfAnyLengthMakeTwoToFourSheets_data() {
+    constexpr int length = 50'000;
+    const QByteArray text = read(example(QStringLiteral("t38_medium_rock"))), word(length, 'W');
+    const auto with = [&](const QByteArray& before, const QByteArray& after) {
+        return QByteArray(text).replace(before, after);
+    };
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("a line of words") << text + "# " + QByteArray("measured ").repeated(length / 9) + '\n';
+    QTest::newRow("a line without a blank") << text + "# " + word + '\n';
+    QTest::newRow("tabs") << text + "#" + QByteArray(length, '\t') + "x\n";
+    QTest::newRow("wide characters") << text + "# " + QByteArray("測").repeated(length) + '\n';
+    QTest::newRow("a long source") << with("assumed", QByteArray("by drilling ").repeated(length / 12));
+    QTest::newRow("sources without a blank") << with("assumed", word);
+    QTest::newRow("sources on every line") << with("\n  ", " # " + word.left(5000) + "\n  ");
+    QTest::newRow("a long title") << with("title: ", "title: " + word);
+}
+
+void TestReport::textsOfAnyLengthMakeTwoToFourSheets() {
+    QFETCH(QByteArray, text);
+    const QTemporaryDir place;
+    write(place.filePath("a.yaml"), text);
+    output({"report", place.filePath("a.yaml"), "-o", place.filePath("a.pdf")});
+    const qsizetype pages = pagesOf(read(place.filePath("a.pdf")));
     QVERIFY2(pages >= 2 && pages <= 4, qPrintable(QString::number(pages)));
 }
 

@@ -2,16 +2,13 @@
 // Memory of the process while values change with each study in view: bench_memory [CHANGES], 20000 in all by
 // default. Not run by ctest but for a trial: memory depends on the machine.
 #include <unistd.h>
-#include <QApplication>
 #include <QFile>
-#include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
 #include <cstdio>
 
+#include "tests/bench/bench_program.h"
 #include "tests/support/window_parts.h"
-#include "ui/text/settings.h"
-#include "ui/window/main_window.h"
 #include "ui/window/page_tabs.h"
 
 using namespace drillwave;
@@ -36,24 +33,7 @@ void change(MainWindow& window, int count) {
     }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-    const QApplication application(argc, argv);
-    const QStringList words = QCoreApplication::arguments();
-    const int changes = words.size() > 1 ? words.at(1).toInt() : 20000;
-    if (words.size() > 2 || changes < 1) {
-        std::fprintf(stderr, "usage: bench_memory [CHANGES]\n");
-        return 2;
-    }
-    QLocale::setDefault(QLocale::c());
-    const QTemporaryDir settings;
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
-    MainWindow window;
-    window.resize(1440, 900);
-    window.show();
+void measure(MainWindow& window, int changes) {
     auto& pages = part<PageTabs>(window);
     constexpr int parts = 4;
     const int share = std::max(1, changes / (pages.count() * parts));
@@ -69,4 +49,10 @@ int main(int argc, char** argv) {
         }
         std::printf("\n");
     }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return test::benchWindow(argc, argv, "bench_memory", "CHANGES", 20000, measure);
 }

@@ -2,15 +2,14 @@
 // Milliseconds from a keystroke in a field to the new pixels of the whole window, page by page, and from a
 // step of a slider to those of a new map, coarse and whole: bench_window [REPEATS], 50 by default. Not run by
 // ctest but for a trial: times depend on the machine.
-#include <QApplication>
 #include <QLabel>
 #include <QLineEdit>
-#include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 
+#include "tests/bench/bench_program.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/quantity_field.h"
 #include "ui/form/scenario_panel.h"
@@ -19,8 +18,6 @@
 #include "ui/pages/map/map_plot.h"
 #include "ui/pages/plot_page.h"
 #include "ui/plot/plot_widget.h"
-#include "ui/text/settings.h"
-#include "ui/window/main_window.h"
 #include "ui/window/page_tabs.h"
 
 using namespace drillwave;
@@ -149,24 +146,7 @@ void measureDragOnMap(MainWindow& window, PulseShape shape, int repeats) {
     printTimes(name, std::move(times));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-    const QApplication application(argc, argv);
-    const QStringList words = QCoreApplication::arguments();
-    const int repeats = words.size() > 1 ? words.at(1).toInt() : 50;
-    if (words.size() > 2 || repeats < 1) {
-        std::fprintf(stderr, "usage: bench_window [REPEATS]\n");
-        return 2;
-    }
-    QLocale::setDefault(QLocale::c());
-    const QTemporaryDir settings;
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
-    MainWindow window;
-    window.resize(1440, 900);
-    window.show();
+void measure(MainWindow& window, int repeats) {
     std::printf("%-22s %8s %8s %8s  ms from keystroke to pixels\n", "page", "median", "minimum", "maximum");
     auto* pages = window.findChild<PageTabs*>();
     for (int page = 0; page < pages->count(); ++page) {
@@ -176,4 +156,10 @@ int main(int argc, char** argv) {
     }
     for (const PulseShape shape : {PulseShape::rectangular, PulseShape::halfSine})
         measureDragOnMap(window, shape, repeats);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return test::benchWindow(argc, argv, "bench_window", "REPEATS", 50, measure);
 }

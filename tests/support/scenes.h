@@ -23,6 +23,19 @@ inline double cor(PulseShape shape, double beta, double gamma, double tau, doubl
     return solve({shape, {beta, gamma, tau, delta}}).cor;
 }
 
+/// Rows of a column "scene": each kind of blow that waves in a rod can tell apart.
+inline void addRodScenes() {
+    QTest::addColumn<Scene>("scene");
+    QTest::newRow("paper Fig. 4 (a)") << Scene{PulseShape::rectangular, {0.5, 1, 10, 0}};
+    QTest::newRow("paper Fig. 4 (b)") << Scene{PulseShape::rectangular, {0.5, 0.1, 10, 0}};
+    QTest::newRow("triangular") << Scene{PulseShape::triangular, {0.9, 0.3, 2.3, 0.4}};
+    QTest::newRow("half sine") << Scene{PulseShape::halfSine, {2, 0.05, 3.3, 0.9}};
+    QTest::newRow("hammer longer than a round trip") << Scene{PulseShape::trapezoid, {0.7, 0.3, 0.21, 0.4}};
+    QTest::newRow("piston") << Scene{PulseShape::piston, {5, 0.2, 1.7, 0}};
+    QTest::newRow("reference case") << Scene{PulseShape::rigidBody, {0.5, 0.1, 2, 0}};
+    QTest::newRow("gap of ten periods") << Scene{PulseShape::rectangular, {0.7, 0.3, 4, 10.3}};
+}
+
 /// One row of tests/cases/reference.csv (33-digit event-driven solution).
 struct ReferenceCase {
     Scene scene;

@@ -2,6 +2,7 @@
 // Answers to the window's questions that a test has prepared, and a record of what it was told.
 #pragma once
 
+#include <QPrinter>
 #include <QStringList>
 
 #include "ui/questions/questions.h"
@@ -10,10 +11,12 @@ namespace drillwave {
 
 struct ScriptedAnswers {
     Questions::Unsaved unsaved = Questions::Unsaved::cancel;
+    bool closeAllTheSame = true;
     QString open;
     QString import;
     QString save;
     QString exportTo;
+    QString printTo;  ///< a PDF file in place of paper
     QString folder;
     std::optional<PictureChoice> picture;
     bool confirm = false;
@@ -23,6 +26,7 @@ struct ScriptedAnswers {
     QStringList confirmed;  ///< what was to be confirmed
     QStringList found;      ///< what could have been recovered
     QStringList told;
+    QStringList unwritten;  ///< of what it was asked whether to close all the same
 };
 
 class ScriptedQuestions : public Questions {
@@ -32,6 +36,10 @@ class ScriptedQuestions : public Questions {
     Unsaved unsavedChanges(QWidget* /*parent*/, const QString& /*name*/) override {
         ++m_answers.unsavedAsked;
         return m_answers.unsaved;
+    }
+    bool closeAllTheSame(QWidget* /*parent*/, const QString& what, const QString& details) override {
+        m_answers.unwritten.append(what + QLatin1Char('\n') + details);
+        return m_answers.closeAllTheSame;
     }
     QString fileToOpen(QWidget* /*parent*/, const QString& /*folder*/) override { return m_answers.open; }
     QString fileToImport(QWidget* /*parent*/, const QString& /*title*/, const QString& /*folder*/,
@@ -43,6 +51,14 @@ class ScriptedQuestions : public Questions {
     QString fileToExport(QWidget* /*parent*/, const QString& /*title*/, const QString& /*suggestion*/,
                          const QString& /*filter*/) override {
         return m_answers.exportTo;
+    }
+    std::unique_ptr<QPrinter> printer(QWidget* /*parent*/, const QString& title) override {
+        if (m_answers.printTo.isEmpty()) return nullptr;
+        auto printer = std::make_unique<QPrinter>(QPrinter::HighResolution);
+        printer->setDocName(title);
+        printer->setPageSize(QPageSize(QPageSize::A4));
+        printer->setOutputFileName(m_answers.printTo);
+        return printer;
     }
     QString folderToExport(QWidget* /*parent*/, const QString& /*suggestion*/) override {
         return m_answers.folder;

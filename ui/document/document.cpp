@@ -5,7 +5,9 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLocale>
+#include <algorithm>
 
+#include "core/file/preset_remarks.h"
 #include "core/file/pulse_table.h"
 #include "core/file/result_scenario.h"
 #include "ui/document/scenario_edit.h"
@@ -65,6 +67,19 @@ QString fileStemOf(const std::string& title) {
 Document::Document(QObject* parent, Check check) : QObject(parent), m_check(std::move(check)) {
     m_undoStack.setUndoLimit(undoLimit);
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Document::stateChanged);
+    // A step is in the history only after it has been done. Who empties it tells that, but for the
+    // destructor.
+    connect(&m_undoStack, &QUndoStack::indexChanged, this, [this] {
+        if (m_undoStack.count() > 0) emit stateChanged();
+    });
+}
+
+bool Document::isModified() const {
+    if (m_undoStack.cleanIndex() < 0) return true;
+    const auto [from, to] = std::minmax({m_undoStack.cleanIndex(), m_undoStack.index()});
+    for (int i = from; i < to; ++i)
+        if (dynamic_cast<const ScenarioEdit*>(m_undoStack.command(i))) return true;
+    return false;
 }
 
 QString Document::displayName() const {
@@ -124,7 +139,7 @@ void Document::clear(const Parameter& parameter, int gesture) {
         parameter.rules.clear(changed);
     } else {
         // Only the diameter of a rod that was given by its area can have had no value before.
-        const auto* last = static_cast<const ScenarioEdit*>(m_undoStack.command(m_undoStack.index() - 1));
+        const auto* last = dynamic_cast<const ScenarioEdit*>(m_undoStack.command(m_undoStack.index() - 1));
         if (!last || !last->isOf(keyOf(parameter), gesture)) return;
         changed = last->before();
     }
@@ -263,8 +278,15 @@ QString Document::applyPreset(const Preset& preset) {
     std::vector<InputProblem> problems = m_check(changed);
     if (!problems.empty())
         return lines(ScenarioError(ScenarioError::Kind::invalid, preset.name, std::move(problems)));
-    if (changed != m_scenario) emit presetTaken();
-    push(std::move(changed), tr("take the preset %1").arg(QString::fromStdString(preset.name)));
+    if (changed == m_scenario) return {};
+    try {
+        const std::string text = writeWithPreset({changed, m_text, m_source.source}, preset);
+        emit presetTaken();
+        pushContents(std::move(changed), text,
+                     tr("take the preset %1").arg(QString::fromStdString(preset.name)));
+    } catch (const ScenarioError& error) {
+        return lines(error);
+    }
     return {};
 }
 

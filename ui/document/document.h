@@ -44,7 +44,8 @@ class Document : public QObject {
     QString suggestedPath() const;
     /// Title of the scenario, else the name of its file, else "Untitled".
     QString displayName() const;
-    bool isModified() const { return !m_undoStack.isClean(); }
+    /// Whether the scenario is another one than in its file; other steps of the history do not count.
+    bool isModified() const;
     /// The bytes that saving would write. Throws ScenarioError where they would be more than a file may have.
     QByteArray text() const;
     /// The scenario as it is, with the text it came from: all that its bytes are made of.
@@ -70,7 +71,7 @@ class Document : public QObject {
     bool canHaveShape(PulseShape shape) const;
     void setShape(PulseShape shape);
     void setTitle(const QString& title);
-    /// Takes the values of a preset as one undo step. Returns why not; then nothing has changed.
+    /// Takes values and sources of a preset as one undo step. Returns why not; then nothing has changed.
     QString applyPreset(const Preset& preset);
     /// Takes another scenario as one undo step of that name. Returns why not; then nothing has changed.
     QString useScenario(const Scenario& scenario, const QString& step);

@@ -3,18 +3,22 @@
 #pragma once
 
 #include <QObject>
+#include <QUndoStack>
 #include <vector>
 
 #include "core/signal/measured_signal.h"
 
 namespace drillwave {
 
-/// Stays when the scenario changes or another one is opened: what was measured is compared with both.
+/// Stays when the scenario changes or another one is opened: what was measured is compared with both. Each
+/// change is a step of the history of the document, with those of the scenario, as long as that lasts; it
+/// makes no difference to the file.
 class MeasuredList : public QObject {
     Q_OBJECT
 
   public:
-    using QObject::QObject;
+    /// The history must outlive the list.
+    explicit MeasuredList(QUndoStack& history, QObject* parent = nullptr);
 
     /// More would have no line of their own.
     static constexpr std::size_t most = 8;
@@ -25,13 +29,17 @@ class MeasuredList : public QObject {
     void add(MeasuredSignal signal);
     /// No effect where there is no such index.
     void remove(std::size_t index);
-    /// [s]; no effect where there is no such index, or for infinities.
-    void setTimeShift(std::size_t index, double seconds);
+    /// [s]; no effect where there is no such index, or for infinities. Shifts one after the other with the
+    /// same `gesture` are one step; 0 is none.
+    void setTimeShift(std::size_t index, double seconds, int gesture = 0);
 
   signals:
     void changed();
 
   private:
+    void push(std::vector<MeasuredSignal> after, const QString& step, int gesture = 0);
+
+    QUndoStack& m_history;
     std::vector<MeasuredSignal> m_signals;
 };
 

@@ -65,8 +65,9 @@ void ExportMenu::setExports(const QList<PageExport>& exports) {
     for (const PageExport& offered : exports) {
         const bool first = offered.picture && !std::exchange(hasPicture, true);
         m_actions.append(add(
-            offered.title, first ? QKeySequence(Qt::CTRL | Qt::Key_P) : QKeySequence(), offered.toolTip,
-            [this, offered] { save(offered); }, offered.picture ? m_afterPictures : m_afterNumbers));
+            offered.title, first ? QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P) : QKeySequence(),
+            offered.toolTip, [this, offered] { save(offered); },
+            offered.picture ? m_afterPictures : m_afterNumbers));
     }
     m_afterPictures->setEnabled(hasPicture);
 }
@@ -177,7 +178,7 @@ void ExportMenu::writePicture(const QString& path, const PageExport& wanted, con
     finish(path, writeWholeFile(path, bytes));
 }
 
-// The first one: what Ctrl+P saves.
+// The first one: what Ctrl+Shift+P saves.
 void ExportMenu::copyPicture() {
     const auto first =
         std::ranges::find_if(m_exports, [](const auto& each) { return each.picture.has_value(); });

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/report_export.h"
 
+#include <QPrinter>
+
+#include "ui/export/report_pages.h"
 #include "ui/export/report_pdf.h"
 #include "ui/export/report_plots.h"
 
@@ -20,6 +23,10 @@ std::string htmlOf(const BlowReport& report, const std::vector<ReportPlot>& plot
 }
 
 }  // namespace
+
+bool printReport(const BlowReport& report, QPrinter& printer) {
+    return drawReportPages(report, reportPlots(report, {}), printer);
+}
 
 Pictures drawReport(const BlowReport& report, const PictureOrder& order) {
     Pictures drawn;

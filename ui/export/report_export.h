@@ -5,7 +5,13 @@
 #include "core/report/blow_report.h"
 #include "ui/export/pictures.h"
 
+class QPrinter;
+
 namespace drillwave {
+
+/// Prints the report: the pages of the PDF. False where the printer takes none. Requires what drawReport()
+/// does.
+bool printReport(const BlowReport& report, QPrinter& printer);
 
 /// The report in the formats of the order, "html" and "pdf": the same words and plots. The HTML is the same
 /// bytes for the same report on one machine, whatever the window shows. Requires a blow that was solved and

@@ -9,8 +9,7 @@
 
 namespace drillwave {
 
-/// The words of reportHtml() for paper and the plots as vectors, a line with title and program above each
-/// page and its number below. The file says no date.
+/// The pages of drawReportPages() as a file, which says no date.
 QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& plots);
 
 }  // namespace drillwave

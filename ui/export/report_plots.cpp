@@ -27,7 +27,8 @@ std::vector<ReportPlot> reportPlots(const BlowReport& report, const std::stop_to
                blowPaperPlot(blow.scenario, blow.impact), {180, 128}));
     plots.push_back(placed("wave_picture",
                            "The force in the rod over place and time, tension positive; bars at the right "
-                           "show the contact of bit and rock.",
+                           "show the contact of bit and rock. On the scale of colours a line is the least or "
+                           "largest force, a triangle one beyond the colours.",
                            wavePaperPlot(blow), {180, 86}));
     plots.push_back(placed("rod",
                            "The largest tension and compression along the rod, while the blow lasts and of "

@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QPrinter>
 #include <utility>
 
 #include "core/file/report_file.h"
@@ -28,14 +29,24 @@ ReportWriter::ReportWriter(Document& document, Questions& questions, QWidget* wi
       m_document(document),
       m_questions(questions),
       m_window(window),
-      m_action(new QAction(tr("&Report…"), this)) {
-    m_action->setObjectName(QStringLiteral("report"));
-    m_action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
-    m_action->setToolTip(
-        tr("A page to hand over, as HTML or PDF: inputs with their sources, results, "
-           "verdict, plots and the scenario"));
+      m_action(newAction(QStringLiteral("report"), tr("&Report…"), QKeySequence(Qt::CTRL | Qt::Key_R),
+                         tr("A page to hand over, as HTML or PDF: inputs with their sources, results, "
+                            "verdict, plots and the scenario"))),
+      m_printAction(newAction(QStringLiteral("printReport"), tr("&Print the report…"),
+                              QKeySequence(Qt::CTRL | Qt::Key_P),
+                              tr("The report on paper: two to four pages of A4"))) {
     connect(m_action, &QAction::triggered, this, &ReportWriter::write);
+    connect(m_printAction, &QAction::triggered, this, &ReportWriter::print);
     connect(&m_job, &StudyActivity::changed, this, &ReportWriter::follow);
+}
+
+QAction* ReportWriter::newAction(const QString& name, const QString& text, const QKeySequence& keys,
+                                 const QString& toolTip) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(name);
+    action->setShortcut(keys);
+    action->setToolTip(toolTip);
+    return action;
 }
 
 QString ReportWriter::suggestion() const {
@@ -46,11 +57,23 @@ void ReportWriter::write() {
     const QString path = m_questions.fileToExport(m_window, tr("Write the report"), suggestion(),
                                                   tr("Web page (*.html);;PDF (*.pdf)"));
     if (path.isEmpty()) return;
+    m_failure = tr("The report has not been written.");
     const QString ending = QFileInfo(path).suffix().toLower();
     if (ending != QLatin1String("html") && ending != QLatin1String("pdf"))
         return fail(tr("%1: a report is a file that ends in .html or .pdf; choose such a name")
                         .arg(QDir::toNativeSeparators(path)));
-    m_path = path;
+    begin([this, path](const BlowReport& report) { writeTo(path, report); });
+}
+
+void ReportWriter::print() {
+    const std::shared_ptr<QPrinter> printer = m_questions.printer(m_window, m_document.displayName());
+    if (!printer) return;
+    m_failure = tr("The report has not been printed.");
+    begin([this, printer](const BlowReport& report) { printOn(*printer, report); });
+}
+
+void ReportWriter::begin(Use use) {
+    m_use = std::move(use);
     m_job.submit([document = m_document.contents()](const StudyFeed<BlowReport>& feed) {
         return answer(document, feed);
     });
@@ -58,32 +81,43 @@ void ReportWriter::write() {
 }
 
 void ReportWriter::follow() {
-    if (m_path.isEmpty() || m_job.state() == StudyState::running) return;
-    if (m_job.state() == StudyState::finished)
-        draw(*m_job.value());
-    else if (m_job.state() == StudyState::failed)
-        fail(m_job.problem());
-    m_path.clear();
+    if (!m_use || m_job.state() == StudyState::running) return;
+    const Use use = std::exchange(m_use, nullptr);
+    if (m_job.state() == StudyState::failed) fail(m_job.problem());
+    if (m_job.state() == StudyState::finished) {
+        const BlowReport& report = *m_job.value();
+        if (report.blow.isSolved())
+            use(report);
+        else
+            fail(tr("The blow could not be solved: %1")
+                     .arg(QString::fromStdString(report.blow.impact.reason)));
+    }
     emit ended();
 }
 
-void ReportWriter::draw(const BlowReport& report) {
-    if (!report.blow.isSolved())
-        return fail(
-            tr("The blow could not be solved: %1").arg(QString::fromStdString(report.blow.impact.reason)));
+void ReportWriter::writeTo(const QString& path, const BlowReport& report) {
     const WaitCursor wait;
-    const std::string format = QFileInfo(m_path).suffix().toLower().toStdString();
+    const std::string format = QFileInfo(path).suffix().toLower().toStdString();
     const Pictures drawn = drawReport(report, {"report", {format}, {}});
     const QString problem = drawn.problem.isEmpty()
-                                ? writeWholeFile(m_path, QByteArray::fromStdString(drawn.files.front().bytes))
+                                ? writeWholeFile(path, QByteArray::fromStdString(drawn.files.front().bytes))
                                 : drawn.problem;
     if (!problem.isEmpty()) return fail(problem);
-    rememberExportFolder(m_path);
-    emit written(tr("Written: %1").arg(QDir::toNativeSeparators(m_path)));
+    rememberExportFolder(path);
+    emit written(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
+}
+
+void ReportWriter::printOn(QPrinter& printer, const BlowReport& report) {
+    const WaitCursor wait;
+    if (!printReport(report, printer))
+        return fail(
+            tr("%1 takes no pages; look after the printer, or write the report as PDF")
+                .arg(printer.printerName().isEmpty() ? printer.outputFileName() : printer.printerName()));
+    emit written(tr("Printed: %1").arg(m_document.displayName()));
 }
 
 void ReportWriter::fail(const QString& problem) {
-    m_questions.tell(m_window, Questions::Tone::failure, tr("The report has not been written."), problem);
+    m_questions.tell(m_window, Questions::Tone::failure, m_failure, problem);
 }
 
 }  // namespace drillwave

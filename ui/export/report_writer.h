@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command Report…: what `drillwave report` writes, made beside the window's work.
+// The commands Report… and Print…: what `drillwave report` writes, made beside the window's work.
 #pragma once
 
 #include <QAction>
+#include <functional>
 
 #include "core/report/blow_report.h"
 #include "ui/document/document.h"
@@ -20,22 +21,31 @@ class ReportWriter : public QObject {
 
     /// For menus and tool bars.
     QAction* action() const { return m_action; }
+    QAction* printAction() const { return m_printAction; }
     /// The studies on their way to the report, which can be stopped.
     StudyActivity& activity() { return m_job; }
     /// Asks where to, and reports on the document's scenario as it is now. An earlier report that is still on
     /// its way is given up.
     void write();
+    /// The same on paper, once the printer is chosen.
+    void print();
 
   signals:
     void begun();
-    /// Written, failed or stopped.
+    /// Written, printed, failed or stopped.
     void ended();
     /// It is there: where, in one line.
     void written(const QString& message);
 
   private:
+    using Use = std::function<void(const BlowReport&)>;
+
+    QAction* newAction(const QString& name, const QString& text, const QKeySequence& keys,
+                       const QString& toolTip);
+    void begin(Use use);
     void follow();
-    void draw(const BlowReport& report);
+    void writeTo(const QString& path, const BlowReport& report);
+    void printOn(QPrinter& printer, const BlowReport& report);
     void fail(const QString& problem);
     QString suggestion() const;
 
@@ -43,7 +53,9 @@ class ReportWriter : public QObject {
     Questions& m_questions;
     QWidget* m_window;
     QAction* m_action;
-    QString m_path;  // of the report on its way; empty without
+    QAction* m_printAction;
+    Use m_use;          // of the report on its way; empty without
+    QString m_failure;  // what to say where there is none
     StudyJob<BlowReport> m_job;
 };
 

@@ -5,16 +5,13 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QFontDatabase>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSplitter>
-#include <QTextBlock>
 #include <QVBoxLayout>
 #include <sstream>
 
@@ -22,6 +19,7 @@
 #include "core/text/text_input.h"
 #include "ui/form/pulse_preview.h"
 #include "ui/form/section_box.h"
+#include "ui/import/file_lines.h"
 #include "ui/import/import_plot.h"
 #include "ui/import/import_rows.h"
 #include "ui/import/import_words.h"
@@ -33,7 +31,6 @@ namespace {
 
 constexpr std::size_t startBytes = std::size_t{1} << 18;
 constexpr std::size_t mostLines = 2000;
-constexpr int linesOnShow = 6;
 constexpr int summaryLines = 4;
 
 SectionBox* section(const QString& title, QWidget* content, QWidget* parent) {
@@ -54,7 +51,7 @@ ImportDialog::ImportDialog(const QString& path, ImportUse use, const Document& d
       m_name(new QLineEdit(QFileInfo(path).completeBaseName(), this)),
       m_table(new TableFields(this)),
       m_signal(new SignalFields(this)),
-      m_lines(new QPlainTextEdit(this)),
+      m_lines(new FileLines(this)),
       m_plot(new PlotWidget(this)),
       m_drawing(new ImportPlot(m_plot)),
       m_summary(new QLabel(this)),
@@ -71,7 +68,8 @@ ImportDialog::ImportDialog(const QString& path, ImportUse use, const Document& d
     connect(&m_ask, &QTimer::timeout, this, &ImportDialog::ask);
     connect(&m_study.job(), &StudyActivity::changed, this, &ImportDialog::showAnswer);
     connect(m_table, &TableFields::changed, this, &ImportDialog::askSoon);
-    connect(m_table, &TableFields::changed, this, &ImportDialog::showLines);
+    connect(m_table, &TableFields::changed, this,
+            [this] { m_lines->present(m_table->lines(), m_table->source().firstLine); });
     connect(m_table, &TableFields::valueColumnChanged, this, [this] {
         m_signal->setUnit(m_table->valueUnit());
         m_proposal = Proposal::zero;
@@ -132,15 +130,6 @@ QWidget* ImportDialog::makeChoices() {
 }
 
 QVBoxLayout* ImportDialog::makePreview() {
-    m_lines->setObjectName(QStringLiteral("lines"));
-    m_lines->setAccessibleName(tr("First lines of the file"));
-    m_lines->setToolTip(tr("First lines of the file; samples begin at the marked one"));
-    m_lines->setReadOnly(true);
-    m_lines->setTabChangesFocus(true);
-    m_lines->setLineWrapMode(QPlainTextEdit::NoWrap);
-    m_lines->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-    m_lines->setFixedHeight(linesOnShow * m_lines->fontMetrics().lineSpacing() +
-                            m_lines->horizontalScrollBar()->sizeHint().height() + 12);
     m_plot->setAccessibleName(tr("The record, and what is taken of it"));
     m_summary->setObjectName(QStringLiteral("summary"));
     m_summary->setWordWrap(true);
@@ -181,22 +170,6 @@ void ImportDialog::readStart() {
     m_unreadable = QString::fromStdString(start.problem);
     std::istringstream in(start.bytes);
     m_table->setLines(firstLines(in, mostLines));
-}
-
-// With their numbers, at the first sample.
-void ImportDialog::showLines() {
-    QStringList shown;
-    const std::size_t first = m_table->source().firstLine;
-    const int digits = m_table->lines().size() < 1000 ? 3 : 4;
-    for (std::size_t i = 0; i < m_table->lines().size(); ++i)
-        shown.append(QStringLiteral("%1%2  %3")
-                         .arg(i + 1 == first ? QLatin1Char('>') : QLatin1Char(' '))
-                         .arg(i + 1, digits)
-                         .arg(QString::fromStdString(m_table->lines()[i])));
-    m_lines->setPlainText(shown.join(QLatin1Char('\n')));
-    const int above = 3;
-    const int top = std::max(0, static_cast<int>(first) - above);
-    m_lines->verticalScrollBar()->setValue(top);
 }
 
 ImportUse ImportDialog::use() const {

@@ -13,13 +13,13 @@
 
 class QLabel;
 class QLineEdit;
-class QPlainTextEdit;
 class QPushButton;
 class QVBoxLayout;
 
 namespace drillwave {
 
 class ChoiceBox;
+class FileLines;
 class ImportPlot;
 class PlotWidget;
 class TableFields;
@@ -56,7 +56,6 @@ class ImportDialog : public QDialog {
     QVBoxLayout* makePreview();
     QWidget* makeButtons();
     void readStart();
-    void showLines();
     void askSoon();
     void ask();
     void showAnswer();
@@ -74,7 +73,7 @@ class ImportDialog : public QDialog {
     QLineEdit* m_name;
     TableFields* m_table;
     SignalFields* m_signal;
-    QPlainTextEdit* m_lines;
+    FileLines* m_lines;
     PlotWidget* m_plot;
     ImportPlot* m_drawing;
     QLabel* m_summary;

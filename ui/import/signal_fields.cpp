@@ -6,10 +6,9 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <cmath>
-#include <numbers>
 
-#include "core/model/scales.h"
 #include "ui/form/pulse_preview.h"
+#include "ui/import/gauge_rows.h"
 #include "ui/import/import_rows.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
@@ -28,7 +27,6 @@ constexpr double restShare = 0.03;
 constexpr int noUnit = -1;  // is chosen
 
 enum Sense { tension, compression };
-enum Bar { rodOfScenario, otherBar };
 
 // To one digit, for a proposal.
 double oneDigit(double value) {
@@ -48,11 +46,15 @@ SignalFields::SignalFields(QWidget* parent) : QWidget(parent), m_form(new QFormL
     m_form->setVerticalSpacing(3);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     addUnit();
-    addBar();
+    m_gauge = std::make_unique<GaugeRows>(*m_form, [this] {
+        showRows();
+        emit changed();
+    });
+    m_fields += m_gauge->fields();
     addZero();
     addTimes();
     addEnd();
-    for (ChoiceBox* box : {m_unit, m_positive, m_activeGauges, m_zero, m_scaling, m_bar})
+    for (ChoiceBox* box : {m_unit, m_positive, m_zero, m_scaling})
         connect(box, &QComboBox::currentIndexChanged, this, [this, box] {
             m_touched.insert(box);
             showRows();
@@ -79,6 +81,8 @@ QuantityField* SignalFields::quantity(const char* name, const QString& label, co
     return field;
 }
 
+SignalFields::~SignalFields() = default;
+
 void SignalFields::addUnit() {
     m_place = quantity("place", tr("place x"), tr("Of the gauge, from the struck end of the rod"),
                        Quantity::length, "m", FieldRange::notNegative, 1);
@@ -92,22 +96,6 @@ void SignalFields::addUnit() {
                             tr("What a number greater than 0 means. Here tension is positive in a rod, and "
                                "pressing is in a blow and on the rock.")},
                            {{tr("tension"), tension}, {tr("compression"), compression}});
-}
-
-void SignalFields::addBar() {
-    m_bar = addChoice(*m_form, {"bar", tr("gauge is on"), tr("Whose E and area make a force of a strain")},
-                      {{tr("the rod"), rodOfScenario}, {tr("another bar"), otherBar}});
-    m_modulus = quantity("modulus", tr("E of the bar"), tr("Young's modulus"), Quantity::stress, "GPa",
-                         FieldRange::positive, 210e9);
-    m_diameter = quantity("diameter", tr("diameter"), tr("Of the solid bar where the gauge is"),
-                          Quantity::length, "mm", FieldRange::positive, 0.02);
-    m_gaugeFactor = quantity("gaugeFactor", tr("gauge factor k"), tr("Relative resistance over strain"),
-                             Quantity::ratio, "", FieldRange::positive, 2);
-    m_activeGauges =
-        addChoice(*m_form,
-                  {"activeGauges", tr("active gauges"),
-                   tr("Of the bridge that see the strain: 1 quarter, 2 half, 4 full bridge")},
-                  {{QStringLiteral("1"), 1}, {QStringLiteral("2"), 2}, {QStringLiteral("4"), 4}});
 }
 
 void SignalFields::addZero() {
@@ -182,9 +170,8 @@ void SignalFields::setUse(ImportUse use) {
 void SignalFields::setScenario(const Scenario& scenario) {
     const std::optional<Rod> rod =
         scenario.form == ScenarioForm::dimensional ? std::optional(scenario.rod) : std::nullopt;
-    if (rod == m_rod) return;
-    m_rod = rod;
-    if (!m_rod) choose(*m_bar, otherBar);
+    if (rod == m_gauge->rod()) return;
+    m_gauge->setRod(rod);
     showRows();
     emit changed();
 }
@@ -246,17 +233,10 @@ void SignalFields::showTimes(std::optional<RecordSpan> times) {
 }
 
 void SignalFields::showRows() {
-    const auto kind = static_cast<SignalKind>(chosenValue(*m_kind));
-    const bool needsBar = kind != SignalKind::force;
-    const bool typed = needsBar && (!m_rod || chosenValue(*m_bar) == otherBar);
     const auto zero = static_cast<ZeroLine>(chosenValue(*m_zero));
     const auto scaling = static_cast<Scaling>(chosenValue(*m_scaling));
     setRowVisible(*m_form, *m_place, m_use == ImportUse::normalForce);
-    setRowVisible(*m_form, *m_bar, needsBar && m_rod);
-    setRowVisible(*m_form, *m_modulus, typed);
-    setRowVisible(*m_form, *m_diameter, typed);
-    setRowVisible(*m_form, *m_gaugeFactor, kind == SignalKind::bridge);
-    setRowVisible(*m_form, *m_activeGauges, kind == SignalKind::bridge);
+    m_gauge->show(static_cast<SignalKind>(chosenValue(*m_kind)));
     setRowVisible(*m_form, *m_zeroSpan, zero == ZeroLine::ofFirstSamples);
     setRowVisible(*m_form, *m_zeroValue, zero == ZeroLine::chosen);
     setRowVisible(*m_form, *m_clip, m_use == ImportUse::blow);
@@ -264,20 +244,11 @@ void SignalFields::showRows() {
     setRowVisible(*m_form, *m_impulse, scaling == Scaling::toImpulse);
 }
 
-double SignalFields::axialStiffness() const {
-    if (m_rod && chosenValue(*m_bar) == rodOfScenario)
-        return propertiesOf(*m_rod).area * m_rod->youngsModulus;
-    const double diameter = *m_diameter->value();
-    return *m_modulus->value() * std::numbers::pi / 4 * diameter * diameter;
-}
-
 // In a rod tension is positive; a hammer and a rock are pressed.
 double SignalFields::forcePerNumberNow() const {
-    const GaugedBar bar{axialStiffness(), *m_gaugeFactor->value(),
-                        static_cast<double>(chosenValue(*m_activeGauges))};
     const auto unit = static_cast<std::size_t>(std::max(0, chosenValue(*m_unit)));
-    const double size =
-        forcePerNumber(static_cast<SignalKind>(chosenValue(*m_kind)), m_unitList[unit].factor, bar);
+    const double size = forcePerNumber(static_cast<SignalKind>(chosenValue(*m_kind)), m_unitList[unit].factor,
+                                       m_gauge->bar());
     const bool positiveHere = (chosenValue(*m_positive) == tension) == (m_use == ImportUse::normalForce);
     return positiveHere ? size : -size;
 }
@@ -310,9 +281,10 @@ QString SignalFields::problem() const {
     for (const QuantityField* field : m_fields)
         if (field->isVisibleTo(this) && !field->problem().isEmpty())
             return QStringLiteral("%1: %2").arg(field->accessibleName(), field->problem());
-    if (m_use == ImportUse::normalForce && m_rod && place() > m_rod->length)
+    const std::optional<Rod>& rod = m_gauge->rod();
+    if (m_use == ImportUse::normalForce && rod && place() > rod->length)
         return tr("place x: must be at most %1, the length of the rod")
-            .arg(pulseText(m_rod->length, UnitKind::length));
+            .arg(pulseText(rod->length, UnitKind::length));
     return {};
 }
 

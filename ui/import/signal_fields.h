@@ -5,6 +5,7 @@
 #include <QList>
 #include <QSet>
 #include <QWidget>
+#include <memory>
 #include <optional>
 
 #include "core/model/scenario.h"
@@ -20,6 +21,7 @@ class QSpinBox;
 namespace drillwave {
 
 class ChoiceBox;
+class GaugeRows;
 class QuantityField;
 enum class FieldRange;
 
@@ -35,6 +37,7 @@ class SignalFields : public QWidget {
 
   public:
     explicit SignalFields(QWidget* parent = nullptr);
+    ~SignalFields() override;
 
     void setUse(ImportUse use);
     /// The rod whose E A a strain takes; a dimensionless scenario has none.
@@ -63,7 +66,6 @@ class SignalFields : public QWidget {
 
   private:
     void addUnit();
-    void addBar();
     void addZero();
     void addTimes();
     void addEnd();
@@ -73,11 +75,9 @@ class SignalFields : public QWidget {
     void proposeChoice(ChoiceBox& box, int choice) const;
     void showRows();
     void showTimes(std::optional<RecordSpan> times);
-    double axialStiffness() const;
     double forcePerNumberNow() const;
 
     ImportUse m_use = ImportUse::blow;
-    std::optional<Rod> m_rod;
     std::vector<SignalUnit> m_unitList;
     bool m_unitIsKnown = true;
     QFormLayout* m_form;
@@ -85,11 +85,7 @@ class SignalFields : public QWidget {
     ChoiceBox* m_kind = nullptr;
     ChoiceBox* m_unit = nullptr;
     ChoiceBox* m_positive = nullptr;
-    ChoiceBox* m_bar = nullptr;
-    QuantityField* m_modulus = nullptr;
-    QuantityField* m_diameter = nullptr;
-    QuantityField* m_gaugeFactor = nullptr;
-    ChoiceBox* m_activeGauges = nullptr;
+    std::unique_ptr<GaugeRows> m_gauge;
     ChoiceBox* m_zero = nullptr;
     QuantityField* m_zeroSpan = nullptr;
     QuantityField* m_zeroValue = nullptr;

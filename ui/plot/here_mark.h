@@ -25,6 +25,10 @@ class HereMark : public QObject {
     void setStyle(const PlotStyle& style);
     std::optional<double> x() const { return m_x; }
     std::optional<double> y() const { return m_y; }
+    /// Both of them.
+    std::optional<QPointF> place() const {
+        return m_x && m_y ? std::optional(QPointF(*m_x, *m_y)) : std::nullopt;
+    }
 
   private:
     std::optional<double> m_x;

@@ -114,27 +114,26 @@ void HoverMark::addItems() {
     setStyle(m_style);
 }
 
-bool HoverMark::show(const std::optional<CurvePoint>& point, const QString& text) {
-    if (!point) {
-        const bool changed = m_ring && m_ring->visible();
-        if (changed) m_ring->setVisible(false);
-        if (m_label) m_label->setVisible(false);
-        return changed;
-    }
+bool HoverMark::hide() {
+    const bool changed = m_ring && m_ring->visible();
+    if (changed) m_ring->setVisible(false);
+    if (m_label) m_label->setVisible(false);
+    return changed;
+}
+
+void HoverMark::show(QCPAxisRect& rect, QPointF pixel, const QString& text) {
     if (!m_ring || !m_label) addItems();
-    QCPAxisRect* rect = point->curve->keyAxis()->axisRect();
-    m_ring->setClipAxisRect(rect);
-    m_ring->position->setCoords(point->pixel);
+    m_ring->setClipAxisRect(&rect);
+    m_ring->position->setCoords(pixel);
     m_ring->setVisible(true);
     m_label->setText(text);
     // Away from the pointer, towards the middle of the plot, so that it is never cut off.
-    const bool left = point->pixel.x() > rect->center().x();
-    const bool above = point->pixel.y() > m_plot.viewport().top() + 60;
+    const bool left = pixel.x() > rect.center().x();
+    const bool above = pixel.y() > m_plot.viewport().top() + 60;
     m_label->setPositionAlignment((left ? Qt::AlignRight : Qt::AlignLeft) |
                                   (above ? Qt::AlignBottom : Qt::AlignTop));
-    m_label->position->setCoords(point->pixel + QPointF(left ? -10 : 10, above ? -8 : 12));
-    m_label->setVisible(true);
-    return true;
+    m_label->position->setCoords(pixel + QPointF(left ? -10 : 10, above ? -8 : 12));
+    m_label->setVisible(!text.isEmpty());
 }
 
 void HoverMark::setStyle(const PlotStyle& style) {

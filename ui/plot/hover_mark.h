@@ -34,8 +34,11 @@ class HoverMark {
   public:
     explicit HoverMark(QCustomPlot& plot) : m_plot(plot) {}
 
-    /// Marks a point, or nothing; returns whether the overlay has to be drawn again.
-    bool show(const std::optional<CurvePoint>& point, const QString& text);
+    /// Marks a point [px] of an axis rect, and reads it where there are words. The overlay has to be drawn
+    /// again then.
+    void show(QCPAxisRect& rect, QPointF pixel, const QString& text);
+    /// Returns whether the overlay has to be drawn again.
+    bool hide();
     void setStyle(const PlotStyle& style);
     /// The label, empty while there is no mark.
     QString text() const;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double zoomPerKey = 0.75;
 constexpr double panPerKey = 0.1;  // of the view
+constexpr int coarseStep = 10;     // with Shift
 constexpr Qt::KeyboardModifiers commandKeys = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
 
 bool takesText(const QWidget& widget) {
@@ -45,14 +46,52 @@ bool PlotKeys::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool PlotKeys::press(const QKeyEvent& event) {
-    return cursorKey(event) || viewKey(event);
+    return pointKey(event) || cursorKey(event) || viewKey(event);
+}
+
+bool PlotKeys::pointKey(const QKeyEvent& event) {
+    KeyPoint& point = m_plot.keyPoint();
+    if (!point.isOffered() || event.modifiers() & commandKeys) return false;
+    const bool isEnter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+    const Qt::KeyboardModifiers shift = event.modifiers() & Qt::ShiftModifier;
+    if (!point.place()) {
+        if (isEnter) point.enter();
+        return isEnter;
+    }
+    const int step = shift ? coarseStep : 1;
+    switch (event.key()) {
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            point.take(shift);
+            return true;
+        case Qt::Key_Escape:
+            point.leave();
+            return true;
+        case Qt::Key_Left:
+        case Qt::Key_Right:
+            point.move(event.key() == Qt::Key_Right ? step : -step, 0);
+            return true;
+        case Qt::Key_Up:
+        case Qt::Key_Down:
+            point.move(0, event.key() == Qt::Key_Up ? step : -step);
+            return true;
+        case Qt::Key_Home:
+        case Qt::Key_End:
+            point.goToEnd(event.key() == Qt::Key_End);
+            return true;
+        case Qt::Key_N:
+            return point.goToMark(!shift);
+        default:
+            return false;
+    }
 }
 
 bool PlotKeys::cursorKey(const QKeyEvent& event) {
     const bool plain = !(event.modifiers() & commandKeys);
     const QPoint pointer = m_plot.mapFromGlobal(QCursor::pos());
-    const auto at = m_plot.rect().contains(pointer) ? std::optional(pointer) : std::nullopt;
-    const double step = event.modifiers() & Qt::ShiftModifier ? 10 : 1;
+    auto at = m_plot.rect().contains(pointer) ? std::optional(pointer) : std::nullopt;
+    if (const std::optional<QPointF> pixel = m_plot.keyPoint().pixel()) at = pixel->toPoint();
+    const double step = event.modifiers() & Qt::ShiftModifier ? coarseStep : 1;
     if (plain && event.key() == Qt::Key_A)
         m_plot.mover().placeAt(PlotCursor::a, at);
     else if (plain && event.key() == Qt::Key_B)

@@ -26,6 +26,7 @@ class PlotKeys : public QObject {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    bool pointKey(const QKeyEvent& event);
     bool cursorKey(const QKeyEvent& event);
     bool viewKey(const QKeyEvent& event);
     bool arrowKey(int key);

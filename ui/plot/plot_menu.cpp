@@ -22,6 +22,7 @@ class PlotActions {
         m_menu.addSeparator();
         addView();
         addCurves();
+        if (m_plot.keyPoint().isOffered()) addKeyPoint();
         if (!m_plot.reader().cursors().rects().isEmpty()) addCursors();
     }
 
@@ -32,6 +33,7 @@ class PlotActions {
     void addScale(QCPAxis* axis, const QString& text);
     void addCurves();
     void addCursors();
+    void addKeyPoint();
 
     QMenu& m_menu;
     PlotWidget& m_plot;
@@ -93,6 +95,16 @@ void PlotActions::addCurves() {
                              if (curve) plot->setCurveVisible(curve, on);
                          });
     }
+}
+
+void PlotActions::addKeyPoint() {
+    QAction* enter =
+        m_menu.addAction(withKey(tr("&Point for keys"), Qt::Key_Enter), &m_plot, [plot = &m_plot] {
+            plot->setFocus();
+            plot->keyPoint().enter();
+        });
+    enter->setToolTip(tr("Arrows move it, N goes to the next mark; Enter then does what a click there does"));
+    enter->setEnabled(!m_plot.keyPoint().place());
 }
 
 void PlotActions::addCursors() {

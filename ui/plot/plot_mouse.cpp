@@ -47,6 +47,7 @@ void PlotMouse::press(const QMouseEvent& event) {
         }
     }
     m_plot.markPoint(std::nullopt);
+    m_plot.keyPoint().leave();
 }
 
 void PlotMouse::move(const QMouseEvent& event) {

@@ -23,6 +23,7 @@ PlotWidget::PlotWidget(QWidget* parent)
       m_view(*this),
       m_mover(*this),
       m_mouse(*this),
+      m_point(new KeyPoint(*this)),
       m_keys(new PlotKeys(*this)) {
     // Antialiased lines of two pixels are drawn an order of magnitude faster this way.
     setPlottingHint(QCP::phFastPolylines, true);
@@ -53,6 +54,7 @@ void PlotWidget::applyStyle(const PlotStyle& style) {
     if (m_restyle) m_restyle(style);
     m_reader.setStyle(style);
     m_hover.setStyle(style);
+    m_point->setStyle(style);
     QColor band = style.lines[0];
     selectionRect()->setPen(QPen(band, 1, Qt::DashLine));
     band.setAlpha(40);
@@ -97,9 +99,15 @@ void PlotWidget::setMeaning(const QCPAbstractPlottable* curve, CurveMeaning mean
 }
 
 void PlotWidget::markPoint(const std::optional<CurvePoint>& point) {
-    const CurveMeaning meaning = point ? m_meanings.value(point->curve) : CurveMeaning();
-    if (m_hover.show(point, point ? pointText(*point, meaning, locale()) : QString()))
-        layer(QStringLiteral("overlay"))->replot();
+    if (point)
+        m_hover.show(*point->curve->keyAxis()->axisRect(), point->pixel, words(*point));
+    else if (!m_hover.hide())
+        return;
+    layer(QStringLiteral("overlay"))->replot();
+}
+
+QString PlotWidget::words(const CurvePoint& point) const {
+    return pointText(point, m_meanings.value(point.curve), locale());
 }
 
 void PlotWidget::setCurveVisible(QCPAbstractPlottable* curve, bool visible) {
@@ -129,7 +137,9 @@ QByteArray PlotWidget::drawing(const QString& format, Millimetres size, double d
     const QLocale shown = locale();
     const bool hadLocale = testAttribute(Qt::WA_SetLocale);
     setLocale(QLocale::c());
-    m_hover.show(std::nullopt, {});
+    m_hover.hide();
+    const bool wasHidden = m_point->isHidden();
+    m_point->setHidden(true);
     applyStyle(PlotStyle::forPaper());
     const QByteArray bytes = [&] {
         const WithoutHiddenEntries legends(*this);
@@ -140,6 +150,7 @@ QByteArray PlotWidget::drawing(const QString& format, Millimetres size, double d
     else
         unsetLocale();
     applyStyle(PlotStyle::forScreen(palette(), font()));
+    m_point->setHidden(wasHidden);
     // The layout is that of the picture until then.
     replot();
     return bytes;
@@ -232,11 +243,13 @@ void PlotWidget::keyPressEvent(QKeyEvent* event) {
 
 void PlotWidget::focusInEvent(QFocusEvent* event) {
     QCustomPlot::focusInEvent(event);
+    m_point->setHidden(false);
     update();
 }
 
 void PlotWidget::focusOutEvent(QFocusEvent* event) {
     QCustomPlot::focusOutEvent(event);
+    m_point->setHidden(true);
     update();
 }
 

@@ -12,6 +12,7 @@
 #include "ui/plot/curve_meaning.h"
 #include "ui/plot/curve_reader.h"
 #include "ui/plot/hover_mark.h"
+#include "ui/plot/key_point.h"
 #include "ui/plot/plot_csv.h"
 #include "ui/plot/plot_mouse.h"
 #include "ui/plot/plot_rendering.h"
@@ -27,8 +28,12 @@ class PlotKeys;
 /// entry hides or shows its curve, a click on a curve has it read at the cursors; cursors can be dragged.
 /// Keys: arrows pan, + and − zoom, Home fits, Backspace or Alt+Left goes back, A, B and T place cursors at
 /// the pointer (in the middle when it is elsewhere), Ctrl+Left and Ctrl+Right move the cursor placed last by
-/// a pixel, with Shift by ten. The wheel takes the focus; Backspace, A, B and T go to the plot below the
-/// pointer wherever the focus is, but in fields for text.
+/// a pixel, with Shift by ten. Where a page has offered places to keyPoint(), Enter puts a point there, which
+/// arrows move by a pixel (from point to point, from curve to curve), with Shift by ten, Home and End to the
+/// ends, N and Shift+N to the next and the last mark; Enter then is a click there, Shift+Enter one with
+/// Shift, A and B place cursors there, and Esc takes it away, as a click of the mouse does. The wheel takes
+/// the focus; Backspace, A, B and T go to the plot below the pointer wherever the focus is, but in fields for
+/// text.
 ///
 /// The curves that are read, hidden and copied are those with an entry in a legend. All axis rects that hold
 /// graphs are taken to share one x axis; linking their ranges is up to the page. Every x and y here is in the
@@ -53,10 +58,14 @@ class PlotWidget : public QCustomPlot {
     CurveReader& reader() { return m_reader; }
     CursorMover& mover() { return m_mover; }
     PlotView& view() { return m_view; }
+    /// The point that keys move; a page says where it may go.
+    KeyPoint& keyPoint() { return *m_point; }
     /// Whether the page follows the time cursor: it has connected timeCursorDragged().
     bool offersTime() const;
     /// Marks a point of a curve and reads it in words, or nothing.
     void markPoint(const std::optional<CurvePoint>& point);
+    /// A point of a curve in words.
+    QString words(const CurvePoint& point) const;
     /// What is marked at the pointer, in words; empty when nothing is.
     QString hoverText() const { return m_hover.text(); }
 
@@ -135,6 +144,7 @@ class PlotWidget : public QCustomPlot {
     PlotView m_view;
     CursorMover m_mover;
     PlotMouse m_mouse;
+    KeyPoint* m_point;
     PlotKeys* m_keys;
 };
 

@@ -3,13 +3,15 @@
 
 #include <QCoreApplication>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QMessageBox>
+#include <QPrintDialog>
+#include <QPrinter>
 #include <QPushButton>
 #include <cstdio>
 
+#include "ui/questions/export_dialog.h"
 #include "ui/questions/folder_dialog.h"
 #include "ui/questions/picture_dialog.h"
 
@@ -23,6 +25,10 @@ QString tr(const char* text) {
 bool someoneIsThere() {
     const QString platform = QGuiApplication::platformName();
     return platform != QLatin1String("offscreen") && platform != QLatin1String("minimal");
+}
+
+void printOut(const QString& what, const QString& details) {
+    std::fprintf(stderr, "%s: %s\n", qPrintable(what), qPrintable(details));
 }
 
 QString scenarioFilter() {
@@ -51,6 +57,19 @@ Questions::Unsaved DialogQuestions::unsavedChanges(QWidget* parent, const QStrin
     }
 }
 
+bool DialogQuestions::closeAllTheSame(QWidget* parent, const QString& what, const QString& details) {
+    if (!someoneIsThere()) {
+        printOut(what, details);
+        return true;
+    }
+    QMessageBox box(QMessageBox::Warning, tr("Drillwave"), what, QMessageBox::Cancel, parent);
+    box.setInformativeText(details);
+    const QAbstractButton* closes = box.addButton(tr("Close all the same"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == closes;
+}
+
 QString DialogQuestions::fileToOpen(QWidget* parent, const QString& folder) {
     if (!someoneIsThere()) return {};
     return QFileDialog::getOpenFileName(parent, tr("Open a scenario"), folder, openFilter());
@@ -74,11 +93,18 @@ QString DialogQuestions::fileToSave(QWidget* parent, const QString& suggestion) 
 QString DialogQuestions::fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
                                       const QString& filter) {
     if (!someoneIsThere()) return {};
-    QFileDialog dialog(parent, title, suggestion, filter);
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QFileInfo(suggestion).suffix());
-    dialog.selectFile(suggestion);
+    ExportDialog dialog(parent, title, suggestion, filter);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+std::unique_ptr<QPrinter> DialogQuestions::printer(QWidget* parent, const QString& title) {
+    if (!someoneIsThere()) return nullptr;
+    auto printer = std::make_unique<QPrinter>(QPrinter::HighResolution);
+    printer->setDocName(title);
+    QPrintDialog dialog(printer.get(), parent);
+    dialog.setWindowTitle(title);
+    dialog.setOption(QAbstractPrintDialog::PrintPageRange, false);  // nobody knows the pages yet
+    return dialog.exec() == QDialog::Accepted ? std::move(printer) : nullptr;
 }
 
 QString DialogQuestions::folderToExport(QWidget* parent, const QString& suggestion) {
@@ -120,10 +146,7 @@ Questions::Recovery DialogQuestions::recover(QWidget* parent, const QString& nam
 }
 
 void DialogQuestions::tell(QWidget* parent, Tone tone, const QString& what, const QString& details) {
-    if (!someoneIsThere()) {
-        std::fprintf(stderr, "%s: %s\n", qPrintable(what), qPrintable(details));
-        return;
-    }
+    if (!someoneIsThere()) return printOut(what, details);
     auto* box = new QMessageBox(tone == Tone::failure ? QMessageBox::Warning : QMessageBox::Information,
                                 tr("Drillwave"), what, QMessageBox::Ok, parent);
     box->setInformativeText(details);

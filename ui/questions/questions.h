@@ -3,10 +3,12 @@
 #pragma once
 
 #include <QString>
+#include <memory>
 #include <optional>
 
 #include "ui/questions/picture_choice.h"
 
+class QPrinter;
 class QWidget;
 
 namespace drillwave {
@@ -20,6 +22,8 @@ class Questions {
     virtual ~Questions() = default;
     /// What to do with changes that would be lost.
     virtual Unsaved unsavedChanges(QWidget* parent, const QString& name) = 0;
+    /// Whether to close the window although something has not been written: what, and why.
+    virtual bool closeAllTheSame(QWidget* parent, const QString& what, const QString& details) = 0;
     /// The file to open; empty when the user gave up.
     virtual QString fileToOpen(QWidget* parent, const QString& folder) = 0;
     /// A file to take something from, other than a scenario; empty when the user gave up.
@@ -27,9 +31,12 @@ class Questions {
                                  const QString& filter) = 0;
     /// Where to save, overwriting confirmed; empty when the user gave up.
     virtual QString fileToSave(QWidget* parent, const QString& suggestion) = 0;
-    /// Where to write something else than a scenario, overwriting confirmed; empty when the user gave up.
+    /// Where to write something else than a scenario, overwriting confirmed; empty when the user gave up. A
+    /// name without an ending gets that of the filter.
     virtual QString fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
                                  const QString& filter) = 0;
+    /// A printer, set up by the user for a document of that name; nothing when the user gave up.
+    virtual std::unique_ptr<QPrinter> printer(QWidget* parent, const QString& title) = 0;
     /// The folder to write several files into; empty when the user gave up.
     virtual QString folderToExport(QWidget* parent, const QString& suggestion) = 0;
     /// Format, size and resolution of a picture; nothing when the user gave up.
@@ -44,17 +51,19 @@ class Questions {
 };
 
 /// Asks by dialogs. On a platform without a screen nobody could answer, so there every question is answered
-/// by "cancel" or "later" and the unsaved changes of a closing window are dropped; what is told goes to the
-/// error output.
+/// by "cancel" or "later", but a window may always be closed: its unsaved changes are dropped. What is told
+/// goes to the error output.
 class DialogQuestions : public Questions {
   public:
     Unsaved unsavedChanges(QWidget* parent, const QString& name) override;
+    bool closeAllTheSame(QWidget* parent, const QString& what, const QString& details) override;
     QString fileToOpen(QWidget* parent, const QString& folder) override;
     QString fileToImport(QWidget* parent, const QString& title, const QString& folder,
                          const QString& filter) override;
     QString fileToSave(QWidget* parent, const QString& suggestion) override;
     QString fileToExport(QWidget* parent, const QString& title, const QString& suggestion,
                          const QString& filter) override;
+    std::unique_ptr<QPrinter> printer(QWidget* parent, const QString& title) override;
     QString folderToExport(QWidget* parent, const QString& suggestion) override;
     std::optional<PictureChoice> picture(QWidget* parent, const PictureChoice& before) override;
     bool confirm(QWidget* parent, const QString& question, const QString& details,

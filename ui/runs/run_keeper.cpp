@@ -4,10 +4,10 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <algorithm>
+#include <utility>
 
+#include "core/file/kept_runs.h"
 #include "core/file/scenario_reader.h"
-#include "core/text/text_input.h"
 #include "ui/document/table_name.h"
 #include "ui/text/shown_text.h"
 
@@ -18,29 +18,13 @@ std::string nativePath(const QString& path) {
     return QFile::encodeName(path).toStdString();
 }
 
-bool isSame(const std::vector<NamedFile>& a, const std::vector<NamedFile>& b) {
-    return std::ranges::equal(a, b, [](const NamedFile& one, const NamedFile& other) {
-        return one.name == other.name && one.bytes == other.bytes;
-    });
-}
-
-/// What is there under the names of these files.
-std::vector<NamedFile> filesAsTheyAre(const std::string& folder, const std::vector<NamedFile>& named) {
-    std::vector<NamedFile> files;
-    for (const NamedFile& file : named) {
-        FileBytes found = readFile(folder + "/" + file.name, maximumScenarioBytes);
-        if (found.problem.empty()) files.push_back({file.name, std::move(found.bytes)});
-    }
-    return files;
-}
-
 }  // namespace
 
-RunKeeper::RunKeeper(Document& document, Runs& runs, QObject* parent)
-    : QObject(parent), m_document(document), m_runs(runs) {
+RunKeeper::RunKeeper(Document& document, Runs& runs, QObject* parent, Write write)
+    : QObject(parent), m_document(document), m_runs(runs), m_write(std::move(write)) {
     m_due.setSingleShot(true);
     m_due.setInterval(0);
-    connect(&m_due, &QTimer::timeout, this, &RunKeeper::writeNow);
+    connect(&m_due, &QTimer::timeout, this, &RunKeeper::begin);
     connect(&document, &Document::saved, this, &RunKeeper::followSaved);
     connect(&document, &Document::replaced, this, [this] {
         leave();
@@ -53,31 +37,35 @@ RunKeeper::RunKeeper(Document& document, Runs& runs, QObject* parent)
 
 RunKeeper::~RunKeeper() {
     blockSignals(true);
-    if (m_due.isActive()) writeNow();
+    finish();
 }
 
 QString RunKeeper::folder() const {
-    return m_path.isEmpty() ? QString() : QFile::decodeName(runsFolderOf(nativePath(m_path)).c_str());
+    return QFile::decodeName(m_folder.path().c_str());
+}
+
+void RunKeeper::moveTo(const QString& path) {
+    m_path = path;
+    m_folder = path.isEmpty() ? RunsFolder() : RunsFolder(runsFolderOf(nativePath(path)));
+    m_partial = false;
+    m_runs.reserve({});
 }
 
 // What is kept goes with its file.
 void RunKeeper::leave() {
-    if (m_due.isActive()) writeNow();
+    finishAndTell();
     const bool wasKept = m_kept;
     setKept(false);
-    m_path = m_document.path();
-    m_files.clear();
-    m_partial = false;
-    m_runs.reserve({});
+    moveTo(m_document.path());
     if (wasKept) m_runs.clear();
 }
 
 void RunKeeper::read() {
     if (m_path.isEmpty()) return;
-    const KeptRuns found = readRuns(nativePath(folder()), nativePath(m_path));
+    const KeptRuns found = readRuns(m_folder.path(), nativePath(m_path));
     m_runs.reserve(found.foreign);
-    m_files = filesAsTheyAre(nativePath(folder()), runFiles(found.runs));
-    if (m_files.empty() && found.problems.empty()) return;  // an index without runs is one all the same
+    m_folder.adopt(runFiles(found.runs));
+    if (!m_folder.hasFiles() && found.problems.empty()) return;  // an index without runs is one all the same
     QStringList problems;
     for (const std::string& problem : found.problems) problems << QString::fromStdString(problem);
     for (const QString& title : m_runs.add(found.runs))
@@ -99,61 +87,39 @@ void RunKeeper::read() {
 
 void RunKeeper::followSaved() {
     if (m_document.path() == m_path) return;
-    if (m_due.isActive()) writeNow();
-    m_path = m_document.path();
-    m_files.clear();
-    m_partial = false;
-    m_runs.reserve({});
+    finishAndTell();
+    moveTo(m_document.path());
     if (!m_kept) return read();
     if (holdsOthers()) {
         setKept(false);
         emit othersFound(folder());
-    } else if (const QString problem = keep(); !problem.isEmpty()) {
-        setKept(false);
-        emit failed(tr("The runs are not kept beside the new file."), problem);
+    } else {
+        order({Order::Reason::wish, ExistingFiles::kept, tr("The runs are not kept beside the new file.")});
+        begin();
     }
 }
 
-bool RunKeeper::holdsOthers() const {
+bool RunKeeper::holdsOthers() {
+    finishAndTell();
     if (folder().isEmpty()) return false;
-    return m_partial || (m_files.empty() && QFileInfo::exists(folder())) || !foreignFile().empty();
-}
-
-// A file that is there and not as it was read or written.
-bool RunKeeper::isForeign(const std::string& name) const {
-    const std::string path = nativePath(folder()) + "/" + name;
-    if (!isThere(path)) return false;
-    const auto ours = std::ranges::find(m_files, name, &NamedFile::name);
-    const FileBytes found = readFile(path, maximumScenarioBytes);
-    return ours == m_files.end() || !found.problem.empty() || found.bytes != ours->bytes;
-}
-
-// The first one that writing would replace or remove; empty where there is none.
-std::string RunKeeper::foreignFile() const {
-    std::vector<std::string> names = FolderFiles{runFiles(m_runs.toKeep()), {}}.names();
-    for (const NamedFile& file : m_files) names.push_back(file.name);
-    const auto found = std::ranges::find_if(names, [this](const auto& name) { return isForeign(name); });
-    return found == names.end() ? std::string() : *found;
+    return m_partial || (!m_folder.hasFiles() && QFileInfo::exists(folder())) ||
+           !m_folder.foreignFile(runFiles(m_runs.toKeep())).empty();
 }
 
 QString RunKeeper::keep(ExistingFiles existing) {
     if (folder().isEmpty())
         return tr("The scenario has no file yet: save it first, the runs are kept beside it.");
-    if (const QString problem = write(existing); !problem.isEmpty()) return problem;
-    m_runs.reserve(readRuns(nativePath(folder()), nativePath(m_path)).foreign);
+    order({Order::Reason::wish, existing, tr("The runs are not kept.")});
     setKept(true);
+    begin();
     return {};
 }
 
 void RunKeeper::giveUp() {
-    m_due.stop();
+    m_order.reset();
+    finishAndTell();
     setKept(false);
-    for (const NamedFile& file : m_files)
-        if (!isForeign(file.name))
-            QFile::remove(folder() + QLatin1Char('/') + QString::fromStdString(file.name));
-    QFile::remove(folder() + QStringLiteral("/.drillwave.lock"));
-    QDir().rmdir(folder());
-    m_files.clear();
+    m_folder.remove();
 }
 
 void RunKeeper::setKept(bool kept) {
@@ -176,51 +142,87 @@ std::vector<NamedFile> RunKeeper::files() const {
 }
 
 void RunKeeper::writeSoon() {
-    if (m_kept) m_due.start();
+    if (!m_kept) return;
+    // A wish that waits writes the change too.
+    if (!m_order) order({Order::Reason::change, ExistingFiles::kept, tr("The runs are not kept any more.")});
+    m_due.start();
 }
 
-void RunKeeper::writeNow() {
+void RunKeeper::order(Order order) {
+    m_order = std::move(order);
+}
+
+// The worker does one after another: the end of what it writes begins what has come meanwhile.
+void RunKeeper::begin() {
     m_due.stop();
-    if (const QString problem = write(ExistingFiles::kept); !problem.isEmpty()) {
-        setKept(false);
-        emit failed(tr("The runs are not kept any more."), problem);
-    }
-}
-
-// The disk is waited for with every file. The index, which is last, tells that the folder is complete.
-void RunKeeper::leaveOutWritten(std::vector<NamedFile>& files) const {
-    const std::string index = files.back().name;
-    std::erase_if(files, [&](const NamedFile& file) {
-        const auto ours = std::ranges::find(m_files, file.name, &NamedFile::name);
-        const bool isWritten = ours != m_files.end() && ours->bytes == file.bytes;
-        return isWritten && file.name != index && isThere(nativePath(folder()) + "/" + file.name);
+    if (m_job) return;
+    if (const QString problem = prepare(); !problem.isEmpty()) return emit failed(m_failure, fail(problem));
+    if (!m_job) return;
+    m_worker.submit([this, job = m_job](const std::stop_token& /*stop*/) -> Worker::Delivery {
+        job->run();
+        return [this, job] {
+            if (job != m_job) return;
+            if (const QString problem = take(); !problem.isEmpty()) emit failed(m_failure, problem);
+            begin();
+        };
     });
 }
 
-QString RunKeeper::write(ExistingFiles existing) {
-    std::vector<NamedFile> wanted;
+// Makes a job of what is ordered and differs from what is there. Returns why that cannot be written.
+QString RunKeeper::prepare() {
+    const std::optional<Order> order = std::exchange(m_order, std::nullopt);
+    if (!order) return {};
+    m_failure = order->failure;
     try {
-        wanted = files();
+        std::vector<NamedFile> wanted = files();
+        if (order->reason == Order::Reason::change && m_folder.holds(wanted)) return {};
+        m_job = std::make_shared<Job>(Job{m_write, m_folder, std::move(wanted), order->existing, {}, {}});
+        return {};
     } catch (const ScenarioError& error) {
         return QString::fromUtf8(error.what());
     }
-    if (m_kept && isSame(m_files, wanted)) return {};
-    if (const std::string foreign = foreignFile(); existing == ExistingFiles::kept && !foreign.empty())
-        return tr("%1: has been put there or changed by somebody else; move it away, or keep the runs again "
-                  "to replace it")
-            .arg(QDir::toNativeSeparators(folder() + QLatin1Char('/') + QString::fromStdString(foreign)));
-    FolderFiles folderFiles{wanted, {}};
-    std::vector<std::string> outdated;
-    const std::vector<std::string> names = folderFiles.names();
-    for (const NamedFile& file : m_files)
-        if (std::ranges::find(names, file.name) == names.end()) outdated.push_back(file.name);
-    folderFiles.outdated = [outdated](const std::string&) { return outdated; };
-    if (existing == ExistingFiles::kept) leaveOutWritten(folderFiles.files);
-    const FolderEnd end = writeWholeFolder(nativePath(folder()), folderFiles, ExistingFiles::replaced);
-    if (!end.isWritten()) return translated(end.problem);
-    m_files = std::move(wanted);
+}
+
+void RunKeeper::Job::run() {
+    problem = write(folder, files, existing);
+    foreignNumbers = folder.foreignNumbers();
+}
+
+// What has come of a job that is done.
+QString RunKeeper::take() {
+    const std::shared_ptr<Job> job = std::exchange(m_job, nullptr);
+    if (!job->problem->isEmpty()) return fail(translated(*job->problem));
+    m_folder = std::move(job->folder);
     m_partial = false;
+    m_runs.reserve(std::move(job->foreignNumbers));
     return {};
+}
+
+QString RunKeeper::fail(const QString& problem) {
+    m_order.reset();
+    m_due.stop();
+    setKept(false);
+    return problem;
+}
+
+QString RunKeeper::finish() {
+    m_due.stop();
+    while (m_job || m_order) {
+        if (!m_job) {
+            if (const QString problem = prepare(); !problem.isEmpty()) return fail(problem);
+            if (!m_job) break;
+        }
+        // Whether the worker had begun with it or not.
+        m_worker.cancel();
+        m_worker.waitForThread();
+        if (!m_job->problem) m_job->run();
+        if (const QString problem = take(); !problem.isEmpty()) return problem;
+    }
+    return {};
+}
+
+void RunKeeper::finishAndTell() {
+    if (const QString problem = finish(); !problem.isEmpty()) emit failed(m_failure, problem);
 }
 
 }  // namespace drillwave

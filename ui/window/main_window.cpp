@@ -31,6 +31,7 @@
 #include "ui/text/number_text.h"
 #include "ui/text/unit_choice.h"
 #include "ui/window/area_keys.h"
+#include "ui/window/blow_ghost.h"
 #include "ui/window/example_note.h"
 #include "ui/window/file_drop.h"
 #include "ui/window/file_menu.h"
@@ -38,12 +39,12 @@
 #include "ui/window/help_menu.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
-#include "ui/window/plot_view_menu.h"
 #include "ui/window/recovery_offer.h"
 #include "ui/window/study_menu.h"
 #include "ui/window/tab_strip.h"
 #include "ui/window/table_notice.h"
 #include "ui/window/units_choice.h"
+#include "ui/window/view_menu.h"
 #include "ui/window/window_layout.h"
 
 namespace drillwave {
@@ -102,7 +103,8 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     addMenus();
     addStatusBar();
     wire();
-    wireGhost();
+    new BlowGhost(
+        m_document, *m_scenarioPanel, *m_pages, [this] { return m_shown; }, this);
     wireSolving();
     wireImport();
     presentState();
@@ -168,7 +170,7 @@ void MainWindow::addMenus() {
          [this](const QString& what, auto then) { m_solveStatus->whenCurrent(what, std::move(then)); }},
         this);
     m_fileMenu = new FileMenu(m_document, *m_questions, m_watch, m_exportMenu, this);
-    m_fileMenu->insertAction(m_exportMenu->menuAction(), m_report->action());
+    m_fileMenu->insertActions(m_exportMenu->menuAction(), {m_report->action(), m_report->printAction()});
     m_fileMenu->insertAction(m_exportMenu->menuAction(), m_runs->keepAction());
     menuBar()->addMenu(m_fileMenu);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -179,27 +181,10 @@ void MainWindow::addMenus() {
     edit->addActions({undo, redo});
     edit->addSeparator();
     edit->addAction(m_runs->pinAction());
-    addViewMenu();
+    auto* areas = new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultSide}, this);
+    menuBar()->addMenu(new ViewMenu({*m_units, *m_pages, *areas, *m_layout, *m_exampleNote}, this));
     menuBar()->addMenu(new StudyMenu(*m_pages, this));
     menuBar()->addMenu(new HelpMenu(*m_questions, this));
-}
-
-void MainWindow::addViewMenu() {
-    QMenu* view = menuBar()->addMenu(tr("&View"));
-    view->addMenu(m_units);
-    view->addSeparator();
-    view->addAction(tr("&Fit plots"), QKeySequence(Qt::CTRL | Qt::Key_0), this,
-                    [this] { m_pages->current().fit(); });
-    auto* plot = new PlotViewMenu(*m_pages, this);
-    view->addMenu(plot);
-    view->addAction(plot->tableAction());
-    view->addSeparator();
-    m_pages->addTo(*view);
-    (new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultSide}, this))->addTo(*view);
-    view->addSeparator();
-    m_layout->addTo(*view);
-    view->addSeparator();
-    view->addAction(m_exampleNote->action());
 }
 
 void MainWindow::addStatusBar() {
@@ -227,22 +212,6 @@ void MainWindow::wire() {
     connect(m_resultPanel, &ResultPanel::placeChosen, this, &MainWindow::goToPlace);
     connect(m_resultPanel, &ResultPanel::parameterChosen, m_scenarioPanel.get(), &ScenarioPanel::goTo);
     connect(qApp, &QGuiApplication::commitDataRequest, this, &MainWindow::endSession, Qt::DirectConnection);
-}
-
-// The case before a drag stays to compare with until its end, that before a preset until the next change.
-void MainWindow::wireGhost() {
-    const auto setGhost = [this](const SolvedBlowPtr& before) { m_pages->current().setGhost(before); };
-    connect(m_scenarioPanel.get(), &ScenarioPanel::dragStarted, this, [=, this] { setGhost(m_shown); });
-    connect(m_scenarioPanel.get(), &ScenarioPanel::dragEnded, this, [=] { setGhost(nullptr); });
-    connect(&m_document, &Document::presetTaken, this, [=, this] {
-        setGhost(m_shown);
-        m_ghostStays = GhostStay::overThisChange;
-    });
-    connect(&m_document, &Document::scenarioChanged, this, [=, this] {
-        if (m_ghostStays == GhostStay::untilTheNextChange) setGhost(nullptr);
-        m_ghostStays =
-            m_ghostStays == GhostStay::overThisChange ? GhostStay::untilTheNextChange : GhostStay::no;
-    });
 }
 
 // What is asked of the job, and what waits for its answer.
@@ -318,7 +287,7 @@ void MainWindow::startRecovery(const QString& folder) {
 // The desktop ends the session: the window may not get another chance to ask.
 void MainWindow::endSession(QSessionManager& session) {
     if (!session.allowsInteraction()) return;
-    if (m_fileMenu->mayDiscard())
+    if (mayClose())
         saveChoices();
     else
         session.cancel();
@@ -372,8 +341,12 @@ void MainWindow::saveChoices() const {
     m_pages->saveChoice();
 }
 
+bool MainWindow::mayClose() {
+    return m_fileMenu->mayDiscard() && m_runs->mayClose();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_fileMenu->mayDiscard()) return event->ignore();
+    if (!mayClose()) return event->ignore();
     saveChoices();
     if (m_recovery) m_recovery->end();
     event->accept();

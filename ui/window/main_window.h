@@ -61,14 +61,13 @@ class MainWindow : public QMainWindow {
     void addCenter();
     void addDocks();
     void addMenus();
-    void addViewMenu();
     void addStatusBar();
     void wire();
-    void wireGhost();
     void wireSolving();
     void wireImport();
     void followPage();
     void goToPlace(double section, double time);
+    bool mayClose();
     void saveChoices() const;
     void endSession(QSessionManager& session);
     void inform(const QString& message);
@@ -82,7 +81,7 @@ class MainWindow : public QMainWindow {
     Document m_document;
     FileWatch m_watch{m_document, this};
     Observation m_observation{this};
-    MeasuredList m_measured{this};
+    MeasuredList m_measured{m_document.undoStack(), this};
     std::unique_ptr<Questions> m_questions;
     std::unique_ptr<SolveJob> m_job;
     SolvedBlowPtr m_shown;
@@ -103,9 +102,6 @@ class MainWindow : public QMainWindow {
     SolveStatus* m_solveStatus;
     StudyStatus* m_studyStatus;
     WindowLayout* m_layout;
-    // What a preset leaves of the case before it.
-    enum class GhostStay { no, overThisChange, untilTheNextChange };
-    GhostStay m_ghostStays = GhostStay::no;
     // Hands the last edits over as it goes: while all of the above is still there.
     std::unique_ptr<ScenarioPanel> m_scenarioPanel;
     std::unique_ptr<Importer> m_importer;

@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QDir>
 #include <QFile>
+#include <utility>
 
 #include "ui/pages/compare/compare_page.h"
 #include "ui/result/result_panel.h"
@@ -31,13 +32,11 @@ PinnedRuns::PinnedRuns(Document& document, Questions& questions, QWidget* window
     connect(m_keepAction, &QAction::triggered, this, &PinnedRuns::keep);
     connect(&m_keeper, &RunKeeper::keptChanged, m_keepAction, &QAction::setChecked);
     connect(&m_keeper, &RunKeeper::failed, this, &PinnedRuns::fail);
-    // Once saving is over: others hear of it while the question is open. Another file may be opened then.
-    connect(
-        &m_keeper, &RunKeeper::othersFound, this,
-        [this](const QString& folder) {
-            if (folder == m_keeper.folder() && !m_keeper.isKept()) keep(true);
-        },
-        Qt::QueuedConnection);
+    // Once saving is over: others hear of it while the question is open.
+    connect(&m_keeper, &RunKeeper::othersFound, this, [this](const QString& folder) {
+        m_othersFolder = folder;
+        QMetaObject::invokeMethod(this, &PinnedRuns::askAboutOthers, Qt::QueuedConnection);
+    });
     connect(m_panel, &RunPanel::revertRequested, this, &PinnedRuns::revertTo);
 }
 
@@ -108,6 +107,18 @@ void PinnedRuns::keep(bool wanted) {
             fail(tr("The runs are not kept."), problem);
     }
     m_keepAction->setChecked(m_keeper.isKept());
+}
+
+// Another file may have been opened meanwhile.
+void PinnedRuns::askAboutOthers() {
+    const QString folder = std::exchange(m_othersFolder, QString());
+    if (!folder.isEmpty() && folder == m_keeper.folder() && !m_keeper.isKept()) keep(true);
+}
+
+bool PinnedRuns::mayClose() {
+    askAboutOthers();
+    const QString problem = m_keeper.finish();
+    return problem.isEmpty() || m_questions.closeAllTheSame(m_window, tr("The runs are not kept."), problem);
 }
 
 void PinnedRuns::fail(const QString& what, const QString& problem) {

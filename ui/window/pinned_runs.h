@@ -42,10 +42,14 @@ class PinnedRuns : public QObject {
     void pin();
     /// Brings back the scenario of a run, as one undo step.
     void revertTo(int number);
+    /// Asks what is still to be asked, and waits until the runs are written. False where that has failed and
+    /// the user would rather have the window stay.
+    bool mayClose();
 
   private:
     void pin(ScenarioDocument contents, const SolvedBlowPtr& blow);
     void keep(bool wanted);
+    void askAboutOthers();
     void fail(const QString& what, const QString& problem);
 
     Document& m_document;
@@ -58,6 +62,7 @@ class PinnedRuns : public QObject {
     QAction* m_keepAction;
     RunPanel* m_panel;
     SolvedBlowPtr m_now;
+    QString m_othersFolder;  // to be asked about; empty without
 };
 
 }  // namespace drillwave

@@ -17,6 +17,8 @@ namespace drillwave {
 namespace {
 
 constexpr int cellsOfPeriod = 8;  // to begin with
+/// Of a period over which all is smooth: the nodes of each cell.
+constexpr long leastSolves = cellsOfPeriod * static_cast<long>(Chebyshev::mostNodes);
 constexpr std::size_t mostHammerCuts = 64;
 constexpr double nearestCuts = 1e-11;
 constexpr double negligibleImpulse = 1e-13;
@@ -27,13 +29,24 @@ constexpr long mostFailedPieces = 50'000'000;
 /// One blow after another, each at another gap.
 class GapSampler {
   public:
-    GapSampler(const Problem& problem, Detail detail, std::stop_token stop)
-        : m_problem(problem), m_detail(detail), m_stop(std::move(stop)) {}
+    GapSampler(const Problem& problem, Detail detail, std::stop_token stop, long mostPieces)
+        : m_problem(problem),
+          m_detail(detail),
+          m_stop(std::move(stop)),
+          m_piecesLeft(mostPieces),
+          m_mostOfABlow(mostPieces / leastSolves) {}
 
     FitSample operator()(double gap) {
         FitSample sample;
+        if (m_piecesLeft <= 0) {
+            sample.effort = mostFailedPieces;  // gives up
+            m_reason = tooManyPieces;
+            return sample;
+        }
         m_problem.gap = gap;
         const Impact impact = m_solver.solve(m_problem, m_detail, m_stop);
+        // A blow that shows that they will not do ends the work at once.
+        m_piecesLeft = impact.pieces > m_mostOfABlow ? 0 : m_piecesLeft - impact.pieces;
         if (impact.outcome != Outcome::rebounded) {
             sample.effort = impact.pieces;
             m_reason = impact.reason;
@@ -60,6 +73,8 @@ class GapSampler {
     Problem m_problem;  // with the gap that is being solved
     Detail m_detail;
     std::stop_token m_stop;
+    long m_piecesLeft;
+    long m_mostOfABlow;
     ExactSolver m_solver;
     std::string m_reason;
 };
@@ -106,7 +121,7 @@ double gapPeriodStart(const Problem& problem) {
 }
 
 GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop_token stop,
-                  const GapProgress& progress) {
+                  const GapProgress& progress, long mostPieces) {
     assert(start >= 0 && start <= gapPeriodStart(problem));
     GapCurve curve;
     curve.periodStart = gapPeriodStart(problem);
@@ -123,7 +138,7 @@ GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop
         .scale = {1, 0, 1},
         .scaleGrows = {false, true, false},  // the peak force is seen only when solving
         .mostFailedEffort = mostFailedPieces};
-    GapSampler sampler(problem, detail, stop);
+    GapSampler sampler(problem, detail, stop, mostPieces);
     const FitFunction sample = [&](double gap) { return sampler(gap); };
     const FitProgress upTo = [&](double gap) {
         if (progress) progress((gap - curve.start) / (curve.end - curve.start));
@@ -142,8 +157,9 @@ GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop
     return curve;
 }
 
-GapCurve gapCurve(const Problem& problem, Detail detail, std::stop_token stop, const GapProgress& progress) {
-    return gapCurve(problem, gapPeriodStart(problem), detail, std::move(stop), progress);
+GapCurve gapCurve(const Problem& problem, Detail detail, std::stop_token stop, const GapProgress& progress,
+                  long mostPieces) {
+    return gapCurve(problem, gapPeriodStart(problem), detail, std::move(stop), progress, mostPieces);
 }
 
 double GapCurve::value(GapOutput output, double gap) const {

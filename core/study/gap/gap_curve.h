@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/numeric/piecewise_fit.h"
@@ -20,6 +22,17 @@ inline constexpr std::size_t gapOutputCount = 3;
 
 /// So many times at most may the wave of the hammer have returned before the hammer has ended.
 inline constexpr double maximumGapPeriodStart = 10'000;
+
+/// Of the blows of one curve, all together, where the study of all gaps is an addition that nobody has asked
+/// for by name: in a report, and for the margin of the thrust in the files of a run. At four to ten
+/// million a second that is two to four seconds, and three curves make a report. Counted, not timed, so that
+/// what is written does not depend on the machine. `gap` and `thrust` themselves have no such limit.
+inline constexpr long mostPiecesInPassing = 16'000'000;
+inline constexpr long anyNumberOfPieces = std::numeric_limits<long>::max();
+
+/// GapCurve::reason of a curve that was given up because of such a limit.
+inline constexpr std::string_view tooManyPieces =
+    "its blows over all gaps have more wave pieces than are followed in passing";
 
 /// The gap δ = d/d0 from which on results have period 1 in it: 0 where the hammer has ended before the first
 /// reflection is back, else the next whole number beyond which every contact is late enough (theory §4);
@@ -58,13 +71,14 @@ using GapProgress = std::function<void(double)>;
 /// Interpolates what `detail` asks for (cor: e alone; summary: all outputs) over [start, periodStart + 1),
 /// the gap of `problem` being replaced. Pieces end where the order of events changes, found by bracketing to
 /// 1e-12, and are halved until polynomials through the solver's values agree with it: to 1e-10 in e and in
-/// the efficiency, and relatively in the peak force. 0 ≤ start ≤ periodStart.
+/// the efficiency, and relatively in the peak force. 0 ≤ start ≤ periodStart. When the blows have had
+/// `mostPieces` wave pieces there is no answer for the rest.
 GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop_token stop = {},
-                  const GapProgress& progress = {});
+                  const GapProgress& progress = {}, long mostPieces = anyNumberOfPieces);
 
 /// Over one period.
 GapCurve gapCurve(const Problem& problem, Detail detail, std::stop_token stop = {},
-                  const GapProgress& progress = {});
+                  const GapProgress& progress = {}, long mostPieces = anyNumberOfPieces);
 
 /// Gaps at which to draw the curve: the ends of its pieces, but for slivers, and no more than 1/500 apart.
 std::vector<double> sampleGaps(const GapCurve& curve);

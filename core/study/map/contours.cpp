@@ -2,13 +2,14 @@
 #include "core/study/map/contours.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "core/numeric/brent.h"
+#include "core/numeric/ordered_work.h"
+#include "core/study/map/contour_course.h"
 #include "core/study/map/map_point.h"
 
 namespace drillwave {
@@ -18,61 +19,6 @@ namespace {
 /// Where a point is nearer to the level than this, in the same measure as contourAccuracy, it takes the level
 /// as far as double precision tells; where it is not, the output jumps.
 constexpr double coarsestAccuracy = 1e-9;
-
-/// The points of a grid that are there in every row and column: its nodes.
-class Nodes {
-  public:
-    Nodes(const MapGrid& grid, double level)
-        : m_grid(grid),
-          m_level(level),
-          m_stride(grid.stride()),
-          m_columns(m_stride ? (grid.columns() - 1) / m_stride + 1 : 0),
-          m_rows(m_stride ? (grid.rows() - 1) / m_stride + 1 : 0) {}
-
-    std::size_t columns() const { return m_columns; }
-    std::size_t rows() const { return m_rows; }
-    double x(std::size_t i) const { return m_grid.xs()[i * m_stride]; }
-    double y(std::size_t j) const { return m_grid.ys()[j * m_stride]; }
-    double value(std::size_t i, std::size_t j) const { return m_grid.value(i * m_stride, j * m_stride); }
-    bool hasValue(std::size_t i, std::size_t j) const { return !std::isnan(value(i, j)); }
-    bool isAbove(std::size_t i, std::size_t j) const { return value(i, j) >= m_level; }
-
-  private:
-    const MapGrid& m_grid;
-    double m_level;
-    std::size_t m_stride, m_columns, m_rows;
-};
-
-/// The line from a node to the next one along x or along y.
-struct Edge {
-    std::size_t i = 0, j = 0;
-    bool isAlongX = true;
-    auto operator<=>(const Edge&) const = default;
-};
-
-/// The square that begins at a node, with those of its edges that the contour crosses: two, or all four.
-struct Square {
-    std::size_t i = 0, j = 0;
-    std::array<Edge, 4> crossed;  // all four in the order bottom, right, top, left
-    std::size_t count = 0;
-    bool isSaddle() const { return count == 4; }
-};
-
-std::optional<Square> squareAt(const Nodes& nodes, std::size_t i, std::size_t j) {
-    for (const auto& [a, b] : {std::pair{i, j}, {i + 1, j}, {i, j + 1}, {i + 1, j + 1}})
-        if (!nodes.hasValue(a, b)) return std::nullopt;
-    Square square{.i = i, .j = j, .crossed = {}};
-    const auto add = [&](const Edge& edge) {
-        const bool end = nodes.isAbove(edge.i + (edge.isAlongX ? 1 : 0), edge.j + (edge.isAlongX ? 0 : 1));
-        if (nodes.isAbove(edge.i, edge.j) != end) square.crossed[square.count++] = edge;
-    };
-    add({i, j, true});
-    add({i + 1, j, false});
-    add({i, j + 1, true});
-    add({i, j, false});
-    if (square.count == 0) return std::nullopt;
-    return square;
-}
 
 /// What was found out about one crossing, or about the middle of a saddle.
 struct Finding {
@@ -85,10 +31,10 @@ struct Finding {
 /// Solves on the way to a crossing. One for each thread.
 class Surveyor {
   public:
-    Surveyor(const MapStudy& study, const Nodes& nodes, double level)
+    Surveyor(const MapStudy& study, const GridNodes& nodes, double level)
         : m_point(study), m_nodes(nodes), m_level(level) {}
 
-    Finding place(const Edge& edge, const std::stop_token& stop) {
+    Finding place(const GridEdge& edge, const std::stop_token& stop) {
         const std::size_t i = edge.i + (edge.isAlongX ? 1 : 0), j = edge.j + (edge.isAlongX ? 0 : 1);
         Sample start{along(edge, edge.i, edge.j), m_nodes.value(edge.i, edge.j)};
         Sample end{along(edge, i, j), m_nodes.value(i, j)};
@@ -121,7 +67,7 @@ class Surveyor {
         return finding;
     }
 
-    Finding lookAtMiddle(const Square& square, const std::stop_token& stop) {
+    Finding lookAtMiddle(const GridSquare& square, const std::stop_token& stop) {
         Finding finding;
         finding.solves = 1;
         double value = 0;
@@ -138,7 +84,7 @@ class Surveyor {
         double residual(double level) const { return std::abs(value - level); }
     };
 
-    double along(const Edge& edge, std::size_t i, std::size_t j) const {
+    double along(const GridEdge& edge, std::size_t i, std::size_t j) const {
         return edge.isAlongX ? m_nodes.x(i) : m_nodes.y(j);
     }
     const Sample& best() const {
@@ -146,37 +92,10 @@ class Surveyor {
     }
 
     MapPoint m_point;
-    const Nodes& m_nodes;
+    const GridNodes& m_nodes;
     double m_level;
     Sample m_below, m_above;  // nearest to the crossing on either side
 };
-
-/// What a contour goes through.
-struct Course {
-    std::vector<Edge> edges;  ///< ascending, each once
-    std::vector<Square> squares;
-    std::vector<std::size_t> saddles;  ///< of the squares
-
-    std::size_t size() const { return edges.size() + saddles.size(); }
-    std::size_t numberOf(const Edge& edge) const {
-        return static_cast<std::size_t>(std::ranges::lower_bound(edges, edge) - edges.begin());
-    }
-};
-
-Course courseOf(const Nodes& nodes) {
-    Course course;
-    for (std::size_t j = 0; j + 1 < nodes.rows(); ++j)
-        for (std::size_t i = 0; i + 1 < nodes.columns(); ++i)
-            if (const std::optional<Square> square = squareAt(nodes, i, j)) {
-                if (square->isSaddle()) course.saddles.push_back(course.squares.size());
-                course.squares.push_back(*square);
-                course.edges.insert(course.edges.end(), square->crossed.begin(),
-                                    square->crossed.begin() + static_cast<std::ptrdiff_t>(square->count));
-            }
-    std::ranges::sort(course.edges);
-    course.edges.erase(std::ranges::unique(course.edges).begin(), course.edges.end());
-    return course;
-}
 
 /// Some crossings, and saddles after the last of them, in work.
 struct Stretch {
@@ -185,8 +104,9 @@ struct Stretch {
 };
 
 /// Looks at all of them in parallel; fewer findings after a stop.
-std::vector<Finding> survey(const MapStudy& study, const Nodes& nodes, double level, const Course& course,
-                            int jobs, std::stop_token stop, const ContourProgress& progress) {
+std::vector<Finding> survey(const MapStudy& study, const GridNodes& nodes, double level,
+                            const ContourCourse& course, int jobs, std::stop_token stop,
+                            const ContourProgress& progress) {
     constexpr std::size_t stretchLength = 4;  // of ten or more blows each
     std::vector<Finding> findings;
     findings.reserve(course.size());
@@ -246,14 +166,14 @@ class Links {
     std::vector<std::vector<std::size_t>> m_beside;
 };
 
-Links linksOf(const Nodes& nodes, const Course& course, const std::vector<Finding>& findings) {
+Links linksOf(const GridNodes& nodes, const ContourCourse& course, const std::vector<Finding>& findings) {
     Links links(course.edges.size());
-    const auto join = [&](const Edge& a, const Edge& b) {
+    const auto join = [&](const GridEdge& a, const GridEdge& b) {
         const std::size_t first = course.numberOf(a), second = course.numberOf(b);
         if (findings[first].point && findings[second].point) links.join(first, second);
     };
     std::size_t saddle = course.edges.size();
-    for (const Square& square : course.squares) {
+    for (const GridSquare& square : course.squares) {
         const auto& [bottom, right, top, left] = square.crossed;
         if (!square.isSaddle()) {
             join(square.crossed[0], square.crossed[1]);
@@ -311,8 +231,8 @@ Contour contourOf(const MapStudy& study, const MapGrid& grid, double level, int 
                   const ContourProgress& progress) {
     assert(std::isfinite(level));
     Contour contour{.level = level, .lines = {}, .reason = {}};
-    const Nodes nodes(grid, level);
-    const Course course = courseOf(nodes);
+    const GridNodes nodes(grid, level);
+    const ContourCourse course = courseOf(nodes);
     const std::vector<Finding> findings =
         survey(study, nodes, level, course, jobs, std::move(stop), progress);
     contour.stopped = findings.size() < course.size();

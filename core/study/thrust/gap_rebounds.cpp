@@ -24,13 +24,15 @@ GapRebound remembered(std::map<Key, GapRebound>& memory, const Key& key, const F
 
 }  // namespace
 
-GapCurve rockCurve(const Problem& problem, const std::stop_token& stop, const GapProgress& progress) {
-    return gapCurve(problem, Detail::cor, stop, progress);
+GapCurve rockCurve(const Problem& problem, const std::stop_token& stop, const GapProgress& progress,
+                   long mostPieces) {
+    return gapCurve(problem, Detail::cor, stop, progress, mostPieces);
 }
 
-GapCurve elasticCurve(Problem problem, const std::stop_token& stop, const GapProgress& progress) {
+GapCurve elasticCurve(Problem problem, const std::stop_token& stop, const GapProgress& progress,
+                      long mostPieces) {
     problem.law.gamma = 1;
-    return gapCurve(problem, 0, Detail::cor, stop, progress);
+    return gapCurve(problem, 0, Detail::cor, stop, progress, mostPieces);
 }
 
 GapRebound quantileOf(const GapCurve& rock) {
@@ -46,10 +48,17 @@ GapRebound worstOf(const GapCurve& elastic) {
 GapRebounds GapReboundFinder::of(const Problem& problem, const std::stop_token& stop) {
     forgetOtherThan(problem.hammer);
     const double beta = problem.law.beta, gamma = problem.law.gamma, tau = problem.transitTime;
-    return {
-        .quantile = remembered(m_quantiles, {beta, gamma, tau},
-                               [&] { return quantileOf(rockCurve(problem, stop, {})); }),
-        .worst = remembered(m_worst, {beta, tau}, [&] { return worstOf(elasticCurve(problem, stop, {})); })};
+    return {.quantile = remembered(m_quantiles, {beta, gamma, tau},
+                                   [&] { return quantileOf(rockCurve(problem, stop, {}, m_mostPieces)); }),
+            .worst = remembered(m_worst, {beta, tau},
+                                [&] { return worstOf(elasticCurve(problem, stop, {}, m_mostPieces)); })};
+}
+
+void GapReboundFinder::remember(const Problem& problem, const GapRebounds& rebounds) {
+    forgetOtherThan(problem.hammer);
+    const double beta = problem.law.beta, gamma = problem.law.gamma, tau = problem.transitTime;
+    m_quantiles[{beta, gamma, tau}] = rebounds.quantile;
+    m_worst[{beta, tau}] = rebounds.worst;
 }
 
 void GapReboundFinder::forgetOtherThan(const PulseForce& hammer) {

@@ -27,9 +27,11 @@ struct GapRebounds {
 };
 
 /// The curve of e over one period of the gap.
-GapCurve rockCurve(const Problem& problem, const std::stop_token& stop, const GapProgress& progress);
+GapCurve rockCurve(const Problem& problem, const std::stop_token& stop, const GapProgress& progress,
+                   long mostPieces = anyNumberOfPieces);
 /// That for γ = 1, from no gap on.
-GapCurve elasticCurve(Problem problem, const std::stop_token& stop, const GapProgress& progress);
+GapCurve elasticCurve(Problem problem, const std::stop_token& stop, const GapProgress& progress,
+                      long mostPieces = anyNumberOfPieces);
 
 GapRebound quantileOf(const GapCurve& rock);
 GapRebound worstOf(const GapCurve& elastic);
@@ -38,12 +40,18 @@ GapRebound worstOf(const GapCurve& elastic);
 /// thread; what it returns does not depend on what it was asked before.
 class GapReboundFinder {
   public:
+    /// A curve of more wave pieces than that has no answer.
+    explicit GapReboundFinder(long mostPieces = anyNumberOfPieces) : m_mostPieces(mostPieces) {}
+
     /// Of the problem, whatever its gap.
     GapRebounds of(const Problem& problem, const std::stop_token& stop);
+    /// Remembers what of() would find.
+    void remember(const Problem& problem, const GapRebounds& rebounds);
 
   private:
     void forgetOtherThan(const PulseForce& hammer);
 
+    long m_mostPieces;
     PulseForce m_hammer;
     std::map<std::array<double, 3>, GapRebound> m_quantiles;  // by β, γ, τ
     std::map<std::array<double, 2>, GapRebound> m_worst;      // by β, τ

@@ -6,9 +6,9 @@
 namespace drillwave {
 
 void addThrustMargin(Blow& blow, const std::stop_token& stop) {
-    if (!blow.isSolved() || blow.impact.pieces > mostPiecesForMargin) return;
-    blow.thrustMargin =
-        ThrustMargins().of(blow.scenario, blow.solved, {blow.impact.cor, blow.impact.corError}, stop);
+    if (!blow.isSolved()) return;
+    blow.thrustMargin = ThrustMargins(mostPiecesInPassing)
+                            .of(blow.scenario, blow.solved, {blow.impact.cor, blow.impact.corError}, stop);
 }
 
 std::optional<double> ThrustMargins::of(const Scenario& scenario, const Problem& problem, const Estimate& cor,

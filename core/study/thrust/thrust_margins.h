@@ -11,17 +11,17 @@
 
 namespace drillwave {
 
-/// A study of all gaps solves hundreds of blows: of one with more pieces it would take minutes.
-inline constexpr long mostPiecesForMargin = 1'000;
-
 /// Blow::thrustMargin of a blow that is solved, for files and JSON, which have all outputs: a study of all
-/// gaps. Left out for a blow of more pieces than that, where `drillwave thrust` takes its time.
+/// gaps. Left out where that takes more than mostPiecesInPassing; `drillwave thrust` takes its time.
 void addThrustMargin(Blow& blow, const std::stop_token& stop = {});
 
 /// Shares what cases have in common: no further work for one that differs from an earlier one only in gap,
 /// frequency, impulse or feed. One for each thread.
 class ThrustMargins {
   public:
+    /// As of GapReboundFinder.
+    explicit ThrustMargins(long mostPieces = anyNumberOfPieces) : m_finder(mostPieces) {}
+
     /// Effective force over the largest of the four needs, less 1; the first of these is by `cor`, the e of
     /// the case's own blow. nullopt where thrustMarginProblem() says why, where the gaps have no answer, and
     /// on the stop token. `problem` is that of the scenario.

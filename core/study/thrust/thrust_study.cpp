@@ -26,7 +26,8 @@ class HalfProgress {
 
 }  // namespace
 
-ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress) {
+ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress,
+                        long mostPieces) {
     assert(thrustProblem(scenario).empty());
     const Problem problem = problemOf(scenario);
     ThrustStudy study;
@@ -37,16 +38,18 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const Ga
         return study;
     }
     const HalfProgress half(progress);
-    const GapCurve rock = rockCurve(problem, stop, half.from(0));
-    const GapRebounds rebounds{.quantile = quantileOf(rock),
-                               .worst = worstOf(elasticCurve(problem, stop, half.from(0.5)))};
-    for (const GapRebound* rebound : {&rebounds.quantile, &rebounds.worst}) {
-        study.stopped |= rebound->stopped;
-        if (!rebound->reason.empty()) study.reason = rebound->reason;
-    }
-    if (study.stopped || !study.reason.empty()) return study;
+    const auto isKnown = [&study](const GapRebound& rebound) {
+        study.stopped |= rebound.stopped;
+        study.reason = rebound.reason;
+        return rebound.known();
+    };
+    const GapCurve rock = rockCurve(problem, stop, half.from(0), mostPieces);
+    study.rebounds.quantile = quantileOf(rock);
+    if (!isKnown(study.rebounds.quantile)) return study;
+    study.rebounds.worst = worstOf(elasticCurve(problem, stop, half.from(0.5), mostPieces));
+    if (!isKnown(study.rebounds.worst)) return study;
 
-    study.needs = thrustNeeds(scenario, {impact.cor, impact.corError}, rebounds);
+    study.needs = thrustNeeds(scenario, {impact.cor, impact.corError}, study.rebounds);
     study.verdict = *judgeFeed(scenario, impact.cor);
     if (const auto force = study.verdict.effective()) {
         const double served = *force / study.verdict.balance - 1;  // up to which e

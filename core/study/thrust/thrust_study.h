@@ -12,6 +12,7 @@ namespace drillwave {
 
 struct ThrustStudy {
     ThrustNeeds needs;
+    GapRebounds rebounds;             ///< that they are from
     std::optional<double> shareFull;  ///< share of all gaps at which the effective force is ≥ f I0 (1+e)
     FeedVerdict verdict;              ///< by the e of the scenario's own blow
     std::string reason;               ///< why there is no result; empty when there is
@@ -23,8 +24,9 @@ struct ThrustStudy {
     std::optional<double> margin() const { return largestNeed().margin; }
 };
 
-/// Requires thrustProblem() to be empty.
-ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {},
-                        const GapProgress& progress = {});
+/// Requires thrustProblem() to be empty. Without a result where one of its two curves over the gap takes more
+/// wave pieces than `mostPieces`.
+ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {}, const GapProgress& progress = {},
+                        long mostPieces = anyNumberOfPieces);
 
 }  // namespace drillwave

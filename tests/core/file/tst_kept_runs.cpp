@@ -66,6 +66,16 @@ void TestKeptRuns::everyScenarioFileHasAFolderOfItsOwn() {
     QCOMPARE(runsFolderOf("/in/a.b/t38.yml"), std::string("/in/a.b/t38.yml.runs"));
     QCOMPARE(runsFolderOf("/in/a.b/t38.soft.yaml"), std::string("/in/a.b/t38.soft.runs"));
     QCOMPARE(runsFolderOf("t38.yaml"), std::string("t38.runs"));
+    QCOMPARE(runsFolderOf("/in/a.b/t38"), std::string("/in/a.b/t38.scenario.runs"));
+    std::map<std::string, std::string> files;  // by their folders
+    const QStringList parts{"", ".yaml", ".yml", ".json", ".scenario", ".runs", ".soft", "."};
+    for (const QString& first : parts)
+        for (const QString& second : parts)
+            for (const QString& third : parts) {
+                const std::string file = ("t38" + first + second + third).toStdString();
+                const auto [place, isNew] = files.emplace(runsFolderOf(file), file);
+                QVERIFY2(isNew || place->second == file, (file + " and " + place->second).c_str());
+            }
 }
 
 void TestKeptRuns::aFolderThatIsNotThereHasNoRuns() {

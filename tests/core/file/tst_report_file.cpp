@@ -83,6 +83,7 @@ class TestReportFile : public QObject {
     void theVerdictIsThatOfTheThrustStudy();
     void aScenarioWithoutFrequencySaysWhyThereIsNoThrust();
     void aBlowOfManyPiecesIsReportedWithoutStudies();
+    void progressTellsOfEveryStudy();
     void thePaperCutsALongScenarioShort();
     void aPageWithoutARecordIsRefused();
 };
@@ -216,6 +217,17 @@ void TestReportFile::aBlowOfManyPiecesIsReportedWithoutStudies() {
          {feedSentence(*report.blow.feed), report.gapProblem, report.thrustProblem})
         QVERIFY2(page.find("<p>" + words + "</p>") != std::string::npos, words.c_str());
     QVERIFY(inputOf(report.inputs, "pulse.points").value == "6001 points");
+}
+
+void TestReportFile::progressTellsOfEveryStudy() {
+    std::vector<double> shares;
+    const BlowReport report = reportOn(parseScenario(defaultExample().text, "here"), {},
+                                       [&](double share) { shares.push_back(share); });
+    QVERIFY(report.thrust && report.gap);
+    QVERIFY(std::ranges::is_sorted(shares));
+    QVERIFY(std::ranges::any_of(shares, [](double share) { return share > 0 && share < 0.5; }));
+    QVERIFY(std::ranges::any_of(shares, [](double share) { return share > 0.5; }));
+    QVERIFY(shares.back() <= 1);
 }
 
 void TestReportFile::thePaperCutsALongScenarioShort() {

@@ -5,9 +5,11 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <csignal>
 
 #include "core/file/examples.h"
+#include "core/file/preset_file.h"
 #include "core/model/scales.h"
 #include "tests/support/files.h"
 #include "ui/document/document.h"
@@ -37,6 +39,8 @@ class TestDocument : public QObject {
     void anEditThatComesBackLeavesNoStep();
     void anEditIsCheckedOnce();
     void aThousandStepsShareOneTable();
+    void aPresetLeavesItsSourcesInTheFile();
+    void valuesInBracesGetNoComments();
     void settingAGroupMovesItsPhysicalParameter();
     void whatWouldSpoilTheScenarioIsRefused();
     void optionalParametersCanBeCleared();
@@ -148,6 +152,52 @@ void TestDocument::aThousandStepsShareOneTable() {
     }
     QCOMPARE(steps, 0);
     QVERIFY(m_document->scenario().pulse.tablePoints.isSharedWith(points));
+}
+
+void TestDocument::aPresetLeavesItsSourcesInTheFile() {
+    const auto preset = std::ranges::find(builtInPresets(), "T45, round 46 mm", &Preset::name);
+    QVERIFY(preset != builtInPresets().end());
+    const QByteArray before =
+        exampleBytes().replace("density: 7850 kg/m^3        # steel", "density: 7850 kg/m^3");
+    QCOMPARE(m_document->startFrom(before.toStdString(), QStringLiteral("example")), QString());
+    QCOMPARE(m_document->applyPreset(*preset), QString());
+    const QByteArray after = m_document->text();
+    QVERIFY2(after.contains("  diameter: 46 mm  # preset T45, round 46 mm: nominal"), after);
+    // What stays as it was keeps its comment, or has none yet.
+    QVERIFY2(after.contains("  youngs_modulus: 210 GPa     # steel\n"), after);
+    QVERIFY2(after.contains("  density: 7850 kg/m^3  # preset T45, round 46 mm: steel, usual value\n"),
+             after);
+    QVERIFY2(after.contains("  length: 3.66 m              # a 12 ft extension rod\n"), after);
+    QCOMPARE(m_document->undoStack().count(), 1);
+    // Another value is not that of the preset.
+    m_document->assign(parameter("rod.diameter"), 0.05, 1);
+    QVERIFY2(m_document->text().contains("  diameter: 50 mm\n"), m_document->text());
+    m_document->undoStack().undo();
+    QCOMPARE(m_document->text(), after);
+    m_document->undoStack().undo();
+    QCOMPARE(m_document->text(), before);
+    QVERIFY(!m_document->isModified());
+    m_document->undoStack().redo();
+    const QString path = m_folder.filePath(QStringLiteral("preset.yaml"));
+    QCOMPARE(m_document->save(path), QString());
+    QCOMPARE(read(path), after);
+    Document again;
+    QCOMPARE(again.open(path), QString());
+    QCOMPARE(again.scenario(), m_document->scenario());
+}
+
+// One comment would be about all of them.
+void TestDocument::valuesInBracesGetNoComments() {
+    const auto preset = std::ranges::find(builtInPresets(), "hard rock", &Preset::name);
+    QVERIFY(preset != builtInPresets().end());
+    const char text[] =
+        "drillwave: 1\nrod: {length: 3 m, diameter: 38 mm, youngs_modulus: 210 GPa, density: 7850 "
+        "kg/m^3}\npulse: {shape: rectangular, duration: 200 us, "
+        "impulse: 51 N s}\nbit_rock: {stiffness: 105 MN/m, gamma: 0.1}  # mine\n";
+    QCOMPARE(m_document->startFrom(text, QStringLiteral("braces")), QString());
+    QCOMPARE(m_document->applyPreset(*preset), QString());
+    QVERIFY2(!m_document->text().contains("preset"), m_document->text());
+    QVERIFY2(m_document->text().contains("}  # mine\n"), m_document->text());
 }
 
 void TestDocument::settingAGroupMovesItsPhysicalParameter() {

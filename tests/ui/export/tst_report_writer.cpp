@@ -30,6 +30,9 @@ class TestReportWriter : public QObject {
     void unitsOnShowDoNotMatter();
     void aReportOpensAgain();
     void menuAndToolBarOfferIt();
+    void ctrlPPrintsThePagesOfThePdf();
+    void noPaperIsTold();
+    void noPrinterIsNothingToTell();
     void anotherEndingIsRefused();
     void aFileThatCannotBeWrittenIsTold();
     void aStoppedReportIsNotWritten();
@@ -113,6 +116,38 @@ void TestReportWriter::menuAndToolBarOfferIt() {
     for (const QToolBar* bar : window().findChildren<QToolBar*>())
         isInBar |= bar->actions().contains(writer().action());
     QVERIFY(isInBar);
+}
+
+void TestReportWriter::ctrlPPrintsThePagesOfThePdf() {
+    const auto pages = [this](const char* name) { return read(path(name)).count("/Type /Page\n"); };
+    m_answers.printTo = path("printed.pdf");
+    QVERIFY(QTest::qWaitForWindowActive(&window()));
+    QSignalSpy ended(&writer(), &ReportWriter::ended);
+    QSignalSpy written(&writer(), &ReportWriter::written);
+    QTest::keyClick(&window(), Qt::Key_P, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, 60000);
+    QCOMPARE(m_answers.told, QStringList());
+    QCOMPARE(written.size(), 1);
+    QVERIFY(part<FileMenu>(window()).actions().contains(writer().printAction()));
+    writeTo(path("written.pdf"));
+    QCOMPARE(pages("printed.pdf"), pages("written.pdf"));
+    QVERIFY(pages("printed.pdf") >= 2);
+}
+
+void TestReportWriter::noPaperIsTold() {
+    m_answers.printTo = path("none/there.pdf");
+    QSignalSpy ended(&writer(), &ReportWriter::ended);
+    writer().printAction()->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, 60000);
+    QCOMPARE(m_answers.told.size(), 1);
+    QVERIFY(m_answers.told.first().startsWith(QStringLiteral("The report has not been printed.")));
+}
+
+void TestReportWriter::noPrinterIsNothingToTell() {
+    QSignalSpy begun(&writer(), &ReportWriter::begun);
+    writer().printAction()->trigger();
+    QCOMPARE(begun.size(), 0);
+    QCOMPARE(m_answers.told, QStringList());
 }
 
 void TestReportWriter::anotherEndingIsRefused() {

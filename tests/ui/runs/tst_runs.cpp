@@ -3,6 +3,9 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
 
 #include "core/file/examples.h"
 #include "tests/support/files.h"
@@ -44,6 +47,45 @@ double contrast(const QColor& a, const QColor& b) {
     return std::max(x, y) / std::min(x, y);
 }
 
+/// Writes nothing before it is told to go on.
+class SlowDisk {
+  public:
+    RunKeeper::Write writer() {
+        return [this](RunsFolder& folder, const std::vector<NamedFile>& files, ExistingFiles existing) {
+            std::unique_lock hold(m_lock);
+            ++m_writings;
+            m_thread = std::this_thread::get_id();
+            m_changed.notify_all();
+            m_changed.wait(hold, [this] { return m_goesOn; });
+            return folder.write(files, existing);
+        };
+    }
+    void waitUntilItIsBusy() {
+        std::unique_lock hold(m_lock);
+        m_changed.wait(hold, [this] { return m_writings > 0; });
+    }
+    void goOn() {
+        const std::lock_guard hold(m_lock);
+        m_goesOn = true;
+        m_changed.notify_all();
+    }
+    int writings() {
+        const std::lock_guard hold(m_lock);
+        return m_writings;
+    }
+    bool isOfThisThread() {
+        const std::lock_guard hold(m_lock);
+        return m_thread == std::this_thread::get_id();
+    }
+
+  private:
+    std::mutex m_lock;
+    std::condition_variable m_changed;
+    int m_writings = 0;
+    bool m_goesOn = false;
+    std::thread::id m_thread;
+};
+
 }  // namespace
 
 class TestRuns : public QObject {
@@ -64,6 +106,8 @@ class TestRuns : public QObject {
     void withoutRunsTheyAreKeptAsWell();
     void everyChangeIsWritten();
     void onlyWhatChangesIsWritten();
+    void theDiskIsWaitedForBesideTheWindow();
+    void whatCannotBeWrittenIsToldOnce();
     void whatIsLeftIsWrittenInTheEndAndNothingTold();
     void keptRunsGoAlongToANewName();
     void runsOfTheFileThatIsSavedOverAreAskedAbout();
@@ -86,6 +130,11 @@ class TestRuns : public QObject {
     }
     void set(const char* key, double si) {
         QCOMPARE(m_document->assign(*findParameter(key), si, m_document->newGesture()), QString());
+    }
+    /// Kept, and written: why not.
+    QString kept(ExistingFiles existing = ExistingFiles::kept) {
+        const QString problem = m_keeper->keep(existing);
+        return problem.isEmpty() ? m_keeper->finish() : problem;
     }
     QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
 
@@ -209,7 +258,7 @@ void TestRuns::keptRunsComeBackWithTheirFile() {
     m_runs->setReference(1);
     QTRY_VERIFY(m_runs->list()->back().isSolved());
     const RunList before = *m_runs->list();
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
 
     Document reopened;
     Runs runs;
@@ -233,7 +282,7 @@ void TestRuns::keptRunsComeBackWithTheirFile() {
 void TestRuns::withoutRunsTheyAreKeptAsWell() {
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     pin();
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     m_runs->remove(0);
     QTRY_VERIFY(!QFile::exists(path("t38.runs/A.yaml")));
     QCOMPARE(m_document->open(path("t38.yaml")), QString());
@@ -246,12 +295,13 @@ void TestRuns::withoutRunsTheyAreKeptAsWell() {
 void TestRuns::everyChangeIsWritten() {
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     QVERIFY(!m_keeper->holdsOthers());
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     pin();
     QTRY_VERIFY(QFile::exists(path("t38.runs/A.yaml")));
     QCOMPARE(read(path("t38.runs/A.yaml")), m_document->text());
     m_runs->rename(0, "other");
-    QTRY_VERIFY(read(path("t38.runs/runs.csv")).contains("A.yaml,other,yes,yes,"));
+    QCOMPARE(m_keeper->finish(), QString());
+    QVERIFY(read(path("t38.runs/runs.csv")).contains("A.yaml,other,yes,yes,"));
     m_runs->remove(0);
     QTRY_VERIFY(!QFile::exists(path("t38.runs/A.yaml")));
 }
@@ -261,20 +311,63 @@ void TestRuns::onlyWhatChangesIsWritten() {
     pin();
     set("bit_rock.gap", 1e-3);
     pin();
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     // A file that takes its place has other permissions.
     QVERIFY(QFile::setPermissions(path("t38.runs/A.yaml"), QFile::ReadOwner | QFile::ReadUser));
     const QFile::Permissions mark = QFile::permissions(path("t38.runs/A.yaml"));
     QVERIFY(QFile::remove(path("t38.runs/B.yaml")));
     m_runs->rename(0, "other");
-    QTRY_VERIFY(read(path("t38.runs/runs.csv")).contains("A.yaml,other,"));
+    QCOMPARE(m_keeper->finish(), QString());
+    QVERIFY(read(path("t38.runs/runs.csv")).contains("A.yaml,other,"));
     QCOMPARE(QFile::permissions(path("t38.runs/A.yaml")), mark);
     QVERIFY(QFile::exists(path("t38.runs/B.yaml")));
 }
 
-void TestRuns::whatIsLeftIsWrittenInTheEndAndNothingTold() {
+void TestRuns::theDiskIsWaitedForBesideTheWindow() {
+    SlowDisk disk;
+    m_keeper = std::make_unique<RunKeeper>(*m_document, *m_runs, nullptr, disk.writer());
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    pin();
+    QCOMPARE(m_keeper->keep(), QString());
+    disk.waitUntilItIsBusy();
+    // Here already, while nothing is there yet; of the changes meanwhile the last one is written.
+    QVERIFY(m_keeper->isKept());
+    QVERIFY(!QFile::exists(path("t38.runs")));
+    for (const char* name : {"second", "third"}) {
+        m_runs->rename(0, name);
+        QCoreApplication::processEvents();
+    }
+    disk.goOn();
+    QTRY_COMPARE(disk.writings(), 2);
+    QCOMPARE(m_keeper->finish(), QString());
+    QVERIFY(read(path("t38.runs/runs.csv")).contains("A.yaml,third,"));
+    QVERIFY(!disk.isOfThisThread());
+    QCOMPARE(disk.writings(), 2);
+}
+
+void TestRuns::whatCannotBeWrittenIsToldOnce() {
+    const auto fails = [](RunsFolder&, const std::vector<NamedFile>&, ExistingFiles) {
+        return Message{"%1: the disk is full", {"t38.runs"}};
+    };
+    m_keeper = std::make_unique<RunKeeper>(*m_document, *m_runs, nullptr, fails);
+    QSignalSpy failures(m_keeper.get(), &RunKeeper::failed);
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     QCOMPARE(m_keeper->keep(), QString());
+    QTRY_COMPARE(failures.count(), 1);
+    QCOMPARE(failures[0][1].toString(), QString("t38.runs: the disk is full"));
+    QVERIFY(!m_keeper->isKept());
+    QCOMPARE(m_keeper->finish(), QString());
+    // Told to who waits for it, and to nobody else.
+    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(m_keeper->finish(), QString("t38.runs: the disk is full"));
+    QVERIFY(!m_keeper->isKept());
+    QCoreApplication::processEvents();
+    QCOMPARE(failures.count(), 1);
+}
+
+void TestRuns::whatIsLeftIsWrittenInTheEndAndNothingTold() {
+    QCOMPARE(m_document->save(path("t38.yaml")), QString());
+    QCOMPARE(kept(), QString());
     pin();
     m_keeper.reset();
     QCOMPARE(read(path("t38.runs/A.yaml")), m_document->text());
@@ -294,8 +387,9 @@ void TestRuns::whatIsLeftIsWrittenInTheEndAndNothingTold() {
 void TestRuns::keptRunsGoAlongToANewName() {
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     pin();
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     QCOMPARE(m_document->save(path("t51.yaml")), QString());
+    QCOMPARE(m_keeper->finish(), QString());
     QCOMPARE(read(path("t51.runs/A.yaml")), read(path("t38.runs/A.yaml")));
     QVERIFY(m_keeper->isKept());
 }
@@ -303,12 +397,12 @@ void TestRuns::keptRunsGoAlongToANewName() {
 void TestRuns::runsOfTheFileThatIsSavedOverAreAskedAbout() {
     QCOMPARE(m_document->save(path("t51.yaml")), QString());
     pin("mine");
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     const QByteArray theirs = read(path("t51.runs/A.yaml"));
     m_document->startFrom(findExample("t51_soft_rock")->text, "example");
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     pin("soft");
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     QSignalSpy questions(m_keeper.get(), &RunKeeper::othersFound);
     QCOMPARE(m_document->save(path("t51.yaml")), QString());
     QCOMPARE(questions.count(), 1);
@@ -323,7 +417,7 @@ void TestRuns::runsOfTheFileThatIsSavedOverAreAskedAbout() {
 void TestRuns::othersStayWhenAnotherFileIsOpened() {
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     pin();
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     m_document->startFrom(findExample("t51_soft_rock")->text, "example");
     QVERIFY(m_runs->list()->empty());  // they are in their folder
     pin("soft");
@@ -338,7 +432,7 @@ void TestRuns::aBrokenRunIsToldAndNotWrittenOver() {
     pin();
     set("bit_rock.gap", 1e-3);
     pin();
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     write(path("t38.runs/A.yaml"), "drillwave: 1\nnonsense");
     QSignalSpy failures(m_keeper.get(), &RunKeeper::failed);
     QCOMPARE(m_document->open(path("t38.yaml")), QString());
@@ -350,14 +444,14 @@ void TestRuns::aBrokenRunIsToldAndNotWrittenOver() {
     // A new run takes another letter.
     pin();
     QCOMPARE(m_runs->list()->back().letter(), QString("C"));
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     QCOMPARE(read(path("t38.runs/A.yaml")), QByteArray("drillwave: 1\nnonsense"));
 }
 
 void TestRuns::whatOthersPutIntoTheFolderIsNotWrittenOver() {
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     pin();
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     // Changed, new under a letter that is given next, and changed before it is removed.
     const auto isLeft = [this](const char* name, const std::function<void()>& change) {
         write(path(name), "mine");
@@ -368,8 +462,8 @@ void TestRuns::whatOthersPutIntoTheFolderIsNotWrittenOver() {
         QCOMPARE(read(path(name)), QByteArray("mine"));
         QVERIFY(!m_keeper->isKept());
         QVERIFY(m_keeper->holdsOthers());
-        QVERIFY(!m_keeper->keep().isEmpty());
-        QCOMPARE(m_keeper->keep(ExistingFiles::replaced), QString());
+        QVERIFY(!kept().isEmpty());
+        QCOMPARE(kept(ExistingFiles::replaced), QString());
         QVERIFY(m_keeper->isKept());
         QVERIFY(!QFile::exists(path(name)) || read(path(name)) != "mine");
     };
@@ -387,7 +481,7 @@ void TestRuns::whatOthersPutIntoTheFolderIsNotWrittenOver() {
 void TestRuns::lettersOfOtherFilesAreNotGiven() {
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     pin();
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     write(path("t38.runs/B.yaml"), "mine");
     m_document->startFrom(findExample("t51_soft_rock")->text, "example");
     pin("soft");
@@ -414,7 +508,7 @@ void TestRuns::aChangedTableIsTold() {
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     pin();
     QTRY_VERIFY(m_runs->list()->front().isSolved());
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     const QByteArray index = read(path("t38.runs/runs.csv"));
     write(path("blow.csv"), "time [us],force [kN]\n0,0\n100,900\n900,0\n");
     QSignalSpy failures(m_keeper.get(), &RunKeeper::failed);
@@ -434,7 +528,7 @@ void TestRuns::tablesAreFoundFromAnotherFolder() {
     QCOMPARE(m_document->useTable(path("blow.csv")), QString());
     QCOMPARE(m_document->scenario().pulse.tableFile, std::string("blow.csv"));
     pin();
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     set("bit_rock.gap", 1e-3);
     QVERIFY(QDir().mkdir(path("elsewhere")));
     QCOMPARE(m_document->save(path("elsewhere/t38.yaml")), QString());
@@ -448,15 +542,15 @@ void TestRuns::tablesAreFoundFromAnotherFolder() {
 }
 
 void TestRuns::givenUpNothingIsLeft() {
-    QVERIFY(!m_keeper->keep().isEmpty());  // beside no file
+    QVERIFY(!kept().isEmpty());  // beside no file
     QCOMPARE(m_document->save(path("t38.yaml")), QString());
     pin();
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     write(path("t38.runs/notes.txt"), "mine");
     m_keeper->giveUp();
     QCOMPARE(QDir(path("t38.runs")).entryList(QDir::Files), QStringList("notes.txt"));
     QFile::remove(path("t38.runs/notes.txt"));
-    QCOMPARE(m_keeper->keep(), QString());
+    QCOMPARE(kept(), QString());
     m_keeper->giveUp();
     QVERIFY(!QFile::exists(path("t38.runs")));
     QVERIFY(!m_keeper->isKept());

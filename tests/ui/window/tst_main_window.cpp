@@ -2,59 +2,35 @@
 // The window as a whole: what its parts do together.
 #include <QComboBox>
 #include <QDockWidget>
-#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QPushButton>
 #include <QStatusBar>
-#include <QTemporaryDir>
 #include <QTest>
-#include <QWheelEvent>
 
 #include "core/file/examples.h"
-#include "core/file/preset_file.h"
-#include "core/model/scales.h"
 #include "tests/support/files.h"
 #include "tests/support/window.h"
+#include "tests/support/window_fixture.h"
 #include "tests/support/window_parts.h"
-#include "ui/export/export_menu.h"
 #include "ui/form/scenario_panel.h"
-#include "ui/job/solve_job.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/result/result_panel.h"
-#include "ui/text/settings.h"
-#include "ui/text/unit_choice.h"
 #include "ui/window/example_note.h"
 #include "ui/window/file_menu.h"
-#include "ui/window/plot_view_menu.h"
-#include "ui/window/units_choice.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
 
-namespace {
-
-void type(QuantityField& field, const QString& text) {
-    field.setFocus();
-    field.selectAll();
-    QTest::keyClick(&field, Qt::Key_Backspace);
-    QTest::keyClicks(&field, text);
-    QTest::keyClick(&field, Qt::Key_Return);
-}
-
-}  // namespace
-
-class TestMainWindow : public QObject {
+class TestMainWindow : public QObject, private WindowFixture {
     Q_OBJECT
 
   private slots:
-    void initTestCase();
-    void init();
-    void cleanup();
+    void init() { start(); }
+    void cleanup() { m_window.reset(); }
     void opensWithASolvedBlow();
     void everyRowHasANameAndAnExplanation();
     void typingABetaMovesStiffnessAndResult();
@@ -68,63 +44,15 @@ class TestMainWindow : public QObject {
     void savedFilesAreRememberedAndReopened();
     void aBadFileIsReportedAndThePresentScenarioStays();
     void closingAsksAboutUnsavedChanges();
-    void unitsOfResultsCanBeSwitched();
-    void usUnitsAreThoseOfFieldsResultsAndPlots();
-    void oneKindOfValueCanHaveAnotherUnit();
-    void aFieldKeepsItsOwnUnitUntilASystemIsChosen();
-    void aDimensionlessScenarioHasNoSi();
-    void aNewScenarioCanBeDimensionless();
-    void theViewMenuHasWhatThePlotOffers();
-    void theTimeCursorMovesNoPlot();
-    void theSectionOfTheWavesCanBeMoved();
     void theShapeOfThePulseChangesItsRows();
     void everyExampleOpensSolved();
     void theTitleBarNamesTheFile();
     void controlEReachesTheWindowFromALineEdit();
-    void aChosenUnitIsKept();
-    void aPresetLeavesAGhostUntilTheNextChange();
     void theNoteOfAnExampleDoesNotOutliveItsValues();
     void aNarrowWindowStacksItsPanels();
-    void keysAimAtThePlotBelowThePointer();
-    void theReasonOfAnUnsolvedCaseStaysInThePlot();
     void aWindowCanGoWhileAFieldIsEdited_data();
     void aWindowCanGoWhileAFieldIsEdited();
-
-  private:
-    MainWindow& window() { return *m_window; }
-    QuantityField& field(const char* key) {
-        return *part<ScenarioPanel>(*m_window).findChild<QuantityField*>(QLatin1String(key));
-    }
-    double cor() const { return m_window->shown()->summary.cor; }
-    void makeWindow(SolveJob::Solve solve);
-    QString forceAxis();
-    void settle() { QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy()); }
-
-    QTemporaryDir m_folder;
-    ScriptedAnswers m_answers;
-    std::unique_ptr<MainWindow> m_window;
 };
-
-void TestMainWindow::initTestCase() {
-    keepSettingsIn(m_folder.filePath(QStringLiteral("settings")));
-}
-
-void TestMainWindow::init() {
-    QLocale::setDefault(QLocale::c());
-    Settings().clear();
-    m_answers = {};
-    makeWindow(exactSolve());
-}
-
-void TestMainWindow::cleanup() {
-    m_window.reset();
-}
-
-void TestMainWindow::makeWindow(SolveJob::Solve solve) {
-    m_window = newWindow(m_answers, std::move(solve));
-    m_window->show();
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-}
 
 void TestMainWindow::opensWithASolvedBlow() {
     MainWindow fresh(std::make_unique<ScriptedQuestions>(m_answers), exactSolve());
@@ -310,157 +238,6 @@ void TestMainWindow::closingAsksAboutUnsavedChanges() {
     QCOMPARE(m_answers.unsavedAsked, 3);
 }
 
-void TestMainWindow::unitsOfResultsCanBeSwitched() {
-    QVERIFY(part<BlowPage>(window())
-                .plots()
-                ->axisRect(1)
-                ->axis(QCPAxis::atLeft)
-                ->label()
-                .contains(QStringLiteral("[kN]")));
-    for (QAction* action : part<UnitsChoice>(window()).actions())
-        if (action->text() == QStringLiteral("&Dimensionless")) action->trigger();
-    settle();
-    QTRY_VERIFY(part<BlowPage>(window())
-                    .plots()
-                    ->axisRect(1)
-                    ->axis(QCPAxis::atLeft)
-                    ->label()
-                    .contains(QStringLiteral("F₀")));
-    QCOMPARE(window().shown()->units.force.factor, 1.0);
-}
-
-QString TestMainWindow::forceAxis() {
-    return part<BlowPage>(window()).plots()->axisRect(1)->axis(QCPAxis::atLeft)->label();
-}
-
-void TestMainWindow::usUnitsAreThoseOfFieldsResultsAndPlots() {
-    const double length = *field("rod.length").value();
-    part<UnitsChoice>(window()).choose(UnitSystem::us);
-    settle();
-    QTRY_VERIFY(forceAxis().contains(QStringLiteral("[kip]")));
-    QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
-    QCOMPARE(field("rod.diameter").unit().name, std::string_view("in"));
-    QCOMPARE(field("rod.youngs_modulus").unit().name, std::string_view("Mpsi"));
-    QCOMPARE(field("drill.thrust").unit().name, std::string_view("lbf"));
-    QCOMPARE(*field("rod.length").value(), length);
-    const QString results = part<ResultPanel>(window()).text();
-    for (const char* unit : {"kip", "ft lbf", "ksi", "lbf s", "in\n"})
-        QVERIFY2(results.contains(QLatin1String(unit)), unit);
-    for (const char* unit : {"kN", "MPa", "mm"})
-        QVERIFY2(!results.contains(QChar(QChar::Nbsp) + QLatin1String(unit)), unit);
-    // Dimensionless results leave the fields as they are.
-    part<UnitsChoice>(window()).choose(UnitSystem::dimensionless);
-    settle();
-    QTRY_VERIFY(forceAxis().contains(QStringLiteral("F₀")));
-    QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
-}
-
-void TestMainWindow::oneKindOfValueCanHaveAnotherUnit() {
-    UnitChoice& units = UnitChoice::shared();
-    units.choose(UnitKind::force, findUnit(Quantity::force, "lbf"));
-    settle();
-    QTRY_VERIFY(forceAxis().contains(QStringLiteral("[lbf]")));
-    QCOMPARE(field("drill.thrust").unit().name, std::string_view("lbf"));
-    QCOMPARE(field("rod.length").unit().name, std::string_view("m"));
-    QVERIFY(window().close());
-    makeWindow(exactSolve());
-    QVERIFY(forceAxis().contains(QStringLiteral("[lbf]")));
-    units.choose(UnitKind::force, nullptr);
-    settle();
-    QTRY_VERIFY(forceAxis().contains(QStringLiteral("[kN]")));
-}
-
-void TestMainWindow::aFieldKeepsItsOwnUnitUntilASystemIsChosen() {
-    const auto chooseInField = [this](const QString& name) {
-        for (QAction* action : field("rod.length").unitButton()->menu()->actions())
-            if (action->text() == name) action->trigger();
-    };
-    chooseInField(QStringLiteral("cm"));
-    QCOMPARE(field("rod.length").unit().name, std::string_view("cm"));
-    UnitChoice::shared().choose(UnitKind::force, findUnit(Quantity::force, "N"));
-    QCOMPARE(field("rod.length").unit().name, std::string_view("cm"));
-    part<UnitsChoice>(window()).choose(UnitSystem::si);
-    QCOMPARE(field("rod.length").unit().name, std::string_view("m"));
-    chooseInField(QStringLiteral("cm"));
-    UnitChoice::shared().choose(UnitKind::length, findUnit(Quantity::length, "ft"));
-    QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
-    QVERIFY(!Settings().contains(QStringLiteral("units/rod.length")));
-}
-
-void TestMainWindow::aDimensionlessScenarioHasNoSi() {
-    const Example* example = findExample("paper_fig4b");
-    QVERIFY(example);
-    QCOMPARE(window().document().startFrom(example->text, QStringLiteral("example")), QString());
-    settle();
-    // Paper, Fig. 4 (b); the value of the reference solver, to its 1e-13.
-    QTRY_VERIFY(std::abs(cor() - 0.40671074387478970) < 1e-13);
-    QCOMPARE(window().shown()->request.units, UnitSystem::dimensionless);
-    QVERIFY(!field("rod.length").isVisible());
-    QVERIFY(field("beta").isVisible());
-}
-
-void TestMainWindow::aNewScenarioCanBeDimensionless() {
-    QAction* chosen = nullptr;
-    for (QAction* action : part<FileMenu>(window()).actions())
-        if (action->text().remove(QLatin1Char('&')) == QLatin1String("New dimensionless")) chosen = action;
-    QVERIFY(chosen);
-    chosen->trigger();
-    settle();
-    QCOMPARE(window().document().scenario().form, ScenarioForm::dimensionless);
-    QVERIFY(window().document().scenario().groups == Groups());
-    QVERIFY(!window().document().isModified());
-    QCOMPARE(window().document().path(), QString());
-    QVERIFY(field("beta").isVisible());
-    QTRY_VERIFY(std::isfinite(cor()));
-}
-
-void TestMainWindow::theViewMenuHasWhatThePlotOffers() {
-    auto& menu = part<PlotViewMenu>(window());
-    PlotWidget& plot = *part<BlowPage>(window()).plot();
-    emit menu.aboutToShow();
-    const auto action = [&menu](const QString& text) {
-        for (QAction* each : menu.actions())
-            if (each->text().remove(QLatin1Char('&')).startsWith(text)) return each;
-        return static_cast<QAction*>(nullptr);
-    };
-    for (const QString& text :
-         {QStringLiteral("Fit"), QStringLiteral("Zoom back"), QStringLiteral("Logarithmic vertical"),
-          QStringLiteral("Curves shown"), QStringLiteral("Cursor A")})
-        QVERIFY2(action(text), qPrintable(text));
-    action(QStringLiteral("Cursor A"))->trigger();
-    QVERIFY(plot.reader().position(PlotCursor::a));
-    plot.view().zoom(0.5);
-    const QCPRange zoomed = plot.axisRect(0)->axis(QCPAxis::atLeft)->range();
-    emit menu.aboutToShow();
-    action(QStringLiteral("Zoom back"))->trigger();
-    QVERIFY(plot.axisRect(0)->axis(QCPAxis::atLeft)->range() != zoomed);
-    // The table below the plots goes and comes, and is remembered.
-    plot.reader().clear();
-    QVERIFY(plot.viewport().height() < plot.height());
-    menu.tableAction()->trigger();
-    QCOMPARE(plot.viewport().height(), plot.height());
-    QVERIFY(!Settings().value(tableShownKey, true).toBool());
-    menu.tableAction()->trigger();
-    QVERIFY(plot.viewport().height() < plot.height());
-}
-
-void TestMainWindow::theTimeCursorMovesNoPlot() {
-    settle();
-    const PlotWidget& plot = *part<BlowPage>(window()).plot();
-    const QRect place(plot.mapTo(&window(), QPoint()), plot.size());
-    auto& observation = part<Observation>(window());
-    for (const double time : {0.5, 12.3456789, 1e-9}) {
-        observation.setTime(time);
-        QCoreApplication::processEvents();
-        QCOMPARE(QRect(plot.mapTo(&window(), QPoint()), plot.size()), place);
-    }
-}
-
-void TestMainWindow::theSectionOfTheWavesCanBeMoved() {
-    part<BlowPage>(window()).findChild<QDoubleSpinBox*>(QStringLiteral("section"))->setValue(0.25);
-    QTRY_COMPARE(window().shown()->page<BlowCurves>()->section, 0.25);
-}
-
 void TestMainWindow::theShapeOfThePulseChangesItsRows() {
     auto* shape = part<ScenarioPanel>(window()).findChild<QComboBox*>(QStringLiteral("pulse.shape"));
     QCOMPARE(shape->findText(QStringLiteral("table")), -1);  // there are no points
@@ -519,27 +296,6 @@ void TestMainWindow::controlEReachesTheWindowFromALineEdit() {
     QTRY_VERIFY(QFile::exists(m_answers.folder + QStringLiteral("/summary.json")));
 }
 
-void TestMainWindow::aChosenUnitIsKept() {
-    type(field("rod.length"), QStringLiteral("12 ft"));
-    QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
-    makeWindow(exactSolve());
-    QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
-    type(field("rod.length"), QStringLiteral("3 m"));
-    makeWindow(exactSolve());
-    QCOMPARE(field("rod.length").unit().name, std::string_view("m"));
-}
-
-void TestMainWindow::aPresetLeavesAGhostUntilTheNextChange() {
-    const int graphs = part<BlowPage>(window()).plot()->graphCount();
-    const auto hard = std::ranges::find(builtInPresets(), std::string("hard rock"), &Preset::name);
-    QCOMPARE(window().document().applyPreset(*hard), QString());
-    settle();
-    QVERIFY(part<BlowPage>(window()).plot()->graphCount() > graphs);
-    window().document().assign(*findParameter("rod.length"), 4, 1);
-    settle();
-    QCOMPARE(part<BlowPage>(window()).plot()->graphCount(), graphs);
-}
-
 void TestMainWindow::theNoteOfAnExampleDoesNotOutliveItsValues() {
     const QString explanation = part<ExampleNote>(window()).text();
     QCOMPARE(explanation, QString::fromStdString(defaultExample().explanation));
@@ -560,52 +316,6 @@ void TestMainWindow::aNarrowWindowStacksItsPanels() {
     QVERIFY(window().minimumSizeHint().width() <= 800);
     window().resize(1500, 800);
     QTRY_VERIFY(window().tabifiedDockWidgets(docks[0]).isEmpty());
-}
-
-void TestMainWindow::keysAimAtThePlotBelowThePointer() {
-    PlotWidget& plot = *part<BlowPage>(window()).plot();
-    const QPointF middle = plot.axisRect(0)->center();
-    QEnterEvent enter(middle, middle, plot.mapToGlobal(middle));
-    QCoreApplication::sendEvent(&plot, &enter);
-    auto* button = part<BlowPage>(window()).findChild<QPushButton*>();
-    button->setFocus();
-    QTest::keyClick(button, Qt::Key_A);
-    QVERIFY(plot.reader().position(PlotCursor::a));
-    // Text is typed where the focus is.
-    auto* title = part<ScenarioPanel>(window()).findChild<QLineEdit*>(QStringLiteral("title"));
-    title->setFocus();
-    title->clear();
-    QTest::keyClicks(title, QStringLiteral("b"));
-    QCOMPARE(title->text(), QStringLiteral("b"));
-    QVERIFY(!plot.reader().position(PlotCursor::b));
-    // The wheel takes the focus, so that Backspace brings the view back.
-    QWheelEvent wheel(middle, plot.mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
-                      Qt::NoScrollPhase, false);
-    const QCPRange before = plot.xAxis->range();
-    QCoreApplication::sendEvent(&plot, &wheel);
-    QVERIFY(plot.hasFocus());
-    QTest::keyClick(window().focusWidget(), Qt::Key_Backspace);
-    QCOMPARE(plot.xAxis->range().upper, before.upper);
-    QEvent leave(QEvent::Leave);
-    QCoreApplication::sendEvent(&plot, &leave);
-}
-
-void TestMainWindow::theReasonOfAnUnsolvedCaseStaysInThePlot() {
-    makeWindow([](const SolveRequest& request) {
-        return failedBlow(request,
-                          QString("The histories need more than 4 million wave pieces. ").repeated(5));
-    });
-    PlotWidget& plot = *part<BlowPage>(window()).plot();
-    plot.replot();
-    const QCPItemText* message = nullptr;
-    for (int i = 0; i < plot.itemCount(); ++i)
-        if (auto* text = qobject_cast<QCPItemText*>(plot.item(i)); text && text->text().contains("million"))
-            message = text;
-    QVERIFY(message && message->visible());
-    QVERIFY(message->brush().style() != Qt::NoBrush);
-    QVERIFY(message->left->pixelPosition().x() >= 0);
-    QVERIFY(message->right->pixelPosition().x() <= plot.width());
-    QVERIFY(message->top->pixelPosition().y() >= 0);
 }
 
 void TestMainWindow::aWindowCanGoWhileAFieldIsEdited_data() {

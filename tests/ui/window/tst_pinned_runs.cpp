@@ -35,6 +35,8 @@ class TestPinnedRuns : public QObject {
     void pinnedPointsOfAStudyAreSolved();
     void keptRunsSurviveTheWindow();
     void savedOverAnotherFileItsRunsAreReplacedIfConfirmed();
+    void closingAsksAboutTheRunsOfAFileSavedOver();
+    void closingWaitsForTheRunsAndTellsWhyTheyAreNotKept();
     void refusalsAreTold();
 
   private:
@@ -53,6 +55,10 @@ class TestPinnedRuns : public QObject {
         set("rod.length", 3);
         part<PinnedRuns>(window()).pinAction()->trigger();
         QCOMPARE(runs().list()->size(), 3u);
+    }
+    void saveAs(const char* name) {
+        m_answers.save = m_folder.filePath(QLatin1String(name));
+        QVERIFY(part<FileMenu>(window()).saveAs());
     }
     QAction* action(const QString& text) {
         for (QAction* each : list().actions())
@@ -207,10 +213,6 @@ void TestPinnedRuns::keptRunsSurviveTheWindow() {
 }
 
 void TestPinnedRuns::savedOverAnotherFileItsRunsAreReplacedIfConfirmed() {
-    const auto saveAs = [this](const char* name) {
-        m_answers.save = m_folder.filePath(QLatin1String(name));
-        QVERIFY(part<FileMenu>(window()).saveAs());
-    };
     const QString index = m_folder.filePath("other.runs/runs.csv");
     QVERIFY(QDir().mkpath(m_folder.filePath("other.runs")));
     write(index, "file,name,shown,reference,cor\n");
@@ -229,7 +231,7 @@ void TestPinnedRuns::savedOverAnotherFileItsRunsAreReplacedIfConfirmed() {
     saveAs("other.yaml");
     QTRY_COMPARE(m_answers.confirmed.size(), 2);
     QVERIFY(keep->isChecked());
-    QCOMPARE(read(index).count('\n'), 4);
+    QTRY_COMPARE(read(index).count('\n'), 4);
     // Nothing is asked about a file that is left at once.
     saveAs("mine.yaml");
     QVERIFY(!keep->isChecked());
@@ -237,6 +239,52 @@ void TestPinnedRuns::savedOverAnotherFileItsRunsAreReplacedIfConfirmed() {
     QCoreApplication::processEvents();
     QCOMPARE(m_answers.confirmed.size(), 2);
     QVERIFY(m_answers.told.isEmpty());
+}
+
+// At once, before anything that waits for its turn can have come.
+void TestPinnedRuns::closingAsksAboutTheRunsOfAFileSavedOver() {
+    const QString index = m_folder.filePath("theirs.runs/runs.csv");
+    QVERIFY(QDir().mkpath(m_folder.filePath("theirs.runs")));
+    write(index, "file,name,shown,reference,cor\n");
+    pinThree();
+    for (const bool replaces : {false, true}) {
+        saveAs("ours.yaml");
+        part<PinnedRuns>(window()).keepAction()->setChecked(false);
+        part<PinnedRuns>(window()).keepAction()->trigger();
+        m_answers.confirmed.clear();
+        m_answers.confirm = replaces;
+        saveAs("theirs.yaml");
+        QVERIFY(window().close());
+        QCOMPARE(m_answers.confirmed.size(), 1);
+        QVERIFY(m_answers.confirmed.first().contains("theirs.runs"));
+        QCOMPARE(read(index).count('\n'), replaces ? 4 : 1);
+        window().show();
+    }
+    QCoreApplication::processEvents();
+    QCOMPARE(m_answers.confirmed.size(), 1);
+    QCOMPARE(m_answers.unwritten, QStringList());
+}
+
+void TestPinnedRuns::closingWaitsForTheRunsAndTellsWhyTheyAreNotKept() {
+    pinThree();
+    saveAs("closed.yaml");
+    part<PinnedRuns>(window()).keepAction()->trigger();
+    QVERIFY(window().close());
+    QCOMPARE(m_answers.unwritten, QStringList());
+    QCOMPARE(read(m_folder.filePath("closed.runs/runs.csv")).count('\n'), 4);
+    window().show();
+    write(m_folder.filePath("closed.runs/A.yaml"), "mine");
+    runs().rename(1, "renamed");
+    m_answers.closeAllTheSame = false;
+    QVERIFY(!window().close());
+    QVERIFY(window().isVisible());
+    QCOMPARE(m_answers.unwritten.size(), 1);
+    QVERIFY(m_answers.unwritten.first().contains("A.yaml"));
+    QCOMPARE(m_answers.told, QStringList());
+    QCOMPARE(read(m_folder.filePath("closed.runs/A.yaml")), QByteArray("mine"));
+    // Nothing is left to be written.
+    QVERIFY(window().close());
+    QCOMPARE(m_answers.unwritten.size(), 1);
 }
 
 void TestPinnedRuns::refusalsAreTold() {

@@ -47,6 +47,7 @@ AccuracyPage::AccuracyPage(Document& document, QWidget* parent)
         if (proof() != Proof::stability || !m_stability) return;
         if (const std::optional<int> row = m_plot->rowAt(pixel)) loadCase(static_cast<std::size_t>(*row));
     });
+    plot->keyPoint().offer(m_plot->keyPlaces([this](int row) { return nameOf(std::size_t(row)); }));
     connect(cases, &QTableView::clicked, this,
             [this](const QModelIndex& index) { loadCase(m_stabilityTable->studyRow(index.row())); });
     connect(cases, &QTableView::activated, this,
@@ -168,6 +169,15 @@ QString AccuracyPage::sentence() const {
     const QLocale locale;
     return tr("e = %1 is right to %2, the bound that the exact solver states.")
         .arg(numberText(blow()->impact.cor, 6, locale), magnitudeText(blow()->impact.corError, locale));
+}
+
+// Of a point of the plot.
+QString AccuracyPage::nameOf(std::size_t row) const {
+    if (proof() == Proof::stability)
+        return m_stability && row < m_stability->rows.size()
+                   ? QString::fromStdString(m_stability->rows[row].stabilityCase.name)
+                   : QString();
+    return m_accuracy && row < m_accuracy->rows.size() ? rowName(m_accuracy->rows[row]) : QString();
 }
 
 void AccuracyPage::loadCase(std::size_t row) {

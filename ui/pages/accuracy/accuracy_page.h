@@ -41,6 +41,7 @@ class AccuracyPage : public StudyPage {
     void takeOver();
     void presentAccuracy();
     void presentStability();
+    QString nameOf(std::size_t row) const;
     void loadCase(std::size_t row);
     QTableView* addTable(ProofTable* model, const QString& name, const QString& title);
     void widenNames();

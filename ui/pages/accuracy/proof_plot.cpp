@@ -202,6 +202,18 @@ void ProofPlot::fit() {
     });
 }
 
+KeyPlaces ProofPlot::keyPlaces(std::function<QString(int)> nameOf) const {
+    KeyPlaces places;
+    places.rect = m_plot->axisRect();
+    places.on = KeyPlaces::On::points;
+    places.words = [this, nameOf = std::move(nameOf)](QPointF place) {
+        const std::optional<int> row =
+            rowAt({m_plot->xAxis->coordToPixel(place.x()), m_plot->yAxis->coordToPixel(place.y())});
+        return row ? nameOf(*row) : QString();
+    };
+    return places;
+}
+
 std::optional<int> ProofPlot::rowAt(QPointF pixel) const {
     constexpr double nearby = 10;  // [px]
     double least = nearby;

@@ -9,6 +9,7 @@
 
 #include "ui/pages/accuracy/proof_picture.h"
 #include "ui/plot/fitted_view.h"
+#include "ui/plot/key_point.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_style.h"
 
@@ -30,6 +31,8 @@ class ProofPlot : public QObject {
     void fit();
     /// The row of the study whose point is nearest to a pixel, if one is near.
     std::optional<int> rowAt(QPointF pixel) const;
+    /// Where keys may go: from point to point; `nameOf` says what a row of the study is.
+    KeyPlaces keyPlaces(std::function<QString(int)> nameOf) const;
 
   private:
     void clear();

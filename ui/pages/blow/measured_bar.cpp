@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <algorithm>
 
 #include "ui/form/choice_box.h"
 #include "ui/form/pulse_preview.h"
@@ -59,16 +60,17 @@ MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
     m_shift->setToolTip(tr("Added to the times of the measured curve; Up and Down move it"));
     m_shift->setStepAtZero(stepMicroseconds * 1e-6);
     m_shift->setTaker([this](double seconds) {
-        m_list.setTimeShift(chosen(), seconds);
+        m_list.setTimeShift(chosen(), seconds, m_gesture);
         return QString();
     });
+    connect(m_shift, &QuantityField::editsEnded, this, [this] { ++m_gesture; });
     m_align->setObjectName(QStringLiteral("alignMeasured"));
     m_align->setToolTip(tr("Shift it to where it fits the computed curve best"));
     m_remove->setText(QStringLiteral("×"));
     m_remove->setAutoRaise(true);
     m_remove->setAccessibleName(tr("Remove the measured curve"));
     m_remove->setObjectName(QStringLiteral("removeMeasured"));
-    m_remove->setToolTip(tr("Take this measured curve away; its file stays"));
+    m_remove->setToolTip(tr("Take this measured curve away; Undo brings it back"));
     auto* measured = new QLabel(tr("Measured"), this);
     measured->setBuddy(m_box);
     auto* shift = new QLabel(tr("shift"), this);
@@ -79,7 +81,10 @@ MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
     for (QWidget* each : std::initializer_list<QWidget*>{measured, m_box, m_place, shift, m_shift,
                                                          m_shift->unitButton(), m_align, m_remove, m_remark})
         layout->addWidget(each);
-    connect(m_box, &QComboBox::currentIndexChanged, this, &MeasuredBar::showChosen);
+    connect(m_box, &QComboBox::currentIndexChanged, this, [this] {
+        ++m_gesture;
+        showChosen();
+    });
     connect(m_place, &QPushButton::clicked, this, [this] {
         if (chosen() < m_list.signalList().size()) emit placeChosen(m_list.signalList()[chosen()].place);
     });
@@ -105,22 +110,36 @@ void MeasuredBar::setComparable(bool comparable) {
     m_align->setEnabled(comparable);
 }
 
-// A new one is the chosen one, and its section the one to look at.
+// That was not there before; -1 where nothing has come.
+int MeasuredBar::indexOfNew() const {
+    const std::vector<MeasuredSignal>& all = m_list.signalList();
+    if (all.size() <= m_names.size()) return -1;
+    const auto isSame = [](const std::string& name, const MeasuredSignal& signal) {
+        return name == signal.name;
+    };
+    return int(std::ranges::mismatch(m_names, all, isSame).in2 - all.begin());
+}
+
+// A new one, or one that is back, is the chosen one, and its section the one to look at.
 void MeasuredBar::showList() {
     const std::vector<MeasuredSignal>& all = m_list.signalList();
-    const bool isMore = static_cast<int>(all.size()) > m_box->count();
-    const int index = m_box->currentIndex();
+    const int fresh = indexOfNew();
+    const int index = fresh >= 0 ? fresh : m_box->currentIndex();
+    m_names.clear();
+    for (const MeasuredSignal& signal : all) m_names.push_back(signal.name);
     {
         const QSignalBlocker quiet(m_box);
         m_box->clear();
         for (const MeasuredSignal& signal : all) m_box->addItem(listText(signal));
         setStyle(m_style);
         const int last = m_box->count() - 1;
-        m_box->setCurrentIndex(isMore ? last : std::clamp(index, std::min(0, last), last));
+        m_box->setCurrentIndex(std::clamp(index, std::min(0, last), last));
     }
     setVisible(!all.empty());
     showChosen();
-    if (isMore && all.back().quantity == MeasuredQuantity::normalForce) emit placeChosen(all.back().place);
+    if (fresh < 0) return;
+    const MeasuredSignal& signal = all[static_cast<std::size_t>(fresh)];
+    if (signal.quantity == MeasuredQuantity::normalForce) emit placeChosen(signal.place);
 }
 
 void MeasuredBar::showChosen() {

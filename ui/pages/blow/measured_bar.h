@@ -38,8 +38,11 @@ class MeasuredBar : public QWidget {
     std::size_t chosen() const;
     void showList();
     void showChosen();
+    int indexOfNew() const;
 
     MeasuredList& m_list;
+    std::vector<std::string> m_names;  // in the list on show
+    int m_gesture = 1;                 // of the shifts that are one step
     PlotStyle m_style;
     ChoiceBox* m_box;
     QPushButton* m_place;

@@ -44,6 +44,7 @@ GapPage::GapPage(Document& document, QWidget* parent)
             [this](const QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
                 if (!m_plot->isDistribution(rect)) takeGap(at.x(), modifiers);
             });
+    plot->keyPoint().offer(m_plot->keyPlaces());
 }
 
 ChoiceBox* GapPage::outputBox() {

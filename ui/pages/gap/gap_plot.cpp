@@ -324,6 +324,18 @@ void GapPlot::setStyle(const PlotStyle& style) {
     m_marks->present(m_picture.marks, m_picture.gap, m_picture.value);
 }
 
+KeyPlaces GapPlot::keyPlaces() const {
+    KeyPlaces places;
+    places.rect = m_rect;
+    places.start = [this] { return m_here->place(); };
+    places.marks = [this] {
+        QVector<QPointF> marks;
+        for (const CurveMark& mark : m_picture.marks) marks.append(mark.at);
+        return m_graph->visible() ? marks : QVector<QPointF>();
+    };
+    return places;
+}
+
 void GapPlot::fit() {
     m_view->fit([&] {
         const double room = 0.02 * (m_picture.to - m_picture.from);

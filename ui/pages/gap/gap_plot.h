@@ -12,6 +12,7 @@
 #include "ui/pages/study/run_marks.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/here_mark.h"
+#include "ui/plot/key_point.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_style.h"
 
@@ -39,6 +40,8 @@ class GapPlot : public QObject {
     const RunGraphs& runs() const { return *m_runs; }
     /// Whether a point of the plot is beside the curve, on the distribution.
     bool isDistribution(const QCPAxisRect* rect) const { return rect == m_beside; }
+    /// Where keys may go: along the curves over the gap, to the marks.
+    KeyPlaces keyPlaces() const;
     /// What the plot shows, in words, for assistive tools and the line above it.
     QString textSummary() const { return m_summary; }
 

@@ -98,6 +98,7 @@ void MapPage::wire() {
                     take(inOrder(grid.xs()[place->column], grid.ys()[place->row]), modifiers);
                 }
             });
+    plot()->keyPoint().offer(m_plot->keyPlaces());
     MapCrosshair* crosshair = m_plot->crosshair();
     connect(crosshair, &MapCrosshair::dragStarted, this, [this] { m_gesture = document().newGesture(); });
     connect(crosshair, &MapCrosshair::dragged, this, &MapPage::dragTo);

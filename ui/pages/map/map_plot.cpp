@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/pages/map/map_contours.h"
 #include "ui/pages/map/map_crosshair.h"
+#include "ui/pages/map/map_presets.h"
 #include "ui/plot/curve_graph.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
@@ -50,33 +52,6 @@ bool isSameMap(const MapPicture& a, const MapPicture& b) {
            isSameAxis(a.report->study.y, b.report->study.y) && a.x == b.x && a.y == b.y;
 }
 
-/// Lines one after the other, with gaps between.
-QVector<QCPCurveData> curveData(const Contour& contour, const MapPicture& picture) {
-    QVector<QCPCurveData> data;
-    for (const ContourLine& line : contour.lines) {
-        if (!data.isEmpty()) data.append(QCPCurveData(double(data.size()), qQNaN(), qQNaN()));
-        for (const ContourPoint& point : line)
-            data.append(
-                QCPCurveData(double(data.size()), point.x * picture.x.factor, point.y * picture.y.factor));
-    }
-    return data;
-}
-
-/// The first solid, others dashed.
-QPen contourPen(const PlotStyle& style, int number) {
-    QPen pen(style.text, 1.8);
-    if (number % 3 == 1) pen.setDashPattern({6, 3});
-    if (number % 3 == 2) pen.setDashPattern({2, 2});
-    return pen;
-}
-
-/// The middle of the longest line: where its name stands.
-QPointF middleOf(const Contour& contour, const MapPicture& picture) {
-    const auto longest = std::ranges::max_element(contour.lines, {}, &ContourLine::size);
-    const ContourPoint& point = (*longest)[longest->size() / 2];
-    return {point.x * picture.x.factor, point.y * picture.y.factor};
-}
-
 }  // namespace
 
 MapPlot::MapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
@@ -87,6 +62,8 @@ MapPlot::MapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
     m_raster->setLayer(QStringLiteral("background"));
     linkAxes();
     addCuts();
+    m_contours = std::make_unique<MapContours>(m_map);
+    m_presets = std::make_unique<MapPresets>(m_map);
     m_crosshair = new MapCrosshair(plot, m_map, m_below, m_beside);
     m_runs = new RunMarks(plot, m_map->axis(QCPAxis::atBottom), m_map->axis(QCPAxis::atLeft));
     m_message = new PlotMessage(plot);
@@ -95,6 +72,8 @@ MapPlot::MapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
     setStyle(PlotStyle::forPaper());
     m_bar->setVisible(false);
 }
+
+MapPlot::~MapPlot() = default;
 
 void MapPlot::addRects() {
     m_map = newRect(m_plot);
@@ -163,9 +142,9 @@ void MapPlot::present(const MapPicture& picture) {
             for (QCPAxisRect* rect : {m_map, m_beside}) setScale(rect->axis(QCPAxis::atLeft), study.y.kind);
         });
     }
-    if (hasOtherPresets) placePresets();
+    if (hasOtherPresets) m_presets->present(m_picture, m_style);
     setLabels();
-    showContours();
+    m_contours->present(m_picture, m_style);
     showCuts();
     m_summary = summary();
     if (m_view->isFitted() || isOther) fit();
@@ -179,8 +158,8 @@ void MapPlot::showNothing(const QString& message) {
     m_alongX->data()->clear();
     m_alongY->data()->clear();
     for (QCPAxisRect* rect : {m_below, m_beside}) rect->axis(QCPAxis::atTop)->setLabel({});
-    showContours();
-    placePresets();
+    m_contours->present(m_picture, m_style);
+    m_presets->present(m_picture, m_style);
     m_crosshair->setPlace({});
     m_runs->present({});
     m_summary = message;
@@ -201,41 +180,6 @@ void MapPlot::setLabels() {
     const double room = 0.05 * values.size();
     m_below->axis(QCPAxis::atLeft)->setRange(values.lower - room, values.upper + room);
     m_beside->axis(QCPAxis::atBottom)->setRange(values.lower - room, values.upper + room);
-}
-
-void MapPlot::showContours() {
-    for (QCPCurve* curve : m_contours) m_plot->removePlottable(curve);
-    for (QCPItemText* text : m_levels) m_plot->removeItem(text);
-    m_contours.clear();
-    m_levels.clear();
-    if (!m_picture) return;
-    int number = 0;
-    for (const Contour& contour : m_picture->report->contours) {
-        if (contour.lines.empty()) continue;
-        const QVector<QCPCurveData> data = curveData(contour, *m_picture);
-        QColor halo = m_style.background;
-        halo.setAlpha(200);
-        for (const QPen& pen : {QPen(halo, 4), contourPen(m_style, number)}) {
-            auto* curve = new QCPCurve(m_map->axis(QCPAxis::atBottom), m_map->axis(QCPAxis::atLeft));
-            curve->setSelectable(QCP::stNone);
-            curve->setPen(pen);
-            curve->data()->set(data, true);
-            m_contours.append(curve);
-        }
-        auto* text = new QCPItemText(m_plot);
-        text->setSelectable(false);
-        text->setClipAxisRect(m_map);
-        text->position->setAxes(m_map->axis(QCPAxis::atBottom), m_map->axis(QCPAxis::atLeft));
-        text->position->setAxisRect(m_map);
-        text->position->setCoords(middleOf(contour, *m_picture));
-        text->setText(numberText(contour.level * m_picture->output.factor, 4, m_plot->locale()));
-        text->setPadding(QMargins(4, 1, 4, 1));
-        text->setFont(m_style.font);
-        text->setColor(m_style.text);
-        text->setBrush(halo);
-        m_levels.append(text);
-        ++number;
-    }
 }
 
 // Through the row and the column of points nearest to the crosshair.
@@ -275,46 +219,6 @@ void MapPlot::setRuns(const QVector<RunMark>& marks) {
     if (m_runs->present(marks)) m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void MapPlot::placePresets() {
-    for (QCPAbstractItem* item : m_presetItems) m_plot->removeItem(item);
-    m_presetItems.clear();
-    if (!m_picture) return;
-    QColor behind = m_style.background;
-    behind.setAlpha(170);
-    bool above = false;  // names of neighbours stand on different sides
-    for (const PresetPoint& preset : m_picture->presets) {
-        const QPointF at(preset.x * m_picture->x.factor, preset.y * m_picture->y.factor);
-        const auto column = AxisPlaces(m_picture->report->study.x).nearest(preset.x);
-        const bool leftward = column && 4 * *column > 3 * m_picture->grid().columns();
-        above = !above;
-        auto* mark = new QCPItemTracer(m_plot);
-        mark->setStyle(QCPItemTracer::tsSquare);
-        mark->setSize(7);
-        auto* text = new QCPItemText(m_plot);
-        text->setText(preset.name);
-        text->setPositionAlignment((leftward ? Qt::AlignRight : Qt::AlignLeft) |
-                                   (above ? Qt::AlignBottom : Qt::AlignTop));
-        text->setPadding(QMargins(6, 4, 6, 4));
-        for (QCPItemPosition* position : {mark->position, text->position}) {
-            position->setType(QCPItemPosition::ptPlotCoords);
-            position->setAxes(m_map->axis(QCPAxis::atBottom), m_map->axis(QCPAxis::atLeft));
-            position->setAxisRect(m_map);
-            position->setCoords(at);
-        }
-        for (QCPAbstractItem* item :
-             {static_cast<QCPAbstractItem*>(mark), static_cast<QCPAbstractItem*>(text)}) {
-            item->setSelectable(false);
-            item->setClipAxisRect(m_map);
-            m_presetItems.append(item);
-        }
-        mark->setPen(QPen(m_style.text, 1.5));
-        mark->setBrush(m_style.background);
-        text->setFont(m_style.font);
-        text->setColor(m_style.text);
-        text->setBrush(behind);
-    }
-}
-
 void MapPlot::setStyle(const PlotStyle& style) {
     m_style = style;
     m_message->setStyle(style);
@@ -331,8 +235,8 @@ void MapPlot::setStyle(const PlotStyle& style) {
     m_alongY->setPen(style.linePen(0));
     m_raster->setStyle(style);
     m_crosshair->setStyle(style);
-    showContours();
-    placePresets();
+    m_contours->present(m_picture, m_style);
+    m_presets->present(m_picture, m_style);
     m_runs->setStyle(style);
     if (!m_picture) return;
     showCuts();  // files have another locale
@@ -374,6 +278,27 @@ QString MapPlot::readout(QPointF pixel) const {
     return tr("%1 · %2 · %3")
         .arg(m_picture->xText(grid.xs()[place->column], locale),
              m_picture->yText(grid.ys()[place->row], locale), result);
+}
+
+KeyPlaces MapPlot::keyPlaces() const {
+    KeyPlaces places;
+    places.rect = m_map;
+    places.on = KeyPlaces::On::area;
+    places.start = [this] { return m_crosshair->place(); };
+    places.marks = [this] {
+        QVector<QPointF> marks;
+        if (!m_picture) return marks;
+        for (const PresetPoint& preset : m_picture->presets)
+            marks.append({preset.x * m_picture->x.factor, preset.y * m_picture->y.factor});
+        return marks;
+    };
+    // As narrow as it can be: it stands beside the point.
+    places.words = [this](QPointF place) {
+        return readout({m_map->axis(QCPAxis::atBottom)->coordToPixel(place.x()),
+                        m_map->axis(QCPAxis::atLeft)->coordToPixel(place.y())})
+            .replace(QStringLiteral(" · "), QStringLiteral("\n"));
+    };
+    return places;
 }
 
 QString MapPlot::summary() const {

@@ -5,18 +5,22 @@
 #include <qcustomplot.h>
 
 #include <QObject>
+#include <memory>
 #include <optional>
 
 #include "ui/pages/map/map_picture.h"
 #include "ui/pages/map/map_raster.h"
 #include "ui/pages/study/run_marks.h"
 #include "ui/plot/fitted_view.h"
+#include "ui/plot/key_point.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_style.h"
 
 namespace drillwave {
 
+class MapContours;
 class MapCrosshair;
+class MapPresets;
 
 /// Colours over two parameters with a bar, lines where contours are, and through the crosshair a cut below
 /// and one beside. Lives as a child of the plot.
@@ -25,6 +29,7 @@ class MapPlot : public QObject {
 
   public:
     explicit MapPlot(QCustomPlot* plot);
+    ~MapPlot() override;
 
     /// Shows a map; the view stays where it is unless it was fitted, or parameters, ranges or units changed.
     void present(const MapPicture& picture);
@@ -49,6 +54,8 @@ class MapPlot : public QObject {
     std::optional<MapGrid::Place> pointAt(QPointF shown) const;
     /// What is below a pixel, in words: both parameters, and the value or why there is none. Empty outside.
     QString readout(QPointF pixel) const;
+    /// Where keys may go: anywhere on the map, to the presets.
+    KeyPlaces keyPlaces() const;
     /// What the plot shows, in words, for assistive tools and the line above it.
     QString textSummary() const { return m_summary; }
 
@@ -56,9 +63,7 @@ class MapPlot : public QObject {
     void addRects();
     void addCuts();
     void linkAxes();
-    void showContours();
     void showCuts();
-    void placePresets();
     void setLabels();
     QString summary() const;
 
@@ -70,9 +75,8 @@ class MapPlot : public QObject {
     MapRaster* m_raster = nullptr;
     QCPGraph* m_alongX = nullptr;
     QCPCurve* m_alongY = nullptr;
-    QVector<QCPCurve*> m_contours;  // each with its halo before it
-    QVector<QCPItemText*> m_levels;
-    QVector<QCPAbstractItem*> m_presetItems;
+    std::unique_ptr<MapContours> m_contours;
+    std::unique_ptr<MapPresets> m_presets;
     MapCrosshair* m_crosshair = nullptr;
     RunMarks* m_runs = nullptr;
     PlotMessage* m_message;

@@ -6,6 +6,7 @@
 
 #include "ui/pages/run_graphs.h"
 #include "ui/plot/curve_graph.h"
+#include "ui/plot/plot_header.h"
 #include "ui/plot/run_pen.h"
 #include "ui/text/number_text.h"
 
@@ -42,7 +43,7 @@ RockPlot::RockPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new 
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
     m_path = new CurvePath(plot->xAxis, plot->yAxis);
     m_path->setName(tr("impact force F"));
-    addHeader();
+    m_caption = addPlotHeader(*plot, 4);
     addDropLines();
     m_peakName = addLabel();
     m_peakName->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
@@ -64,22 +65,6 @@ RockPlot::RockPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new 
     for (const QCPAxis* axis : {plot->xAxis, plot->yAxis}) m_view->watch(axis);
     setStyle(PlotStyle::forPaper());
     setMarksVisible(false);
-}
-
-// Above the plot, where it can hide no part of the curve.
-void RockPlot::addHeader() {
-    m_plot->plotLayout()->insertRow(0);
-    auto* header = new QCPLayoutGrid;
-    m_plot->plotLayout()->addElement(0, 0, header);
-    m_plot->plotLayout()->setRowStretchFactor(0, 1e-3);
-    m_caption = new QCPTextElement(m_plot);
-    m_caption->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
-    m_caption->setMargins(QMargins(7, 0, 0, 4));
-    header->setRowSpacing(0);
-    header->addElement(0, 0, m_plot->legend);
-    header->addElement(1, 0, m_caption);
-    m_plot->legend->setVisible(true);
-    m_plot->legend->setMargins(QMargins(7, 6, 0, 0));
 }
 
 QCPItemText* RockPlot::addLabel() {

@@ -43,7 +43,6 @@ class RockPlot : public QObject {
     QString textSummary() const { return m_summary; }
 
   private:
-    void addHeader();
     QCPItemText* addLabel();
     void addDropLines();
     void nameNumbers(const RockCurve& curve);

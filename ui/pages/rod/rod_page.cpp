@@ -56,6 +56,7 @@ RodPage::RodPage(Observation& observation, QWidget* parent)
     connect(m_plot, &PlotWidget::fitRequested, m_rod, &RodPlot::fit);
     connect(m_plot, &PlotWidget::clicked, this,
             [this](QCPAxisRect* /*rect*/, QPointF coordinates) { goTo(coordinates); });
+    m_plot->keyPoint().offer(m_rod->keyPlaces());
     showReadout();
 }
 

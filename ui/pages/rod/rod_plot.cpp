@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/plot/curve_graph.h"
+#include "ui/plot/plot_header.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -52,7 +53,9 @@ QPen penOf(const PlotStyle& style, RodLine line) {
 RodPlot::RodPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
     plot->axisRect()->setupFullAxesBox(true);
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
-    addHeader();
+    m_caption = addPlotHeader(*plot, 2);
+    plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    plot->legend->setWrap(2);
     for (const RodLine line : rodLines) {
         QCPGraph* graph = addCurve(plot->xAxis, plot->yAxis);
         graph->setName(nameOf(line));
@@ -67,24 +70,6 @@ RodPlot::RodPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
     connect(plot, &QCustomPlot::beforeReplot, this, &RodPlot::followLegend);
     setStyle(PlotStyle::forPaper());
     showNothing({});
-}
-
-// Above the plot, where it can hide no part of a curve.
-void RodPlot::addHeader() {
-    m_plot->plotLayout()->insertRow(0);
-    auto* header = new QCPLayoutGrid;
-    header->setRowSpacing(0);
-    m_plot->plotLayout()->addElement(0, 0, header);
-    header->addElement(0, 0, m_plot->legend);
-    m_plot->plotLayout()->setRowStretchFactor(0, 1e-3);
-    m_plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    m_plot->legend->setWrap(2);
-    m_plot->legend->setVisible(true);
-    m_plot->legend->setMargins(QMargins(7, 6, 0, 0));
-    m_caption = new QCPTextElement(m_plot);
-    m_caption->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
-    m_caption->setMargins(QMargins(7, 0, 0, 2));
-    header->addElement(1, 0, m_caption);
 }
 
 void RodPlot::addStrength(Strength& strength) {
@@ -299,6 +284,22 @@ void RodPlot::fit() {
         else
             m_plot->yAxis->setRange(-1, 1);
     });
+}
+
+KeyPlaces RodPlot::keyPlaces() const {
+    KeyPlaces places;
+    places.rect = m_plot->axisRect();
+    places.start = [this] {
+        return m_here->x() ? std::optional(QPointF(*m_here->x(), m_here->y().value_or(0))) : std::nullopt;
+    };
+    places.marks = [this] {
+        QVector<QPointF> marks;
+        for (const RodLine line : rodLines)
+            if (const RodForce& largest = m_curves.largest(line); graph(line)->visible() && largest.size > 0)
+                marks.append({m_curves.position(largest), m_curves.stress(line, largest)});
+        return marks;
+    };
+    return places;
 }
 
 std::optional<RodForce> RodPlot::forceAt(QPointF coordinates) const {

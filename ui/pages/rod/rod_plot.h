@@ -12,6 +12,7 @@
 #include "ui/pages/rod/rod_curves.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/here_mark.h"
+#include "ui/plot/key_point.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_style.h"
 
@@ -41,6 +42,8 @@ class RodPlot : public QObject {
     /// What a point of the plot stands for, in its coordinates: the extreme that is marked near it, or the
     /// largest stress at that position by the curve nearest to it. Nothing beside the rod.
     std::optional<RodForce> forceAt(QPointF coordinates) const;
+    /// Where keys may go: along the curves, to the extremes that are marked.
+    KeyPlaces keyPlaces() const;
     QCPGraph* graph(RodLine line) const { return m_graphs[static_cast<std::size_t>(line)]; }
     /// What the plot shows, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
@@ -56,7 +59,6 @@ class RodPlot : public QObject {
         QCPItemText* number = nullptr;
     };
 
-    void addHeader();
     void addStrength(Strength& strength);
     void addMark(Mark& mark);
     void placeStrength(const Strength& strength, const std::optional<double>& value, const QString& name);

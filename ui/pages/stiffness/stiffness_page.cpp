@@ -53,6 +53,7 @@ StiffnessPage::StiffnessPage(Document& document, QWidget* parent)
     plot->followPalette([this](const PlotStyle& style) { m_stiffness->setStyle(style); });
     connect(plot, &PlotWidget::fitRequested, m_stiffness, &StiffnessPlot::fit);
     connect(plot, &PlotWidget::clicked, this, &StiffnessPage::click);
+    plot->keyPoint().offer(m_stiffness->keyPlaces());
     connect(&UnitChoice::shared(), &UnitChoice::changed, this, &StiffnessPage::askSoon);
 }
 
@@ -260,13 +261,13 @@ void StiffnessPage::click(QCPAxisRect*, QPointF coordinates, Qt::KeyboardModifie
     const StiffnessPlot::Target target = m_stiffness->targetAt(coordinates);
     const StiffnessPicture& picture = m_stiffness->picture();
     const CurveQuestion& asked = m_shown.study->question.curve;
-    const bool isExact = target.x != coordinates.x();
     std::vector<ParameterValue> values;
     if (target.line >= 0 && asked.family && !picture.lines[target.line].isHere)
         values.push_back(
             {asked.family->parameter,
              *m_shown.study->curve.lines[std::size_t(picture.lines[target.line].number)].family});
-    values.push_back({asked.along.parameter, m_shown.xUnit->toSi(isExact ? target.x : readable(target.x))});
+    values.push_back(
+        {asked.along.parameter, m_shown.xUnit->toSi(target.isMark ? target.x : readable(target.x))});
     take(values, modifiers);
 }
 

@@ -295,6 +295,19 @@ void StiffnessPlot::fit() {
     });
 }
 
+KeyPlaces StiffnessPlot::keyPlaces() const {
+    KeyPlaces places;
+    places.rect = m_rect;
+    places.start = [this] { return m_here->place(); };
+    places.marks = [this] {
+        QVector<QPointF> marks;
+        if (m_picture.marked >= 0 && m_graphs[m_picture.marked]->visible())
+            for (const CurveMark& mark : m_picture.marks) marks.append(mark.at);
+        return marks;
+    };
+    return places;
+}
+
 StiffnessPlot::Target StiffnessPlot::targetAt(QPointF coordinates) const {
     const QCPAxis* x = m_rect->axis(QCPAxis::atBottom);
     const QCPAxis* y = m_rect->axis(QCPAxis::atLeft);
@@ -302,12 +315,12 @@ StiffnessPlot::Target StiffnessPlot::targetAt(QPointF coordinates) const {
         return std::hypot(x->coordToPixel(other.x()) - x->coordToPixel(coordinates.x()),
                           y->coordToPixel(other.y()) - y->coordToPixel(coordinates.y()));
     };
-    Target target{coordinates.x(), -1};
+    Target target{.x = coordinates.x()};
     double nearest = nearPixels;
     for (const CurveMark& mark : m_picture.marks) {
         if (distance(mark.at) >= nearest) continue;
         nearest = distance(mark.at);
-        target = {mark.at.x(), m_picture.marked};
+        target = {mark.at.x(), m_picture.marked, true};
     }
     if (target.line >= 0) return target;
     for (int i = 0; i < m_graphs.size(); ++i) {

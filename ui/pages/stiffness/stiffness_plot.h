@@ -12,6 +12,7 @@
 #include "ui/pages/study/run_marks.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/here_mark.h"
+#include "ui/plot/key_point.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_style.h"
 
@@ -46,8 +47,11 @@ class StiffnessPlot : public QObject {
     struct Target {
         double x = 0;   ///< as shown
         int line = -1;  ///< of the picture; -1 away from all of them
+        bool isMark = false;
     };
     Target targetAt(QPointF coordinates) const;
+    /// Where keys may go: along the curves, to marks and extremes.
+    KeyPlaces keyPlaces() const;
 
   private:
     void addRect();

@@ -61,6 +61,7 @@ ThrustPage::ThrustPage(Document& document, QWidget* parent)
             [this](const QCPAxisRect*, QPointF at, Qt::KeyboardModifiers modifiers) {
                 takeParameter(at.x(), modifiers);
             });
+    widget->keyPoint().offer(m_plot->keyPlaces());
     connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
         if (isVisible()) present();
     });

@@ -5,6 +5,7 @@
 
 #include "ui/pages/thrust/regime_bands.h"
 #include "ui/plot/curve_graph.h"
+#include "ui/plot/plot_header.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -27,7 +28,11 @@ ThrustPlot::ThrustPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(
     plot->axisRect()->setupFullAxesBox(true);
     for (QCPAxis* far : {plot->xAxis2, plot->yAxis2}) far->setTicks(false);
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
-    addHeader();
+    m_caption = addPlotHeader(*plot, 2);
+    m_caption->setText(
+        tr("each need from f I₀ (1 + e), full penetration, to f I₀ (1 + 2e), bit back in time undamped"));
+    plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    plot->legend->setWrap(3);
     m_bands = new RegimeBands(plot);
     for (const ThrustCase which : thrustCases) {
         const auto i = static_cast<std::size_t>(which);
@@ -49,26 +54,6 @@ ThrustPlot::ThrustPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(
     connect(plot, &QCustomPlot::beforeReplot, this, &ThrustPlot::followLegend);
     setStyle(PlotStyle::forPaper());
     showNothing({});
-}
-
-// Above the plot, where it can hide no part of a curve.
-void ThrustPlot::addHeader() {
-    m_plot->plotLayout()->insertRow(0);
-    auto* header = new QCPLayoutGrid;
-    header->setRowSpacing(0);
-    m_plot->plotLayout()->addElement(0, 0, header);
-    header->addElement(0, 0, m_plot->legend);
-    m_plot->plotLayout()->setRowStretchFactor(0, 1e-3);
-    m_plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    m_plot->legend->setWrap(3);
-    m_plot->legend->setVisible(true);
-    m_plot->legend->setMargins(QMargins(7, 6, 0, 0));
-    m_caption =
-        new QCPTextElement(m_plot, tr("each need from f I₀ (1 + e), full penetration, to f I₀ (1 + 2e), bit "
-                                      "back in time undamped"));
-    m_caption->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
-    m_caption->setMargins(QMargins(7, 0, 0, 2));
-    header->addElement(1, 0, m_caption);
 }
 
 void ThrustPlot::present(const ThrustPicture& picture) {
@@ -168,6 +153,13 @@ void ThrustPlot::setStyle(const PlotStyle& style) {
     m_here->setStyle(style);
     m_runs->setStyle(style);
     if (!m_picture.feed.isEmpty()) nameFeed();  // files have another locale
+}
+
+KeyPlaces ThrustPlot::keyPlaces() const {
+    KeyPlaces places;
+    places.rect = m_plot->axisRect();
+    places.start = [this] { return m_here->place(); };
+    return places;
 }
 
 void ThrustPlot::fit() {

@@ -13,6 +13,7 @@
 #include "ui/pages/thrust/thrust_picture.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/here_mark.h"
+#include "ui/plot/key_point.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_style.h"
 
@@ -46,11 +47,12 @@ class ThrustPlot : public QObject {
     /// How far above (negative: below) the line of the feed a pixel is [px]; nothing where there is no line
     /// there.
     std::optional<double> heightAboveFeed(QPointF pixel) const;
+    /// Where keys may go: along the needs and the feed.
+    KeyPlaces keyPlaces() const;
     /// What the plot shows, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
 
   private:
-    void addHeader();
     void followLegend();
     void nameFeed();
 

@@ -38,6 +38,7 @@ class TestGapCurve : public QObject {
     void theReferenceCaseIsOneBlow();
     void aHammerThatPushesForEverIsRefused();
     void aStopEndsTheWork();
+    void theWorkEndsAfterTheMostPieces();
 };
 
 void TestGapCurve::theCurveIsWhatTheSolverSaysAtEveryGap_data() {
@@ -184,6 +185,26 @@ void TestGapCurve::aStopEndsTheWork() {
                                     stop.get_token(), progress);
     QVERIFY(curve.stopped && !curve.usable());
     QVERIFY(curve.pieces.back().end < 0.6);
+}
+
+// What is counted is what the curve takes in all: with as much it is whole.
+void TestGapCurve::theWorkEndsAfterTheMostPieces() {
+    const Problem problem = problemOf(PulseShape::rectangular, {0.5, 0.1, 10, 0});
+    const GapCurve whole = gapCurve(problem, Detail::cor);
+    QVERIFY(whole.isComplete());
+    const long aBlow = ExactSolver().solve(problem, Detail::cor).pieces;
+    const auto some = static_cast<long>(whole.solves) * aBlow / 2;
+    for (const long mostPieces : {20 * aBlow, some}) {
+        const GapCurve given = gapCurve(problem, Detail::cor, {}, {}, mostPieces);
+        QVERIFY(given.solves < whole.solves);
+        QVERIFY(!given.isComplete() && !given.stopped);
+        QCOMPARE(given.reason, std::string(tooManyPieces));
+    }
+    // Less than any curve takes is known from the first blow.
+    QVERIFY(gapCurve(problem, Detail::cor, {}, {}, 20 * aBlow).solves < 20);
+    const auto many = static_cast<long>(whole.solves) * 100 * aBlow;
+    QCOMPARE(gapCurve(problem, Detail::cor, {}, {}, many).solves, whole.solves);
+    QVERIFY(gapCurve(problem, Detail::cor, {}, {}, many).isComplete());
 }
 
 QTEST_GUILESS_MAIN(TestGapCurve)

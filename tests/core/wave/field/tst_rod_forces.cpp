@@ -78,18 +78,7 @@ class TestRodForces : public QObject {
         QVERIFY(std::abs(forces.tensionAfter.size - (most - least)) < 2e-3);
     }
 
-    void everySectionAndTimeStaysBelow_data() {
-        QTest::addColumn<Scene>("scene");
-        QTest::newRow("paper Fig. 4 (a)") << Scene{PulseShape::rectangular, {0.5, 1, 10, 0}};
-        QTest::newRow("paper Fig. 4 (b)") << Scene{PulseShape::rectangular, {0.5, 0.1, 10, 0}};
-        QTest::newRow("triangular") << Scene{PulseShape::triangular, {0.9, 0.3, 2.3, 0.4}};
-        QTest::newRow("half sine") << Scene{PulseShape::halfSine, {2, 0.05, 3.3, 0.9}};
-        QTest::newRow("hammer longer than a round trip")
-            << Scene{PulseShape::trapezoid, {0.7, 0.3, 0.21, 0.4}};
-        QTest::newRow("piston") << Scene{PulseShape::piston, {5, 0.2, 1.7, 0}};
-        QTest::newRow("reference case") << Scene{PulseShape::rigidBody, {0.5, 0.1, 2, 0}};
-        QTest::newRow("gap of ten periods") << Scene{PulseShape::rectangular, {0.7, 0.3, 4, 10.3}};
-    }
+    void everySectionAndTimeStaysBelow_data() { addRodScenes(); }
 
     void everySectionAndTimeStaysBelow() {
         QFETCH(Scene, scene);

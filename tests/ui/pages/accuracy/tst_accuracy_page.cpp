@@ -31,6 +31,7 @@ class TestAccuracyPage : public QObject {
     void theTableShowsTheColumnsOfTheCommand();
     void theWorstCaseComesFirst();
     void aClickLoadsACaseAsOneStep();
+    void keysGoFromCaseToCase();
     void theCommandIsThatOfTheTab();
 
   private:
@@ -188,6 +189,26 @@ void TestAccuracyPage::aClickLoadsACaseAsOneStep() {
     QVERIFY(cases->model()->rowCount() > 3);
     m_document->undoStack().undo();
     QVERIFY(m_document->scenario().form == ScenarioForm::dimensional);
+}
+
+void TestAccuracyPage::keysGoFromCaseToCase() {
+    m_page->show();
+    tabs()->setCurrentIndex(1);
+    button()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(table("stabilityTable")->model()->rowCount() > 3, 30000);
+    button()->click();
+    PlotWidget& plot = *m_page->plot();
+    plot.replot();
+    QTest::keyClick(&plot, Qt::Key_Return);
+    QTest::keyClick(&plot, Qt::Key_Home);
+    const QPointF first = plot.keyPoint().place().value_or(QPointF());
+    QTest::keyClick(&plot, Qt::Key_Right);
+    QVERIFY(plot.keyPoint().place() != first);
+    // Its name first, then its numbers.
+    const QString name = plot.keyPoint().text().section(QLatin1Char('\n'), 0, 0);
+    QTest::keyClick(&plot, Qt::Key_Return);
+    QCOMPARE(m_document->undoStack().count(), 1);
+    QCOMPARE(QString::fromStdString(m_document->scenario().title), name);
 }
 
 void TestAccuracyPage::theCommandIsThatOfTheTab() {

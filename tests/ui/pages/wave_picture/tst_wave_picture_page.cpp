@@ -441,6 +441,24 @@ void TestWavePicturePage::whatTheColoursDoNotReachIsMarked() {
     const QImage beyond = draw(1.5F * float(shown.limit));
     QVERIFY(within != beyond);
     QVERIFY(m_page->picture()->rangeText().contains(QStringLiteral("colours end at ±")));
+    // The heads at both ends are alike, and stand on the line around the bar.
+    shown.least = -1.5F * float(shown.limit);
+    const QImage both = draw(1.5F * float(shown.limit));
+    const auto* scale = m_page->plot()->findChild<QCPColorScale*>();
+    const auto rects = m_page->plot()->axisRects();
+    QVERIFY(scale || rects.size() > 1);
+    const QRect bar = scale ? scale->axis()->axisRect()->rect() : rects.last()->rect();
+    const int sum = 2 * bar.top() + bar.height() - 2;  // of rows that mirror each other
+    int dark = 0;
+    for (int y = bar.top() - 8; y < bar.top() - 2; ++y)
+        for (int x = bar.left() - 2; x < bar.left() + bar.width() + 2; ++x) {
+            const int above = qGray(both.pixel(x, y)), below = qGray(both.pixel(x, sum - y));
+            const int beside = qGray(both.pixel(2 * bar.left() + bar.width() - x, y));
+            constexpr int rounding = 8;  // of what is smoothed
+            QVERIFY(std::abs(above - below) <= rounding && std::abs(above - beside) <= rounding);
+            dark += above < 128;
+        }
+    QVERIFY(dark > bar.width());
 }
 
 void TestWavePicturePage::theDataAreTheFieldInView() {

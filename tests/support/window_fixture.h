@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A window of its own for each test, and its fields.
+#pragma once
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/support/window.h"
+#include "tests/support/window_parts.h"
+#include "ui/form/quantity_field.h"
+#include "ui/form/scenario_panel.h"
+#include "ui/job/solve_job.h"
+#include "ui/text/settings.h"
+
+namespace drillwave::test {
+
+/// In place of what is there, with Enter.
+inline void type(QuantityField& field, const QString& text) {
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClick(&field, Qt::Key_Backspace);
+    QTest::keyClicks(&field, text);
+    QTest::keyClick(&field, Qt::Key_Return);
+}
+
+/// Settings and files are kept in the fixture's folder.
+class WindowFixture {
+  protected:
+    WindowFixture() { keepSettingsIn(m_folder.filePath(QStringLiteral("settings"))); }
+
+    /// A new window, as at the first start of the program.
+    void start() {
+        QLocale::setDefault(QLocale::c());
+        Settings().clear();
+        m_answers = {};
+        makeWindow(exactSolve());
+    }
+    void makeWindow(SolveJob::Solve solve) {
+        m_window = newWindow(m_answers, std::move(solve));
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    }
+    MainWindow& window() { return *m_window; }
+    QuantityField& field(const char* key) {
+        return *part<ScenarioPanel>(*m_window).findChild<QuantityField*>(QLatin1String(key));
+    }
+    double cor() const { return m_window->shown()->summary.cor; }
+    void settle() { QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy()); }
+
+    QTemporaryDir m_folder;
+    ScriptedAnswers m_answers;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+}  // namespace drillwave::test

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report on a blow on pages, of a file or of paper.
+#pragma once
+
+#include <vector>
+
+#include "ui/export/report_plots.h"
+
+class QPagedPaintDevice;
+
+namespace drillwave {
+
+/// Draws the words of reportHtml() for paper and the plots as vectors, a line with title and program above
+/// each page and its number below, with margins of 15 mm; on A4 two to four pages. False where the device
+/// takes no pages, a printer that is gone say.
+bool drawReportPages(const BlowReport& report, const std::vector<ReportPlot>& plots,
+                     QPagedPaintDevice& device);
+
+}  // namespace drillwave

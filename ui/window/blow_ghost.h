@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The blow from before a change that stays faintly behind the one on show.
+#pragma once
+
+#include <QObject>
+#include <functional>
+
+#include "ui/job/solved_blow.h"
+
+namespace drillwave {
+
+class Document;
+class PageTabs;
+class ScenarioPanel;
+
+/// That from before a drag stays to compare with until its end, that from before a preset until the next
+/// change.
+class BlowGhost : public QObject {
+    Q_OBJECT
+
+  public:
+    using Shown = std::function<SolvedBlowPtr()>;
+
+    /// `shown` tells what is on show; all of them must outlive it.
+    BlowGhost(Document& document, ScenarioPanel& panel, PageTabs& pages, Shown shown, QObject* parent);
+
+  private:
+    /// What a preset leaves of the case before it.
+    enum class Stay { no, overThisChange, untilTheNextChange };
+
+    void set(const SolvedBlowPtr& before);
+    void followChange();
+
+    PageTabs& m_pages;
+    Stay m_stay = Stay::no;
+};
+
+}  // namespace drillwave
