@@ -30,6 +30,10 @@ bool ContactMarch<Basis>::march() {
     for (;;) {
         if (m_line == ContactLine::apart && m_incident.length <= 0) {
             if (hammerHasEnded()) {
+                if (m_detail < Detail::ledger && m_everTouched && staysAway()) {
+                    finish();
+                    return true;
+                }
                 if (flyFree() == Progress::goesOn) continue;
                 return !m_basis.failed() || undecided();
             }

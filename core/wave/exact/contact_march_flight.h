@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Whether no contact can follow although the hammer still pushes. Each period moves the front end by twice the
+/// Whether no contact can follow, even if the hammer still pushes. Each period moves the front end by twice the
 /// momentum of the rod, of which the hammer adds at most what is left of its impulse, and within a period by no
 /// more than the waves on their way and that rest.
 template <class Basis>
@@ -20,14 +20,15 @@ bool ContactMarch<Basis>::staysAway() {
     const Real uncertain = 4 * m_error + impulseOfHammer;
     const Real momentum = 1 - m_impulse;  // when the hammer has ended
     if (m_touching || m_periodsAhead > 0 || momentum > -uncertain) return false;
-    const Real rest = 1 - Real(m_pulse->segments[m_hammerPiece].impulseBefore);
+    const Real rest = hammerHasEnded() ? Real(0) : 1 - Real(m_pulse->segments[m_hammerPiece].impulseBefore);
     const Real free = m_gap / 2 - rest - uncertain;
     if (free <= 0) return false;
     Real reached = 0;
     for (std::size_t i = 0; i < m_waves.size(); ++i) {
         const Piece& piece = m_waves[i];
-        const Real bound = std::max(Real(0), piece.mostValue()) * piece.length;
-        if (reached + bound > free && reached + m_basis.largestIntegral(piece) > free) return false;
+        if (reached + m_basis.mostIntegral(piece) > free) {
+            if (hammerHasEnded() || reached + m_basis.largestIntegral(piece) > free) return false;
+        }
         reached += piece.integral(piece.length);
     }
     return !m_basis.failed();
@@ -40,14 +41,15 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
     Real momentum = 0;
     const std::size_t period = m_waves.size();
     for (std::size_t i = 0; i < period; ++i) {
-        Piece& arriving = m_waves.front();
+        const Piece& arriving = m_waves[i];
         const auto contact = m_basis.gapClosure(arriving, m_gap);
         if (m_basis.failed()) return Progress::finished;
         if (contact.found) {
             if (m_touching && contact.u > 0) separate();
-            m_incident = arriving;
+            m_waves.rotate(i);
+            m_incident = m_waves.front();
             m_waves.popFront();
-            if (contact.u > 0) leave(m_incident, m_incident, nullptr, contact.u);
+            if (contact.u > 0) leaveFree(contact.u);
             closeGap(m_incident, contact.u);
             if (contact.u > 0) m_incident.dropFront(contact.u);
             return Progress::goesOn;
@@ -60,7 +62,6 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
         m_s += arriving.length;
         if (m_touching) m_contactTime += arriving.length;
         if (m_detail == Detail::histories) m_basis.record(arriving, nullptr, arriving.length, *m_impact);
-        m_waves.rotate();
     }
     return skipPeriods(momentum);
 }

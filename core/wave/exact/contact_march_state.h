@@ -88,8 +88,10 @@ class ContactMarch {
     void drift(Real impulse);
     void separate();
     void rejoin();
-    [[gnu::always_inline]] inline void leave(const Piece& reflected, const Piece& incident,
-                                             const Piece* force, Real length);
+    void pass(const Piece& incident, const Piece* force, Real length);
+    void leaveFree(Real length);
+    bool joins(const Piece& wave, Real length);
+    [[gnu::always_inline]] inline void leaveContact(Response& response, Real length);
     void finish();
     void summarise();
     void note(ContactEvent kind) {

@@ -112,26 +112,50 @@ void ContactMarch<Basis>::rejoin() {
     if (m_detail >= Detail::events) m_impact->events.pop_back();
 }
 
-/// A stretch of the front end has passed: its reflected wave goes back into the rod.
+/// A stretch of the front end has passed.
 template <class Basis>
-void ContactMarch<Basis>::leave(const Piece& reflected, const Piece& incident, const Piece* force,
-                                Real length) {
+void ContactMarch<Basis>::pass(const Piece& incident, const Piece* force, Real length) {
     ++m_impact->pieces;
     m_s += length;
     if (force || m_touching) m_contactTime += length;
-    if (length <= 0) return;
-    if (m_detail == Detail::histories) [[unlikely]]
+    if (m_detail == Detail::histories && length > 0) [[unlikely]]
         m_basis.record(incident, force, length, *m_impact);
+}
+
+/// The first `length` of what arrives goes back into the rod as it came.
+template <class Basis>
+void ContactMarch<Basis>::leaveFree(Real length) {
+    pass(m_incident, nullptr, length);
+    if (length <= 0) return;
     if constexpr (Basis::joinsPieces)
-        if (m_waves.size() > Basis::manyPieces) {
-            Piece last = reflected;
-            last.shorten(length);
-            m_basis.tidy(last);
-            if (m_basis.join(m_waves.back(), last, m_error)) return;
-        }
-    m_waves.pushBack(reflected);
-    m_waves.back().shorten(length);
-    m_basis.tidy(m_waves.back());
+        if (joins(m_incident, length)) return;
+    Piece& back = m_waves.pushBack();
+    back = m_incident;
+    back.shorten(length);
+    m_basis.tidy(back);
+}
+
+/// The reflected wave of a stretch of contact goes back into the rod.
+template <class Basis>
+void ContactMarch<Basis>::leaveContact(Response& response, Real length) {
+    pass(m_basis.incidentOf(response), &response.force, length);
+    if (length <= 0) return;
+    if constexpr (Basis::joinsPieces)
+        if (joins(response.reflected, length)) return;
+    Piece& back = m_waves.pushBack();
+    m_basis.reflect(response, back);
+    back.shorten(length);
+    m_basis.tidy(back);
+}
+
+/// Whether the wave has become part of the one before it.
+template <class Basis>
+bool ContactMarch<Basis>::joins(const Piece& wave, Real length) {
+    if (m_waves.size() <= Basis::manyPieces) return false;
+    Piece next = wave;
+    next.shorten(length);
+    m_basis.tidy(next);
+    return m_basis.join(m_waves.back(), next, m_error);
 }
 
 /// While the hammer still pushes: the front end is free until the gap is closed.
@@ -141,13 +165,13 @@ void ContactMarch<Basis>::advanceApart() {
     if (!contact.found) {
         if (m_touching && !m_incident.isZero()) separate();
         if (!m_touching) drift(m_incident.integral(m_incident.length));
-        leave(m_incident, m_incident, nullptr, m_incident.length);
+        leaveFree(m_incident.length);
         m_incident.length = 0;
         return;
     }
     if (contact.u > 0) {
         if (m_touching) separate();
-        leave(m_incident, m_incident, nullptr, contact.u);
+        leaveFree(contact.u);
     }
     closeGap(m_incident, contact.u);
     if (contact.u > 0) m_incident.dropFront(contact.u);
@@ -222,7 +246,7 @@ void ContactMarch<Basis>::advanceContact() {
         m_law.remember(m_basis.largest(response, length, m_law.largestForce()));
     m_force = std::max(response.force.value(length), Real(0));  // below it: rounding
     m_contactForce = std::max(m_contactForce, m_force);
-    leave(response.reflected, response.incident, &response.force, length);
+    leaveContact(response, length);
     if (length < m_incident.length)
         m_basis.dropFront(m_incident, response);
     else

@@ -200,16 +200,16 @@ double ExponentialBasis::hammerProduct(const PulseSegment& segment, double into,
     return productIntegral(hammer, g, length);
 }
 
-ExponentialBasis::Response& ExponentialBasis::respond(const Piece& g, double rate, double force) {
+ExponentialBasis::Response& ExponentialBasis::respond(Piece& g, double rate, double force) {
     Response& r = m_response;
-    r.incident = g;
-    r.incident.rates = &m_rates;
+    g.rates = &m_rates;
+    r.incident = &g;
     r.length = g.length;
     r.rate = rate;
     const bool primary = rate == m_rates.primary;
     const double other = primary ? m_rates.elastic : m_rates.primary;
-    const RateTerms& same = primary ? r.incident.primary : r.incident.elastic;
-    const RateTerms& different = primary ? r.incident.elastic : r.incident.primary;
+    const RateTerms& same = primary ? g.primary : g.elastic;
+    const RateTerms& different = primary ? g.elastic : g.primary;
     RateTerms& forceSame = primary ? r.force.primary : r.force.elastic;
     RateTerms& forceDifferent = primary ? r.force.elastic : r.force.primary;
 
@@ -234,31 +234,37 @@ ExponentialBasis::Response& ExponentialBasis::respond(const Piece& g, double rat
         }
         forceSame.rises.c[0] = -(r.force.c1 + other * forceDifferent.rises[0]) / rate;
     }
-    r.force.hammer = r.incident.hammer.present ? forced(r.incident.hammer, rate) : HammerTerms{};
+    r.force.hammer = g.hammer.present ? forced(g.hammer, rate) : HammerTerms{};
     // the layer in which the force joins the slow solution; on stiff rock its rounding would seem an event
     const double slow = r.force.c0 + forceDifferent.start() + r.force.hammer.startValue();
     const double layer = force - slow;
     const bool isRounding = std::abs(layer) <= 4 * epsilon * (std::abs(force) + std::abs(r.force.c0));
     forceSame.decays.c[0] = isRounding ? 0 : layer;
     // the decays over the whole piece serve all functions of this piece
-    if (r.incident.primaryDecay < 0 && !r.force.primary.isZero())
-        r.incident.primaryDecay = std::exp(-m_rates.primary * g.length);
-    if (r.incident.elasticDecay < 0 && !r.force.elastic.isZero())
-        r.incident.elasticDecay = std::exp(-m_rates.elastic * g.length);
-    r.force.primaryDecay = r.incident.primaryDecay;
-    r.force.elasticDecay = r.incident.elasticDecay;
+    if (g.primaryDecay < 0 && !r.force.primary.isZero())
+        g.primaryDecay = std::exp(-m_rates.primary * g.length);
+    if (g.elasticDecay < 0 && !r.force.elastic.isZero())
+        g.elasticDecay = std::exp(-m_rates.elastic * g.length);
+    r.force.primaryDecay = g.primaryDecay;
+    r.force.elasticDecay = g.elasticDecay;
     r.size = r.force.magnitude();
     if (r.size > mostCancellation * m_scale) {
         m_failed = true;
         return r;
     }
-    combine(1, r.incident, -1, r.force, r.reflected);
     return r;
+}
+
+void ExponentialBasis::reflect(const Response& r, Piece& reflected) const {
+    combine(1, *r.incident, -1, r.force, reflected);
+    reflected.length = r.length;
+    reflected.primaryDecay = r.force.primaryDecay;
+    reflected.elasticDecay = r.force.elasticDecay;
 }
 
 /// 2g − F; where both nearly cancel on stiff rock, term by term as F'/a.
 const ExponentialSum& ExponentialBasis::drive(const Response& r) {
-    combine(2, r.incident, -1, r.force, m_drive);
+    combine(2, *r.incident, -1, r.force, m_drive);
     const bool primary = r.rate == m_rates.primary;
     const Coefficients& slow = primary ? r.force.elastic.decays : r.force.primary.decays;
     Coefficients& drive = primary ? m_drive.elastic.decays : m_drive.primary.decays;
@@ -277,9 +283,6 @@ void ExponentialBasis::endAt(Response& r, double length) {
     r.force.shorten(length);
     if (!r.force.primary.isZero()) r.force.primaryDecay = std::exp(-m_rates.primary * length);
     if (!r.force.elastic.isZero()) r.force.elasticDecay = std::exp(-m_rates.elastic * length);
-    r.reflected.length = length;
-    r.reflected.primaryDecay = r.force.primaryDecay;
-    r.reflected.elasticDecay = r.force.elasticDecay;
 }
 
 void ExponentialBasis::dropFront(Piece& g, const Response& r) const {
@@ -287,13 +290,18 @@ void ExponentialBasis::dropFront(Piece& g, const Response& r) const {
     g.dropFront(r.length, r.force.primaryDecay, r.force.elasticDecay);
 }
 
+double ExponentialBasis::mostIntegral(const Piece& g) const {
+    double most = std::max({0.0, g.c0, g.c0 + g.c1 * g.length}) * g.length;
+    if (!g.primary.isZero()) most += drillwave::mostIntegral(g.primary, m_rates.primary, g.length);
+    if (!g.elastic.isZero()) most += drillwave::mostIntegral(g.elastic, m_rates.elastic, g.length);
+    if (g.hammer.present)
+        most += g.hammer.amplitude() * g.length + std::max(g.hammer.decay, 0.0) * std::min(g.length, 1.0);
+    return most;
+}
+
 Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
     if (g.allAtMostZero()) return gap < 0 ? Zero<double>::at(0) : Zero<double>{};
-    const double most =
-        std::max({0.0, g.c0, g.c0 + g.c1 * g.length}) * g.length +
-        mostIntegral(g.primary, m_rates.primary, g.length) + mostIntegral(g.elastic, m_rates.elastic, g.length) +
-        g.hammer.amplitude() * g.length + std::max(g.hammer.decay, 0.0) * std::min(g.length, 1.0);
-    if (gap > 2 * most) return {};
+    if (gap > 2 * mostIntegral(g)) return {};
     const bool isConstant =
         g.primary.isZero() && g.elastic.isZero() && g.c1 == 0 && !g.hammer.present;
     if (isConstant) {
@@ -323,7 +331,7 @@ Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
 
 Zero<double> ExponentialBasis::forceVanishes(Response& r) {
     // a compressive wave cannot pull the rod off: F is a positive mean of 2g and of what it was
-    if (r.incident.allAtLeastZero()) return {};
+    if (r.incident->allAtLeastZero()) return {};
     return decided(firstZero(r.force, 0, {.negligible = m_negligible}, m_count));
 }
 
@@ -342,7 +350,7 @@ Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tange
         start = turn.u;
         if (start == 0) return Zero<double>::at(0);
     }
-    if (start == 0 && 2 * r.incident.mostValue() <= peak) return {};  // F ≤ max(F(0), 2 max g)
+    if (start == 0 && 2 * r.incident->mostValue() <= peak) return {};  // F ≤ max(F(0), 2 max g)
     combine(0, r.force, -1, r.force, f);
     f.c0 += peak;
     return decided(firstZero(f, 0, {.start = start, .negligible = m_negligible}, m_count));
@@ -383,7 +391,7 @@ void ExponentialBasis::tidy(Piece& piece) const {
 }
 
 double ExponentialBasis::largest(const Response& r, double length, double before) {
-    if (2 * r.incident.mostValue() <= before) return before;  // F ≤ max(F(0), 2 max g)
+    if (2 * r.incident->mostValue() <= before) return before;  // F ≤ max(F(0), 2 max g)
     double most = std::max(before, r.force.value(length));
     const Piece& slope = drive(r);
     if (slope.allAtLeastZero() || slope.allAtMostZero()) return most;

@@ -24,7 +24,8 @@ class ExponentialBasis {
     struct Response {
         double length = 0;
         double rate = 0;
-        Piece incident, force, reflected;
+        const Piece* incident = nullptr;  ///< the arriving wave, which must outlive the response
+        Piece force;
         double size = 0;
     };
 
@@ -46,7 +47,10 @@ class ExponentialBasis {
     double hammerProduct(const PulseSegment& segment, double into, const Piece& g, double length) const;
 
     /// Solves F' = a(2g − F), F(0) = force, over g [paper (5)] [paper (8)].
-    Response& respond(const Piece& g, double rate, double force);
+    Response& respond(Piece& g, double rate, double force);
+    const Piece& incidentOf(const Response& r) const { return *r.incident; }
+    /// The wave g − F that goes back, to be cut at the end of the stretch.
+    void reflect(const Response& r, Piece& reflected) const;
     /// The drive 2g − F = U' = F'/a of a response, until the next is asked for.
     const Piece& drive(const Response& r);
     void endAt(Response& r, double length);
@@ -56,6 +60,8 @@ class ExponentialBasis {
     Zero<double> driveVanishes(Response& r);
     Zero<double> forceReaches(Response& r, double peak, bool tangential);
     double largestIntegral(const Piece& g);
+    /// An upper bound of that, and of 0.
+    double mostIntegral(const Piece& g) const;
     double roundingError(const Response& r, double length) const;
     void tidy(Piece& piece) const;
 

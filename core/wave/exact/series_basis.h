@@ -148,6 +148,8 @@ class SeriesBasis {
         }
     }
 
+    const Piece& incidentOf(const Response& r) const { return r.incident; }
+    void reflect(const Response& r, Piece& reflected) const { reflected = r.reflected; }
     const Piece& drive(const Response& r) const { return r.drive; }
     /// The stretch ends at `length`, by an event or at its end.
     void endAt(Response& r, Real length) const { r.length = length; }
@@ -204,6 +206,9 @@ class SeriesBasis {
         m_undecided |= !forEachMaximum(g, g.length, [&](Real x) { most = std::max(most, g.integral(x)); });
         return most;
     }
+
+    /// An upper bound of that.
+    Real mostIntegral(const Piece& g) const { return std::max(Real(0), g.mostValue()) * g.length; }
 
     Real roundingError(const Response& r, Real length) const {
         const Real size = r.size + r.incident.magnitude();

@@ -28,16 +28,20 @@ class WaveQueue {
         --m_size;
     }
     void popBack() { --m_size; }
-    void pushBack(const Piece& piece) {
+    void pushBack(const Piece& piece) { pushBack() = piece; }
+    /// A new last piece, to be assigned: it holds what an earlier one has left.
+    Piece& pushBack() {
         if (m_size == m_ring.size()) grow();
-        m_ring[(m_head + m_size) & m_mask] = piece;
         ++m_size;
+        return back();
     }
-    /// The piece that has just arrived leaves again unchanged (free reflection at both ends).
-    void rotate() {
-        const Piece arrived = front();
-        popFront();
-        pushBack(arrived);
+    /// The first `count` pieces have arrived and leave again unchanged (free reflection at both ends).
+    void rotate(std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const Piece arrived = front();
+            popFront();
+            pushBack(arrived);
+        }
     }
 
   private:
