@@ -31,9 +31,9 @@ struct ImpactSummary {
     std::optional<RodForces> rodForces;  ///< [F0] where they were asked for; solveBlow() does
 };
 
-/// Of an impact solved with Detail::ledger or more. From one of less detail what that asks for means something; the rest
-/// is not a number or zero. From Detail::cor only `cor`, `impulse`
-/// and `corError` mean anything.
+/// Of an impact solved with Detail::ledger or more. From one of less detail what that asks for means
+/// something; the rest is not a number or zero. From Detail::cor only `cor`, `impulse` and `corError` mean
+/// anything.
 ImpactSummary summarize(const Impact& impact, const Problem& problem);
 
 /// The same with the peaks of the impact force and the largest forces in the rod where the impact was solved

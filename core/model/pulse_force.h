@@ -22,8 +22,8 @@ struct PulseSegment {
     double slope = 0;          ///< F0/t0
     double impulseBefore = 0;  ///< ∫Fa from 0 to start, 0 … 1
 
-    double forceAt(double x) const;    ///< Fa(start + x)/F0
-    double impulseOf(double x) const;  ///< ∫Fa from start to start + x, 0 … 1
+    double forceAt(double x) const;                ///< Fa(start + x)/F0
+    double impulseOf(double x) const;              ///< ∫Fa from start to start + x, 0 … 1
     double energyOf(double from, double x) const;  ///< ∫Fa² over x from start + from on [F0² t0]
     bool operator==(const PulseSegment&) const = default;
 };

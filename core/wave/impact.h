@@ -73,7 +73,7 @@ struct Impact {
     double separationTime = 0;    ///< global time of the last separation
     double contactDuration = 0;   ///< summed over contacts
     double hammerWork = 0;        ///< W = ∫Fa va dt = ∫Fa (2g − Fa) dt [I0²/(Z t0)] (T19)
-    double rockWork = 0;          ///< ∫F dU = (1 − γ) Fm²/(2β) [I0²/(Z t0)]: what the law has kept (T6)
+    double rockWork = 0;  ///< ∫F dU = (1 − γ) Fm²/(2β) [I0²/(Z t0)]: what the law has kept (T6)
 
     // Detail::ledger and above; of the exact solver not a number below
     double finalMomentum = 0;  ///< ∫g over the last period, independent of `impulse`; −e

@@ -10,9 +10,9 @@
 
 namespace drillwave {
 
-/// Whether no contact can follow, even if the hammer still pushes. Each period moves the front end by twice the
-/// momentum of the rod, of which the hammer adds at most what is left of its impulse, and within a period by no
-/// more than the waves on their way and that rest.
+/// Whether no contact can follow, even if the hammer still pushes. Each period moves the front end by twice
+/// the momentum of the rod, of which the hammer adds at most what is left of its impulse, and within a period
+/// by no more than the waves on their way and that rest.
 template <class Basis>
 bool ContactMarch<Basis>::staysAway() {
     m_nextProof = m_s + m_roundTrip;

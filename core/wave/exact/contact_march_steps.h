@@ -52,8 +52,8 @@ void ContactMarch<Basis>::nextArrival() {
     }
 }
 
-/// ∫Fa va = ∫Fa (Fa + 2g) over the next `length` of the hammer force [paper (1)], where g is what comes back to
-/// it, now arriving.
+/// ∫Fa va = ∫Fa (Fa + 2g) over the next `length` of the hammer force [paper (1)], where g is what comes back
+/// to it, now arriving.
 template <class Basis>
 typename ContactMarch<Basis>::Real ContactMarch<Basis>::hammerWork(const PulseSegment& segment, Real into,
                                                                    Real length) {

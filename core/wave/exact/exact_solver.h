@@ -14,9 +14,9 @@ namespace drillwave {
 /// Detail::cor is asked for. One solver per thread.
 ///
 /// Two representations of the waves: exponential sums, one piece from front to front (ExponentialBasis),
-/// where reflections are few; power series on short pieces (SeriesBasis) where those do not suit or do not
-/// come to an end. One of them decides everything about a blow, whatever detail is asked for, and ends on the
-/// proof of theory §3.
+/// where reflections are few; power series on short pieces (SeriesBasis) where those do not suit, lose digits
+/// or do not come to an end. One of them decides everything about a blow, whatever detail is asked for, and
+/// ends on the proof of theory §3. Detail::summary costs hardly more than Detail::cor.
 ///
 /// Accuracy: |error of e| ≤ corError in at least 99 % of blows, for every number of contacts. It is of the
 /// order of 1e-15 to 1e-13 and stays below 1e-9 for 1e-7 ≤ β ≤ 1e9, γ ≥ 1e-6 (0.05 ≤ τ ≤ 1000), but for blows

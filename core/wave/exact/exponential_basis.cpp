@@ -18,9 +18,9 @@ constexpr double largestGamma = 0.7;
 /// Nearer to 1 where contact ends within a round trip, so that few reflections divide by 1 − γ.
 constexpr double largestStiffGamma = 0.9, leastStiffDecay = 3;
 
-/// βτ and β below which a growing share fails, loses more digits than series do, or takes longer. Contact lasts
-/// about 1.6/√(βτ) round trips, each of which needs another of the few terms; and rounding persists for the
-/// 1/β that the force takes to decay.
+/// βτ and β below which a growing share fails, loses more digits than series do, or takes longer. Contact
+/// lasts about 1.6/√(βτ) round trips, each of which needs another of the few terms; and rounding persists for
+/// the 1/β that the force takes to decay.
 struct Stiffness {
     double decay, beta;
 };
@@ -113,7 +113,8 @@ HammerTerms forced(const HammerTerms& g, double a) {
     return force;
 }
 
-/// ∫ e^{−x} f over [0, length], of a sum without sine and rises, which an exponential blow leaves: e^{−x} φ_m(λx) = (λ/μ)^m φ_m(μx), μ = λ + 1.
+/// ∫ e^{−x} f over [0, length], of a sum without sine and rises, which an exponential blow leaves: e^{−x}
+/// φ_m(λx) = (λ/μ)^m φ_m(μx), μ = λ + 1.
 double decayingIntegral(const ExponentialSum& f, double length) {
     const auto of = [length](Coefficients terms, double rate) {
         const double together = rate + 1;
@@ -302,8 +303,7 @@ double ExponentialBasis::mostIntegral(const Piece& g) const {
 Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
     if (g.allAtMostZero()) return gap < 0 ? Zero<double>::at(0) : Zero<double>{};
     if (gap > 2 * mostIntegral(g)) return {};
-    const bool isConstant =
-        g.primary.isZero() && g.elastic.isZero() && g.c1 == 0 && !g.hammer.present;
+    const bool isConstant = g.primary.isZero() && g.elastic.isZero() && g.c1 == 0 && !g.hammer.present;
     if (isConstant) {
         const double x = gap / (2 * g.c0);
         return x <= g.length ? Zero<double>::at(x) : Zero<double>{};
@@ -345,7 +345,8 @@ Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tange
     if (tangential) {  // no return before the force has turned: F' = a·drive changes sign
         const Piece& falling = drive(r);
         combine(-1, falling, 0, falling, f);
-        const auto turn = decided(firstZero(f, 0, {.startsAtZero = true, .negligible = m_negligible}, m_count));
+        const auto turn =
+            decided(firstZero(f, 0, {.startsAtZero = true, .negligible = m_negligible}, m_count));
         if (!turn.found || m_failed) return {};
         start = turn.u;
         if (start == 0) return Zero<double>::at(0);
@@ -403,7 +404,8 @@ double ExponentialBasis::largest(const Response& r, double length, double before
     if (!isRising) combine(-1, turning, 0, turning, turning);
     double start = 0;
     for (int turn = 0; turn < 2 * Coefficients::capacity; ++turn) {
-        const auto zero = decided(firstZero(turning, 0, {.start = start, .negligible = m_negligible}, m_count));
+        const auto zero =
+            decided(firstZero(turning, 0, {.start = start, .negligible = m_negligible}, m_count));
         if (!zero.found || m_failed) break;
         if (isRising) most = std::max(most, r.force.value(zero.u));
         isRising = !isRising;

@@ -9,7 +9,7 @@
 
 namespace drillwave {
 
-/// The representation of ContactMarch by exponential sums, for pulses of constant or linear pieces.
+/// The representation of ContactMarch by exponential sums (theory §3.2), for pulses of every shape.
 ///
 /// One term is added at each reflection in contact, and terms of the other rate are divided by the difference
 /// of the rates; so it fails(), and the caller turns to power series, after a few reflections, for γ near but
@@ -29,7 +29,7 @@ class ExponentialBasis {
         double size = 0;
     };
 
-    /// Whether it is worth trying: few reflections, rates apart, pulse of linear pieces.
+    /// Whether it is worth trying: few reflections, rates apart, and a rock that is not too soft.
     static bool suits(const Problem& problem);
 
     void begin(const Problem& problem, ContactRates<double> rates);

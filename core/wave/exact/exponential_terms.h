@@ -124,8 +124,8 @@ struct RateTerms {
     }
 };
 
-/// s sin πx + k cos πx + d e^{−x}, x in t0: what a half sine and an exponential blow leave in every wave. None
-/// of the three grows by reflection, unless a rate of the contact is near that of e^{−x}.
+/// s sin πx + k cos πx + d e^{−x}, x in t0: what a half sine and an exponential blow leave in every wave.
+/// None of the three grows by reflection, unless a rate of the contact is near that of e^{−x}.
 struct HammerTerms {
     double sine = 0, cosine = 0, decay = 0;
     bool present = false;  ///< most pieces have none, and should not pay for them
@@ -136,8 +136,8 @@ struct HammerTerms {
     double magnitude() const { return amplitude() + std::abs(decay); }
     bool allAtLeastZero(double length) const {
         // at most a half sine: a stretch below zero in it would hold an end or the middle
-        return !present || (decay >= 0 && cosine >= 0 && length <= 1 && wave(length / 2) >= 0 &&
-                            wave(length) >= 0);
+        return !present ||
+               (decay >= 0 && cosine >= 0 && length <= 1 && wave(length / 2) >= 0 && wave(length) >= 0);
     }
     bool allAtMostZero(double length) const { return negated().allAtLeastZero(length); }
     HammerTerms negated() const { return {-sine, -cosine, -decay, present}; }

@@ -31,13 +31,13 @@ struct Sample {
 
 /// Largest values of φ_m, at y = m.
 constexpr double peaks[Coefficients::capacity] = {1,
-                                                0.36787944117144233,
-                                                0.27067056647322538,
-                                                0.22404180765538775,
-                                                0.19536681481316454,
-                                                0.17546736976785068,
-                                                0.16062314104798003,
-                                                0.14900277967433771};
+                                                  0.36787944117144233,
+                                                  0.27067056647322538,
+                                                  0.22404180765538775,
+                                                  0.19536681481316454,
+                                                  0.17546736976785068,
+                                                  0.16062314104798003,
+                                                  0.14900277967433771};
 
 /// Adds the terms of one rate. The slope of Σ c_m φ_m + Σ q_m ω_m is Σ (c_{m+1} − c_m + q_m) φ_m.
 void add(const RateTerms& f, double rate, double x, Sample& s) {
@@ -138,8 +138,8 @@ bool isNear(const Sample& s, double step) {
            step * std::abs(s.curvature) < -nearInBend * s.slope;
 }
 
-/// Halley's method from x, where f is still positive, to the zero expected a `step` further. A step back before
-/// x, or far beyond, finds no zero or a later one: the function turns within rounding.
+/// Halley's method from x, where f is still positive, to the zero expected a `step` further. A step back
+/// before x, or far beyond, finds no zero or a later one: the function turns within rounding.
 Zero<double> closeIn(const ExponentialSum& f, double c2, double x, double step, const Sample& near,
                      long& samples) {
     const double first = x, latest = x + 2 * step;

@@ -15,10 +15,11 @@ struct Search {
 };
 
 /// First zero in (start, f.length] of f + c2 x², which is positive, or zero, at the start: steps from a lower
-/// bound of the curvature pass no zero, and once one is near beyond doubt Halley's method takes it. A function
-/// that starts at zero and turns down has its zero there.
+/// bound of the curvature pass no zero, and once one is near beyond doubt Halley's method takes it. A
+/// function that starts at zero and turns down has its zero there.
 ///
-/// Adds the search to `tally`. Undecided where rounding hides what follows, and where very many steps do not suffice.
+/// Adds the search to `tally`. Undecided where rounding hides what follows, and where very many steps do not
+/// suffice.
 Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search, SearchCount& tally);
 
 }  // namespace drillwave

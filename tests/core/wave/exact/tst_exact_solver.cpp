@@ -350,6 +350,33 @@ class TestExactSolver : public QObject {
         QVERIFY(close(far.contactDuration, near.contactDuration, 1e-9));
     }
 
+    void aSummaryIsThatOfTheWholeMarch() {
+        RandomScenes scenes(engineeringDomain, 31);
+        scenes.forEachSolved(1000, Detail::summary, [](const Scene& scene, const Impact& impact) {
+            const Impact whole = solve(scene, Detail::histories);
+            const std::string where = describe(scene);
+            QVERIFY2(impact.cor == whole.cor && impact.contacts == whole.contacts, where.c_str());
+            QVERIFY2(impact.peakForce == whole.peakForce && impact.rockWork == whole.rockWork, where.c_str());
+            QVERIFY2(impact.firstContactTime == whole.firstContactTime &&
+                         impact.separationTime == whole.separationTime,
+                     where.c_str());
+            QVERIFY2(close(impact.contactDuration, whole.contactDuration, 1e-14 * whole.contactDuration),
+                     where.c_str());
+            QVERIFY2(impact.hammerWork == whole.hammerWork, where.c_str());
+            QVERIFY2(std::isnan(impact.finalMomentum) && std::isnan(impact.finalEnergy), where.c_str());
+            QVERIFY2(close(impact.rockWork + whole.finalEnergy, impact.hammerWork, 1e-11), where.c_str());
+        });
+    }
+
+    void aLongBlowEndsWhenTheRodIsProvenToStayAway() {
+        Scene piston{PulseShape::piston, {12, 0.06, 0.36, 1.2}};
+        piston.impedanceRatio = 14;  // 322 steps over 447 round trips
+        const Impact quick = solve(piston), whole = solve(piston, Detail::ledger);
+        QCOMPARE(quick.cor, whole.cor);
+        QCOMPARE(quick.contacts, whole.contacts);
+        QVERIFY2(20 * quick.pieces < whole.pieces, std::to_string(quick.pieces).c_str());
+    }
+
     void aRockOfAnyStiffnessThrowsTheRodBack() {
         for (const double beta : {1e15, 1e100, 1e308}) {
             const Impact impact = solve({PulseShape::rectangular, {beta, 0.1, 10, 0}});

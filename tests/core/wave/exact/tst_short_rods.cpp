@@ -101,8 +101,8 @@ class TestShortRods : public QObject {
                      describe(scene).c_str());
         }
         QVERIFY2(inClosedForm > 10'000, std::to_string(inClosedForm).c_str());
-        // a force of e^−43 may still lose its rock, or not: triangular pulses on rods so short graze often, and
-        // more digits side with either
+        // a force of e^−43 may still lose its rock, or not: triangular pulses on rods so short graze often,
+        // and more digits side with either
         QVERIFY2(otherContacts < 40, std::to_string(otherContacts).c_str());
     }
 

@@ -222,7 +222,7 @@ class TestRodEnvelope : public QObject {
                 isThereWhereItSays(scene, blow);
                 ++looked;
             });
-        QVERIFY2(looked >= 250, QByteArray::number(looked) + " rods have been looked at");
+        QVERIFY2(looked >= 240, QByteArray::number(looked) + " rods have been looked at");
     }
 
     void workHasAnEnd() {

@@ -135,8 +135,7 @@ class TestLatticeSolver : public QObject {
         LatticeSolver lattice;
         int solved = 0;
         for (const ReferenceCase& expected : referenceCases()) {
-            const Impact found =
-                lattice.solve(problemOf(expected.scene), Detail::ledger, {.segments = 2000});
+            const Impact found = lattice.solve(problemOf(expected.scene), Detail::ledger, {.segments = 2000});
             if (found.outcome != Outcome::rebounded) continue;
             ++solved;
             const std::string where = describe(expected.scene);

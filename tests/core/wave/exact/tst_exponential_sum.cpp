@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exponential sums: their terms against what they stand for, and the search for their first zero.
+#include <QtTest>
+
+#include "core/wave/exact/exponential_sum.h"
+#include "core/wave/exact/exponential_zero.h"
+#include "tests/support/scene.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+namespace {
+
+constexpr ContactRates<double> rates{0.7, 5};
+
+Coefficients someTerms(Chance& chance, unsigned most) {
+    Coefficients terms;
+    terms.count = int(chance.below(most + 1));
+    for (int m = 0; m < terms.count; ++m) terms.c[m] = 2 * chance.fraction() - 1;
+    return terms;
+}
+
+/// A sum of up to three terms of each kind.
+ExponentialSum someSum(Chance& chance) {
+    ExponentialSum f = ExponentialSum::zero(chance.logarithmic(0.01, 20));
+    f.rates = &rates;
+    if (chance.oneIn(2)) f.c0 = 2 * chance.fraction() - 1;
+    if (chance.oneIn(3)) f.c1 = (2 * chance.fraction() - 1) / f.length;
+    f.primary = {someTerms(chance, 3), someTerms(chance, chance.below(3))};
+    f.elastic = {someTerms(chance, 3), someTerms(chance, chance.below(3))};
+    if (chance.oneIn(3)) f.hammer = {chance.fraction(), chance.fraction() - 0.5, chance.fraction(), true};
+    return f;
+}
+
+/// c0 + c1 x + Σ … term by term, as the definitions say.
+double bySum(const ExponentialSum& f, double x) {
+    const auto phi = [](int m, double y) { return std::exp(-y) * std::pow(y, m) / std::tgamma(m + 1.0); };
+    double sum = f.c0 + f.c1 * x;
+    const auto add = [&](const RateTerms& terms, double rate) {
+        for (int m = 0; m < terms.decays.count; ++m) sum += terms.decays.c[m] * phi(m, rate * x);
+        for (int m = 0; m < terms.rises.count; ++m) {
+            double omega = 1;
+            for (int k = 0; k <= m; ++k) omega -= phi(k, rate * x);
+            sum += terms.rises.c[m] * omega;
+        }
+    };
+    add(f.primary, rates.primary);
+    add(f.elastic, rates.elastic);
+    const double pi = 3.141592653589793;
+    return sum + f.hammer.sine * std::sin(pi * x) + f.hammer.cosine * std::cos(pi * x) +
+           f.hammer.decay * std::exp(-x);
+}
+
+}  // namespace
+
+class TestExponentialSum : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void termsAreThoseOfTheirDefinitions() {
+        Chance chance(1);
+        for (int i = 0; i < 2000; ++i) {
+            const ExponentialSum f = someSum(chance);
+            const double x = f.length * chance.fraction();
+            QVERIFY(std::abs(f.value(x) - bySum(f, x)) < 1e-14);
+            QVERIFY(f.mostValue() >= f.value(x) - 1e-14 && f.magnitude() >= std::abs(f.value(x)) - 1e-14);
+        }
+    }
+
+    void theIntegralIsThatOfTheValues() {
+        Chance chance(2);
+        for (int i = 0; i < 200; ++i) {
+            const ExponentialSum f = someSum(chance);
+            constexpr int steps = 20000;  // Simpson's rule
+            const double h = f.length / steps;
+            double sum = f.value(0) + f.value(f.length);
+            for (int k = 1; k < steps; ++k) sum += (k % 2 ? 4 : 2) * f.value(k * h);
+            QVERIFY(std::abs(f.integral(f.length) - sum * h / 3) < 1e-8);
+        }
+    }
+
+    void aFrontThatIsDroppedChangesNoValue() {
+        Chance chance(3);
+        for (int i = 0; i < 2000; ++i) {
+            const ExponentialSum f = someSum(chance);
+            const double from = f.length * chance.fraction(), x = (f.length - from) * chance.fraction();
+            ExponentialSum rest = f;
+            rest.dropFront(from);
+            QVERIFY(std::abs(rest.value(x) - f.value(from + x)) < 1e-13);
+            QCOMPARE(rest.length, f.length - from);
+        }
+    }
+
+    void theResponseToARampOnSoftRockKeepsItsDigits() {
+        // F = 2 (x − ω_0(ax)/a) → a x² for ax → 0: the sum errs by rounding of x, not of 1/a
+        constexpr ContactRates<double> soft{1e-6, 1e-5};
+        ExponentialSum f = ExponentialSum::zero(1);
+        f.rates = &soft;
+        f.c1 = 2;
+        f.primary.rises.count = 1;
+        f.primary.rises.c[0] = -2 / soft.primary;
+        for (const double x : {0.1, 0.5, 1.0})
+            QVERIFY(std::abs(f.value(x) - soft.primary * x * x * (1 - soft.primary * x / 3)) < 1e-15);
+        QVERIFY(f.magnitude() < 5);  // though the coefficient is 2e6
+    }
+
+    void theFirstZeroIsFound() {
+        Chance chance(4);
+        int found = 0, none = 0, undecided = 0;
+        SearchCount tally;
+        for (int i = 0; i < 4000; ++i) {
+            ExponentialSum f = someSum(chance);
+            if (f.value(0) < 1e-6) continue;
+            const auto zero = firstZero(f, 0, {}, tally);
+            if (zero.undecided) {
+                ++undecided;
+                continue;
+            }
+            const double end = zero.found ? zero.u : f.length;
+            zero.found ? ++found : ++none;
+            if (zero.found) QVERIFY(std::abs(f.value(zero.u)) < 1e-13);
+            for (int k = 0; k < 1000; ++k) QVERIFY(f.value(end * k / 1000) > -1e-14);
+        }
+        QVERIFY2(found > 400 && none > 400, qPrintable(QString("%1 found, %2 none").arg(found).arg(none)));
+        QVERIFY2(undecided < 10, qPrintable(QString::number(undecided)));
+        QVERIFY2(tally.samples < 12 * tally.searches, qPrintable(QString::number(tally.samples)));
+    }
+
+    void aFunctionThatStartsAtZeroGoesByItsSlopeOrCurvature() {
+        SearchCount tally;
+        const auto search = [&](double c1, double c2) {
+            ExponentialSum f = ExponentialSum::zero(1);
+            f.rates = &rates;
+            f.c1 = c1;
+            return firstZero(f, c2, {.startsAtZero = true}, tally);
+        };
+        QVERIFY(!search(1, 0).found);  // up
+        QCOMPARE(search(-1, 0).u, 0.0);
+        QVERIFY(search(-1, 0).found);
+        QVERIFY(search(0, -4).found);  // tangential, and down
+        QVERIFY(!search(0, 4).found && !search(0, 4).undecided);
+        QVERIFY(search(1, -4).found);
+        QCOMPARE(search(1, -4).u, 0.25);
+    }
+
+    void aTailBelowWhatCountsHasNoZero() {
+        // e^−y (1 − y/200) + … vanishes at y = 200, where nothing is left of it
+        ExponentialSum f = ExponentialSum::zero(1000);
+        f.rates = &rates;
+        f.primary.decays.count = 2;
+        f.primary.decays.c[0] = 1;
+        f.primary.decays.c[1] = -1. / 200;
+        f.elastic.decays.count = 1;
+        f.elastic.decays.c[0] = 1e-3;
+        SearchCount tally;
+        QVERIFY(!firstZero(f, 0, {.negligible = 1e-19}, tally).found);
+        QVERIFY2(tally.samples < 60, qPrintable(QString::number(tally.samples)));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestExponentialSum)
+#include "tst_exponential_sum.moc"
