@@ -85,42 +85,6 @@ std::size_t firstSample(const std::vector<RowLook>& rows, const Pattern& pattern
     return rows.size();
 }
 
-/// Whether a last word without brackets is a unit, and no word of the name: "strain", "ε", "min".
-bool isUnitWord(std::string_view word) {
-    if (findUnit(Quantity::time, word)) return word != "min";
-    const std::optional<NamedSignalUnit> found = findSignalUnit(word);
-    return found && (found->kind != SignalKind::strain || found->unit.name == word ||
-                     word.find_first_of("/%") != std::string_view::npos || word.starts_with("\u00b5") ||
-                     word.starts_with("\u03bc"));
-}
-
-/// "time [us]", "Time (us)", "t / us", "t in us", "t us" in their parts.
-TableColumn heading(std::string_view cell) {
-    TableColumn column;
-    cell = trimmed(cell);
-    for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
-        const std::size_t at = cell.rfind(open);
-        if (at == std::string_view::npos || !cell.ends_with(close)) continue;
-        column.name = trimmed(cell.substr(0, at));
-        column.unit = trimmed(cell.substr(at + 1, cell.size() - at - 2));
-        return column;
-    }
-    for (const std::string_view word : {" / ", " in "})
-        if (const std::size_t at = cell.rfind(word); at != std::string_view::npos) {
-            column.name = trimmed(cell.substr(0, at));
-            column.unit = trimmed(cell.substr(at + word.size()));
-            return column;
-        }
-    if (const std::size_t blank = cell.rfind(' ');
-        blank != std::string_view::npos && isUnitWord(cell.substr(blank + 1))) {
-        column.name = trimmed(cell.substr(0, blank));
-        column.unit = cell.substr(blank + 1);
-        return column;
-    }
-    column.name = cell;
-    return column;
-}
-
 /// "[s];[kN]", or "s;kN" with at least one unit that is known.
 bool isUnitsOnly(const std::vector<TableColumn>& columns) {
     const auto isBracket = [](const TableColumn& column) { return column.name.empty(); };
@@ -139,7 +103,7 @@ std::vector<TableColumn> headings(std::string_view line, char separator, std::si
     if (cells.size() == count + 1 && cells.back().empty()) cells.pop_back();
     if (cells.size() != count) return {};
     std::vector<TableColumn> columns;
-    for (const std::string_view cell : cells) columns.push_back(heading(cell));
+    for (const std::string_view cell : cells) columns.push_back(columnOf(cell));
     return columns;
 }
 

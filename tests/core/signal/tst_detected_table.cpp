@@ -87,7 +87,9 @@ void TestDetectedTable::theHeaderNamesColumnsAndUnits_data() {
     QTest::addRow("brackets") << QByteArray("time [us],force [kN]\n");
     QTest::addRow("parentheses") << QByteArray("time (us),force (kN)\n");
     QTest::addRow("slash") << QByteArray("time / us,force / kN\n");
+    QTest::addRow("slash without blanks") << QByteArray("time/us,force/kN\n");
     QTest::addRow("blank") << QByteArray("time us,force kN\n");
+    QTest::addRow("underscore") << QByteArray("time_us,force_kN\n");
     QTest::addRow("two lines") << QByteArray("time,force\nus,kN\n");
     QTest::addRow("two lines with brackets") << QByteArray("time,force\n[us],[kN]\n");
     QTest::addRow("quoted") << QByteArray("\"time [us]\",\"force [kN]\"\n");
@@ -174,6 +176,9 @@ void TestDetectedTable::aUnitThatIsNotKnownIsNotGuessed_data() {
     QTest::addRow("micro") << std::string("Time [µsec]") << 1e-6 << std::string("F kN") << 1e3;
     QTest::addRow("not known") << std::string("Time [ticks]") << 0.0 << std::string("Load [V]") << 0.0;
     QTest::addRow("a name of words") << std::string("Time") << 1.0 << std::string("Load min") << 1.0;
+    QTest::addRow("slash") << std::string("t/ms") << 1e-3 << std::string("gauge 1/µm/m") << 1e-6;
+    QTest::addRow("underscores") << std::string("t_us") << 1e-6 << std::string("gauge_1_kN") << 1e3;
+    QTest::addRow("rates") << std::string("feed/ms") << 1.0 << std::string("v_s") << 1.0;
     QTest::addRow("strain by name") << std::string("t us") << 1e-6 << std::string("axial strain") << 1e-6;
 }
 
