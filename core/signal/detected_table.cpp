@@ -58,13 +58,13 @@ std::optional<Pattern> commonPattern(const std::vector<RowLook>& rows) {
     return std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; })->first;
 }
 
-/// How far a format explains the lines.
-long score(const std::vector<RowLook>& rows) {
+/// How far a format explains the lines, where each word speaks against it with that weight.
+long score(const std::vector<RowLook>& rows, int wordWeight) {
     const std::optional<Pattern> pattern = commonPattern(rows);
     if (!pattern) return 0;
     long sum = 0;
     for (const RowLook& row : rows)
-        if (row.numbers == *pattern) sum += std::max(0, 2 * row.count - 3 * row.words);
+        if (row.numbers == *pattern) sum += std::max(0, 2 * row.count - wordWeight * row.words);
     return sum;
 }
 
@@ -169,6 +169,29 @@ bool increases(std::span<const std::string> lines, const RowFormat& format, std:
     return true;
 }
 
+/// Under the format that explains most.
+DetectedTable bestTable(std::span<const std::string> lines, int wordWeight) {
+    DetectedTable best;
+    long bestScore = 0;
+    for (const char separator : {'\t', ';', ',', ' '})
+        for (const DecimalSign decimal : {DecimalSign::point, DecimalSign::comma}) {
+            const RowFormat format{separator, decimal};
+            const long now = score(lookAtAll(lines, format), wordWeight);
+            if (now <= bestScore) continue;
+            const DetectedTable table = detectTable(lines, format);
+            // Numbers of one column with a decimal comma look like two columns: then the header has one cell,
+            // or there is none and the first column does not grow.
+            const bool splitsNumbers = separator == ',' && bestScore > 0 && table.columns.size() == 2 &&
+                                       best.format.decimal == DecimalSign::comma;
+            const std::size_t header = headerCells(lines, table.firstLine - 1, separator);
+            const bool grows = increases(lines, format, table.firstLine);
+            if (splitsNumbers && (header == 1 || (header != 2 && !grows))) continue;
+            bestScore = now;
+            best = table;
+        }
+    return best;
+}
+
 }  // namespace
 
 DetectedTable detectTable(std::span<const std::string> lines, RowFormat format) {
@@ -193,25 +216,10 @@ DetectedTable tableFrom(std::span<const std::string> lines, RowFormat format, st
 }
 
 DetectedTable detectTable(std::span<const std::string> lines) {
-    DetectedTable best;
-    long bestScore = 0;
-    for (const char separator : {'\t', ';', ',', ' '})
-        for (const DecimalSign decimal : {DecimalSign::point, DecimalSign::comma}) {
-            const RowFormat format{separator, decimal};
-            const long now = score(lookAtAll(lines, format));
-            if (now <= bestScore) continue;
-            const DetectedTable table = detectTable(lines, format);
-            // Numbers of one column with a decimal comma look like two columns: then the header has one cell,
-            // or there is none and the first column does not grow.
-            const bool splitsNumbers = separator == ',' && bestScore > 0 && table.columns.size() == 2 &&
-                                       best.format.decimal == DecimalSign::comma;
-            const std::size_t header = headerCells(lines, table.firstLine - 1, separator);
-            const bool grows = increases(lines, format, table.firstLine);
-            if (splitsNumbers && (header == 1 || (header != 2 && !grows))) continue;
-            bestScore = now;
-            best = table;
-        }
-    return best;
+    constexpr int usualWeight = 3;
+    const DetectedTable table = bestTable(lines, usualWeight);
+    // Mostly words, such as a date and a time of day before each sample.
+    return table.hasSamples() ? table : bestTable(lines, 0);
 }
 
 }  // namespace drillwave

@@ -65,6 +65,9 @@ void TestDetectedTable::separatorAndDecimalSignAreFound_data() {
     QTest::addRow("quoted, semicolon")
         << QByteArray("\"0,0\";\"1,5\"\n\"0,1\";\"2,5\"\n") << ';' << true << 2;
     QTest::addRow("words in a column") << QByteArray("0;a;1,5\n1;b;2,5\n2;c;3,5\n") << ';' << true << 3;
+    QTest::addRow("date and time of day")
+        << QByteArray("Date,Time,F [kN]\n2021-03-04,12:00:00.1,-1.5\n2021-03-04,12:00:00.2,2.5\n") << ','
+        << false << 3;
     QTest::addRow("NaN and empty cells")
         << QByteArray("0;1,5;\n1;NaN;\n2;2,5;\n3;3,5;\n") << ';' << true << 2;
     QTest::addRow("old Mac line ends") << QByteArray("t;F\r0,0;1,5\r0,1;2,5\r") << ';' << true << 2;
