@@ -257,8 +257,9 @@ void TestImportDialog::wrongInputsAreToldInPlace_data() {
     QTest::newRow("word") << QByteArray("t [s],F [N]\n0,1\n1,2\n2,x\n")
                           << "line 4: column 2: `x` is not a number";
     QTest::newRow("time goes back") << QByteArray("t [s],F [N]\n0,1\n1,2\n0.5,1\n")
-                                    << "line 4: the time 0.5 s";
-    QTest::newRow("nothing") << QByteArray() << "No line of numbers";
+                                    << "line 4: the time 500 ms";
+    QTest::newRow("nothing") << QByteArray() << "is empty";
+    QTest::newRow("junk from the beginning") << QByteArray("\1\2\0\3", 4) << "no text";
     QTest::newRow("prose") << QByteArray("a letter\nto nobody\n") << "No line of numbers";
     QTest::newRow("no blow") << QByteArray("t [s],F [N]\n0,0\n1,0\n2,0\n") << "no force is greater than 0";
     QTest::newRow("junk") << QByteArray("1,2\n2,3\n3,4\n\0\0\1\2\n", 17) << "line 4: holds a NUL byte";
