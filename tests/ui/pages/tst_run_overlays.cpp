@@ -54,6 +54,7 @@ class TestRunOverlays : public QObject {
     void aDragDrawsNoRunAnew();
     void aRemovedRunIsFreed();
     void theRockHasThePaths();
+    void manyRunsLeaveRoomForThePlot();
     void runsAtOnePlaceAreOneMark();
     void theGapHasTheCurveOfTheRunsScenario();
     void outOfSightNoGapIsStudied();
@@ -237,6 +238,21 @@ void TestRunOverlays::theRockHasThePaths() {
         QVERIFY(isNear(range.upper, blow.summary.maxPenetration * blow.scales.penetration * 1e3));  // mm
         QVERIFY(page.plot()->xAxis->range().contains(range.upper));
     }
+}
+
+void TestRunOverlays::manyRunsLeaveRoomForThePlot() {
+    RockPage page(m_observation);
+    present(page);
+    QCOMPARE(page.rockPlot()->runs().size(), 2);
+    QCOMPARE(page.plot()->legend->rowCount(), 2);
+    for (int number = 2; number < mostRuns; ++number) pin("bit_rock.stiffness", 1e8 + 1e7 * number);
+    present(page);
+    QCOMPARE(page.rockPlot()->runs().size(), mostRuns);
+    QCOMPARE(page.plot()->legend->rowCount(), 3);
+    for (int number = 2; number < mostRuns; ++number) m_runs->remove(number);
+    present(page);
+    QCOMPARE(page.rockPlot()->runs().size(), 2);
+    QCOMPARE(page.plot()->legend->rowCount(), 2);
 }
 
 // One over the other they could not be read; e of the same groups differs in its last digits.

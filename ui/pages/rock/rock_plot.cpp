@@ -202,6 +202,9 @@ void RockPlot::showRuns() {
         run->setData(each.curves->outline);
         m_runs.append(run);
     }
+    // Beside each other as far as the narrowest page has room: names of a few, letters of more.
+    m_plot->legend->setWrap(m_runs.size() > 3 ? 5 : 2);
+    m_plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
     styleRuns();
 }
 
