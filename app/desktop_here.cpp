@@ -118,6 +118,7 @@ int openWindow(int argc, char** argv) {
     MainWindow window;
     window.show();
     if (!arguments.file.empty()) window.openFile(QString::fromStdString(arguments.file));
+    if (arguments.example) window.openExample(*arguments.example);
     window.startRecovery(recoveryFolder());
     return QApplication::exec();
 }

@@ -21,7 +21,7 @@ std::string synopsis(const OptionSpec& option) {
 
 std::string programHelp() {
     std::string help =
-        "Usage: drillwave [FILE]             open the window (with a scenario file or a result)\n"
+        "Usage: drillwave [FILE]             open the window (with a scenario, a result or an example)\n"
         "       drillwave COMMAND ARGUMENTS  work without a window\n"
         "\nCommands:\n";
     for (const Command* command : commands()) help += line(std::string(command->name), command->summary, 9);

@@ -79,11 +79,14 @@ const Example* exampleNamed(const std::string& path) {
     return std::filesystem::exists(path, error) ? nullptr : findExample(path);
 }
 
-/// "; did you mean …?" where FILE is nearly the name of an example.
+/// "; did you mean …?" where FILE is nearly the name of an example, or how that of only one begins.
 std::string nearExample(const std::string& path) {
-    std::vector<std::string_view> names;
-    for (const Example& example : builtInExamples()) names.push_back(example.name);
-    const std::string_view near = nearestName(path, names);
+    std::vector<std::string_view> names, begun;
+    for (const Example& example : builtInExamples()) {
+        names.push_back(example.name);
+        if (!path.empty() && names.back().starts_with(path)) begun.push_back(names.back());
+    }
+    const std::string_view near = begun.size() == 1 ? begun.front() : nearestName(path, names);
     return near.empty() ? "" : "; did you mean the example `" + std::string(near) + "`?";
 }
 

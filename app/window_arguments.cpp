@@ -17,11 +17,13 @@ namespace {
         throw CommandError(ExitCode::usage, "unknown option `" + shortened(word) + "`; see drillwave --help");
     std::vector<std::string_view> names;
     for (const Command* command : commands()) names.push_back(command->name);
+    for (const Example& example : builtInExamples()) names.push_back(example.name);
     const std::string near(nearestName(word, names));
     if (!near.empty())
         throw CommandError(ExitCode::usage,
                            "`" + shortened(word) +
-                               "` is neither a command nor a file; did you mean `drillwave " + near + "`?");
+                               "` is neither a command, nor a file or an example; did you mean `drillwave " +
+                               near + "`?");
     throw CommandError(ExitCode::unreadableInput, word + ": No such file or command; see drillwave --help");
 }
 
@@ -35,11 +37,14 @@ WindowArguments windowArguments(std::span<const std::string> words) {
             continue;
         }
         std::error_code ignored;
-        if (!std::filesystem::exists(word, ignored)) refuseWord(word);
-        if (!arguments.file.empty())
+        const bool isFile = std::filesystem::exists(word, ignored);
+        const Example* example = isFile ? nullptr : findExample(word);
+        if (!isFile && !example) refuseWord(word);
+        if (!arguments.file.empty() || arguments.example)
             throw CommandError(ExitCode::usage,
                                "`" + shortened(word) + "` is too much; the window opens one file");
-        arguments.file = word;
+        if (isFile) arguments.file = word;
+        arguments.example = example;
     }
     return arguments;
 }

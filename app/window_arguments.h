@@ -5,11 +5,14 @@
 #include <span>
 #include <string>
 
+#include "core/file/examples.h"
+
 namespace drillwave {
 
 /// What they ask of the window.
 struct WindowArguments {
-    std::string file;  ///< to open, empty without
+    std::string file;                  ///< to open, empty without
+    const Example* example = nullptr;  ///< to open, where there is no file of its name
     bool resetsUi = false;
 };
 

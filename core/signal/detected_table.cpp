@@ -58,13 +58,13 @@ std::optional<Pattern> commonPattern(const std::vector<RowLook>& rows) {
     return std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; })->first;
 }
 
-/// How far a format explains the lines.
-long score(const std::vector<RowLook>& rows) {
+/// How far a format explains the lines, where each word speaks against it with that weight.
+long score(const std::vector<RowLook>& rows, int wordWeight) {
     const std::optional<Pattern> pattern = commonPattern(rows);
     if (!pattern) return 0;
     long sum = 0;
     for (const RowLook& row : rows)
-        if (row.numbers == *pattern) sum += std::max(0, 2 * row.count - 3 * row.words);
+        if (row.numbers == *pattern) sum += std::max(0, 2 * row.count - wordWeight * row.words);
     return sum;
 }
 
@@ -85,42 +85,6 @@ std::size_t firstSample(const std::vector<RowLook>& rows, const Pattern& pattern
     return rows.size();
 }
 
-/// Whether a last word without brackets is a unit, and no word of the name: "strain", "ε", "min".
-bool isUnitWord(std::string_view word) {
-    if (findUnit(Quantity::time, word)) return word != "min";
-    const std::optional<NamedSignalUnit> found = findSignalUnit(word);
-    return found && (found->kind != SignalKind::strain || found->unit.name == word ||
-                     word.find_first_of("/%") != std::string_view::npos || word.starts_with("\u00b5") ||
-                     word.starts_with("\u03bc"));
-}
-
-/// "time [us]", "Time (us)", "t / us", "t in us", "t us" in their parts.
-TableColumn heading(std::string_view cell) {
-    TableColumn column;
-    cell = trimmed(cell);
-    for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
-        const std::size_t at = cell.rfind(open);
-        if (at == std::string_view::npos || !cell.ends_with(close)) continue;
-        column.name = trimmed(cell.substr(0, at));
-        column.unit = trimmed(cell.substr(at + 1, cell.size() - at - 2));
-        return column;
-    }
-    for (const std::string_view word : {" / ", " in "})
-        if (const std::size_t at = cell.rfind(word); at != std::string_view::npos) {
-            column.name = trimmed(cell.substr(0, at));
-            column.unit = trimmed(cell.substr(at + word.size()));
-            return column;
-        }
-    if (const std::size_t blank = cell.rfind(' ');
-        blank != std::string_view::npos && isUnitWord(cell.substr(blank + 1))) {
-        column.name = trimmed(cell.substr(0, blank));
-        column.unit = cell.substr(blank + 1);
-        return column;
-    }
-    column.name = cell;
-    return column;
-}
-
 /// "[s];[kN]", or "s;kN" with at least one unit that is known.
 bool isUnitsOnly(const std::vector<TableColumn>& columns) {
     const auto isBracket = [](const TableColumn& column) { return column.name.empty(); };
@@ -139,7 +103,7 @@ std::vector<TableColumn> headings(std::string_view line, char separator, std::si
     if (cells.size() == count + 1 && cells.back().empty()) cells.pop_back();
     if (cells.size() != count) return {};
     std::vector<TableColumn> columns;
-    for (const std::string_view cell : cells) columns.push_back(heading(cell));
+    for (const std::string_view cell : cells) columns.push_back(columnOf(cell));
     return columns;
 }
 
@@ -205,6 +169,29 @@ bool increases(std::span<const std::string> lines, const RowFormat& format, std:
     return true;
 }
 
+/// Under the format that explains most.
+DetectedTable bestTable(std::span<const std::string> lines, int wordWeight) {
+    DetectedTable best;
+    long bestScore = 0;
+    for (const char separator : {'\t', ';', ',', ' '})
+        for (const DecimalSign decimal : {DecimalSign::point, DecimalSign::comma}) {
+            const RowFormat format{separator, decimal};
+            const long now = score(lookAtAll(lines, format), wordWeight);
+            if (now <= bestScore) continue;
+            const DetectedTable table = detectTable(lines, format);
+            // Numbers of one column with a decimal comma look like two columns: then the header has one cell,
+            // or there is none and the first column does not grow.
+            const bool splitsNumbers = separator == ',' && bestScore > 0 && table.columns.size() == 2 &&
+                                       best.format.decimal == DecimalSign::comma;
+            const std::size_t header = headerCells(lines, table.firstLine - 1, separator);
+            const bool grows = increases(lines, format, table.firstLine);
+            if (splitsNumbers && (header == 1 || (header != 2 && !grows))) continue;
+            bestScore = now;
+            best = table;
+        }
+    return best;
+}
+
 }  // namespace
 
 DetectedTable detectTable(std::span<const std::string> lines, RowFormat format) {
@@ -229,25 +216,10 @@ DetectedTable tableFrom(std::span<const std::string> lines, RowFormat format, st
 }
 
 DetectedTable detectTable(std::span<const std::string> lines) {
-    DetectedTable best;
-    long bestScore = 0;
-    for (const char separator : {'\t', ';', ',', ' '})
-        for (const DecimalSign decimal : {DecimalSign::point, DecimalSign::comma}) {
-            const RowFormat format{separator, decimal};
-            const long now = score(lookAtAll(lines, format));
-            if (now <= bestScore) continue;
-            const DetectedTable table = detectTable(lines, format);
-            // Numbers of one column with a decimal comma look like two columns: then the header has one cell,
-            // or there is none and the first column does not grow.
-            const bool splitsNumbers = separator == ',' && bestScore > 0 && table.columns.size() == 2 &&
-                                       best.format.decimal == DecimalSign::comma;
-            const std::size_t header = headerCells(lines, table.firstLine - 1, separator);
-            const bool grows = increases(lines, format, table.firstLine);
-            if (splitsNumbers && (header == 1 || (header != 2 && !grows))) continue;
-            bestScore = now;
-            best = table;
-        }
-    return best;
+    constexpr int usualWeight = 3;
+    const DetectedTable table = bestTable(lines, usualWeight);
+    // Mostly words, such as a date and a time of day before each sample.
+    return table.hasSamples() ? table : bestTable(lines, 0);
 }
 
 }  // namespace drillwave

@@ -7,17 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "core/signal/column_heading.h"
 #include "core/signal/table_row.h"
 
 namespace drillwave {
-
-/// One column; name and unit are empty where no header gives them.
-struct TableColumn {
-    std::string name;
-    std::string unit;
-    bool isNumeric = false;  ///< its first cells are numbers
-    bool operator==(const TableColumn&) const = default;
-};
 
 struct DetectedTable {
     RowFormat format;

@@ -18,9 +18,7 @@ std::string lowerCase(std::string text) {
 }
 
 bool saysTime(const TableColumn& column) {
-    if (findUnit(Quantity::time, column.unit)) return true;
-    const std::string name = lowerCase(column.name);
-    return name == "t" || name.starts_with("time") || name.starts_with("zeit") || name.starts_with("x_value");
+    return findUnit(Quantity::time, column.unit) || isTimeName(column.name);
 }
 
 bool saysStrain(const TableColumn& column) {

@@ -6,6 +6,7 @@
 
 #include "core/signal/text_lines.h"
 #include "core/text/decimal_text.h"
+#include "core/text/handy_text.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -121,8 +122,10 @@ class SampleReader {
     }
 
     std::string notLater(double time) const {
-        return "the time " + formatNumber(time) + " s is not later than the one before it, " +
-               formatNumber(m_lastTime) + " s: take another column, or a sampling rate";
+        constexpr int digits = 12;  // not those that the unit of the times has added
+        const auto text = [](double seconds) { return inHandyUnit(seconds, Quantity::time, digits); };
+        return "the time " + text(time) + " is not later than the one before it, " + text(m_lastTime) +
+               ": take another column, or a sampling rate";
     }
 
     /// So many are no jumps but a clock that is too coarse.

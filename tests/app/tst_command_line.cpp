@@ -191,6 +191,8 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
         << QStringList{"table", "-", "-"} << 2 << "both standard input";
     QTest::newRow("nearly an example")
         << QStringList{"run", "t38_medium_rok"} << 3 << "did you mean the example `t38_medium_rock`?";
+    QTest::newRow("the beginning of an example")
+        << QStringList{"run", "t38"} << 3 << "did you mean the example `t38_medium_rock`?";
     QTest::newRow("output twice") << QStringList{"sweep",    paper,       "--vary",
                                                  "beta=1,2", "--outputs", "cor,impulse,cor"}
                                   << 2 << "`cor` is given twice";

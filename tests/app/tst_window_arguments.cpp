@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The words of a command line without a command.
+#include <QDir>
+#include <QTemporaryDir>
 #include <QTemporaryFile>
 #include <QtTest>
 
@@ -19,6 +21,7 @@ class TestWindowArguments : public QObject {
 
   private slots:
     void aFileIsOpened();
+    void anExampleIsOpenedByItsName();
     void otherWordsAreRefused_data();
     void otherWordsAreRefused();
 };
@@ -35,11 +38,34 @@ void TestWindowArguments::aFileIsOpened() {
     QVERIFY_EXCEPTION_THROWN(windowArguments(Words{path, path}), CommandError);
 }
 
+// As FILE of a command.
+void TestWindowArguments::anExampleIsOpenedByItsName() {
+    QVERIFY(!windowArguments(Words{}).example);
+    for (const Example& example : builtInExamples()) {
+        const WindowArguments arguments = windowArguments(Words{example.name});
+        QCOMPARE(arguments.example, &example);
+        QVERIFY(arguments.file.empty());
+        QVERIFY_EXCEPTION_THROWN(windowArguments(Words{example.name, example.name}), CommandError);
+    }
+    // A file of that name goes first.
+    const QTemporaryDir folder;
+    const QString before = QDir::currentPath();
+    QVERIFY(QDir::setCurrent(folder.path()));
+    QFile file(QString::fromStdString(builtInExamples().front().name));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    const WindowArguments arguments = windowArguments(Words{builtInExamples().front().name});
+    QVERIFY(QDir::setCurrent(before));
+    QCOMPARE(arguments.file, builtInExamples().front().name);
+    QVERIFY(!arguments.example);
+}
+
 void TestWindowArguments::otherWordsAreRefused_data() {
     QTest::addColumn<QString>("word");
     QTest::addColumn<ExitCode>("code");
     QTest::addColumn<QString>("part");
     QTest::newRow("nearly a command") << "swep" << ExitCode::usage << "did you mean `drillwave sweep`?";
+    QTest::newRow("nearly an example")
+        << "t38_medium_rok" << ExitCode::usage << "did you mean `drillwave t38_medium_rock`?";
     QTest::newRow("an option") << "--set" << ExitCode::usage << "unknown option `--set`";
     QTest::newRow("no file") << "nowhere/at/all.yaml" << ExitCode::unreadableInput << "No such file";
 }

@@ -229,7 +229,8 @@ void ImportDialog::proposeFrom(const ImportPreview& preview) {
     m_proposal = Proposal::none;
     m_signal->proposeSign(preview.signOfPeak);
     const bool isGauge = m_signal->recipe().zeroLine == ZeroLine::ofFirstSamples;
-    m_signal->proposeTimes(use() == ImportUse::blow && isGauge ? preview.aroundPeak : std::nullopt);
+    const bool isRecord = isGauge || preview.hasBothSigns;  // and no blow that was computed
+    m_signal->proposeTimes(use() == ImportUse::blow && isRecord ? preview.aroundPeak : std::nullopt);
 }
 
 bool ImportDialog::isBusy() const {

@@ -72,7 +72,10 @@ ImportPreview ImportStudy::operator()(const ImportQuestion& question, const Stud
     preview.time = {samples.time.front(), samples.time.back()};
     preview.aroundPeak = spanAroundPeak(samples, question.recipe);
     preview.signOfPeak = signOfPeak(samples, question.recipe);
-    preview.record = visibleRecord(samples, question.recipe, zeroOf(samples, question.recipe));
+    const double zero = zeroOf(samples, question.recipe);
+    preview.hasBothSigns = std::ranges::any_of(
+        samples.value, [&](double value) { return preview.signOfPeak * (value - zero) < 0; });
+    preview.record = visibleRecord(samples, question.recipe, zero);
     preview.signal = shapedSignal(samples, question.recipe, feed.stop);
     return preview;
 }

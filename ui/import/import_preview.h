@@ -31,6 +31,7 @@ struct ImportPreview {
     RecordSpan time;                       ///< from the first to the last sample [s]
     std::optional<RecordSpan> aroundPeak;  ///< spanAroundPeak()
     double signOfPeak = 1;                 ///< of the record, as in the table
+    bool hasBothSigns = false;             ///< some of it lies beyond the zero line, seen from the peak
 };
 
 /// Remembers the samples of the last source, so that each file is read once for all that is made of it.

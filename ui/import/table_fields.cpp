@@ -210,6 +210,7 @@ std::optional<NamedSignalUnit> TableFields::valueUnit() const {
 }
 
 QString TableFields::problem() const {
+    if (m_lines.empty()) return tr("The file is empty, or no text.");
     if (!m_table.hasSamples())
         return tr("No line of numbers is found in the first %1 lines with this separator and decimal sign: "
                   "choose "

@@ -21,6 +21,7 @@ class FileMenu : public QMenu {
     /// Opens a scenario file, or the scenario of a result, in place of the present one, unsaved or not; tells
     /// why if it cannot. True when opened.
     bool openFile(const QString& path);
+    void openExample(const Example& example);
     /// Takes what was dropped onto the window: a scenario, the CSV file of a result, or that of a hammer
     /// blow; asks for an import of any other table.
     void take(const QStringList& paths);
@@ -38,7 +39,6 @@ class FileMenu : public QMenu {
     void addFileActions(QMenu* exports);
     void addExamples();
     void addRecentFiles();
-    void openExample(const Example& example);
     void openRecent(const QString& path);
     void remember(const QString& path);
     void forget(const QString& path);

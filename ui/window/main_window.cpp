@@ -275,6 +275,10 @@ bool MainWindow::openFile(const QString& path) {
     return m_fileMenu->openFile(path);
 }
 
+void MainWindow::openExample(const Example& example) {
+    m_fileMenu->openExample(example);
+}
+
 void MainWindow::startRecovery(const QString& folder) {
     m_recovery = new Recovery(m_document, folder, this);
     connect(m_recovery, &Recovery::failed, this, [this](const QString& problem) {

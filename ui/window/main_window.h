@@ -32,6 +32,7 @@ class SolveStatus;
 class StudyStatus;
 class UnitsChoice;
 class WindowLayout;
+struct Example;
 
 /// Opens with the default example, solved.
 class MainWindow : public QMainWindow {
@@ -45,6 +46,7 @@ class MainWindow : public QMainWindow {
 
     /// Opens a scenario file, or tells why it cannot. True when opened.
     bool openFile(const QString& path);
+    void openExample(const Example& example);
     /// Keeps unsaved changes in a folder from now on, and offers those of instances that died.
     void startRecovery(const QString& folder);
 

@@ -65,9 +65,18 @@ int TabStrip::captionWidth(int index) const {
     return QFontMetrics(captionFont(*this)).horizontalAdvance(tabText(index)) + 2 * captionMargin;
 }
 
+// The names of the pages go first.
+bool TabStrip::hasRoomForCaptions() const {
+    int wanted = 0;
+    for (int index = 0; index < count(); ++index)
+        wanted += isCaption(index) ? captionWidth(index) : QTabBar::tabSizeHint(index).width();
+    return wanted <= width();
+}
+
 QSize TabStrip::tabSizeHint(int index) const {
     const QSize tab = QTabBar::tabSizeHint(index);
-    return isCaption(index) ? QSize(captionWidth(index), tab.height()) : tab;
+    if (!isCaption(index)) return tab;
+    return {hasRoomForCaptions() ? captionWidth(index) : captionMargin, tab.height()};
 }
 
 QSize TabStrip::minimumTabSizeHint(int index) const {
@@ -86,11 +95,12 @@ void TabStrip::paintEvent(QPaintEvent* event) {
     QTabBar::paintEvent(event);
     QPainter painter(this);
     painter.setFont(captionFont(*this));
+    const bool named = hasRoomForCaptions();
     for (int index = 0; index < count(); ++index) {
         if (!isCaption(index)) continue;
         const QRect place = tabRect(index);
         painter.setPen(palette().color(QPalette::Active, QPalette::WindowText));
-        painter.drawText(place, Qt::AlignCenter, tabText(index));
+        if (named) painter.drawText(place, Qt::AlignCenter, tabText(index));
         if (index > 0)
             painter.drawLine(place.left() + 2, place.top() + 4, place.left() + 2, place.bottom() - 4);
     }

@@ -8,8 +8,8 @@ class QWidget;
 
 namespace drillwave {
 
-/// A caption is a tab that cannot be chosen. Too many tabs for the row are cut short, then scrolled; the
-/// chosen one is always in view.
+/// A caption is a tab that cannot be chosen. Where the row is too short the captions shrink to a gap, then
+/// tabs are cut short, then scrolled; the chosen one is always in view.
 class TabStrip : public QTabBar {
     Q_OBJECT
 
@@ -36,6 +36,7 @@ class TabStrip : public QTabBar {
   private:
     bool isCaption(int index) const { return !pageAt(index); }
     int captionWidth(int index) const;
+    bool hasRoomForCaptions() const;
 };
 
 }  // namespace drillwave

@@ -65,6 +65,9 @@ void TestDetectedTable::separatorAndDecimalSignAreFound_data() {
     QTest::addRow("quoted, semicolon")
         << QByteArray("\"0,0\";\"1,5\"\n\"0,1\";\"2,5\"\n") << ';' << true << 2;
     QTest::addRow("words in a column") << QByteArray("0;a;1,5\n1;b;2,5\n2;c;3,5\n") << ';' << true << 3;
+    QTest::addRow("date and time of day")
+        << QByteArray("Date,Time,F [kN]\n2021-03-04,12:00:00.1,-1.5\n2021-03-04,12:00:00.2,2.5\n") << ','
+        << false << 3;
     QTest::addRow("NaN and empty cells")
         << QByteArray("0;1,5;\n1;NaN;\n2;2,5;\n3;3,5;\n") << ';' << true << 2;
     QTest::addRow("old Mac line ends") << QByteArray("t;F\r0,0;1,5\r0,1;2,5\r") << ';' << true << 2;
@@ -87,7 +90,9 @@ void TestDetectedTable::theHeaderNamesColumnsAndUnits_data() {
     QTest::addRow("brackets") << QByteArray("time [us],force [kN]\n");
     QTest::addRow("parentheses") << QByteArray("time (us),force (kN)\n");
     QTest::addRow("slash") << QByteArray("time / us,force / kN\n");
+    QTest::addRow("slash without blanks") << QByteArray("time/us,force/kN\n");
     QTest::addRow("blank") << QByteArray("time us,force kN\n");
+    QTest::addRow("underscore") << QByteArray("time_us,force_kN\n");
     QTest::addRow("two lines") << QByteArray("time,force\nus,kN\n");
     QTest::addRow("two lines with brackets") << QByteArray("time,force\n[us],[kN]\n");
     QTest::addRow("quoted") << QByteArray("\"time [us]\",\"force [kN]\"\n");
@@ -174,6 +179,9 @@ void TestDetectedTable::aUnitThatIsNotKnownIsNotGuessed_data() {
     QTest::addRow("micro") << std::string("Time [µsec]") << 1e-6 << std::string("F kN") << 1e3;
     QTest::addRow("not known") << std::string("Time [ticks]") << 0.0 << std::string("Load [V]") << 0.0;
     QTest::addRow("a name of words") << std::string("Time") << 1.0 << std::string("Load min") << 1.0;
+    QTest::addRow("slash") << std::string("t/ms") << 1e-3 << std::string("gauge 1/µm/m") << 1e-6;
+    QTest::addRow("underscores") << std::string("t_us") << 1e-6 << std::string("gauge_1_kN") << 1e3;
+    QTest::addRow("rates") << std::string("feed/ms") << 1.0 << std::string("v_s") << 1.0;
     QTest::addRow("strain by name") << std::string("t us") << 1e-6 << std::string("axial strain") << 1e-6;
 }
 

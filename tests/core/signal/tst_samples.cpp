@@ -54,6 +54,7 @@ class TestSamples : public QObject {
     void twoGaugesGiveTheirMean();
     void whatCannotBeReadIsRefusedWithItsLine_data();
     void whatCannotBeReadIsRefusedWithItsLine();
+    void timesAreToldAsTheyArePrinted();
     void twoValuesAtOneTimeAreAJump();
     void rowsWithoutANumberAreSkippedAndCounted();
     void skippedRowsKeepTheirPlaceInTime();
@@ -115,6 +116,15 @@ void TestSamples::whatCannotBeReadIsRefusedWithItsLine() {
     QVERIFY2(samples.problem.find(words.toStdString()) != std::string::npos, samples.problem.c_str());
     QCOMPARE(static_cast<int>(samples.problemLine), line);
     QVERIFY(samples.time.empty() && samples.value.empty());
+}
+
+// 400 us are 0.00039999999999999996 s.
+void TestSamples::timesAreToldAsTheyArePrinted() {
+    SampleSource source = timesAndValues();
+    source.timeUnit = 1e-6;
+    const Samples samples = readText("0,1\n499.5,2\n400,3\n", source);
+    QCOMPARE(QString::fromStdString(samples.problem).section(QStringLiteral(": take"), 0, 0),
+             QStringLiteral("the time 400 us is not later than the one before it, 499.5 us"));
 }
 
 void TestSamples::twoValuesAtOneTimeAreAJump() {

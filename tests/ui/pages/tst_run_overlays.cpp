@@ -18,6 +18,7 @@
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/stiffness/stiffness_page.h"
 #include "ui/pages/stiffness/stiffness_plot.h"
+#include "ui/pages/study/run_marks.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/thrust/thrust_plot.h"
 #include "ui/plot/plot_widget.h"
@@ -53,6 +54,8 @@ class TestRunOverlays : public QObject {
     void aDragDrawsNoRunAnew();
     void aRemovedRunIsFreed();
     void theRockHasThePaths();
+    void manyRunsLeaveRoomForThePlot();
+    void runsAtOnePlaceAreOneMark();
     void theGapHasTheCurveOfTheRunsScenario();
     void outOfSightNoGapIsStudied();
     void whatIsKnownIsNotStudiedAgain();
@@ -235,6 +238,34 @@ void TestRunOverlays::theRockHasThePaths() {
         QVERIFY(isNear(range.upper, blow.summary.maxPenetration * blow.scales.penetration * 1e3));  // mm
         QVERIFY(page.plot()->xAxis->range().contains(range.upper));
     }
+}
+
+void TestRunOverlays::manyRunsLeaveRoomForThePlot() {
+    RockPage page(m_observation);
+    present(page);
+    QCOMPARE(page.rockPlot()->runs().size(), 2);
+    QCOMPARE(page.plot()->legend->rowCount(), 2);
+    for (int number = 2; number < mostRuns; ++number) pin("bit_rock.stiffness", 1e8 + 1e7 * number);
+    present(page);
+    QCOMPARE(page.rockPlot()->runs().size(), mostRuns);
+    QCOMPARE(page.plot()->legend->rowCount(), 3);
+    for (int number = 2; number < mostRuns; ++number) m_runs->remove(number);
+    present(page);
+    QCOMPARE(page.rockPlot()->runs().size(), 2);
+    QCOMPARE(page.plot()->legend->rowCount(), 2);
+}
+
+// One over the other they could not be read; e of the same groups differs in its last digits.
+void TestRunOverlays::runsAtOnePlaceAreOneMark() {
+    QCustomPlot plot;
+    RunMarks marks(&plot, plot.xAxis, plot.yAxis);
+    marks.present({{0, "A  first", {0, 0.4}},
+                   {1, "B  k 300 MN/m", {0, 0.634447860414}},
+                   {2, "C  L 2.4 m", {0, 0.634447860414 + 3e-14}}});
+    QStringList texts;
+    for (int i = 0; i < plot.itemCount(); ++i)
+        if (const auto* text = qobject_cast<QCPItemText*>(plot.item(i))) texts << text->text();
+    QCOMPARE(texts, QStringList({"A  first", "B, C"}));
 }
 
 void TestRunOverlays::theGapHasTheCurveOfTheRunsScenario() {

@@ -53,6 +53,7 @@ class TestPageTabs : public QObject {
     void initTestCase();
     void pagesStandInTheirGroups();
     void captionsAreNeverChosen();
+    void namesOfPagesGoBeforeCaptions();
     void theChosenTabIsInViewInANarrowWindow();
     void tabsAreAboveTheDocksOverTheWholeWidth();
     void theKeysGoRoundThePages();
@@ -115,6 +116,29 @@ void TestPageTabs::captionsAreNeverChosen() {
     strip.choose(1);
     strip.choose(1);
     QVERIFY(strip.pageAt(strip.currentIndex()));
+}
+
+void TestPageTabs::namesOfPagesGoBeforeCaptions() {
+    QWidget window;
+    PageTabs pages(&window);
+    for (const char* title : {"Blow", "Rock"}) pages.add(new EmptyPage(title), PageGroup::thisBlow);
+    for (const char* title : {"COR–gap", "Map"}) pages.add(new EmptyPage(title), PageGroup::studies);
+    TabStrip& strip = *pages.strip();
+    strip.setParent(nullptr);
+    strip.resize(1000, strip.sizeHint().height());
+    strip.show();
+    QList<int> widths;
+    for (int i = 0; i < strip.count(); ++i) widths << strip.tabRect(i).width();
+    strip.resize(strip.tabRect(strip.count() - 1).right() - 50, strip.height());
+    for (int i = 0; i < strip.count(); ++i)
+        if (strip.pageAt(i))
+            QCOMPARE(strip.tabRect(i).width(), widths[i]);
+        else
+            QVERIFY(strip.tabRect(i).width() < widths[i]);
+    QVERIFY(strip.tabRect(strip.count() - 1).right() < strip.width());
+    strip.resize(1000, strip.height());
+    for (int i = 0; i < strip.count(); ++i) QCOMPARE(strip.tabRect(i).width(), widths[i]);
+    strip.setParent(&window);
 }
 
 void TestPageTabs::theChosenTabIsInViewInANarrowWindow() {

@@ -120,7 +120,8 @@ void RockPlot::nameNumbers(const RockCurve& curve) {
     const QString unloading = shown(curve.unloading, units.stiffness, locale);
     const QString energy = energyText(curve, locale);
     m_caption->setText(tr("enclosed area: %1").arg(energy));
-    m_peakName->setText(tr("Fm = %1\nUm = %2").arg(force, largest));
+    m_peakNumbers = {tr("Fm = %1").arg(force), tr("Um = %1").arg(largest)};
+    m_peakName->setText(m_peakNumbers.join(QLatin1Char('\n')));
     m_residualName->setText(tr("Ur = %1").arg(residual));
     m_loadingName->setText(tr("k = %1").arg(loading));
     m_unloadingName->setText(tr("k/γ = %1").arg(unloading));
@@ -131,8 +132,8 @@ void RockPlot::nameNumbers(const RockCurve& curve) {
             .arg(loading, force, largest, unloading, residual, energy);
 }
 
-// Beside the lines they name, at any zoom: above the loading line, below the unloading line, and the residual
-// penetration on the side on which its text fits.
+// Beside the lines they name, at any zoom: above the loading line, below the unloading line, the residual
+// penetration on the side on which its text fits, and the peak in one line where two would be cut off.
 void RockPlot::placeLabels() {
     if (!m_peak->visible()) return;
     const QCPAxis* x = m_plot->xAxis;
@@ -149,6 +150,10 @@ void RockPlot::placeLabels() {
     const double textWidth = QFontMetricsF(m_residualName->font()).horizontalAdvance(m_residualName->text());
     const bool fitsLeft = pixel(ur, 0).x() - pixel(0, 0).x() > 1.6 * textWidth;
     m_residualName->setPositionAlignment((fitsLeft ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
+    const double twoLines =
+        2 * QFontMetricsF(m_peakName->font()).lineSpacing() + 2 * m_peakName->padding().top();
+    const bool fitsAbove = pixel(um, fm).y() - m_plot->axisRect()->top() >= twoLines;
+    m_peakName->setText(m_peakNumbers.join(fitsAbove ? QStringLiteral("\n") : QStringLiteral(",  ")));
 }
 
 void RockPlot::setMarksVisible(bool visible) {
@@ -197,6 +202,9 @@ void RockPlot::showRuns() {
         run->setData(each.curves->outline);
         m_runs.append(run);
     }
+    // Beside each other as far as the narrowest page has room: names of a few, letters of more.
+    m_plot->legend->setWrap(m_runs.size() > 3 ? 5 : 2);
+    m_plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
     styleRuns();
 }
 

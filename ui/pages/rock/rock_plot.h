@@ -70,6 +70,7 @@ class RockPlot : public QObject {
     PlotStyle m_style;
     QSizeF m_ghostSize;  // largest penetration and force of the ghost
     FittedView* m_view;
+    QStringList m_peakNumbers;  // as they are named there
     QString m_summary;
 };
 

@@ -3,6 +3,7 @@
 
 #include <QHash>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/plot/run_pen.h"
 
@@ -11,12 +12,22 @@ namespace {
 
 constexpr double pointSize = 9;  // [px]
 
+// Results that are alike differ by the errors of their solutions all the same.
+bool isSamePlace(const QPointF& a, const QPointF& b) {
+    constexpr double alike = 1e-9;
+    const auto isNear = [](double one, double other) {
+        return std::abs(one - other) <= alike * std::max(std::abs(one), std::abs(other));
+    };
+    return isNear(a.x(), b.x()) && isNear(a.y(), b.y());
+}
+
 // Runs at one place are one mark, with their letters.
 QVector<RunMark> together(const QVector<RunMark>& marks) {
     QVector<RunMark> places;
     QHash<qsizetype, QStringList> letters;
     for (const RunMark& mark : marks) {
-        const auto same = std::ranges::find(places, mark.at, &RunMark::at);
+        const auto same =
+            std::ranges::find_if(places, [&](const RunMark& each) { return isSamePlace(each.at, mark.at); });
         const qsizetype place = same - places.begin();
         if (same == places.end()) places.append(mark);
         letters[place] << mark.title.left(1);

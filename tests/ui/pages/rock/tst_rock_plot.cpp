@@ -51,6 +51,8 @@ class TestRockPlot : public QObject {
     void aPointOfThePathBelongsToItsTime();
     void anElasticRockKeepsNothing();
     void numbersAreNamedInThePlot();
+    void theNumbersOfThePeakAreInViewInALowPlot_data();
+    void theNumbersOfThePeakAreInViewInALowPlot();
     void aZoomedViewStaysWhileTheResultChanges();
     void ghostAndPathAreBothInView();
     void withoutAPathTheReasonIsShown();
@@ -160,6 +162,28 @@ void TestRockPlot::numbersAreNamedInThePlot() {
         QVERIFY2(all.contains(QString::fromUtf8(text)), qPrintable(all));
     QVERIFY(m_plot->textSummary().contains(QStringLiteral("% of W")));
     QVERIFY(m_widget->xAxis->label().contains(QStringLiteral("penetration U / d₀")));
+}
+
+void TestRockPlot::theNumbersOfThePeakAreInViewInALowPlot_data() {
+    QTest::addColumn<int>("height");
+    QTest::addRow("high") << 600;
+    QTest::addRow("low, as in a report") << 280;
+}
+
+void TestRockPlot::theNumbersOfThePeakAreInViewInALowPlot() {
+    QFETCH(int, height);
+    m_widget->resize(500, height);
+    m_plot->present(solved({0.5, 0.1, 10, 0}).curve);
+    m_widget->toPixmap(500, height);
+    const QCPItemText* peak = nullptr;
+    for (int i = 0; i < m_widget->itemCount(); ++i)
+        if (auto* text = qobject_cast<QCPItemText*>(m_widget->item(i));
+            text && text->text().startsWith(QStringLiteral("Fm = ")))
+            peak = text;
+    QVERIFY(peak);
+    QVERIFY(peak->text().contains(QStringLiteral("Um = ")));
+    QVERIFY(peak->topLeft->pixelPosition().y() >= m_widget->axisRect()->top());
+    QVERIFY(peak->left->pixelPosition().x() >= m_widget->axisRect()->left());
 }
 
 void TestRockPlot::aZoomedViewStaysWhileTheResultChanges() {
