@@ -52,6 +52,7 @@ class TestRunOverlays : public QObject {
     void hiddenRunsAreNotDrawn();
     void aDragDrawsNoRunAnew();
     void aRemovedRunIsFreed();
+    void whatIsHiddenByTheLegendStaysHidden();
     void theRockHasThePaths();
     void theGapHasTheCurveOfTheRunsScenario();
     void outOfSightNoGapIsStudied();
@@ -222,6 +223,17 @@ void TestRunOverlays::aRemovedRunIsFreed() {
     present(page);
     QVERIFY(removed.expired());
     QVERIFY(run(2).blow == later);
+}
+
+void TestRunOverlays::whatIsHiddenByTheLegendStaysHidden() {
+    BlowPage page(m_observation);
+    present(page);
+    page.plot()->setCurveVisible(page.plots()->forcesOfRuns()[0], false);
+    m_runs->setReference(1);
+    m_document->assign(*findParameter("rod.length"), 2, 0);
+    present(page, UnitSystem::us);
+    QVERIFY(!page.plots()->forcesOfRuns()[0]->visible());
+    QVERIFY(page.plots()->forcesOfRuns()[1]->visible());
 }
 
 void TestRunOverlays::theRockHasThePaths() {
