@@ -57,6 +57,11 @@ class TestRunOverlays : public QObject {
     void theGapHasTheCurveOfTheRunsScenario();
     void outOfSightNoGapIsStudied();
     void whatIsKnownIsNotStudiedAgain();
+    void whatFailsIsNotStudiedAgain();
+    void stiffnessHasTheCurveOfTheRunsScenario();
+    void aDragOfTheScenarioStudiesNoRunAnew();
+    void outOfSightNoStiffnessIsStudied();
+    void aRunWithoutTheParameterHasNoCurve();
     void theMapHasThemByName();
     void stiffnessAndThrustHaveTheirPoints();
     void shiftAndAClickPin();
@@ -286,18 +291,140 @@ void TestRunOverlays::outOfSightNoGapIsStudied() {
 }
 
 void TestRunOverlays::whatIsKnownIsNotStudiedAgain() {
-    RunGapsStudy study;
+    using Finder = RunCurveFinder<int, int>;
+    int found = 0;
     std::stop_source stop;
-    const StudyFeed<RunGaps> feed{stop.get_token(), [](StudyProgress) {}, [](const RunGaps&) {}};
-    Scenario a = run(0).contents.scenario, b = a;
-    b.bitRock.gamma = 0.5;
-    const RunGaps first = study({{a}}, feed);
-    const RunGaps both = RunGapsStudy(study)({{b, a}}, feed);
-    QCOMPARE(both.size(), 2u);
-    QCOMPARE(both[1], first[0]);
-    stop.request_stop();
-    a.bitRock.gamma = 0.6;
-    QVERIFY(study({{a}}, feed).empty());
+    Finder finder([&](int question, const std::stop_token&) -> std::optional<int> {
+        ++found;
+        if (question == 9) stop.request_stop();
+        return question % 2 ? std::optional(10 * question) : std::nullopt;
+    });
+    std::size_t shown = 0;
+    const auto feed = [&] {
+        return StudyFeed<Finder::Answers>{stop.get_token(), [](StudyProgress) {},
+                                          [&](const Finder::Answers& so) { shown = so.size(); }};
+    };
+    const Finder::Answers first = finder({1, 2}, feed());
+    QCOMPARE(found, 2);
+    QCOMPARE(*first[0]->curve, 10);
+    QVERIFY(!first[1]->curve);  // which is known as well
+    const Finder::Answers more = Finder(finder)({3, 2, 1}, feed());
+    QCOMPARE(found, 3);
+    QCOMPARE(more.size(), 3u);
+    QVERIFY(std::ranges::find(more, first[0]) != more.end());
+    QCOMPARE(shown, 3u);
+    // What was stopped goes on from there, and asks no more.
+    const Finder::Answers stopped = finder({1, 9, 11, 3}, feed());
+    QCOMPARE(found, 4);
+    QCOMPARE(stopped.size(), 2u);
+    stop = {};
+    QCOMPARE(finder({3, 1, 5}, feed()).size(), 3u);
+    QCOMPARE(found, 5);
+    // What is not asked is forgotten.
+    finder({2}, feed());
+    QCOMPARE(found, 6);
+}
+
+void TestRunOverlays::whatFailsIsNotStudiedAgain() {
+    RunStudies<int, int> studies(
+        [](int, const std::stop_token&) -> std::optional<int> { throw std::runtime_error("out of rock"); });
+    studies.ask({1});
+    QTRY_COMPARE_WITH_TIMEOUT(studies.activity().state(), StudyState::failed, patience);
+    studies.ask({1});
+    QCOMPARE(studies.started(), 1);
+    QVERIFY(!studies.find(1));
+    studies.ask({1, 2});
+    QCOMPARE(studies.started(), 2);
+}
+
+void TestRunOverlays::stiffnessHasTheCurveOfTheRunsScenario() {
+    StiffnessPage page(*m_document);
+    page.resize(900, 600);
+    page.show();
+    present(page);
+    const auto& graphs = page.stiffnessPlot()->runCurves().graphs();
+    QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 2, patience);
+    for (const int number : {0, 1}) {
+        const QCPGraph* graph = graphs[number];
+        QVERIFY(graph->dataCount() > 200);
+        const auto point = graph->data()->at(graph->dataCount() / 3);
+        Scenario scenario = run(number).contents.scenario;
+        findParameter("bit_rock.stiffness")->assign(scenario, point->key * 1e6);
+        // The curve is known to 1e-10.
+        QVERIFY(std::abs(point->value - solveBlow(scenario, {}, Detail::cor).summary.cor) < 2e-10);
+        QCOMPARE(graph->name(), run(number).title());
+        const QPen expected = runPen(number, PlotStyle::forScreen(page.palette(), page.font()));
+        QCOMPARE(graph->pen().color(), expected.color());
+        QCOMPARE(graph->pen().dashPattern(), expected.dashPattern());
+        bool found = false;
+        const QCPRange values = graph->getValueRange(found);
+        QVERIFY(graph->valueAxis()->range().contains(values.lower));
+        QVERIFY(graph->valueAxis()->range().contains(values.upper));
+        // The mark of the run lies on its curve.
+        QVERIFY(isNear(page.stiffnessPlot()->runs()[number].at.y(), run(number).blow->summary.cor));
+    }
+    // One line each: no more work than a family of as many.
+    std::uint64_t solves = 0;
+    for (const auto& answer : *page.runLines().answers()) solves += answer->curve->solves;
+    QVERIFY(solves > 100);
+    QVERIFY2(solves <= page.study().value()->curve.solves, qPrintable(QString::number(solves)));
+}
+
+void TestRunOverlays::aDragOfTheScenarioStudiesNoRunAnew() {
+    StiffnessPage page(*m_document);
+    page.resize(900, 600);
+    page.show();
+    present(page);
+    const auto& graphs = page.stiffnessPlot()->runCurves().graphs();
+    QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 2, patience);
+    const QPointer<QCPGraph> drawn = graphs[0];
+    graphs[1]->setVisible(false);
+    const auto answer = page.runLines().answers()->front();
+    const int studies = page.study().started();
+    for (const double gamma : {0.2, 0.25, 0.3}) {
+        m_document->assign(*findParameter("gamma"), gamma, 1);
+        page.setResult(solve(page));
+        QTRY_COMPARE_WITH_TIMEOUT(page.activity()->state(), StudyState::finished, patience);
+    }
+    QVERIFY(page.study().started() > studies);
+    QCOMPARE(page.runLines().started(), 1);
+    QVERIFY(drawn && graphs[0] == drawn);
+    QVERIFY(!graphs[1]->visible());
+    // One more run is the only one that is studied.
+    QCOMPARE(m_runs->pin(m_document->contents(), solve(page), "third"), QString());
+    page.setRuns(m_runs->list());
+    QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 3, patience);
+    QVERIFY(std::ranges::find(*page.runLines().answers(), answer) != page.runLines().answers()->end());
+}
+
+void TestRunOverlays::outOfSightNoStiffnessIsStudied() {
+    StiffnessPage page(*m_document);
+    present(page);
+    QCOMPARE(page.runLines().started(), 0);
+    page.show();
+    QTRY_VERIFY_WITH_TIMEOUT(page.runLines().started() > 0, patience);
+    page.hide();
+    QVERIFY(page.runLines().activity().state() != StudyState::running);
+    m_runs->setShown(0, false);
+    page.setRuns(m_runs->list());
+    QCOMPARE(page.runLines().started(), 1);
+    // Seen again it goes on.
+    page.show();
+    QTRY_COMPARE_WITH_TIMEOUT(page.stiffnessPlot()->runCurves().graphs().size(), 1, patience);
+}
+
+// The slope of a scenario in groups is no stiffness.
+void TestRunOverlays::aRunWithoutTheParameterHasNoCurve() {
+    m_document->startFrom(findExample("paper_fig4b")->text, "example");
+    pin("beta", 0.7);
+    m_document->startFrom(findExample("t38_medium_rock")->text, "example");
+    StiffnessPage page(*m_document);
+    page.resize(900, 600);
+    page.show();
+    present(page);
+    QTRY_COMPARE_WITH_TIMEOUT(page.stiffnessPlot()->runCurves().graphs().size(), 2, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.runLines().activity().state(), StudyState::finished, patience);
+    QCOMPARE(page.runLines().answers()->size(), 2u);
 }
 
 void TestRunOverlays::theMapHasThemByName() {
