@@ -16,10 +16,13 @@
 #include "ui/pages/map/map_plot.h"
 #include "ui/pages/rock/rock_page.h"
 #include "ui/pages/rock/rock_plot.h"
+#include "ui/pages/rod/rod_page.h"
+#include "ui/pages/rod/rod_plot.h"
 #include "ui/pages/stiffness/stiffness_page.h"
 #include "ui/pages/stiffness/stiffness_plot.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/thrust/thrust_plot.h"
+#include "ui/plot/legend_entries.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/plot/run_pen.h"
 #include "ui/runs/runs.h"
@@ -54,6 +57,7 @@ class TestRunOverlays : public QObject {
     void aRemovedRunIsFreed();
     void whatIsHiddenByTheLegendStaysHidden();
     void theRockHasThePaths();
+    void theRodHasTheEnvelopes();
     void theGapHasTheCurveOfTheRunsScenario();
     void outOfSightNoGapIsStudied();
     void whatIsKnownIsNotStudiedAgain();
@@ -252,6 +256,57 @@ void TestRunOverlays::theRockHasThePaths() {
         QVERIFY(isNear(range.upper, blow.summary.maxPenetration * blow.scales.penetration * 1e3));  // mm
         QVERIFY(page.plot()->xAxis->range().contains(range.upper));
     }
+}
+
+void TestRunOverlays::theRodHasTheEnvelopes() {
+    m_document->assign(*findParameter("rod.length"), 2, 0);
+    RodPage page(m_observation);
+    QSignalSpy needs(&page, &Page::needsChanged);
+    present(page);
+    QCOMPARE(needs.count(), 1);
+    const QVector<QCPCurve*>& paths = page.rodPlot()->runs();
+    QCOMPARE(paths.size(), 2);
+    for (const int number : {0, 1}) {
+        bool found = false;
+        const SolvedBlow& blow = *run(number).blow;
+        const QCPRange stresses = paths[number]->getValueRange(found);
+        const double unit = blow.scales.stress / 1e6;  // MPa
+        QVERIFY(isNear(stresses.lower, -blow.summary.rodForces->compression.size * unit));
+        QVERIFY(isNear(stresses.upper, blow.summary.rodForces->tension.size * unit));
+        // Longer than the rod on show, and all of it in view.
+        const double length = run(number).contents.scenario.rod.length;
+        QVERIFY(length > 2);
+        QVERIFY(isNear(paths[number]->getKeyRange(found).upper, length));
+        QVERIFY(page.plot()->xAxis->range().contains(length * (1 - rounding)));
+        QVERIFY(page.plot()->yAxis->range().contains(stresses.lower));
+        QCOMPARE(paths[number]->name(), run(number).title());
+        const QPen expected = runPen(number, PlotStyle::forScreen(page.palette(), page.font()));
+        QCOMPARE(paths[number]->pen().color(), expected.color());
+        QCOMPARE(paths[number]->pen().dashPattern(), expected.dashPattern());
+    }
+    // Along the compression of the run, then back along its tension.
+    const RodCurves curves = rodCurves(run(0).blow->impact, run(0).blow->solved.hammer,
+                                       run(0).contents.scenario, run(0).blow->units);
+    const auto& points = *paths[0]->data();
+    const int compression = curves.curve(RodLine::compression)->size();
+    QCOMPARE(points.size(), compression + 1 + curves.curve(RodLine::tension)->size());
+    QVERIFY(std::isnan(points.at(compression)->value));  // two lines
+    QVERIFY(points.at(compression / 2)->value < 0 && points.at(compression + 2)->value > 0);
+    // Nothing of them is left where there is nothing.
+    page.setResult(failedBlow({}, "out of rock"));
+    QVERIFY(page.rodPlot()->runs().isEmpty());
+    // Their legend takes no room either, and comes back with them.
+    const RunListPtr list = m_runs->list();
+    m_runs->clear();
+    present(page);
+    page.plot()->replot();
+    QCOMPARE(page.plot()->axisRect()->outerRect().width(), page.plot()->plotLayout()->rect().width());
+    page.setRuns(list);
+    page.setResult(solve(page));
+    page.plot()->replot();
+    QCOMPARE(page.plot()->axisRect()->outerRect().width(), page.plot()->plotLayout()->rect().width());
+    QCOMPARE(page.rodPlot()->runs().size(), 2);
+    QVERIFY(namedCurves(*page.plot()).contains(page.rodPlot()->runs()[1]));
 }
 
 void TestRunOverlays::theGapHasTheCurveOfTheRunsScenario() {
