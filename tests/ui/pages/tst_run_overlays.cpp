@@ -7,6 +7,7 @@
 
 #include "core/blow/thrust.h"
 #include "core/file/examples.h"
+#include "core/wave/field/wave_field.h"
 #include "tests/support/window.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/blow/blow_plots.h"
@@ -22,6 +23,9 @@
 #include "ui/pages/stiffness/stiffness_plot.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/thrust/thrust_plot.h"
+#include "ui/pages/wave_picture/rod_profile.h"
+#include "ui/pages/wave_picture/wave_picture_page.h"
+#include "ui/pages/wave_picture/wave_picture_plot.h"
 #include "ui/plot/legend_entries.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/plot/run_pen.h"
@@ -58,6 +62,8 @@ class TestRunOverlays : public QObject {
     void whatIsHiddenByTheLegendStaysHidden();
     void theRockHasThePaths();
     void theRodHasTheEnvelopes();
+    void theWavePictureHasTheRunsAlongTheRod();
+    void withoutRunsThePictureHasItsRoom();
     void theGapHasTheCurveOfTheRunsScenario();
     void outOfSightNoGapIsStudied();
     void whatIsKnownIsNotStudiedAgain();
@@ -307,6 +313,60 @@ void TestRunOverlays::theRodHasTheEnvelopes() {
     QCOMPARE(page.plot()->axisRect()->outerRect().width(), page.plot()->plotLayout()->rect().width());
     QCOMPARE(page.rodPlot()->runs().size(), 2);
     QVERIFY(namedCurves(*page.plot()).contains(page.rodPlot()->runs()[1]));
+}
+
+void TestRunOverlays::theWavePictureHasTheRunsAlongTheRod() {
+    m_document->assign(*findParameter("rod.length"), 2, 0);
+    WavePicturePage page(m_observation);
+    page.resize(900, 600);
+    page.show();
+    present(page);
+    m_observation.setTime(5);
+    const QVector<RodProfile::Line>& lines = page.rodProfile()->lines();
+    QCOMPARE(lines.size(), 3);
+    QTRY_VERIFY(lines[0].points.size() > 300);  // laid out
+    const SolvedBlowPtr now = page.picture()->shown();
+    const double seconds = 5 * now->scales.time;
+    for (const RodProfile::Line& line : lines) {
+        const SolvedBlow& blow = line.number < 0 ? *now : *run(line.number).blow;
+        QVERIFY(line.points.size() > 300);
+        // The same instant at the same place, each by its own scales; the rod on show is the shorter one.
+        const QPointF point = line.points[line.points.size() / 3];
+        const double force =
+            WaveField(blow.impact).force(point.x() / blow.scales.length, seconds / blow.scales.time) *
+            blow.scales.force / 1e3;     // kN
+        constexpr double single = 1e-6;  // precision of the raster
+        QVERIFY(std::abs(point.y() - force) <= single * blow.scales.force / 1e3);
+        QVERIFY(line.points.last().x() < 2);
+    }
+    QCOMPARE(lines[2].title, run(1).title());
+    const QString words = page.rodProfile()->readout(0.25);
+    for (const RodProfile::Line& line : lines) QVERIFY2(words.contains(line.title + ": "), qPrintable(words));
+    // A longer rod than those of the runs: they end before it does.
+    m_document->assign(*findParameter("rod.length"), 12, 0);
+    present(page);
+    QVERIFY(lines[1].points.last().x() <= run(0).contents.scenario.rod.length);
+    QVERIFY(!page.rodProfile()->readout(0.9).contains(run(0).title()));
+    QVERIFY(page.rodProfile()->readout(0.9).contains("this blow"));
+    m_observation.setTime({});
+}
+
+void TestRunOverlays::withoutRunsThePictureHasItsRoom() {
+    WavePicturePage page(m_observation);
+    page.resize(900, 600);
+    page.show();
+    page.setResult(solve(page));
+    QVERIFY(page.rodProfile()->isHidden());
+    QVERIFY(page.rodProfile()->lines().isEmpty());
+    present(page);
+    QVERIFY(page.rodProfile()->isVisible());
+    page.setResult(failedBlow({}, "out of rock"));
+    QVERIFY(page.rodProfile()->isHidden());
+    present(page);
+    QVERIFY(page.rodProfile()->isVisible());
+    m_runs->clear();
+    present(page);
+    QVERIFY(page.rodProfile()->isHidden());
 }
 
 void TestRunOverlays::theGapHasTheCurveOfTheRunsScenario() {
