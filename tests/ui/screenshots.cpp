@@ -12,6 +12,7 @@
 #include "tests/support/window_parts.h"
 #include "ui/job/solve_job.h"
 #include "ui/job/study_activity.h"
+#include "ui/pages/stiffness/stiffness_page.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
 #include "ui/window/page_tabs.h"
@@ -25,17 +26,22 @@ const QSize sizes[] = {{1000, 650}, {1440, 900}, {3200, 1800}};
 
 // Also what is shown late, such as a finer raster for the size on screen.
 void settle(MainWindow& window) {
-    const StudyActivity* study = part<PageTabs>(window).current().activity();
+    const Page& page = part<PageTabs>(window).current();
+    const auto isRunning = [](const StudyActivity* study) {
+        return study && study->state() == StudyState::running;
+    };
+    const auto* stiffness = qobject_cast<const StiffnessPage*>(&page);
     do QTest::qWait(200);
-    while (part<SolveJob>(window).isBusy() || (study && study->state() == StudyState::running));
+    while (part<SolveJob>(window).isBusy() || isRunning(page.activity()) ||
+           (stiffness && isRunning(&stiffness->runLines().activity())));
 }
 
 // Another rock, another rod, another blow.
 void pinRuns(MainWindow& window) {
     Document& document = window.document();
     part<PinnedRuns>(window).pinAction()->trigger();
-    for (const auto& [key, si] : {std::pair("bit_rock.stiffness", 3e8), std::pair("rod.length", 2.4),
-                                  std::pair("pulse.impulse", 70.0)}) {
+    for (const auto& [key, si] :
+         {std::pair("bit_rock.gamma", 0.4), std::pair("rod.length", 2.4), std::pair("pulse.impulse", 70.0)}) {
         document.assign(*findParameter(key), si, document.newGesture());
         settle(window);
         if (key != std::string_view("pulse.impulse")) part<PinnedRuns>(window).pinAction()->trigger();

@@ -2,6 +2,7 @@
 #include "ui/plot/legend_entries.h"
 
 #include <QSet>
+#include <algorithm>
 
 namespace drillwave {
 namespace {
@@ -53,6 +54,19 @@ QCPAbstractPlottable* legendEntryAt(const QCustomPlot& plot, QPointF point) {
             if (entry->selectTest(point, false) >= 0) return entry->plottable();
     }
     return nullptr;
+}
+
+void wrapLegend(QCPLegend& legend, double width, int mostColumns) {
+    double widest = 1;
+    const QFontMetricsF metrics(legend.font());
+    for (QCPPlottableLegendItem* entry : entriesOf(legend))
+        widest = std::max(widest, metrics.horizontalAdvance(entry->plottable()->name()));
+    const double item =
+        widest + legend.iconSize().width() + legend.iconTextPadding() + legend.columnSpacing() + 4;
+    const int columns = std::clamp(static_cast<int>(width / item), 1, mostColumns);
+    if (columns == legend.wrap()) return;
+    legend.setWrap(columns);
+    legend.setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
 }
 
 void markHiddenCurves(QCustomPlot& plot) {

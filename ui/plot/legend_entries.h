@@ -18,6 +18,9 @@ QList<QCPAbstractPlottable*> visibleCurves(const QCustomPlot& plot);
 /// The curve whose legend entry is at a point of the plot, or nullptr.
 QCPAbstractPlottable* legendEntryAt(const QCustomPlot& plot, QPointF point);
 
+/// As many entries beside each other as have room in a width [px], at most so many.
+void wrapLegend(QCPLegend& legend, double width, int mostColumns);
+
 /// Fades and strikes out the entries of hidden curves. Changes nothing where nothing has changed.
 void markHiddenCurves(QCustomPlot& plot);
 

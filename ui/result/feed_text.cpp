@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/report/feed_words.h"
+#include "ui/runs/difference_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
@@ -49,11 +50,24 @@ QString thrustInstalledText(const SolvedBlow& blow) {
         .arg(thrust, forceText(feed->effective(), blow));
 }
 
+std::optional<double> thrustMargin(const SolvedBlow& blow) {
+    if (!blow.feed || !blow.feed->force) return std::nullopt;
+    return *blow.feed->effective() - blow.feed->fullRate;
+}
+
 QString thrustMarginText(const SolvedBlow& blow) {
-    if (!blow.feed || !blow.feed->force) return {};
-    const double margin = *blow.feed->effective() - blow.feed->fullRate;
-    const QString share = numberText(std::round(100 * margin / blow.feed->fullRate), 4, QLocale());
-    return forceText(margin, blow) + QStringLiteral(" (%1%2 %)").arg(margin > 0 ? "+" : "", share);
+    const std::optional<double> margin = thrustMargin(blow);
+    if (!margin) return {};
+    const QString share = numberText(std::round(100 * *margin / blow.feed->fullRate), 4, QLocale());
+    return forceText(*margin, blow) + QStringLiteral(" (%1%2 %)").arg(*margin > 0 ? "+" : "", share);
+}
+
+QString marginChangeText(double margin, double reference, const SolvedBlow& blow) {
+    constexpr double rounding = 1e-12;  // of the thrust: a smaller difference is none
+    const ShownUnit unit = unitOf(blow);
+    const double change = margin - reference;
+    const bool isNone = blow.feed && std::abs(change) <= rounding * blow.feed->fullRate;
+    return signedText(isNone ? 0 : change * unit.factor, 3) + QChar(QChar::Nbsp) + unit.unit;
 }
 
 QString feedText(const SolvedBlow& blow) {

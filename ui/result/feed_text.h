@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 #include "ui/job/solved_blow.h"
 #include "ui/result/worst_need.h"
@@ -19,8 +20,15 @@ QString worstNeedText(const WorstNeed& worst, const SolvedBlow& blow);
 /// The installed thrust, and the effective force where weight along the hole counts.
 QString thrustInstalledText(const SolvedBlow& blow);
 
-/// What is installed beyond full penetration, and as a share of that.
+/// What is installed beyond full penetration [N]; below zero what is missing.
+std::optional<double> thrustMargin(const SolvedBlow& blow);
+
+/// The same in words, and as a share of what full penetration needs.
 QString thrustMarginText(const SolvedBlow& blow);
+
+/// By how much a margin is off another one [N], in the unit of the blow: "+1.27 kN". A margin passes through
+/// zero, where a share of it says nothing.
+QString marginChangeText(double margin, double reference, const SolvedBlow& blow);
 
 /// The verdict in a word or two, and in sentences.
 QString feedText(const SolvedBlow& blow);

@@ -75,7 +75,8 @@ ResultPanel::ResultPanel(QWidget* parent) : SteadyScrollArea(parent), m_veil(new
     connect(copyAll, &QAction::triggered, this, &ResultPanel::copy);
     addAction(copyAll);
     setContextMenuPolicy(Qt::ActionsContextMenu);
-    connect(&m_worst, &WorstNeed::changed, this, &ResultPanel::showWorst);
+    for (const WorstNeed* worst : {&m_worst, &m_worstOfReference})
+        connect(worst, &WorstNeed::changed, this, &ResultPanel::showWorst);
 }
 
 ResultPanel::Number ResultPanel::numberOf(const Output& output) {
@@ -110,8 +111,16 @@ void ResultPanel::addThrust() {
           {},
           feedMeaning,
           Weight::heavy},
-         {tr("margin"), tr("Feed force less f·I₀·(1 + e) of this blow, and as a share of it"),
-          thrustMarginText},
+         {tr("margin"),
+          tr("Feed force less f·I₀·(1 + e) of this blow, and as a share of it"),
+          thrustMarginText,
+          {},
+          nullptr,
+          Weight::usual,
+          {},
+          [](const SolvedBlow& blow, UnitSystem) { return thrustMargin(blow); },
+          nullptr,
+          [this](double now, double then) { return marginChangeText(now, then, *m_blow); }},
          {tr("needed"),
           tr("Thrust for full penetration, f·I₀·(1 + e), up to that which brings the bit back before the "
              "next blow even if nothing damps, f·I₀·(1 + 2e), with the e of this blow"),
@@ -129,8 +138,16 @@ void ResultPanel::addThrust() {
           {},
           [this](const SolvedBlow&) { return m_worst.problem(); },
           Weight::usual,
-          worstName},
-         {tr("installed"), tr("Feed force of the drill rig"), thrustInstalledText}});
+          worstName,
+          [this](const SolvedBlow& blow, UnitSystem) { return worstOf(blow); }},
+         {tr("installed"),
+          tr("Feed force of the drill rig"),
+          thrustInstalledText,
+          {},
+          nullptr,
+          Weight::usual,
+          {},
+          [](const SolvedBlow& blow, UnitSystem) { return blow.scenario.drill.thrust; }}});
 }
 
 void ResultPanel::addEnergy() {
@@ -260,7 +277,8 @@ void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const Entry& en
         grid->addWidget(value, row, 3);
     }
     value->setObjectName(entry.objectName);
-    m_rows.append({section, name, value, entry.meaning, entry.text, entry.note, entry.number, change});
+    m_rows.append({section, name, value, entry.meaning, entry.text, entry.note, entry.number,
+                   entry.changeText ? entry.changeText : percentText, change});
 }
 
 void ResultPanel::addEvents() {
@@ -276,7 +294,7 @@ void ResultPanel::addEvents() {
 void ResultPanel::alignColumns() {
     const QString widest = QStringLiteral("−88.88 kN (+8888 %)");
     const int value = fontMetrics().horizontalAdvance(widest);
-    const int change = fontMetrics().horizontalAdvance(QStringLiteral("−88.8 %"));
+    const int change = fontMetrics().horizontalAdvance(QStringLiteral("−88.8 kN"));
     for (QGridLayout* grid : std::as_const(m_grids)) {
         grid->setColumnMinimumWidth(2, change);
         grid->setColumnMinimumWidth(3, value);
@@ -290,6 +308,10 @@ void ResultPanel::setTime(std::optional<double> time) {
 void ResultPanel::setReference(const SolvedBlowPtr& blow, const QString& title) {
     m_reference = blow && blow->problem.isEmpty() ? blow : nullptr;
     m_referenceTitle = title;
+    if (m_reference)
+        m_worstOfReference.ask(*m_reference);
+    else
+        m_worstOfReference.askNothing();
     if (!m_blow) return;
     for (const Row& row : std::as_const(m_rows)) showChange(row);
 }
@@ -356,7 +378,7 @@ void ResultPanel::showChange(const Row& row) {
     if (m_reference && row.number && m_blow->problem.isEmpty()) {
         const std::optional<double> now = row.number(*m_blow, units);
         const std::optional<double> then = row.number(*m_reference, units);
-        if (now && then) change = percentText(*now, *then);
+        if (now && then) change = row.changeText(*now, *then);
     }
     row.change->setText(change);
     row.change->setVisible(!change.isEmpty());
@@ -370,6 +392,12 @@ void ResultPanel::showWorst() {
     if (!m_blow) return;
     for (const Row& row : std::as_const(m_rows))
         if (row.value->objectName() == worstName) showRow(row);
+}
+
+// The pinned result may be the one on show.
+std::optional<double> ResultPanel::worstOf(const SolvedBlow& blow) const {
+    const WorstNeed& worst = &blow == m_blow.get() ? m_worst : m_worstOfReference;
+    return worst.isCurrent() ? worst.thrust() : std::nullopt;
 }
 
 QSize ResultPanel::sizeHint() const {

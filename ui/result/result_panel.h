@@ -57,6 +57,8 @@ class ResultPanel : public SteadyScrollArea {
     using Text = std::function<QString(const SolvedBlow&)>;
     /// The number itself, to be compared; none where it has no sense.
     using Number = std::function<std::optional<double>(const SolvedBlow&, UnitSystem)>;
+    /// How a number of the blow on show is off that of the reference.
+    using Change = std::function<QString(double now, double then)>;
     struct Row {
         SectionBox* section;
         QLabel* name;
@@ -65,6 +67,7 @@ class ResultPanel : public SteadyScrollArea {
         Text text;
         Text note;
         Number number;
+        Change changeText;
         QLabel* change;  // against the reference
     };
     enum class Weight { usual, heavy };
@@ -78,6 +81,7 @@ class ResultPanel : public SteadyScrollArea {
         QString objectName = {};
         Number number = nullptr;
         RodForce RodForces::*place = nullptr;  ///< what the text leads to
+        Change changeText = nullptr;           ///< in percent where there is none
     };
 
     SectionBox* addSection(const QString& title);
@@ -99,11 +103,13 @@ class ResultPanel : public SteadyScrollArea {
     void follow(RodForce RodForces::*place);
     void showChange(const Row& row);
     void showWorst();
+    std::optional<double> worstOf(const SolvedBlow& blow) const;
 
     SolvedBlowPtr m_blow;
     SolvedBlowPtr m_reference;
     QString m_referenceTitle;
     WorstNeed m_worst;
+    WorstNeed m_worstOfReference;
     QList<Row> m_rows;
     QList<QGridLayout*> m_grids;
     EnergyBar* m_energy = nullptr;

@@ -24,8 +24,16 @@ void WorstNeed::ask(const SolvedBlow& blow) {
         asked = blow.request.scenario;
         asked->title.clear();
     }
-    if (asked == m_scenario) return;
-    m_scenario = std::move(asked);
+    ask(std::move(asked));
+}
+
+void WorstNeed::askNothing() {
+    ask(std::optional<Scenario>());
+}
+
+void WorstNeed::ask(std::optional<Scenario> scenario) {
+    if (scenario == m_scenario) return;
+    m_scenario = std::move(scenario);
     m_due = m_scenario.has_value();
     if (m_due)
         m_rest.start();

@@ -20,6 +20,8 @@ class WorstNeed : public QObject {
 
     /// Of this blow from now on; one without a thrust has none.
     void ask(const SolvedBlow& blow);
+    /// Of no blow, until it is asked again.
+    void askNothing();
     /// f I0 (1+e) [N] by the largest e of the four; nothing where there is none, or none yet.
     std::optional<double> thrust() const;
     /// Why there is none, in a sentence; may be empty.
@@ -31,6 +33,7 @@ class WorstNeed : public QObject {
     void changed();
 
   private:
+    void ask(std::optional<Scenario> scenario);
     void run();
 
     std::optional<Scenario> m_scenario;  // with a thrust

@@ -38,9 +38,9 @@ QString percentText(double value, double reference) {
     return withSign(*relative, numberText(share, digits, locale)) + percent;
 }
 
-QString signedText(double difference) {
+QString signedText(double difference, int digits) {
     if (difference == 0) return QStringLiteral("±0");
-    return withSign(difference, numberText(difference, 4, QLocale()));
+    return withSign(difference, numberText(difference, digits, QLocale()));
 }
 
 }  // namespace drillwave

@@ -15,6 +15,6 @@ std::optional<double> relativeDifference(double value, double reference);
 QString percentText(double value, double reference);
 
 /// "+0.2047", "−3.1", "±0".
-QString signedText(double difference);
+QString signedText(double difference, int digits = 4);
 
 }  // namespace drillwave

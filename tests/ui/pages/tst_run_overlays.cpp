@@ -7,6 +7,7 @@
 
 #include "core/blow/thrust.h"
 #include "core/file/examples.h"
+#include "core/wave/field/wave_field.h"
 #include "tests/support/window.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/blow/blow_plots.h"
@@ -16,11 +17,17 @@
 #include "ui/pages/map/map_plot.h"
 #include "ui/pages/rock/rock_page.h"
 #include "ui/pages/rock/rock_plot.h"
+#include "ui/pages/rod/rod_page.h"
+#include "ui/pages/rod/rod_plot.h"
 #include "ui/pages/stiffness/stiffness_page.h"
 #include "ui/pages/stiffness/stiffness_plot.h"
 #include "ui/pages/study/run_marks.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/thrust/thrust_plot.h"
+#include "ui/pages/wave_picture/rod_profile.h"
+#include "ui/pages/wave_picture/wave_picture_page.h"
+#include "ui/pages/wave_picture/wave_picture_plot.h"
+#include "ui/plot/legend_entries.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/plot/run_pen.h"
 #include "ui/runs/runs.h"
@@ -53,12 +60,21 @@ class TestRunOverlays : public QObject {
     void hiddenRunsAreNotDrawn();
     void aDragDrawsNoRunAnew();
     void aRemovedRunIsFreed();
+    void whatIsHiddenByTheLegendStaysHidden();
     void theRockHasThePaths();
     void manyRunsLeaveRoomForThePlot();
     void runsAtOnePlaceAreOneMark();
+    void theRodHasTheEnvelopes();
+    void theWavePictureHasTheRunsAlongTheRod();
+    void withoutRunsThePictureHasItsRoom();
     void theGapHasTheCurveOfTheRunsScenario();
     void outOfSightNoGapIsStudied();
     void whatIsKnownIsNotStudiedAgain();
+    void whatFailsIsNotStudiedAgain();
+    void stiffnessHasTheCurveOfTheRunsScenario();
+    void aDragOfTheScenarioStudiesNoRunAnew();
+    void outOfSightNoStiffnessIsStudied();
+    void aRunWithoutTheParameterHasNoCurve();
     void theMapHasThemByName();
     void stiffnessAndThrustHaveTheirPoints();
     void shiftAndAClickPin();
@@ -227,6 +243,17 @@ void TestRunOverlays::aRemovedRunIsFreed() {
     QVERIFY(run(2).blow == later);
 }
 
+void TestRunOverlays::whatIsHiddenByTheLegendStaysHidden() {
+    BlowPage page(m_observation);
+    present(page);
+    page.plot()->setCurveVisible(page.plots()->forcesOfRuns()[0], false);
+    m_runs->setReference(1);
+    m_document->assign(*findParameter("rod.length"), 2, 0);
+    present(page, UnitSystem::us);
+    QVERIFY(!page.plots()->forcesOfRuns()[0]->visible());
+    QVERIFY(page.plots()->forcesOfRuns()[1]->visible());
+}
+
 void TestRunOverlays::theRockHasThePaths() {
     RockPage page(m_observation);
     present(page);
@@ -268,6 +295,111 @@ void TestRunOverlays::runsAtOnePlaceAreOneMark() {
     QCOMPARE(texts, QStringList({"A  first", "B, C"}));
 }
 
+void TestRunOverlays::theRodHasTheEnvelopes() {
+    m_document->assign(*findParameter("rod.length"), 2, 0);
+    RodPage page(m_observation);
+    QSignalSpy needs(&page, &Page::needsChanged);
+    present(page);
+    QCOMPARE(needs.count(), 1);
+    const QVector<QCPCurve*>& paths = page.rodPlot()->runs();
+    QCOMPARE(paths.size(), 2);
+    for (const int number : {0, 1}) {
+        bool found = false;
+        const SolvedBlow& blow = *run(number).blow;
+        const QCPRange stresses = paths[number]->getValueRange(found);
+        const double unit = blow.scales.stress / 1e6;  // MPa
+        QVERIFY(isNear(stresses.lower, -blow.summary.rodForces->compression.size * unit));
+        QVERIFY(isNear(stresses.upper, blow.summary.rodForces->tension.size * unit));
+        // Longer than the rod on show, and all of it in view.
+        const double length = run(number).contents.scenario.rod.length;
+        QVERIFY(length > 2);
+        QVERIFY(isNear(paths[number]->getKeyRange(found).upper, length));
+        QVERIFY(page.plot()->xAxis->range().contains(length * (1 - rounding)));
+        QVERIFY(page.plot()->yAxis->range().contains(stresses.lower));
+        QCOMPARE(paths[number]->name(), run(number).title());
+        const QPen expected = runPen(number, PlotStyle::forScreen(page.palette(), page.font()));
+        QCOMPARE(paths[number]->pen().color(), expected.color());
+        QCOMPARE(paths[number]->pen().dashPattern(), expected.dashPattern());
+    }
+    // Along the compression of the run, then back along its tension.
+    const RodCurves curves = rodCurves(run(0).blow->impact, run(0).blow->solved.hammer,
+                                       run(0).contents.scenario, run(0).blow->units);
+    const auto& points = *paths[0]->data();
+    const int compression = curves.curve(RodLine::compression)->size();
+    QCOMPARE(points.size(), compression + 1 + curves.curve(RodLine::tension)->size());
+    QVERIFY(std::isnan(points.at(compression)->value));  // two lines
+    QVERIFY(points.at(compression / 2)->value < 0 && points.at(compression + 2)->value > 0);
+    // Nothing of them is left where there is nothing.
+    page.setResult(failedBlow({}, "out of rock"));
+    QVERIFY(page.rodPlot()->runs().isEmpty());
+    // Their legend takes no room either, and comes back with them.
+    const RunListPtr list = m_runs->list();
+    m_runs->clear();
+    present(page);
+    page.plot()->replot();
+    QCOMPARE(page.plot()->axisRect()->outerRect().width(), page.plot()->plotLayout()->rect().width());
+    page.setRuns(list);
+    page.setResult(solve(page));
+    page.plot()->replot();
+    QCOMPARE(page.plot()->axisRect()->outerRect().width(), page.plot()->plotLayout()->rect().width());
+    QCOMPARE(page.rodPlot()->runs().size(), 2);
+    QVERIFY(namedCurves(*page.plot()).contains(page.rodPlot()->runs()[1]));
+}
+
+void TestRunOverlays::theWavePictureHasTheRunsAlongTheRod() {
+    m_document->assign(*findParameter("rod.length"), 2, 0);
+    WavePicturePage page(m_observation);
+    page.resize(900, 600);
+    page.show();
+    present(page);
+    m_observation.setTime(5);
+    const QVector<RodProfile::Line>& lines = page.rodProfile()->lines();
+    QCOMPARE(lines.size(), 3);
+    QTRY_VERIFY(lines[0].points.size() > 300);  // laid out
+    const SolvedBlowPtr now = page.picture()->shown();
+    const double seconds = 5 * now->scales.time;
+    for (const RodProfile::Line& line : lines) {
+        const SolvedBlow& blow = line.number < 0 ? *now : *run(line.number).blow;
+        QVERIFY(line.points.size() > 300);
+        // The same instant at the same place, each by its own scales; the rod on show is the shorter one.
+        const QPointF point = line.points[line.points.size() / 3];
+        const double force =
+            WaveField(blow.impact).force(point.x() / blow.scales.length, seconds / blow.scales.time) *
+            blow.scales.force / 1e3;     // kN
+        constexpr double single = 1e-6;  // precision of the raster
+        QVERIFY(std::abs(point.y() - force) <= single * blow.scales.force / 1e3);
+        QVERIFY(line.points.last().x() < 2);
+    }
+    QCOMPARE(lines[2].title, run(1).title());
+    const QString words = page.rodProfile()->readout(0.25);
+    for (const RodProfile::Line& line : lines) QVERIFY2(words.contains(line.title + ": "), qPrintable(words));
+    // A longer rod than those of the runs: they end before it does.
+    m_document->assign(*findParameter("rod.length"), 12, 0);
+    present(page);
+    QVERIFY(lines[1].points.last().x() <= run(0).contents.scenario.rod.length);
+    QVERIFY(!page.rodProfile()->readout(0.9).contains(run(0).title()));
+    QVERIFY(page.rodProfile()->readout(0.9).contains("this blow"));
+    m_observation.setTime({});
+}
+
+void TestRunOverlays::withoutRunsThePictureHasItsRoom() {
+    WavePicturePage page(m_observation);
+    page.resize(900, 600);
+    page.show();
+    page.setResult(solve(page));
+    QVERIFY(page.rodProfile()->isHidden());
+    QVERIFY(page.rodProfile()->lines().isEmpty());
+    present(page);
+    QVERIFY(page.rodProfile()->isVisible());
+    page.setResult(failedBlow({}, "out of rock"));
+    QVERIFY(page.rodProfile()->isHidden());
+    present(page);
+    QVERIFY(page.rodProfile()->isVisible());
+    m_runs->clear();
+    present(page);
+    QVERIFY(page.rodProfile()->isHidden());
+}
+
 void TestRunOverlays::theGapHasTheCurveOfTheRunsScenario() {
     m_document->assign(*findParameter("bit_rock.stiffness"), 1e8, 0);
     GapPage page(*m_document);
@@ -305,18 +437,140 @@ void TestRunOverlays::outOfSightNoGapIsStudied() {
 }
 
 void TestRunOverlays::whatIsKnownIsNotStudiedAgain() {
-    RunGapsStudy study;
+    using Finder = RunCurveFinder<int, int>;
+    int found = 0;
     std::stop_source stop;
-    const StudyFeed<RunGaps> feed{stop.get_token(), [](StudyProgress) {}, [](const RunGaps&) {}};
-    Scenario a = run(0).contents.scenario, b = a;
-    b.bitRock.gamma = 0.5;
-    const RunGaps first = study({{a}}, feed);
-    const RunGaps both = RunGapsStudy(study)({{b, a}}, feed);
-    QCOMPARE(both.size(), 2u);
-    QCOMPARE(both[1], first[0]);
-    stop.request_stop();
-    a.bitRock.gamma = 0.6;
-    QVERIFY(study({{a}}, feed).empty());
+    Finder finder([&](int question, const std::stop_token&) -> std::optional<int> {
+        ++found;
+        if (question == 9) stop.request_stop();
+        return question % 2 ? std::optional(10 * question) : std::nullopt;
+    });
+    std::size_t shown = 0;
+    const auto feed = [&] {
+        return StudyFeed<Finder::Answers>{stop.get_token(), [](StudyProgress) {},
+                                          [&](const Finder::Answers& so) { shown = so.size(); }};
+    };
+    const Finder::Answers first = finder({1, 2}, feed());
+    QCOMPARE(found, 2);
+    QCOMPARE(*first[0]->curve, 10);
+    QVERIFY(!first[1]->curve);  // which is known as well
+    const Finder::Answers more = Finder(finder)({3, 2, 1}, feed());
+    QCOMPARE(found, 3);
+    QCOMPARE(more.size(), 3u);
+    QVERIFY(std::ranges::find(more, first[0]) != more.end());
+    QCOMPARE(shown, 3u);
+    // What was stopped goes on from there, and asks no more.
+    const Finder::Answers stopped = finder({1, 9, 11, 3}, feed());
+    QCOMPARE(found, 4);
+    QCOMPARE(stopped.size(), 2u);
+    stop = {};
+    QCOMPARE(finder({3, 1, 5}, feed()).size(), 3u);
+    QCOMPARE(found, 5);
+    // What is not asked is forgotten.
+    finder({2}, feed());
+    QCOMPARE(found, 6);
+}
+
+void TestRunOverlays::whatFailsIsNotStudiedAgain() {
+    RunStudies<int, int> studies(
+        [](int, const std::stop_token&) -> std::optional<int> { throw std::runtime_error("out of rock"); });
+    studies.ask({1});
+    QTRY_COMPARE_WITH_TIMEOUT(studies.activity().state(), StudyState::failed, patience);
+    studies.ask({1});
+    QCOMPARE(studies.started(), 1);
+    QVERIFY(!studies.find(1));
+    studies.ask({1, 2});
+    QCOMPARE(studies.started(), 2);
+}
+
+void TestRunOverlays::stiffnessHasTheCurveOfTheRunsScenario() {
+    StiffnessPage page(*m_document);
+    page.resize(900, 600);
+    page.show();
+    present(page);
+    const auto& graphs = page.stiffnessPlot()->runCurves().graphs();
+    QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 2, patience);
+    for (const int number : {0, 1}) {
+        const QCPGraph* graph = graphs[number];
+        QVERIFY(graph->dataCount() > 200);
+        const auto point = graph->data()->at(graph->dataCount() / 3);
+        Scenario scenario = run(number).contents.scenario;
+        findParameter("bit_rock.stiffness")->assign(scenario, point->key * 1e6);
+        // The curve is known to 1e-10.
+        QVERIFY(std::abs(point->value - solveBlow(scenario, {}, Detail::cor).summary.cor) < 2e-10);
+        QCOMPARE(graph->name(), run(number).title());
+        const QPen expected = runPen(number, PlotStyle::forScreen(page.palette(), page.font()));
+        QCOMPARE(graph->pen().color(), expected.color());
+        QCOMPARE(graph->pen().dashPattern(), expected.dashPattern());
+        bool found = false;
+        const QCPRange values = graph->getValueRange(found);
+        QVERIFY(graph->valueAxis()->range().contains(values.lower));
+        QVERIFY(graph->valueAxis()->range().contains(values.upper));
+        // The mark of the run lies on its curve.
+        QVERIFY(isNear(page.stiffnessPlot()->runs()[number].at.y(), run(number).blow->summary.cor));
+    }
+    // One line each: no more work than a family of as many.
+    std::uint64_t solves = 0;
+    for (const auto& answer : *page.runLines().answers()) solves += answer->curve->solves;
+    QVERIFY(solves > 100);
+    QVERIFY2(solves <= page.study().value()->curve.solves, qPrintable(QString::number(solves)));
+}
+
+void TestRunOverlays::aDragOfTheScenarioStudiesNoRunAnew() {
+    StiffnessPage page(*m_document);
+    page.resize(900, 600);
+    page.show();
+    present(page);
+    const auto& graphs = page.stiffnessPlot()->runCurves().graphs();
+    QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 2, patience);
+    const QPointer<QCPGraph> drawn = graphs[0];
+    graphs[1]->setVisible(false);
+    const auto answer = page.runLines().answers()->front();
+    const int studies = page.study().started();
+    for (const double gamma : {0.2, 0.25, 0.3}) {
+        m_document->assign(*findParameter("gamma"), gamma, 1);
+        page.setResult(solve(page));
+        QTRY_COMPARE_WITH_TIMEOUT(page.activity()->state(), StudyState::finished, patience);
+    }
+    QVERIFY(page.study().started() > studies);
+    QCOMPARE(page.runLines().started(), 1);
+    QVERIFY(drawn && graphs[0] == drawn);
+    QVERIFY(!graphs[1]->visible());
+    // One more run is the only one that is studied.
+    QCOMPARE(m_runs->pin(m_document->contents(), solve(page), "third"), QString());
+    page.setRuns(m_runs->list());
+    QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 3, patience);
+    QVERIFY(std::ranges::find(*page.runLines().answers(), answer) != page.runLines().answers()->end());
+}
+
+void TestRunOverlays::outOfSightNoStiffnessIsStudied() {
+    StiffnessPage page(*m_document);
+    present(page);
+    QCOMPARE(page.runLines().started(), 0);
+    page.show();
+    QTRY_VERIFY_WITH_TIMEOUT(page.runLines().started() > 0, patience);
+    page.hide();
+    QVERIFY(page.runLines().activity().state() != StudyState::running);
+    m_runs->setShown(0, false);
+    page.setRuns(m_runs->list());
+    QCOMPARE(page.runLines().started(), 1);
+    // Seen again it goes on.
+    page.show();
+    QTRY_COMPARE_WITH_TIMEOUT(page.stiffnessPlot()->runCurves().graphs().size(), 1, patience);
+}
+
+// The slope of a scenario in groups is no stiffness.
+void TestRunOverlays::aRunWithoutTheParameterHasNoCurve() {
+    m_document->startFrom(findExample("paper_fig4b")->text, "example");
+    pin("beta", 0.7);
+    m_document->startFrom(findExample("t38_medium_rock")->text, "example");
+    StiffnessPage page(*m_document);
+    page.resize(900, 600);
+    page.show();
+    present(page);
+    QTRY_COMPARE_WITH_TIMEOUT(page.stiffnessPlot()->runCurves().graphs().size(), 2, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.runLines().activity().state(), StudyState::finished, patience);
+    QCOMPARE(page.runLines().answers()->size(), 2u);
 }
 
 void TestRunOverlays::theMapHasThemByName() {

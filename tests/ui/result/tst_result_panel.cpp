@@ -238,6 +238,41 @@ class TestResultPanel : public QObject {
         QVERIFY(!panel.text().contains("Thrust: worst of 4 needs\t("));
     }
 
+    void theThrustSaysHowFarItIsOffTheReference() {
+        ResultPanel panel;
+        const auto changeOf = [&](const char* name) {
+            return valueOf(panel, QStringLiteral("Thrust: ") + QLatin1String(name)).section('\t', 1);
+        };
+        const SolvedBlowPtr before = solved(drillOf(8e3), UnitSystem::si);
+        const SolvedBlowPtr now = solved(drillOf(10e3), UnitSystem::si);
+        panel.present(now);
+        panel.setReference(before, "A  first");
+        QCOMPARE(changeOf("installed"), QString("+25 %"));
+        // As a force: the margin may be zero.
+        QCOMPARE(changeOf("margin"), QString("+2 kN"));
+        QCOMPARE(changeOf("needed"), QString("±0 %"));
+        // Both needs take a study.
+        QCOMPARE(changeOf("worst of 4 needs"), QString());
+        QTRY_COMPARE_WITH_TIMEOUT(changeOf("worst of 4 needs"), QString("±0 %"), 30000);
+        Scenario slower = drillOf(8e3);
+        slower.drill.blowFrequency = 30;
+        panel.setReference(solved(slower, UnitSystem::si), "B  slower");
+        QCOMPARE(changeOf("worst of 4 needs"), QString());
+        QTRY_COMPARE_WITH_TIMEOUT(changeOf("worst of 4 needs"), QString("+100 %"), 30000);
+        // Of a blow without a need, or no reference, there is nothing to say.
+        slower.drill.blowFrequency.reset();
+        panel.setReference(solved(slower, UnitSystem::si), "C  silent");
+        QCOMPARE(changeOf("worst of 4 needs"), QString());
+        QCOMPARE(changeOf("margin"), QString());
+        panel.setReference(before, "A  first");
+        QTRY_COMPARE_WITH_TIMEOUT(changeOf("worst of 4 needs"), QString("±0 %"), 30000);
+        panel.present(before);
+        QCOMPARE(changeOf("margin"), QString("±0 kN"));
+        panel.setReference(nullptr, {});
+        for (const char* name : {"margin", "worst of 4 needs", "installed"})
+            QCOMPARE(changeOf(name), QString());
+    }
+
     void allNumbersAreCopiedAsText() {
         ResultPanel panel;
         panel.present(solved(scenarioOf(0.5, 1, 10, 0)));

@@ -21,6 +21,11 @@ bool isDimensional(const Scenario& scenario) {
     return scenario.form == ScenarioForm::dimensional;
 }
 
+// Its gap is where its mark is, and matters no further.
+Scenario withoutGap(const Run& run) {
+    return gapQuestion(run.contents.scenario, {}).scenario;
+}
+
 }  // namespace
 
 GapPage::GapPage(Document& document, QWidget* parent)
@@ -28,15 +33,13 @@ GapPage::GapPage(Document& document, QWidget* parent)
       m_output(outputBox()),
       m_scatter(new ScatterFields(this)),
       m_study(&answer),
-      m_runGaps(RunGapsStudy()) {
+      m_runGaps(runGap) {
     PlotWidget* plot = arrange(QList<QWidget*>{m_output, m_scatter} + m_scatter->fields());
     m_plot = new GapPlot(plot);
     plot->setAccessibleName(tr("Result over the gap, and how its values are distributed"));
     plot->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
     watch(m_study.job());
-    connect(&m_runGaps.job(), &StudyActivity::changed, this, [this] {
-        if (isVisible()) showRuns();
-    });
+    watchBeside(m_runGaps.activity());
     connect(m_output, &QComboBox::currentIndexChanged, this, &GapPage::present);
     connect(m_scatter, &ScatterFields::changed, this, &GapPage::askSoon);
     connect(plot, &PlotWidget::fitRequested, m_plot, &GapPlot::fit);
@@ -89,35 +92,27 @@ void GapPage::present() {
     showRuns();
 }
 
-// Beside the study of the scenario, which is not kept waiting by them.
 void GapPage::askRuns() {
-    RunGapsQuestion question;
-    for (const Run& run : runs()) {
-        if (!run.isShown || !run.isSolved()) continue;
-        const Scenario scenario = gapQuestion(run.contents.scenario, {}).scenario;
-        if (std::ranges::find(question.scenarios, scenario) == question.scenarios.end())
-            question.scenarios.push_back(scenario);
-    }
-    const bool isNothing = question.scenarios.empty() && !m_runGaps.question();
-    if (!isNothing) m_runGaps.ask(std::move(question));
+    std::vector<Scenario> scenarios;
+    for (const Run& run : runs())
+        if (run.isShown && run.isSolved()) scenarios.push_back(withoutGap(run));
+    m_runGaps.ask(scenarios);
 }
 
 void GapPage::showRuns() {
-    if (!m_shown.answer || !m_runGaps.value()) return;
-    if (m_shownRuns == runList() && m_shownGaps == m_runGaps.job().value()) return;
+    if (!m_runGaps.answers()) return;
+    if (m_shownRuns == runList() && m_shownGaps == m_runGaps.answers()) return;
     m_shownRuns = runList();
-    m_shownGaps = m_runGaps.job().value();
+    m_shownGaps = m_runGaps.answers();
     QVector<RunCurve> curves;
     QVector<RunMark> marks;
     for (const Run& run : runs()) {
         if (!run.isShown || !run.isSolved()) continue;
         const auto units = unitsOf(*run.blow, m_shown.units, scalesOf(m_shown.answer->report.scenario));
-        const Scenario scenario = gapQuestion(run.contents.scenario, {}).scenario;
-        const auto gap =
-            std::ranges::find(*m_shownGaps, scenario, [](const auto& each) { return each->scenario; });
-        if (!units || gap == m_shownGaps->end()) continue;
+        const GapCurve* found = m_runGaps.find(withoutGap(run));
+        if (!units || !found) continue;
         const double value = m_shown.output == GapOutput::peakForce ? units->force.factor : 1;
-        const GapCurve& curve = (*gap)->curve;
+        const GapCurve& curve = *found;
         curves.append({run.number, run.title(),
                        runGapCurve(curve, m_shown.output, units->penetration.factor, value, m_picture.to)});
         const double own = groupsOf(run.contents.scenario).delta;
@@ -134,12 +129,6 @@ void GapPage::showRuns() {
         plot()->setMeaning(graph, meaning);
     }
     plot()->replot(QCustomPlot::rpQueuedReplot);
-}
-
-// Out of sight nothing is solved.
-void GapPage::hideEvent(QHideEvent* event) {
-    StudyPage::hideEvent(event);
-    if (!event->spontaneous()) m_runGaps.job().cancel();
 }
 
 void GapPage::draw() {

@@ -29,7 +29,6 @@ class GapPage : public StudyPage {
     GapPlot* gapPlot() const { return m_plot; }
 
   protected:
-    void hideEvent(QHideEvent* event) override;
     void ask() override;
     void present() override;
     QByteArray csv() const override;
@@ -57,10 +56,10 @@ class GapPage : public StudyPage {
     GapPlot* m_plot = nullptr;
     Shown m_shown;
     GapPicture m_picture;
-    std::shared_ptr<const RunGaps> m_shownGaps;  // of runs, as they are drawn
+    std::shared_ptr<const RunGaps::Answers> m_shownGaps;  // of runs, as they are drawn
     RunListPtr m_shownRuns;
-    AskedStudy<GapQuestion, GapAnswer> m_study;      // goes first: its thread works
-    AskedStudy<RunGapsQuestion, RunGaps> m_runGaps;  // likewise
+    AskedStudy<GapQuestion, GapAnswer> m_study;  // goes first: its thread works
+    RunGaps m_runGaps;                           // likewise
 };
 
 }  // namespace drillwave

@@ -3,8 +3,6 @@
 
 #include <qcustomplot.h>
 
-#include <algorithm>
-
 #include "core/wave/problem.h"
 
 namespace drillwave {
@@ -14,24 +12,10 @@ constexpr int mostPeriods = 20;  // drawn: of a run with a small blow there coul
 
 }  // namespace
 
-RunGaps RunGapsStudy::operator()(const RunGapsQuestion& question, const StudyFeed<RunGaps>& feed) {
-    RunGaps found;
-    for (const Scenario& scenario : question.scenarios) {
-        const auto known =
-            std::ranges::find(*m_known, scenario, [](const auto& each) { return each->scenario; });
-        if (known != m_known->end()) {
-            found.push_back(*known);
-            continue;
-        }
-        GapCurve curve = gapCurve(problemOf(scenario), Detail::events, feed.stop);
-        if (feed.stop.stop_requested()) break;
-        if (!curve.isComplete()) continue;
-        found.push_back(std::make_shared<const RunGap>(RunGap{scenario, std::move(curve)}));
-        feed.show(found);
-    }
-    // What was stopped goes on from there.
-    *m_known = found;
-    return found;
+std::optional<GapCurve> runGap(const Scenario& scenario, const std::stop_token& stop) {
+    GapCurve curve = gapCurve(problemOf(scenario), Detail::events, stop);
+    if (!curve.isComplete()) return std::nullopt;
+    return curve;
 }
 
 GraphData runGapCurve(const GapCurve& curve, GapOutput output, double gapFactor, double valueFactor,

@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/pages/run_graphs.h"
 #include "ui/plot/curve_graph.h"
 #include "ui/plot/plot_header.h"
-#include "ui/plot/run_pen.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -44,6 +42,7 @@ RockPlot::RockPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new 
     m_path = new CurvePath(plot->xAxis, plot->yAxis);
     m_path->setName(tr("impact force F"));
     m_caption = addPlotHeader(*plot, 4);
+    m_runs = new RunPaths(plot->xAxis, plot->yAxis, plot->legend);
     addDropLines();
     m_peakName = addLabel();
     m_peakName->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
@@ -192,26 +191,13 @@ void RockPlot::setGhost(const RockCurve* before) {
 }
 
 void RockPlot::showRuns() {
-    for (QCPCurve* run : std::as_const(m_runs)) m_plot->removePlottable(run);
-    m_runs.clear();
-    for (const RunOverlay<RockCurve>& each : m_curve.runs) {
-        auto* run = new QCPCurve(m_plot->xAxis, m_plot->yAxis);
-        run->setSelectable(QCP::stNone);
-        run->setLayer(ghostLayer(*m_plot));
-        run->setName(runLegend(each.title, qsizetype(m_curve.runs.size())));
-        run->setData(each.curves->outline);
-        m_runs.append(run);
-    }
+    QVector<RunPath> paths;
+    for (const RunOverlay<RockCurve>& run : m_curve.runs)
+        paths.append({run.number, run.title, run.curves->outline});
+    m_runs->present(paths);
     // Beside each other as far as the narrowest page has room: names of a few, letters of more.
-    m_plot->legend->setWrap(m_runs.size() > 3 ? 5 : 2);
+    m_plot->legend->setWrap(m_curve.runs.size() > 3 ? 5 : 2);
     m_plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    styleRuns();
-}
-
-void RockPlot::styleRuns() {
-    for (qsizetype i = 0; i < m_runs.size(); ++i)
-        m_runs[i]->setPen(runPen(m_curve.runs[static_cast<std::size_t>(i)].number, m_style));
-    m_style.applyTo(*m_plot->legend);
 }
 
 void RockPlot::setPoint(const std::optional<QPointF>& point) {
@@ -224,7 +210,7 @@ void RockPlot::setStyle(const PlotStyle& style) {
     m_style = style;
     m_plot->setBackground(style.background);
     style.applyTo(*m_plot->axisRect());
-    styleRuns();
+    m_runs->setStyle(style);
     m_path->setPen(style.linePen(0));
     m_path->setBrush(style.areaBrush(0));
     style.applyTo(*m_caption);

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "ui/pages/rock/rock_curve.h"
+#include "ui/pages/run_graphs.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/plot_message.h"
 #include "ui/plot/plot_style.h"
@@ -38,7 +39,7 @@ class RockPlot : public QObject {
     void fit();
     QCPCurve* path() const { return m_path; }
     /// Those of pinned runs.
-    const QVector<QCPCurve*>& runs() const { return m_runs; }
+    const QVector<QCPCurve*>& runs() const { return m_runs->graphs(); }
     /// What the plot shows, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
 
@@ -48,14 +49,13 @@ class RockPlot : public QObject {
     void nameNumbers(const RockCurve& curve);
     void placeLabels();
     void showRuns();
-    void styleRuns();
     void setMarksVisible(bool visible);
 
     QCustomPlot* m_plot;
     QCPCurve* m_path;
     QCPTextElement* m_caption;  // what the area is
     QCPCurve* m_ghost = nullptr;
-    QVector<QCPCurve*> m_runs;  // as in the curve
+    RunPaths* m_runs;
     QCPItemText* m_peakName;
     QCPItemText* m_residualName;
     QCPItemText* m_loadingName;

@@ -6,12 +6,14 @@
 #include <array>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "core/model/pulse_force.h"
 #include "core/model/scenario.h"
 #include "core/wave/field/rod_envelope.h"
 #include "core/wave/impact.h"
 #include "ui/plot/graph_data.h"
+#include "ui/runs/run_overlay.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {
@@ -34,6 +36,7 @@ struct RodCurves {
     RodEnvelope envelope;                           ///< dimensionless
     std::array<GraphData, rodLines.size()> curves;  ///< position in the rod, stress
     std::optional<double> yieldStrength, fatigueStrength;
+    std::vector<RunOverlay<RodCurves>> runs = {};  ///< laid over them
 
     const GraphData& curve(RodLine line) const { return curves[static_cast<std::size_t>(line)]; }
     const EnvelopeLine& forces(RodLine line) const;

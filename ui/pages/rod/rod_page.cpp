@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "core/wave/field/wave_field.h"
 #include "ui/pages/rod/rod_plot.h"
@@ -61,10 +62,22 @@ RodPage::RodPage(Observation& observation, QWidget* parent)
 }
 
 PreparePage RodPage::prepare() const {
-    return [](const SolvedBlow& blow) {
-        return PageData::of(
-            rodCurves(blow.impact, blow.solved.hammer, blow.request.scenario, blow.units, blow.request.stop));
+    std::vector<RunOverlay<RodCurves>> made;
+    if (const RodCurves* shown = curves()) made = shown->runs;
+    return [runs = m_runs, made = std::move(made)](const SolvedBlow& blow) {
+        const std::stop_token& stop = blow.request.stop;
+        RodCurves curves =
+            rodCurves(blow.impact, blow.solved.hammer, blow.request.scenario, blow.units, stop);
+        curves.runs = runOverlays(*runs, blow, made, [&](const SolvedBlow& run, const ShownUnits& units) {
+            return rodCurves(run.impact, run.solved.hammer, run.scenario, units, stop);
+        });
+        return PageData::of(std::move(curves));
     };
+}
+
+void RodPage::setRuns(const RunListPtr& runs) {
+    m_runs = runs;
+    emit needsChanged();
 }
 
 const RodCurves* RodPage::curves() const {
@@ -78,6 +91,7 @@ void RodPage::setResult(const SolvedBlowPtr& blow) {
         meaning.xUnit = blow->units.length.unit;
         meaning.yUnit = blow->units.stress.unit;
         for (const RodLine line : rodLines) m_plot->setMeaning(m_rod->graph(line), meaning);
+        for (QCPCurve* run : m_rod->runs()) m_plot->setMeaning(run, meaning);
         m_plot->setDataText([blow](char separator) { return rodCsv(*blow->page<RodCurves>(), separator); });
     } else if (!blow->problem.isEmpty()) {
         m_rod->showNothing(tr("Nothing to show: %1").arg(blow->problem));

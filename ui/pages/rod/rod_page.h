@@ -23,6 +23,7 @@ class RodPage : public PlotPage {
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;
+    void setRuns(const RunListPtr& runs) override;
 
     RodPlot* rodPlot() const { return m_rod; }
 
@@ -37,6 +38,7 @@ class RodPage : public PlotPage {
     PlotWidget* m_plot;
     RodPlot* m_rod;
     SolvedBlowPtr m_blow;
+    RunListPtr m_runs = std::make_shared<const RunList>();
 };
 
 }  // namespace drillwave

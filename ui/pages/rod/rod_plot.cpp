@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ui/plot/curve_graph.h"
+#include "ui/plot/legend_entries.h"
 #include "ui/plot/plot_header.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
 namespace {
 
+constexpr int mostColumns = 6;      // of the legend of runs
 constexpr double markReach = 12;    // of a click around a mark [px]
 constexpr double sameHeight = 0.5;  // of two marks or curves [px]
 /// A strength this many times the largest stress would squeeze the curves.
@@ -48,6 +51,22 @@ QPen penOf(const PlotStyle& style, RodLine line) {
     return pen;
 }
 
+/// Along the compression to the bit, and back along the tension: two lines.
+QSharedPointer<QCPCurveDataContainer> outlineOf(const RodCurves& curves) {
+    QVector<QCPCurveData> points;
+    const auto append = [&](const QCPGraphData& point) {
+        points.append({double(points.size()), point.key, point.value});
+    };
+    const QCPGraphDataContainer& compression = *curves.curve(RodLine::compression);
+    const QCPGraphDataContainer& tension = *curves.curve(RodLine::tension);
+    std::for_each(compression.constBegin(), compression.constEnd(), append);
+    if (!points.isEmpty()) append({points.last().key, std::numeric_limits<double>::quiet_NaN()});
+    for (auto point = tension.constEnd(); point != tension.constBegin();) append(*--point);
+    auto outline = QSharedPointer<QCPCurveDataContainer>::create();
+    outline->set(points, true);
+    return outline;
+}
+
 }  // namespace
 
 RodPlot::RodPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
@@ -56,6 +75,8 @@ RodPlot::RodPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
     m_caption = addPlotHeader(*plot, 2);
     plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
     plot->legend->setWrap(2);
+    addRunLegend();
+    m_runs = new RunPaths(plot->xAxis, plot->yAxis, m_runLegend, RunPaths::thin);
     for (const RodLine line : rodLines) {
         QCPGraph* graph = addCurve(plot->xAxis, plot->yAxis);
         graph->setName(nameOf(line));
@@ -68,8 +89,21 @@ RodPlot::RodPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
     m_message = new PlotMessage(plot);
     for (const QCPAxis* axis : {plot->xAxis, plot->yAxis}) m_view->watch(axis);
     connect(plot, &QCustomPlot::beforeReplot, this, &RodPlot::followLegend);
+    connect(plot, &QCustomPlot::beforeReplot, this,
+            [this] { wrapLegend(*m_runLegend, m_plot->width(), mostColumns); });
     setStyle(PlotStyle::forPaper());
     showNothing({});
+}
+
+// Below that of the page, above the caption.
+void RodPlot::addRunLegend() {
+    m_header = static_cast<QCPLayoutGrid*>(m_caption->layout());
+    m_runLegend = new QCPLegend;
+    m_runLegend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    m_runLegend->setMargins(QMargins(7, 0, 0, 0));
+    m_header->insertRow(1);
+    m_header->addElement(1, 0, m_runLegend);
+    m_runLegend->setLayer(QStringLiteral("legend"));
 }
 
 void RodPlot::addStrength(Strength& strength) {
@@ -101,8 +135,10 @@ void RodPlot::addMark(Mark& mark) {
 
 void RodPlot::present(const RodCurves& curves) {
     const bool unitsChanged = !sameUnits(m_curves.units, curves.units);
+    const bool hasOtherRuns = m_curves.runs != curves.runs;
     if (unitsChanged) setGhost(nullptr);
     m_curves = curves;
+    if (hasOtherRuns) showRuns();
     for (const RodLine line : rodLines) graph(line)->setData(curves.curve(line));
     const ShownUnits& units = curves.units;
     m_plot->xAxis->setLabel(units.length.axisLabel(tr("position x from the struck end")));
@@ -117,6 +153,7 @@ void RodPlot::present(const RodCurves& curves) {
 
 void RodPlot::showNothing(const QString& message) {
     m_curves = {};
+    showRuns();
     for (QCPGraph* graph : m_graphs) graph->setData(GraphData::create());
     placeMarks();
     placeStrength(m_yield, {}, {});
@@ -125,6 +162,24 @@ void RodPlot::showNothing(const QString& message) {
     m_here->setPlace({}, {});
     m_message->show(message);
     m_summary = message;
+}
+
+// What stays in the rod after the blow is left out: with it there would be four lines for each run.
+void RodPlot::showRuns() {
+    QVector<RunPath> paths;
+    for (const RunOverlay<RodCurves>& run : m_curves.runs)
+        paths.append({run.number, run.title, outlineOf(*run.curves)});
+    m_runs->present(paths);
+    // An empty legend has no width, and lets the plot below it have none.
+    m_runLegend->setVisible(!paths.isEmpty());
+    const bool isThere = m_runLegend->layout();
+    if (paths.isEmpty() && isThere) {
+        m_header->take(m_runLegend);
+        m_header->simplify();
+    } else if (!paths.isEmpty() && !isThere) {
+        m_header->insertRow(1);
+        m_header->addElement(1, 0, m_runLegend);
+    }
 }
 
 void RodPlot::setGhost(const RodCurves* before) {
@@ -236,6 +291,7 @@ void RodPlot::setStyle(const PlotStyle& style) {
     m_message->setStyle(style);
     m_style = style;
     m_plot->setBackground(style.background);
+    m_runs->setStyle(style);
     style.applyTo(*m_plot->axisRect());
     style.applyTo(*m_plot->legend);
     style.applyTo(*m_caption);
@@ -263,6 +319,15 @@ void RodPlot::setStyle(const PlotStyle& style) {
 void RodPlot::fit() {
     m_view->fit([&] {
         double low = 0, high = 0;
+        double length = m_curves.curves.front() ? m_curves.units.length.factor : 1;
+        for (QCPCurve* run : m_runs->graphs()) {
+            bool found = false;
+            const QCPRange values = run->getValueRange(found);
+            if (!found || !run->visible()) continue;
+            low = std::min(low, values.lower);
+            high = std::max(high, values.upper);
+            length = std::max(length, run->getKeyRange(found).upper);
+        }
         for (const auto& graphs : {QVector<QCPGraph*>(m_graphs.begin(), m_graphs.end()), m_ghosts})
             for (const QCPGraph* graph : graphs)
                 for (const QCPGraphData& point : *graph->data()) {
@@ -278,7 +343,7 @@ void RodPlot::fit() {
         take(m_curves.yieldStrength, true);
         take(m_curves.fatigueStrength, false);
         const double size = high - low;
-        m_plot->xAxis->setRange(0, m_curves.curves.front() ? m_curves.units.length.factor : 1);
+        m_plot->xAxis->setRange(0, length);
         if (size > 0)
             m_plot->yAxis->setRange(low - 0.1 * size, high + 0.1 * size);
         else

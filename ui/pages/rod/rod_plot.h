@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "ui/pages/rod/rod_curves.h"
+#include "ui/pages/run_graphs.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/here_mark.h"
 #include "ui/plot/key_point.h"
@@ -45,6 +46,8 @@ class RodPlot : public QObject {
     /// Where keys may go: along the curves, to the extremes that are marked.
     KeyPlaces keyPlaces() const;
     QCPGraph* graph(RodLine line) const { return m_graphs[static_cast<std::size_t>(line)]; }
+    /// Those of pinned runs: compression to the bit and tension back from it.
+    const QVector<QCPCurve*>& runs() const { return m_runs->graphs(); }
     /// What the plot shows, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
 
@@ -59,9 +62,11 @@ class RodPlot : public QObject {
         QCPItemText* number = nullptr;
     };
 
+    void addRunLegend();
     void addStrength(Strength& strength);
     void addMark(Mark& mark);
     void placeStrength(const Strength& strength, const std::optional<double>& value, const QString& name);
+    void showRuns();
     void placeMarks();
     void followLegend();
     void nameNumbers();
@@ -74,6 +79,9 @@ class RodPlot : public QObject {
     std::array<Mark, rodLines.size()> m_marks;
     Strength m_yield, m_fatigue;
     QVector<QCPGraph*> m_ghosts;
+    QCPLayoutGrid* m_header = nullptr;
+    QCPLegend* m_runLegend = nullptr;  // in the header while there are runs
+    RunPaths* m_runs = nullptr;
     QCPTextElement* m_caption = nullptr;
     HereMark* m_here;
     PlotMessage* m_message;

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/model/assignments.h"
 #include "core/report/curve_csv.h"
 #include "ui/pages/stiffness/stiffness_plot.h"
 #include "ui/pages/study/axis_fields.h"
@@ -32,11 +31,6 @@ StiffnessStudy solve(const StiffnessQuestion& question, const StudyFeed<Stiffnes
     });
 }
 
-/// What the study sets itself does not matter to it: no other question while it is dragged.
-void takeOut(Scenario& scenario, const Parameter& parameter, double value) {
-    if (!Assignments({parameter.key}).movePulse()) parameter.assign(scenario, value);
-}
-
 /// As many digits as a pixel is worth.
 double readable(double value) {
     return QString::number(value, 'g', 4).toDouble();  // C locale, whatever the user's
@@ -45,10 +39,11 @@ double readable(double value) {
 }  // namespace
 
 StiffnessPage::StiffnessPage(Document& document, QWidget* parent)
-    : StudyPage(document, parent), m_study(solve) {
+    : StudyPage(document, parent), m_study(solve), m_runLines(runLine) {
     PlotWidget* plot = arrange(makeControls());
     m_stiffness = new StiffnessPlot(plot);
     watch(m_study.job());
+    watchBeside(m_runLines.activity());
     plot->setAccessibleName(tr("A result over a parameter"));
     plot->followPalette([this](const PlotStyle& style) { m_stiffness->setStyle(style); });
     connect(plot, &PlotWidget::fitRequested, m_stiffness, &StiffnessPlot::fit);
@@ -175,6 +170,7 @@ void StiffnessPage::present() {
         draw();
     }
     showHere();
+    askRuns();
     showRuns();
 }
 
@@ -182,6 +178,7 @@ void StiffnessPage::draw() {
     const StiffnessPicture picture = stiffnessPicture(*m_shown.study, m_shown.units, *m_shown.xUnit,
                                                       m_shown.here, m_shown.presets, QLocale());
     m_stiffness->present(picture);
+    m_shownRuns.reset();  // over another range or in other units
     for (int i = 0; i < picture.lines.size(); ++i) {
         CurveMeaning meaning;
         meaning.xUnit = picture.x.unit;
@@ -199,14 +196,40 @@ void StiffnessPage::showHere() {
     m_stiffness->setHere(here.x, here.y);
 }
 
+// Along the range that is drawn, so that nothing is solved for a range that is passed by.
+void StiffnessPage::askRuns() {
+    std::vector<CurveQuestion> questions;
+    for (const Run& run : runs()) {
+        if (!run.isShown || !run.isSolved()) continue;
+        if (auto own = runLineQuestion(m_shown.study->question.curve, run.contents.scenario))
+            questions.push_back(std::move(*own));
+    }
+    m_runLines.ask(questions);
+}
+
 void StiffnessPage::showRuns() {
+    if (m_shownRuns == runList() && m_shownLines == m_runLines.answers()) return;
+    m_shownRuns = runList();
+    m_shownLines = m_runLines.answers();
+    const StiffnessPicture& picture = m_stiffness->picture();
+    QVector<RunCurve> curves;
     QVector<RunMark> marks;
     for (const Run& run : runs()) {
         if (!run.isShown || !run.isSolved()) continue;
         const Point place = pointOf(*run.blow);
-        if (place.x && place.y) marks.append({run.number, run.title(), {*place.x, *place.y}});
+        if (place.x && place.y) marks.append({run.number, run.letter(), {*place.x, *place.y}});
+        const auto question = runLineQuestion(m_shown.study->question.curve, run.contents.scenario);
+        const CurveStudy* found = question ? m_runLines.find(*question) : nullptr;
+        if (!found) continue;
+        GraphData points = linePoints(found->lines.front(), picture.x.factor, picture.valueFactor);
+        if (points) curves.append({run.number, run.title(), std::move(points)});
     }
-    m_stiffness->setRuns(marks);
+    m_stiffness->setRuns(curves, marks);
+    CurveMeaning meaning;
+    meaning.xUnit = picture.x.unit;
+    meaning.yUnit = picture.value.unit;
+    for (QCPGraph* graph : m_stiffness->runCurves().graphs()) plot()->setMeaning(graph, meaning);
+    plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
 // Where a blow lies on the plot.

@@ -4,6 +4,7 @@
 
 #include "ui/document/preset_library.h"
 #include "ui/job/asked_study.h"
+#include "ui/pages/stiffness/run_lines.h"
 #include "ui/pages/stiffness/stiffness_study.h"
 #include "ui/pages/study/study_page.h"
 #include "ui/pages/study/study_range.h"
@@ -33,6 +34,7 @@ class StiffnessPage : public StudyPage {
     FamilyFields* family() const { return m_family; }
     OutputBox* output() const { return m_output; }
     const AskedStudy<StiffnessQuestion, StiffnessStudy>& study() const { return m_study; }
+    const RunLines& runLines() const { return m_runLines; }
 
   protected:
     void ask() override;
@@ -66,6 +68,7 @@ class StiffnessPage : public StudyPage {
     void refuse(const QString& problem);
     void draw();
     void showHere();
+    void askRuns();
     void showRuns();
     struct Point {
         std::optional<double> x, y;  // as shown
@@ -83,7 +86,10 @@ class StiffnessPage : public StudyPage {
     PresetLibrary m_presets;
     QString m_problem;  // why the controls say no curve
     Shown m_shown;
-    AskedStudy<StiffnessQuestion, StiffnessStudy> m_study;
+    std::shared_ptr<const RunLines::Answers> m_shownLines;  // of runs, as they are drawn
+    RunListPtr m_shownRuns;
+    AskedStudy<StiffnessQuestion, StiffnessStudy> m_study;  // goes first: its threads work
+    RunLines m_runLines;                                    // likewise
 };
 
 }  // namespace drillwave

@@ -72,18 +72,6 @@ QString nameOf(StiffnessLine::Kind kind, const QString& family, bool isHere) {
     return {};
 }
 
-/// Its points; a gap where there is no answer. Empty where there is none anywhere.
-GraphData pointsOf(const CurveLine& line, double xFactor, double valueFactor) {
-    QVector<QCPGraphData> points;
-    bool any = false;
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
-        const double value = line.values.front()[i] * valueFactor;
-        any |= std::isfinite(value);
-        points.append({line.points[i] * xFactor, value});
-    }
-    return any ? graphData(points) : GraphData();
-}
-
 CurveMark markOf(const CurveFeature& feature, double xFactor, double valueFactor) {
     using Kind = CurveFeature::Kind;
     CurveMark mark;
@@ -103,7 +91,7 @@ void addLines(StiffnessPicture& picture, const CurveStudy& study, StiffnessLine:
     for (std::size_t i = 0; i < study.lines.size(); ++i) {
         const CurveLine& from = study.lines[i];
         const bool isHere = !from.family || from.family == here;
-        GraphData points = pointsOf(from, xFactor, picture.valueFactor);
+        GraphData points = linePoints(from, xFactor, picture.valueFactor);
         if (!points) continue;
         picture.lines.append({kind, nameOf(kind, familyName(study, from, locale), isHere), points,
                               static_cast<int>(i), isHere && kind == StiffnessLine::Kind::curve});
@@ -181,6 +169,17 @@ QString summaryOf(const StiffnessPicture& picture, const StiffnessStudy& study, 
 }
 
 }  // namespace
+
+GraphData linePoints(const CurveLine& line, double xFactor, double valueFactor) {
+    QVector<QCPGraphData> points;
+    bool any = false;
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        const double value = line.values.front()[i] * valueFactor;
+        any |= std::isfinite(value);
+        points.append({line.points[i] * xFactor, value});
+    }
+    return any ? graphData(points) : GraphData();
+}
 
 StiffnessPicture stiffnessPicture(const StiffnessStudy& study, const ShownUnits& units, const Unit& xUnit,
                                   std::optional<double> here, std::span<const Preset> presets,

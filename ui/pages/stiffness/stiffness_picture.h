@@ -52,6 +52,10 @@ struct StiffnessPicture {
     const StiffnessLine* markedLine() const { return marked < 0 ? nullptr : &lines[marked]; }
 };
 
+/// The first output of a line as drawn, with a gap where there is no answer; nullptr where there is none
+/// anywhere.
+GraphData linePoints(const CurveLine& line, double xFactor, double valueFactor);
+
 /// `here` is the value of the family in the present scenario: its line is the one that is marked; without a
 /// line of that value the last is. Presets are named where they set the parameter.
 StiffnessPicture stiffnessPicture(const StiffnessStudy& study, const ShownUnits& units, const Unit& xUnit,

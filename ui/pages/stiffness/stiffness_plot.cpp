@@ -7,6 +7,7 @@
 #include "ui/pages/study/output_box.h"
 #include "ui/plot/axis_view.h"
 #include "ui/plot/curve_graph.h"
+#include "ui/plot/legend_entries.h"
 
 namespace drillwave {
 namespace {
@@ -41,11 +42,14 @@ StiffnessPlot::StiffnessPlot(QCustomPlot* plot)
     m_extremes = plot->addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_extremes->setLineStyle(QCPGraph::lsNone);
     m_here = new HereMark(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+    m_runCurves = new RunGraphs(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft), m_legend,
+                                RunGraphs::thin);
     m_runs = new RunMarks(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_message = new PlotMessage(plot);
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
     connect(plot, &QCustomPlot::afterLayout, this, &StiffnessPlot::placeBands);
-    connect(plot, &QCustomPlot::beforeReplot, this, &StiffnessPlot::wrapLegend);
+    connect(plot, &QCustomPlot::beforeReplot, this,
+            [this] { wrapLegend(*m_legend, m_plot->width(), mostColumns); });
     setStyle(PlotStyle::forPaper());
 }
 
@@ -104,27 +108,13 @@ void StiffnessPlot::showNothing(const QString& message) {
     m_extremes->data()->clear();
     m_one->setVisible(false);
     m_here->setPlace({}, {});
-    m_runs->present({});
+    setRuns({}, {});
     m_message->show(message);
 }
 
 void StiffnessPlot::dropMarks() {
     if (m_marks) m_marks->clear();
     m_marks.reset();
-}
-
-// As many names in a line as have room.
-void StiffnessPlot::wrapLegend() {
-    double widest = 1;
-    const QFontMetricsF metrics(m_legend->font());
-    for (const StiffnessLine& line : m_picture.lines)
-        widest = std::max(widest, metrics.horizontalAdvance(line.name));
-    const double item =
-        widest + m_legend->iconSize().width() + m_legend->iconTextPadding() + m_legend->columnSpacing() + 4;
-    const int columns = std::clamp(static_cast<int>(m_plot->width() / item), 1, mostColumns);
-    if (columns == m_legend->wrap()) return;
-    m_legend->setWrap(columns);
-    m_legend->setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
 }
 
 // The ones there are stay as long as their names do: what was hidden by its legend entry stays hidden.
@@ -146,6 +136,7 @@ void StiffnessPlot::makeGraphs() {
             graph->addToLegend(m_legend);
             m_graphs.append(graph);
         }
+        m_runCurves->standLast();
     }
     for (int i = 0; i < m_graphs.size(); ++i) m_graphs[i]->setData(m_picture.lines[i].points);
 }
@@ -224,8 +215,10 @@ void StiffnessPlot::setHere(std::optional<double> x, std::optional<double> y) {
     m_here->setPlace(x, y);
 }
 
-void StiffnessPlot::setRuns(const QVector<RunMark>& marks) {
-    if (m_runs->present(marks)) m_plot->replot(QCustomPlot::rpQueuedReplot);
+void StiffnessPlot::setRuns(const QVector<RunCurve>& curves, const QVector<RunMark>& marks) {
+    m_runCurves->present(curves);
+    m_runs->present(marks);
+    if (m_view->isFitted()) fit();
 }
 
 void StiffnessPlot::setStyle(const PlotStyle& style) {
@@ -265,6 +258,7 @@ void StiffnessPlot::setStyle(const PlotStyle& style) {
     }
     if (m_marks) m_marks->setStyle(style);
     m_here->setStyle(style);
+    m_runCurves->setStyle(style);
     m_runs->setStyle(style);
 }
 
@@ -278,15 +272,16 @@ void StiffnessPlot::fit() {
             ->setRange(m_picture.logarithmic ? m_picture.from / ratio : m_picture.from - room * span,
                        m_picture.logarithmic ? m_picture.to * ratio : m_picture.to + room * span);
         std::optional<QCPRange> values;
-        for (const QCPGraph* graph : m_graphs) {
-            bool found = false;
-            const QCPRange own = graph->getValueRange(found);
-            if (!found || !graph->visible()) continue;
-            if (values)
-                values->expand(own);
-            else
-                values = own;
-        }
+        for (const auto& graphs : {m_graphs, m_runCurves->graphs()})
+            for (const QCPGraph* graph : graphs) {
+                bool found = false;
+                const QCPRange own = graph->getValueRange(found);
+                if (!found || !graph->visible()) continue;
+                if (values)
+                    values->expand(own);
+                else
+                    values = own;
+            }
         if (!values) values = QCPRange(0, 1);
         const double size = std::max(values->size(), 0.02 * std::abs(values->upper));
         // Names of presets stand at the bottom.

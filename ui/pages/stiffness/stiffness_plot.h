@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "ui/pages/run_graphs.h"
 #include "ui/pages/stiffness/stiffness_picture.h"
 #include "ui/pages/study/run_marks.h"
 #include "ui/plot/fitted_view.h"
@@ -32,8 +33,9 @@ class StiffnessPlot : public QObject {
     void showNothing(const QString& message);
     /// Where the present scenario is, in shown units.
     void setHere(std::optional<double> x, std::optional<double> y);
-    /// Where pinned runs are, in shown units.
-    void setRuns(const QVector<RunMark>& marks);
+    /// The same output of pinned runs over the range of the picture, and where they are, in shown units.
+    void setRuns(const QVector<RunCurve>& curves, const QVector<RunMark>& marks);
+    const RunGraphs& runCurves() const { return *m_runCurves; }
     const QVector<RunMark>& runs() const { return m_runs->marks(); }
     void setStyle(const PlotStyle& style);
     /// The whole range in view.
@@ -60,7 +62,6 @@ class StiffnessPlot : public QObject {
     void showAxes();
     void placeBands();
     void dropMarks();
-    void wrapLegend();
 
     QCustomPlot* m_plot;
     QCPAxisRect* m_rect = nullptr;
@@ -72,6 +73,7 @@ class StiffnessPlot : public QObject {
     QVector<QCPItemText*> m_bandNames;
     std::unique_ptr<CurveMarks> m_marks;
     HereMark* m_here = nullptr;
+    RunGraphs* m_runCurves = nullptr;
     RunMarks* m_runs = nullptr;
     PlotMessage* m_message;
     StiffnessPicture m_picture;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/stiffness/stiffness_study.h"
 
+#include "core/model/assignments.h"
 #include "core/model/scales.h"
 
 namespace drillwave {
@@ -55,6 +56,11 @@ bool StiffnessQuestion::hasReference() const {
     const std::string_view along = curve.along.key();
     return (along == "beta" || along == "bit_rock.stiffness") && (!curve.family || isGamma(*curve.family)) &&
            curve.columns.front().output->name == "cor";
+}
+
+void takeOut(Scenario& scenario, const Parameter& parameter, double value) {
+    // A blow that depends on it would stay another one.
+    if (!Assignments({parameter.key}).movePulse()) parameter.assign(scenario, value);
 }
 
 StiffnessStudy studyStiffness(const StiffnessQuestion& question, int jobs, std::stop_token stop,

@@ -36,6 +36,9 @@ struct StiffnessStudy {
     std::optional<CurveStudy> closedForm;
 };
 
+/// What a study sets itself does not matter to it: it is the same question whatever the scenario has there.
+void takeOut(Scenario& scenario, const Parameter& parameter, double value);
+
 /// The curve is that of studyCurve(), bit for bit. Requires problemsOf(question.curve) to be empty.
 StiffnessStudy studyStiffness(const StiffnessQuestion& question, int jobs, std::stop_token stop = {},
                               const CurveProgress& progress = {});

@@ -71,6 +71,13 @@ void StudyPage::watch(StudyActivity& activity) {
     connect(&activity, &StudyActivity::changed, this, &StudyPage::follow);
 }
 
+void StudyPage::watchBeside(StudyActivity& activity) {
+    m_beside = &activity;
+    connect(&activity, &StudyActivity::changed, this, [this] {
+        if (isVisible()) present();
+    });
+}
+
 void StudyPage::setResult(const SolvedBlowPtr& blow) {
     m_blow = blow;
     if (isVisible()) present();
@@ -126,7 +133,9 @@ void StudyPage::showEvent(QShowEvent* event) {
 
 void StudyPage::hideEvent(QHideEvent* event) {
     PlotPage::hideEvent(event);
-    if (event->spontaneous() || m_activity->state() != StudyState::running) return;
+    if (event->spontaneous()) return;
+    if (m_beside) m_beside->cancel();
+    if (m_activity->state() != StudyState::running) return;
     m_activity->cancel();
     m_due = true;
 }

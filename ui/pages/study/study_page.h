@@ -61,6 +61,9 @@ class StudyPage : public PlotPage {
     PlotWidget* arrange(const QList<QWidget*>& controls, QWidget* beside = nullptr);
     /// The page's job. Once.
     void watch(StudyActivity& activity);
+    /// A job beside it: present() is called when it has news, and out of sight it is stopped, to be asked
+    /// again by present().
+    void watchBeside(StudyActivity& activity);
     /// The question may be another one: ask() now, or as soon as the page can be seen.
     void askSoon();
     /// Words below the controls: what the study says in a sentence. Its problem is shown in their place.
@@ -91,6 +94,7 @@ class StudyPage : public PlotPage {
     SolvedBlowPtr m_blow;
     RunListPtr m_runs = std::make_shared<const RunList>();
     StudyActivity* m_activity = nullptr;
+    StudyActivity* m_beside = nullptr;
     bool m_due = true;           // something has changed while the page could not be seen
     bool m_inputCurrent = true;  // the blow on show answers the present input
     QLabel* m_words = nullptr;

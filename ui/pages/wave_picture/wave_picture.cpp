@@ -11,9 +11,9 @@ namespace {
 
 // Looked up on a grid of its own, so that the colours stay while one zooms; waves that meet only long after
 // the blow would make all others pale.
-double largestMagnitude(const Impact& impact, WaveQuantity field, const TimeSpan& time) {
+double largestMagnitude(const Impact& impact, WaveQuantity field, const TimeSpan& time, double known) {
     const WaveRaster overview = waveRaster(impact, field, {0, 1, 65, time.begin, time.end, 600});
-    double largest = field == WaveQuantity::force ? impact.peakForce : 0;
+    double largest = field == WaveQuantity::force ? std::max(impact.peakForce, known) : 0;
     for (const float value : overview.values) largest = std::max(largest, std::abs(double(value)));
     return std::isfinite(largest) && largest > 0 ? largest : 1;
 }
@@ -71,8 +71,7 @@ WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Sce
     picture.need = need;
     picture.units = pictureUnits(scenario, units);
     picture.interesting = interestingTime(impact, pulse);
-    picture.limit = largestMagnitude(impact, need.field, picture.interesting);
-    if (need.field == WaveQuantity::force) picture.limit = std::max(picture.limit, largestForce);
+    picture.limit = largestMagnitude(impact, need.field, picture.interesting, largestForce);
     picture.fronts = pulseFronts(pulse);
     picture.contacts = contactIntervals(impact);
     picture.raster = waveRaster(impact, need.field, gridOf(need, need.time.value_or(picture.interesting)));
@@ -81,6 +80,12 @@ WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Sce
         picture.largest = std::max(picture.largest, value);
     }
     return picture;
+}
+
+RunWaves runWaves(const Impact& impact, const PulseForce& pulse, double largestForce) {
+    const TimeSpan time = interestingTime(impact, pulse);
+    return {largestMagnitude(impact, WaveQuantity::force, time, largestForce),
+            largestMagnitude(impact, WaveQuantity::velocity, time, 0)};
 }
 
 }  // namespace drillwave

@@ -11,6 +11,7 @@
 #include "core/wave/field/interesting_time.h"
 #include "core/wave/field/wave_fronts.h"
 #include "core/wave/field/wave_raster.h"
+#include "ui/runs/run_overlay.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {
@@ -39,6 +40,19 @@ struct PictureUnits {
 /// `units` gives times and forces; what else there is follows from the scenario.
 PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units);
 
+/// What the waves of a run are at most, which is known beforehand: they are looked up when they are drawn.
+struct RunWaves {
+    double largestForce = 0;     ///< magnitude [F0] in the time of interest
+    double largestVelocity = 0;  ///< [F0/Z]
+
+    double largest(WaveQuantity field) const {
+        return field == WaveQuantity::force ? largestForce : largestVelocity;
+    }
+};
+
+/// As wavePicture().
+RunWaves runWaves(const Impact& impact, const PulseForce& pulse, double largestForce = 0);
+
 /// Never changed once made; dimensionless but for `units`.
 struct WavePicture {
     WavePictureNeed need;  ///< that it meets
@@ -50,6 +64,7 @@ struct WavePicture {
     float largest = 0;
     std::vector<double> fronts;  ///< pulseFronts()
     std::vector<ContactInterval> contacts;
+    std::vector<RunOverlay<RunWaves>> runs = {};  ///< whose waves are drawn below it
 };
 
 /// Whether there are values in view beyond the colours, below or above: they look like those at the ends.

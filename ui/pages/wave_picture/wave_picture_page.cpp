@@ -9,11 +9,13 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "core/wave/field/wave_field.h"
 #include "ui/pages/section_field.h"
 #include "ui/pages/wave_picture/picture_cursors.h"
 #include "ui/pages/wave_picture/play_bar.h"
+#include "ui/pages/wave_picture/rod_profile.h"
 #include "ui/pages/wave_picture/rod_strip.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
 #include "ui/plot/plot_widget.h"
@@ -48,13 +50,16 @@ WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
       m_plot(makePlot()),
       m_picture(new WavePicturePlot(m_plot)),
       m_cursors(new PictureCursors(m_plot, m_picture)),
+      m_profile(new RodProfile(this)),
       m_strip(new RodStrip(this)),
       m_playBar(new PlayBar(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     layout->addLayout(makeBar());
-    layout->addWidget(m_plot, 1);
+    constexpr int profiles = 5;  // as high as the picture
+    layout->addWidget(m_plot, profiles);
+    layout->addWidget(m_profile, 1);
     layout->addWidget(m_strip);
     layout->addWidget(m_playBar);
     m_plot->setAccessibleName(tr("Waves in the rod over position and time"));
@@ -138,10 +143,21 @@ void WavePicturePage::wire() {
 }
 
 PreparePage WavePicturePage::prepare() const {
-    return [need = m_picture->need()](const SolvedBlow& blow) {
-        return PageData::of(wavePicture(blow.impact, blow.solved.hammer, blow.request.scenario, blow.units,
-                                        need, largestForce(blow)));
+    std::vector<RunOverlay<RunWaves>> made;
+    if (const WavePicture* shown = m_picture->picture()) made = shown->runs;
+    return [need = m_picture->need(), runs = m_runs, made = std::move(made)](const SolvedBlow& blow) {
+        WavePicture picture = wavePicture(blow.impact, blow.solved.hammer, blow.request.scenario, blow.units,
+                                          need, largestForce(blow));
+        picture.runs = runOverlays(*runs, blow, made, [](const SolvedBlow& run, const ShownUnits&) {
+            return runWaves(run.impact, run.solved.hammer, largestForce(run));
+        });
+        return PageData::of(std::move(picture));
     };
+}
+
+void WavePicturePage::setRuns(const RunListPtr& runs) {
+    m_runs = runs;
+    emit needsChanged();
 }
 
 void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
@@ -151,6 +167,7 @@ void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
         m_picture->showNothing(tr("Nothing to show: %1").arg(blow->problem));
     else
         return;  // the answer to an older request, before this page was there to ask
+    m_profile->setBlow(m_picture->shown());
     m_strip->setBlow(m_picture->shown());
     showSpan();
     showTime();
@@ -170,6 +187,7 @@ double WavePicturePage::timeShown() const {
 void WavePicturePage::showTime() {
     const double time = timeShown();
     m_cursors->setTime(time);
+    m_profile->setTime(time);
     m_strip->setTime(time);
     m_playBar->setTime(time);
     m_playBar->setTimeText(m_strip->stateText());
@@ -195,6 +213,7 @@ void WavePicturePage::showReadout() {
 void WavePicturePage::alignStrip() {
     showReadout();
     const QRect axes = m_plot->axisRect()->rect();
+    m_profile->setRodEnds(axes.left(), axes.right() + 1);
     m_strip->setRodEnds(axes.left(), axes.right() + 1);
 }
 

@@ -16,6 +16,7 @@ namespace drillwave {
 
 class PictureCursors;
 class PlayBar;
+class RodProfile;
 class RodStrip;
 class SectionField;
 class WavePicturePlot;
@@ -30,9 +31,11 @@ class WavePicturePage : public PlotPage {
     QString title() const override { return tr("Wave picture"); }
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
+    void setRuns(const RunListPtr& runs) override;
 
     WavePicturePlot* picture() const { return m_picture; }
     PictureCursors* cursors() const { return m_cursors; }
+    RodProfile* rodProfile() const { return m_profile; }
     RodStrip* rodStrip() const { return m_strip; }
     PlayBar* playBar() const { return m_playBar; }
 
@@ -57,8 +60,10 @@ class WavePicturePage : public PlotPage {
     PlotWidget* m_plot;
     WavePicturePlot* m_picture;
     PictureCursors* m_cursors;
+    RodProfile* m_profile;
     RodStrip* m_strip;
     PlayBar* m_playBar;
+    RunListPtr m_runs = std::make_shared<const RunList>();
     std::optional<QPointF> m_pointer;  // over the plot
 };
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/stiffness/run_lines.h"
+
+#include "ui/pages/stiffness/stiffness_study.h"
+
+namespace drillwave {
+
+std::optional<CurveQuestion> runLineQuestion(const CurveQuestion& page, const Scenario& run) {
+    const bool isSi = page.columns.front().units == OutputUnits::si;
+    if (isSi && run.form == ScenarioForm::dimensionless) return std::nullopt;
+    if (!page.along.parameter->applies(run)) return std::nullopt;
+    CurveQuestion question = page;
+    question.base = run;
+    question.base.title.clear();
+    question.family.reset();
+    question.levels.clear();  // nothing is marked on it
+    takeOut(question.base, *question.along.parameter, question.along.start);
+    if (!problemsOf(question).empty()) return std::nullopt;
+    return question;
+}
+
+std::optional<CurveStudy> runLine(const CurveQuestion& question, const std::stop_token& stop) {
+    constexpr int jobs = 1;  // the others are left to what the user waits for
+    CurveStudy study = studyCurve(question, jobs, stop);
+    if (study.stopped) return std::nullopt;
+    return study;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A result along a parameter for a pinned run, laid over that of the scenario.
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "core/study/curve/curve.h"
+#include "ui/pages/study/run_studies.h"
+
+namespace drillwave {
+
+using RunLines = RunStudies<CurveQuestion, CurveStudy>;
+
+/// What the page asks, of the scenario of a run: one line, for the value that the run has of the family.
+/// Nothing where the run has no such parameter or no such output.
+std::optional<CurveQuestion> runLineQuestion(const CurveQuestion& page, const Scenario& run);
+
+/// On the calling thread alone. Nothing after a stop.
+std::optional<CurveStudy> runLine(const CurveQuestion& question, const std::stop_token& stop);
+
+}  // namespace drillwave
