@@ -19,7 +19,7 @@ namespace drillwave {
 /// that worst value: a solver ten times worse fails.
 struct StabilityMarks {
     double momentum = 3e-13;  ///< sums of 1e6 pieces round: 3e-14
-    double energy = 4e-11;    ///< of a long blow on a short rod, whose work is a small difference: 4e-12
+    double energy = 4e-10;    ///< of soft rock, with joined pieces of wave: 7e-11
     double pull = 2e-14;      ///< a force that has decayed to rounding: 2e-15
     double reach = 1e-14;     ///< the rounding of a distance of order one; none has been seen
     double change = 4e-8;     ///< where the slope of e is steepest, times 1e-10: 4e-9

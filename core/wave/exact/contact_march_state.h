@@ -77,6 +77,7 @@ class ContactMarch {
     void advanceApart();
     Stretch firstEvent(Response& response);
     bool mayStay(const Response& response);
+    void countJoining(const Response& response, Real length, Ending ending);
     void advanceContact();
     void changeBranch(Ending ending, Real length);
     bool hammerHasEnded() const { return m_hammerPiece >= m_pulse->segments.size(); }

@@ -224,6 +224,19 @@ bool ContactMarch<Basis>::mayStay(const Response& response) {
                                           : end <= m_law.largestForce() + rounding;
 }
 
+/// What the stretch makes of joined pieces of wave.
+template <class Basis>
+void ContactMarch<Basis>::countJoining(const Response& response, Real length, Ending ending) {
+    if constexpr (Basis::joinsPieces) {
+        if (m_line == ContactLine::elastic) m_basis.passElastic(length);
+        if (ending == Ending::none) return;
+        const ContactEvent event = ending == Ending::separation  ? ContactEvent::separation
+                                   : ending == Ending::unloading ? ContactEvent::unloading
+                                                                 : ContactEvent::primaryLoading;
+        m_basis.passEvent(event, response, length, m_incident.length);
+    }
+}
+
 /// Contact over the piece now arriving, up to the first event or its end.
 template <class Basis>
 void ContactMarch<Basis>::advanceContact() {
@@ -242,6 +255,7 @@ void ContactMarch<Basis>::advanceContact() {
     m_basis.endAt(response, length);
     m_impulse += response.force.integral(length);
     m_error += m_basis.roundingError(response, length);
+    countJoining(response, length, ending);
     if (m_detail != Detail::cor && m_law.isElastic())
         m_law.remember(m_basis.largest(response, length, m_law.largestForce()));
     m_force = std::max(response.force.value(length), Real(0));  // below it: rounding

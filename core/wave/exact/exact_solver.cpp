@@ -72,7 +72,7 @@ Impact ExactSolver::solve(const Problem& problem, Detail detail, const std::stop
     }
     m_workspace->march(problem, detail, {.pieces = m_mostPieces, .stop = &stop}, impact);
     if (!isSolved(impact)) return impact;
-    if (impact.growth > coveredGrowth) m_workspace->widen(problem, {m_mostPieces, &stop}, impact);
+    if (mayOutgrowItsError(impact)) m_workspace->widen(problem, {m_mostPieces, &stop}, impact);
     if (!std::isfinite(impact.cor + impact.corError)) {
         impact.outcome = Outcome::notSolved;
         impact.reason = "its numbers are beyond the range of double precision";

@@ -19,12 +19,15 @@ namespace drillwave {
 /// ends on the proof of theory §3. Detail::summary costs hardly more than Detail::cor.
 ///
 /// Accuracy: |error of e| ≤ corError in at least 99 % of blows, for every number of contacts. It is of the
-/// order of 1e-15 to 1e-13 and stays below 1e-9 for 1e-7 ≤ β ≤ 1e9, γ ≥ 1e-6 (0.05 ≤ τ ≤ 1000), but for blows
+/// order of 1e-15 to 1e-13. It grows to 1e-9 on soft rock, where a wave meets the rock hundreds of times in
+/// one blow (JoiningBudget: βτ below 1e-5, or γ below 0.01 and β below 1e-4), and stays about there for
+/// 1e-7 ≤ β, γ ≥ 1e-6 (0.05 ≤ τ ≤ 1000). It stays below for β ≤ 1e9, too, but for blows
 /// of tens of contacts (exponential and piston blows on short rods): each contact multiplies the rounding of
 /// those before, e depends on the last digits of the input, and corError says how far.
-/// Work: typically 5 to 300 pieces. Most are needed by soft rock with γ < 1, where every one of 1.6/√(βτ)
-/// round trips leaves kinks, and by blows of many t0 on stiff rock and a short rod, where every front leaves
-/// a layer. Blows that may multiply rounding (Impact::growth) are solved three times.
+/// Work: typically 5 to 300 pieces. Most are needed by soft rock with γ < 1e-3, where every one of thousands
+/// of round trips leaves kinks (up to 1e7, and half a second; for tables of many points and γ < 1e-5 more),
+/// and by blows of many t0 on stiff rock and a short rod, where every front leaves a layer. Blows that may
+/// multiply rounding (Impact::growth) are solved up to three times.
 class ExactSolver {
   public:
     /// `mostPieces` bounds the work of one solve (0.05 to 0.3 µs each): beyond it the outcome is notSolved.

@@ -6,6 +6,7 @@
 #include "core/numeric/compensated_sum.h"
 #include "core/numeric/power_series.h"
 #include "core/wave/exact/first_zero.h"
+#include "core/wave/exact/joining_error.h"
 #include "core/wave/exact/series_joiner.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
@@ -21,7 +22,7 @@ template <class RealType>
 class SeriesBasis {
   public:
     using Real = RealType;
-    using Piece = PowerSeries<Real>;
+    using Piece = WavePiece<Real>;
     using Sum = CompensatedSum<Real>;
     static constexpr bool joinsPieces = true;
 
@@ -38,7 +39,9 @@ class SeriesBasis {
         m_count = {};
         m_scale = std::max(Real(problem.hammer.peak), 1 / (2 * Real(problem.transitTime)));
         if (!problem.hammer.isRigidBody() && problem.transitTime >= 0.5) m_scale = Real(problem.hammer.peak);
-        m_joiner.begin(problem, rates.elastic);
+        const JoiningBudget budget(problem);
+        m_joiner.begin(budget, rates.elastic);
+        m_joiningError.begin(budget, rates.elastic);
         m_negligible = std::ldexp(m_scale, negligibleExponent);
     }
     /// How many pieces a round trip may have before joining them is worth the effort.
@@ -49,8 +52,8 @@ class SeriesBasis {
     SearchCount searchCount() const { return m_count; }
     void stall() const {}
     Real negligibleForce() const { return m_negligible; }
-    /// Rounding of a sum of impulses of order one.
-    Real momentumNoise() const { return 4 * std::numeric_limits<Real>::epsilon() + m_joiner.peakError(); }
+    /// Rounding of a sum of impulses of order one, and what joined pieces do to it.
+    Real momentumNoise() const { return 4 * std::numeric_limits<Real>::epsilon() + m_joiningError.bound(); }
 
     Piece constant(Real length, Real value) const {
         Piece f = Piece::zero(length);
@@ -130,6 +133,7 @@ class SeriesBasis {
     [[gnu::always_inline]] Response& respond(const Piece& g, Real rate, Real force) {
         Response& r = m_response;
         r.incident = g;
+        r.reflected.displaceLike(g);
         r.isSlow = false;
         const Real alpha = rate * g.length;
         Real length = g.length;
@@ -218,6 +222,12 @@ class SeriesBasis {
     void tidy(Piece& piece) const { piece.trim(m_negligible); }
 
     bool join(Piece& last, const Piece& next, Real& error) { return m_joiner.join(last, next, error); }
+    /// `length` of elastic line has passed.
+    void passElastic(Real length) { m_joiningError.passElastic(length); }
+    /// An event ends the stretch at `length`; so much of the wave `arriving` has not passed.
+    void passEvent(ContactEvent event, const Response& r, Real length, Real arriving) {
+        m_joiningError.pass(event, length > 0 ? r.incident.displaced : r.incident.displacedAtStart, arriving);
+    }
 
     static Real productIntegral(const Piece& f, const Piece& g, Real length) {
         return Piece::productIntegral(f, g, length);
@@ -349,6 +359,7 @@ class SeriesBasis {
     Real m_negligible = 0;  ///< what is dropped
     Real m_layer = 0;       ///< distance of F from the slow solution
     SeriesJoiner<Real> m_joiner;
+    JoiningError<Real> m_joiningError;
     Piece m_hammer;
     Response m_response;
 };

@@ -4,79 +4,69 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "core/numeric/power_series.h"
-#include "core/wave/problem.h"
+#include "core/numeric/kept_moments.h"
+#include "core/wave/exact/joining_budget.h"
+#include "core/wave/exact/wave_piece.h"
 
 namespace drillwave {
 
 /// Every event leaves a kink in the reflected wave, and kinks stay for ever: thousands of round trips would
 /// carry thousands of pieces each. Most of these kinks are far too small to matter.
 ///
-/// A joined piece keeps the impulse of both, so that the momentum of the wave is unchanged and only the
-/// deviation E over the length ℓ of the shorter, displaced by at most the whole length w, remains. It reaches
-/// the impulse of the impact force by at most E ℓ w times the rate at which the force responds, β/γ at most.
+/// A joined piece keeps the moments 0 to 3 of both. A contact that passes it without an event then ends as it
+/// would have, to the fourth order of aℓ: what is left of that is counted here. What an event inside it makes
+/// of the displaced way of the bit is counted when it happens (JoiningError).
 template <class Real>
 class SeriesJoiner {
   public:
-    using Piece = PowerSeries<Real>;
+    using Piece = WavePiece<Real>;
 
     /// `fastest` is the larger rate of the contact, β/γ.
-    void begin(const Problem& problem, Real fastest) {
-        m_fastest = fastest;
-        m_softForce = Real(std::sqrt(problem.law.beta / problem.transitTime));
-        m_relativePeak = Real(std::sqrt(problem.law.beta * problem.transitTime));
-        const double trips =
-            1.6 / std::sqrt(problem.law.beta * problem.transitTime);  // about those in contact
+    void begin(const JoiningBudget& budget, Real fastest) {
         const Real precision =
             std::numeric_limits<Real>::epsilon() / Real(std::numeric_limits<double>::epsilon());
-        m_tolerance = Real(mostEffect) * Real(std::max(1.0, trips / manyTrips)) * precision;
-        m_mostDeviation = Real(mostDeviation) * precision;
-        m_worst = 0;
+        m_fastest = fastest;
+        m_passes = Real(budget.passes);
+        m_smoothEffect = Real(budget.smoothEffect) * precision;
+        m_mostDisplaced = Real(budget.mostDisplaced) * precision;
+        m_mostDeviation = Real(budget.mostDeviation) * precision;
     }
 
-    /// What joining may have changed in the peak force, relative to it.
-    Real peakError() const { return 4 * m_worst * m_relativePeak; }
-
-    /// Joins `next` to `last` if that is accurate enough, and adds what it may cost to `error`.
+    /// Joins `next` to `last` if that is accurate enough, and adds what it costs without events to `error`.
     bool join(Piece& last, const Piece& next, Real& error) {
         const Real whole = last.length + next.length;
         const Real weight = whole * m_fastest;
         if (weight > Real(layer)) return false;
         const bool forward = last.length >= next.length;  // the longer piece is extended over the shorter
-        Piece longer = forward ? last : next;
-        Piece shorter = forward ? next : last;
-        if (m_tolerance < weight * shorter.length * jump(last, next) / 4) return false;
-        Piece extended = longer;
+        const Series& longer = forward ? last : next;
+        const Series& shorter = forward ? next : last;
+        if (shorter.length * jump(last, next) > m_mostDisplaced) return false;
+        Series extended = longer;
         extended.dropFront(forward ? last.length : -last.length);
-        const Piece deviation = difference(shorter, extended);
-        const Real size = deviation.magnitude();
-        const Real effect = size * shorter.length * weight;
-        if (effect > m_tolerance) return false;
-        if (size > m_mostDeviation * m_softForce) return false;  // it would move events
-        Piece& joined = forward ? longer : extended;
+        const Series deviation = difference(shorter, extended);
+        if (deviation.magnitude() > m_mostDeviation) return false;
+        const Real displaced = displacement(deviation);
+        if (displaced > m_mostDisplaced) return false;
+        const Real effect = m_passes * displaced * weight * (weight / 3) * (weight / 5) * (weight / 7);
+        if (effect > m_smoothEffect) return false;
+
+        Series& joined = m_joined;
+        joined = forward ? longer : extended;
         joined.length = whole;
         joined.rescale(whole);
-        if (joined.count == 0) {
-            joined.count = 1;
-            joined.c[0] = 0;
-        }
-        joined.c[0] += deviation.integral(shorter.length) / whole;
+        addMoments(joined, deviation, forward ? last.length / whole : Real(0), shorter.length / whole);
         if (joined.magnitude() > 2 * (last.magnitude() + next.magnitude())) return false;  // would cancel
-        last = joined;
+        static_cast<Series&>(last) = joined;
+        last.displace(next, displaced);
         error += effect;
-        m_worst = std::max(m_worst, size * shorter.length);
         return true;
     }
 
   private:
-    /// Of one joint on the impulse of order one, in double precision: a twentieth of its rounding.
-    static constexpr double mostEffect = 1e-17;
-    /// From so many round trips in contact on each joint may err in proportion: kinks are as many as trips.
-    static constexpr double manyTrips = 100;
-    /// Of the wave relative to the force on soft rock: more would move events, which the effect on the
-    /// impulse of a single joint does not show.
-    static constexpr double mostDeviation = 1e-9;
+    using Series = PowerSeries<Real>;
+
     /// aℓ: a longer piece has a layer of a stiff contact in it, which no other series follows.
     static constexpr double layer = 0.5;
 
@@ -85,9 +75,16 @@ class SeriesJoiner {
         return last.count <= 1 && next.count <= 1 ? std::abs(last.startValue() - next.startValue()) : Real(0);
     }
 
+    /// ∫|f| over its length, or somewhat more.
+    static Real displacement(const Series& f) {
+        Real sum = 0;
+        for (int k = 0; k < f.count; ++k) sum += std::abs(f.c[k]) / Real(k + 1);
+        return sum * f.length;
+    }
+
     /// f − g on the scale of f's length.
-    static Piece difference(const Piece& f, const Piece& g) {
-        Piece result = f, subtracted = g;
+    static Series difference(const Series& f, const Series& g) {
+        Series result = f, subtracted = g;
         result.rescale(f.length);
         subtracted.rescale(f.length);
         for (int k = result.count; k < subtracted.count; ++k) result.c[k] = 0;
@@ -96,12 +93,12 @@ class SeriesJoiner {
         return result;
     }
 
-    Real m_fastest = 0;        ///< β/γ
-    Real m_softForce = 0;      ///< √(β/τ), about the peak force on a soft rock
-    Real m_relativePeak = 0;   ///< √(βτ), about β over that force
-    Real m_tolerance = 0;      ///< of the effect on the impulse
-    Real m_mostDeviation = 0;  ///< of the wave force where the contact is soft, relative to m_softForce
-    Real m_worst = 0;          ///< largest impulse displaced: the peak force errs by β times it
+    Real m_fastest = 0;  ///< β/γ
+    Real m_passes = 1;   ///< JoiningBudget
+    Real m_smoothEffect = 0;
+    Real m_mostDisplaced = 0;
+    Real m_mostDeviation = 0;
+    Series m_joined;
 };
 
 }  // namespace drillwave

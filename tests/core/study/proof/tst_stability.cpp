@@ -90,8 +90,8 @@ class TestStability : public QObject {
     }
 
     void aCaseBeyondTheWorkLimitIsCountedAsNotSolved() {
-        // soft rock with a stiff return: each of 10 000 round trips leaves kinks
-        const StabilityCase softest{"softest", PulseShape::rectangular, 2, {1e-9, 1e-4, 0.6, 0}};
+        // soft rock: a contact of fifty million round trips
+        const StabilityCase softest{"softest", PulseShape::rectangular, 2, {1e-15, 1e-4, 0.6, 0}};
         const StabilityReport report = checkStability({softest}, 1, {}, ignoreProgress);
         QCOMPARE(report.notSolved(), std::size_t(1));
         QCOMPARE(report.failed(), std::size_t(0));
