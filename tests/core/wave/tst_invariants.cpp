@@ -19,7 +19,8 @@ class TestInvariants : public QObject {
     void momentumAndEnergyBalance() {
         QFETCH(bool, extreme);
         RandomScenes scenes(extreme ? extremeDomain : engineeringDomain, 11);
-        // of soft rock pieces of wave are joined: their impulse is kept, their energy to this share of the work
+        // of soft rock pieces of wave are joined: their impulse is kept, their energy to this share of the
+        // work
         const double share = extreme ? 4e-10 : 1e-11;
         scenes.forEachSolved(2000, Detail::ledger, [share](const Scene& scene, const Impact& impact) {
             // the impulse is summed from F, the momentum from the waves that are left: independent sums

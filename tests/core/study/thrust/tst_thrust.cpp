@@ -281,7 +281,8 @@ void TestThrust::theMarginOfAHeavyBlowIsLeftOut() {
     Blow light = solveBlow(scenario, {}, Detail::summary);
     addThrustMargin(light);
     QVERIFY(light.thrustMargin);
-    scenario.bitRock.stiffness /= 1e6;
+    scenario.bitRock.stiffness /= 1e8;
+    scenario.bitRock.gamma = 0.01;
     Blow heavy = solveBlow(scenario, {}, Detail::summary);
     QVERIFY(heavy.isSolved());
     addThrustMargin(heavy);
