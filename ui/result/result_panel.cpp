@@ -12,6 +12,7 @@
 #include <string>
 
 #include "core/blow/thrust.h"
+#include "ui/result/alert_link.h"
 #include "ui/result/event_table.h"
 #include "ui/result/feed_text.h"
 #include "ui/result/output_text.h"
@@ -218,7 +219,8 @@ void ResultPanel::addTimes() {
 
 void ResultPanel::addAlerts() {
     m_alerts = new AlertList;
-    auto* layout = new QVBoxLayout(addSection(tr("Alerts"))->content());
+    m_alertSection = addSection(tr("Alerts"));
+    auto* layout = new QVBoxLayout(m_alertSection->content());
     layout->setContentsMargins(4, 0, 0, 0);
     layout->addWidget(m_alerts);
     connect(m_alerts, &AlertList::parameterChosen, this, &ResultPanel::parameterChosen);
@@ -234,6 +236,18 @@ void ResultPanel::addNumbers(const QString& title, const QList<Entry>& entries) 
     SectionBox* section = addSection(title);
     QWidget* content = section->content();
     auto* grid = new QGridLayout(content);
+    // The list is last, often below what can be seen: how long it is stands first, always in a row of its
+    // own, or all the numbers would move.
+    auto* link = new AlertLink(*m_alerts, AlertLink::WithoutAny::said, widget());
+    connect(link, &QToolButton::clicked, this, &ResultPanel::goToAlerts);
+    static_cast<QVBoxLayout*>(widget()->layout())->insertWidget(0, link, 0, Qt::AlignLeft);
+}
+
+void ResultPanel::goToAlerts() {
+    m_alertSection->setOpen(true);
+    widget()->layout()->activate();
+    ensureWidgetVisible(m_alertSection, 0, 0);
+    m_alerts->takeFocus();
     grid->setContentsMargins(4, 0, 0, 0);
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(3);

@@ -40,6 +40,8 @@ class ResultPanel : public SteadyScrollArea {
     QString text() const;
 
     AlertList* alerts() const { return m_alerts; }
+    /// Brings the alerts into view, and the keyboard to them.
+    void goToAlerts();
     QSize sizeHint() const override;
     /// Wide enough that nothing is cut off at the side.
     QSize minimumSizeHint() const override;
@@ -119,3 +121,4 @@ class ResultPanel : public SteadyScrollArea {
 };
 
 }  // namespace drillwave
+    SectionBox* m_alertSection = nullptr;
