@@ -54,6 +54,9 @@ class ResultPanel : public SteadyScrollArea {
     /// The user follows an alert to its parameter: the key, as in parameters().
     void parameterChosen(const QString& key);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
     /// How one number of a blow is written; empty where it is not given.
     using Text = std::function<QString(const SolvedBlow&)>;
@@ -61,6 +64,9 @@ class ResultPanel : public SteadyScrollArea {
     using Number = std::function<std::optional<double>(const SolvedBlow&, UnitSystem)>;
     /// How a number of the blow on show is off that of the reference.
     using Change = std::function<QString(double now, double then)>;
+    /// Whether the text is a warning, and is to look like one.
+    using Warning = std::function<bool(const SolvedBlow&)>;
+    enum class Weight { usual, heavy };
     struct Row {
         SectionBox* section;
         QLabel* name;
@@ -71,8 +77,8 @@ class ResultPanel : public SteadyScrollArea {
         Number number;
         Change changeText;
         QLabel* change;  // against the reference
+        Warning warning;
     };
-    enum class Weight { usual, heavy };
     struct Entry {
         QString name;
         QString meaning;
@@ -84,6 +90,7 @@ class ResultPanel : public SteadyScrollArea {
         Number number = nullptr;
         RodForce RodForces::*place = nullptr;  ///< what the text leads to
         Change changeText = nullptr;           ///< in percent where there is none
+        Warning warning = nullptr;
     };
 
     SectionBox* addSection(const QString& title);
@@ -117,8 +124,8 @@ class ResultPanel : public SteadyScrollArea {
     EnergyBar* m_energy = nullptr;
     EventTable* m_events = nullptr;
     AlertList* m_alerts = nullptr;
+    SectionBox* m_alertSection = nullptr;
     StaleVeil* m_veil;
 };
 
 }  // namespace drillwave
-    SectionBox* m_alertSection = nullptr;
