@@ -67,6 +67,7 @@ class TestMapPlot : public QObject {
     void whatIsNotThereYetHasTheColourOfItsNeighbour();
     void aMapOfOneValueIsDrawn();
     void nothingIsShownWithItsReason();
+    void cutsSayWhereTheyAreNotThroughTheScenario();
     void namesOfRunsKeepClearOfEachOtherAndOfPresets();
 };
 
@@ -138,6 +139,17 @@ void TestMapPlot::aMapOfOneValueIsDrawn() {
     const Drawn drawn(reportOf({0.5, 0.5, 0.5, 0.5}));
     QVERIFY(drawn.plot.picture()->colours.largest > drawn.plot.picture()->colours.least);
     QCOMPARE(qAlpha(drawn.at(1.3, 0.3)), 255);
+}
+
+void TestMapPlot::cutsSayWhereTheyAreNotThroughTheScenario() {
+    Drawn drawn(reportOf({0.2, 0.6, 1.1, 1.4}));
+    const auto name = [&] { return drawn.plot.cutAlongX()->name(); };
+    drawn.plot.setHere(QPointF(1, 1));
+    QVERIFY2(!name().contains("nearest") && name().endsWith('1'), qPrintable(name()));
+    drawn.plot.setHere(QPointF(1, 0.9));
+    QVERIFY2(name().startsWith("nearest: ") && name().endsWith('1'), qPrintable(name()));
+    drawn.plot.setHere(QPointF(1, 0));
+    QVERIFY2(!name().contains("nearest") && name().endsWith('0'), qPrintable(name()));
 }
 
 // Two runs one above the other beside a preset, one in the upper right corner.
