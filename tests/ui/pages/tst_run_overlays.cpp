@@ -70,6 +70,7 @@ class TestRunOverlays : public QObject {
     void theWavePictureHasTheRunsAlongTheRod();
     void withoutRunsThePictureHasItsRoom();
     void theGapHasTheCurveOfTheRunsScenario();
+    void curvesFarBelowSuperReboundHaveTheHeight();
     void outOfSightNoGapIsStudied();
     void whatIsKnownIsNotStudiedAgain();
     void whatFailsIsNotStudiedAgain();
@@ -460,6 +461,23 @@ void TestRunOverlays::theGapHasTheCurveOfTheRunsScenario() {
     const QCPGraph* present = page.gapPlot()->graph();
     bool found = false;
     QVERIFY(half->getKeyRange(found).upper > 0.99 * present->getKeyRange(found).upper);
+}
+
+void TestRunOverlays::curvesFarBelowSuperReboundHaveTheHeight() {
+    GapPage page(*m_document);
+    page.show();
+    present(page);
+    QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runs().graphs().size(), 2, patience);
+    const QCPAxis* values = page.gapPlot()->graph()->valueAxis();
+    const auto curve = [](double from, double to) {
+        const GraphData data = GraphData::create();
+        data->set({{0, from}, {1, to}}, true);
+        return QVector<RunCurve>{{0, "A", data}};
+    };
+    page.gapPlot()->setRuns(curve(0.2, 0.7), {});
+    QVERIFY(0.5 > 0.75 * values->range().size());
+    page.gapPlot()->setRuns(curve(0.2, 0.95), {});
+    QVERIFY(values->range().upper > 1);  // near to it, where it begins is in view
 }
 
 void TestRunOverlays::outOfSightNoGapIsStudied() {
