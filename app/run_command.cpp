@@ -99,13 +99,11 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
     SolvedRun run{.blow = solve(document.scenario, choice, writesFiles ? Detail::histories : Detail::ledger,
-                                json ? Stresses::wanted : Stresses::asNeeded, interruption.token()),
+                                Stresses::wanted, interruption.token()),
                   .scenarioText = {},
                   .units = files.units.value_or(customaryUnits(document.scenario))};
-    if (json || writesFiles) {
-        addThrustMargin(run.blow, interruption.token());
-        run.scenarioText = completeScenarioText(document);
-    }
+    addThrustMargin(run.blow, interruption.token());
+    if (json || writesFiles) run.scenarioText = completeScenarioText(document);
     interruption.check();
     if (!run.blow.isSolved()) {
         if (json) print(run, {}, json);

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <optional>
 
+#include "core/blow/outputs.h"
 #include "core/report/alert_words.h"
+#include "core/report/feed_words.h"
+#include "core/report/report_numbers.h"
 #include "core/report/report_text.h"
 #include "core/text/number_text.h"
 
@@ -25,6 +28,13 @@ class ResultRows {
         else
             m_grid.add({label, shown});
     }
+    /// The same with where and when.
+    void add(const char* label, const RodForce& force, const Blow& blow) {
+        std::vector<std::string> cells{label, rounded(force.size) + " F0/A"};
+        if (m_dimensional) cells.push_back(inHandyUnit(force.size * blow.scales.stress, Quantity::stress));
+        if (force.size > 0) cells.push_back(placeText(force, blow));
+        m_grid.add(std::move(cells));
+    }
     void addText(const char* label, std::string text) { m_grid.add({label, std::move(text)}); }
     std::string text() const { return m_grid.text(); }
 
@@ -36,6 +46,50 @@ class ResultRows {
 /// Shares of the energy are known to 1e-12: what is smaller is rounding.
 double share(double fraction) {
     return std::abs(fraction) < 1e-12 ? 0 : fraction;
+}
+
+void addStresses(ResultRows& rows, const Blow& blow) {
+    if (!blow.summary.rodForces) return;
+    const RodForces& forces = *blow.summary.rodForces;
+    rows.add("largest compression", forces.compression, blow);
+    rows.add("largest tension", forces.tension, blow);
+    rows.add("  compression after", forces.compressionAfter, blow);
+    rows.add("  tension after", forces.tensionAfter, blow);
+}
+
+/// What there is where blows have a frequency.
+void addRate(ResultRows& rows, const Blow& blow) {
+    const auto add = [&](const char* label, const char* name, const char* bound) {
+        const Output& output = *findOutput(name);
+        if (!output.problem(blow.scenario).empty()) return;
+        if (const auto value = output.value({blow.summary, blow.scenario}))
+            rows.addText(label, bound + inHandyUnit(*value, output.quantity(), 4));
+    };
+    add("percussion power", "percussion_power", "");
+    add("penetration rate", "penetration_rate", "at most ");
+}
+
+/// Of the margin over the largest of the four needs.
+std::string marginText(double margin, double effective) {
+    const double need = effective / (1 + margin);
+    const std::string share = rounded(100 * std::abs(margin), 3) + " %";
+    return inHandyUnit(need, Quantity::force, 4) +
+           (margin < 0 ? ", not met: short by " + inHandyUnit(need - effective, Quantity::force, 4) + " (" +
+                             share + ")"
+                       : ", met with " + inHandyUnit(effective - need, Quantity::force, 4) + " (" + share +
+                             ") to spare");
+}
+
+void addFeed(ResultRows& rows, const Blow& blow) {
+    if (!blow.feed) return;
+    const std::optional<FeedForce>& force = blow.feed->force;
+    std::string needed = inHandyUnit(blow.feed->fullRate, Quantity::force);
+    if (force) needed += ", installed " + inHandyUnit(force->thrust, Quantity::force);
+    if (force && force->weight) needed += ", effective " + inHandyUnit(force->effective(), Quantity::force);
+    rows.addText("thrust needed", needed);
+    if (force && blow.thrustMargin)
+        rows.addText("  worst of 4 needs", marginText(*blow.thrustMargin, force->effective()));
+    if (force) rows.addText("  feed", std::string(feedWord(blow.feed->feed)));
 }
 
 std::string resultText(const Blow& blow) {
@@ -51,6 +105,8 @@ std::string resultText(const Blow& blow) {
     rows.add("peak force", summary.peakForce, "F0", scales.force, Quantity::force);
     rows.add("largest penetration", summary.maxPenetration, "d0", scales.penetration, Quantity::length);
     rows.add("residual penetration", summary.residualPenetration, "d0", scales.penetration, Quantity::length);
+    addStresses(rows, blow);
+    addRate(rows, blow);
     rows.add("first contact", summary.firstContactTime, "t0", scales.time, Quantity::time);
     rows.add("last separation", summary.separationTime, "t0", scales.time, Quantity::time);
     rows.add("time in contact", summary.contactDuration, "t0", scales.time, Quantity::time);
@@ -60,16 +116,7 @@ std::string resultText(const Blow& blow) {
     rows.add("  in waves", share(summary.energy.residualWaveEnergy), "W", work, Quantity::energy);
     rows.addText("balance errors", rounded(summary.momentumResidual, 2) + " of I0, " +
                                        rounded(summary.energy.residual, 2) + " of W");
-    if (blow.feed) {
-        const std::optional<FeedForce>& force = blow.feed->force;
-        rows.addText("thrust needed",
-                     inHandyUnit(blow.feed->fullRate, Quantity::force) +
-                         (force ? ", installed " + inHandyUnit(force->thrust, Quantity::force) +
-                                      (force->weight
-                                           ? ", effective " + inHandyUnit(force->effective(), Quantity::force)
-                                           : std::string())
-                                : std::string()));
-    }
+    addFeed(rows, blow);
     return rows.text();
 }
 

@@ -86,16 +86,18 @@ ReportCell siCell(const Output& output, double value, const Blow& blow) {
 
 ReportCell placeCell(const Output& output, const Blow& blow) {
     if (!output.force || !blow.summary.rodForces) return {};
-    const RodForce& found = (*blow.summary.rodForces).*output.force;
-    if (!(found.size > 0)) return {};
-    if (!isDimensional(blow))
-        return {"at x/L = " + rounded(found.section, 4) + ", t = " + rounded(found.time, digits) + " t₀", {}};
-    return {inHandyUnit(found.section * blow.scales.length, Quantity::length, 4) + " from the hammer, at " +
-                inHandyUnit(found.time * blow.scales.time, Quantity::time, 4),
-            {}};
+    return {placeText((*blow.summary.rodForces).*output.force, blow), {}};
 }
 
 }  // namespace
+
+std::string placeText(const RodForce& found, const Blow& blow) {
+    if (!(found.size > 0)) return {};
+    if (!isDimensional(blow))
+        return "at x/L = " + rounded(found.section, 4) + ", t = " + rounded(found.time, digits) + " t₀";
+    return inHandyUnit(found.section * blow.scales.length, Quantity::length, 4) + " from the hammer, at " +
+           inHandyUnit(found.time * blow.scales.time, Quantity::time, 4);
+}
 
 std::vector<ReportRow> resultRows(const Blow& blow) {
     std::vector<ReportRow> rows;

@@ -23,6 +23,9 @@ struct ReportRow {
     std::vector<ReportCell> cells;
 };
 
+/// Where in the rod and when a largest force is: "1.2 m from the hammer, at 300 us"; empty for one of size 0.
+std::string placeText(const RodForce& found, const Blow& blow);
+
 /// Every output that the scenario has: as a multiple of what it is measured in; in SI, where the scenario has
 /// units; where and when, for the largest stresses. Of a blow that was solved.
 std::vector<ReportRow> resultRows(const Blow& blow);

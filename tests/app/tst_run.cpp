@@ -56,6 +56,7 @@ class TestRun : public QObject {
     void aYieldStrengthAddsAWarningAndChangesNothingElse();
     void settingsApplyWhateverTheirOrder();
     void theSummaryIsForPeople();
+    void theSummaryHasWhatADrillerDecidesBy();
     void filesAreWrittenAndNotOverwritten();
     void plotsOfAnEarlierRunDoNotStay();
     void everyRunWritesTheSameBytes();
@@ -185,6 +186,38 @@ void TestRun::theSummaryIsForPeople() {
     for (const QByteArray& line : finished.out.split('\n')) QVERIFY2(line.size() < 160, line);
     const Finished warned = run({"run", example("t38_medium_rock"), "--set", "drill.thrust=1kN"});
     QVERIFY(warned.out.contains("warning: The installed thrust of 1 kN is below f I0 = 3.06 kN"));
+}
+
+// As the window puts them first.
+void TestRun::theSummaryHasWhatADrillerDecidesBy() {
+    const auto lineOf = [](const Finished& finished, const QByteArray& name) {
+        for (const QByteArray& line : finished.out.split('\n'))
+            if (line.trimmed().startsWith(name)) return line;
+        return QByteArray();
+    };
+    const QString file = example("t38_medium_rock");
+    const Finished finished = run({"run", file});
+    const QJsonObject si = blow({file})["si"].toObject();
+    const QByteArray tension = lineOf(finished, "largest tension");
+    QVERIFY(tension.contains(QByteArray::number(si["peak_tension"].toDouble() / 1e6, 'g', 6) + " MPa"));
+    QVERIFY2(tension.contains(" from the hammer, at "), tension);
+    QVERIFY(lineOf(finished, "largest compression").contains(" MPa "));
+    const QByteArray power = QByteArray::number(si["percussion_power"].toDouble() / 1e3, 'g', 4) + " kW";
+    QVERIFY2(lineOf(finished, "percussion power").endsWith(power), lineOf(finished, "percussion power"));
+    QVERIFY(lineOf(finished, "penetration rate").contains("at most "));
+    QVERIFY(lineOf(finished, "feed").endsWith("bit back in time"));
+    QVERIFY(lineOf(finished, "worst of 4 needs").contains(", met with "));
+    const Finished weak = run({"run", file, "--set", "drill.thrust=4.5kN"});
+    const double margin =
+        blow({file, "--set", "drill.thrust=4.5kN"})["si"].toObject()["thrust_margin"].toDouble();
+    QVERIFY(margin < 0);
+    const QByteArray share = "(" + QByteArray::number(-100 * margin, 'g', 3) + " %)";
+    const QByteArray said = lineOf(weak, "worst of 4 needs");
+    QVERIFY2(said.contains(", not met: short by ") && said.endsWith(share), said);
+    // In groups there is neither a frequency nor a stress in MPa.
+    const Finished groups = run({"run", example("paper_fig4a")});
+    QVERIFY(lineOf(groups, "largest compression").contains(" F0/A  at x/L = "));
+    QVERIFY(lineOf(groups, "percussion power").isEmpty());
 }
 
 void TestRun::filesAreWrittenAndNotOverwritten() {

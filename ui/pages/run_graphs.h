@@ -20,6 +20,9 @@ namespace drillwave {
 /// How a legend calls a run beside others: by its name where there is room for it.
 QString runLegend(const QString& title, qsizetype runs);
 
+/// The pen of a run as a broad translucent band in dashes as long.
+QPen runBand(QPen pen);
+
 /// One run's curve.
 template <class Data>
 struct RunDrawing {
@@ -31,8 +34,8 @@ using RunCurve = RunDrawing<GraphData>;
 /// One that may turn back.
 using RunPath = RunDrawing<QSharedPointer<QCPCurveDataContainer>>;
 
-/// Curves over two axes behind those of the page, in the legend with their letters or, where they are few,
-/// their names. Lives as a child of the plot.
+/// Curves over two axes behind those of the page, in the legend with their names or, where these do not fit
+/// or are many, their letters. Lives as a child of the plot.
 template <class Plottable, class Drawing>
 class RunDrawings : public QObject {
   public:
@@ -46,7 +49,15 @@ class RunDrawings : public QObject {
           m_y(y),
           m_legend(legend),
           m_width(width),
-          m_style(PlotStyle::forPaper()) {}
+          m_style(PlotStyle::forPaper()) {
+        if (!legend) return;
+        connect(x->parentPlot(), &QCustomPlot::beforeReplot, this, [this] { nameCurves(false); });
+        connect(x->parentPlot(), &QCustomPlot::afterLayout, this, [this] { fitNames(); });
+    }
+
+    /// Translucent bands, where thin lines are curves of another kind; in the legend as the name of that
+    /// which they are, with the letters of the runs: "N A".
+    void setBands(const QString& name) { m_bands = name; }
 
     /// These in place of the last ones. Curves of the same runs stay: hidden ones are hidden, and what is
     /// read goes on being read.
@@ -87,23 +98,40 @@ class RunDrawings : public QObject {
             plot.removePlottable(graph);
         }
         m_graphs.clear();
-        for (const Drawing& drawing : m_drawings) {
+        for (qsizetype i = 0; i < m_drawings.size(); ++i) {
             Plottable* graph = add(m_x, m_y);
             graph->removeFromLegend();  // of the plot, which may have taken it in by itself
             graph->setLayer(ghostLayer(plot));
             graph->setSelectable(QCP::stNone);
-            graph->setName(runLegend(drawing.title, m_drawings.size()));
             if constexpr (std::is_same_v<Plottable, QCPGraph>) graph->setAdaptiveSampling(false);
             if (m_legend) graph->addToLegend(m_legend);
             m_graphs.append(graph);
         }
+        nameCurves(false);
         applyStyle();
+    }
+    void nameCurves(bool byLetters) {
+        for (qsizetype i = 0; i < m_graphs.size(); ++i) {
+            const QString& title = m_drawings[i].title;
+            m_graphs[i]->setName(!m_bands.isEmpty() ? m_bands + QLatin1Char(' ') + title.left(1)
+                                 : byLetters        ? title.left(1)
+                                                    : runLegend(title, m_graphs.size()));
+        }
+    }
+    // A legend that is too wide for its row is squeezed, and its last letters are cut off.
+    void fitNames() {
+        if (m_graphs.isEmpty() || !m_bands.isEmpty()) return;
+        if (m_legend->minimumOuterSizeHint().width() <= m_legend->outerRect().width()) return;
+        nameCurves(true);
+        for (const auto phase :
+             {QCPLayoutElement::upPreparation, QCPLayoutElement::upMargins, QCPLayoutElement::upLayout})
+            m_x->parentPlot()->plotLayout()->update(phase);
     }
     void applyStyle() {
         for (qsizetype i = 0; i < m_graphs.size(); ++i) {
             QPen pen = runPen(m_drawings[i].number, m_style);
             pen.setWidthF(m_width * pen.widthF());
-            m_graphs[i]->setPen(pen);
+            m_graphs[i]->setPen(m_bands.isEmpty() ? pen : runBand(pen));
         }
         if (m_legend) m_style.applyTo(*m_legend);
     }
@@ -112,6 +140,7 @@ class RunDrawings : public QObject {
     QCPAxis* m_y;
     QCPLegend* m_legend;
     double m_width;
+    QString m_bands;  // their name; empty where they are lines
     PlotStyle m_style;
     QVector<Drawing> m_drawings;
     QVector<Plottable*> m_graphs;

@@ -7,14 +7,17 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QStyleOptionComboBox>
+#include <QStylePainter>
 #include <QToolButton>
+#include <algorithm>
 
 namespace drillwave {
 namespace {
 
 constexpr int cellColumns = 3;  // of two lines each
 constexpr int margin = 3;
-constexpr int choiceWidth = 96;
+constexpr int choiceWidth = 96, mostChoiceWidth = 180;
 constexpr int digitsWhereNarrow = 5;
 constexpr int largeType = 20;    // [px] high: a narrow table has no room for it
 constexpr double shrunk = 0.75;  // then
@@ -26,11 +29,30 @@ QString cellText(const ReadingCell& cell, const QLocale& locale, int digits) {
     return cell.label.isEmpty() ? number : cell.label + QLatin1Char(' ') + number;
 }
 
+// Ends a name for which there is no room with an ellipsis.
+class CurveChoice : public QComboBox {
+  public:
+    using QComboBox::QComboBox;
+
+  protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QStylePainter painter(this);
+        QStyleOptionComboBox option;
+        initStyleOption(&option);
+        painter.drawComplexControl(QStyle::CC_ComboBox, option);
+        const int room =
+            style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this).width();
+        constexpr int edges = 4;  // of the text within the field [px]
+        option.currentText = fontMetrics().elidedText(option.currentText, Qt::ElideRight, room - edges);
+        painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+    }
+};
+
 }  // namespace
 
 CursorBar::CursorBar(QWidget* parent)
     : QFrame(parent),
-      m_choice(new QComboBox(this)),
+      m_choice(new CurveChoice(this)),
       m_grid(new QGridLayout(this)),
       m_copy(new QToolButton(this)),
       m_close(new QToolButton(this)) {
@@ -66,9 +88,13 @@ CursorBar::CursorBar(QWidget* parent)
     arrange();
 }
 
-bool CursorBar::isWide(int width) const {
+int CursorBar::leastWide() const {
     const int cell = fontMetrics().horizontalAdvance(QStringLiteral("integral −88.8888 kN·ms"));
-    return width >= choiceWidth + (cellColumns + 2) * (cell + m_grid->horizontalSpacing()) + 80;
+    return choiceWidth + (cellColumns + 2) * (cell + m_grid->horizontalSpacing()) + 80;
+}
+
+bool CursorBar::isWide(int width) const {
+    return width >= leastWide();
 }
 
 int CursorBar::heightFor(int width) const {
@@ -101,6 +127,8 @@ void CursorBar::arrange() {
 
 void CursorBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
+    const int spare = event->size().width() - leastWide();
+    m_choice->setFixedWidth(std::clamp(choiceWidth + spare, choiceWidth, mostChoiceWidth));
     if (isWide(event->size().width()) != isWide(event->oldSize().width())) {
         arrange();
         writeCells();
@@ -117,8 +145,10 @@ void CursorBar::setCurves(const QList<QCPGraph*>& curves, const QCPGraph* chosen
     if (names != present) {
         m_choice->clear();
         m_choice->addItems(names);
+        for (int i = 0; i < m_choice->count(); ++i) m_choice->setItemData(i, names[i], Qt::ToolTipRole);
     }
     m_choice->setCurrentIndex(static_cast<int>(curves.indexOf(const_cast<QCPGraph*>(chosen))));
+    m_choice->setToolTip(m_choice->currentText());
 }
 
 void CursorBar::present(const ReadingCells& cells, Of of) {

@@ -45,6 +45,7 @@ class CursorBar : public QFrame {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
+    int leastWide() const;
     bool isWide(int width) const;
     void arrange();
     void writeCells();

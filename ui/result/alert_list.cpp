@@ -41,6 +41,9 @@ void AlertList::present(const QString& problem, const std::vector<Alert>& alerts
     // Most solutions while a slider is dragged change nothing here.
     if (texts == m_texts && !m_labels.isEmpty()) return;
     m_texts = texts;
+    m_hasProblem = !problem.isEmpty();
+    m_hasWarnings =
+        std::ranges::any_of(alerts, [](const Alert& alert) { return alert.level == AlertLevel::warning; });
     if (isVisible()) setMinimumHeight(std::max(minimumHeight(), height()));
     m_rest.start();
     qsizetype row = 0;
@@ -53,6 +56,11 @@ void AlertList::present(const QString& problem, const std::vector<Alert>& alerts
     }
     if (row == 0) write(row++, QStringLiteral("✓"), tr("Nothing unusual"), tr("Nothing unusual."), {});
     for (qsizetype unused = row; unused < m_labels.size(); ++unused) m_labels[unused]->hide();
+    emit changed();
+}
+
+void AlertList::takeFocus() {
+    if (!m_labels.isEmpty()) m_labels.first()->setFocus(Qt::OtherFocusReason);
 }
 
 // Labels stay: made anew they would flicker, and take a selection or the focus with them.

@@ -26,8 +26,16 @@ class AlertList : public QWidget {
     void present(const QString& problem, const std::vector<Alert>& alerts);
     /// The texts shown.
     QStringList texts() const { return m_texts; }
+    /// Whether they say why there is no solution.
+    bool hasProblem() const { return m_hasProblem; }
+    /// Whether there is more than notes among them.
+    bool hasWarnings() const { return m_hasWarnings; }
+    /// Gives the keyboard to the first of them.
+    void takeFocus();
 
   signals:
+    /// Other texts are shown.
+    void changed();
     /// The user follows an alert to its parameter: the key, as in parameters().
     void parameterChosen(const QString& key);
 
@@ -37,6 +45,8 @@ class AlertList : public QWidget {
     QLabel* labelAt(qsizetype row);
 
     QStringList m_texts;
+    bool m_hasProblem = false;
+    bool m_hasWarnings = false;
     QList<QLabel*> m_labels;
     QTimer m_rest;
 };

@@ -41,6 +41,33 @@ QString worstNeedText(const WorstNeed& worst, const SolvedBlow& blow) {
     return worst.isCurrent() ? text : QStringLiteral("(%1) %2").arg(text, soon);
 }
 
+namespace {
+
+std::optional<double> worstMargin(const WorstNeed& worst, const SolvedBlow& blow) {
+    const std::optional<double> need = worst.thrust();
+    if (!worst.isCurrent() || !need || !blow.feed || !blow.feed->force) return std::nullopt;
+    return *blow.feed->effective() - *need;
+}
+
+}  // namespace
+
+bool isShortOfWorst(const WorstNeed& worst, const SolvedBlow& blow) {
+    const std::optional<double> margin = worstMargin(worst, blow);
+    return margin && *margin < 0;
+}
+
+QString worstMarginText(const WorstNeed& worst, const SolvedBlow& blow) {
+    if (!blow.feed || !blow.feed->force) return {};
+    if (!worst.isCurrent()) return QStringLiteral("…");
+    const std::optional<double> margin = worstMargin(worst, blow);
+    if (!margin) return {};
+    const QString size = forceText(std::abs(*margin), blow);
+    const QString share = numberText(std::abs(std::round(100 * *margin / *worst.thrust())), 4, QLocale());
+    if (*margin < 0)
+        return QCoreApplication::translate("drillwave::FeedText", "⚠ short by %1 (−%2 %)").arg(size, share);
+    return QCoreApplication::translate("drillwave::FeedText", "✓ met, %1 (%2 %) to spare").arg(size, share);
+}
+
 QString thrustInstalledText(const SolvedBlow& blow) {
     const std::optional<FeedForce> feed = feedForceOf(blow.scenario);
     if (!feed) return {};

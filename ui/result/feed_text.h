@@ -17,6 +17,12 @@ QString thrustNeededText(const SolvedBlow& blow);
 /// The largest of four needs; marked by an ellipsis while it is not of this blow.
 QString worstNeedText(const WorstNeed& worst, const SolvedBlow& blow);
 
+/// Whether what is installed reaches that, with the difference in words and as a share: "⚠ short by …". Empty
+/// where either is not known, an ellipsis where the need is not of this blow.
+QString worstMarginText(const WorstNeed& worst, const SolvedBlow& blow);
+/// Whether it is known to be less.
+bool isShortOfWorst(const WorstNeed& worst, const SolvedBlow& blow);
+
 /// The installed thrust, and the effective force where weight along the hole counts.
 QString thrustInstalledText(const SolvedBlow& blow);
 

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "core/blow/thrust.h"
+#include "ui/result/alert_link.h"
 #include "ui/result/event_table.h"
 #include "ui/result/feed_text.h"
 #include "ui/result/output_text.h"
@@ -19,6 +20,7 @@
 #include "ui/result/place_link.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/number_text.h"
+#include "ui/text/warning_text.h"
 
 namespace drillwave {
 namespace {
@@ -140,6 +142,18 @@ void ResultPanel::addThrust() {
           Weight::usual,
           worstName,
           [this](const SolvedBlow& blow, UnitSystem) { return worstOf(blow); }},
+         {{},
+          tr("Feed force less the worst of the four needs, and as a share of that: thrust_margin of commands "
+             "and files"),
+          [this](const SolvedBlow& blow) { return worstMarginText(m_worst, blow); },
+          {},
+          nullptr,
+          Weight::usual,
+          worstName,
+          nullptr,
+          nullptr,
+          nullptr,
+          [this](const SolvedBlow& blow) { return isShortOfWorst(m_worst, blow); }},
          {tr("installed"),
           tr("Feed force of the drill rig"),
           thrustInstalledText,
@@ -218,10 +232,23 @@ void ResultPanel::addTimes() {
 
 void ResultPanel::addAlerts() {
     m_alerts = new AlertList;
-    auto* layout = new QVBoxLayout(addSection(tr("Alerts"))->content());
+    m_alertSection = addSection(tr("Alerts"));
+    auto* layout = new QVBoxLayout(m_alertSection->content());
     layout->setContentsMargins(4, 0, 0, 0);
     layout->addWidget(m_alerts);
     connect(m_alerts, &AlertList::parameterChosen, this, &ResultPanel::parameterChosen);
+    // The list is last, often below what can be seen: how long it is stands first, always in a row of its
+    // own, or all the numbers would move.
+    auto* link = new AlertLink(*m_alerts, AlertLink::WithoutAny::said, widget());
+    connect(link, &QToolButton::clicked, this, &ResultPanel::goToAlerts);
+    static_cast<QVBoxLayout*>(widget()->layout())->insertWidget(0, link, 0, Qt::AlignLeft);
+}
+
+void ResultPanel::goToAlerts() {
+    m_alertSection->setOpen(true);
+    widget()->layout()->activate();
+    ensureWidgetVisible(m_alertSection, 0, 0);
+    m_alerts->takeFocus();
 }
 
 SectionBox* ResultPanel::addSection(const QString& title) {
@@ -278,7 +305,7 @@ void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const Entry& en
     }
     value->setObjectName(entry.objectName);
     m_rows.append({section, name, value, entry.meaning, entry.text, entry.note, entry.number,
-                   entry.changeText ? entry.changeText : percentText, change});
+                   entry.changeText ? entry.changeText : percentText, change, entry.warning});
 }
 
 void ResultPanel::addEvents() {
@@ -360,9 +387,13 @@ void ResultPanel::showRow(const Row& row) {
     const bool solved = m_blow->problem.isEmpty();
     const QString text = solved ? row.text(*m_blow) : QString();
     row.value->setText(text.isEmpty() ? nothing : text);
+    if (row.warning) setWarning(*row.value, solved && row.warning(*m_blow));
     const QString note = solved && row.note ? row.note(*m_blow) : QString();
     row.value->setToolTip(note.isEmpty() ? row.meaning : row.meaning + QStringLiteral(".\n") + note);
-    row.value->setAccessibleName(QStringLiteral("%1: %2").arg(row.name->text(), row.value->text()));
+    // What has no name of its own goes on from the row above.
+    row.value->setAccessibleName(row.name->text().isEmpty()
+                                     ? row.value->text()
+                                     : QStringLiteral("%1: %2").arg(row.name->text(), row.value->text()));
     showChange(row);
 }
 
@@ -398,6 +429,12 @@ void ResultPanel::showWorst() {
 std::optional<double> ResultPanel::worstOf(const SolvedBlow& blow) const {
     const WorstNeed& worst = &blow == m_blow.get() ? m_worst : m_worstOfReference;
     return worst.isCurrent() ? worst.thrust() : std::nullopt;
+}
+
+// The colour of warnings is another in a dark palette.
+void ResultPanel::changeEvent(QEvent* event) {
+    SteadyScrollArea::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) showWorst();
 }
 
 QSize ResultPanel::sizeHint() const {

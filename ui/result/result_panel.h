@@ -40,6 +40,8 @@ class ResultPanel : public SteadyScrollArea {
     QString text() const;
 
     AlertList* alerts() const { return m_alerts; }
+    /// Brings the alerts into view, and the keyboard to them.
+    void goToAlerts();
     QSize sizeHint() const override;
     /// Wide enough that nothing is cut off at the side.
     QSize minimumSizeHint() const override;
@@ -52,6 +54,9 @@ class ResultPanel : public SteadyScrollArea {
     /// The user follows an alert to its parameter: the key, as in parameters().
     void parameterChosen(const QString& key);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
     /// How one number of a blow is written; empty where it is not given.
     using Text = std::function<QString(const SolvedBlow&)>;
@@ -59,6 +64,9 @@ class ResultPanel : public SteadyScrollArea {
     using Number = std::function<std::optional<double>(const SolvedBlow&, UnitSystem)>;
     /// How a number of the blow on show is off that of the reference.
     using Change = std::function<QString(double now, double then)>;
+    /// Whether the text is a warning, and is to look like one.
+    using Warning = std::function<bool(const SolvedBlow&)>;
+    enum class Weight { usual, heavy };
     struct Row {
         SectionBox* section;
         QLabel* name;
@@ -69,8 +77,8 @@ class ResultPanel : public SteadyScrollArea {
         Number number;
         Change changeText;
         QLabel* change;  // against the reference
+        Warning warning;
     };
-    enum class Weight { usual, heavy };
     struct Entry {
         QString name;
         QString meaning;
@@ -82,6 +90,7 @@ class ResultPanel : public SteadyScrollArea {
         Number number = nullptr;
         RodForce RodForces::*place = nullptr;  ///< what the text leads to
         Change changeText = nullptr;           ///< in percent where there is none
+        Warning warning = nullptr;
     };
 
     SectionBox* addSection(const QString& title);
@@ -115,6 +124,7 @@ class ResultPanel : public SteadyScrollArea {
     EnergyBar* m_energy = nullptr;
     EventTable* m_events = nullptr;
     AlertList* m_alerts = nullptr;
+    SectionBox* m_alertSection = nullptr;
     StaleVeil* m_veil;
 };
 

@@ -27,6 +27,7 @@
 #include "ui/pages/stiffness/stiffness_page.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
+#include "ui/result/alert_link.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/number_text.h"
 #include "ui/text/unit_choice.h"
@@ -189,6 +190,9 @@ void MainWindow::addMenus() {
 
 void MainWindow::addStatusBar() {
     statusBar()->addWidget(m_solveStatus);
+    m_alertLink = new AlertLink(*m_resultPanel->alerts(), AlertLink::WithoutAny::hidden, this);
+    m_alertLink->setObjectName(QStringLiteral("alertLink"));
+    statusBar()->addPermanentWidget(m_alertLink);
     statusBar()->addPermanentWidget(m_studyStatus);
 }
 
@@ -210,6 +214,10 @@ void MainWindow::wire() {
     connect(m_resultPanel, &ResultPanel::timeChosen, &m_observation, &Observation::setTime);
     connect(&m_observation, &Observation::timeChanged, m_resultPanel, &ResultPanel::setTime);
     connect(m_resultPanel, &ResultPanel::placeChosen, this, &MainWindow::goToPlace);
+    connect(m_alertLink, &QToolButton::clicked, this, [this] {
+        m_layout->reveal(m_resultSide);
+        m_resultPanel->goToAlerts();
+    });
     connect(m_resultPanel, &ResultPanel::parameterChosen, m_scenarioPanel.get(), &ScenarioPanel::goTo);
     connect(qApp, &QGuiApplication::commitDataRequest, this, &MainWindow::endSession, Qt::DirectConnection);
 }
@@ -329,6 +337,7 @@ void MainWindow::markResult(bool outOfDate) {
     if (outOfDate) statusBar()->clearMessage();  // it would cover what the solver does
     m_pages->setOutOfDate(outOfDate);
     m_resultPanel->setOutOfDate(outOfDate);
+    m_alertLink->setDisabled(outOfDate);
 }
 
 void MainWindow::presentState() {

@@ -16,6 +16,7 @@ class QSessionManager;
 
 namespace drillwave {
 
+class AlertLink;
 class ExampleNote;
 class ExportMenu;
 class FileNotice;
@@ -102,6 +103,7 @@ class MainWindow : public QMainWindow {
     PageTabs* m_pages;
     RodPage* m_rodPage = nullptr;
     SolveStatus* m_solveStatus;
+    AlertLink* m_alertLink = nullptr;
     StudyStatus* m_studyStatus;
     WindowLayout* m_layout;
     // Hands the last edits over as it goes: while all of the above is still there.

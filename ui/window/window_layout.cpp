@@ -41,6 +41,14 @@ void WindowLayout::addDock(const QString& title, const QString& name, QWidget* c
     if (m_docks.size() == 2) shareOneSide();
 }
 
+void WindowLayout::reveal(const QWidget* content) {
+    for (QDockWidget* dock : std::as_const(m_docks)) {
+        if (dock->widget() != content) continue;
+        dock->show();
+        dock->raise();
+    }
+}
+
 void WindowLayout::addTo(QMenu& menu) {
     for (const QDockWidget* dock : std::as_const(m_docks)) menu.addAction(dock->toggleViewAction());
     menu.addAction(tr("&Reset layout"), this, &WindowLayout::reset);

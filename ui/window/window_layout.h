@@ -22,6 +22,8 @@ class WindowLayout : public QObject {
 
     /// The first is on the left, the second on the right. `name` tells them apart in what is kept.
     void addDock(const QString& title, const QString& name, QWidget* content);
+    /// The dock of that content comes to the front, opened where it was closed.
+    void reveal(const QWidget* content);
     /// Docks to be shown or hidden, and everything to be put back.
     void addTo(QMenu& menu);
     void restoreSize();

@@ -55,6 +55,8 @@ class TestRunOverlays : public QObject {
     void initTestCase();
     void init();
     void theBlowHasForceImpulseAndMomentum();
+    void runsAreLettersInALegendWithoutRoomForNames();
+    void sumsOfRunsDoNotLookLikeWaves();
     void inGroupsEachHasItsOwnUnits();
     void aRunWithoutUnitsIsNotLaidOverForces();
     void hiddenRunsAreNotDrawn();
@@ -68,6 +70,7 @@ class TestRunOverlays : public QObject {
     void theWavePictureHasTheRunsAlongTheRod();
     void withoutRunsThePictureHasItsRoom();
     void theGapHasTheCurveOfTheRunsScenario();
+    void curvesFarBelowSuperReboundHaveTheHeight();
     void outOfSightNoGapIsStudied();
     void whatIsKnownIsNotStudiedAgain();
     void whatFailsIsNotStudiedAgain();
@@ -143,6 +146,43 @@ void TestRunOverlays::theBlowHasForceImpulseAndMomentum() {
     QVERIFY(end >= run(0).blow->summary.separationTime * run(0).blow->scales.time * 1e3);
     // Copied with the others, under their names.
     QVERIFY(page.plot()->csv().contains("A  first [kN]"));
+}
+
+void TestRunOverlays::runsAreLettersInALegendWithoutRoomForNames() {
+    BlowPage page(m_observation);
+    m_runs->rename(0, "medium rock, worn bit");
+    present(page);
+    page.show();
+    const auto replotAt = [&](int width) {
+        page.resize(width, 600);
+        QCoreApplication::processEvents();
+        page.plot()->replot(QCustomPlot::rpImmediateRefresh);
+    };
+    const QVector<QCPGraph*>& graphs = page.plots()->forcesOfRuns();
+    replotAt(420);
+    QCOMPARE(graphs[0]->name(), QString("A"));
+    QCOMPARE(graphs[1]->name(), QString("B"));
+    for (const QCPLayoutElement* element : page.plot()->plotLayout()->elements(true))
+        if (const auto* legend = qobject_cast<const QCPLegend*>(element);
+            legend && legend->itemWithPlottable(graphs[0]))
+            QVERIFY(legend->outerRect().width() >= legend->minimumOuterSizeHint().width());
+    replotAt(1400);
+    QCOMPARE(graphs[0]->name(), run(0).title());
+}
+
+void TestRunOverlays::sumsOfRunsDoNotLookLikeWaves() {
+    BlowPage page(m_observation);
+    present(page);
+    const QVector<QCPGraph*>& sums = page.plots()->sumsOfRuns();
+    QCOMPARE(sums.size(), 2);
+    for (const int number : {0, 1}) {
+        const QPen pen = sums[number]->pen();
+        // As broad as the sum of the present blow, and broader than any of its waves.
+        QCOMPARE(pen.widthF(), page.plots()->sectionForceGraph()->pen().widthF());
+        for (int wave = 0; wave < BlowCurves::waveCount; ++wave)
+            QVERIFY(pen.widthF() > 2 * page.plots()->waveGraph(wave)->pen().widthF());
+        QCOMPARE(sums[number]->name(), "N " + run(number).title().left(1));
+    }
 }
 
 void TestRunOverlays::inGroupsEachHasItsOwnUnits() {
@@ -421,6 +461,23 @@ void TestRunOverlays::theGapHasTheCurveOfTheRunsScenario() {
     const QCPGraph* present = page.gapPlot()->graph();
     bool found = false;
     QVERIFY(half->getKeyRange(found).upper > 0.99 * present->getKeyRange(found).upper);
+}
+
+void TestRunOverlays::curvesFarBelowSuperReboundHaveTheHeight() {
+    GapPage page(*m_document);
+    page.show();
+    present(page);
+    QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runs().graphs().size(), 2, patience);
+    const QCPAxis* values = page.gapPlot()->graph()->valueAxis();
+    const auto curve = [](double from, double to) {
+        const GraphData data = GraphData::create();
+        data->set({{0, from}, {1, to}}, true);
+        return QVector<RunCurve>{{0, "A", data}};
+    };
+    page.gapPlot()->setRuns(curve(0.2, 0.7), {});
+    QVERIFY(0.5 > 0.75 * values->range().size());
+    page.gapPlot()->setRuns(curve(0.2, 0.95), {});
+    QVERIFY(values->range().upper > 1);  // near to it, where it begins is in view
 }
 
 void TestRunOverlays::outOfSightNoGapIsStudied() {

@@ -21,6 +21,7 @@ class TestPlotCursors : public QObject {
     void cursorsArePlacedByKeysAndReadTheFirstCurve();
     void cursorsAreDraggedWithoutDrawingTheCurvesAgain();
     void aClickOnACurveHasItRead();
+    void aLongNameOfACurveIsWidenedOrElided();
     void exactIntegralsComeFromTheMeaning();
     void theTableSaysWhatItReads();
     void newDataAreReadAtTheSameCursors();
@@ -96,6 +97,31 @@ void TestPlotCursors::aClickOnACurveHasItRead() {
     m->plot.replot();
     QCOMPARE(m->plot.reader().graph(), m->parabola);
     QCOMPARE(choice->count(), 2);
+}
+
+void TestPlotCursors::aLongNameOfACurveIsWidenedOrElided() {
+    const auto pictureOf = [this](const QString& name, int width) {
+        m->step->setName(name);
+        m->plot.resize(width, m->plot.height());
+        m->plot.reader().setGraph(m->step);
+        m->plot.replot();
+        QCoreApplication::processEvents();
+        return m->plot.findChild<QComboBox*>(QStringLiteral("readCurve"))->grab().toImage();
+    };
+    auto* choice = m->plot.findChild<QComboBox*>(QStringLiteral("readCurve"));
+    const QString name = QStringLiteral("largest compression of all");
+    const QImage elided = pictureOf(name, 500);
+    const int narrow = choice->width();
+    QCOMPARE(choice->toolTip(), name);
+    QVERIFY(choice->fontMetrics().horizontalAdvance(name) > narrow);
+    // As a combo box draws it: cut off, without the dots.
+    QComboBox usual;
+    usual.addItem(name);
+    usual.setFont(choice->font());
+    usual.resize(choice->size());
+    QVERIFY(usual.grab().toImage() != elided);
+    pictureOf(name, 1600);
+    QVERIFY(choice->width() > narrow);
 }
 
 void TestPlotCursors::exactIntegralsComeFromTheMeaning() {

@@ -273,6 +273,38 @@ class TestResultPanel : public QObject {
             QCOMPARE(changeOf(name), QString());
     }
 
+    // The margin of this blow may be one while the worst of four needs is not met.
+    void theWorstNeedIsMetOrSaidNotToBe_data() {
+        QTest::addColumn<double>("share");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("short") << 0.8 << "⚠ short by %1 (−20 %)";
+        QTest::newRow("met") << 1.25 << "✓ met, %1 (25 %) to spare";
+    }
+
+    void theWorstNeedIsMetOrSaidNotToBe() {
+        QFETCH(double, share);
+        QFETCH(QString, said);
+        const double worst = studyThrust(drillOf(1)).largestNeed().thrust;
+        ResultPanel panel;
+        panel.setAttribute(Qt::WA_DontShowOnScreen);
+        panel.show();
+        panel.present(solved(drillOf(share * worst), UnitSystem::si));
+        const QString size = quantityText(std::abs(share - 1) * worst, {1e-3, "kN", false}, QLocale())
+                                 .replace(QChar(QChar::Nbsp), ' ');
+        const QString text = said.arg(size);
+        QTRY_VERIFY2_WITH_TIMEOUT(panel.text().replace(QChar(QChar::Nbsp), ' ').contains(text),
+                                  qPrintable(panel.text()), 30000);
+        for (const QLabel* label : panel.findChildren<QLabel*>("worstNeed")) {
+            if (label->text() == "…" || !label->text().contains(said.left(1))) continue;
+            QCOMPARE(label->font().bold(), share < 1);
+            const QColor usual = panel.palette().color(QPalette::WindowText);
+            QCOMPARE(label->palette().color(QPalette::WindowText) == usual, share > 1);
+            QVERIFY(label->sizeHint().width() <= label->width());
+            return;
+        }
+        QFAIL("the margin has no row");
+    }
+
     void allNumbersAreCopiedAsText() {
         ResultPanel panel;
         panel.present(solved(scenarioOf(0.5, 1, 10, 0)));

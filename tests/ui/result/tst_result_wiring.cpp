@@ -12,6 +12,7 @@
 #include "ui/form/scenario_panel.h"
 #include "ui/job/observation.h"
 #include "ui/pages/map/map_page.h"
+#include "ui/result/alert_link.h"
 #include "ui/result/place_link.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
@@ -50,6 +51,57 @@ class TestResultWiring : public QObject {
         QWidget* field = part<ScenarioPanel>(window).findChild<QWidget*>(QStringLiteral("bit_rock.gap"));
         QVERIFY(field->isVisibleTo(&window));
         QCOMPARE(window.focusWidget() == field || field->isAncestorOf(window.focusWidget()), true);
+    }
+
+    // The list is the last of the panel, and in a small window the panel is behind the scenario.
+    void theStatusLineCountsTheAlertsAndLeadsToThem() {
+        MainWindow window;
+        window.resize(1000, 650);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        auto& panel = part<ResultPanel>(window);
+        QTRY_VERIFY(panel.visibleRegion().isEmpty());
+        auto* link = window.findChild<AlertLink*>("alertLink");
+        QVERIFY(link);
+        panel.alerts()->present({}, {});
+        QVERIFY(link->isHidden());
+        const Alert warning{AlertLevel::warning,
+                            AlertCode::implausibleValue,
+                            "rod.length",
+                            {{"value", 1e3, Quantity::length}}};
+        const Alert note{AlertLevel::information,
+                         AlertCode::implausibleValue,
+                         "bit_rock.gap",
+                         {{"value", 1, Quantity::length}}};
+        panel.alerts()->present({}, {note});
+        QCOMPARE(link->text(), QString("ℹ 1 note"));
+        panel.alerts()->present({}, {note, warning});
+        QCOMPARE(link->text(), QString("⚠ 2 alerts"));
+        QVERIFY(link->isVisibleTo(&window));
+        for (const QString& text : panel.alerts()->texts())
+            QVERIFY(link->toolTip().contains(text.toHtmlEscaped()));
+        link->click();
+        QTRY_VERIFY(!panel.visibleRegion().isEmpty());
+        const QLabel& first = *panel.alerts()->findChildren<QLabel*>().first();
+        QTRY_VERIFY(!first.visibleRegion().isEmpty());
+        QCOMPARE(window.focusWidget(), &first);
+        panel.alerts()->present("out of rock", {});
+        QCOMPARE(link->text(), QString("✖ not solved"));
+    }
+
+    void theTopOfTheResultLeadsToItsAlerts() {
+        ResultPanel panel;
+        panel.setAttribute(Qt::WA_DontShowOnScreen);
+        panel.resize(360, 300);
+        panel.show();
+        auto* link = panel.findChild<AlertLink*>();
+        QVERIFY(link);
+        panel.alerts()->present({}, {});
+        QCOMPARE(link->text(), QString("✓ nothing unusual"));
+        const QLabel& first = *panel.alerts()->findChildren<QLabel*>().first();
+        QVERIFY(first.visibleRegion().isEmpty());
+        link->click();
+        QTRY_VERIFY(!first.visibleRegion().isEmpty());
     }
 
     void aLargestStressLeadsToItsPlaceOnPagesThatShowOne() {

@@ -134,8 +134,10 @@ void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGr
         graph->addToLegend(added.legend);
         added.graphs.append(graph);
     }
+    // Broad as the sum of the present blow: thin ones would look like its waves.
     added.runs = new RunGraphs(added.rect->axis(QCPAxis::atBottom), added.rect->axis(QCPAxis::atLeft),
-                               index == force ? added.legend : nullptr);
+                               index == force || index == waves ? added.legend : nullptr);
+    if (index == waves) added.runs->setBands(names.first());
 }
 
 void BlowPlots::linkTimeAxes() {

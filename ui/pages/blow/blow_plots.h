@@ -52,6 +52,7 @@ class BlowPlots : public QObject {
     /// In its legend only while the closed form holds.
     QCPGraph* closedFormGraph() const { return m_plots[1].graphs.last(); }
     /// Of the pinned runs, in the legend of the force.
+    const QVector<QCPGraph*>& sumsOfRuns() const { return m_plots[0].runs->graphs(); }
     const QVector<QCPGraph*>& forcesOfRuns() const { return m_plots[1].runs->graphs(); }
     QCPGraph* impulseGraph() const { return m_plots[2].graphs.first(); }
     QCPGraph* momentumGraph() const { return m_plots[3].graphs.first(); }

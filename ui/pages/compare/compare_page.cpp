@@ -11,6 +11,7 @@
 #include <QStackedLayout>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/form/choice_box.h"
 #include "ui/pages/study/flow_layout.h"
@@ -20,6 +21,7 @@ namespace drillwave {
 namespace {
 
 constexpr QSize lineSize{30, 12};  // [px]
+constexpr int leastLetters = 8;    // of a line in a header
 
 }  // namespace
 
@@ -98,6 +100,7 @@ void ComparePage::makeTable() {
     m_view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_view->horizontalHeader()->setDefaultAlignment(Qt::AlignCenter | Qt::Alignment(Qt::TextWordWrap));
     connect(m_view->selectionModel(), &QItemSelectionModel::currentColumnChanged, this, &ComparePage::choose);
 }
 
@@ -142,6 +145,7 @@ void ComparePage::present() {
     m_model->present(compareTable(columns, reference, m_now->request.units, m_now->request.chosenUnits),
                      icons);
     fit();
+    chooseAgain();
     choose();
 }
 
@@ -152,7 +156,35 @@ void ComparePage::fit() {
             m_model->table().rows[static_cast<std::size_t>(row)].kind == CompareRow::Kind::result;
         m_view->setRowHeight(row, (isTwo ? 2 : 1) * line + 8);
     }
-    m_view->resizeColumnsToContents();
+    fitHeader();
+}
+
+// Columns as wide as their numbers: names are broken into lines above them.
+void ComparePage::fitHeader() {
+    constexpr int room = 12;  // about the words, in the header [px]
+    const QFontMetrics metrics(m_view->horizontalHeader()->font());
+    const int least = metrics.averageCharWidth() * leastLetters + lineSize.width() + room;
+    const QAbstractItemView& cells = *m_view;  // whose hint is public
+    int height = 0;
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        const int width = std::max(least, cells.sizeHintForColumn(column) + 1);
+        m_view->setColumnWidth(column, width);
+        const QRect words(0, 0, width - lineSize.width() - room, 10'000);
+        const QString title = m_model->headerData(column, Qt::Horizontal).toString();
+        height = std::max(height, metrics.boundingRect(words, Qt::TextWordWrap, title).height());
+    }
+    m_view->horizontalHeader()->setFixedHeight(height + room);
+}
+
+// The columns are others when a run was pinned, or when the present result has another name: its own stays.
+void ComparePage::chooseAgain() {
+    if (!m_chosen) return;
+    const RunList& runs = *m_runs.list();
+    const auto found = std::ranges::find(runs, *m_chosen, &Run::number);
+    if (found == runs.end()) return;
+    const int column = 1 + static_cast<int>(found - runs.begin());
+    if (m_view->currentIndex().column() == column) return;
+    m_view->setCurrentIndex(m_model->index(0, column));
 }
 
 const Run* ComparePage::chosen() const {
@@ -164,6 +196,7 @@ const Run* ComparePage::chosen() const {
 
 void ComparePage::choose() {
     const Run* run = chosen();
+    m_chosen = run ? std::optional(run->number) : std::nullopt;
     m_revert->setEnabled(run);
     m_revert->setText(run ? tr("Revert to %1").arg(run->letter()) : tr("Revert to this run"));
 }

@@ -2,6 +2,8 @@
 // The page Compare: the present result and the pinned runs side by side.
 #pragma once
 
+#include <optional>
+
 #include "ui/pages/compare/compare_model.h"
 #include "ui/pages/page.h"
 #include "ui/runs/runs.h"
@@ -49,6 +51,8 @@ class ComparePage : public Page {
     void offerReferences();
     const Run* chosen() const;
     void choose();
+    void chooseAgain();
+    void fitHeader();
     QString obstacle() const;
 
     Runs& m_runs;
@@ -59,6 +63,7 @@ class ComparePage : public Page {
     QComboBox* m_reference = nullptr;
     QPushButton* m_revert = nullptr;
     QTableView* m_view;
+    std::optional<int> m_chosen;  // run whose column it is; none for that of the present result
     CompareModel* m_model;
 };
 

@@ -349,8 +349,9 @@ void GapPlot::fit() {
             if (isThere) values.expand(range);
         }
         const double size = std::max(values.size(), 0.02 * std::abs(values.upper));
-        // Where super rebound begins, if that is not far off.
-        const bool isNear = values.upper > 1 - size && values.lower < 1 + size;
+        // Where super rebound begins, if that leaves the curves most of the height.
+        constexpr double share = 0.25;
+        const bool isNear = values.upper > 1 - share * size && values.lower < 1 + share * size;
         if (m_picture.output == GapOutput::cor && isNear) values.expand(1);
         m_rect->axis(QCPAxis::atLeft)->setRange(values.lower - 0.1 * size, values.upper + 0.1 * size);
         const auto shares = m_shares->getKeyRange(found);

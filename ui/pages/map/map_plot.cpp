@@ -201,18 +201,36 @@ void MapPlot::showCuts() {
                 {double(row), grid.value(m_cut->column, row) * factor, grid.ys()[row] * m_picture->y.factor});
     m_alongX->data()->set(alongX);
     m_alongY->data()->set(alongY, true);
-    const QString atY = m_picture->yText(grid.ys()[m_cut->row], m_plot->locale());
+    nameCuts();
+}
+
+// Points of the map are rarely where the scenario is: their values must not pass for those of it.
+bool MapPlot::nameCuts() {
+    const MapGrid& grid = m_picture->grid();
+    const QLocale locale = m_plot->locale();
+    QString atY = m_picture->yText(grid.ys()[m_cut->row], locale);
+    QString atX = m_picture->xText(grid.xs()[m_cut->column], locale);
+    if (const auto& here = m_crosshair->place()) {
+        if (m_picture->yText(here->y() / m_picture->y.factor, locale) != atY)
+            atY = tr("nearest: %1").arg(atY);
+        if (m_picture->xText(here->x() / m_picture->x.factor, locale) != atX)
+            atX = tr("nearest: %1").arg(atX);
+    }
+    QCPAxis* below = m_below->axis(QCPAxis::atTop);
+    QCPAxis* beside = m_beside->axis(QCPAxis::atTop);
+    if (below->label() == atY && beside->label() == atX) return false;
     m_alongX->setName(atY);
-    m_below->axis(QCPAxis::atTop)->setLabel(atY);
-    m_beside->axis(QCPAxis::atTop)->setLabel(m_picture->xText(grid.xs()[m_cut->column], m_plot->locale()));
+    below->setLabel(atY);
+    beside->setLabel(atX);
+    return true;
 }
 
 void MapPlot::setHere(const std::optional<QPointF>& place) {
     m_crosshair->setPlace(place);
-    if (m_picture && place && pointAt(*place) != m_cut) {
-        showCuts();
-        if (m_plot->isVisible()) m_plot->replot(QCustomPlot::rpQueuedReplot);
-    }
+    if (!m_picture || !place) return;
+    const bool isOtherCut = pointAt(*place) != m_cut;
+    if (isOtherCut) showCuts();
+    if ((nameCuts() || isOtherCut) && m_plot->isVisible()) m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void MapPlot::setRuns(const QVector<RunMark>& marks) {

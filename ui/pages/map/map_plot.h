@@ -64,6 +64,8 @@ class MapPlot : public QObject {
     void addCuts();
     void linkAxes();
     void showCuts();
+    /// By the points they go through; false where they are called so already.
+    bool nameCuts();
     void setLabels();
     QString summary() const;
 

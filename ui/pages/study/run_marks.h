@@ -21,8 +21,9 @@ struct RunMark {
     bool operator==(const RunMark&) const = default;
 };
 
-/// Points in the colours of their runs, with the letters beside them, over everything else. Lives as a child
-/// of the plot.
+/// Points in the colours of their runs, named beside them, over everything else. A name goes round its point
+/// to where nothing else is written, and is its letters alone where there is no room for more. Lives as a
+/// child of the plot.
 class RunMarks : public QObject {
     Q_OBJECT
 
@@ -35,14 +36,23 @@ class RunMarks : public QObject {
     const QVector<RunMark>& marks() const { return m_marks; }
 
   private:
+    struct Drawn {
+        RunMark mark;
+        QString letters;
+        QCPItemTracer* point;
+        QCPItemText* name;
+    };
+
     void draw();
+    void placeNames();
+    QVector<QRectF> taken() const;
 
     QCustomPlot* m_plot;
     QCPAxis* m_x;
     QCPAxis* m_y;
     PlotStyle m_style;
     QVector<RunMark> m_marks;
-    QVector<QCPAbstractItem*> m_items;
+    QVector<Drawn> m_drawn;
 };
 
 }  // namespace drillwave

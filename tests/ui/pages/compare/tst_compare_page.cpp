@@ -2,6 +2,7 @@
 // Runs side by side: the numbers of the command line, and their differences.
 #include <QClipboard>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QJsonObject>
 #include <QLabel>
 #include <QPushButton>
@@ -54,6 +55,8 @@ class TestComparePage : public QObject {
     void theCsvHasWhatIsOnShowWithAllDigits();
     void theReferenceIsChosen();
     void aRunIsRevertedToByItsColumn();
+    void theChosenRunStaysChosen();
+    void longNamesAreBrokenIntoLines();
     void whatIsNotSolvedHasNoNumbers();
     void withoutUnitsARunHasNoForces();
 
@@ -246,6 +249,43 @@ void TestComparePage::aRunIsRevertedToByItsColumn() {
     button->click();
     QCOMPARE(reverts.count(), 1);
     QCOMPARE(reverts[0][0].toInt(), 1);
+}
+
+// Another scenario differs in other parameters: the table has other rows.
+void TestComparePage::theChosenRunStaysChosen() {
+    pin("bit_rock.stiffness", 1e8);
+    pin("bit_rock.gamma", 0.3);
+    show();
+    auto* view = m_page->findChild<QTableView*>("comparison");
+    auto* button = m_page->findChild<QPushButton*>("revert");
+    view->setCurrentIndex(view->model()->index(3, 2));
+    const int rows = view->model()->rowCount();
+    m_document->assign(*findParameter("rod.length"), 2, m_document->newGesture());
+    show();
+    QVERIFY(view->model()->rowCount() != rows);
+    QCOMPARE(view->currentIndex().column(), 2);
+    QCOMPARE(button->text(), QString("Revert to B"));
+    m_runs->remove(0);
+    show();
+    QCOMPARE(view->currentIndex().column(), 1);
+    QCOMPARE(button->text(), QString("Revert to B"));
+    m_runs->remove(1);
+    pin("bit_rock.gamma", 0.4);
+    show();
+    QVERIFY(!button->isEnabled());
+}
+
+void TestComparePage::longNamesAreBrokenIntoLines() {
+    pin("bit_rock.stiffness", 1e8);
+    show();
+    auto* view = m_page->findChild<QTableView*>("comparison");
+    const int width = view->columnWidth(1), height = view->horizontalHeader()->height();
+    m_runs->rename(0, "medium rock with a rod of twelve feet and a worn bit");
+    show();
+    QCOMPARE(view->columnWidth(1), width);
+    QVERIFY(view->horizontalHeader()->height() >= height + 2 * view->fontMetrics().lineSpacing());
+    const QAbstractItemView& cells = *view;
+    QVERIFY(view->columnWidth(1) >= cells.sizeHintForColumn(1));
 }
 
 void TestComparePage::whatIsNotSolvedHasNoNumbers() {

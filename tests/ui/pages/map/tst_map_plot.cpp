@@ -67,6 +67,8 @@ class TestMapPlot : public QObject {
     void whatIsNotThereYetHasTheColourOfItsNeighbour();
     void aMapOfOneValueIsDrawn();
     void nothingIsShownWithItsReason();
+    void cutsSayWhereTheyAreNotThroughTheScenario();
+    void namesOfRunsKeepClearOfEachOtherAndOfPresets();
 };
 
 void TestMapPlot::everyPointHasItsColour() {
@@ -137,6 +139,45 @@ void TestMapPlot::aMapOfOneValueIsDrawn() {
     const Drawn drawn(reportOf({0.5, 0.5, 0.5, 0.5}));
     QVERIFY(drawn.plot.picture()->colours.largest > drawn.plot.picture()->colours.least);
     QCOMPARE(qAlpha(drawn.at(1.3, 0.3)), 255);
+}
+
+void TestMapPlot::cutsSayWhereTheyAreNotThroughTheScenario() {
+    Drawn drawn(reportOf({0.2, 0.6, 1.1, 1.4}));
+    const auto name = [&] { return drawn.plot.cutAlongX()->name(); };
+    drawn.plot.setHere(QPointF(1, 1));
+    QVERIFY2(!name().contains("nearest") && name().endsWith('1'), qPrintable(name()));
+    drawn.plot.setHere(QPointF(1, 0.9));
+    QVERIFY2(name().startsWith("nearest: ") && name().endsWith('1'), qPrintable(name()));
+    drawn.plot.setHere(QPointF(1, 0));
+    QVERIFY2(!name().contains("nearest") && name().endsWith('0'), qPrintable(name()));
+}
+
+// Two runs one above the other beside a preset, one in the upper right corner.
+void TestMapPlot::namesOfRunsKeepClearOfEachOtherAndOfPresets() {
+    Drawn drawn(reportOf({0.2, 0.6, 1.1, 1.4}));
+    MapPicture picture = *drawn.plot.picture();
+    picture.presets = {{"medium rock", 1.45, 0.55}};
+    drawn.plot.present(picture);
+    drawn.plot.setRuns({{0, "A  T38 rod, medium rock", {1.5, 0.5}},
+                        {1, "B  k 300 MN/m", {1.51, 0.52}},
+                        {2, "C  T38 rod, hard rock", {1.98, 0.98}}});
+    drawn.widget.replot();
+    QVector<QRectF> names;
+    QStringList texts;
+    for (int i = 0; i < drawn.widget.itemCount(); ++i)
+        if (const auto* text = qobject_cast<QCPItemText*>(drawn.widget.item(i)); text && text->visible()) {
+            const QRectF box(text->topLeft->pixelPosition(), text->bottomRight->pixelPosition());
+            names << box.adjusted(6, 2, -6, -2);  // the letters, without the room about them
+            texts << text->text();
+        }
+    QCOMPARE(names.size(), 4);
+    for (qsizetype i = 0; i < names.size(); ++i) {
+        QVERIFY2(QRectF(drawn.plot.mapRect()->rect()).contains(names[i]), qPrintable(texts[i]));
+        for (qsizetype j = 0; j < i; ++j)
+            QVERIFY2(!names[i].intersects(names[j]), qPrintable(texts[i] + " over " + texts[j]));
+    }
+    // Alone each has its name.
+    QVERIFY(texts.contains("C  T38 rod, hard rock"));
 }
 
 void TestMapPlot::nothingIsShownWithItsReason() {
