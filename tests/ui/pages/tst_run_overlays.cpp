@@ -356,7 +356,7 @@ void TestRunOverlays::theRodHasTheEnvelopes() {
         QVERIFY(isNear(paths[number]->getKeyRange(found).upper, length));
         QVERIFY(page.plot()->xAxis->range().contains(length * (1 - rounding)));
         QVERIFY(page.plot()->yAxis->range().contains(stresses.lower));
-        QCOMPARE(paths[number]->name(), run(number).title());
+        QVERIFY(run(number).title().startsWith(paths[number]->name()));  // its letter where names do not fit
         const QPen expected = runPen(number, PlotStyle::forScreen(page.palette(), page.font()));
         QCOMPARE(paths[number]->pen().color(), expected.color());
         QCOMPARE(paths[number]->pen().dashPattern(), expected.dashPattern());
