@@ -23,11 +23,13 @@ bool ContactMarch<Basis>::staysAway() {
     const Real rest = hammerHasEnded() ? Real(0) : 1 - Real(m_pulse->segments[m_hammerPiece].impulseBefore);
     const Real free = m_gap / 2 - rest - uncertain;
     if (free <= 0) return false;
+    constexpr std::size_t manyPieces = 16;  // to march through them costs more than the exact bound
+    const bool isLong = !hammerHasEnded() && m_waves.size() > manyPieces;
     Real reached = 0;
     for (std::size_t i = 0; i < m_waves.size(); ++i) {
         const Piece& piece = m_waves[i];
         if (reached + m_basis.mostIntegral(piece) > free) {
-            if (hammerHasEnded() || reached + m_basis.largestIntegral(piece) > free) return false;
+            if (!isLong || reached + m_basis.largestIntegral(piece) > free) return false;
         }
         reached += piece.integral(piece.length);
     }

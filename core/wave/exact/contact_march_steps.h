@@ -256,9 +256,12 @@ void ContactMarch<Basis>::advanceContact() {
     m_impulse += response.force.integral(length);
     m_error += m_basis.roundingError(response, length);
     countJoining(response, length, ending);
-    if (m_detail != Detail::cor && m_law.isElastic())
+    const Real force = std::max(response.force.value(length), Real(0));  // below it: rounding
+    if (m_detail != Detail::cor && m_law.isElastic()) {
+        m_law.remember(force);
         m_law.remember(m_basis.largest(response, length, m_law.largestForce()));
-    m_force = std::max(response.force.value(length), Real(0));  // below it: rounding
+    }
+    m_force = force;
     m_contactForce = std::max(m_contactForce, m_force);
     leaveContact(response, length);
     if (length < m_incident.length)

@@ -393,7 +393,7 @@ void ExponentialBasis::tidy(Piece& piece) const {
 
 double ExponentialBasis::largest(const Response& r, double length, double before) {
     if (2 * r.incident->mostValue() <= before) return before;  // F ≤ max(F(0), 2 max g)
-    double most = std::max(before, r.force.value(length));
+    double most = before;
     const Piece& slope = drive(r);
     if (slope.allAtLeastZero() || slope.allAtMostZero()) return most;
     // F turns where the drive changes its sign, at most once more for each of its terms

@@ -65,7 +65,8 @@ class ExponentialBasis {
     double roundingError(const Response& r, double length) const;
     void tidy(Piece& piece) const;
 
-    /// Largest F over [0, length], or the largest before if that is not exceeded.
+    /// Largest F over [0, length], or the largest before if that is not exceeded; F at the ends must be among
+    /// those before.
     double largest(const Response& r, double length, double before);
     [[gnu::cold]] double productIntegral(const Piece& f, const Piece& g, double length) const;
     [[gnu::cold]] void record(const Piece& incident, const Piece* force, double length, Impact& impact) const;

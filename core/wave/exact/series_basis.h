@@ -196,10 +196,11 @@ class SeriesBasis {
                       r.force.scale, r.length);
     }
 
-    /// Largest F over [0, length], or the largest before if that is not exceeded.
+    /// Largest F over [0, length], or the largest before if that is not exceeded; F at the ends must be among
+    /// those before.
     Real largest(const Response& r, Real length, Real before) {
         if (2 * r.incident.mostValue() <= before) return before;  // F ≤ max(F(0), 2 max g)
-        Real most = std::max(r.force.startValue(), r.force.value(length));
+        Real most = before;
         m_undecided |=
             !forEachMaximum(r.drive, length, [&](Real x) { most = std::max(most, r.force.value(x)); });
         return most;
