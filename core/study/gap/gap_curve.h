@@ -68,7 +68,7 @@ struct GapCurve {
 /// Told now and then which share of the work is done, 0 … 1.
 using GapProgress = std::function<void(double)>;
 
-/// Interpolates what `detail` asks for (cor: e alone; summary: all outputs) over [start, periodStart + 1),
+/// Interpolates what `detail` asks for (cor: e alone; events: all outputs) over [start, periodStart + 1),
 /// the gap of `problem` being replaced. Pieces end where the order of events changes, found by bracketing to
 /// 1e-12, and are halved until polynomials through the solver's values agree with it: to 1e-10 in e and in
 /// the efficiency, and relatively in the peak force. 0 ≤ start ≤ periodStart. When the blows have had

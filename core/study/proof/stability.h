@@ -38,7 +38,7 @@ struct StabilityRow {
     double cor = 0;
     double corError = 0;
     long pieces = 0;
-    double seconds = 0;                ///< of the solve with Detail::summary
+    double seconds = 0;                ///< of the solve with Detail::ledger
     double momentumResidual = 0;       ///< of I0: impulse of F against the waves that are left
     double energyResidual = 0;         ///< of the work W or of F0² t0/Z where that is larger: W, rock, waves
     std::optional<double> leastForce;  ///< smallest F, of the peak: the rock cannot pull
