@@ -17,7 +17,7 @@ template <class Basis>
 bool ContactMarch<Basis>::staysAway() {
     m_nextProof = m_s + m_roundTrip;
     constexpr Real impulseOfHammer = Real(1e-12);  // pulses of 100 000 segments add up to 1 but for that
-    const Real uncertain = 4 * m_error + impulseOfHammer;
+    const Real uncertain = uncertainMomentum() + impulseOfHammer;
     const Real momentum = 1 - m_impulse;  // when the hammer has ended
     if (m_touching || m_periodsAhead > 0 || momentum > -uncertain) return false;
     const Real rest = hammerHasEnded() ? Real(0) : 1 - Real(m_pulse->segments[m_hammerPiece].impulseBefore);
@@ -60,10 +60,7 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
         if (m_touching && !arriving.isZero()) separate();
         momentum += impulse;
         if (!m_touching) drift(impulse);
-        ++m_impact->pieces;
-        m_s += arriving.length;
-        if (m_touching) m_contactTime += arriving.length;
-        if (m_detail == Detail::histories) m_basis.record(arriving, nullptr, arriving.length, *m_impact);
+        pass(arriving, nullptr, arriving.length);
     }
     return skipPeriods(momentum);
 }
@@ -77,7 +74,7 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::skipPeriods(Real mom
         m_periodsAhead = 0;
         return Progress::goesOn;
     }
-    const Real uncertain = 4 * (m_error + m_basis.momentumNoise());
+    const Real uncertain = uncertainMomentum();
     if (momentum <= uncertain) {
         finish();
         // Whether a rod without momentum returns is undecided; what the rock could still give it is as

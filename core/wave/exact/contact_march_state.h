@@ -81,6 +81,8 @@ class ContactMarch {
     void advanceContact();
     void changeBranch(Ending ending, Real length);
     bool hammerHasEnded() const { return m_hammerPiece >= m_pulse->segments.size(); }
+    /// By how much the momentum of the rod may be wrong, on the safe side of a proof.
+    Real uncertainMomentum() const { return 4 * (m_error + m_basis.momentumNoise()); }
     bool staysAway();
     Progress flyFree();
     Progress skipPeriods(Real momentum);

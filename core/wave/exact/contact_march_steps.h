@@ -47,8 +47,7 @@ void ContactMarch<Basis>::nextArrival() {
     m_hammerTime += length;
     if (left - length <= coincident) {
         ++m_hammerPiece;
-        m_hammerTime = m_hammerPiece < m_pulse->segments.size() ? Real(m_pulse->segments[m_hammerPiece].start)
-                                                                : Real(m_pulse->end);
+        m_hammerTime = hammerHasEnded() ? Real(m_pulse->end) : Real(m_pulse->segments[m_hammerPiece].start);
     }
 }
 
@@ -256,12 +255,11 @@ void ContactMarch<Basis>::advanceContact() {
     m_impulse += response.force.integral(length);
     m_error += m_basis.roundingError(response, length);
     countJoining(response, length, ending);
-    const Real force = std::max(response.force.value(length), Real(0));  // below it: rounding
+    m_force = std::max(response.force.value(length), Real(0));  // below it: rounding
     if (m_detail != Detail::cor && m_law.isElastic()) {
-        m_law.remember(force);
+        m_law.remember(m_force);
         m_law.remember(m_basis.largest(response, length, m_law.largestForce()));
     }
-    m_force = force;
     m_contactForce = std::max(m_contactForce, m_force);
     leaveContact(response, length);
     if (length < m_incident.length)

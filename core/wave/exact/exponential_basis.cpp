@@ -249,10 +249,7 @@ ExponentialBasis::Response& ExponentialBasis::respond(Piece& g, double rate, dou
     r.force.primaryDecay = g.primaryDecay;
     r.force.elasticDecay = g.elasticDecay;
     r.size = r.force.magnitude();
-    if (r.size > mostCancellation * m_scale) {
-        m_failed = true;
-        return r;
-    }
+    if (r.size > mostCancellation * m_scale) m_failed = true;
     return r;
 }
 
