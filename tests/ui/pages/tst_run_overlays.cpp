@@ -97,6 +97,11 @@ class TestRunOverlays : public QObject {
         QCOMPARE(m_runs->pin(m_document->contents(), blow, "first"), QString());
     }
     const Run& run(int number) { return *m_runs->find(number); }
+    /// Studies are asked only of a page that is seen.
+    static void show(Page& page) {
+        page.resize(900, 600);
+        page.show();
+    }
     void present(Page& page, UnitSystem units = UnitSystem::si) {
         page.setRuns(m_runs->list());
         page.setResult(solve(page, units));
@@ -389,8 +394,7 @@ void TestRunOverlays::theRodHasTheEnvelopes() {
 void TestRunOverlays::theWavePictureHasTheRunsAlongTheRod() {
     m_document->assign(*findParameter("rod.length"), 2, 0);
     WavePicturePage page(m_observation);
-    page.resize(900, 600);
-    page.show();
+    show(page);
     present(page);
     m_observation.setTime(5);
     const QVector<RodProfile::Line>& lines = page.rodProfile()->lines();
@@ -424,8 +428,7 @@ void TestRunOverlays::theWavePictureHasTheRunsAlongTheRod() {
 
 void TestRunOverlays::withoutRunsThePictureHasItsRoom() {
     WavePicturePage page(m_observation);
-    page.resize(900, 600);
-    page.show();
+    show(page);
     page.setResult(solve(page));
     QVERIFY(page.rodProfile()->isHidden());
     QVERIFY(page.rodProfile()->lines().isEmpty());
@@ -443,8 +446,7 @@ void TestRunOverlays::withoutRunsThePictureHasItsRoom() {
 void TestRunOverlays::theGapHasTheCurveOfTheRunsScenario() {
     m_document->assign(*findParameter("bit_rock.stiffness"), 1e8, 0);
     GapPage page(*m_document);
-    page.resize(900, 600);
-    page.show();
+    show(page);
     present(page);
     QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runs().graphs().size(), 2, patience);
     for (const int number : {0, 1}) {
@@ -542,8 +544,7 @@ void TestRunOverlays::whatFailsIsNotStudiedAgain() {
 
 void TestRunOverlays::stiffnessHasTheCurveOfTheRunsScenario() {
     StiffnessPage page(*m_document);
-    page.resize(900, 600);
-    page.show();
+    show(page);
     present(page);
     const auto& graphs = page.stiffnessPlot()->runCurves().graphs();
     QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 2, patience);
@@ -575,8 +576,7 @@ void TestRunOverlays::stiffnessHasTheCurveOfTheRunsScenario() {
 
 void TestRunOverlays::aDragOfTheScenarioStudiesNoRunAnew() {
     StiffnessPage page(*m_document);
-    page.resize(900, 600);
-    page.show();
+    show(page);
     present(page);
     const auto& graphs = page.stiffnessPlot()->runCurves().graphs();
     QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 2, patience);
@@ -622,8 +622,7 @@ void TestRunOverlays::aRunWithoutTheParameterHasNoCurve() {
     pin("beta", 0.7);
     m_document->startFrom(findExample("t38_medium_rock")->text, "example");
     StiffnessPage page(*m_document);
-    page.resize(900, 600);
-    page.show();
+    show(page);
     present(page);
     QTRY_COMPARE_WITH_TIMEOUT(page.stiffnessPlot()->runCurves().graphs().size(), 2, patience);
     QTRY_COMPARE_WITH_TIMEOUT(page.runLines().activity().state(), StudyState::finished, patience);
@@ -632,8 +631,7 @@ void TestRunOverlays::aRunWithoutTheParameterHasNoCurve() {
 
 void TestRunOverlays::theMapHasThemByName() {
     MapPage page(*m_document);
-    page.resize(900, 600);
-    page.show();
+    show(page);
     present(page);
     QTRY_COMPARE_WITH_TIMEOUT(page.map()->runs().size(), 2, patience);
     QCOMPARE(page.map()->runs()[0].title, run(0).title());
@@ -667,8 +665,7 @@ void TestRunOverlays::stiffnessAndThrustHaveTheirPoints() {
 
 void TestRunOverlays::shiftAndAClickPin() {
     GapPage page(*m_document);
-    page.resize(900, 600);
-    page.show();
+    show(page);
     present(page);
     QTRY_COMPARE_WITH_TIMEOUT(page.activity()->state(), StudyState::finished, patience);
     QSignalSpy pins(&page, &Page::pinRequested);
