@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/network/bit_node.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/wave/exact/first_zero.h"
+
+namespace drillwave {
+
+namespace {
+
+using Powers = std::array<double, WaveCell::count>;
+
+/// What a cell must stay away from an event by to be taken as a whole, in its own changes: more than its
+/// projection moves it.
+constexpr double quietMargin = 1e-3;
+
+/// A rise is too fast for a cell where its rate times the width is more than this.
+constexpr double fastRise = 0.4;
+
+/// Waves smaller than that make no jump worth a cut [Zr v0].
+constexpr double leastJump = 1e-7;
+
+/// Nearer to its ends a cell is not cut.
+constexpr double nearestCut = 1e-9;
+
+}  // namespace
+
+/// Motion of the bit over a piece of a cell, from event to event: power series in 0 ≤ v ≤ 1.
+struct BitNode::EventPiece {
+    static constexpr int capacity = OscillationPiece::capacity;
+    double from = 0, width = 1;  ///< in the width of the cell
+    int count = 0;               ///< of the force and of the speed; the distance has one more
+    std::array<double, capacity> force, speed;
+    std::array<double, capacity + 1> distance;
+
+    static double valueOf(const double* c, int count, double v) {
+        double sum = 0;
+        for (int k = count - 1; k >= 0; --k) sum = sum * v + c[k];
+        return sum;
+    }
+    double forceAt(double v) const { return valueOf(force.data(), count, v); }
+    double speedAt(double v) const { return valueOf(speed.data(), count, v); }
+    double distanceAt(double v) const { return valueOf(distance.data(), count + 1, v); }
+};
+
+BitNode::BitNode(double impedance, double mass, const BitRockLaw& law, double gap)
+    : m_impedance(impedance), m_mass(mass), m_now(BilinearLaw<double>(law), gap) {}
+
+void BitNode::setWidths(const std::vector<double>& widths) {
+    m_maps.clear();
+    for (const double width : widths) {
+        CellMaps maps;
+        maps.width = width;
+        if (m_mass == 0) {
+            maps.primary = Relaxation(rateOn(ContactLine::primary) * width);
+            maps.elastic = Relaxation(rateOn(ContactLine::elastic) * width);
+        } else {
+            maps.apart = Relaxation(m_impedance / m_mass * width);
+            maps.primaryMass = Oscillation({m_impedance, m_mass, m_now.law.slopes().primary}, width);
+            maps.elasticMass = Oscillation({m_impedance, m_mass, m_now.law.slopes().elastic}, width);
+        }
+        m_maps.push_back(maps);
+    }
+}
+
+double BitNode::fastestRate() const {
+    if (m_mass == 0) return rateOn(ContactLine::elastic);
+    return OscillationRates{m_impedance, m_mass, m_now.law.slopes().elastic}.fastest();
+}
+
+std::vector<double> BitNode::rates() const {
+    if (m_mass == 0) return {rateOn(ContactLine::primary), rateOn(ContactLine::elastic)};
+    return {m_impedance / m_mass, OscillationRates{m_impedance, m_mass, m_now.law.slopes().primary}.fastest(),
+            fastestRate()};
+}
+
+WaveCell BitNode::step(const WaveCell& g, int index, double time, CutAt cutAt, CellJump& jump) {
+    const CellMaps& maps = m_maps[index];
+    WaveCell b;
+    if (quietStep(g, maps, time, b)) return b;
+    return follow(g, maps.width, 1, time, cutAt, jump);
+}
+
+BitState BitNode::stateWithin(const WaveCell& g, int index, double share, double time) const {
+    BitNode copy(m_impedance, m_mass, {}, 0);
+    copy.m_now = m_now;
+    CellJump none;
+    copy.follow(g, m_maps[index].width, share, time, CutAt::nothing, none);
+    return copy.m_now;
+}
+
+/// A whole cell in which nothing happens. False, and nothing done, where something may.
+bool BitNode::quietStep(const WaveCell& g, const CellMaps& maps, double time, WaveCell& b) {
+    double velocity = m_now.velocity, force = m_now.force;
+    WaveCell speeds, forces;
+    if (m_now.isApart()) {
+        speeds = (2 / m_impedance) * g;
+        if (m_mass > 0) speeds = maps.apart.follow(speeds, velocity);
+        const bool leaves = speeds.most() < -quietMargin * speeds.spread();
+        if (!leaves && m_now.distance <= maps.width * (std::abs(speeds.mean()) + speeds.spread()))
+            return false;
+        m_now.distance -= maps.width * speeds.mean();
+        m_now.velocity = velocity;
+        b = m_mass > 0 ? g - m_impedance * speeds : -1.0 * g;
+        return true;
+    }
+    const bool primary = m_now.line == ContactLine::primary;
+    if (m_mass == 0) {
+        forces = (primary ? maps.primary : maps.elastic).follow(2.0 * g, force);
+        speeds = 2.0 * g - forces;  // times Z: its sign is what counts
+    } else {
+        (primary ? maps.primaryMass : maps.elasticMass).follow(g, velocity, force, speeds, forces);
+    }
+    if (m_now.law.isOneWay(m_now.line)) {
+        if (speeds.least() <= quietMargin * speeds.spread()) return false;
+    } else {
+        const double margin = quietMargin * forces.spread();
+        if (forces.least() <= margin) return false;
+        if (forces.most() >=
+            (m_now.law.isElastic() ? m_now.record.peakForce : m_now.law.largestForce() - margin))
+            return false;
+    }
+    m_now.force = force;
+    m_now.velocity = velocity;
+    if (primary) noteForce(force, time + maps.width);
+    m_now.record.impulse += maps.width * forces.mean();
+    m_now.record.impulseMoment += maps.width * (time * forces.mean() + maps.width * forces.firstMoment());
+    m_now.record.contactDuration += maps.width;
+    b = m_mass > 0 ? g - m_impedance * speeds : forces - g;
+    return true;
+}
+
+void BitNode::noteForce(double force, double time) {
+    m_now.law.remember(force);
+    if (force <= m_now.record.peakForce) return;
+    m_now.record.peakForce = force;
+    m_now.record.peakTime = time;
+}
+
+void BitNode::enter(ContactLine line, double time) {
+    ContactEvent kind = ContactEvent::unloading;
+    if (line == ContactLine::apart) {
+        kind = ContactEvent::separation;
+        m_now.record.lastSeparation = time;
+        m_now.force = 0;
+        m_now.distance = 0;
+    } else if (m_now.isApart()) {
+        kind = ContactEvent::contact;
+        if (m_now.record.firstContact < 0) m_now.record.firstContact = time;
+        ++m_now.record.contacts;
+        m_now.force = 0;
+    } else if (line == ContactLine::primary) {
+        kind = ContactEvent::primaryLoading;
+        m_now.force = m_now.law.largestForce();
+    }
+    m_now.line = line;
+    if (m_events) m_events->push_back({kind, time});
+}
+
+BitNode::EventPiece BitNode::nextPiece(const Powers& g, double width, double from, double end) const {
+    EventPiece piece;
+    piece.from = from;
+    piece.width = end - from;
+    piece.count = WaveCell::count;
+    piece.force.fill(0);
+    piece.speed.fill(0);
+    if (m_mass == 0 && !m_now.isApart()) {
+        Powers twice = g;
+        for (double& coefficient : twice) coefficient *= 2;
+        const RelaxationPiece series = relaxationPiece(twice, rateOn(m_now.line) * width, m_now.force, from);
+        if (series.width < piece.width) piece.width = series.width;
+        piece.count = series.count;
+        double ratio = 1;  // the piece may end before the series does
+        for (int k = 0; k < series.count; ++k, ratio *= piece.width / series.width)
+            piece.force[k] = ratio * series.c[k];
+        const Powers wave = seenFrom(twice, from, piece.width);
+        for (int k = 0; k < piece.count; ++k)
+            piece.speed[k] = ((k < WaveCell::count ? wave[k] : 0) - piece.force[k]) / m_impedance;
+    } else if (m_mass == 0) {
+        const Powers wave = seenFrom(g, from, piece.width);
+        for (int k = 0; k < WaveCell::count; ++k) piece.speed[k] = 2 / m_impedance * wave[k];
+    } else if (m_now.isApart()) {
+        Powers target = g;
+        for (double& coefficient : target) coefficient *= 2 / m_impedance;
+        const RelaxationPiece series =
+            relaxationPiece(target, m_impedance / m_mass * width, m_now.velocity, from);
+        if (series.width < piece.width) piece.width = series.width;
+        piece.count = series.count;
+        double ratio = 1;
+        for (int k = 0; k < series.count; ++k, ratio *= piece.width / series.width)
+            piece.speed[k] = ratio * series.c[k];
+    } else {
+        const OscillationRates rates{m_impedance, m_mass, m_now.law.slope(m_now.line)};
+        piece.width = std::min(piece.width, 1 / (rates.fastest() * width));
+        const OscillationPiece series = oscillationPiece(rates, seenFrom(g, from, piece.width),
+                                                         piece.width * width, m_now.velocity, m_now.force);
+        piece.count = OscillationPiece::capacity;
+        piece.force = series.force;
+        piece.speed = series.velocity;
+    }
+    piece.distance[0] = m_now.distance;
+    for (int k = 0; k < piece.count; ++k)
+        piece.distance[k + 1] = -piece.width * width * piece.speed[k] / (k + 1);
+    return piece;
+}
+
+/// From event to event.
+WaveCell BitNode::follow(const WaveCell& g, double width, double share, double time, CutAt cutAt,
+                         CellJump& jump) {
+    constexpr int mostPieces = 100'000;
+    const Powers powers = g.powers();
+    CellProjection leaving;
+    SearchCount uncounted;
+    double from = 0;
+    for (int pieces = 0; from < share; ++pieces) {
+        if (pieces == mostPieces) {
+            m_trouble = "contact and separation follow each other without end";
+            break;
+        }
+        EventPiece piece = nextPiece(powers, width, from, share);
+        ContactLine next = m_now.line;
+        Zero<double> event;
+        const auto meet = [&](const double* c, int count, ContactLine line) {
+            const auto zero = firstZero(c, count, event.found ? event.u : 1.0, uncounted);
+            if (zero.undecided) m_trouble = "an event at the rock cannot be placed";
+            if (zero.found && (!event.found || zero.u < event.u)) event = zero, next = line;
+        };
+        if (m_now.isApart()) {
+            meet(piece.distance.data(), piece.count + 1, m_now.law.lineAtContact());
+        } else if (m_now.law.isOneWay(m_now.line)) {
+            meet(piece.speed.data(), piece.count, ContactLine::elastic);
+        } else {
+            meet(piece.force.data(), piece.count, ContactLine::apart);
+            if (!m_now.law.isElastic()) {
+                std::array<double, EventPiece::capacity> below;
+                for (int k = 0; k < piece.count; ++k) below[k] = -piece.force[k];
+                below[0] += m_now.law.largestForce();
+                meet(below.data(), piece.count, ContactLine::primary);
+            }
+        }
+        const double end = event.found ? event.u : 1;
+        const double to = event.found || from + piece.width < share ? from + end * piece.width : share;
+        const double eventTime = time + to * width;
+        const double length = (to - from) * width;
+        if (to > from) {
+            const auto local = [&](double u) { return (u - piece.from) / piece.width; };
+            if (m_mass > 0)
+                leaving.add(from, to, [&](double u) { return -m_impedance * piece.speedAt(local(u)); });
+            else if (!m_now.isApart())
+                leaving.add(from, to, [&](double u) { return piece.forceAt(local(u)); });
+            if (!m_now.isApart()) {
+                m_now.record.contactDuration += length;
+                double sum = 0, moment = 0, power = end;
+                for (int k = 0; k < piece.count; ++k, power *= end) {
+                    sum += piece.force[k] * power / (k + 1);
+                    moment += piece.force[k] * power * end / (k + 2);
+                }
+                const double scale = piece.width * width;
+                m_now.record.impulse += scale * sum;
+                m_now.record.impulseMoment += scale * ((time + from * width) * sum + scale * moment);
+            }
+        }
+        if (!m_now.isApart() && m_now.law.isElastic()) {
+            const auto top = firstZero(piece.speed.data(), piece.count, end, uncounted);
+            if (top.found) noteForce(piece.forceAt(top.u), time + (from + top.u * piece.width) * width);
+        }
+        if (m_now.isApart()) {
+            m_now.distance = piece.distanceAt(end);
+        } else {
+            m_now.force = piece.forceAt(end);
+            if (m_now.line == ContactLine::primary) noteForce(m_now.force, eventTime);
+        }
+        if (m_mass > 0) m_now.velocity = piece.speedAt(end);
+        if (event.found) {
+            const bool rests = m_now.law.isOneWay(m_now.line) && event.u > 0;
+            const bool isJump = m_now.isApart() && fastestRate() * width * (1 - to) > fastRise &&
+                                std::abs(piece.speedAt(end)) > leastJump;
+            if (!jump.found && to > nearestCut && to < 1 - nearestCut &&
+                (cutAt == CutAt::corners || (cutAt == CutAt::jumps && isJump)))
+                jump = {true, to};
+            enter(next, eventTime);
+            // where the bit turns it stands still: rounding must not send it on
+            if (rests && m_mass == 0) {
+                m_now.force = 2 * g.value(to);
+                noteForce(m_now.force, eventTime);
+                m_now.force = m_now.law.largestForce();
+            } else if (rests) {
+                m_now.velocity = 0;
+            }
+        }
+        from = to;
+    }
+    return m_mass > 0 ? g + leaving.cell() : leaving.cell() - g;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bit on the rock: the wave that arrives, the force of the rock, the wave that leaves (strings §5).
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "core/contact/bilinear_law.h"
+#include "core/wave/impact.h"
+#include "core/wave/network/oscillation.h"
+#include "core/wave/network/relaxation.h"
+#include "core/wave/network/wave_cell.h"
+
+namespace drillwave {
+
+/// What the rock has been through, at a time.
+struct BitRecord {
+    double impulse = 0;          ///< ∫F dt
+    double impulseMoment = 0;    ///< ∫F t dt
+    double peakForce = 0;        ///< largest F
+    double peakTime = 0;         ///< when
+    double firstContact = -1;    ///< when; negative: never
+    double lastSeparation = -1;  ///< when; negative: never
+    double contactDuration = 0;  ///< summed over contacts
+    int contacts = 0;
+};
+
+/// Where bit and rock are, and how they came there.
+struct BitState {
+    BitState(const BilinearLaw<double>& untouched, double gap) : law(untouched), distance(gap) {}
+
+    BilinearLaw<double> law;  ///< with what the rock remembers
+    ContactLine line = ContactLine::apart;
+    double force = 0;
+    double velocity = 0;  ///< of the bit mass
+    double distance;      ///< from the face that the rock has now, while apart
+    BitRecord record;
+
+    bool isApart() const { return line == ContactLine::apart; }
+    /// U, from the undisturbed face of the rock.
+    double penetration() const {
+        return isApart() ? law.residualPenetration() - distance : law.penetration(force);
+    }
+};
+
+/// Which events cut the cells.
+enum class CutAt {
+    nothing,
+    jumps,   ///< contacts whose force rises too fast for a cell
+    corners  ///< whatever bends a wave: then all cells are smooth
+};
+
+/// Where in a cell to cut.
+struct CellJump {
+    bool found = false;
+    double place = 0;  ///< in the cell, 0 … 1
+};
+
+/// The end of the string, with the mass of a bit or without:
+///
+///     M U'' + Z U' + F(U) = 2g,    b = g − Z U'        (M = 0: U' = (2g − F)/Z, b = F − g)
+///
+/// F bilinear with memory. A cell without an event is one product with a matrix; else it is followed from
+/// event to event and projected.
+class BitNode {
+  public:
+    BitNode(double impedance, double mass, const BitRockLaw& law, double gap);
+
+    /// The cells that follow have these widths [t0], in turn.
+    void setWidths(const std::vector<double>& widths);
+
+    /// One cell of width number `index` that begins at `time` [t0]: from the wave g that arrives to the wave
+    /// b that leaves. Where it found a place to cut, it is to be taken again in parts.
+    WaveCell step(const WaveCell& g, int index, double time, CutAt cutAt, CellJump& jump);
+    /// Where it would be after the first `share` of that cell.
+    BitState stateWithin(const WaveCell& g, int index, double share, double time) const;
+
+    const BitState& state() const { return m_now; }
+    void setState(const BitState& state) { m_now = state; }
+    /// Where events go; nullptr: nowhere.
+    void setEvents(std::vector<ImpactEvent>* events) { m_events = events; }
+    double mass() const { return m_mass; }
+    /// How fast it follows on the elastic line [1/t0].
+    double fastestRate() const;
+    /// All rates at which it follows [1/t0].
+    std::vector<double> rates() const;
+    /// Why the node could not go on; empty when it could.
+    std::string_view trouble() const { return m_trouble; }
+
+  private:
+    struct CellMaps;
+    struct EventPiece;
+
+    WaveCell follow(const WaveCell& g, double width, double share, double time, CutAt cutAt, CellJump& jump);
+    bool quietStep(const WaveCell& g, const CellMaps& maps, double time, WaveCell& b);
+    EventPiece nextPiece(const std::array<double, WaveCell::count>& g, double width, double from,
+                         double end) const;
+    void noteForce(double force, double time);
+    void enter(ContactLine line, double time);
+    double rateOn(ContactLine line) const { return m_now.law.slope(line) / m_impedance; }
+
+    struct CellMaps {
+        double width = 0;
+        Relaxation primary, elastic;  ///< of the force, M = 0
+        Relaxation apart;             ///< of the velocity, M > 0
+        Oscillation primaryMass, elasticMass;
+    };
+
+    double m_impedance;
+    double m_mass;
+    std::vector<CellMaps> m_maps;
+    BitState m_now;
+    std::vector<ImpactEvent>* m_events = nullptr;
+    std::string_view m_trouble;
+};
+
+}  // namespace drillwave

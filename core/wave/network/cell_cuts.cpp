@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/network/cell_cuts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drillwave {
+
+namespace {
+
+/// Where the parts behind a front end: the rest of a cell is one part.
+constexpr double longestPart = 0.8;
+
+/// So many times its own length behind a front a rate has died away: parts may grow faster.
+constexpr double diedAway = 25, growthBehind = 4;
+
+/// Rates so fast that what they lose in a cell is below 1e-9 of it need no parts.
+constexpr double wallRate = 1e9;
+
+/// Jumps at most that are followed at a place of their own.
+constexpr int mostJumps = 100;
+
+/// Cuts nearer to each other than that are one.
+constexpr double nearestCut = 1e-9;
+
+}  // namespace
+
+CellCuts::CellCuts(double cell, const std::vector<double>& rates, const Grading& grading)
+    : m_cell(cell), m_grading(grading) {
+    for (const double rate : rates)
+        if (rate * cell > grading.first && rate * cell <= wallRate) m_rates.push_back(rate * cell);
+    addGraded(0);
+    measure();
+}
+
+/// How long a part may be at some distance behind a front.
+double CellCuts::stepBehind(double distance) const {
+    double step = (growthBehind - 1) * distance + (distance > 0 ? 0 : 1);
+    for (const double rate : m_rates)
+        if (rate * distance < diedAway)
+            step = std::min(step, std::max(m_grading.first / rate, (m_grading.growth - 1) * distance));
+    return step;
+}
+
+bool CellCuts::add(double place) {
+    const auto next = std::lower_bound(m_places.begin(), m_places.end(), place);
+    const double after = next != m_places.end() ? *next : 1;
+    if (after - place <= nearestCut || place - *(next - 1) <= nearestCut) return false;
+    m_places.insert(next, place);
+    return true;
+}
+
+void CellCuts::addGraded(double place) {
+    for (double behind = stepBehind(0); behind < longestPart; behind += stepBehind(behind)) {
+        const double at = place + behind;
+        add(at < 1 ? at : at - 1);
+    }
+}
+
+void CellCuts::measure() {
+    m_widths.clear();
+    for (std::size_t i = 0; i < m_places.size(); ++i)
+        m_widths.push_back(m_cell * ((i + 1 < m_places.size() ? m_places[i + 1] : 1) - m_places[i]));
+}
+
+bool CellCuts::cutAt(double place) {
+    if (m_jumps == mostJumps || !add(place)) return false;
+    ++m_jumps;
+    addGraded(place);
+    measure();
+    return true;
+}
+
+void CellCuts::endPartAt(double place) {
+    if (place > 0 && add(place)) measure();
+}
+
+std::vector<WaveCell> CellCuts::recut(const WaveCell* cells, std::size_t cellCount, const CellCuts& coarse,
+                                      std::size_t first) const {
+    std::vector<WaveCell> parts;
+    for (std::size_t i = 0; i < cellCount; ++i) {
+        const std::size_t part = (first + i) % coarse.count();
+        const double start = coarse.m_places[part];
+        const double end = part + 1 < coarse.count() ? coarse.m_places[part + 1] : 1;
+        auto at = std::lower_bound(m_places.begin(), m_places.end(), start);
+        for (; at != m_places.end() && *at < end; ++at) {
+            const double next = at + 1 != m_places.end() ? *(at + 1) : 1;
+            if (*at == start && next == end)
+                parts.push_back(cells[i]);
+            else
+                parts.push_back(cells[i].part((*at - start) / (end - start), (next - start) / (end - start)));
+        }
+    }
+    return parts;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where every cell is cut, so that jumps lie between parts.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/wave/network/wave_cell.h"
+
+namespace drillwave {
+
+/// How finely cells are cut behind a front, where some quantity follows fast.
+struct Grading {
+    double first;   ///< how far the fastest rate runs in the first part
+    double growth;  ///< of the parts behind it
+    bool operator==(const Grading&) const = default;
+};
+
+/// The parts of a cell: in a string whose round trips share a cell a jump stays at its place in every cell.
+class CellCuts {
+  public:
+    /// Cells of this size [t0] on which quantities follow each other at these rates [1/t0].
+    CellCuts(double cell, const std::vector<double>& rates, const Grading& grading);
+
+    std::size_t count() const { return m_places.size(); }
+    /// Where part number i begins, in cells: 0 = places()[0] < … < 1.
+    const std::vector<double>& places() const { return m_places; }
+    /// How long it is [t0].
+    const std::vector<double>& widths() const { return m_widths; }
+
+    /// On a clock that counts parts from a whole cell on, where `step` begins and how long it is [t0].
+    double clock(long step) const {
+        const long parts = static_cast<long>(count());
+        const long cell = step >= 0 ? step / parts : -((parts - 1 - step) / parts);
+        return m_cell * (static_cast<double>(cell) + m_places[step - cell * parts]);
+    }
+    double width(long step) const {
+        const long parts = static_cast<long>(count());
+        return m_widths[((step % parts) + parts) % parts];
+    }
+
+    /// Also cut at this place, and behind it as finely as behind a front. False where that is cut already, or
+    /// there are enough cuts.
+    bool cutAt(double place);
+
+    /// Also end a part at this place, where no wave bends.
+    void endPartAt(double place);
+
+    /// Cells in parts that follow each other from part number `first` of `coarse` on, as parts of this.
+    std::vector<WaveCell> recut(const WaveCell* cells, std::size_t cellCount, const CellCuts& coarse,
+                                std::size_t first) const;
+
+  private:
+    bool add(double place);
+    void addGraded(double place);
+    double stepBehind(double distance) const;
+    void measure();
+
+    double m_cell;
+    std::vector<double> m_rates;  ///< times cell
+    Grading m_grading;
+    int m_jumps = 0;
+    std::vector<double> m_places{0};
+    std::vector<double> m_widths;
+};
+
+}  // namespace drillwave

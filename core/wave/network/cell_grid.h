@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cells of time that all round trips share (strings §12).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/wave/network/network_problem.h"
+
+namespace drillwave {
+
+/// Round trips as whole numbers of cells.
+struct CellGrid {
+    double cell = 0;               ///< Δ [t0]
+    std::vector<long> roundTrips;  ///< of each section: 2 T = roundTrips · Δ
+    double rounding = 0;           ///< largest |2 T − roundTrips Δ| [t0]
+
+    /// The same with cells of half the size.
+    CellGrid halved() const;
+};
+
+/// The largest cell that divides all round trips to 1e-9 of the longest; nothing where there is none of at
+/// least `leastCell` [t0].
+std::optional<CellGrid> sharedGrid(const std::vector<NetworkSection>& sections, double leastCell);
+
+/// Round trips rounded to whole cells of that size, at least one each.
+CellGrid roundedGrid(const std::vector<NetworkSection>& sections, double cell);
+
+}  // namespace drillwave

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The face of the hammer on the string: it pushes and cannot pull (strings §4).
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/wave/network/bit_node.h"
+#include "core/wave/network/network_problem.h"
+#include "core/wave/network/relaxation.h"
+#include "core/wave/network/wave_cell.h"
+
+namespace drillwave {
+
+/// What has passed the face, at a time.
+struct FaceRecord {
+    double impulse = 0;           ///< ∫P dt
+    double impulseMoment = 0;     ///< ∫P t dt
+    double peakForce = 0;         ///< largest P
+    double peakTime = 0;          ///< when
+    double firstRelease = -1;     ///< when P first fell to zero; negative: never
+    double firstSeparation = -1;  ///< when the faces first moved apart; negative: never
+};
+
+/// Where the faces are, and how they came there.
+struct FaceState {
+    bool apart = false;
+    bool released = false;  ///< for ever: no re-strike
+    double gap = 0;
+    double force = 0;  ///< P of faces with a stiffness
+    FaceRecord record;
+};
+
+/// Two faces of impedances Z1 and Z2 with a gap h ≥ 0, w = 2(f1/Z1 + b2/Z2) how fast they would close if
+/// nothing held them. Rigid: P = Z* w where they touch. With a stiffness: P' = kc (w − P/Z*). Apart: h' = −w.
+class FaceNode {
+  public:
+    FaceNode(double impedance1, double impedance2, const NetworkFace& face);
+
+    void setWidths(const std::vector<double>& widths);
+
+    /// One cell: the waves f1 and b2 that arrive become those that leave, b1 and f2.
+    void step(WaveCell& f1ToF2, WaveCell& b2ToB1, int index, double time, CutAt cutAt, CellJump& jump);
+    /// Where they would be after the first `share` of that cell.
+    FaceState stateWithin(const WaveCell& f1, const WaveCell& b2, int index, double share, double time) const;
+
+    const FaceState& state() const { return m_now; }
+    void setState(const FaceState& state) { m_now = state; }
+    std::optional<double> stiffness() const { return m_stiffness; }
+    /// How fast the force follows [1/t0]; 0 for rigid faces.
+    double rate() const { return m_stiffness ? *m_stiffness / m_common : 0; }
+    std::string_view trouble() const { return m_trouble; }
+
+  private:
+    WaveCell closingSpeed(const WaveCell& f1, const WaveCell& b2) const;
+    bool quietForce(const WaveCell& w, int index, double time, WaveCell& force);
+    WaveCell follow(const WaveCell& w, double width, double share, double time, CutAt cutAt, CellJump& jump);
+    void add(const WaveCell& force, double width, double time);
+    void notePeak(double force, double time);
+    void noteOpening(const WaveCell& w, double width, double time);
+    void separate(double time);
+
+    double m_impedance1, m_impedance2;
+    double m_common;  ///< Z* = Z1 Z2/(Z1 + Z2)
+    std::optional<double> m_stiffness;
+    bool m_restrike;
+    std::vector<double> m_widths;
+    std::vector<Relaxation> m_maps;  ///< of faces with a stiffness
+
+    FaceState m_now;
+    std::string_view m_trouble;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One blow on a drill string, solved.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/wave/impact.h"
+#include "core/wave/network/wave_cell.h"
+
+namespace drillwave {
+
+/// What ended the solution.
+enum class NetworkEnd {
+    proven,    ///< neither rock nor hammer can be met again (strings §8)
+    endTime,   ///< followed to the time that was asked for
+    nextBlow,  ///< followed to the next blow, and not proven to be over: not final
+    notSolved  ///< `reason` says why, numbers are not to be used
+};
+
+/// The largest force of one sign in a section, and where.
+struct SectionPeak {
+    double force = 0;  ///< [Zr v0], of either sign ≥ 0
+    double place = 0;  ///< ξ in the section, 0 at its rear end … 1
+    double time = 0;   ///< [t0]
+};
+
+/// Compression and tension of one section of hammer or string.
+struct SectionForces {
+    SectionPeak compression;
+    SectionPeak tension;
+};
+
+/// What both waves of a section have been, cell by cell.
+struct SectionHistory {
+    double downDelay = 0, upDelay = 0;  ///< from the clock of the cells to the time at either end [t0]
+    std::vector<WaveCell> down;         ///< f as it enters the rear end
+    std::vector<WaveCell> up;           ///< b as it enters the front end
+};
+
+/// Where the energy of the hammer went, in E0; the sum is 1 but for `energyResidual`.
+struct NetworkLedger {
+    double rock = 0;    ///< work on the rock
+    double hammer = 0;  ///< still in the hammer
+    double string = 0;  ///< in the string with its masses
+    double joints = 0;  ///< lost in joints
+    double rods = 0;    ///< lost on the way through sections
+    double face = 0;    ///< in the stiffness of the faces
+};
+
+/// Result of one blow. Units of NetworkProblem.
+struct NetworkImpact {
+    NetworkEnd end = NetworkEnd::notSolved;
+    std::string reason;  ///< one sentence when not solved
+    double endTime = 0;  ///< the time of all that follows
+
+    double hammerEnergy = 0;     ///< E0
+    double hammerMomentum = 0;   ///< p0
+    NetworkLedger energy;        ///< [E0]
+    double energyResidual = 0;   ///< 1 − the sum of the ledger
+    double efficiencyError = 0;  ///< stated error of energy.rock
+
+    double rockImpulse = 0, pistonMomentum = 0, stringMomentum = 0;  ///< towards the rock
+    double externalMomentum = 0;                                     ///< given away in joints and rods
+    double momentumResidual = 0;                                     ///< what the four leave of p0 [p0]
+    double hammerMass = 0;                                           ///< [Zr t0]
+
+    double peakForce = 0, peakTime = 0;  ///< of the rock
+    double largestPenetration = 0, residualPenetration = 0;
+    double firstContact = -1, lastSeparation = -1;  ///< of bit and rock; negative: never
+    double contactDuration = 0;
+    int contacts = 0;
+    bool inContact = false;  ///< of bit and rock at the end
+
+    double faceImpulse = 0, facePeakForce = 0, facePeakTime = 0;
+    double faceSeparation = -1;  ///< the first; negative: never
+
+    std::vector<ImpactEvent> events;        ///< at the rock
+    std::vector<SectionForces> sections;    ///< where wanted
+    std::vector<double> jointReflection;    ///< [E0] per joint of two sections, where wanted
+    std::vector<SectionHistory> histories;  ///< where wanted
+    std::vector<double> clocks;             ///< where the cells of all histories begin, and the end [t0]
+
+    long cells = 0;       ///< cells times nodes: the work
+    int cuts = 0;         ///< how often the cells were cut where a jump lay
+    double cell = 0;      ///< Δ [t0]
+    double rounding = 0;  ///< of the round trips, largest [t0]
+};
+
+}  // namespace drillwave

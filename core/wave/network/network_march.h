@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A blow on a drill string, cell by cell (strings §12).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/wave/network/bit_node.h"
+#include "core/wave/network/cell_cuts.h"
+#include "core/wave/network/cell_grid.h"
+#include "core/wave/network/delay_line.h"
+#include "core/wave/network/face_node.h"
+#include "core/wave/network/joint.h"
+#include "core/wave/network/network_impact.h"
+#include "core/wave/network/network_problem.h"
+#include "core/wave/network/section_watch.h"
+#include "core/wave/network/string_census.h"
+
+namespace drillwave {
+
+/// What is wanted of a blow beside its sums.
+struct NetworkWants {
+    bool events = false;
+    bool forces = false;     ///< of every section, and what joints reflect
+    bool histories = false;  ///< both waves of every section
+    CutAt cutAt = CutAt::jumps;
+    Grading grading{0.3, 1.5};
+};
+
+/// One blow on a lattice of polynomial cells. Only round trips matter: every node has a clock of its own, the
+/// waves down arrive at once and those back a round trip later. A jump that a contact makes inside a cell
+/// cuts every cell of every line there from then on.
+class NetworkMarch {
+  public:
+    NetworkMarch(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants);
+
+    /// At most `mostCells` cells times nodes.
+    NetworkImpact run(long mostCells, const std::stop_token& stop);
+
+  private:
+    /// All that a block of steps changes beside the lines.
+    struct Nodes {
+        FaceState face;
+        BitState bit;
+        std::vector<double> massVelocities;
+        std::size_t events;
+    };
+    Nodes nodes() const;
+    void setNodes(const Nodes& nodes);
+
+    std::vector<double> rates() const;
+    void setWidths();
+    std::size_t nextBlock() const;
+    bool mayJump() const;
+    /// One block of steps; where it found a jump it is to be taken again.
+    CellJump stepBlock(std::size_t count, CutAt cutAt);
+    CellJump stepFace(std::size_t count, CutAt cutAt);
+    CellJump stepBit(std::size_t count, CutAt cutAt);
+    void takeMassVelocity(std::size_t joint, const WaveCell* f1, const WaveCell* b2, std::size_t count);
+    bool cut(double place);
+    void observe(std::size_t count);
+    void scheduleCensus();
+    bool isLossy() const;
+    NetworkImpact result(const CensusResult& census, NetworkEnd end);
+    NetworkImpact notSolved(std::string reason) const;
+    double jumpPlace(std::size_t part, double place) const;
+    double limitTime() const;
+    double clock() const { return m_cuts.clock(m_step); }
+
+    NetworkProblem m_problem;
+    CellGrid m_grid;
+    NetworkWants m_wants;
+    std::vector<double> m_passing;  ///< e^−αL of each section
+    StringClocks m_clocks;
+    CellCuts m_cuts;
+    std::vector<Joint> m_joints;  ///< in front of section j + 1 at [j]; that of the face is not used
+    FaceNode m_face;
+    BitNode m_bit;
+    std::vector<DelayLine> m_lines;              ///< waves back, of each section
+    std::vector<std::vector<WaveCell>> m_downs;  ///< waves down over the present block, of each section
+    long m_step = 0;                             ///< parts of cells that every clock has gone
+    long m_cells = 0;
+    int m_cutsMade = 0;
+    std::vector<ImpactEvent> m_events;
+    std::optional<StringCensus> m_census;
+    std::vector<SectionWatch> m_watches;
+    std::vector<Joint> m_alone;       ///< the joints, met by waves down only
+    std::vector<double> m_reflected;  ///< ∫b1² of those
+    std::vector<SectionHistory> m_histories;
+    std::vector<double> m_clocksOfHistories;
+    std::vector<WaveCell> m_weakened;  ///< waves back over the present block, as they arrive
+};
+
+}  // namespace drillwave

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/network/network_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drillwave {
+
+namespace {
+
+/// How smooth waves have to be in the cells: cells in which a wave of the elastic line changes by more are
+/// halved, and parts behind a front are as fine as that.
+struct Smoothness {
+    double mostChange;
+    Grading grading;
+    CutAt cutAt;
+};
+constexpr Smoothness quickSmoothness{0.2, {0.3, 1.5}, CutAt::jumps};
+constexpr Smoothness sureSmoothness{0.02, {0.15, 1.25}, CutAt::corners};
+
+/// Round trips of hammer and string are at most so many cells; what shares none is rounded to that.
+constexpr double mostSharedCells = 2e6;
+constexpr double roundedCells = 2e4;
+
+/// What rounding in double precision is worth, in E0.
+constexpr double leastError = 1e-13;
+
+/// The difference of two solutions counts as often: it covered all that was tried.
+constexpr double covering = 4;
+
+double roundTripOf(const NetworkProblem& problem) {
+    double sum = 0;
+    for (const NetworkSection& section : problem.sections) sum += 2 * section.transitTime;
+    return sum;
+}
+
+/// Halves cells until the waves that the rock makes are smooth in them, as far as that is worth the work.
+CellGrid fineEnough(CellGrid grid, const NetworkProblem& problem, double mostChange) {
+    constexpr double enoughCells = 4000;  // to all round trips: beyond it the parts behind fronts must do
+    const NetworkSection& last = problem.sections.back();
+    const double rate = problem.law.beta / problem.law.gamma / last.impedance;
+    const double roundTrip = roundTripOf(problem);
+    while (rate * grid.cell > mostChange && roundTrip / grid.cell < enoughCells) grid = grid.halved();
+    return grid;
+}
+
+NetworkImpact solveOn(const NetworkProblem& problem, const CellGrid& grid, const NetworkSettings& settings,
+                      const Smoothness& smoothness, const std::stop_token& stop) {
+    NetworkWants wants = settings.wants;
+    wants.cutAt = smoothness.cutAt;
+    wants.grading = smoothness.grading;
+    return NetworkMarch(problem, grid, wants).run(settings.mostCells, stop);
+}
+
+double errorOf(const NetworkImpact& fine, const NetworkImpact& coarse) {
+    return std::max({leastError, std::abs(fine.energyResidual),
+                     covering * std::abs(fine.energy.rock - coarse.energy.rock)});
+}
+
+/// Round trips that share no cell: rounded, and rounded otherwise.
+NetworkImpact solveRounded(const NetworkProblem& problem, const NetworkSettings& settings,
+                           const std::stop_token& stop) {
+    const double cell = roundTripOf(problem) / roundedCells;
+    NetworkImpact impact =
+        solveOn(problem, roundedGrid(problem.sections, cell), settings, quickSmoothness, stop);
+    NetworkSettings sums = settings;
+    sums.wants = {};
+    impact.efficiencyError = leastError;
+    for (const double other : {0.83, 1.19}) {
+        if (impact.end == NetworkEnd::notSolved) return impact;
+        const NetworkImpact compared =
+            solveOn(problem, roundedGrid(problem.sections, other * cell), sums, quickSmoothness, stop);
+        if (compared.end == NetworkEnd::notSolved) return compared;
+        impact.efficiencyError = std::max(impact.efficiencyError, errorOf(impact, compared));
+    }
+    return impact;
+}
+
+}  // namespace
+
+std::string_view networkRefusal(const NetworkProblem& problem) {
+    for (std::size_t j = 0; j < problem.hammerSections; ++j)
+        if (problem.sections[j].decay > 0 || problem.sections[j].loss > 0)
+            return "losses inside the hammer are not part of the model: give loss and attenuation to the "
+                   "string only";
+    return {};
+}
+
+NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings& settings,
+                           const std::stop_token& stop) {
+    if (const std::string_view refusal = networkRefusal(problem); !refusal.empty()) {
+        NetworkImpact refused;
+        refused.reason = refusal;
+        return refused;
+    }
+    std::optional<CellGrid> grid = sharedGrid(problem.sections, roundTripOf(problem) / mostSharedCells);
+    if (!grid) return solveRounded(problem, settings, stop);
+    const auto gridFor = [&](const Smoothness& smoothness) {
+        CellGrid fitting = fineEnough(*grid, problem, smoothness.mostChange);
+        for (int i = 0; i < settings.halvings; ++i) fitting = fitting.halved();
+        return fitting;
+    };
+    if (settings.accuracy == NetworkAccuracy::quick) {
+        NetworkImpact impact = solveOn(problem, gridFor(quickSmoothness), settings, quickSmoothness, stop);
+        impact.efficiencyError = std::max(leastError, std::abs(impact.energyResidual));
+        return impact;
+    }
+    NetworkSettings sums = settings;
+    sums.wants = {};
+    const NetworkImpact coarse = solveOn(problem, gridFor(quickSmoothness), sums, quickSmoothness, stop);
+    if (coarse.end == NetworkEnd::notSolved) return coarse;
+    NetworkImpact fine = solveOn(problem, gridFor(sureSmoothness), settings, sureSmoothness, stop);
+    fine.efficiencyError = errorOf(fine, coarse);
+    fine.cells += coarse.cells;
+    return fine;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Blows on drill strings with a stated error (strings §12).
+#pragma once
+
+#include <stop_token>
+
+#include "core/wave/network/network_impact.h"
+#include "core/wave/network/network_march.h"
+#include "core/wave/network/network_problem.h"
+
+namespace drillwave {
+
+/// How exact an answer is wanted.
+enum class NetworkAccuracy {
+    quick,  ///< one run, cells cut at jumps only; its error is what the energy balance misses
+    sure,   ///< cells cut at every corner of a wave, against a quick run
+};
+
+/// Most cells times nodes of one run: some tens of seconds.
+inline constexpr long mostNetworkCells = 2'000'000'000;
+
+/// What cells of this string shall divide, and how small the law of the rock asks them to be.
+struct NetworkSettings {
+    NetworkAccuracy accuracy = NetworkAccuracy::sure;
+    NetworkWants wants;
+    int halvings = 0;  ///< cells half as large as usual, and again
+    long mostCells = mostNetworkCells;
+};
+
+/// Why this is no problem that can be solved: losses inside the hammer, a section without length. Empty where
+/// it is one.
+std::string_view networkRefusal(const NetworkProblem& problem);
+
+/// Solves one blow. Round trips that share no cell are rounded: `rounding` tells by how much, and the error
+/// then is what other cells make of it. A blow that takes more work than permitted is not solved.
+NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings& settings,
+                           const std::stop_token& stop = {});
+
+}  // namespace drillwave

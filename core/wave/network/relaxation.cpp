@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/network/relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace drillwave {
+
+namespace {
+
+using Powers = std::array<double, WaveCell::count>;
+
+/// q − q'/rate + q''/rate² − q'''/rate³: the solution that has forgotten how it began.
+Powers slowSolution(const Powers& q, double rate) {
+    Powers y = q;
+    for (int k = WaveCell::count - 2; k >= 0; --k) y[k] = q[k] - (k + 1) * y[k + 1] / rate;
+    return y;
+}
+
+double sizeOf(const Powers& p) {
+    double sum = 0;
+    for (const double coefficient : p) sum += std::abs(coefficient);
+    return sum;
+}
+
+/// From here on the layer is thinner than the rounding of times in the cell.
+constexpr double instantRate = 1e13;
+
+/// The solution over the cell, and y at its end.
+struct Followed {
+    WaveCell cell;
+    double end = 0;
+};
+
+Followed followPieces(const Powers& input, double rate, double start) {
+    CellProjection projection;
+    double y = start;
+    for (double from = 0; from < 1;) {
+        const RelaxationPiece piece = relaxationPiece(input, rate, y, from);
+        const bool last = from + piece.width >= 1;
+        const double to = last ? 1 : from + piece.width;
+        projection.add(from, to, [&](double u) { return piece.value((u - piece.from) / piece.width); });
+        y = piece.value(1);
+        from = to;
+    }
+    return {projection.cell(), y};
+}
+
+}  // namespace
+
+Powers seenFrom(const Powers& p, double from, double width) {
+    Powers q = p;
+    for (int i = 0; i + 1 < WaveCell::count; ++i)
+        for (int k = WaveCell::count - 2; k >= i; --k) q[k] += from * q[k + 1];
+    double power = 1;
+    for (double& coefficient : q) coefficient *= power, power *= width;
+    return q;
+}
+
+RelaxationPiece relaxationPiece(const Powers& input, double rate, double start, double from) {
+    constexpr double farthest = 1;  // width · rate: the series ends at 1/20! there
+    RelaxationPiece piece;
+    piece.from = from;
+    const double left = 1 - from;
+    if (rate * left > 4 * farthest) {
+        const Powers slow = seenFrom(slowSolution(input, rate), from, left);
+        const double noise = 4 * std::numeric_limits<double>::epsilon();
+        const double size = std::max({sizeOf(slow), sizeOf(input), std::abs(start)});
+        if (rate > instantRate || std::abs(start - slow[0]) <= noise * size) {
+            piece.width = left;
+            piece.count = WaveCell::count;
+            std::copy_n(slow.begin(), WaveCell::count, piece.c.begin());
+            return piece;
+        }
+    }
+    piece.width = std::min(left, farthest / rate);
+    const Powers q = seenFrom(input, from, piece.width);
+    const double step = rate * piece.width;
+    piece.count = RelaxationPiece::capacity;
+    piece.c[0] = start;
+    for (int k = 0; k + 1 < piece.count; ++k)
+        piece.c[k + 1] = step * ((k < WaveCell::count ? q[k] : 0) - piece.c[k]) / (k + 1);
+    return piece;
+}
+
+Relaxation::Relaxation(double rate) {
+    for (int l = 0; l < WaveCell::count; ++l) {
+        WaveCell unit;
+        unit.c[l] = 1;
+        const Followed followed = followPieces(unit.powers(), rate, 0);
+        m_ofInput[l] = followed.cell.c;
+        m_endOfInput[l] = followed.end;
+    }
+    const Followed followed = followPieces({}, rate, 1);
+    m_ofStart = followed.cell.c;
+    m_kept = followed.end;
+}
+
+}  // namespace drillwave

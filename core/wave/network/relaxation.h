@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A quantity that follows another one at a rate: rock force, face force, lumped mass.
+#pragma once
+
+#include <array>
+
+#include "core/wave/network/wave_cell.h"
+
+namespace drillwave {
+
+/// A Taylor series of the solution of y' = rate (q − y) from one point of a cell on.
+struct RelaxationPiece {
+    static constexpr int capacity = 20;
+    double from = 0;   ///< where in the cell it begins, in its width
+    double width = 1;  ///< u = from + width v, 0 ≤ v ≤ 1
+    int count = 0;
+    std::array<double, capacity> c;  ///< y = Σ c_k v^k
+
+    double value(double v) const {
+        double sum = 0;
+        for (int k = count - 1; k >= 0; --k) sum = sum * v + c[k];
+        return sum;
+    }
+};
+
+/// p(from + width v) of the powers p of u.
+std::array<double, WaveCell::count> seenFrom(const std::array<double, WaveCell::count>& p, double from,
+                                             double width);
+
+/// The next piece from `from` on, where y is `start`; it ends where the cell does, or as far as the series
+/// carries. Behind the layer of a fast rate it is the slow solution q − q'/rate + …, exact for a cubic.
+/// `input` are the powers of q over the cell, `rate` is in units of one over the width of the cell.
+RelaxationPiece relaxationPiece(const std::array<double, WaveCell::count>& input, double rate, double start,
+                                double from);
+
+/// The solution over a whole cell as a linear map, exact but for rounding: y' = rate (q − y).
+class Relaxation {
+  public:
+    Relaxation() = default;
+    /// `rate` > 0 in units of one over the width of the cell.
+    explicit Relaxation(double rate);
+
+    /// The moments of y for an input q and y at the start, which becomes y at the end.
+    WaveCell follow(const WaveCell& q, double& y) const {
+        WaveCell out;
+        for (int k = 0; k < WaveCell::count; ++k) {
+            double sum = m_ofStart[k] * y;
+            for (int l = 0; l < WaveCell::count; ++l) sum += m_ofInput[l][k] * q.c[l];
+            out.c[k] = sum;
+        }
+        double last = m_kept * y;
+        for (int l = 0; l < WaveCell::count; ++l) last += m_endOfInput[l] * q.c[l];
+        y = last;
+        return out;
+    }
+
+  private:
+    std::array<std::array<double, WaveCell::count>, WaveCell::count> m_ofInput{};  ///< [of q][of y]
+    std::array<double, WaveCell::count> m_ofStart{};
+    std::array<double, WaveCell::count> m_endOfInput{};
+    double m_kept = 1;  ///< e^−rate
+};
+
+}  // namespace drillwave

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/network/section_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drillwave {
+
+struct SectionWatch::Meeting {
+    const WaveCell& down;
+    const WaveCell& up;
+    std::span<const WaveCell> window;
+    long step;
+    const CellCuts& cuts;
+    double lastTime;
+
+    long oldest() const { return step - static_cast<long>(window.size()); }
+};
+
+void SectionWatch::push(Side& side, const WaveCell& cell, long step, const CellCuts& cuts) {
+    const WaveCell::Peak peak = (side.sign * cell).peak();
+    while (!side.largest.empty() && side.largest.back().value <= peak.value) side.largest.pop_back();
+    side.largest.push_back({step, cuts.clock(step) + peak.place * cuts.width(step), peak.value});
+}
+
+void SectionWatch::note(SectionPeak& peak, double force, double downClock, double upClock,
+                        double lastTime) const {
+    if (force <= peak.force) return;
+    // f left the rear end at s, b the front end at q: they meet after (q − s + T)/2 of the way
+    const double s = m_section.startTime + downClock;
+    const double q = m_section.startTime + m_section.transitTime + upClock;
+    const double time = (s + q + m_section.transitTime) / 2;
+    if (time > lastTime) return;
+    peak = {force, std::clamp((q - s + m_section.transitTime) / (2 * m_section.transitTime), 0.0, 1.0), time};
+}
+
+void SectionWatch::watch(Side& side, const Meeting& meeting) const {
+    const WaveCell f = side.sign * meeting.down;
+    const WaveCell::Peak top = f.peak();
+    const double clock = meeting.cuts.clock(meeting.step), width = meeting.cuts.width(meeting.step);
+    const auto at = [&](double place) { return clock + place * width; };
+    const auto tell = [&](double force, double downClock, double upClock) {
+        note(side.peak, force, downClock, upClock, meeting.lastTime);
+    };
+    if (!side.largest.empty())
+        tell(top.value + side.largest.front().value, at(top.place), side.largest.front().clock);
+
+    // of the cell of a round trip ago f meets only what left later in it, of the present one what left
+    // earlier
+    const auto pair = [&](const WaveCell& b, double shift, bool later) {
+        const WaveCell::Peak other = b.peak();
+        if (top.value + other.value <= side.peak.force) return;
+        const auto candidate = [&](double force, double u, double v) { tell(force, at(u), at(v) - shift); };
+        if (later ? other.place >= top.place : other.place <= top.place)
+            candidate(top.value + other.value, top.place, other.place);
+        const double first = later ? 0 : 1;
+        candidate(f.value(first) + other.value, first, other.place);
+        candidate(top.value + b.value(1 - first), top.place, 1 - first);
+        const WaveCell::Peak sum = (f + b).peak();
+        candidate(sum.value, sum.place, sum.place);
+    };
+    pair(side.sign * meeting.window.front(), 2 * m_section.transitTime, true);
+    pair(side.sign * meeting.up, 0, false);
+}
+
+/// Where waves lose on their way it matters where they meet: all that may come into question is tried, with
+/// each cell's ends and its top.
+void SectionWatch::watchDecaying(Side& side, const Meeting& meeting) const {
+    const WaveCell f = side.sign * meeting.down;
+    const WaveCell::Peak top = f.peak();
+    const double most = side.largest.empty() ? 0 : side.largest.front().value;
+    const double edge =
+        std::max((side.sign * meeting.window.front()).peak().value, (side.sign * meeting.up).peak().value);
+    if (top.value + std::max(most, edge) <= side.peak.force) return;
+    const double clock = meeting.cuts.clock(meeting.step), width = meeting.cuts.width(meeting.step);
+    const double roundTrip = 2 * m_section.transitTime;
+    for (std::size_t i = 0; i <= meeting.window.size(); ++i) {
+        const bool present = i == meeting.window.size();
+        const WaveCell b = side.sign * (present ? meeting.up : meeting.window[i]);
+        const WaveCell::Peak other = b.peak();
+        if (top.value + other.value <= side.peak.force) continue;
+        const long step = meeting.oldest() + static_cast<long>(i);
+        for (const double u : {0.0, top.place, 1.0})
+            for (const double v : {0.0, other.place, 1.0}) {
+                if ((present && v > u) || (i == 0 && v < u)) continue;
+                const double downClock = clock + u * width;
+                const double upClock = present  ? clock + v * width
+                                       : i == 0 ? clock - roundTrip + v * width
+                                                : meeting.cuts.clock(step) + v * meeting.cuts.width(step);
+                const double share = (downClock - upClock) / roundTrip;  // of its way that b has gone
+                const double force = f.value(u) * std::exp(-m_section.decay * (1 - share)) +
+                                     b.value(v) * std::exp(-m_section.decay * share);
+                note(side.peak, force, downClock, upClock, meeting.lastTime);
+            }
+    }
+}
+
+void SectionWatch::add(const WaveCell& down, const WaveCell& up, std::span<const WaveCell> window, long step,
+                       const CellCuts& cuts, double lastTime) {
+    const Meeting meeting{down, up, window, step, cuts, lastTime};
+    for (Side* side : {&m_compression, &m_tension}) {
+        while (!side->largest.empty() && side->largest.front().step <= meeting.oldest())
+            side->largest.pop_front();
+        m_section.decay > 0 ? watchDecaying(*side, meeting) : watch(*side, meeting);
+        push(*side, up, step, cuts);
+    }
+}
+
+void SectionWatch::restart(std::span<const WaveCell> window, long step, const CellCuts& cuts) {
+    for (Side* side : {&m_compression, &m_tension}) {
+        side->largest.clear();
+        long at = step - static_cast<long>(window.size());
+        for (const WaveCell& cell : window) push(*side, cell, at++, cuts);
+    }
+}
+
+}  // namespace drillwave

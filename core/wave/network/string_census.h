@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The census of hammer and string at one time, taken while the march goes by.
+#pragma once
+
+#include <vector>
+
+#include "core/wave/network/census.h"
+#include "core/wave/network/joint.h"
+#include "core/wave/network/network_problem.h"
+
+namespace drillwave {
+
+/// A place of the string whose clock is that of the face less the way to it.
+struct StringClocks {
+    explicit StringClocks(const NetworkProblem& problem, const std::vector<double>& transitTimes);
+
+    std::vector<double> delays;  ///< of node i: time = clock + delays[i]; below 0 in the hammer
+    std::vector<double> transitTimes;
+    double earliest() const { return delays.front(); }
+    double bit() const { return delays.back(); }
+};
+
+/// Momentum and energy of everything at `time`, complete when every node has passed it.
+class StringCensus {
+  public:
+    StringCensus(const NetworkProblem& problem, const StringClocks& clocks, double time);
+
+    double time() const { return m_result.time; }
+    /// The clock at which the last node has passed.
+    double lastClock() const { return m_result.time - m_clocks->earliest(); }
+    /// The time on the clock of a node.
+    double clockOf(std::size_t node) const { return m_result.time - m_clocks->delays[node]; }
+
+    /// Waves of section `j` at its rear end, and at its front end.
+    LineCensus& down(std::size_t j) { return m_down[j]; }
+    LineCensus& up(std::size_t j) { return m_up[j]; }
+    void setBit(const BitState& bit) { m_result.bit = bit; }
+    void setFace(const FaceState& face) { m_result.face = face; }
+    /// The velocity of the mass behind section `j`.
+    void setMassVelocity(std::size_t j, double velocity) { m_massVelocities[j] = velocity; }
+
+    /// The sums, once lastClock() is passed.
+    CensusResult finish() const;
+
+  private:
+    const NetworkProblem* m_problem;
+    const StringClocks* m_clocks;
+    std::vector<LineCensus> m_down, m_up;
+    std::vector<double> m_massVelocities;
+    CensusResult m_result;
+};
+
+/// Whether neither the rock nor the hammer can be met again by a string that loses nothing (strings §8).
+bool nothingFollows(const NetworkProblem& problem, const StringClocks& clocks, const CensusResult& census);
+
+}  // namespace drillwave

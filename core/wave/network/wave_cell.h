@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A wave over one cell of time: a polynomial of degree 3 that keeps its moments.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "core/numeric/gauss_rule.h"
+
+namespace drillwave {
+
+/// f(u) = Σ c_k P_k(2u − 1) over 0 ≤ u ≤ 1, P_k of Legendre. Its moments ∫f u^k du, k = 0 … 3, are those of
+/// the wave that it stands for: what is cut off is orthogonal to all that is kept (strings §12).
+struct WaveCell {
+    static constexpr int count = 4;
+    std::array<double, count> c{};
+
+    static WaveCell constant(double value) { return {{value, 0, 0, 0}}; }
+    /// Of p(u) = Σ p_k u^k.
+    static WaveCell fromPowers(const std::array<double, count>& p) {
+        WaveCell f;
+        f.c[3] = p[3] / 20;
+        f.c[2] = (p[2] + 30 * f.c[3]) / 6;
+        f.c[1] = (p[1] + 6 * f.c[2] - 12 * f.c[3]) / 2;
+        f.c[0] = p[0] + f.c[1] - f.c[2] + f.c[3];
+        return f;
+    }
+    std::array<double, count> powers() const {
+        return {c[0] - c[1] + c[2] - c[3], 2 * c[1] - 6 * c[2] + 12 * c[3], 6 * c[2] - 30 * c[3], 20 * c[3]};
+    }
+
+    double start() const { return c[0] - c[1] + c[2] - c[3]; }
+    double end() const { return c[0] + c[1] + c[2] + c[3]; }
+    double value(double u) const {
+        const double x = 2 * u - 1;
+        return c[0] + c[1] * x + c[2] * (1.5 * x * x - 0.5) + c[3] * (2.5 * x * x - 1.5) * x;
+    }
+    double mean() const { return c[0]; }
+    /// ∫f² du.
+    double meanSquare() const { return c[0] * c[0] + c[1] * c[1] / 3 + c[2] * c[2] / 5 + c[3] * c[3] / 7; }
+    /// ∫u f du.
+    double firstMoment() const { return c[0] / 2 + c[1] / 6; }
+    /// How far f moves away from its mean, at most.
+    double spread() const { return std::abs(c[1]) + std::abs(c[2]) + std::abs(c[3]); }
+    /// Lower and upper bound.
+    double least() const { return c[0] - spread(); }
+    double most() const { return c[0] + spread(); }
+
+    /// Where in the cell f is greatest, and how much that is.
+    struct Peak {
+        double place;
+        double value;
+    };
+    Peak peak() const {
+        Peak best = start() >= end() ? Peak{0, start()} : Peak{1, end()};
+        if (std::abs(c[1]) >= 3 * std::abs(c[2]) + 6 * std::abs(c[3])) return best;  // monotonic
+        // f' = c1 − 3/2 c3 + 3 c2 x + 15/2 c3 x² over x = 2u − 1
+        const double a = 7.5 * c[3], b = 1.5 * c[2], constant = c[1] - 1.5 * c[3];
+        const double discriminant = b * b - a * constant;
+        if (discriminant < 0) return best;
+        const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+        for (const double x : {q / a, constant / q}) {
+            if (!(std::abs(x) < 1)) continue;
+            const double u = (x + 1) / 2;
+            if (value(u) > best.value) best = {u, value(u)};
+        }
+        return best;
+    }
+
+    /// The same function over [from, to] of this cell.
+    WaveCell part(double from, double to) const {
+        std::array<double, count> p = powers();
+        for (int i = 0; i + 1 < count; ++i)
+            for (int k = count - 2; k >= i; --k) p[k] += from * p[k + 1];
+        const double width = to - from;
+        double power = 1;
+        for (double& coefficient : p) coefficient *= power, power *= width;
+        return fromPowers(p);
+    }
+
+    WaveCell& operator+=(const WaveCell& g) {
+        for (int k = 0; k < count; ++k) c[k] += g.c[k];
+        return *this;
+    }
+    friend WaveCell operator+(WaveCell f, const WaveCell& g) { return f += g; }
+    friend WaveCell operator-(const WaveCell& f, const WaveCell& g) {
+        WaveCell h;
+        for (int k = 0; k < count; ++k) h.c[k] = f.c[k] - g.c[k];
+        return h;
+    }
+    friend WaveCell operator*(double factor, WaveCell f) {
+        for (double& coefficient : f.c) coefficient *= factor;
+        return f;
+    }
+};
+
+/// A wave known in parts, as the cell of the same moments.
+class CellProjection {
+  public:
+    /// f over [from, to] of the cell, smooth there; a polynomial of degree 28 is taken exactly.
+    template <class Function>
+    void add(double from, double to, Function f) {
+        const GaussRule& rule = gaussRule();
+        for (std::size_t i = 0; i < GaussRule::count; ++i) {
+            const double u = from + (to - from) * rule.nodes[i];
+            const double weighted = (to - from) * rule.weights[i] * f(u);
+            const double x = 2 * u - 1;
+            m_cell.c[0] += weighted;
+            m_cell.c[1] += 3 * weighted * x;
+            m_cell.c[2] += 5 * weighted * (1.5 * x * x - 0.5);
+            m_cell.c[3] += 7 * weighted * (2.5 * x * x - 1.5) * x;
+        }
+    }
+    const WaveCell& cell() const { return m_cell; }
+
+  private:
+    WaveCell m_cell;
+};
+
+}  // namespace drillwave

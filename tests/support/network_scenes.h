@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drill strings for the tests of their solver: the reference table, random ones.
+#pragma once
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/wave/network/network_solver.h"
+#include "tests/support/scene.h"
+
+namespace drillwave::test {
+
+/// What one dimensionless unit of a network is in SI.
+struct NetworkUnits {
+    double impedance = 1;  ///< Zr [kg/s]
+    double time = 1;       ///< t0 [s]
+    double velocity = 1;   ///< v0 [m/s]
+
+    double force() const { return impedance * velocity; }
+    double momentum() const { return force() * time; }
+    double energy() const { return momentum() * velocity; }
+    double length() const { return velocity * time; }
+};
+
+/// One of tests/cases/string_cases.json.
+struct NetworkCase {
+    std::string id;
+    NetworkProblem problem;
+    NetworkUnits units;
+    std::vector<double> areas;  ///< of the sections [m²]
+    QJsonObject reference;
+};
+
+inline NetworkCase networkCase(const QJsonObject& json) {
+    NetworkCase scene;
+    scene.id = json["id"].toString().toStdString();
+    NetworkProblem& problem = scene.problem;
+    NetworkUnits& units = scene.units;
+    units.velocity = json["velocity"].toDouble();
+    const QJsonArray hammer = json["piston"].toArray(), string = json["string"].toArray();
+    problem.hammerSections = std::size_t(hammer.size());
+    const auto add = [&](const QJsonValue& value) {
+        const double modulus = value["youngs_modulus"].toDouble(), density = value["density"].toDouble();
+        NetworkSection section;
+        section.impedance = value["area"].toDouble() * std::sqrt(modulus * density);
+        section.transitTime = value["length"].toDouble() / std::sqrt(modulus / density);
+        section.decay = value["attenuation"].toDouble() * value["length"].toDouble();
+        problem.sections.push_back(section);
+        scene.areas.push_back(value["area"].toDouble());
+    };
+    for (const QJsonValue value : hammer) add(value);
+    for (const QJsonValue value : string) add(value);
+    for (const QJsonValue value : json["joints"].toArray()) {
+        NetworkSection& near = problem.sections[problem.hammerSections + std::size_t(value["after"].toInt())];
+        near.massAfter = value["mass"].toDouble();
+        near.loss = value["loss"].toDouble();
+    }
+    problem.sections.back().massAfter = json["bit_mass"].toDouble();
+    units.time = 0;
+    for (std::size_t j = 0; j < problem.hammerSections; ++j)
+        units.time += 2 * problem.sections[j].transitTime;
+    units.impedance = problem.sections.back().impedance;
+    for (NetworkSection& section : problem.sections) {
+        section.impedance /= units.impedance;
+        section.transitTime /= units.time;
+        section.massAfter /= units.impedance * units.time;
+    }
+    const double scale = units.time / units.impedance;
+    const QJsonObject contact = json["contact"].toObject(), rock = json["rock"].toObject();
+    if (contact["stiffness"].toDouble() > 0) problem.face.stiffness = contact["stiffness"].toDouble() * scale;
+    problem.face.restrike = contact["restrike"].toBool();
+    problem.law = {rock["stiffness"].toDouble() * scale, rock["gamma"].toDouble()};
+    problem.gap = rock["gap"].toDouble() / units.length();
+    problem.endTime = json["end_time"].toDouble() / units.time;
+    scene.reference = json["reference"].toObject();
+    return scene;
+}
+
+inline std::vector<NetworkCase> networkCases() {
+    QFile file(DRILLWAVE_SOURCE_DIR "/tests/cases/string_cases.json");
+    std::vector<NetworkCase> cases;
+    if (!file.open(QIODevice::ReadOnly)) return cases;
+    for (const QJsonValue value : QJsonDocument::fromJson(file.readAll())["cases"].toArray())
+        cases.push_back(networkCase(value.toObject()));
+    return cases;
+}
+
+/// A random string: a few sections of hammer and string with round trips that share a cell, every option now
+/// and then.
+inline NetworkProblem randomNetwork(Chance& chance) {
+    NetworkProblem problem;
+    const double cell = 0.05;
+    problem.hammerSections = 1 + chance.below(3);
+    const std::size_t count = problem.hammerSections + 1 + chance.below(7);
+    for (std::size_t j = 0; j < count; ++j) {
+        NetworkSection section;
+        section.impedance = chance.below(4) == 0 ? 1 : chance.logarithmic(0.3, 4);
+        const bool hammer = j < problem.hammerSections;
+        section.transitTime = cell / 2 * (1 + chance.below(hammer ? 10 : 60));
+        if (chance.below(8) == 0) section.massAfter = chance.logarithmic(1e-3, 0.5);
+        if (!hammer && chance.below(10) == 0) section.loss = 0.1 * chance.fraction();
+        if (!hammer && chance.below(10) == 0) section.decay = 0.1 * chance.fraction();
+        problem.sections.push_back(section);
+    }
+    if (chance.below(5) == 0) problem.face.stiffness = chance.logarithmic(1, 100);
+    problem.face.restrike = chance.below(4) != 0;
+    problem.law = {chance.logarithmic(0.01, 30), chance.below(5) == 0 ? 1 : chance.logarithmic(0.05, 1)};
+    if (chance.below(3) == 0) problem.gap = chance.fraction();
+    problem.endTime = 10 + 30 * chance.fraction();
+    return problem;
+}
+
+}  // namespace drillwave::test
