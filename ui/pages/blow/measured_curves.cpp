@@ -50,7 +50,8 @@ QPen MeasuredCurves::pen(const PlotStyle& style, int index) {
     static const QList<qreal> dashes[] = {{4, 1.5}, {10, 2, 2, 2}, {2, 1.2}, {7, 2}};
     constexpr int kinds = 4;
     const bool dark = style.background.lightness() < 128;
-    QPen pen(QColor::fromRgb((dark ? onDark : onLight)[index % kinds]), style.lineWidth);
+    const QRgb* colours = dark ? onDark : onLight;
+    QPen pen(QColor::fromRgb(colours[index % kinds]), style.lineWidth);
     pen.setDashPattern(dashes[(index + index / kinds) % kinds]);
     pen.setCapStyle(Qt::FlatCap);
     pen.setJoinStyle(Qt::BevelJoin);
