@@ -66,7 +66,8 @@ SolvedBlowPtr TestRodPage::solved(double stiffness, UnitSystem units) const {
 }
 
 void TestRodPage::click(RodLine line, const RodForce& force, QPoint beside) const {
-    const RodCurves& curves = *solved()->page<RodCurves>();
+    const SolvedBlowPtr blow = solved();
+    const RodCurves& curves = *blow->page<RodCurves>();
     PlotWidget& plot = *m_page->plot();
     plot.replot();
     const QPoint at(static_cast<int>(std::lround(plot.xAxis->coordToPixel(curves.position(force)))),
