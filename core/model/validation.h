@@ -21,7 +21,7 @@ struct InputProblem {
 };
 
 /// Every hard-range violation and inconsistency (rise + fall > 1, bore ≥ diameter, table times not
-/// increasing, groups not finite or zero after conversion), physical parameters first. Empty when the
+/// increasing, a hammer or string without sections, groups not finite or zero after conversion), physical parameters first. Empty when the
 /// scenario can be solved.
 std::vector<InputProblem> validate(const Scenario& scenario);
 
