@@ -19,7 +19,7 @@ namespace {
 class ResultRows {
   public:
     explicit ResultRows(const Scenario& scenario)
-        : m_dimensional(scenario.form == ScenarioForm::dimensional) {}
+        : m_dimensional(hasUnits(scenario)) {}
 
     void add(const char* label, double value, const char* unit, double scale, Quantity quantity) {
         const std::string shown = rounded(value) + " " + unit;
