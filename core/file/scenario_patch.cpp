@@ -35,7 +35,8 @@ class Patcher {
         // In another form little of the file stays: its sections are better put in order again.
         if (m_scenario.form != formOf(root)) throw NotPatchable();
         patchMap(root, "");
-        for (const std::string_view section : {"dimensionless", "rod", "pulse", "material", "bit_rock", "drill"})
+        for (const std::string_view section :
+             {"dimensionless", "rod", "pulse", "material", "bit_rock", "drill"})
             patchSection(root, section);
         if (isString(m_scenario)) patchDrillString(root);
         return edited(m_text, std::move(m_edits));
@@ -59,7 +60,7 @@ class Patcher {
     static ScenarioForm formOf(const YamlNode& root) {
         if (indexOf(root, "string") < root.children.size()) return ScenarioForm::string;
         return indexOf(root, "dimensionless") < root.children.size() ? ScenarioForm::dimensionless
-                                                                      : ScenarioForm::dimensional;
+                                                                     : ScenarioForm::dimensional;
     }
 
     /// The value of a key, which must be there and of that kind.
@@ -69,7 +70,8 @@ class Patcher {
         return map.children[at + 1];
     }
 
-    /// Numbers and names in sections that stay where they are: with one more or less the list is written anew.
+    /// Numbers and names in sections that stay where they are: with one more or less the list is written
+    /// anew.
     void patchDrillString(const YamlNode& root) {
         const DrillString& drillString = m_scenario.drillString;
         const YamlNode& hammer = valueOf(root, "hammer", Kind::map);

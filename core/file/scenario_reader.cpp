@@ -64,8 +64,8 @@ std::optional<int> readFormat(SectionReader& reader, const YamlNode& root) {
     for (const int known : {rodFormat, stringFormat})
         if (text == std::to_string(known)) return known;
     problems.reportValue(entry.place(), "drillwave", text,
-                         "the format number must be " + std::to_string(rodFormat) +
-                             " for a uniform rod or " + std::to_string(stringFormat) + " for a drill string");
+                         "the format number must be " + std::to_string(rodFormat) + " for a uniform rod or " +
+                             std::to_string(stringFormat) + " for a drill string");
     return likely;
 }
 
@@ -77,8 +77,8 @@ void readTitle(SectionReader& reader, const YamlEntries& file) {
     reader.scenario().title = found->second.value->text;
 }
 
-/// Reports keys that belong to a file of the other format. False where there are none of its own, so that what
-/// is missing need not be told.
+/// Reports keys that belong to a file of the other format. False where there are none of its own, so that
+/// what is missing need not be told.
 bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int format) {
     const auto refuse = [&](std::span<const std::string_view> keys, const std::string& reason) {
         for (const std::string_view key : keys)
@@ -95,8 +95,7 @@ bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int forma
     const Keys own = format == rodFormat ? Keys(rodKeys) : Keys(stringKeys);
     const Keys foreign = format == rodFormat ? Keys(stringKeys) : Keys(rodKeys);
     const auto isThere = [&](std::string_view key) { return file.contains(key); };
-    return !std::ranges::any_of(foreign, isThere) ||
-           std::ranges::any_of(own, isThere);
+    return !std::ranges::any_of(foreign, isThere) || std::ranges::any_of(own, isThere);
 }
 
 void readGroups(SectionReader& reader, const YamlEntries& file) {
@@ -177,8 +176,9 @@ ScenarioForm formOf(const YamlEntries& file, int format) {
 /// True when all that is wrong is an unreadable table file.
 bool readFile(SectionReader& reader, const YamlNode& root, int format, const TableSource& tables) {
     const YamlEntries file =
-        reader.entriesOf(root, "", {"drillwave", "title", "dimensionless", "rod", "pulse", "material", "hammer",
-                                    "string", "bit_rock", "drill", "end_time"});
+        reader.entriesOf(root, "",
+                         {"drillwave", "title", "dimensionless", "rod", "pulse", "material", "hammer",
+                          "string", "bit_rock", "drill", "end_time"});
     reader.scenario().form = formOf(file, format);
     readTitle(reader, file);
     if (!checkKeysOfFormat(reader, file, format)) return false;

@@ -288,7 +288,8 @@ std::string scenarioText(const Scenario& scenario) {
         if (value.section.empty() && value.parameter)
             text += std::string(value.key) + ": " + valueText(value) + "\n";
     if (isString(scenario)) text += drillStringText(scenario);
-    for (const std::string_view section : plainSections(scenario.form)) text += sectionText(scenario, section);
+    for (const std::string_view section : plainSections(scenario.form))
+        text += sectionText(scenario, section);
     return text;
 }
 

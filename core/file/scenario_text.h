@@ -20,14 +20,14 @@ struct SavedUnit {
 
 /// One line of a scenario file: a number, or a text (title, shape, file of a table, name of a section).
 struct SavedValue {
-    std::string section;            ///< path of the map it is in: "rod", "hammer.sections.0", "string.2.of.1", …;
-                                    ///< empty at the top level. Items of lists are counted from 0.
-    std::string_view key;           ///< inside the section
-    std::optional<SavedUnit> unit;  ///< nothing for a text
-    double number = 0;              ///< SI
-    std::string text;               ///< of a text, as it is
-    bool isDefault = false;         ///< an absent key says the same
-    bool isUnusual = false;         ///< a new file tells it only where it is not the default
+    std::string section;   ///< path of the map it is in: "rod", "hammer.sections.0", "string.2.of.1", …;
+                           ///< empty at the top level. Items of lists are counted from 0.
+    std::string_view key;  ///< inside the section
+    std::optional<SavedUnit> unit;         ///< nothing for a text
+    double number = 0;                     ///< SI
+    std::string text;                      ///< of a text, as it is
+    bool isDefault = false;                ///< an absent key says the same
+    bool isUnusual = false;                ///< a new file tells it only where it is not the default
     const Parameter* parameter = nullptr;  ///< of the table of parameters, or nullptr
 };
 

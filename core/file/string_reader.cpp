@@ -101,8 +101,9 @@ std::vector<Section> readSections(SectionReader& reader, const YamlNode& list, C
             sections.emplace_back();
         } else if (isRepeat("repeat") || isRepeat("of")) {
             reader.problems().reportKey(item.offset, path,
-                                        chain == Chain::hammer ? "a hammer has no repeats; write its sections out"
-                                                               : "a repeat cannot stand inside another one");
+                                        chain == Chain::hammer
+                                            ? "a hammer has no repeats; write its sections out"
+                                            : "a repeat cannot stand inside another one");
             sections.emplace_back();
         } else {
             sections.push_back(SectionOfFile(reader, path).read(item));
@@ -145,9 +146,9 @@ class StringReader {
             readPart(item);
         }
         if (m_place > maximumSections)
-            m_reader.problems().reportKey(entry.key->offset, "string",
-                                          "has more than " + std::to_string(maximumSections) +
-                                              " sections, its repeats written out");
+            m_reader.problems().reportKey(
+                entry.key->offset, "string",
+                "has more than " + std::to_string(maximumSections) + " sections, its repeats written out");
     }
 
   private:
@@ -198,9 +199,10 @@ class StringReader {
         if (item.kind == Kind::map)
             part.sections.push_back(SectionOfFile(m_reader, path).read(item));
         else
-            m_reader.problems().reportKey(item.offset, path,
-                                          "must be a section, `{name: rod, length: 3660 mm, diameter: 39 mm}`, or "
-                                          "`{repeat: 3, of: […]}`");
+            m_reader.problems().reportKey(
+                item.offset, path,
+                "must be a section, `{name: rod, length: 3660 mm, diameter: 39 mm}`, or "
+                "`{repeat: 3, of: […]}`");
         ++m_place;
         m_string.parts.push_back(std::move(part));
     }

@@ -14,7 +14,8 @@ namespace {
 /// Where a key comes among those that are set together.
 using Rank = std::tuple<std::ptrdiff_t, int, std::ptrdiff_t>;
 
-/// The repeat decides which places there are; what is set at a place is more particular than what is set by name.
+/// The repeat decides which places there are; what is set at a place is more particular than what is set by
+/// name.
 Rank rankOfSection(const Parameter& parameter) {
     const std::ptrdiff_t before = findParameter("end_time") - parameters().data() + 1;
     if (!parameter.address) return {before, 1, 0};

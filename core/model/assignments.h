@@ -28,15 +28,15 @@ class Assignments {
 
     /// The numbers of the keys in the order in which a scenario takes them: the shape, which decides what
     /// applies (and with it whatever is not in the table of parameters); physical parameters in the order of
-    /// the table; of a string the repeat, then sections by name, then by place; the groups, which move physical
-    /// parameters.
+    /// the table; of a string the repeat, then sections by name, then by place; the groups, which move
+    /// physical parameters.
     const std::vector<std::size_t>& order() const { return m_order; }
 
     /// Whether one of the two would undo the other.
     bool contradict(std::size_t a, std::size_t b) const;
 
-    /// Whether the hammer blow depends on the key: it has its own parameters and, for a piston, the rod's; that
-    /// of a string all of hammer and string.
+    /// Whether the hammer blow depends on the key: it has its own parameters and, for a piston, the rod's;
+    /// that of a string all of hammer and string.
     bool movesPulse(std::size_t number) const;
     /// Whether it does on any of the keys.
     bool movePulse() const;

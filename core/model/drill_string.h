@@ -19,16 +19,16 @@ struct Material {
 
 /// A uniform piece of a hammer or a string. Its far end is the one towards the rock.
 struct Section {
-    std::string name;                       ///< "rod", may be empty; several sections may have the same
-    double length = 0;                      ///< L [m]
-    double diameter = 0;                    ///< outer diameter [m]; unused when `area` is given
-    double bore = 0;                        ///< flushing hole diameter [m]; likewise
-    std::optional<double> area;             ///< A [m²] when given instead of diameter and bore
-    std::optional<double> youngsModulus;    ///< E [Pa], the material's when not given
-    std::optional<double> density;          ///< ρ [kg/m³], the material's when not given
-    double massAfter = 0;                   ///< M [kg], lumped at the far end; behind the last section M_b
-    double loss = 0;                        ///< η, share of the energy of a wave lost in the joint at the far end
-    double attenuation = 0;                 ///< α [1/m], decay of the amplitude of a wave
+    std::string name;                     ///< "rod", may be empty; several sections may have the same
+    double length = 0;                    ///< L [m]
+    double diameter = 0;                  ///< outer diameter [m]; unused when `area` is given
+    double bore = 0;                      ///< flushing hole diameter [m]; likewise
+    std::optional<double> area;           ///< A [m²] when given instead of diameter and bore
+    std::optional<double> youngsModulus;  ///< E [Pa], the material's when not given
+    std::optional<double> density;        ///< ρ [kg/m³], the material's when not given
+    double massAfter = 0;                 ///< M [kg], lumped at the far end; behind the last section M_b
+    double loss = 0;         ///< η, share of the energy of a wave lost in the joint at the far end
+    double attenuation = 0;  ///< α [1/m], decay of the amplitude of a wave
     std::optional<double> yieldStrength;    ///< [Pa] stress to be warned of; changes no result
     std::optional<double> fatigueStrength;  ///< [Pa] tension to be warned of, borne by blow after blow
     bool operator==(const Section&) const = default;

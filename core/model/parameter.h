@@ -83,7 +83,7 @@ struct ParameterRules {
     Presence presence = Presence::required;
     /// Key of the parameter that setting this one overrides, and the other way round; each pair is told once.
     std::string_view rival = {};
-    std::string_view shortLabel = {};    ///< label in its own section of a form, where that is another one
+    std::string_view shortLabel = {};  ///< label in its own section of a form, where that is another one
     /// Back to "not given"; nullptr where there is always a value.
     ParameterFunction<void, Scenario> clear = nullptr;
     bool wholeNumber = false;  ///< has no values between
@@ -129,8 +129,8 @@ inline constexpr std::string_view restrikeKey = "hammer.restrike";
 std::span<const Parameter> parameters();
 
 /// The parameter of that key, be it of the table, "string.repeat", or a number of a section
-/// ("string.adapter.length", "hammer.1.diameter", see section_parameter.h), whether there is such a section or
-/// not; otherwise nullptr. What is returned lives as long as the program.
+/// ("string.adapter.length", "hammer.1.diameter", see section_parameter.h), whether there is such a section
+/// or not; otherwise nullptr. What is returned lives as long as the program.
 const Parameter* findParameter(std::string_view key);
 
 /// Whether the parameter is what the user gave, and not what follows from something else (the groups of a

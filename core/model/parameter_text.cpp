@@ -20,7 +20,8 @@ std::string refusal(std::string_view key, std::string_view text, std::string_vie
 
 std::string assignShape(Scenario& scenario, std::string_view text) {
     if (isString(scenario))
-        return refusal(pulseShapeKey, text, "only a uniform rod has it (`drillwave: 1`), this is a drill string");
+        return refusal(pulseShapeKey, text,
+                       "only a uniform rod has it (`drillwave: 1`), this is a drill string");
     const std::optional<PulseShape> shape = findPulseShape(trimmed(text));
     if (!shape) return refusal(pulseShapeKey, text, "must be one of " + pulseShapeList());
     scenario.pulse.shape = *shape;
@@ -56,7 +57,7 @@ std::string whyNotInString(const Parameter& parameter) {
     if (parameter.scope == Scope::uniformRod)
         return "follows from the lengths of hammer and string; set those, as `string.1.length`";
     return "only a uniform rod has it (`drillwave: 1`), this is a drill string" +
-           std::string(parameter.section() == "rod"   ? "; set its sections, as `string.1.length`"
+           std::string(parameter.section() == "rod"     ? "; set its sections, as `string.1.length`"
                        : parameter.section() == "pulse" ? "; its blow follows from the hammer"
                                                         : "");
 }

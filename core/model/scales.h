@@ -6,8 +6,8 @@
 
 namespace drillwave {
 
-/// Characteristic quantities (paper, section 5.1; theory §2), SI. Dimensionless × scale = SI. Those of a string
-/// stand behind the semicolon; Z and A are then those of its ruleSection().
+/// Characteristic quantities (paper, section 5.1; theory §2), SI. Dimensionless × scale = SI. Those of a
+/// string stand behind the semicolon; Z and A are then those of its ruleSection().
 struct Scales {
     double time = 1;              ///< t0 [s]; twice the transit time of the hammer
     double impulse = 1;           ///< I0 [N s]; momentum of the hammer
@@ -47,24 +47,24 @@ ChainProperties stringProperties(const DrillString& drillString);
 /// Impedance of the hammer over that of the rod (the `impedanceRatio` itself in a dimensionless scenario).
 double pistonImpedanceRatio(const Scenario& scenario);
 
-/// t0 [s]: the duration; 2·length/c of a piston; the length of a table; twice the transit time of the hammer of a
-/// string. 1 for a dimensionless scenario.
+/// t0 [s]: the duration; 2·length/c of a piston; the length of a table; twice the transit time of the hammer
+/// of a string. 1 for a dimensionless scenario.
 double pulseDuration(const Scenario& scenario);
 
-/// I0 [N s]: the impulse; of the staircase of a piston; of a table; momentum of the hammer of a string. 1 for a
-/// dimensionless scenario.
+/// I0 [N s]: the impulse; of the staircase of a piston; of a table; momentum of the hammer of a string. 1 for
+/// a dimensionless scenario.
 double pulseImpulse(const Scenario& scenario);
 
 /// Mean force I0/t0 [N] of a pulse given by duration and impulse; where some double times the duration is
 /// exactly the impulse, that one, so that a force that was given reads back unchanged.
 double meanForce(const Pulse& pulse);
 
-/// β = k t0/Z, γ, τ = T/t0, δ = d Z/(2 I0); of a string δ = d/(v0 t0), T being the transit time of all of it; the
-/// given groups for a dimensionless scenario.
+/// β = k t0/Z, γ, τ = T/t0, δ = d Z/(2 I0); of a string δ = d/(v0 t0), T being the transit time of all of it;
+/// the given groups for a dimensionless scenario.
 Groups groupsOf(const Scenario& scenario);
 
-/// The scales of a scenario with units; all 1 for a dimensionless one (not meaningful there). Requires a hammer
-/// and a string that are not empty where it is a string.
+/// The scales of a scenario with units; all 1 for a dimensionless one (not meaningful there). Requires a
+/// hammer and a string that are not empty where it is a string.
 Scales scalesOf(const Scenario& scenario);
 
 }  // namespace drillwave

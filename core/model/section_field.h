@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of a section of a hammer or a string: the rows of the table of parameters that stand for as many
-// parameters as there are sections.
+// The numbers of a section of a hammer or a string: the rows of the table of parameters that stand for as
+// many parameters as there are sections.
 #pragma once
 
 #include <span>

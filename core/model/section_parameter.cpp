@@ -194,10 +194,10 @@ std::string noSuchName(const SectionAddress& address, const DrillString& drillSt
     for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
     const std::string chain = address.chain == Chain::hammer ? "hammer" : "string";
     return "no section of the " + chain + " is called `" + shortened(address.name) + "`; " +
-           (!near.empty()   ? "did you mean `" + std::string(near) + "`?"
-            : list.empty()  ? "its sections have no names, give a place: `" + chain + ".1." +
+           (!near.empty()  ? "did you mean `" + std::string(near) + "`?"
+            : list.empty() ? "its sections have no names, give a place: `" + chain + ".1." +
                                  std::string(address.field->key) + "`"
-                            : "its names: " + shortened(list));
+                           : "its names: " + shortened(list));
 }
 
 std::string noSuchPlace(const SectionAddress& address, const DrillString& drillString) {
@@ -237,6 +237,17 @@ bool hasSectionFor(const Parameter& parameter, const Scenario& scenario) {
     visitSections(*parameter.address, scenario.drillString,
                   [&](const Section& section) { found |= parameter.address->field->applies(section); });
     return found;
+}
+
+bool meetInOneSection(const Parameter& one, const Parameter& other, const Scenario& scenario) {
+    if (!one.address || !other.address) return false;
+    const SectionAddress& a = *one.address;
+    const SectionAddress& b = *other.address;
+    const bool places = a.chain == Chain::string && b.chain == Chain::string && a.place > 0 && b.place > 0 &&
+                        a.place != b.place;
+    if (!places || !isString(scenario) || !areRivals(*a.field, *b.field)) return false;
+    const Section* section = sectionAt(scenario.drillString, a.place);
+    return section && section == sectionAt(scenario.drillString, b.place);
 }
 
 std::string whyNoSection(const Parameter& parameter, const Scenario& scenario) {

@@ -9,8 +9,8 @@
 
 namespace drillwave {
 
-/// Every problem of the sections: none at all, too many, numbers out of range, names that are places, a bore as
-/// wide as the section, derived values that overflow. Keys are by place ("string.3.bore").
+/// Every problem of the sections: none at all, too many, numbers out of range, names that are places, a bore
+/// as wide as the section, derived values that overflow. Keys are by place ("string.3.bore").
 std::vector<InputProblem> sectionProblems(const DrillString& drillString);
 
 }  // namespace drillwave

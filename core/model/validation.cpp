@@ -93,8 +93,7 @@ void checkGroups(const Scenario& scenario, std::vector<InputProblem>& problems) 
             {"", "the values are so large or small that the force or energy of the blow overflows"});
         return;
     }
-    const std::string follows =
-        hasUnits(scenario) ? "; it follows from the other values" : "";
+    const std::string follows = hasUnits(scenario) ? "; it follows from the other values" : "";
     for (const Parameter& parameter : parameters()) {
         if (parameter.section() != "groups") continue;
         const double value = *parameter.value(scenario);

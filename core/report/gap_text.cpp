@@ -154,8 +154,7 @@ std::string gapText(const GapReport& report) {
     std::string text = headingOf(report.scenario);
     if (report.curve.dependsOnGap)
         text += "  The gap has a period of d0" +
-                (hasUnits(report.scenario) ? " = " + table.gap(1) : std::string()) +
-                ".\n";
+                (hasUnits(report.scenario) ? " = " + table.gap(1) : std::string()) + ".\n";
     if (const std::string remark = report.periodRemark(); !remark.empty()) text += "  " + remark + "\n";
     text += "\n" + gapGrid(report).text();
     for (const std::string& remark : gapRemarks(report)) text += "\n  " + remark;
