@@ -21,7 +21,7 @@ namespace {
 double gapOf(const Arguments& arguments, const char* option, const Scenario& scenario, double least,
              double most) {
     const std::string text = *arguments.value(option);
-    const bool dimensional = scenario.form == ScenarioForm::dimensional;
+    const bool dimensional = hasUnits(scenario);
     const Quantity quantity = dimensional ? Quantity::length : Quantity::ratio;
     const TypedQuantity typed = parseQuantity(text, quantity, BareNumber::refused, findUnit(quantity, "mm"));
     const auto refuse = [&](const std::string& reason) {
@@ -75,7 +75,7 @@ ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
     if (arguments.has("si") && !csvPath)
         throw CommandError(ExitCode::usage, "--si is about the file of -o; add -o FILE.csv");
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
-    if (units == OutputUnits::si && document.scenario.form != ScenarioForm::dimensional)
+    if (units == OutputUnits::si && !hasUnits(document.scenario))
         throw CommandError(ExitCode::usage,
                            "--si: " + path + " is given by its dimensionless groups and has no SI units");
     const std::optional<NormalGap> normal = normalOf(arguments, document.scenario);

@@ -83,7 +83,9 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
         const std::optional<std::string> wanted = arguments.value(name(kind));
         if (!wanted) continue;
         const std::string option = "--" + std::string(name(kind));
-        if (scenario.form != ScenarioForm::dimensional)
+        if (isString(scenario) && kind != PresetKind::rock)
+            refuse(option, *wanted, path + " is a drill string, whose sections are given one by one");
+        if (!hasUnits(scenario))
             refuse(option, *wanted,
                    path + " is given by its dimensionless groups; presets need a scenario in physical units");
         if (presets.empty()) presets = presetsOf(arguments.value("presets").value_or(std::string()));

@@ -90,7 +90,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     const ScenarioDocument& document = input.document;
     const MethodChoice choice = methodChoice(arguments, input.method);
     checkMethodApplies(choice, document.scenario, path);
-    if (files.units == OutputUnits::si && document.scenario.form != ScenarioForm::dimensional)
+    if (files.units == OutputUnits::si && !hasUnits(document.scenario))
         throw CommandError(ExitCode::usage,
                            "--si: " + path + " is given by its dimensionless groups and has no SI units");
     prepare(files, path, document);

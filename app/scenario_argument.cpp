@@ -12,6 +12,7 @@
 #include "core/model/assignments.h"
 #include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
+#include "core/model/section_parameter.h"
 #include "core/model/validation.h"
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
@@ -41,6 +42,20 @@ void checkRivals(const std::vector<Setting>& all, const Assignments& assignments
                                                         " set the same thing; give one of them");
 }
 
+/// Two places of a repeat are one section of the file.
+void checkPlaces(const std::vector<Setting>& all, const Scenario& scenario) {
+    for (std::size_t later = 0; later < all.size(); ++later)
+        for (std::size_t earlier = 0; earlier < later; ++earlier) {
+            const Parameter* one = findParameter(all[earlier].key);
+            const Parameter* other = findParameter(all[later].key);
+            if (one && other && meetInOneSection(*one, *other, scenario))
+                throw CommandError(ExitCode::usage,
+                                   quoted(all[earlier]) + " and " + quoted(all[later]) +
+                                       " set the same section, which a repeat brings to both "
+                                       "places; give one of them");
+        }
+}
+
 /// In the order in which the scenario takes them.
 std::vector<Setting> settings(const Arguments& arguments) {
     std::vector<Setting> all;
@@ -61,7 +76,7 @@ std::vector<Setting> settings(const Arguments& arguments) {
 constexpr std::string_view titleKey = "title";
 
 bool isKey(const std::string& key) {
-    return key == pulseShapeKey || key == titleKey || findParameter(key);
+    return key == pulseShapeKey || key == restrikeKey || key == titleKey || findParameter(key);
 }
 
 /// Why not, empty when it is set.
@@ -143,14 +158,21 @@ void checkOutputIsNoInput(const std::string& output, const std::string& scenario
     }
 }
 
-ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments) {
+ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments,
+                                DrillStrings drillStrings) {
     ScenarioInput input = loadScenarioFile(path);
     tellNewerVersion(inputName(path), input.version);
     Scenario& scenario = input.document.scenario;
+    if (isString(scenario) && drillStrings == DrillStrings::refused)
+        throw CommandError(
+            ExitCode::invalidScenario,
+            inputName(path) +
+                ": is a drill string, and this command solves uniform rods alone (`drillwave: 1`)");
     applyPresets(scenario, arguments, inputName(path));
     std::vector<std::string> problems;
     bool unknownKey = false;
-    for (const Setting& setting : settings(arguments)) {
+    const std::vector<Setting> all = settings(arguments);
+    for (const Setting& setting : all) {
         const std::string problem = assign(scenario, setting);
         if (problem.empty()) continue;
         problems.push_back(quoted(setting) + ": " + problem);
@@ -159,6 +181,7 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
     if (!problems.empty())
         throw CommandError(unknownKey ? ExitCode::usage : ExitCode::invalidScenario, problems,
                            CommandError::Begin::withOption);
+    checkPlaces(all, scenario);
     for (const InputProblem& problem : validate(scenario))
         problems.push_back(inputName(path) + " with --set: " + problem.text);
     if (!problems.empty()) throw CommandError(ExitCode::invalidScenario, problems);

@@ -25,8 +25,10 @@ std::optional<FeedForce> feedForceOf(const Scenario& scenario) {
 }
 
 std::optional<double> weightAlongHole(const Scenario& scenario) {
-    if (scenario.form != ScenarioForm::dimensional || !scenario.drill.inclination) return std::nullopt;
-    const double mass = propertiesOf(scenario.rod).mass + scenario.drill.machineMass.value_or(0);
+    if (!hasUnits(scenario) || !scenario.drill.inclination) return std::nullopt;
+    const double carried =
+        isString(scenario) ? stringProperties(scenario.drillString).mass : propertiesOf(scenario.rod).mass;
+    const double mass = carried + scenario.drill.machineMass.value_or(0);
     return mass * standardGravity * sineOf(*scenario.drill.inclination);
 }
 

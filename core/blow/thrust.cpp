@@ -22,7 +22,7 @@ std::string thrustMarginProblem(const Scenario& scenario) {
 }
 
 std::string frequencyProblem(const Scenario& scenario, std::string_view what) {
-    if (scenario.form != ScenarioForm::dimensional)
+    if (!hasUnits(scenario))
         return std::string(what) +
                " needs a scenario in physical units; this one is given by its dimensionless groups";
     if (!scenario.drill.blowFrequency)

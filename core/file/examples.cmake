@@ -8,7 +8,10 @@ foreach(name
     reference_case
     r32_hard_rock
     t38_medium_rock
-    t51_soft_rock)
+    t51_soft_rock
+    r32_string
+    t38_string
+    t51_string)
   set(file ${PROJECT_SOURCE_DIR}/resources/examples/${name}.yaml)
   file(READ ${file} text)
   string(APPEND DRILLWAVE_EXAMPLE_TEXTS "    {\"${name}\", R\"yaml(${text})yaml\"},\n")

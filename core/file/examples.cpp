@@ -37,8 +37,8 @@ std::string titleLine(std::string_view text) {
 std::vector<Example> readExamples() {
     std::vector<Example> examples;
     for (const ExampleText& file : exampleTexts)
-        examples.push_back(
-            {std::string(file.name), titleLine(file.text), leadingComment(file.text), file.text});
+        examples.push_back({std::string(file.name), titleLine(file.text), leadingComment(file.text),
+                            file.text, file.text.find("\ndrillwave: 2\n") != std::string_view::npos});
     return examples;
 }
 

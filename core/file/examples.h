@@ -14,9 +14,10 @@ struct Example {
     std::string title;        ///< the scenario's title
     std::string explanation;  ///< its first comment as one paragraph: what to look at
     std::string_view text;    ///< the file, byte for byte
+    bool ofString = false;    ///< a hammer and a string of sections, no uniform rod
 };
 
-/// All of them: the paper's figures first, then the drilling cases.
+/// All of them: the paper's figures first, then the drilling cases, drill strings last.
 std::span<const Example> builtInExamples();
 
 /// The example of that name, or nullptr.

@@ -31,7 +31,7 @@ std::vector<std::string> filesOfEarlierRun(const std::string& folder) {
 }  // namespace
 
 OutputUnits customaryUnits(const Scenario& scenario) {
-    return scenario.form == ScenarioForm::dimensional ? OutputUnits::si : OutputUnits::dimensionless;
+    return hasUnits(scenario) ? OutputUnits::si : OutputUnits::dimensionless;
 }
 
 std::string runHeader(const SolvedRun& run) {

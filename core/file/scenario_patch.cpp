@@ -33,11 +33,12 @@ class Patcher {
 
     std::string patched(const YamlNode& root) {
         // In another form little of the file stays: its sections are better put in order again.
-        const bool dimensionless = m_scenario.form == ScenarioForm::dimensionless;
-        if (dimensionless != (indexOf(root, "dimensionless") < root.children.size())) throw NotPatchable();
+        if (m_scenario.form != formOf(root)) throw NotPatchable();
         patchMap(root, "");
-        for (const std::string_view section : {"dimensionless", "rod", "pulse", "bit_rock", "drill"})
+        for (const std::string_view section :
+             {"dimensionless", "rod", "pulse", "material", "bit_rock", "drill"})
             patchSection(root, section);
+        if (isString(m_scenario)) patchDrillString(root);
         return edited(m_text, std::move(m_edits));
     }
 
@@ -56,11 +57,50 @@ class Patcher {
         return at;
     }
 
+    static ScenarioForm formOf(const YamlNode& root) {
+        if (indexOf(root, "string") < root.children.size()) return ScenarioForm::string;
+        return indexOf(root, "dimensionless") < root.children.size() ? ScenarioForm::dimensionless
+                                                                     : ScenarioForm::dimensional;
+    }
+
+    /// The value of a key, which must be there and of that kind.
+    static const YamlNode& valueOf(const YamlNode& map, std::string_view key, Kind kind) {
+        const std::size_t at = indexOf(map, key);
+        if (at >= map.children.size() || map.children[at + 1].kind != kind) throw NotPatchable();
+        return map.children[at + 1];
+    }
+
+    /// Numbers and names in sections that stay where they are: with one more or less the list is written
+    /// anew.
+    void patchDrillString(const YamlNode& root) {
+        const DrillString& drillString = m_scenario.drillString;
+        const YamlNode& hammer = valueOf(root, "hammer", Kind::map);
+        patchMap(hammer, "hammer");
+        patchList(valueOf(hammer, "sections", Kind::sequence), "hammer.sections",
+                  drillString.hammer.sections.size());
+        const YamlNode& parts = valueOf(root, "string", Kind::sequence);
+        if (parts.children.size() != drillString.parts.size()) throw NotPatchable();
+        for (std::size_t i = 0; i < drillString.parts.size(); ++i) {
+            const StringPart& part = drillString.parts[i];
+            const YamlNode& map = parts.children[i];
+            const std::string path = "string." + std::to_string(i);
+            if (part.group != (indexOf(map, "of") < map.children.size())) throw NotPatchable();
+            patchMap(map, path);
+            if (part.group) patchList(valueOf(map, "of", Kind::sequence), path + ".of", part.sections.size());
+        }
+    }
+
+    void patchList(const YamlNode& list, const std::string& path, std::size_t count) {
+        if (list.children.size() != count) throw NotPatchable();
+        for (std::size_t i = 0; i < count; ++i) patchMap(list.children[i], path + "." + std::to_string(i));
+    }
+
     void patchSection(const YamlNode& root, std::string_view section) {
         const std::size_t at = indexOf(root, section);
-        const bool wanted =
-            std::ranges::any_of(m_values, [&](const SavedValue& v) { return v.section == section; });
         const bool there = at < root.children.size();
+        // A section that is not there need not tell what its absence says.
+        const bool wanted = std::ranges::any_of(
+            m_values, [&](const SavedValue& v) { return v.section == section && (there || !v.isDefault); });
         if (there && wanted && root.children[at + 1].kind == Kind::map)
             patchMap(root.children[at + 1], section);
         else if (there && (wanted || root.children[at + 1].kind != Kind::null))
@@ -90,6 +130,7 @@ class Patcher {
     }
 
     void patchMap(const YamlNode& map, std::string_view section) {
+        if (map.kind != Kind::map || map.children.empty()) throw NotPatchable();
         for (std::size_t i = 0; i + 1 < map.children.size(); i += 2) patchEntry(map, i, section);
         const YamlNode* before = section.empty() ? &map.children.front() : nullptr;
         for (const SavedValue& value : m_values) {
@@ -105,8 +146,9 @@ class Patcher {
     void patchEntry(const YamlNode& map, std::size_t at, std::string_view section) {
         const YamlNode& key = map.children[at];
         const YamlNode& node = map.children[at + 1];
-        if (section.empty() && key.text != "title") return;
+        if (section.empty() && key.text != "title" && key.text != "end_time") return;
         if (section == "pulse" && key.text == "points") return;
+        if (node.kind == Kind::sequence && (key.text == "sections" || key.text == "of")) return;
         const SavedValue* value = saved(section, key.text);
         if (!value && section.empty() && node.text.empty()) return;
         if (!value) {
@@ -117,8 +159,8 @@ class Patcher {
             return;
         }
         const Unit* unit = nullptr;
-        if (value->parameter) {
-            const TypedQuantity old = parseQuantity(node.text, value->parameter->quantity);
+        if (value->unit) {
+            const TypedQuantity old = parseQuantity(node.text, value->unit->quantity);
             if (old.valid() && old.si == value->number) return;
             unit = old.unit;
         } else if (node.text == value->text && node.kind == Kind::scalar) {
@@ -191,8 +233,10 @@ class Patcher {
             m_edits.push_back({place, 0, before ? ", " + entry : entry + ", "});
             return;
         }
-        const Extent line = entryLine(map, at);
-        const std::string indentation(m_text.substr(line.begin, map.children[at].offset - line.begin));
+        // The first entry of an item of a list stands behind its dash.
+        const bool behindDash = before && at == 0;
+        const Extent line = behindDash ? lineOf(literalExtent(m_text, map.children[1])) : entryLine(map, at);
+        const std::string indentation(map.children[at].offset - line.begin, ' ');
         const bool open = before && m_text[line.end - 1] != '\n';
         const std::string text = open ? std::string(m_lineEnd) + indentation + entry
                                       : indentation + entry + std::string(m_lineEnd);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file/scenario_reader.h"
 
+#include <algorithm>
 #include <charconv>
+#include <span>
 
 #include "core/file/pulse_reader.h"
 #include "core/file/section_reader.h"
+#include "core/file/string_reader.h"
 #include "core/model/parameter.h"
 
 namespace drillwave {
@@ -13,16 +16,35 @@ namespace {
 using Kind = YamlNode::Kind;
 using Applicability = SectionReader::Applicability;
 
-/// False for a file of a newer format, whose keys mean nothing to this program.
-bool readFormat(SectionReader& reader, const YamlNode& root) {
-    const std::vector<YamlNode>& children = root.children;
+constexpr std::string_view stringKeys[] = {"material", "hammer", "string", "end_time"};
+constexpr std::string_view rodKeys[] = {"dimensionless", "rod", "pulse"};
+
+std::size_t indexOf(const YamlNode& root, std::string_view key) {
     std::size_t at = 0;
-    while (at < children.size() && children[at].text != "drillwave") at += 2;
+    while (at < root.children.size() && root.children[at].text != key) at += 2;
+    return at;
+}
+
+bool hasOneOf(const YamlNode& root, std::span<const std::string_view> keys) {
+    return std::ranges::any_of(
+        keys, [&](std::string_view key) { return indexOf(root, key) < root.children.size(); });
+}
+
+/// The number of the format that the keys would have, where the file does not say it.
+int likelyFormat(const YamlNode& root) {
+    return hasOneOf(root, stringKeys) && !hasOneOf(root, rodKeys) ? stringFormat : rodFormat;
+}
+
+/// The format of the file; nothing for a newer one, whose keys mean nothing to this program.
+std::optional<int> readFormat(SectionReader& reader, const YamlNode& root) {
+    const std::vector<YamlNode>& children = root.children;
+    const std::size_t at = indexOf(root, "drillwave");
     ProblemList& problems = reader.problems();
-    const std::string expected = "`drillwave: " + std::to_string(scenarioFormat) + "`";
+    const int likely = likelyFormat(root);
     if (at >= children.size()) {
-        problems.reportKey(root.offset, "drillwave", "is missing: the first line must be " + expected);
-        return true;
+        problems.reportKey(root.offset, "drillwave",
+                           "is missing: the first line must be `drillwave: " + std::to_string(likely) + "`");
+        return likely;
     }
     if (at > 0) problems.reportKey(children[at].offset, "drillwave", "must be the first key of the file");
 
@@ -31,18 +53,20 @@ bool readFormat(SectionReader& reader, const YamlNode& root) {
     long format = 0;
     const auto number = std::from_chars(text.data(), text.data() + text.size(), format);
     const bool whole = !text.empty() && number.ptr == text.data() + text.size();
-    if (whole && (number.ec == std::errc::result_out_of_range || format > scenarioFormat) &&
+    if (whole && (number.ec == std::errc::result_out_of_range || format > newestFormat) &&
         text.front() != '-') {
         problems.reportValue(entry.place(), "drillwave", text,
                              "this file says drillwave: " + text.substr(0, 20) +
-                                 "; this program reads up to " + std::to_string(scenarioFormat) +
+                                 "; this program reads up to " + std::to_string(newestFormat) +
                                  ", use a newer one");
-        return false;
+        return std::nullopt;
     }
-    if (text != std::to_string(scenarioFormat))
-        problems.reportValue(entry.place(), "drillwave", text,
-                             "the format number must be " + std::to_string(scenarioFormat));
-    return true;
+    for (const int known : {rodFormat, stringFormat})
+        if (text == std::to_string(known)) return known;
+    problems.reportValue(entry.place(), "drillwave", text,
+                         "the format number must be " + std::to_string(rodFormat) + " for a uniform rod or " +
+                             std::to_string(stringFormat) + " for a drill string");
+    return likely;
 }
 
 void readTitle(SectionReader& reader, const YamlEntries& file) {
@@ -51,6 +75,27 @@ void readTitle(SectionReader& reader, const YamlEntries& file) {
     if (found->second.value->kind != Kind::scalar)
         reader.problems().reportKey(found->second.place(), "title", "must be text");
     reader.scenario().title = found->second.value->text;
+}
+
+/// Reports keys that belong to a file of the other format. False where there are none of its own, so that
+/// what is missing need not be told.
+bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int format) {
+    const auto refuse = [&](std::span<const std::string_view> keys, const std::string& reason) {
+        for (const std::string_view key : keys)
+            if (const auto found = file.find(key); found != file.end())
+                reader.problems().reportKey(found->second.key->offset, key, reason);
+    };
+    if (format == rodFormat)
+        refuse(stringKeys, "belongs to a drill string: a file that has it begins with `drillwave: 2`");
+    else
+        refuse(rodKeys,
+               "belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has "
+               "`hammer` and `string` in place of `rod` and `pulse`");
+    using Keys = std::span<const std::string_view>;
+    const Keys own = format == rodFormat ? Keys(rodKeys) : Keys(stringKeys);
+    const Keys foreign = format == rodFormat ? Keys(stringKeys) : Keys(rodKeys);
+    const auto isThere = [&](std::string_view key) { return file.contains(key); };
+    return !std::ranges::any_of(foreign, isThere) || std::ranges::any_of(own, isThere);
 }
 
 void readGroups(SectionReader& reader, const YamlEntries& file) {
@@ -97,6 +142,8 @@ bool isAboutTheFile(SectionReader& reader, const InputProblem& problem) {
         return reader.placeOf(key).has_value() && !reader.problems().concerns(key);
     };
     if (problem.key == "rod.bore") return read("rod.diameter") && read("rod.bore");
+    if (problem.key.ends_with(".bore"))
+        return read(problem.key) && read(problem.key.substr(0, problem.key.size() - 4) + "diameter");
     if (problem.key == "pulse.fall")
         return !reader.problems().concerns("pulse.rise") && !reader.problems().concerns("pulse.fall");
     return problem.key == "pulse.points" && read("pulse.points") && !reader.problems().concerns("pulse.file");
@@ -113,7 +160,7 @@ void checkWhole(SectionReader& reader) {
     for (InputProblem& problem : validate(reader.scenario())) {
         if (!clean && !isAboutTheFile(reader, problem)) continue;
         const std::optional<std::size_t> place =
-            reader.placeOf(reader.dimensional() ? originOf(problem.key) : problem.key);
+            reader.placeOf(hasUnits(reader.scenario()) ? originOf(problem.key) : problem.key);
         const TextPosition at = reader.problems().position(place.value_or(0));
         problem.line = at.line;
         problem.column = at.column;
@@ -121,21 +168,29 @@ void checkWhole(SectionReader& reader) {
     }
 }
 
+ScenarioForm formOf(const YamlEntries& file, int format) {
+    if (format == stringFormat) return ScenarioForm::string;
+    return file.contains("dimensionless") ? ScenarioForm::dimensionless : ScenarioForm::dimensional;
+}
+
 /// True when all that is wrong is an unreadable table file.
-bool readSections(SectionReader& reader, const YamlNode& root, const TableSource& tables) {
-    const YamlEntries file = reader.entriesOf(
-        root, "", {"drillwave", "title", "dimensionless", "rod", "pulse", "bit_rock", "drill"});
-    const bool dimensionless = file.contains("dimensionless");
-    reader.scenario().form = dimensionless ? ScenarioForm::dimensionless : ScenarioForm::dimensional;
+bool readFile(SectionReader& reader, const YamlNode& root, int format, const TableSource& tables) {
+    const YamlEntries file =
+        reader.entriesOf(root, "",
+                         {"drillwave", "title", "dimensionless", "rod", "pulse", "material", "hammer",
+                          "string", "bit_rock", "drill", "end_time"});
+    reader.scenario().form = formOf(file, format);
     readTitle(reader, file);
-    if (dimensionless) {
-        readGroups(reader, file);
-    } else {
-        readRod(reader, file);
+    if (!checkKeysOfFormat(reader, file, format)) return false;
+    if (reader.ofString()) readDrillString(reader, file);
+    if (reader.dimensional()) readRod(reader, file);
+    if (hasUnits(reader.scenario())) {
         readBitRock(reader, file);
         readDrill(reader, file);
+    } else {
+        readGroups(reader, file);
     }
-    const bool unreadable = readPulse(reader, file, tables);
+    const bool unreadable = !reader.ofString() && readPulse(reader, file, tables);
     checkWhole(reader);
     return unreadable;
 }
@@ -168,8 +223,8 @@ ReadScenario readScenario(std::string_view text, const std::string& source, cons
     if (tree.root.kind != Kind::map)
         reader.problems().reportKey(tree.root.offset, "drillwave",
                                     "the file must be lines of `key: value`, the first `drillwave: 1`");
-    else if (readFormat(reader, tree.root))
-        result.unreadable = readSections(reader, tree.root, {source, tablePoints});
+    else if (const std::optional<int> format = readFormat(reader, tree.root))
+        result.unreadable = readFile(reader, tree.root, *format, {source, tablePoints});
     result.problems = reader.problems().take();
     result.scenario = std::move(reader.scenario());
     return result;

@@ -13,8 +13,11 @@
 
 namespace drillwave {
 
-/// The newest format number of scenario files this program reads, and the one it writes.
-inline constexpr int scenarioFormat = 1;
+/// Format number of a file of a uniform rod, and of a hammer and a string.
+inline constexpr int rodFormat = 1;
+inline constexpr int stringFormat = 2;
+/// The newest format number that this program reads.
+inline constexpr int newestFormat = stringFormat;
 
 /// Most bytes of a scenario file.
 inline constexpr std::size_t maximumScenarioBytes = std::size_t{1} << 20;

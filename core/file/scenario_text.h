@@ -2,6 +2,7 @@
 // What of a scenario is kept in a file, and that file written anew.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,14 +12,23 @@
 
 namespace drillwave {
 
-/// One line of a scenario file: a parameter, or a text (title, shape, file of a table).
+/// What a saved number is measured in.
+struct SavedUnit {
+    Quantity quantity = Quantity::ratio;
+    const Unit* customary = nullptr;
+};
+
+/// One line of a scenario file: a number, or a text (title, shape, file of a table, name of a section).
 struct SavedValue {
-    std::string_view section;              ///< "rod", "dimensionless", …; empty for the title
-    std::string_view key;                  ///< inside the section
-    const Parameter* parameter = nullptr;  ///< nullptr for a text
-    double number = 0;                     ///< of a parameter, SI
+    std::string section;   ///< path of the map it is in: "rod", "hammer.sections.0", "string.2.of.1", …;
+                           ///< empty at the top level. Items of lists are counted from 0.
+    std::string_view key;  ///< inside the section
+    std::optional<SavedUnit> unit;         ///< nothing for a text
+    double number = 0;                     ///< SI
     std::string text;                      ///< of a text, as it is
     bool isDefault = false;                ///< an absent key says the same
+    bool isUnusual = false;                ///< a new file tells it only where it is not the default
+    const Parameter* parameter = nullptr;  ///< of the table of parameters, or nullptr
 };
 
 /// Everything a file must say, in the order of a file. The points of an inline table are not among them.

@@ -36,6 +36,7 @@ class SectionReader {
     Scenario& scenario() { return m_scenario; }
     ProblemList& problems() { return m_problems; }
     bool dimensional() const { return m_scenario.form == ScenarioForm::dimensional; }
+    bool ofString() const { return isString(m_scenario); }
 
     /// The entries of a map with known keys; reports the others, and keys that come twice.
     YamlEntries entriesOf(const YamlNode& map, std::string_view section,
@@ -62,14 +63,14 @@ class SectionReader {
     void requireOneOf(const YamlEntries& entries, std::string_view section, std::string_view one,
                       std::string_view other);
     void reportMissing(std::string_view section, std::string_view key, std::string_view reason);
+    /// Given, or mistyped, which is reported already.
+    bool isThere(const YamlEntries& entries, std::string_view section, std::string_view key) const;
 
     /// Remembers where a key of the scenario stands, for what is found out later.
     void setPlace(std::string_view key, std::size_t offset) { m_places[std::string(key)] = offset; }
     std::optional<std::size_t> placeOf(std::string_view key) const;
 
   private:
-    /// Given, or mistyped, which is reported already.
-    bool isThere(const YamlEntries& entries, std::string_view section, std::string_view key) const;
     void readParameter(const Parameter& parameter, const YamlEntry& entry);
 
     ProblemList m_problems;

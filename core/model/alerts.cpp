@@ -10,6 +10,7 @@
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
+#include "core/model/section_parameter.h"
 
 namespace drillwave {
 namespace {
@@ -30,6 +31,28 @@ void addImplausibleValues(const Scenario& scenario, std::vector<Alert>& alerts) 
                           parameter.key,
                           {{"value", *value, parameter.quantity}}});
     }
+}
+
+void addImplausibleSection(SectionAddress::Chain chain, std::uint64_t place, const Section& section,
+                           std::vector<Alert>& alerts) {
+    for (const SectionField& field : sectionFields()) {
+        const std::optional<double> value = field.value(section);
+        if (!value || field.plausible.contains(*value)) continue;
+        const std::string key = sectionKey(chain, place) + "." + std::string(field.key);
+        alerts.push_back({AlertLevel::warning,
+                          AlertCode::implausibleValue,
+                          findParameter(key)->key,
+                          {{"value", *value, field.quantity}}});
+    }
+}
+
+/// Of a string, each section as often as it stands in a file.
+void addImplausibleSections(const DrillString& drillString, std::vector<Alert>& alerts) {
+    using Chain = SectionAddress::Chain;
+    for (std::size_t i = 0; i < drillString.hammer.sections.size(); ++i)
+        addImplausibleSection(Chain::hammer, i + 1, drillString.hammer.sections[i], alerts);
+    for (const PlacedSection& placed : placedSections(drillString))
+        addImplausibleSection(Chain::string, placed.place, *placed.section, alerts);
 }
 
 void addLongPulse(const Scenario& scenario, std::vector<Alert>& alerts) {
@@ -115,10 +138,14 @@ const AlertArgument& Alert::argument(std::string_view name) const {
 std::vector<Alert> alertsFor(const Scenario& scenario) {
     std::vector<Alert> alerts;
     addImplausibleValues(scenario, alerts);
-    addLongPulse(scenario, alerts);
-    addDefaultHammer(scenario, alerts);
-    addPistonAssumption(scenario, alerts);
-    addGapWithoutEffect(scenario, alerts);
+    if (isString(scenario)) {
+        addImplausibleSections(scenario.drillString, alerts);
+    } else {
+        addLongPulse(scenario, alerts);
+        addDefaultHammer(scenario, alerts);
+        addPistonAssumption(scenario, alerts);
+        addGapWithoutEffect(scenario, alerts);
+    }
     addResidualWaves(scenario, alerts);
     return alerts;
 }

@@ -8,8 +8,10 @@
 namespace drillwave {
 
 std::optional<double> roundTripsBetweenBlows(const Scenario& scenario) {
-    if (scenario.form != ScenarioForm::dimensional || !scenario.drill.blowFrequency) return std::nullopt;
-    return 1 / (2 * propertiesOf(scenario.rod).transitTime * *scenario.drill.blowFrequency);
+    if (!hasUnits(scenario) || !scenario.drill.blowFrequency) return std::nullopt;
+    const double transitTime = isString(scenario) ? stringProperties(scenario.drillString).transitTime
+                                                  : propertiesOf(scenario.rod).transitTime;
+    return 1 / (2 * transitTime * *scenario.drill.blowFrequency);
 }
 
 std::optional<int> stepOfWaves(double roundTrips) {

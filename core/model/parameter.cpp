@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/model/scales.h"
+#include "core/model/section_parameter.h"
 
 namespace drillwave {
 namespace {
@@ -76,7 +77,7 @@ void assignGroup(double& physical, double scale, const GroupOf& groupOf, double 
 }
 // The groups as groupsOf() has them: a map of two groups sets them as often as it solves.
 void assignBeta(S& s, double value) {
-    if (!dimensional(s)) {
+    if (!hasUnits(s)) {
         s.groups.beta = value;
         return;
     }
@@ -85,7 +86,7 @@ void assignBeta(S& s, double value) {
         s.bitRock.stiffness, scale, [&](double stiffness) { return stiffness / scale; }, value);
 }
 void assignGamma(S& s, double value) {
-    (dimensional(s) ? s.bitRock.gamma : s.groups.gamma) = value;
+    (hasUnits(s) ? s.bitRock.gamma : s.groups.gamma) = value;
 }
 void assignTau(S& s, double value) {
     if (!dimensional(s)) {
@@ -97,7 +98,7 @@ void assignTau(S& s, double value) {
         s.rod.length, time * speed, [&](double length) { return length / speed / time; }, value);
 }
 void assignDelta(S& s, double value) {
-    if (!dimensional(s)) {
+    if (!hasUnits(s)) {
         s.groups.delta = value;
         return;
     }
@@ -180,31 +181,52 @@ constexpr std::array table{
               Quantity::ratio, "", positive, {0.1, 10}, logarithmic, Scope::pistonByRatio,
               [](const S& s) { return Value(s.pulse.piston.impedanceRatio); }, [](S& s, double v) { s.pulse.piston.impedanceRatio = v; }},
 
+    Parameter{"material.youngs_modulus", "Young's modulus", "E", "Young's modulus of every section that has none of its own",
+              Quantity::stress, "GPa", positive, {60e9, 250e9}, linear, Scope::string,
+              [](const S& s) { return Value(s.drillString.material.youngsModulus); }, [](S& s, double v) { s.drillString.material.youngsModulus = v; },
+              {.presence = Presence::assumed}},
+    Parameter{"material.density", "density", "ρ", "Density of every section that has none of its own",
+              Quantity::density, "kg/m^3", positive, {2500, 9000}, linear, Scope::string,
+              [](const S& s) { return Value(s.drillString.material.density); }, [](S& s, double v) { s.drillString.material.density = v; },
+              {.presence = Presence::assumed}},
+    Parameter{"hammer.velocity", "hammer velocity", "v0", "Velocity of the hammer when it strikes the string",
+              Quantity::velocity, "m/s", positive, {1, 20}, linear, Scope::string,
+              [](const S& s) { return Value(s.drillString.hammer.velocity); }, [](S& s, double v) { s.drillString.hammer.velocity = v; },
+              {.shortLabel = "velocity"}},
+    Parameter{"hammer.face_stiffness", "face stiffness", "", "Stiffness of the contact of hammer and string; rigid if not given",
+              Quantity::stiffness, "GN/m", positive, {1e8, 1e11}, logarithmic, Scope::string,
+              [](const S& s) { return s.drillString.hammer.faceStiffness; }, [](S& s, double v) { s.drillString.hammer.faceStiffness = v; },
+              {.presence = Presence::optional, .clear = [](S& s) { s.drillString.hammer.faceStiffness.reset(); }}},
+    Parameter{"end_time", "end time", "", "Time until when the blow of a drill string is followed; to its end if not given",
+              Quantity::time, "ms", positive, {1e-4, 1}, logarithmic, Scope::string,
+              [](const S& s) { return s.drillString.endTime; }, [](S& s, double v) { s.drillString.endTime = v; },
+              {.presence = Presence::optional, .clear = [](S& s) { s.drillString.endTime.reset(); }}},
+
     Parameter{"bit_rock.stiffness", "stiffness", "k", "Stiffness of bit and rock in primary loading",
-              Quantity::stiffness, "MN/m", positive, {1e6, 1e10}, logarithmic, Scope::dimensional,
+              Quantity::stiffness, "MN/m", positive, {1e6, 1e10}, logarithmic, Scope::withUnits,
               [](const S& s) { return Value(s.bitRock.stiffness); }, [](S& s, double v) { s.bitRock.stiffness = v; }},
     Parameter{"bit_rock.gamma", "elasticity", "γ", "Elasticity parameter: loading over unloading stiffness; 1 is elastic",
-              Quantity::ratio, "", {0, 1, true}, {0.01, 1}, linear, Scope::dimensional,
+              Quantity::ratio, "", {0, 1, true}, {0.01, 1}, linear, Scope::withUnits,
               [](const S& s) { return Value(s.bitRock.gamma); }, [](S& s, double v) { s.bitRock.gamma = v; }},
     Parameter{"bit_rock.gap", "gap", "d", "Gap between bit and rock when the hammer strikes",
-              Quantity::length, "mm", notNegative, {0, 0.01}, linear, Scope::dimensional,
+              Quantity::length, "mm", notNegative, {0, 0.01}, linear, Scope::withUnits,
               [](const S& s) { return Value(s.bitRock.gap); }, [](S& s, double v) { s.bitRock.gap = v; },
               {.presence = Presence::assumed}},
 
     Parameter{"drill.blow_frequency", "blow frequency", "f", "Blows per second of the rock drill",
-              Quantity::frequency, "Hz", positive, {10, 150}, linear, Scope::dimensional,
+              Quantity::frequency, "Hz", positive, {10, 150}, linear, Scope::withUnits,
               [](const S& s) { return s.drill.blowFrequency; }, [](S& s, double v) { s.drill.blowFrequency = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drill.blowFrequency.reset(); }}},
     Parameter{"drill.thrust", "installed thrust", "", "Feed force that the drill rig applies",
-              Quantity::force, "kN", notNegative, {500, 50e3}, linear, Scope::dimensional,
+              Quantity::force, "kN", notNegative, {500, 50e3}, linear, Scope::withUnits,
               [](const S& s) { return s.drill.thrust; }, [](S& s, double v) { s.drill.thrust = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drill.thrust.reset(); }}},
     Parameter{"drill.machine_mass", "machine mass", "", "Mass that the feed carries besides the rod; counts where an inclination is given",
-              Quantity::mass, "kg", notNegative, {10, 5000}, logarithmic, Scope::dimensional,
+              Quantity::mass, "kg", notNegative, {10, 5000}, logarithmic, Scope::withUnits,
               [](const S& s) { return s.drill.machineMass; }, [](S& s, double v) { s.drill.machineMass = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drill.machineMass.reset(); }}},
     Parameter{"drill.inclination", "inclination", "", "Angle of the hole below the horizontal; where it is given, the weight of machine and rod along the hole adds to the thrust",
-              Quantity::angle, "deg", {-90, 90}, {-90, 90}, linear, Scope::dimensional,
+              Quantity::angle, "deg", {-90, 90}, {-90, 90}, linear, Scope::withUnits,
               [](const S& s) { return s.drill.inclination; }, [](S& s, double v) { s.drill.inclination = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drill.inclination.reset(); }}},
 
@@ -217,7 +239,7 @@ constexpr std::array table{
               [](const S& s) { return Value(groupsOf(s).gamma); }, assignGamma,
               {.rival = "bit_rock.gamma"}},
     Parameter{"tau", "transit time", "τ", "Transit time of the rod over t0; in a dimensional scenario it moves the rod length",
-              Quantity::ratio, "", {0, largestTime, true, lostPhase}, {0.5, 100}, logarithmic, Scope::all,
+              Quantity::ratio, "", {0, largestTime, true, lostPhase}, {0.5, 100}, logarithmic, Scope::uniformRod,
               [](const S& s) { return Value(groupsOf(s).tau); }, assignTau,
               {.rival = "rod.length"}},
     Parameter{"delta", "gap", "δ", "Gap over 2 I0/Z; in a dimensional scenario it moves the gap",
@@ -245,6 +267,14 @@ bool Parameter::applies(const Scenario& scenario) const {
     switch (scope) {
         case Scope::all:
             return true;
+        case Scope::withUnits:
+            return hasUnits(scenario);
+        case Scope::string:
+            return isString(scenario);
+        case Scope::section:
+            return hasSectionFor(*this, scenario);
+        case Scope::uniformRod:
+            return !isString(scenario);
         case Scope::dimensional:
             return dimensional(scenario);
         case Scope::withoutArea:
@@ -252,21 +282,23 @@ bool Parameter::applies(const Scenario& scenario) const {
         case Scope::givenPulse:
             return dimensional(scenario) && shape != PulseShape::piston && shape != PulseShape::table;
         case Scope::trapezoid:
-            return shape == PulseShape::trapezoid;
+            return !isString(scenario) && shape == PulseShape::trapezoid;
         case Scope::pistonInSi:
             return dimensional(scenario) && shape == PulseShape::piston;
         case Scope::pistonByRatio:
-            return !dimensional(scenario) && shape == PulseShape::piston;
+            return !hasUnits(scenario) && shape == PulseShape::piston;
     }
     return false;
 }
 
 bool Parameter::isGroup() const {
-    return key.find('.') == std::string_view::npos;
+    return key.find('.') == std::string_view::npos && scope != Scope::string;
 }
 
 std::string_view Parameter::section() const {
-    return isGroup() ? "groups" : key.substr(0, key.find('.'));
+    if (isGroup()) return "groups";
+    const std::size_t dot = key.find('.');
+    return dot == std::string_view::npos ? std::string_view() : key.substr(0, dot);
 }
 
 std::string_view Parameter::fileSection() const {
@@ -274,7 +306,7 @@ std::string_view Parameter::fileSection() const {
 }
 
 std::string_view Parameter::localKey() const {
-    const std::size_t dot = key.find('.');
+    const std::size_t dot = address ? key.rfind('.') : key.find('.');
     return dot == std::string_view::npos ? key : key.substr(dot + 1);
 }
 
@@ -290,11 +322,12 @@ std::span<const Parameter> parameters() {
 
 const Parameter* findParameter(std::string_view key) {
     const auto found = std::ranges::find(table, key, &Parameter::key);
-    return found == table.end() ? nullptr : &*found;
+    return found == table.end() ? findSectionParameter(key) : &*found;
 }
 
 std::string rangeProblem(const Parameter& parameter, double value) {
     if (!std::isfinite(value)) return "must be a finite number";
+    if (parameter.rules.wholeNumber && value != std::floor(value)) return "must be a whole number";
     if (parameter.hard.contains(value)) return {};
     const bool tooLarge = value > parameter.hard.high && !parameter.hard.whyNotMore.empty();
     return "must be " + parameter.hard.text() +
@@ -314,7 +347,7 @@ std::string readBackProblem(const Parameter& parameter, const Scenario& scenario
 
 bool isGiven(const Parameter& parameter, const Scenario& scenario) {
     if (!parameter.applies(scenario)) return false;
-    if (parameter.isGroup()) return scenario.form == ScenarioForm::dimensionless;
+    if (parameter.isGroup()) return !hasUnits(scenario);
     if (parameter.key == "pulse.impulse") return !scenario.pulse.impulseFromForce;
     if (parameter.key == "pulse.force") return scenario.pulse.impulseFromForce;
     return true;

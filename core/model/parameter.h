@@ -3,6 +3,8 @@
 // messages all take keys, symbols, units, ranges and meanings from here (files §2).
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,10 +28,40 @@ struct Range {
 
 enum class SliderScale { linear, logarithmic };
 
+struct SectionAddress;
+
+/// A function of a scenario, for a parameter of a section also of which one (section_parameter.h).
+template <class Result, class Scene, class... Values>
+class ParameterFunction {
+  public:
+    using Plain = Result (*)(Scene&, Values...);
+    using OfSection = Result (*)(const SectionAddress&, Scene&, Values...);
+
+    constexpr ParameterFunction(std::nullptr_t) {}
+    template <std::convertible_to<Plain> Function>
+    constexpr ParameterFunction(Function function) : m_plain(function) {}
+    ParameterFunction(OfSection function, const SectionAddress& address)
+        : m_ofSection(function), m_address(&address) {}
+
+    Result operator()(Scene& scenario, Values... values) const {
+        return m_address ? m_ofSection(*m_address, scenario, values...) : m_plain(scenario, values...);
+    }
+    constexpr explicit operator bool() const { return m_plain || m_address; }
+
+  private:
+    Plain m_plain = nullptr;
+    OfSection m_ofSection = nullptr;
+    const SectionAddress* m_address = nullptr;
+};
+
 /// In which scenarios a parameter has a meaning.
 enum class Scope {
     all,
-    dimensional,
+    withUnits,      ///< in physical quantities
+    string,         ///< hammer and string of sections
+    section,        ///< that, with such sections in it (section_parameter.h)
+    uniformRod,     ///< in either form
+    dimensional,    ///< a uniform rod in physical quantities
     withoutArea,    ///< dimensional, the rod given by its diameters
     givenPulse,     ///< dimensional, duration and impulse not following from a piston or a table
     trapezoid,      ///< that shape, in either form
@@ -51,8 +83,10 @@ struct ParameterRules {
     Presence presence = Presence::required;
     /// Key of the parameter that setting this one overrides, and the other way round; each pair is told once.
     std::string_view rival = {};
-    std::string_view shortLabel = {};    ///< label in its own section of a form, where that is another one
-    void (*clear)(Scenario&) = nullptr;  ///< back to "not given"; nullptr where there is always a value
+    std::string_view shortLabel = {};  ///< label in its own section of a form, where that is another one
+    /// Back to "not given"; nullptr where there is always a value.
+    ParameterFunction<void, Scenario> clear = nullptr;
+    bool wholeNumber = false;  ///< has no values between
 };
 
 /// A number of a scenario: how it is called, which values it may have, how to read and set it.
@@ -68,29 +102,35 @@ struct Parameter {
     SliderScale slider;
     Scope scope;
     /// The value in SI, or nullopt where an optional parameter is not given. Requires applies().
-    std::optional<double> (*value)(const Scenario&);
-    /// Sets the value in SI (no range check). Groups of a dimensional scenario move the physical parameter
+    /// Nothing, too, where the sections that it stands for differ in it.
+    ParameterFunction<std::optional<double>, const Scenario> value;
+    /// Sets the value in SI (no range check). Groups of a scenario with units move the physical parameter
     /// (beta the stiffness, tau the rod length, delta the gap). Requires applies().
-    void (*assign)(Scenario&, double);
+    ParameterFunction<void, Scenario, double> assign;
     ParameterRules rules = {};
+    const SectionAddress* address = nullptr;  ///< of a number of a section, else nullptr
 
     /// Whether the parameter has a meaning in this scenario.
     bool applies(const Scenario& scenario) const;
     /// The customary unit.
     const Unit& displayUnit() const;
     bool isGroup() const;                  ///< one of the four dimensionless groups
-    std::string_view section() const;      ///< "rod", "pulse", "bit_rock", "drill" or "groups"
+    std::string_view section() const;      ///< "rod", "pulse", "bit_rock", "drill", …, "groups", or none
     std::string_view fileSection() const;  ///< the same, but "dimensionless" for the groups
     std::string_view localKey() const;     ///< the key inside its section of a file
 };
 
-/// The one key of a scenario that is set by a word and not by a number.
+/// The keys of a scenario that are set by a word and not by a number.
 inline constexpr std::string_view pulseShapeKey = "pulse.shape";
+inline constexpr std::string_view restrikeKey = "hammer.restrike";
 
-/// All numeric parameters, physical ones first, the groups last, in the order of scenario files.
+/// All numeric parameters but those of sections, physical ones first, the groups last, in the order of
+/// scenario files.
 std::span<const Parameter> parameters();
 
-/// The parameter of that key, or nullptr.
+/// The parameter of that key, be it of the table, "string.repeat", or a number of a section
+/// ("string.adapter.length", "hammer.1.diameter", see section_parameter.h), whether there is such a section
+/// or not; otherwise nullptr. What is returned lives as long as the program.
 const Parameter* findParameter(std::string_view key);
 
 /// Whether the parameter is what the user gave, and not what follows from something else (the groups of a

@@ -4,25 +4,40 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/model/section_parameter.h"
 #include "core/text/decimal_text.h"
 #include "core/text/nearest_name.h"
 
 namespace drillwave {
 namespace {
 
+constexpr std::string_view notOfUniformRod =
+    "only a drill string has it (`drillwave: 2`), this is a uniform rod";
+
 std::string refusal(std::string_view key, std::string_view text, std::string_view reason) {
     return std::string(key) + " = " + shortened(trimmed(text)) + " (" + std::string(reason) + ")";
 }
 
 std::string assignShape(Scenario& scenario, std::string_view text) {
+    if (isString(scenario))
+        return refusal(pulseShapeKey, text,
+                       "only a uniform rod has it (`drillwave: 1`), this is a drill string");
     const std::optional<PulseShape> shape = findPulseShape(trimmed(text));
     if (!shape) return refusal(pulseShapeKey, text, "must be one of " + pulseShapeList());
     scenario.pulse.shape = *shape;
     return {};
 }
 
+std::string assignRestrike(Scenario& scenario, std::string_view text) {
+    const std::optional<bool> restrike = findTruth(trimmed(text));
+    if (!isString(scenario)) return refusal(restrikeKey, text, notOfUniformRod);
+    if (!restrike) return refusal(restrikeKey, text, "must be true or false");
+    scenario.drillString.hammer.restrike = *restrike;
+    return {};
+}
+
 std::string unknownKey(std::string_view key) {
-    for (const std::string_view text : {"title", "pulse.file", "pulse.points"})
+    for (const std::string_view text : {"title", "pulse.file", "pulse.points", "hammer.sections", "string"})
         if (key == text) return "`" + std::string(key) + "` is no number; write it into the scenario file";
     const std::string near = nearestKey(key);
     return "`" + shortened(key) + "` is not a parameter" +
@@ -38,7 +53,22 @@ std::string whyNotInDimensionless(const Parameter& parameter) {
            (group == parameters().end() ? "" : "; set `" + std::string(group->key) + "` instead");
 }
 
+std::string whyNotInString(const Parameter& parameter) {
+    if (parameter.scope == Scope::uniformRod)
+        return "follows from the lengths of hammer and string; set those, as `string.1.length`";
+    return "only a uniform rod has it (`drillwave: 1`), this is a drill string" +
+           std::string(parameter.section() == "rod"     ? "; set its sections, as `string.1.length`"
+                       : parameter.section() == "pulse" ? "; its blow follows from the hammer"
+                                                        : "");
+}
+
 }  // namespace
+
+std::optional<bool> findTruth(std::string_view word) {
+    if (word == "true" || word == "True" || word == "TRUE") return true;
+    if (word == "false" || word == "False" || word == "FALSE") return false;
+    return std::nullopt;
+}
 
 std::string pulseShapeList() {
     std::string list;
@@ -49,12 +79,15 @@ std::string pulseShapeList() {
 
 std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
     if (parameter.applies(scenario)) return {};
+    if (parameter.scope == Scope::section) return whyNoSection(parameter, scenario);
+    if (parameter.scope == Scope::string) return std::string(notOfUniformRod);
+    if (isString(scenario)) return whyNotInString(parameter);
     const std::string shape(name(scenario.pulse.shape));
     if (parameter.scope == Scope::trapezoid) return "only a trapezoid has it, the shape is " + shape;
     if (parameter.scope == Scope::pistonByRatio && scenario.pulse.shape == PulseShape::piston)
         return "follows from the diameters and materials of hammer and rod";
     if (parameter.scope == Scope::pistonByRatio) return "only a piston has it, the shape is " + shape;
-    if (scenario.form == ScenarioForm::dimensionless) return whyNotInDimensionless(parameter);
+    if (!hasUnits(scenario)) return whyNotInDimensionless(parameter);
     if (parameter.scope == Scope::withoutArea)
         return "the rod is given by its area; set `rod.area` or `rod.diameter`";
     if (parameter.scope == Scope::givenPulse) return "follows from the data of the " + shape;
@@ -62,13 +95,15 @@ std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenari
 }
 
 std::string nearestKey(std::string_view key) {
-    std::vector<std::string_view> keys{pulseShapeKey};
+    if (std::string near = nearestSectionKey(key); !near.empty()) return near;
+    std::vector<std::string_view> keys{pulseShapeKey, restrikeKey, "string.repeat"};
     for (const Parameter& parameter : parameters()) keys.push_back(parameter.key);
     return std::string(nearestName(key, keys));
 }
 
 std::string assignText(Scenario& scenario, std::string_view key, std::string_view text, const Unit* unit) {
     if (key == pulseShapeKey) return assignShape(scenario, text);
+    if (key == restrikeKey) return assignRestrike(scenario, text);
     const Parameter* parameter = findParameter(key);
     if (!parameter) return unknownKey(key);
     const std::string inapplicable = whyNotApplicable(*parameter, scenario);

@@ -2,6 +2,7 @@
 // Parameters set from text, and the words for what is wrong with it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,19 +10,23 @@
 
 namespace drillwave {
 
+/// What `true` and `false` mean, in the spellings of YAML; nothing for another word.
+std::optional<bool> findTruth(std::string_view word);
+
 /// "rectangular, triangular, …", for messages.
 std::string pulseShapeList();
 
 /// Why a parameter has no meaning in this scenario and what to do instead; empty when it applies.
 std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenario);
 
-/// The known key (of parameters(), or "pulse.shape") most like a mistyped one; empty when none is close.
+/// The known key (of parameters() and sections, or set by a word) most like a mistyped one; empty when none
+/// is close.
 std::string nearestKey(std::string_view key);
 
-/// Sets `key` from text, as --set, table cells and sweep values do. Accepts every key of parameters() with a
-/// unit where it has one, and "pulse.shape". `unit` is a default unit taken from a column header, or nullptr.
-/// Returns the reason why not ("bit_rock.gamma = 1.3 (must be in (0, 1])"), or an empty string when done;
-/// after a reason the scenario is not to be used.
+/// Sets `key` from text, as --set, table cells and sweep values do. Accepts every key of findParameter() with
+/// a unit where it has one, "pulse.shape", and "hammer.restrike" with `true` or `false`. `unit` is a default
+/// unit taken from a column header, or nullptr. Returns the reason why not ("bit_rock.gamma = 1.3 (must be in
+/// (0, 1])"), or an empty string when done; after a reason the scenario is not to be used.
 std::string assignText(Scenario& scenario, std::string_view key, std::string_view text,
                        const Unit* unit = nullptr);
 

@@ -7,7 +7,7 @@
 namespace drillwave {
 
 Scenario withPreset(Scenario scenario, const Preset& preset) {
-    assert(scenario.form == ScenarioForm::dimensional);
+    assert(preset.kind == PresetKind::rock ? hasUnits(scenario) : scenario.form == ScenarioForm::dimensional);
     if (preset.shape) {
         scenario.pulse.shape = *preset.shape;
         scenario.pulse.piston.youngsModulus.reset();
@@ -18,7 +18,8 @@ Scenario withPreset(Scenario scenario, const Preset& preset) {
 }
 
 bool matches(const Preset& preset, const Scenario& scenario) {
-    if (scenario.form != ScenarioForm::dimensional) return false;
+    if (preset.kind == PresetKind::rock ? !hasUnits(scenario) : scenario.form != ScenarioForm::dimensional)
+        return false;
     if (preset.shape && scenario.pulse.shape != *preset.shape) return false;
     const auto isThere = [&](const PresetValue& value) {
         return isGiven(*value.parameter, scenario) && value.parameter->value(scenario) == value.si;

@@ -35,10 +35,11 @@ struct Preset {
 };
 
 /// The scenario with the preset's values; the hammer of a `piston` has the rod's material unless the preset
-/// names one. It may be invalid, so validate() it. Requires a dimensional scenario.
+/// names one. It may be invalid, so validate() it. Requires a scenario in physical units, and for a rod and a
+/// hammer one of a uniform rod.
 Scenario withPreset(Scenario scenario, const Preset& preset);
 
-/// Whether taking the preset would change nothing; never in a dimensionless scenario.
+/// Whether taking the preset would change nothing; never where it cannot be taken.
 bool matches(const Preset& preset, const Scenario& scenario);
 
 /// "diameter: 38 mm — nominal", one line for the shape and for each value.

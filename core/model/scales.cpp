@@ -32,6 +32,30 @@ double tableImpulse(const TablePoints& points) {
     return impulse;
 }
 
+void add(ChainProperties& sum, const Section& section, const Material& material, double times) {
+    const RodProperties properties = propertiesOf(section, material);
+    sum.length += times * section.length;
+    sum.transitTime += times * properties.transitTime;
+    sum.mass += times * (properties.mass + section.massAfter);
+}
+
+Scales scalesOfString(const DrillString& drillString) {
+    const RodProperties rule = propertiesOf(ruleSection(drillString), drillString.material);
+    const ChainProperties hammer = hammerProperties(drillString);
+    Scales scales;
+    scales.velocity = drillString.hammer.velocity;
+    scales.time = 2 * hammer.transitTime;
+    scales.impulse = hammer.mass * scales.velocity;
+    scales.force = rule.impedance * scales.velocity / 2;
+    scales.stress = scales.force / rule.area;
+    scales.particleVelocity = scales.velocity / 2;
+    scales.penetration = scales.velocity * scales.time;
+    scales.stiffness = rule.impedance / scales.time;
+    scales.energy = scales.impulse * scales.velocity / 2;
+    scales.length = stringProperties(drillString).length;
+    return scales;
+}
+
 }  // namespace
 
 RodProperties propertiesOf(const Rod& rod) {
@@ -45,13 +69,38 @@ RodProperties propertiesOf(const Rod& rod) {
     return result;
 }
 
+RodProperties propertiesOf(const Section& section, const Material& material) {
+    Rod rod;
+    rod.length = section.length;
+    rod.diameter = section.diameter;
+    rod.bore = section.bore;
+    rod.area = section.area;
+    rod.youngsModulus = section.youngsModulus.value_or(material.youngsModulus);
+    rod.density = section.density.value_or(material.density);
+    return propertiesOf(rod);
+}
+
+ChainProperties hammerProperties(const DrillString& drillString) {
+    ChainProperties sum;
+    for (const Section& section : drillString.hammer.sections) add(sum, section, drillString.material, 1);
+    return sum;
+}
+
+ChainProperties stringProperties(const DrillString& drillString) {
+    ChainProperties sum;
+    for (const StringPart& part : drillString.parts)
+        for (const Section& section : part.sections) add(sum, section, drillString.material, part.repeat);
+    return sum;
+}
+
 double pistonImpedanceRatio(const Scenario& scenario) {
     if (scenario.form == ScenarioForm::dimensionless) return scenario.pulse.piston.impedanceRatio;
     return hammerOf(scenario).impedance / propertiesOf(scenario.rod).impedance;
 }
 
 double pulseDuration(const Scenario& scenario) {
-    if (scenario.form == ScenarioForm::dimensionless) return 1;
+    if (!hasUnits(scenario)) return 1;
+    if (isString(scenario)) return 2 * hammerProperties(scenario.drillString).transitTime;
     const Pulse& pulse = scenario.pulse;
     if (pulse.shape == PulseShape::piston) return 2 * hammerOf(scenario).transitTime;
     if (pulse.shape == PulseShape::table)
@@ -60,7 +109,9 @@ double pulseDuration(const Scenario& scenario) {
 }
 
 double pulseImpulse(const Scenario& scenario) {
-    if (scenario.form == ScenarioForm::dimensionless) return 1;
+    if (!hasUnits(scenario)) return 1;
+    if (isString(scenario))
+        return hammerProperties(scenario.drillString).mass * scenario.drillString.hammer.velocity;
     if (scenario.pulse.shape == PulseShape::piston) return pistonImpulse(scenario);
     if (scenario.pulse.shape == PulseShape::table) return tableImpulse(scenario.pulse.tablePoints);
     return scenario.pulse.impulse;
@@ -74,16 +125,19 @@ double meanForce(const Pulse& pulse) {
 }
 
 Groups groupsOf(const Scenario& scenario) {
-    if (scenario.form == ScenarioForm::dimensionless) return scenario.groups;
+    if (!hasUnits(scenario)) return scenario.groups;
     const Scales scales = scalesOf(scenario);
+    const double transitTime = isString(scenario) ? stringProperties(scenario.drillString).transitTime
+                                                  : propertiesOf(scenario.rod).transitTime;
     return {.beta = scenario.bitRock.stiffness / scales.stiffness,
             .gamma = scenario.bitRock.gamma,
-            .tau = propertiesOf(scenario.rod).transitTime / scales.time,
+            .tau = transitTime / scales.time,
             .delta = scenario.bitRock.gap / scales.penetration};
 }
 
 Scales scalesOf(const Scenario& scenario) {
-    if (scenario.form == ScenarioForm::dimensionless) return {};
+    if (!hasUnits(scenario)) return {};
+    if (isString(scenario)) return scalesOfString(scenario.drillString);
     const RodProperties rod = propertiesOf(scenario.rod);
     Scales scales;
     scales.time = pulseDuration(scenario);

@@ -6,18 +6,19 @@
 
 namespace drillwave {
 
-/// Characteristic quantities (paper, section 5.1; theory §2), SI. Dimensionless × scale = SI.
+/// Characteristic quantities (paper, section 5.1; theory §2), SI. Dimensionless × scale = SI. Those of a
+/// string stand behind the semicolon; Z and A are then those of its ruleSection().
 struct Scales {
-    double time = 1;              ///< t0 [s]
-    double impulse = 1;           ///< I0 [N s]
-    double force = 1;             ///< F0 = I0/t0 [N]
+    double time = 1;              ///< t0 [s]; twice the transit time of the hammer
+    double impulse = 1;           ///< I0 [N s]; momentum of the hammer
+    double force = 1;             ///< F0 = I0/t0 [N]; Z v0/2
     double stress = 1;            ///< F0/A [Pa]
-    double velocity = 1;          ///< v0 = I0/m [m/s]
-    double particleVelocity = 1;  ///< F0/Z [m/s], of a wave of the force F0; τ v0
-    double penetration = 1;       ///< d0 = 2 I0/Z [m] [paper (3)]
+    double velocity = 1;          ///< v0 = I0/m [m/s]; of the hammer
+    double particleVelocity = 1;  ///< F0/Z [m/s], of a wave of the force F0; τ v0 of a uniform rod
+    double penetration = 1;       ///< d0 = 2 I0/Z [m] [paper (3)]; v0 t0
     double stiffness = 1;         ///< k0 = Z/t0 [N/m]
-    double energy = 1;            ///< W0 = m v0²/2 [J]
-    double length = 1;            ///< L [m]
+    double energy = 1;            ///< W0 = m v0²/2 [J]; of the hammer
+    double length = 1;            ///< L [m]; of the string
     bool operator==(const Scales&) const = default;
 };
 
@@ -31,23 +32,39 @@ struct RodProperties {
 };
 RodProperties propertiesOf(const Rod& rod);
 
+/// Of a section of a hammer or a string, without the mass lumped behind it.
+RodProperties propertiesOf(const Section& section, const Material& material);
+
+/// Sums over the sections of a hammer, or of a string with its repeats written out.
+struct ChainProperties {
+    double length = 0;       ///< [m]
+    double transitTime = 0;  ///< one way [s]
+    double mass = 0;         ///< with lumped masses [kg]
+};
+ChainProperties hammerProperties(const DrillString& drillString);
+ChainProperties stringProperties(const DrillString& drillString);
+
 /// Impedance of the hammer over that of the rod (the `impedanceRatio` itself in a dimensionless scenario).
 double pistonImpedanceRatio(const Scenario& scenario);
 
-/// t0 [s]: the duration; 2·length/c of a piston; the length of a table. 1 for a dimensionless scenario.
+/// t0 [s]: the duration; 2·length/c of a piston; the length of a table; twice the transit time of the hammer
+/// of a string. 1 for a dimensionless scenario.
 double pulseDuration(const Scenario& scenario);
 
-/// I0 [N s]: the impulse; of the staircase of a piston; of a table. 1 for a dimensionless scenario.
+/// I0 [N s]: the impulse; of the staircase of a piston; of a table; momentum of the hammer of a string. 1 for
+/// a dimensionless scenario.
 double pulseImpulse(const Scenario& scenario);
 
 /// Mean force I0/t0 [N] of a pulse given by duration and impulse; where some double times the duration is
 /// exactly the impulse, that one, so that a force that was given reads back unchanged.
 double meanForce(const Pulse& pulse);
 
-/// β = k t0/Z, γ, τ = T/t0, δ = d Z/(2 I0); the given groups for a dimensionless scenario.
+/// β = k t0/Z, γ, τ = T/t0, δ = d Z/(2 I0); of a string δ = d/(v0 t0), T being the transit time of all of it;
+/// the given groups for a dimensionless scenario.
 Groups groupsOf(const Scenario& scenario);
 
-/// The scales of a dimensional scenario; all 1 for a dimensionless one (not meaningful there).
+/// The scales of a scenario with units; all 1 for a dimensionless one (not meaningful there). Requires a
+/// hammer and a string that are not empty where it is a string.
 Scales scalesOf(const Scenario& scenario);
 
 }  // namespace drillwave

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/model/drill_string.h"
 #include "core/model/table_points.h"
 
 namespace drillwave {
@@ -94,19 +95,33 @@ struct Groups {
     bool operator==(const Groups&) const = default;
 };
 
-/// Whether the scenario is given in physical quantities or directly by its groups.
-enum class ScenarioForm { dimensional, dimensionless };
+/// How the scenario is given.
+enum class ScenarioForm {
+    dimensional,    ///< uniform rod and prescribed hammer force, in physical quantities
+    dimensionless,  ///< the same, directly by its groups
+    string,         ///< hammer and string of sections, in physical quantities
+};
 
 /// Everything a scenario file says. Members that the form does not use keep their defaults.
 struct Scenario {
     std::string title;
     ScenarioForm form = ScenarioForm::dimensional;
-    Groups groups;  ///< the definition when dimensionless; see groupsOf() otherwise
-    Rod rod;        ///< dimensional only
-    Pulse pulse;
-    BitRock bitRock;  ///< dimensional only
-    Drill drill;      ///< dimensional only
+    Groups groups;            ///< the definition when dimensionless; see groupsOf() otherwise
+    Rod rod;                  ///< dimensional only
+    Pulse pulse;              ///< not of a string
+    BitRock bitRock;          ///< with units
+    Drill drill;              ///< with units
+    DrillString drillString;  ///< of a string
     bool operator==(const Scenario&) const = default;
 };
+
+/// Whether the scenario is in physical quantities, so that its results have SI units too.
+inline bool hasUnits(const Scenario& scenario) {
+    return scenario.form != ScenarioForm::dimensionless;
+}
+/// Whether it is a hammer and a string of sections, and not a uniform rod.
+inline bool isString(const Scenario& scenario) {
+    return scenario.form == ScenarioForm::string;
+}
 
 }  // namespace drillwave

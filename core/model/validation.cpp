@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
+#include "core/model/string_validation.h"
 
 namespace drillwave {
 namespace {
@@ -32,7 +34,7 @@ void checkRanges(const Scenario& scenario, std::vector<InputProblem>& problems) 
 
 void checkBore(const Scenario& scenario, std::vector<InputProblem>& problems) {
     const Rod& rod = scenario.rod;
-    if (scenario.form == ScenarioForm::dimensionless || rod.area || !(rod.bore >= rod.diameter)) return;
+    if (scenario.form != ScenarioForm::dimensional || rod.area || !(rod.bore >= rod.diameter)) return;
     const Parameter& bore = *findParameter("rod.bore");
     report(problems, bore.key, valueText(bore, rod.bore),
            "must be less than the diameter of " + valueText(bore, rod.diameter));
@@ -91,8 +93,7 @@ void checkGroups(const Scenario& scenario, std::vector<InputProblem>& problems) 
             {"", "the values are so large or small that the force or energy of the blow overflows"});
         return;
     }
-    const std::string follows =
-        scenario.form == ScenarioForm::dimensional ? "; it follows from the other values" : "";
+    const std::string follows = hasUnits(scenario) ? "; it follows from the other values" : "";
     for (const Parameter& parameter : parameters()) {
         if (parameter.section() != "groups") continue;
         const double value = *parameter.value(scenario);
@@ -129,10 +130,14 @@ PointProblem pointProblem(const TablePoints& points) {
 std::vector<InputProblem> validate(const Scenario& scenario) {
     std::vector<InputProblem> problems;
     checkRanges(scenario, problems);
-    checkBore(scenario, problems);
-    checkTrapezoid(scenario.pulse, problems);
-    checkTable(scenario, problems);
-    if (problems.empty()) checkPiston(scenario, problems);
+    if (isString(scenario)) {
+        std::ranges::move(sectionProblems(scenario.drillString), std::back_inserter(problems));
+    } else {
+        checkBore(scenario, problems);
+        checkTrapezoid(scenario.pulse, problems);
+        checkTable(scenario, problems);
+        if (problems.empty()) checkPiston(scenario, problems);
+    }
     if (problems.empty()) checkGroups(scenario, problems);
     return problems;
 }

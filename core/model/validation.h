@@ -21,8 +21,8 @@ struct InputProblem {
 };
 
 /// Every hard-range violation and inconsistency (rise + fall > 1, bore ≥ diameter, table times not
-/// increasing, groups not finite or zero after conversion), physical parameters first. Empty when the
-/// scenario can be solved.
+/// increasing, a hammer or string without sections, groups not finite or zero after conversion), physical
+/// parameters first. Empty when the scenario can be solved.
 std::vector<InputProblem> validate(const Scenario& scenario);
 
 /// The first reason why points are no hammer force, and the point (from 0) that it is about.

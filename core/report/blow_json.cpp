@@ -76,7 +76,7 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
     if (blow.method.method == Method::lattice) object["segments"] = blow.method.lattice.segments;
     if (!blow.isSolved()) object["reason"] = impact.reason;
     object["scenario"] = scenarioText;
-    if (blow.scenario.form == ScenarioForm::dimensional) addSi(object, blow);
+    if (hasUnits(blow.scenario)) addSi(object, blow);
     return Json(object).text();
 }
 

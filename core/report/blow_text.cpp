@@ -18,8 +18,7 @@ namespace {
 /// One line of results: what is multiplied with the scale is also given in SI.
 class ResultRows {
   public:
-    explicit ResultRows(const Scenario& scenario)
-        : m_dimensional(scenario.form == ScenarioForm::dimensional) {}
+    explicit ResultRows(const Scenario& scenario) : m_dimensional(hasUnits(scenario)) {}
 
     void add(const char* label, double value, const char* unit, double scale, Quantity quantity) {
         const std::string shown = rounded(value) + " " + unit;

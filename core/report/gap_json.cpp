@@ -104,7 +104,7 @@ std::string gapJson(const GapReport& report) {
         {"unsolved", report.curve.unsolved},
         {"run_time", report.runTime},
     };
-    if (report.scenario.form == ScenarioForm::dimensional) {
+    if (hasUnits(report.scenario)) {
         const Scales scales = scalesOf(report.scenario);
         object["si_scales"] = JsonObject{
             {"gap", scales.penetration}, {"impulse", scales.impulse}, {"peak_force", scales.force}};

@@ -17,7 +17,7 @@ constexpr double negligible = 1e-10;  // what the efficiency is known to: elasti
 class GapTable {
   public:
     explicit GapTable(const Scenario& scenario)
-        : m_dimensional(scenario.form == ScenarioForm::dimensional), m_scales(scalesOf(scenario)) {}
+        : m_dimensional(hasUnits(scenario)), m_scales(scalesOf(scenario)) {}
 
     std::string gap(double value) const {
         return m_dimensional ? inHandyUnit(value * m_scales.penetration, Quantity::length, digits)
@@ -154,8 +154,7 @@ std::string gapText(const GapReport& report) {
     std::string text = headingOf(report.scenario);
     if (report.curve.dependsOnGap)
         text += "  The gap has a period of d0" +
-                (report.scenario.form == ScenarioForm::dimensional ? " = " + table.gap(1) : std::string()) +
-                ".\n";
+                (hasUnits(report.scenario) ? " = " + table.gap(1) : std::string()) + ".\n";
     if (const std::string remark = report.periodRemark(); !remark.empty()) text += "  " + remark + "\n";
     text += "\n" + gapGrid(report).text();
     for (const std::string& remark : gapRemarks(report)) text += "\n  " + remark;

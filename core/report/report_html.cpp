@@ -173,7 +173,7 @@ class Page {
 
     std::string results() const {
         std::vector<std::string> titles{"result", "as a multiple"};
-        if (blow().scenario.form == ScenarioForm::dimensional) titles.emplace_back("in SI");
+        if (hasUnits(blow().scenario)) titles.emplace_back("in SI");
         titles.emplace_back("where and when");
         return heading("Results") + table("results", titles, numbers(resultRows(blow()), false)) +
                paragraph(

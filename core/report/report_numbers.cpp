@@ -15,7 +15,7 @@ namespace {
 constexpr int digits = 5;
 
 bool isDimensional(const Blow& blow) {
-    return blow.scenario.form == ScenarioForm::dimensional;
+    return hasUnits(blow.scenario);
 }
 
 /// What a report calls those outputs that the window has no row for.

@@ -81,6 +81,9 @@ constexpr std::array powerUnits{decimal("W", 0), decimal("kW", 3), decimal("MW",
 constexpr std::array massUnits{decimal("kg", 0), decimal("t", 3), decimal("g", -3),
                                multiple("lb", 45359237, 1e8)};
 constexpr std::array angleUnits{decimal("deg", 0), multiple("rad", 180, std::numbers::pi)};
+constexpr std::array shareUnits{decimal("", 0), decimal("%", -2)};
+constexpr std::array attenuationUnits{decimal("1/m", 0), decimal("1/mm", 3), decimal("1/km", -3),
+                                      multiple("1/ft", 1e4, 3048)};
 
 struct Spelling {
     std::string_view written;
@@ -213,6 +216,10 @@ std::span<const Unit> unitsOf(Quantity quantity) {
             return massUnits;
         case Quantity::angle:
             return angleUnits;
+        case Quantity::share:
+            return shareUnits;
+        case Quantity::attenuation:
+            return attenuationUnits;
     }
     return ratioUnits;
 }
@@ -230,6 +237,7 @@ const Unit* findUnit(Quantity quantity, std::string_view name) {
 std::string unitList(Quantity quantity) {
     std::string list;
     for (const Unit& unit : unitsOf(quantity)) {
+        if (unit.name.empty() && unitsOf(quantity).size() > 1) continue;  // goes without saying
         if (!list.empty()) list += ", ";
         list += unit.name;
     }
@@ -258,8 +266,10 @@ TypedQuantity parseQuantity(std::string_view text, Quantity quantity, BareNumber
     const std::string_view number = text.substr(0, length);
     const std::string_view unitName = trimmed(text.substr(length));
 
-    const Unit* unit = unitName.empty() && defaultUnit ? defaultUnit : findUnit(quantity, unitName);
-    if (unitName.empty() && quantity != Quantity::ratio && (bare == BareNumber::refused || !defaultUnit))
+    const bool inDefault = unitName.empty() && defaultUnit && bare == BareNumber::inDefaultUnit;
+    const Unit* unit = inDefault ? defaultUnit : findUnit(quantity, unitName);
+    const bool needsUnit = !unitsOf(quantity).front().name.empty();
+    if (unitName.empty() && needsUnit && (bare == BareNumber::refused || !defaultUnit))
         return refused(missingUnit(number, quantity, defaultUnit));
     if (!unit) return refused(unknownUnit(unitName, quantity));
 

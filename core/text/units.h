@@ -25,7 +25,9 @@ enum class Quantity {
     energy,
     power,
     mass,
-    angle,  ///< in degrees, which go with the SI: a right angle is 90, exactly
+    angle,        ///< in degrees, which go with the SI: a right angle is 90, exactly
+    share,        ///< part of a whole: a bare number, or per cent
+    attenuation,  ///< decay per length
 };
 
 /// A unit of one quantity: value in SI = factor × value in this unit.
@@ -40,7 +42,8 @@ struct Unit {
     double fromSi(double si) const { return si * denominator / numerator; }
 };
 
-/// The units of a quantity, the SI unit first; for `ratio` one unit with an empty name.
+/// The units of a quantity, the SI unit first; for `ratio` one unit with an empty name, which is also the
+/// first one of `share`.
 std::span<const Unit> unitsOf(Quantity quantity);
 
 /// The unit of that name, or nullptr. Names are case sensitive ("mm", "MN/m", "N s", "us" and "µs").
@@ -66,8 +69,8 @@ struct TypedQuantity {
 /// Whether a number without a unit is refused (files) or taken in the given default unit (form fields).
 enum class BareNumber { refused, inDefaultUnit };
 
-/// Reads "38 mm", "1.5in", "255 kN", "200 us", "51 N s". For `ratio` a bare number.
-/// A decimal comma is not accepted here: the form turns the user's locale into C text first.
+/// Reads "38 mm", "1.5in", "255 kN", "200 us", "51 N s". For `ratio` a bare number, for `share` "0.02" or "2
+/// %". A decimal comma is not accepted here: the form turns the user's locale into C text first.
 TypedQuantity parseQuantity(std::string_view text, Quantity quantity, BareNumber bare = BareNumber::refused,
                             const Unit* defaultUnit = nullptr);
 

@@ -25,6 +25,13 @@ std::string nativePath(const QString& path) {
     return QFile::encodeName(path).toStdString();
 }
 
+// Of what is loaded, whatever from. Throws ScenarioError.
+void checkForWindow(const Scenario& scenario, const std::string& source) {
+    if (isString(scenario))
+        throw ScenarioError(ScenarioError::Kind::invalid, source,
+                            {{"", "this window shows uniform rods; drill strings run on the command line"}});
+}
+
 QString lines(const ScenarioError& error) {
     QStringList all;
     for (const std::string& line : error.lines()) all.append(QString::fromStdString(line));
@@ -219,7 +226,9 @@ void Document::start() {
 
 QString Document::startFrom(std::string_view text, const QString& name) {
     try {
-        take(parseScenario(text, name.toStdString()), {}, {});
+        ScenarioDocument source = parseScenario(text, name.toStdString());
+        checkForWindow(source.scenario, source.source);
+        take(std::move(source), {}, {});
     } catch (const ScenarioError& error) {
         return lines(error);
     }
@@ -231,6 +240,7 @@ QString Document::open(const QString& path) {
     try {
         const std::string native = nativePath(absolute);
         ScenarioInput input = loadInput(native);
+        checkForWindow(input.document.scenario, native);
         // What is saved is a scenario: not over a result.
         const QString toSave = input.isResult ? QString() : absolute;
         take(std::move(input.document), toSave, absolute);
@@ -243,6 +253,7 @@ QString Document::open(const QString& path) {
 QString Document::reload() {
     try {
         ScenarioDocument source = loadScenario(nativePath(m_path));
+        checkForWindow(source.scenario, source.source);
         pushContents(source.scenario, source.text, tr("reload the file"));
         m_source = std::move(source);
     } catch (const ScenarioError& error) {
@@ -257,7 +268,9 @@ QString Document::reload() {
 QString Document::restore(const std::string& text, const QString& origin) {
     const std::string source = origin.isEmpty() ? std::string() : nativePath(origin);
     try {
-        take(parseScenario(text, source), {}, origin);
+        ScenarioDocument document = parseScenario(text, source);
+        checkForWindow(document.scenario, source);
+        take(std::move(document), {}, origin);
     } catch (const ScenarioError& error) {
         return lines(error);
     }

@@ -15,7 +15,7 @@ constexpr double mostReadable = 1e4;
 }  // namespace
 
 UnitSystem naturalUnits(const Scenario& scenario) {
-    return scenario.form == ScenarioForm::dimensional ? UnitSystem::si : UnitSystem::dimensionless;
+    return hasUnits(scenario) ? UnitSystem::si : UnitSystem::dimensionless;
 }
 
 QString ShownUnit::axisLabel(const QString& words) const {

@@ -96,6 +96,7 @@ void FileMenu::addExamples() {
     QMenu* menu = addMenu(tr("&Examples"));
     menu->setToolTipsVisible(true);
     for (const Example& example : builtInExamples()) {
+        if (example.ofString) continue;  // the window shows uniform rods
         QAction* action =
             menu->addAction(fromUtf8(example.title), this, [this, &example] { openExample(example); });
         action->setToolTip(QStringLiteral("<p>%1</p>").arg(fromUtf8(example.explanation).toHtmlEscaped()));

@@ -29,7 +29,7 @@ const Scenario& AxisScenario::set(std::span<const double> values) {
     // What one axis sets may depend on the others in a dimensional scenario (tau moves the length, which
     // moves nothing else, but a duration moves the impulse of a given force), so that each point starts from
     // the base.
-    if (m_scenario.form == ScenarioForm::dimensional) restore();
+    if (hasUnits(m_scenario)) restore();
     for (const std::size_t a : m_assignments.order()) m_axes[a].assign(m_scenario, values[a]);
     return m_scenario;
 }
@@ -40,6 +40,7 @@ void AxisScenario::restore() {
     m_scenario.bitRock = m_base.bitRock;
     m_scenario.drill = m_base.drill;
     if (m_restoresPulse) m_scenario.pulse = m_base.pulse;
+    if (isString(m_base)) m_scenario.drillString = m_base.drillString;
 }
 
 }  // namespace drillwave

@@ -71,7 +71,7 @@ Detail detailFor(std::span<const OutputColumn> columns) {
 }
 
 std::string columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario) {
-    const bool dimensional = scenario.form == ScenarioForm::dimensional;
+    const bool dimensional = hasUnits(scenario);
     for (const OutputColumn& column : columns) {
         if (column.units == OutputUnits::si && !dimensional)
             return "SI columns need a scenario in physical units; this one is given by its dimensionless "

@@ -131,6 +131,7 @@ void TestReportFile::whatTheFileLeavesOutIsAssumedByTheProgram() {
 
 void TestReportFile::everyExampleHasASourceForEveryInput() {
     for (const Example& example : builtInExamples()) {
+        if (example.ofString) continue;  // a report is of a uniform rod
         const std::vector<ReportInput> inputs = inputsOfText(std::string(example.text));
         QVERIFY(inputs.size() >= 2);
         for (const ReportInput& input : inputs)
@@ -142,7 +143,8 @@ void TestReportFile::everyExampleHasASourceForEveryInput() {
 void TestReportFile::theNumbersAreThoseOfTheJson_data() {
     QTest::addColumn<QByteArray>("name");
     for (const Example& example : builtInExamples())
-        QTest::newRow(example.name.c_str()) << QByteArray::fromStdString(example.name);
+        if (!example.ofString)  // a report is of a uniform rod
+            QTest::newRow(example.name.c_str()) << QByteArray::fromStdString(example.name);
 }
 
 void TestReportFile::theNumbersAreThoseOfTheJson() {

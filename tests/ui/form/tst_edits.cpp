@@ -164,7 +164,8 @@ void TestEdits::editSomething(QRandomGenerator& random) {
 void TestEdits::fiveHundredEditsUndoneGiveTheSameBytes_data() {
     QTest::addColumn<QString>("example");
     for (const Example& example : builtInExamples())
-        QTest::newRow(example.name.c_str()) << QString::fromStdString(example.name);
+        if (!example.ofString)  // the window shows uniform rods
+            QTest::newRow(example.name.c_str()) << QString::fromStdString(example.name);
 }
 
 void TestEdits::fiveHundredEditsUndoneGiveTheSameBytes() {

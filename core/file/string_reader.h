@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hammer, string and their material, as a file of format 2 has them (files §1.3).
+#pragma once
+
+#include "core/file/section_reader.h"
+
+namespace drillwave {
+
+/// Reads `material`, `hammer`, `string` and `end_time` into the reader's scenario, which is one of a string.
+void readDrillString(SectionReader& reader, const YamlEntries& file);
+
+}  // namespace drillwave

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A hammer and the string of sections that it strikes, as plain values (files §1.3).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drillwave {
+
+/// Material of every section that names none of its own.
+struct Material {
+    double youngsModulus = 210e9;  ///< E [Pa]
+    double density = 7850;         ///< ρ [kg/m³]
+    bool operator==(const Material&) const = default;
+};
+
+/// A uniform piece of a hammer or a string. Its far end is the one towards the rock.
+struct Section {
+    std::string name;                     ///< "rod", may be empty; several sections may have the same
+    double length = 0;                    ///< L [m]
+    double diameter = 0;                  ///< outer diameter [m]; unused when `area` is given
+    double bore = 0;                      ///< flushing hole diameter [m]; likewise
+    std::optional<double> area;           ///< A [m²] when given instead of diameter and bore
+    std::optional<double> youngsModulus;  ///< E [Pa], the material's when not given
+    std::optional<double> density;        ///< ρ [kg/m³], the material's when not given
+    double massAfter = 0;                 ///< M [kg], lumped at the far end; behind the last section M_b
+    double loss = 0;         ///< η, share of the energy of a wave lost in the joint at the far end
+    double attenuation = 0;  ///< α [1/m], decay of the amplitude of a wave
+    std::optional<double> yieldStrength;    ///< [Pa] stress to be warned of; changes no result
+    std::optional<double> fatigueStrength;  ///< [Pa] tension to be warned of, borne by blow after blow
+    bool operator==(const Section&) const = default;
+};
+
+/// One item of a string: a section, or several that come again and again.
+struct StringPart {
+    int repeat = 1;                 ///< how often the sections follow one another; 1 unless `group`
+    bool group = false;             ///< written as a repeat, be it of one
+    std::vector<Section> sections;  ///< exactly one unless `group`
+    bool operator==(const StringPart&) const = default;
+};
+
+/// What strikes, all of it with the same velocity.
+struct Hammer {
+    double velocity = 10;                 ///< v0 [m/s] at impact
+    std::vector<Section> sections;        ///< from the rear to the face
+    std::optional<double> faceStiffness;  ///< k_c [N/m] between hammer and string; rigid when not given
+    bool restrike = true;  ///< the hammer stays there to be hit again; false: withdrawn once separated
+    bool operator==(const Hammer&) const = default;
+};
+
+/// Hammer and string.
+struct DrillString {
+    Material material;
+    Hammer hammer;
+    std::vector<StringPart> parts;  ///< from the shank to the bit
+    std::optional<double> endTime;  ///< [s] until when the blow is followed; to its end when not given
+    bool operator==(const DrillString&) const = default;
+};
+
+/// Most sections of a string, its repeats written out, and of a hammer.
+inline constexpr std::size_t maximumSections = 1000;
+
+/// Number of sections of the string with its repeats written out; saturates instead of overflowing.
+std::uint64_t sectionCount(const DrillString& drillString);
+
+/// The sections of the string from shank to bit, repeats written out, so that those of a repeat come several
+/// times. Requires at most maximumSections of them.
+std::vector<const Section*> expandedSections(const DrillString& drillString);
+
+/// A section as it stands in a file, once, and the first place (from 1) that it has in the string.
+struct PlacedSection {
+    const Section* section = nullptr;
+    std::uint64_t place = 1;
+};
+/// Every section of the string once, in the order of a file.
+std::vector<PlacedSection> placedSections(const DrillString& drillString);
+
+/// The section at a place, counted from 1 with repeats written out; nullptr behind the last one. It is the
+/// same for all places that the repeats give to a section.
+const Section* sectionAt(const DrillString& drillString, std::uint64_t place);
+
+/// The first part that is a repeat, or nullptr.
+const StringPart* firstRepeat(const DrillString& drillString);
+
+/// The section that stands for the string in its scales: the first one called "rod", or else the longest.
+/// Requires a string that is not empty.
+const Section& ruleSection(const DrillString& drillString);
+
+}  // namespace drillwave

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/section_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace drillwave {
+namespace {
+
+using Value = std::optional<double>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range positive{0, infinity, true};
+constexpr Range notNegative{0, infinity};
+constexpr auto linear = SliderScale::linear;
+constexpr auto logarithmic = SliderScale::logarithmic;
+
+Value diameter(const Section& s) {
+    return s.area ? std::nullopt : Value(s.diameter);
+}
+void assignDiameter(Section& s, double value) {
+    s.area.reset();
+    s.diameter = value;
+}
+
+// clang-format off
+constexpr std::array table{
+    SectionField{"length", "length", "L", "Length of the section",
+                 Quantity::length, "mm", positive, {0.01, 10}, logarithmic, Presence::required,
+                 [](const Section& s) { return Value(s.length); }, [](Section& s, double v) { s.length = v; }},
+    SectionField{"diameter", "diameter", "", "Outer diameter of the section",
+                 Quantity::length, "mm", positive, {0.015, 0.25}, linear, Presence::either, diameter, assignDiameter},
+    SectionField{"area", "area", "A", "Cross-section, in place of diameter and bore",
+                 Quantity::area, "mm^2", positive, {1e-4, 5e-2}, logarithmic, Presence::optional,
+                 [](const Section& s) { return s.area; }, [](Section& s, double v) { s.area = v; },
+                 [](Section& s) { s.area.reset(); }},
+    SectionField{"bore", "bore", "", "Diameter of the flushing hole, less than the outer diameter",
+                 Quantity::length, "mm", notNegative, {0, 0.1}, linear, Presence::unusual,
+                 [](const Section& s) { return s.area ? std::nullopt : Value(s.bore); }, [](Section& s, double v) { s.bore = v; },
+                 nullptr, true},
+    SectionField{"youngs_modulus", "Young's modulus", "E", "Young's modulus, that of the material if not given",
+                 Quantity::stress, "GPa", positive, {60e9, 250e9}, linear, Presence::optional,
+                 [](const Section& s) { return s.youngsModulus; }, [](Section& s, double v) { s.youngsModulus = v; },
+                 [](Section& s) { s.youngsModulus.reset(); }},
+    SectionField{"density", "density", "ρ", "Density, that of the material if not given",
+                 Quantity::density, "kg/m^3", positive, {2500, 9000}, linear, Presence::optional,
+                 [](const Section& s) { return s.density; }, [](Section& s, double v) { s.density = v; },
+                 [](Section& s) { s.density.reset(); }},
+    SectionField{"mass_after", "mass behind it", "M", "Mass lumped at the end towards the rock; of the last section of a string a mass of the bit",
+                 Quantity::mass, "kg", notNegative, {0, 50}, linear, Presence::unusual,
+                 [](const Section& s) { return Value(s.massAfter); }, [](Section& s, double v) { s.massAfter = v; }},
+    SectionField{"loss", "loss", "η", "Share of the energy of a wave that is lost in the joint at the end towards the rock",
+                 Quantity::share, "%", {0, 1}, {0, 0.3}, linear, Presence::unusual,
+                 [](const Section& s) { return Value(s.loss); }, [](Section& s, double v) { s.loss = v; }},
+    SectionField{"attenuation", "attenuation", "α", "Decay of the amplitude of a wave per length",
+                 Quantity::attenuation, "1/m", notNegative, {0, 0.1}, linear, Presence::unusual,
+                 [](const Section& s) { return Value(s.attenuation); }, [](Section& s, double v) { s.attenuation = v; }},
+    SectionField{"yield_strength", "yield strength", "", "Stress up to which the section is elastic; a blow that exceeds it raises a warning",
+                 Quantity::stress, "MPa", positive, {200e6, 2000e6}, linear, Presence::optional,
+                 [](const Section& s) { return s.yieldStrength; }, [](Section& s, double v) { s.yieldStrength = v; },
+                 [](Section& s) { s.yieldStrength.reset(); }},
+    SectionField{"fatigue_strength", "fatigue strength", "", "Tensile stress that the section bears in blow after blow; more raises a warning",
+                 Quantity::stress, "MPa", positive, {50e6, 1500e6}, linear, Presence::optional,
+                 [](const Section& s) { return s.fatigueStrength; }, [](Section& s, double v) { s.fatigueStrength = v; },
+                 [](Section& s) { s.fatigueStrength.reset(); }},
+};
+// clang-format on
+
+}  // namespace
+
+const Unit& SectionField::displayUnit() const {
+    const Unit* found = findUnit(quantity, unit);
+    assert(found);
+    return *found;
+}
+
+std::span<const SectionField> sectionFields() {
+    return table;
+}
+
+const SectionField* findSectionField(std::string_view key) {
+    const auto found = std::ranges::find(table, key, &SectionField::key);
+    return found == table.end() ? nullptr : &*found;
+}
+
+bool areRivals(const SectionField& a, const SectionField& b) {
+    const auto replaces = [](const SectionField& one, const SectionField& other) {
+        return one.key == "area" && (other.key == "diameter" || other.key == "bore");
+    };
+    return &a == &b || replaces(a, b) || replaces(b, a);
+}
+
+std::string rangeProblem(const SectionField& field, double value) {
+    if (!std::isfinite(value)) return "must be a finite number";
+    return field.hard.contains(value) ? std::string() : "must be " + field.hard.text();
+}
+
+}  // namespace drillwave

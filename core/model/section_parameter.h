@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers of the sections of a hammer and a string as parameters, so that --set, sweeps, tables, curves and
+// maps take them: "string.adapter.length" (all sections of that name, `_` standing for a blank too),
+// "string.3.length" (by place from 1, repeats written out), "hammer.1.diameter", and "string.repeat". A
+// section inside a repeat stands in a file once: whichever of its places is set, it is set in every repeat.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/model/parameter.h"
+#include "core/model/section_field.h"
+
+namespace drillwave {
+
+/// Which number of which sections.
+struct SectionAddress {
+    enum class Chain { hammer, string };
+    Chain chain = Chain::string;
+    std::string name;         ///< of the sections; empty where a place is given
+    std::uint64_t place = 0;  ///< from 1; 0 where a name is given
+    const SectionField* field = nullptr;
+
+    /// Whether both are about the same name or place of the same chain.
+    bool hasSameSections(const SectionAddress& other) const;
+};
+
+/// The parameter of such a key, or nullptr where it is none. May be called from several threads.
+const Parameter* findSectionParameter(std::string_view key);
+
+/// "string.3" and "length" are "string.3.length".
+std::string sectionKey(SectionAddress::Chain chain, std::uint64_t place);
+
+/// Whether the scenario has sections, or a repeat, that the parameter of the scope `section` is about.
+bool hasSectionFor(const Parameter& parameter, const Scenario& scenario);
+
+/// Whether both set, at different places, the same number of one section that a repeat brings to both, or
+/// numbers that replace each other.
+bool meetInOneSection(const Parameter& one, const Parameter& other, const Scenario& scenario);
+
+/// Why not: "no section of the string is called `adaptor`; did you mean `adapter`?".
+std::string whyNoSection(const Parameter& parameter, const Scenario& scenario);
+
+/// The known key most like a mistyped one of a section, as far as it can be told without a scenario; empty
+/// when none is close.
+std::string nearestSectionKey(std::string_view key);
+
+/// Every number that a section of a string scenario has, by place, in the order of a file; and the repeat.
+std::vector<const Parameter*> sectionParameters(const Scenario& scenario);
+
+/// Why a section cannot have that name: "must be …"; empty when it can.
+std::string sectionNameProblem(std::string_view name);
+
+}  // namespace drillwave

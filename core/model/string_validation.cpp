@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/string_validation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/model/scales.h"
+#include "core/model/section_parameter.h"
+
+namespace drillwave {
+namespace {
+
+using Chain = SectionAddress::Chain;
+
+/// Enough to see what is the matter with a thousand sections.
+constexpr std::size_t enoughProblems = 100;
+
+class SectionCheck {
+  public:
+    explicit SectionCheck(const DrillString& drillString) : m_string(drillString) {}
+
+    std::vector<InputProblem> problems() {
+        checkHammer();
+        checkParts();
+        each([this](const std::string& key, const Section& section) { checkSection(key, section); });
+        if (m_problems.empty())
+            each([this](const std::string& key, const Section& section) { checkDerived(key, section); });
+        return std::move(m_problems);
+    }
+
+  private:
+    void report(const std::string& key, const std::string& value, const std::string& reason) {
+        m_problems.push_back({key, key + (value.empty() ? " (" : " = " + value + " (") + reason + ")"});
+    }
+
+    template <class Check>
+    void each(const Check& check) {
+        for (std::size_t i = 0; i < m_string.hammer.sections.size() && goesOn(); ++i)
+            check(sectionKey(Chain::hammer, i + 1), m_string.hammer.sections[i]);
+        for (const PlacedSection& placed : placedSections(m_string))
+            if (goesOn()) check(sectionKey(Chain::string, placed.place), *placed.section);
+    }
+    bool goesOn() const { return m_problems.size() < enoughProblems; }
+
+    void checkHammer() {
+        const std::size_t count = m_string.hammer.sections.size();
+        if (count == 0) report("hammer.sections", "", "must have at least one section");
+        if (count > maximumSections) report("hammer.sections", "", tooMany(count));
+    }
+
+    void checkParts() {
+        if (m_string.parts.empty()) report("string", "", "must have at least one section");
+        for (const StringPart& part : m_string.parts) {
+            if (part.sections.empty() || (!part.group && part.sections.size() != 1))
+                report("string", "", "each part must be one section, or a repeat of at least one");
+            const std::string reason =
+                rangeProblem(*findParameter("string.repeat"), static_cast<double>(part.repeat));
+            if (!reason.empty()) report("string.repeat", std::to_string(part.repeat), reason);
+            if (!part.group && part.repeat > 1)
+                report("string.repeat", std::to_string(part.repeat), "only a repeat has it");
+        }
+        if (const std::uint64_t count = sectionCount(m_string); count > maximumSections)
+            report("string", "", tooMany(count));
+    }
+
+    static std::string tooMany(std::uint64_t count) {
+        return "has " + std::to_string(count) + " sections, its repeats written out; at most " +
+               std::to_string(maximumSections) + " are followed";
+    }
+
+    void checkSection(const std::string& key, const Section& section) {
+        const auto text = [](const SectionField& field, double value) {
+            return formatQuantity(value, field.quantity, field.displayUnit());
+        };
+        for (const SectionField& field : sectionFields()) {
+            const std::optional<double> value = field.value(section);
+            const std::string reason = value ? rangeProblem(field, *value) : std::string();
+            if (!reason.empty()) report(key + "." + std::string(field.key), text(field, *value), reason);
+        }
+        const SectionField& bore = *findSectionField("bore");
+        if (!section.area && section.bore >= section.diameter && section.diameter > 0)
+            report(key + ".bore", text(bore, section.bore),
+                   "must be less than the diameter of " + text(bore, section.diameter));
+        const std::string reason = sectionNameProblem(section.name);
+        if (!reason.empty()) report(key + ".name", section.name, reason);
+    }
+
+    void checkDerived(const std::string& key, const Section& section) {
+        const RodProperties properties = propertiesOf(section, m_string.material);
+        for (const double value :
+             {properties.area, properties.impedance, properties.transitTime, properties.mass})
+            if (!std::isfinite(value) || value <= 0)
+                return report(key, "",
+                              "the values are so large or small that its impedance, transit time or mass "
+                              "overflows");
+    }
+
+    const DrillString& m_string;
+    std::vector<InputProblem> m_problems;
+};
+
+}  // namespace
+
+std::vector<InputProblem> sectionProblems(const DrillString& drillString) {
+    return SectionCheck(drillString).problems();
+}
+
+}  // namespace drillwave
