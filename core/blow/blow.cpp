@@ -22,6 +22,23 @@ void solveTimed(Blow& blow, Detail detail, const std::stop_token& stop, MethodSo
     blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// A drill string, for sure, with the forces in every section.
+void solveStringBlow(Blow& blow, const std::stop_token& stop) {
+    NetworkSettings settings;
+    settings.wants.events = true;
+    settings.wants.forces = true;
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    blow.string = solveString(blow.scenario, settings, stop);
+    blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();
+    blow.impact = impactOf(*blow.string);
+    if (!blow.isSolved()) return;
+    blow.summary = summarize(blow.scenario, *blow.string);
+    blow.feed = judgeFeed(blow.scenario, blow.summary.thrustRestitution());
+    append(blow.alerts, resultAlerts(blow.scenario, blow.summary));
+    append(blow.alerts, stringAlerts(blow.scenario, *blow.string));
+}
+
 /// What follows from the solution.
 void conclude(Blow& blow) {
     blow.summary = summarizeWithWaves(blow.impact, blow.solved);
@@ -46,8 +63,12 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
     blow.method = method;
     blow.groups = groupsOf(scenario);
     blow.scales = scalesOf(scenario);
-    blow.solved = problemOf(scenario);
     blow.alerts = alertsFor(scenario);
+    if (isString(scenario)) {
+        solveStringBlow(blow, stop);
+        return blow;
+    }
+    blow.solved = problemOf(scenario);
     const bool keepsWaves = stresses == Stresses::wanted || hasStrength(scenario.rod);
     solveTimed(blow, keepsWaves ? Detail::histories : detail, stop, solver);
     if (blow.impact.hindrance == Hindrance::histories && detail != Detail::histories)

@@ -9,6 +9,7 @@
 #include "core/blow/feed_verdict.h"
 #include "core/blow/impact_summary.h"
 #include "core/blow/method.h"
+#include "core/blow/string_blow.h"
 #include "core/model/alerts.h"
 #include "core/model/scales.h"
 #include "core/model/scenario.h"
@@ -25,6 +26,7 @@ struct Blow {
     Scales scales;  ///< back to SI; all 1 in a dimensionless scenario
     Problem solved;
     Impact impact;          ///< its `reason` says why there is no result
+    std::optional<StringBlow> string;  ///< of a drill string; `solved` is not used there
     ImpactSummary summary;  ///< not to be used where there is no result, nor is `feed`
     /// The thrust needed and the installed; nothing where thrustProblem() says why.
     std::optional<FeedVerdict> feed;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/blow/energy_ledger.h"
+#include "core/blow/string_summary.h"
 #include "core/wave/field/rod_forces.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
@@ -29,6 +30,10 @@ struct ImpactSummary {
     int contacts = 0;                    ///< separate contacts
     std::optional<int> forcePeaks;       ///< forcePeaks(), where the histories were kept
     std::optional<RodForces> rodForces;  ///< [F0] where they were asked for; solveBlow() does
+    std::optional<StringSummary> string = {};  ///< of a drill string alone
+
+    /// e for the thrust: of a drill string, whose hammer may strike again, ∫F/p0 − 1.
+    double thrustRestitution() const { return string ? impulse - 1 : cor; }
 };
 
 /// Of an impact solved with Detail::ledger or more. From one of less detail what that asks for means

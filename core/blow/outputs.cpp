@@ -34,6 +34,30 @@ Number penetrationRate(const From& from) {
     return perTime(from, from.summary.residualPenetration, scalesOf(from.scenario).penetration);
 }
 
+/// A number that a drill string alone has.
+template <double StringSummary::*member>
+Number ofString(const From& from) {
+    if (!from.summary.string) return std::nullopt;
+    return (*from.summary.string).*member;
+}
+
+std::string notAString(const Scenario& scenario) {
+    return isString(scenario) ? std::string() : "only a drill string has it (`drillwave: 2`)";
+}
+
+/// Of the waves that are left after the blow: those of a string are not followed.
+std::string notAUniformRod(const Scenario& scenario) {
+    return isString(scenario) ? "only a uniform rod has it (`drillwave: 1`)" : std::string();
+}
+
+/// The largest stress of the rod, or of all sections of a string.
+template <RodForce RodForces::*force, double StringSummary::*member>
+Number largestStress(const From& from) {
+    if (!from.summary.string) return largest<force>(from);
+    if (!from.summary.string->hasForces) return std::nullopt;
+    return (*from.summary.string).*member;
+}
+
 constexpr std::string_view thrustMarginName = "thrust_margin";
 
 constexpr auto outputTable = std::to_array<Output>({
@@ -85,7 +109,7 @@ constexpr auto outputTable = std::to_array<Output>({
      "blow frequency times impulse, N, when the scenario has a frequency",
      Measure::newton,
      Detail::cor,
-     [](const From& f) { return thrustNeeded(f.scenario, f.summary.cor); },
+     [](const From& f) { return thrustNeeded(f.scenario, f.summary.thrustRestitution()); },
      OutputGroup::none,
      {},
      {},
@@ -113,7 +137,8 @@ constexpr auto outputTable = std::to_array<Output>({
      "off the rock do not reach",
      nullptr, [](const Scenario& s) { return frequencyProblem(s, "the penetration rate"); }},
     {"peak_compression", "largest compression in the rod while the blow lasts", Measure::stress,
-     Detail::histories, largest<&RodForces::compression>, OutputGroup::stress, "compression, blow",
+     Detail::histories,
+     largestStress<&RodForces::compression, &StringSummary::largestCompression>, OutputGroup::stress, "compression, blow",
      "Largest compressive stress of the uniform rod while the blow lasts: to the last separation plus one "
      "transit time; couplings and threads raise it locally",
      &RodForces::compression},
@@ -126,15 +151,37 @@ constexpr auto outputTable = std::to_array<Output>({
      Detail::histories, largest<&RodForces::compressionAfter>, OutputGroup::stress, "compression, after",
      "Largest compressive stress of the waves that are left after the blow and run on; nothing damps them in "
      "the model, a real rod does",
-     &RodForces::compressionAfter},
+     &RodForces::compressionAfter, notAUniformRod},
     {"peak_tension_after", "largest tension of the waves left, undamped", Measure::stress, Detail::histories,
      largest<&RodForces::tensionAfter>, OutputGroup::stress, "tension, after",
      "Largest tensile stress of the waves that are left after the blow and run on; nothing damps them in the "
      "model, a real rod does",
-     &RodForces::tensionAfter},
+     &RodForces::tensionAfter, notAUniformRod},
     {"force_peaks", "peaks of the impact force above 1 % of the largest", Measure::number, Detail::histories,
      [](const From& f) -> Number { return f.summary.forcePeaks; }, OutputGroup::impact, "force peaks",
-     "Number of peaks of the impact force above 1 % of the largest"},
+     "Number of peaks of the impact force above 1 % of the largest", nullptr, notAUniformRod},
+    {"efficiency_recovered", "efficiency, and what the hammer takes back with it, of a drill string", Measure::share, Detail::summary,
+     ofString<&StringSummary::efficiencyRecovered>, OutputGroup::energy, "rock and rebound", "Share of the energy of the hammer that stays in the rock or goes back with the hammer", nullptr, notAString},
+    {"efficiency_error", "stated error of the efficiency of a drill string", Measure::error, Detail::summary,
+     ofString<&StringSummary::efficiencyError>, OutputGroup::none, {}, {}, nullptr, notAString},
+    {"hammer_rebound_velocity", "velocity of the hammer after the blow, away from the rock, over that of impact", Measure::number, Detail::summary,
+     ofString<&StringSummary::hammerReboundVelocity>, OutputGroup::energy, "hammer rebound", "Velocity of the hammer after the blow, away from the rock, over that of impact", nullptr, notAString},
+    {"hammer_rebound_energy", "energy of the hammer moving back as a whole, fraction of that of impact", Measure::share, Detail::summary,
+     ofString<&StringSummary::hammerReboundEnergy>, OutputGroup::energy, "into the hammer", "Share of its energy with which the hammer moves after the blow", nullptr, notAString},
+    {"hammer_wave_energy", "energy left in waves of the hammer, fraction of its own", Measure::share, Detail::summary,
+     ofString<&StringSummary::hammerWaveEnergy>, OutputGroup::energy, "waves in the hammer", "Share of its energy that runs to and fro in the hammer", nullptr, notAString},
+    {"string_momentum", "momentum of the string after the blow, towards the rock, over that of the hammer", Measure::number, Detail::summary,
+     ofString<&StringSummary::stringMomentum>, OutputGroup::none, {}, {}, nullptr, notAString},
+    {"string_energy", "energy of the string after the blow, fraction of that of the hammer", Measure::share, Detail::summary,
+     ofString<&StringSummary::stringEnergy>, OutputGroup::energy, "left in the string", "Share of the energy of the hammer that the string keeps, in waves and as a whole", nullptr, notAString},
+    {"joint_loss", "energy lost in joints, fraction of that of the hammer", Measure::share, Detail::summary,
+     ofString<&StringSummary::jointLoss>, OutputGroup::energy, "lost in joints", "Share of the energy of the hammer that joints take", nullptr, notAString},
+    {"rod_loss", "energy lost on the way through sections, fraction of that of the hammer", Measure::share, Detail::summary,
+     ofString<&StringSummary::rodLoss>, OutputGroup::energy, "lost in sections", "Share of the energy of the hammer that waves lose on their way", nullptr, notAString},
+    {"piston_separation_time", "time at which hammer and string first part", Measure::time, Detail::summary,
+     ofString<&StringSummary::pistonSeparationTime>, OutputGroup::impact, "hammer leaves", "Time at which hammer and string first part", nullptr, notAString},
+    {"end_time", "time to which the blow was followed", Measure::time, Detail::summary,
+     ofString<&StringSummary::endTime>, OutputGroup::none, {}, {}, nullptr, notAString},
 });
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 constexpr double promisedError = 1e-9;
 
 void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    const std::optional<FeedVerdict> verdict = judgeFeed(scenario, summary.cor);
+    const std::optional<FeedVerdict> verdict = judgeFeed(scenario, summary.thrustRestitution());
     if (!verdict || !verdict->isTooLittle()) return;
     Alert alert{AlertLevel::warning,
                 AlertCode::thrustBelowNeeded,
@@ -34,7 +34,7 @@ void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vect
 }
 
 void addRebound(const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    if (summary.cor > 1 + summary.corError)
+    if (!summary.string && summary.cor > 1 + summary.corError)
         alerts.push_back({AlertLevel::information, AlertCode::superRebound, "", {{"cor", summary.cor}}});
     if (summary.contacts > 1)
         alerts.push_back({AlertLevel::information,
@@ -52,7 +52,7 @@ std::optional<AlertArgument> closedFormObstacle(const Problem& problem) {
 }
 
 void addClosedForm(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    if (scenario.pulse.shape != PulseShape::rectangular) return;
+    if (isString(scenario) || scenario.pulse.shape != PulseShape::rectangular) return;
     const Problem problem = problemOf(scenario);
     if (problem.law.gamma != 1) return;
     const std::optional<AlertArgument> obstacle = closedFormObstacle(problem);

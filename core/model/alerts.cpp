@@ -121,6 +121,7 @@ std::string_view name(AlertCode code) {
         "closed_form_invalid",     "input_decides",
         "reduced_accuracy",        "stress_above_yield",
         "stress_above_fatigue",    "residual_waves",
+        "lengths_rounded",         "blow_not_over",
     };
     return alertNames[static_cast<std::size_t>(code)];
 }

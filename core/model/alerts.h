@@ -29,9 +29,11 @@ enum class AlertCode {
     stressAboveYield,
     stressAboveFatigue,
     residualWaves,
+    lengthsRounded,
+    blowNotOver,
 };
 
-inline constexpr int alertCodeCount = 14;
+inline constexpr int alertCodeCount = 16;
 
 /// "outside_plausible_range", "pulse_longer_than_round_trip", …
 std::string_view name(AlertCode code);

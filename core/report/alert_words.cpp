@@ -112,10 +112,15 @@ std::string inputDecides(const Alert& alert) {
 }
 
 /// Which stress, where, when, and what it is held against.
-std::string overload(const Alert& alert, const std::string& consequence) {
+std::string overload(const Alert& alert, const std::string& rod, const std::string& consequence) {
     const bool isAfter = alert.level == AlertLevel::information;
     const std::string kind = alert.has("compression") ? "compression" : "tension";
-    return consequence + ": " + kind + " reaches " + inUnit(alert, kind) + ", " + inUnit(alert, "place") +
+    if (alert.has("section"))
+        return "Section " + whole(alert, "section") + " of hammer and string " + consequence + ": " + kind +
+               " reaches " + inUnit(alert, kind) + ", " + inUnit(alert, "place") +
+               " from its rear end at " + inUnit(alert, "time") + ", against a strength of " +
+               inUnit(alert, "strength") + ".";
+    return rod + " " + consequence + ": " + kind + " reaches " + inUnit(alert, kind) + ", " + inUnit(alert, "place") +
            " from the hammer at " + inUnit(alert, "time") +
            (isAfter ? ", after the blow, in the waves left (which nothing damps here)"
                     : ", during the blow") +
@@ -151,11 +156,19 @@ std::string alertText(const Alert& alert) {
         case AlertCode::reducedAccuracy:
             return "The numerical error of e may be as large as " + bound(alert, "cor_error") + ".";
         case AlertCode::stressAboveYield:
-            return overload(alert, "The rod would yield");
+            return overload(alert, "The rod", "would yield");
         case AlertCode::stressAboveFatigue:
-            return overload(alert, "The rod tires with every blow");
+            return overload(alert, "The rod", "tires with every blow");
         case AlertCode::residualWaves:
             return residualWaves(alert);
+        case AlertCode::lengthsRounded:
+            return "The transit times of the sections share no cell of time: they were rounded by up to " +
+                   inUnit(alert, "time") + ", and the efficiency may be off by " +
+                   bound(alert, "efficiency_error") + ". Lengths in whole millimetres of one steel are exact.";
+        case AlertCode::blowNotOver:
+            return "After " + inUnit(alert, "time") +
+                   " bit or hammer may still meet again: these are the numbers at the next blow, not final "
+                   "ones.";
     }
     return {};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/blow_json.h"
 
+#include <algorithm>
+
 #include "core/blow/outputs.h"
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
@@ -56,6 +58,56 @@ JsonArray alertsJson(const std::vector<Alert>& alerts) {
     return array;
 }
 
+std::string_view outcomeName(const Blow& blow) {
+    if (!blow.isSolved()) return "not_solved";
+    if (!blow.string) return "rebounded";
+    switch (blow.string->impact.end) {
+        case NetworkEnd::endTime:
+            return "end_time";
+        case NetworkEnd::nextBlow:
+            return "next_blow";
+        default:
+            return "rebounded";
+    }
+}
+
+JsonObject peakJson(double stress, double place, double time) {
+    return {{"stress", stress}, {"x", place}, {"time", time}};
+}
+
+/// Name, place, and the largest compression and tension with where and when, SI.
+JsonArray sectionsJson(const Blow& blow) {
+    JsonArray array;
+    const DrillString& drill = blow.scenario.drillString;
+    const std::vector<const Section*> ofString = expandedSections(drill);
+    const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
+    const std::size_t ofHammer = drill.hammer.sections.size();
+    double from = 0;
+    for (std::size_t j = 0; j < ofHammer + ofString.size(); ++j) {
+        const bool hammer = j < ofHammer;
+        const Section& section = hammer ? drill.hammer.sections[j] : *ofString[j - ofHammer];
+        JsonObject object{{"part", hammer ? "hammer" : "string"},
+                          {"place", hammer ? j + 1 : j + 1 - ofHammer},
+                          {"name", section.name},
+                          {"from", from},
+                          {"length", section.length}};
+        from += section.length;
+        if (!stresses.empty()) {
+            const SectionStress& stress = stresses[j];
+            object["compression"] = peakJson(stress.compression, stress.compressionPlace, stress.compressionTime);
+            object["tension"] = peakJson(stress.tension, stress.tensionPlace, stress.tensionTime);
+            if (section.yieldStrength)
+                object["yield_use"] = std::max(stress.compression, stress.tension) / *section.yieldStrength;
+            if (section.fatigueStrength) object["fatigue_use"] = stress.tension / *section.fatigueStrength;
+        }
+        const std::vector<double>& reflected = blow.string->impact.jointReflection;
+        if (!hammer && j - ofHammer < reflected.size())
+            object["joint_reflection"] = reflected[j - ofHammer];
+        array.emplace_back(object);
+    }
+    return array;
+}
+
 }  // namespace
 
 std::string blowJson(const Blow& blow, const std::string& scenarioText) {
@@ -64,7 +116,7 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
         {"version", versionText},
         {"title", blow.scenario.title},
         {"method", name(blow.method.method)},
-        {"outcome", blow.isSolved() ? "rebounded" : "not_solved"},
+        {"outcome", outcomeName(blow)},
         {"run_time", blow.runTime},
         {"groups", groupsJson(blow.groups)},
         {"dimensionless", dimensionlessJson(blow)},
@@ -75,6 +127,7 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
     };
     if (blow.method.method == Method::lattice) object["segments"] = blow.method.lattice.segments;
     if (!blow.isSolved()) object["reason"] = impact.reason;
+    if (blow.string && blow.isSolved()) object["sections"] = sectionsJson(blow);
     object["scenario"] = scenarioText;
     if (hasUnits(blow.scenario)) addSi(object, blow);
     return Json(object).text();

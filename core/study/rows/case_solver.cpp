@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/blow/string_blow.h"
+
 namespace drillwave {
 
 CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit,
@@ -18,11 +20,13 @@ CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice
       m_needsMargin(
           std::ranges::any_of(columns, [](const OutputColumn& c) { return c.output->needsThrustStudy(); })),
       m_method(method),
+      m_workLimit(workLimit),
       m_solver(workLimit) {}
 
 std::string CaseSolver::solve(const Scenario& scenario, std::span<double> outputs,
                               const std::stop_token& stop) {
     assert(outputs.size() == m_columns.size());
+    if (isString(scenario)) return solveDrillString(scenario, outputs, stop);
     m_problem = problemOf(std::move(m_problem.hammer), groupsOf(scenario));
     m_impact = m_solver.solve(m_problem, m_detail, m_method, stop);
     if (m_impact.hindrance == Hindrance::histories && m_needsLess)
@@ -32,10 +36,27 @@ std::string CaseSolver::solve(const Scenario& scenario, std::span<double> output
     OutputSource source{summary, scenario};
     if (m_needsMargin)
         source.thrustMargin = m_margins.of(scenario, m_problem, {m_impact.cor, m_impact.corError}, stop);
-    const Scales scales = m_inSi ? scalesOf(scenario) : Scales{};
+    fill(source, outputs);
+    return {};
+}
+
+/// By one run: `efficiency_error` says how good it is.
+std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<double> outputs,
+                                         const std::stop_token& stop) {
+    NetworkSettings settings{.accuracy = NetworkAccuracy::quick, .wants = {}, .mostCells = m_workLimit};
+    settings.wants.forces = m_detail == Detail::histories;
+    const StringBlow blow = solveString(scenario, settings, stop);
+    m_impact = impactOf(blow);
+    if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
+    const ImpactSummary summary = summarize(scenario, blow);
+    fill({summary, scenario}, outputs);
+    return {};
+}
+
+void CaseSolver::fill(const OutputSource& source, std::span<double> outputs) const {
+    const Scales scales = m_inSi ? scalesOf(source.scenario) : Scales{};
     for (std::size_t c = 0; c < m_columns.size(); ++c)
         outputs[c] = m_columns[c].value(source, scales).value_or(std::numeric_limits<double>::quiet_NaN());
-    return {};
 }
 
 }  // namespace drillwave

@@ -22,7 +22,9 @@ class CaseSolver {
                Detail least = Detail::cor);
 
     /// Must be called before solve() whenever the hammer blow may have changed.
-    void setPulse(const Scenario& scenario) { m_problem.hammer = pulseForceOf(scenario); }
+    void setPulse(const Scenario& scenario) {
+        if (!isString(scenario)) m_problem.hammer = pulseForceOf(scenario);
+    }
 
     /// Puts a number for each column into `outputs`, NaN where there is none. Returns why the case could not
     /// be solved (`outputs` is left alone then), or an empty string.
@@ -33,12 +35,17 @@ class CaseSolver {
     const Problem& problem() const { return m_problem; }
 
   private:
+    std::string solveDrillString(const Scenario& scenario, std::span<double> outputs,
+                                 const std::stop_token& stop);
+    void fill(const OutputSource& source, std::span<double> outputs) const;
+
     std::span<const OutputColumn> m_columns;
     Detail m_detail;
     bool m_needsLess;  ///< some column can be filled without histories
     bool m_inSi;
     bool m_needsMargin;  ///< of the thrust: a study of all gaps
     MethodChoice m_method;
+    long m_workLimit;
     MethodSolver m_solver;
     ThrustMargins m_margins;
     Problem m_problem;

@@ -59,6 +59,7 @@ struct NetworkImpact {
     NetworkLedger energy;        ///< [E0]
     double energyResidual = 0;   ///< 1 − the sum of the ledger
     double efficiencyError = 0;  ///< stated error of energy.rock
+    double corError = 0;         ///< stated error of −stringMomentum/faceImpulse
 
     double rockImpulse = 0, pistonMomentum = 0, stringMomentum = 0;  ///< towards the rock
     double externalMomentum = 0;                                     ///< given away in joints and rods

@@ -52,9 +52,24 @@ NetworkImpact solveOn(const NetworkProblem& problem, const CellGrid& grid, const
     return NetworkMarch(problem, grid, wants).run(settings.mostCells, stop);
 }
 
-double errorOf(const NetworkImpact& fine, const NetworkImpact& coarse) {
-    return std::max({leastError, std::abs(fine.energyResidual),
-                     covering * std::abs(fine.energy.rock - coarse.energy.rock)});
+double restitution(const NetworkImpact& impact) {
+    return impact.faceImpulse > 0 ? -impact.stringMomentum / impact.faceImpulse : 0;
+}
+
+/// What its energy balance misses is what a run alone can tell of its error.
+void stateError(NetworkImpact& impact) {
+    impact.efficiencyError = std::max({leastError, impact.efficiencyError, std::abs(impact.energyResidual)});
+    impact.corError = std::max({leastError, impact.corError, std::abs(impact.energyResidual)});
+}
+
+/// And what another run makes of it.
+void stateError(NetworkImpact& impact, const NetworkImpact& other) {
+    stateError(impact);
+    const auto widen = [](double& error, double difference) {
+        error = std::max(error, covering * std::abs(difference));
+    };
+    widen(impact.efficiencyError, impact.energy.rock - other.energy.rock);
+    widen(impact.corError, restitution(impact) - restitution(other));
 }
 
 /// Round trips that share no cell: rounded, and rounded otherwise.
@@ -65,13 +80,12 @@ NetworkImpact solveRounded(const NetworkProblem& problem, const NetworkSettings&
         solveOn(problem, roundedGrid(problem.sections, cell), settings, quickSmoothness, stop);
     NetworkSettings sums = settings;
     sums.wants = {};
-    impact.efficiencyError = leastError;
     for (const double other : {0.83, 1.19}) {
         if (impact.end == NetworkEnd::notSolved) return impact;
         const NetworkImpact compared =
             solveOn(problem, roundedGrid(problem.sections, other * cell), sums, quickSmoothness, stop);
         if (compared.end == NetworkEnd::notSolved) return compared;
-        impact.efficiencyError = std::max(impact.efficiencyError, errorOf(impact, compared));
+        stateError(impact, compared);
     }
     return impact;
 }
@@ -102,7 +116,7 @@ NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings&
     };
     if (settings.accuracy == NetworkAccuracy::quick) {
         NetworkImpact impact = solveOn(problem, gridFor(quickSmoothness), settings, quickSmoothness, stop);
-        impact.efficiencyError = std::max(leastError, std::abs(impact.energyResidual));
+        stateError(impact);
         return impact;
     }
     NetworkSettings sums = settings;
@@ -110,7 +124,7 @@ NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings&
     const NetworkImpact coarse = solveOn(problem, gridFor(quickSmoothness), sums, quickSmoothness, stop);
     if (coarse.end == NetworkEnd::notSolved) return coarse;
     NetworkImpact fine = solveOn(problem, gridFor(sureSmoothness), settings, sureSmoothness, stop);
-    fine.efficiencyError = errorOf(fine, coarse);
+    stateError(fine, coarse);
     fine.cells += coarse.cells;
     return fine;
 }

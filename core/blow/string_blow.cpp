@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/blow/string_blow.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "core/model/scales.h"
+#include "core/model/section_parameter.h"
+#include "core/wave/network/string_problem.h"
+
+namespace drillwave {
+
+namespace {
+
+/// All sections as the solver has them: of the hammer, then of the string.
+std::vector<const Section*> sectionsOf(const DrillString& drill) {
+    std::vector<const Section*> sections;
+    for (const Section& section : drill.hammer.sections) sections.push_back(&section);
+    for (const Section* section : expandedSections(drill)) sections.push_back(section);
+    return sections;
+}
+
+/// A force of 1 of the network, in F0.
+constexpr double unitForce = 2;
+
+}  // namespace
+
+StringBlow solveString(const Scenario& scenario, const NetworkSettings& settings,
+                       const std::stop_token& stop) {
+    StringBlow blow{networkProblemOf(scenario), {}};
+    blow.impact = solveNetwork(blow.problem, settings, stop);
+    return blow;
+}
+
+Impact impactOf(const StringBlow& blow) {
+    const NetworkImpact& from = blow.impact;
+    Impact impact;
+    impact.pieces = from.cells;
+    if (from.end == NetworkEnd::notSolved) {
+        impact.reason = from.reason;
+        impact.hindrance = from.cells > 0 ? Hindrance::workLimit : Hindrance::other;
+        return impact;
+    }
+    impact.outcome = Outcome::rebounded;
+    const double p0 = from.hammerMomentum;
+    impact.impulse = from.rockImpulse / p0;
+    impact.cor = from.faceImpulse > 0 ? -from.stringMomentum / from.faceImpulse : 0;
+    impact.corError = from.corError;
+    impact.peakForce = unitForce * from.peakForce;
+    const double never = std::numeric_limits<double>::quiet_NaN();
+    impact.firstContactTime = from.firstContact >= 0 ? from.firstContact : never;
+    impact.separationTime = from.lastSeparation >= 0 ? from.lastSeparation : never;
+    impact.contactDuration = from.contactDuration;
+    impact.contacts = from.contacts;
+    impact.events = from.events;
+    return impact;
+}
+
+ImpactSummary summarize(const Scenario& scenario, const StringBlow& blow) {
+    const NetworkImpact& from = blow.impact;
+    const Impact impact = impactOf(blow);
+    ImpactSummary summary;
+    summary.cor = impact.cor;
+    summary.impulse = impact.impulse;
+    summary.peakForce = impact.peakForce;
+    summary.maxPenetration = from.largestPenetration;
+    summary.residualPenetration = from.residualPenetration;
+    summary.firstContactTime = impact.firstContactTime;
+    summary.separationTime = impact.separationTime;
+    summary.contactDuration = impact.contactDuration;
+    summary.corError = impact.corError;
+    summary.contacts = impact.contacts;
+    summary.momentumResidual = from.momentumResidual;
+    summary.workRatio = 1 - from.energy.hammer - from.energy.face;
+
+    double stringMass = 0;
+    for (std::size_t j = blow.problem.hammerSections; j < blow.problem.sections.size(); ++j)
+        stringMass += blow.problem.sections[j].mass() + blow.problem.sections[j].massAfter;
+    const double rebound = from.stringMomentum * from.stringMomentum / (2 * stringMass) / from.hammerEnergy;
+    summary.energy = {from.energy.rock, rebound, from.energy.string - rebound, from.energyResidual};
+
+    StringSummary string;
+    string.end = from.end;
+    string.endTime = from.endTime;
+    string.efficiency = from.energy.rock;
+    string.efficiencyError = from.efficiencyError;
+    const double back = -from.pistonMomentum / from.hammerMass;
+    string.hammerReboundVelocity = back;
+    string.hammerReboundEnergy = from.hammerMass * back * back / 2 / from.hammerEnergy;
+    string.hammerWaveEnergy = from.energy.hammer - string.hammerReboundEnergy;
+    string.efficiencyRecovered = from.energy.rock + string.hammerReboundEnergy;
+    string.stringMomentum = from.stringMomentum / from.hammerMomentum;
+    string.stringEnergy = from.energy.string;
+    string.jointLoss = from.energy.joints;
+    string.rodLoss = from.energy.rods;
+    string.faceEnergy = from.energy.face;
+    string.pistonSeparationTime =
+        from.faceSeparation >= 0 ? from.faceSeparation : std::numeric_limits<double>::quiet_NaN();
+    string.hasForces = !from.sections.empty();
+    if (string.hasForces) {
+        const double unit = scalesOf(scenario).stress;
+        for (const SectionStress& stress : sectionStresses(scenario, blow)) {
+            string.largestCompression = std::max(string.largestCompression, stress.compression / unit);
+            string.largestTension = std::max(string.largestTension, stress.tension / unit);
+        }
+    }
+    summary.string = string;
+    return summary;
+}
+
+std::vector<SectionStress> sectionStresses(const Scenario& scenario, const StringBlow& blow) {
+    const std::vector<SectionForces>& forces = blow.impact.sections;
+    if (forces.empty()) return {};
+    const DrillString& drill = scenario.drillString;
+    const Scales scales = scalesOf(scenario);
+    const std::vector<const Section*> sections = sectionsOf(drill);
+    assert(sections.size() == forces.size());
+    std::vector<SectionStress> stresses;
+    for (std::size_t j = 0; j < sections.size(); ++j) {
+        const double toStress =
+            unitForce * scales.force / propertiesOf(*sections[j], drill.material).area;
+        const SectionPeak &push = forces[j].compression, &pull = forces[j].tension;
+        stresses.push_back({push.force * toStress, pull.force * toStress, push.place * sections[j]->length,
+                            pull.place * sections[j]->length, push.time * scales.time,
+                            pull.time * scales.time});
+    }
+    return stresses;
+}
+
+namespace {
+
+/// The key of a strength of a section, for which a parameter is kept for ever.
+std::string_view strengthKey(const DrillString& drill, std::size_t j, std::string_view field) {
+    const std::size_t ofHammer = drill.hammer.sections.size();
+    const std::string key = j < ofHammer
+                                ? "hammer." + std::to_string(j + 1) + "." + std::string(field)
+                                : "string." + std::to_string(j - ofHammer + 1) + "." + std::string(field);
+    const Parameter* parameter = findParameter(key);
+    return parameter ? parameter->key : std::string_view();
+}
+
+void addOverloads(const Scenario& scenario, const StringBlow& blow, std::vector<Alert>& alerts) {
+    const std::vector<SectionStress> stresses = sectionStresses(scenario, blow);
+    const std::vector<const Section*> sections = sectionsOf(scenario.drillString);
+    std::vector<const Section*> told;  // a section that is repeated is told of where it is worst
+    for (std::size_t j = 0; j < stresses.size(); ++j) {
+        const Section* section = sections[j];
+        if (std::ranges::find(told, section) != told.end()) continue;
+        told.push_back(section);
+        const auto worst = [&](auto measure) {
+            std::size_t most = j;
+            for (std::size_t i = j; i < stresses.size(); ++i)
+                if (sections[i] == section && measure(stresses[i]) > measure(stresses[most])) most = i;
+            return most;
+        };
+        const auto add = [&](std::optional<double> limit, AlertCode code, std::string_view field,
+                             bool tensionOnly) {
+            if (!limit) return;
+            const std::size_t at = worst([tensionOnly](const SectionStress& stress) {
+                return tensionOnly ? stress.tension : std::max(stress.tension, stress.compression);
+            });
+            const SectionStress& stress = stresses[at];
+            const bool pulled = tensionOnly || stress.tension > stress.compression;
+            const double size = pulled ? stress.tension : stress.compression;
+            if (size <= *limit) return;
+            alerts.push_back(
+                {AlertLevel::warning,
+                 code,
+                 strengthKey(scenario.drillString, at, field),
+                 {{pulled ? "tension" : "compression", size, Quantity::stress},
+                  {"place", pulled ? stress.tensionPlace : stress.compressionPlace, Quantity::length},
+                  {"time", pulled ? stress.tensionTime : stress.compressionTime, Quantity::time},
+                  {"strength", *limit, Quantity::stress},
+                  {"section", static_cast<double>(at + 1)}}});
+        };
+        add(section->yieldStrength, AlertCode::stressAboveYield, "yield_strength", false);
+        add(section->fatigueStrength, AlertCode::stressAboveFatigue, "fatigue_strength", true);
+    }
+}
+
+}  // namespace
+
+std::vector<Alert> stringAlerts(const Scenario& scenario, const StringBlow& blow) {
+    std::vector<Alert> alerts;
+    addOverloads(scenario, blow, alerts);
+    const Scales scales = scalesOf(scenario);
+    // what a shared cell leaves is below what lengths are given to
+    constexpr double noticedRounding = 1e-7;
+    if (blow.impact.rounding > noticedRounding)
+        alerts.push_back({AlertLevel::warning,
+                          AlertCode::lengthsRounded,
+                          "",
+                          {{"time", blow.impact.rounding * scales.time, Quantity::time},
+                           {"efficiency_error", blow.impact.efficiencyError}}});
+    if (blow.impact.end == NetworkEnd::nextBlow)
+        alerts.push_back({AlertLevel::warning,
+                          AlertCode::blowNotOver,
+                          "",
+                          {{"time", blow.impact.endTime * scales.time, Quantity::time}}});
+    return alerts;
+}
+
+}  // namespace drillwave

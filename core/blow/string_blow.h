@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A blow on a drill string: solved, and in the terms of every other blow.
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "core/blow/impact_summary.h"
+#include "core/model/alerts.h"
+#include "core/model/scenario.h"
+#include "core/wave/impact.h"
+#include "core/wave/network/network_impact.h"
+#include "core/wave/network/network_solver.h"
+
+namespace drillwave {
+
+/// What was solved, and how it came out. Units of NetworkProblem.
+struct StringBlow {
+    NetworkProblem problem;
+    NetworkImpact impact;
+};
+
+/// Solves the blow of a valid drill string.
+StringBlow solveString(const Scenario& scenario, const NetworkSettings& settings,
+                       const std::stop_token& stop = {});
+
+/// The events and numbers that a uniform rod has too, in its units: forces in F0, impulses in p0. No
+/// histories.
+Impact impactOf(const StringBlow& blow);
+
+/// The numbers of the blow. Where it is not solved, nothing.
+ImpactSummary summarize(const Scenario& scenario, const StringBlow& blow);
+
+/// Compression and tension of a section, in SI, and where.
+struct SectionStress {
+    double compression = 0, tension = 0;            ///< [Pa], ≥ 0
+    double compressionPlace = 0, tensionPlace = 0;  ///< [m] from its rear end
+    double compressionTime = 0, tensionTime = 0;    ///< [s]
+};
+/// Of every section of the hammer and then of the string, where the forces were asked for.
+std::vector<SectionStress> sectionStresses(const Scenario& scenario, const StringBlow& blow);
+
+/// What the result of a string gives reason to say: sections beyond their strength, lengths that were
+/// rounded, a blow that was not over. To be listed behind alertsFor(scenario).
+std::vector<Alert> stringAlerts(const Scenario& scenario, const StringBlow& blow);
+
+}  // namespace drillwave
