@@ -12,7 +12,8 @@ using namespace drillwave;
 
 namespace {
 
-constexpr const char* contractFile = R"(drillwave: 2
+/// As the manual has it (files §1.3).
+constexpr const char* manualFile = R"(drillwave: 2
 title: T38, three rods
 material: {youngs_modulus: 210 GPa, density: 7850 kg/m^3}     # default of every section
 hammer:
@@ -132,7 +133,7 @@ class TestStringFile : public QObject {
     Q_OBJECT
 
   private slots:
-    void theFileOfTheContractIsRead();
+    void theFileOfTheManualIsRead();
     void whatIsNotGivenHasItsDefault();
     void wrongFilesAreRefusedWhereTheyAreWrong_data();
     void wrongFilesAreRefusedWhereTheyAreWrong();
@@ -147,8 +148,8 @@ class TestStringFile : public QObject {
     void randomEditsReadBackTheSame();
 };
 
-void TestStringFile::theFileOfTheContractIsRead() {
-    const Scenario scenario = parsed(contractFile).scenario;
+void TestStringFile::theFileOfTheManualIsRead() {
+    const Scenario scenario = parsed(manualFile).scenario;
     QVERIFY(scenario.form == ScenarioForm::string);
     const DrillString& drillString = scenario.drillString;
     QCOMPARE(drillString.hammer.velocity, 10.0);
@@ -236,12 +237,12 @@ void TestStringFile::wrongFilesAreRefusedWhereTheyAreWrong() {
     QFETCH(QString, from);
     QFETCH(QString, to);
     QFETCH(QString, problem);
-    const QStringList problems = problemsOf(replaced(contractFile, from.toStdString(), to.toStdString()));
+    const QStringList problems = problemsOf(replaced(manualFile, from.toStdString(), to.toStdString()));
     QVERIFY2(problems.join('\n').contains(problem), qPrintable(problems.join('\n')));
 }
 
 void TestStringFile::everyProblemOfAFileIsToldAtOnce() {
-    std::string text = replaced(contractFile, "velocity: 10 m/s", "velocty: 10 m/s");
+    std::string text = replaced(manualFile, "velocity: 10 m/s", "velocty: 10 m/s");
     text = replaced(text, "length: 450 mm", "length: -1 mm");
     text = replaced(text, "loss: 2 %", "loss: 2 mm");
     text = replaced(text, "gamma: 0.1", "gamma: 7");
@@ -253,10 +254,10 @@ void TestStringFile::everyProblemOfAFileIsToldAtOnce() {
 }
 
 void TestStringFile::repeatsAreCountedBeforeTheyAreWrittenOut() {
-    const QStringList huge = problemsOf(replaced(contractFile, "repeat: 3", "repeat: 1000000000"));
+    const QStringList huge = problemsOf(replaced(manualFile, "repeat: 3", "repeat: 1000000000"));
     QCOMPARE(huge.size(), 1);
     QVERIFY(huge.first().contains("must be in [1, 1000]"));
-    const QStringList many = problemsOf(replaced(contractFile, "repeat: 3", "repeat: 500"));
+    const QStringList many = problemsOf(replaced(manualFile, "repeat: 3", "repeat: 500"));
     QCOMPARE(many, QStringList("s.yaml:11:1: string (has more than 1000 sections, its repeats written out)"));
 }
 
@@ -273,11 +274,11 @@ void TestStringFile::aThousandSectionsAreAllowed() {
 }
 
 void TestStringFile::anUnchangedFileIsSavedByteForByte() {
-    for (const char* text : {contractFile, blockFile}) compareText(writeScenario(parsed(text)), text);
+    for (const char* text : {manualFile, blockFile}) compareText(writeScenario(parsed(text)), text);
 }
 
 void TestStringFile::aChangedValueIsPatchedInItsPlace() {
-    ScenarioDocument document = parsed(contractFile);
+    ScenarioDocument document = parsed(manualFile);
     DrillString& drillString = document.scenario.drillString;
     drillString.hammer.velocity = 9;
     drillString.hammer.restrike = false;
@@ -286,7 +287,7 @@ void TestStringFile::aChangedValueIsPatchedInItsPlace() {
     drillString.parts[1].sections[0].loss = 0;
     drillString.parts[3].sections[0].massAfter = 0.5;
     drillString.endTime = 0.012;
-    std::string expected = replaced(contractFile, "10 m/s", "9 m/s");
+    std::string expected = replaced(manualFile, "10 m/s", "9 m/s");
     expected = replaced(expected,
                         "restrike: true                             # false: the hammer is withdrawn "
                         "after the first separation",
@@ -329,7 +330,7 @@ bit_rock:
 }
 
 void TestStringFile::aNewStringIsWrittenInItsCustomaryForm() {
-    compareText(writeScenario({parsed(contractFile).scenario, "", ""}), R"(drillwave: 2
+    compareText(writeScenario({parsed(manualFile).scenario, "", ""}), R"(drillwave: 2
 title: T38, three rods
 material: {youngs_modulus: 210 GPa, density: 7850 kg/m^3}
 hammer:
@@ -371,7 +372,7 @@ void TestStringFile::randomEditsReadBackTheSame() {
     Random random(12);
     int patched = 0;
     for (int i = 0; i < 400; ++i) {
-        ScenarioDocument document = parsed(i % 2 == 0 ? contractFile : blockFile);
+        ScenarioDocument document = parsed(i % 2 == 0 ? manualFile : blockFile);
         Section& section = document.scenario.drillString.parts[random() % 2].sections[0];
         const SectionField& field = sectionFields()[random() % sectionFields().size()];
         if (field.clear && random() % 2 == 0)

@@ -71,8 +71,8 @@ class TestSectionParameter : public QObject {
     void settingsGoFromTheGeneralToTheParticular();
     void twoPlacesOfOneSectionMeet();
     void everyNumberOfEverySectionIsListed();
-    void derivedPropertiesAreThoseOfTheTheory();
-    void scalesAreThoseOfTheTheory();
+    void derivedPropertiesAreThoseOfAUniformRod();
+    void scalesAreThoseOfTheHammerAndTheRods();
     void groupsFollowAndThoseOfTheRockCanBeSet();
     void everyHardRangeIsHeld();
     void whatAStringMustHaveIsMissed();
@@ -272,7 +272,7 @@ void TestSectionParameter::everyNumberOfEverySectionIsListed() {
     QVERIFY(differing[0]->key == "hammer.velocity" && differing[1]->key == "string.3.length");
 }
 
-void TestSectionParameter::derivedPropertiesAreThoseOfTheTheory() {
+void TestSectionParameter::derivedPropertiesAreThoseOfAUniformRod() {
     Section rod = section("rod", 3.66, 0.039, 0.0145);
     const RodProperties properties = propertiesOf(rod, {});
     const double speed = std::sqrt(210e9 / 7850);
@@ -286,8 +286,8 @@ void TestSectionParameter::derivedPropertiesAreThoseOfTheTheory() {
     QVERIFY(std::abs(propertiesOf(rod, {}).impedance / (1e-3 * std::sqrt(70e9 * 2700)) - 1) < 1e-14);
 }
 
-// theory_string.md §9, and the hammer of the T38 string: 6.85 kg, 342 J, 68.5 N s.
-void TestSectionParameter::scalesAreThoseOfTheTheory() {
+// files §1.3; the hammer of the T38 string has 6.85 kg, 342 J and 68.5 N s.
+void TestSectionParameter::scalesAreThoseOfTheHammerAndTheRods() {
     Scenario scenario = threeRods();
     Scales scales = scalesOf(scenario);
     QVERIFY(std::abs(scales.energy - 342) < 1 && std::abs(scales.impulse - 68.5) < 0.1);
