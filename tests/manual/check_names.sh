@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Holds the manual to the program: check_names.sh ROOT
-# Every parameter, output, alert and shape of a blow must stand in files.md, and every command and option in commands.md,
+# Every parameter, number of a section, output, alert and shape of a blow must stand in files.md, and every command and option in commands.md,
 # as `name`; found in the tables of the sources that define them.
 set -u
 export LC_ALL=C
@@ -25,6 +25,7 @@ expect() {
 }
 
 sed -n 's/^ *Parameter{"\([^"]*\)",.*/\1/p' core/model/parameter.cpp | expect files.md parameter 25
+sed -n 's/^ *SectionField{"\([^"]*\)",.*/\1/p' core/model/section_field.cpp | expect files.md section 11
 sed -n 's/^ *{"\([a-z_]*\)", "[^"]*",* *\(Measure::.*\)*$/\1/p' core/blow/outputs.cpp | expect files.md output 21
 sed -n '/alertNames{/,/};/p' core/model/alerts.cpp | grep -o '"[a-z_]*"' | tr -d '"' | expect files.md alert 13
 sed -n '/shapeNames{/,/};/p' core/model/scenario.cpp | grep -o '"[a-z_]*"' | tr -d '"' | expect files.md shape 8

@@ -80,6 +80,23 @@ std::string logarithmProblem(const SweepAxis& axis) {
     return "a logarithmic axis of " + std::string(axis.key()) + " must begin and end above 0";
 }
 
+/// Each value of the axis of a whole number must be one.
+std::string wholeNumberProblem(const SweepAxis& axis) {
+    if (!axis.parameter->rules.wholeNumber) return {};
+    const double most = axis.parameter->hard.high - axis.parameter->hard.low + 1;
+    const std::string advice =
+        std::string(axis.key()) + " takes whole numbers alone; give a COUNT that hits them, or a list A,B,C";
+    if (static_cast<double>(axis.count) > most) return advice;
+    for (std::uint64_t i = 0; i < axis.count; ++i)
+        if (!rangeProblem(*axis.parameter, axis.value(i)).empty()) return advice;
+    return {};
+}
+
+std::string spacingProblem(const SweepAxis& axis) {
+    std::string problem = logarithmProblem(axis);
+    return problem.empty() ? wholeNumberProblem(axis) : problem;
+}
+
 /// The count may lack where one is assumed.
 std::string readRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts,
                       std::optional<std::uint64_t> assumedCount) {
@@ -87,13 +104,13 @@ std::string readRange(ParsedAxis& parsed, const std::vector<std::string_view>& p
     if (assumedCount && (parts.size() == 2 || (parts.size() == 3 && parts[2] == "log"))) {
         if (std::string problem = readEnds(parsed, parts, 1, "end"); !problem.empty()) return problem;
         axis.count = *assumedCount;
-        return logarithmProblem(axis);
+        return spacingProblem(axis);
     }
     if (parts.size() < 3 || parts.size() > 4)
         return std::string(axis.key()) + " needs START:STOP:COUNT, START:STOP:COUNT:log or a list A,B,C";
     if (std::string problem = readEnds(parsed, parts, 2, "count"); !problem.empty()) return problem;
     if (std::string problem = readCount(axis, parts[2]); !problem.empty()) return problem;
-    return logarithmProblem(axis);
+    return spacingProblem(axis);
 }
 
 std::string followedForm(std::string_view key) {
@@ -240,6 +257,8 @@ std::string followProblem(const SweepAxis& axis) {
     constexpr double narrowest = 1e-4;
     const std::string key(axis.key());
     if (!axis.parameter) return shapesProblem();
+    if (axis.parameter->rules.wholeNumber)
+        return key + " has whole numbers alone; make a family of them, or sweep it";
     if (axis.kind != SweepAxis::Kind::linear && axis.kind != SweepAxis::Kind::logarithmic)
         return followedForm(key);
     if (!(axis.start < axis.stop)) return "the range of " + key + " must end above its beginning";

@@ -161,9 +161,9 @@ void TestMalformedFiles::malformedFilesAreRefusedWithTheirPlace_data() {
     invalid("no format number", good.substr(13), 1, "drillwave (is missing");
     invalid("format number not first", "title: x\ndrillwave: 1\n" + good.substr(24), 2,
             "drillwave (must be the first");
-    invalid("newer format", with("drillwave: 1", "drillwave: 2\nnew_section: {a: 1}"), 1,
-            "says drillwave: 2; this program reads up to 1");
-    invalid("far newer format", with("drillwave: 1", "drillwave: 99999999999999999999"), 1, "reads up to 1");
+    invalid("newer format", with("drillwave: 1", "drillwave: 3\nnew_section: {a: 1}"), 1,
+            "says drillwave: 3; this program reads up to 2");
+    invalid("far newer format", with("drillwave: 1", "drillwave: 99999999999999999999"), 1, "reads up to 2");
     invalid("format zero", with("drillwave: 1", "drillwave: 0"), 1,
             "drillwave = 0 (the format number must be 1");
     invalid("format text", with("drillwave: 1", "drillwave: one"), 1, "drillwave = one (");

@@ -69,6 +69,11 @@ const std::vector<std::string> fragments{":",
                                          "<<: ",
                                          "gamma: 1",
                                          "drillwave: 2",
+                                         "drillwave: 3",
+                                         "repeat: 1000000000",
+                                         "repeat: 2\n    of: ",
+                                         "- {length: 1 m, area: 2 cm^2}",
+                                         "loss: 2 %",
                                          "shape: table",
                                          "points: [[0, 1], [1, 0]]",
                                          "piston",
@@ -146,6 +151,12 @@ std::vector<std::string> corpusOfTexts() {
         "pulse: {shape: trapezoid, duration: 0.1 ms, force: 200 kN, rise: 0.1}\n"
         "bit_rock: {stiffness: \"1 GN/m\", gamma: 1}\n");
     corpus.push_back(
+        "drillwave: 2\nend_time: 9 ms\nhammer:\n  sections:\n  - length: 300 mm  # rear\n    area: 20 cm^2\n"
+        "  velocity: 9 m/s\n  restrike: false\nstring:\n- repeat: 2\n  of:\n  - name: \"a, b\"\n"
+        "    length: 1 ft\n    diameter: 2 in\n    loss: 0.02\n- {length: 1 m, diameter: 3 cm, attenuation: "
+        "1 1/km}\n"
+        "bit_rock: {stiffness: 1 GN/m, gamma: 1}\n");
+    corpus.push_back(
         "\xEF\xBB\xBF{drillwave: 1, dimensionless: {beta: 1, gamma: 1, tau: 1}, pulse: {shape: piston, "
         "impedance_ratio: 3}}\r\n");
     return corpus;
@@ -170,8 +181,7 @@ int readAndSaved(const std::string& text) {
     // Written anew, and patched after a change.
     if (parseScenario(scenarioText(document.scenario), "").scenario != document.scenario)
         throw std::logic_error("written anew it is another scenario");
-    (document.scenario.form == ScenarioForm::dimensional ? document.scenario.bitRock.gamma
-                                                         : document.scenario.groups.gamma) = 0.375;
+    (hasUnits(document.scenario) ? document.scenario.bitRock.gamma : document.scenario.groups.gamma) = 0.375;
     document.scenario.title = "changed: yes";
     if (parseScenario(writeScenario(document), "").scenario != document.scenario)
         throw std::logic_error("patched it is another scenario");

@@ -53,6 +53,15 @@ void TestSweepAxis::valuesAreThoseAPersonExpects_data() {
     QTest::newRow("whole steps") << "beta=1:5:5"
                                  << "beta"
                                  << "1 2 3 4 5";
+    QTest::newRow("whole numbers") << "string.repeat=1:5:3"
+                                   << "string.repeat"
+                                   << "1 3 5";
+    QTest::newRow("sections by name") << "string.bit skirt.length=50 mm:70 mm:3"
+                                      << "string.bit skirt.length [mm]"
+                                      << "50 60 70";
+    QTest::newRow("share") << "string.3.loss=0 %,2 %"
+                           << "string.3.loss [%]"
+                           << "0 2";
     QTest::newRow("tenths") << "delta=0:1:11"
                             << "delta"
                             << "0 0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8 0.9 1";
@@ -185,6 +194,12 @@ void TestSweepAxis::wrongTextIsRefusedWithTheReason_data() {
                                     << "is no axis" << false;
     QTest::newRow("mistyped key") << "bit_rock.gama=1,2"
                                   << "did you mean `bit_rock.gamma`?" << false;
+    QTest::newRow("between whole numbers") << "string.repeat=1:4:3"
+                                           << "takes whole numbers alone" << false;
+    QTest::newRow("half a repeat") << "string.repeat=1,2.5"
+                                   << "must be a whole number" << true;
+    QTest::newRow("mistyped number of a section") << "string.rod.lenght=1 m,2 m"
+                                                  << "did you mean `string.rod.length`?" << false;
     QTest::newRow("no count") << "beta=1:2"
                               << "START:STOP:COUNT" << false;
     QTest::newRow("count of zero") << "beta=1:2:0"
