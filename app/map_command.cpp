@@ -138,9 +138,10 @@ ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const SweepAxis x = axisOf(arguments, "x"), y = axisOf(arguments, "y");
     const StudyPlots plots = StudyPlots::besideFile(arguments);
-    const ScenarioInput input = loadScenarioInput(path, arguments);
+    const ScenarioInput input = loadScenarioInput(path, arguments, DrillStrings::taken);
     const ScenarioDocument& base = input.document;
     const RowOptions options = rowOptions(arguments, input.method);
+    checkMethodOfString(options.method, input.document.scenario, path);
     const MapStudy study{.base = base.scenario,
                          .x = x,
                          .y = y,

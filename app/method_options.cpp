@@ -32,7 +32,15 @@ MethodChoice methodChoice(const Arguments& arguments, const std::optional<Method
     return choice;
 }
 
+void checkMethodOfString(const MethodChoice& choice, const Scenario& scenario, const std::string& path) {
+    if (isString(scenario) && choice.method != Method::exact)
+        throw CommandError(ExitCode::usage, "--method " + std::string(name(choice.method)) + ": " + path +
+                                                ": is for uniform rods; leave it out for a drill string");
+}
+
 void checkMethodApplies(const MethodChoice& choice, const Scenario& scenario, const std::string& path) {
+    checkMethodOfString(choice, scenario, path);
+    if (isString(scenario)) return;
     const std::string refusal = methodRefusal(choice.method, problemOf(scenario));
     if (!refusal.empty())
         throw CommandError(ExitCode::usage,

@@ -21,4 +21,7 @@ MethodChoice methodChoice(const Arguments& arguments, const std::optional<Method
 /// Throws CommandError (usage) if the method says nothing about this scenario, which `path` names.
 void checkMethodApplies(const MethodChoice& choice, const Scenario& scenario, const std::string& path);
 
+/// Throws where a drill string was asked for by a method for uniform rods.
+void checkMethodOfString(const MethodChoice& choice, const Scenario& scenario, const std::string& path);
+
 }  // namespace drillwave

@@ -86,7 +86,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const RunFiles files = filesOf(arguments);
     const bool json = arguments.has("json");
-    const ScenarioInput input = loadScenarioInput(path, arguments);
+    const ScenarioInput input = loadScenarioInput(path, arguments, DrillStrings::taken);
     const ScenarioDocument& document = input.document;
     const MethodChoice choice = methodChoice(arguments, input.method);
     checkMethodApplies(choice, document.scenario, path);
@@ -102,7 +102,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
                                 Stresses::wanted, interruption.token()),
                   .scenarioText = {},
                   .units = files.units.value_or(customaryUnits(document.scenario))};
-    addThrustMargin(run.blow, interruption.token());
+    if (!run.blow.string) addThrustMargin(run.blow, interruption.token());
     if (json || writesFiles) run.scenarioText = completeScenarioText(document);
     interruption.check();
     if (!run.blow.isSolved()) {

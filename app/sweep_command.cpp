@@ -2,6 +2,7 @@
 // drillwave sweep FILE --vary KEY=…
 #include "app/axis_argument.h"
 #include "app/command.h"
+#include "app/method_options.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
@@ -44,9 +45,10 @@ ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const std::vector<SweepAxis> axes = axesOf(arguments);
     const StudyPlots plots = StudyPlots::besideFile(arguments);
-    const ScenarioInput input = loadScenarioInput(path, arguments);
+    const ScenarioInput input = loadScenarioInput(path, arguments, DrillStrings::taken);
     const ScenarioDocument& base = input.document;
     const RowOptions options = rowOptions(arguments, input.method);
+    checkMethodOfString(options.method, input.document.scenario, path);
     for (const std::string& output : {options.path, RowFile::recordPath(options.path)})
         checkOutputIsNoInput(output, path, base);
     plots.check(path, base, options.overwrite);

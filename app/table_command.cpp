@@ -5,6 +5,7 @@
 
 #include "app/command.h"
 #include "app/input_text.h"
+#include "app/method_options.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/study/rows/table.h"
@@ -29,9 +30,10 @@ ExitCode runTableCommand(const Arguments& arguments, const Drawing*) {
     const std::string& path = arguments.operands()[1];
     if (isStandardInput(scenarioPath) && isStandardInput(path))
         throw CommandError(ExitCode::usage, "FILE and CASES are both standard input; give a name for one");
-    const ScenarioInput input = loadScenarioInput(scenarioPath, arguments);
+    const ScenarioInput input = loadScenarioInput(scenarioPath, arguments, DrillStrings::taken);
     const ScenarioDocument& base = input.document;
     const RowOptions options = rowOptions(arguments, input.method);
+    checkMethodOfString(options.method, input.document.scenario, scenarioPath);
     for (const std::string& output : {options.path, RowFile::recordPath(options.path)})
         checkOutputIsNoInput(output, scenarioPath, base, {path});
     const Table table{.base = base.scenario,

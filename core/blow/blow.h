@@ -25,9 +25,9 @@ struct Blow {
     Groups groups;
     Scales scales;  ///< back to SI; all 1 in a dimensionless scenario
     Problem solved;
-    Impact impact;          ///< its `reason` says why there is no result
+    Impact impact;                     ///< its `reason` says why there is no result
     std::optional<StringBlow> string;  ///< of a drill string; `solved` is not used there
-    ImpactSummary summary;  ///< not to be used where there is no result, nor is `feed`
+    ImpactSummary summary;             ///< not to be used where there is no result, nor is `feed`
     /// The thrust needed and the installed; nothing where thrustProblem() says why.
     std::optional<FeedVerdict> feed;
     /// Effective feed force over the largest of four needs, less 1, where a study of all gaps was made for

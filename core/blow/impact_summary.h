@@ -26,10 +26,10 @@ struct ImpactSummary {
     EnergyLedger energy;
     double momentumResidual = 0;  ///< of I0
     double corError = 0;
-    double growth = 1;                   ///< Impact::growth
-    int contacts = 0;                    ///< separate contacts
-    std::optional<int> forcePeaks;       ///< forcePeaks(), where the histories were kept
-    std::optional<RodForces> rodForces;  ///< [F0] where they were asked for; solveBlow() does
+    double growth = 1;                         ///< Impact::growth
+    int contacts = 0;                          ///< separate contacts
+    std::optional<int> forcePeaks;             ///< forcePeaks(), where the histories were kept
+    std::optional<RodForces> rodForces;        ///< [F0] where they were asked for; solveBlow() does
     std::optional<StringSummary> string = {};  ///< of a drill string alone
 
     /// e for the thrust: of a drill string, whose hammer may strike again, ∫F/p0 − 1.

@@ -119,8 +119,7 @@ std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Strin
     assert(sections.size() == forces.size());
     std::vector<SectionStress> stresses;
     for (std::size_t j = 0; j < sections.size(); ++j) {
-        const double toStress =
-            unitForce * scales.force / propertiesOf(*sections[j], drill.material).area;
+        const double toStress = unitForce * scales.force / propertiesOf(*sections[j], drill.material).area;
         const SectionPeak &push = forces[j].compression, &pull = forces[j].tension;
         stresses.push_back({push.force * toStress, pull.force * toStress, push.place * sections[j]->length,
                             pull.place * sections[j]->length, push.time * scales.time,

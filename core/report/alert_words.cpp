@@ -117,11 +117,10 @@ std::string overload(const Alert& alert, const std::string& rod, const std::stri
     const std::string kind = alert.has("compression") ? "compression" : "tension";
     if (alert.has("section"))
         return "Section " + whole(alert, "section") + " of hammer and string " + consequence + ": " + kind +
-               " reaches " + inUnit(alert, kind) + ", " + inUnit(alert, "place") +
-               " from its rear end at " + inUnit(alert, "time") + ", against a strength of " +
-               inUnit(alert, "strength") + ".";
-    return rod + " " + consequence + ": " + kind + " reaches " + inUnit(alert, kind) + ", " + inUnit(alert, "place") +
-           " from the hammer at " + inUnit(alert, "time") +
+               " reaches " + inUnit(alert, kind) + ", " + inUnit(alert, "place") + " from its rear end at " +
+               inUnit(alert, "time") + ", against a strength of " + inUnit(alert, "strength") + ".";
+    return rod + " " + consequence + ": " + kind + " reaches " + inUnit(alert, kind) + ", " +
+           inUnit(alert, "place") + " from the hammer at " + inUnit(alert, "time") +
            (isAfter ? ", after the blow, in the waves left (which nothing damps here)"
                     : ", during the blow") +
            ", against a strength of " + inUnit(alert, "strength") + ".";
@@ -164,7 +163,8 @@ std::string alertText(const Alert& alert) {
         case AlertCode::lengthsRounded:
             return "The transit times of the sections share no cell of time: they were rounded by up to " +
                    inUnit(alert, "time") + ", and the efficiency may be off by " +
-                   bound(alert, "efficiency_error") + ". Lengths in whole millimetres of one steel are exact.";
+                   bound(alert, "efficiency_error") +
+                   ". Lengths in whole millimetres of one steel are exact.";
         case AlertCode::blowNotOver:
             return "After " + inUnit(alert, "time") +
                    " bit or hammer may still meet again: these are the numbers at the next blow, not final "

@@ -94,15 +94,15 @@ JsonArray sectionsJson(const Blow& blow) {
         from += section.length;
         if (!stresses.empty()) {
             const SectionStress& stress = stresses[j];
-            object["compression"] = peakJson(stress.compression, stress.compressionPlace, stress.compressionTime);
+            object["compression"] =
+                peakJson(stress.compression, stress.compressionPlace, stress.compressionTime);
             object["tension"] = peakJson(stress.tension, stress.tensionPlace, stress.tensionTime);
             if (section.yieldStrength)
                 object["yield_use"] = std::max(stress.compression, stress.tension) / *section.yieldStrength;
             if (section.fatigueStrength) object["fatigue_use"] = stress.tension / *section.fatigueStrength;
         }
         const std::vector<double>& reflected = blow.string->impact.jointReflection;
-        if (!hammer && j - ofHammer < reflected.size())
-            object["joint_reflection"] = reflected[j - ofHammer];
+        if (!hammer && j - ofHammer < reflected.size()) object["joint_reflection"] = reflected[j - ofHammer];
         array.emplace_back(object);
     }
     return array;
@@ -115,7 +115,7 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
     JsonObject object{
         {"version", versionText},
         {"title", blow.scenario.title},
-        {"method", name(blow.method.method)},
+        {"method", blow.string ? "polynomial_cells" : name(blow.method.method)},
         {"outcome", outcomeName(blow)},
         {"run_time", blow.runTime},
         {"groups", groupsJson(blow.groups)},

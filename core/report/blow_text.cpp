@@ -9,6 +9,7 @@
 #include "core/report/feed_words.h"
 #include "core/report/report_numbers.h"
 #include "core/report/report_text.h"
+#include "core/report/string_text.h"
 #include "core/text/number_text.h"
 
 namespace drillwave {
@@ -130,11 +131,14 @@ std::string methodText(const MethodChoice& choice) {
 std::string blowText(const Blow& blow) {
     const Impact& impact = blow.impact;
     std::string text = headingOf(blow.scenario) + "\n";
-    text += resultText(blow);
-    text += "\n  method " + methodText(blow.method) + ", " + std::to_string(impact.contacts) +
-            (impact.contacts == 1 ? " contact, " : " contacts, ") + std::to_string(impact.pieces) +
-            (blow.method.method == Method::lattice ? " steps" : " pieces") + ", solved in " +
-            inHandyUnit(blow.runTime, Quantity::time) + "\n";
+    text += blow.string ? stringResultText(blow) : resultText(blow);
+    text += "\n  method " + (blow.string ? "polynomial cells" : methodText(blow.method)) + ", " +
+            std::to_string(impact.contacts) + (impact.contacts == 1 ? " contact, " : " contacts, ") +
+            std::to_string(impact.pieces) +
+            (blow.string                             ? " cells"
+             : blow.method.method == Method::lattice ? " steps"
+                                                     : " pieces") +
+            ", solved in " + inHandyUnit(blow.runTime, Quantity::time) + "\n";
     for (const Alert& alert : blow.alerts) {
         // The line of e says it already, as an estimate.
         if (blow.method.method == Method::lattice && alert.code == AlertCode::reducedAccuracy) continue;

@@ -84,7 +84,7 @@ WaveCell BitNode::step(const WaveCell& g, int index, double time, CutAt cutAt, C
     return follow(g, maps.width, 1, time, cutAt, jump);
 }
 
-BitState BitNode::stateWithin(const WaveCell& g, int index, double share, double time) const {
+BitNodeState BitNode::stateWithin(const WaveCell& g, int index, double share, double time) const {
     BitNode copy(m_impedance, m_mass, {}, 0);
     copy.m_now = m_now;
     CellJump none;

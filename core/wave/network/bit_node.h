@@ -27,8 +27,8 @@ struct BitRecord {
 };
 
 /// Where bit and rock are, and how they came there.
-struct BitState {
-    BitState(const BilinearLaw<double>& untouched, double gap) : law(untouched), distance(gap) {}
+struct BitNodeState {
+    BitNodeState(const BilinearLaw<double>& untouched, double gap) : law(untouched), distance(gap) {}
 
     BilinearLaw<double> law;  ///< with what the rock remembers
     ContactLine line = ContactLine::apart;
@@ -74,10 +74,10 @@ class BitNode {
     /// b that leaves. Where it found a place to cut, it is to be taken again in parts.
     WaveCell step(const WaveCell& g, int index, double time, CutAt cutAt, CellJump& jump);
     /// Where it would be after the first `share` of that cell.
-    BitState stateWithin(const WaveCell& g, int index, double share, double time) const;
+    BitNodeState stateWithin(const WaveCell& g, int index, double share, double time) const;
 
-    const BitState& state() const { return m_now; }
-    void setState(const BitState& state) { m_now = state; }
+    const BitNodeState& state() const { return m_now; }
+    void setState(const BitNodeState& state) { m_now = state; }
     /// Where events go; nullptr: nowhere.
     void setEvents(std::vector<ImpactEvent>* events) { m_events = events; }
     double mass() const { return m_mass; }
@@ -110,7 +110,7 @@ class BitNode {
     double m_impedance;
     double m_mass;
     std::vector<CellMaps> m_maps;
-    BitState m_now;
+    BitNodeState m_now;
     std::vector<ImpactEvent>* m_events = nullptr;
     std::string_view m_trouble;
 };

@@ -52,8 +52,8 @@ class LineCensus {
 /// What moves at one time, all over the string. Units of NetworkProblem.
 struct CensusResult {
     double time = 0;
-    BitState bit;
-    FaceState face = {};
+    BitNodeState bit;
+    FaceNodeState face = {};
     double hammerMomentum = 0, hammerEnergy = 0;
     double stringMomentum = 0, stringEnergy = 0;
     double jointLoss = 0, rodLoss = 0, externalMomentum = 0;

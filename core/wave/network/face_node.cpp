@@ -65,8 +65,8 @@ void FaceNode::step(WaveCell& f1ToF2, WaveCell& b2ToB1, int index, double time, 
     f1ToF2 = force - b2;
 }
 
-FaceState FaceNode::stateWithin(const WaveCell& f1, const WaveCell& b2, int index, double share,
-                                double time) const {
+FaceNodeState FaceNode::stateWithin(const WaveCell& f1, const WaveCell& b2, int index, double share,
+                                    double time) const {
     if (m_now.released) return m_now;
     FaceNode copy(m_impedance1, m_impedance2, {m_stiffness, m_restrike});
     copy.m_now = m_now;

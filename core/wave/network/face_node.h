@@ -24,7 +24,7 @@ struct FaceRecord {
 };
 
 /// Where the faces are, and how they came there.
-struct FaceState {
+struct FaceNodeState {
     bool apart = false;
     bool released = false;  ///< for ever: no re-strike
     double gap = 0;
@@ -43,10 +43,11 @@ class FaceNode {
     /// One cell: the waves f1 and b2 that arrive become those that leave, b1 and f2.
     void step(WaveCell& f1ToF2, WaveCell& b2ToB1, int index, double time, CutAt cutAt, CellJump& jump);
     /// Where they would be after the first `share` of that cell.
-    FaceState stateWithin(const WaveCell& f1, const WaveCell& b2, int index, double share, double time) const;
+    FaceNodeState stateWithin(const WaveCell& f1, const WaveCell& b2, int index, double share,
+                              double time) const;
 
-    const FaceState& state() const { return m_now; }
-    void setState(const FaceState& state) { m_now = state; }
+    const FaceNodeState& state() const { return m_now; }
+    void setState(const FaceNodeState& state) { m_now = state; }
     std::optional<double> stiffness() const { return m_stiffness; }
     /// How fast the force follows [1/t0]; 0 for rigid faces.
     double rate() const { return m_stiffness ? *m_stiffness / m_common : 0; }
@@ -68,7 +69,7 @@ class FaceNode {
     std::vector<double> m_widths;
     std::vector<Relaxation> m_maps;  ///< of faces with a stiffness
 
-    FaceState m_now;
+    FaceNodeState m_now;
     std::string_view m_trouble;
 };
 

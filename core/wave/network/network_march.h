@@ -42,8 +42,8 @@ class NetworkMarch {
   private:
     /// All that a block of steps changes beside the lines.
     struct Nodes {
-        FaceState face;
-        BitState bit;
+        FaceNodeState face;
+        BitNodeState bit;
         std::vector<double> massVelocities;
         std::size_t events;
     };

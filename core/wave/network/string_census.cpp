@@ -21,7 +21,7 @@ StringClocks::StringClocks(const NetworkProblem& problem, const std::vector<doub
 StringCensus::StringCensus(const NetworkProblem& problem, const StringClocks& clocks, double time)
     : m_problem(&problem),
       m_clocks(&clocks),
-      m_result{.time = time, .bit = BitState(BilinearLaw<double>(problem.law), problem.gap)} {
+      m_result{.time = time, .bit = BitNodeState(BilinearLaw<double>(problem.law), problem.gap)} {
     for (std::size_t j = 0; j < problem.sections.size(); ++j) {
         const NetworkSection& section = problem.sections[j];
         const bool hammer = j < problem.hammerSections;

@@ -34,8 +34,8 @@ class StringCensus {
     /// Waves of section `j` at its rear end, and at its front end.
     LineCensus& down(std::size_t j) { return m_down[j]; }
     LineCensus& up(std::size_t j) { return m_up[j]; }
-    void setBit(const BitState& bit) { m_result.bit = bit; }
-    void setFace(const FaceState& face) { m_result.face = face; }
+    void setBit(const BitNodeState& bit) { m_result.bit = bit; }
+    void setFace(const FaceNodeState& face) { m_result.face = face; }
     /// The velocity of the mass behind section `j`.
     void setMassVelocity(std::size_t j, double velocity) { m_massVelocities[j] = velocity; }
 

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/string_text.h"
+
+#include <cmath>
+#include <vector>
+
+#include "core/model/scales.h"
+#include "core/report/report_text.h"
+#include "core/text/handy_text.h"
+
+namespace drillwave {
+
+namespace {
+
+std::string si(double value, Quantity quantity, int digits = 5) {
+    return inHandyUnit(value, quantity, digits);
+}
+
+std::string percent(double share) {
+    return rounded(100 * (std::abs(share) < 1e-12 ? 0 : share), 4) + " %";
+}
+
+/// Numbers with what they are in SI.
+std::string resultGrid(const Blow& blow) {
+    const ImpactSummary& summary = blow.summary;
+    const StringSummary& string = *summary.string;
+    const Scales& scales = blow.scales;
+    TextGrid grid(CellAlignment::left);
+    grid.add({"efficiency",
+              rounded(string.efficiency, 12) + "  (error below " + boundText(string.efficiencyError) + ")"});
+    grid.add({"  with the rebound of the hammer", rounded(string.efficiencyRecovered)});
+    grid.add({"work on the rock", si(string.efficiency * scales.energy, Quantity::energy)});
+    grid.add({"impulse on the rock", si(summary.impulse * scales.impulse, Quantity::impulse),
+              rounded(summary.impulse) + " of the hammer's"});
+    grid.add({"restitution e of the string", rounded(summary.cor)});
+    grid.add({"peak force on the rock", si(summary.peakForce * scales.force, Quantity::force)});
+    grid.add({"largest penetration", si(summary.maxPenetration * scales.penetration, Quantity::length)});
+    grid.add(
+        {"penetration that stays", si(summary.residualPenetration * scales.penetration, Quantity::length)});
+    if (summary.contacts > 0) {
+        grid.add({"first contact", si(summary.firstContactTime * scales.time, Quantity::time)});
+        if (!std::isnan(summary.separationTime))
+            grid.add({"last separation", si(summary.separationTime * scales.time, Quantity::time)});
+        grid.add({"time in contact", si(summary.contactDuration * scales.time, Quantity::time)});
+    }
+    if (!std::isnan(string.pistonSeparationTime))
+        grid.add({"hammer leaves", si(string.pistonSeparationTime * scales.time, Quantity::time)});
+    grid.add({"hammer rebound", si(string.hammerReboundVelocity * scales.velocity, Quantity::velocity),
+              "away from the rock"});
+    if (blow.feed) {
+        std::string needed = si(blow.feed->fullRate, Quantity::force);
+        if (blow.feed->force) needed += ", installed " + si(blow.feed->force->thrust, Quantity::force);
+        grid.add({"thrust needed", needed});
+    }
+    return grid.text();
+}
+
+/// Where the energy of the hammer went.
+std::string energyGrid(const Blow& blow) {
+    const ImpactSummary& summary = blow.summary;
+    const StringSummary& string = *summary.string;
+    TextGrid grid(CellAlignment::left);
+    const auto add = [&](const char* label, double share) {
+        grid.add({label, percent(share), si(share * blow.scales.energy, Quantity::energy, 4)});
+    };
+    add("energy of the hammer", 1);
+    add("  in the rock", summary.energy.rockWork);
+    add("  hammer moving back", string.hammerReboundEnergy);
+    add("  waves in the hammer", string.hammerWaveEnergy);
+    add("  string moving back", summary.energy.reboundEnergy);
+    add("  waves in the string", summary.energy.residualWaveEnergy);
+    if (string.jointLoss > 0) add("  lost in joints", string.jointLoss);
+    if (string.rodLoss > 0) add("  lost in sections", string.rodLoss);
+    if (string.faceEnergy > 0) add("  between the faces", string.faceEnergy);
+    grid.add({"balance errors", rounded(summary.momentumResidual, 2) + " of the momentum, " +
+                                    rounded(summary.energy.residual, 2) + " of the energy"});
+    return grid.text();
+}
+
+std::string stressCell(double stress, double place, double time) {
+    if (stress == 0) return "0";
+    return si(stress, Quantity::stress, 4) + " at " + si(place, Quantity::length, 3) + ", " +
+           si(time, Quantity::time, 4);
+}
+
+/// Largest stresses of every section, from its rear end, and what its far joint throws back.
+std::string sectionGrid(const Blow& blow) {
+    const DrillString& drill = blow.scenario.drillString;
+    const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
+    const std::vector<double>& reflected = blow.string->impact.jointReflection;
+    TextGrid grid(CellAlignment::left);
+    grid.add({"section", "compression", "tension", "joint reflects"});
+    const auto add = [&](const std::string& label, std::size_t j, const double* reflection) {
+        const SectionStress& stress = stresses[j];
+        std::vector<std::string> cells{
+            label, stressCell(stress.compression, stress.compressionPlace, stress.compressionTime),
+            stressCell(stress.tension, stress.tensionPlace, stress.tensionTime)};
+        if (reflection) cells.push_back(percent(*reflection));
+        grid.add(std::move(cells));
+    };
+    const std::size_t ofHammer = drill.hammer.sections.size();
+    for (std::size_t j = 0; j < ofHammer; ++j) {
+        const std::string& name = drill.hammer.sections[j].name;
+        add("hammer " + std::to_string(j + 1) + (name.empty() ? "" : " " + name), j, nullptr);
+    }
+    std::size_t place = 0;
+    for (const Section* section : expandedSections(drill)) {
+        const double* reflection = place < reflected.size() ? &reflected[place] : nullptr;
+        add(std::to_string(place + 1) + (section->name.empty() ? "" : " " + section->name), ofHammer + place,
+            reflection);
+        ++place;
+    }
+    return grid.text();
+}
+
+}  // namespace
+
+std::string stringResultText(const Blow& blow) {
+    std::string text = resultGrid(blow) + "\n" + energyGrid(blow);
+    // a thousand lines are for a file
+    constexpr std::size_t mostLines = 60;
+    if (!blow.string->impact.sections.empty() && blow.string->impact.sections.size() <= mostLines)
+        text += "\n" + sectionGrid(blow);
+    return text;
+}
+
+}  // namespace drillwave
