@@ -14,7 +14,7 @@ std::string headingOf(const Scenario& scenario) {
         title, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
     return (title.empty() ? std::string() : title + "\n") + "  beta " + rounded(groups.beta) + "  gamma " +
            rounded(groups.gamma) + "  tau " + rounded(groups.tau) + "  delta " + rounded(groups.delta) +
-           "  pulse " + std::string(name(scenario.pulse.shape)) + "\n";
+           (isString(scenario) ? "" : "  pulse " + std::string(name(scenario.pulse.shape))) + "\n";
 }
 
 std::string TextGrid::text() const {
