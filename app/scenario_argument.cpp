@@ -94,15 +94,20 @@ const Example* exampleNamed(const std::string& path) {
     return std::filesystem::exists(path, error) ? nullptr : findExample(path);
 }
 
-/// "; did you mean …?" where FILE is nearly the name of an example, or how that of only one begins.
+/// "; did you mean …?" where FILE is nearly the name of an example, or how those of a few begin.
 std::string nearExample(const std::string& path) {
     std::vector<std::string_view> names, begun;
     for (const Example& example : builtInExamples()) {
         names.push_back(example.name);
         if (!path.empty() && names.back().starts_with(path)) begun.push_back(names.back());
     }
-    const std::string_view near = begun.size() == 1 ? begun.front() : nearestName(path, names);
-    return near.empty() ? "" : "; did you mean the example `" + std::string(near) + "`?";
+    constexpr std::size_t few = 3;
+    if (begun.empty() || begun.size() > few) begun = {nearestName(path, names)};
+    if (begun.front().empty()) return {};
+    std::string list;
+    for (const std::string_view name : begun)
+        list += (list.empty() ? "`" : " or `") + std::string(name) + "`";
+    return "; did you mean the example " + list + "?";
 }
 
 ScenarioInput loadInputFile(const std::string& path) {

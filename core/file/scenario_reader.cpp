@@ -19,6 +19,11 @@ using Applicability = SectionReader::Applicability;
 constexpr std::string_view stringKeys[] = {"material", "hammer", "string", "end_time"};
 constexpr std::string_view rodKeys[] = {"dimensionless", "rod", "pulse"};
 
+/// The keys at the top level that a format has and the other one has not.
+std::span<const std::string_view> keysOf(int format) {
+    return format == rodFormat ? std::span<const std::string_view>(rodKeys) : stringKeys;
+}
+
 std::size_t indexOf(const YamlNode& root, std::string_view key) {
     std::size_t at = 0;
     while (at < root.children.size() && root.children[at].text != key) at += 2;
@@ -91,11 +96,9 @@ bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int forma
         refuse(rodKeys,
                "belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has "
                "`hammer` and `string` in place of `rod` and `pulse`");
-    using Keys = std::span<const std::string_view>;
-    const Keys own = format == rodFormat ? Keys(rodKeys) : Keys(stringKeys);
-    const Keys foreign = format == rodFormat ? Keys(stringKeys) : Keys(rodKeys);
     const auto isThere = [&](std::string_view key) { return file.contains(key); };
-    return !std::ranges::any_of(foreign, isThere) || std::ranges::any_of(own, isThere);
+    return !std::ranges::any_of(keysOf(format == rodFormat ? stringFormat : rodFormat), isThere) ||
+           std::ranges::any_of(keysOf(format), isThere);
 }
 
 void readGroups(SectionReader& reader, const YamlEntries& file) {
@@ -175,10 +178,12 @@ ScenarioForm formOf(const YamlEntries& file, int format) {
 
 /// True when all that is wrong is an unreadable table file.
 bool readFile(SectionReader& reader, const YamlNode& root, int format, const TableSource& tables) {
-    const YamlEntries file =
-        reader.entriesOf(root, "",
-                         {"drillwave", "title", "dimensionless", "rod", "pulse", "material", "hammer",
-                          "string", "bit_rock", "drill", "end_time"});
+    std::vector<std::string_view> known{"drillwave", "title", "bit_rock", "drill"};
+    known.insert(known.end(), keysOf(format).begin(), keysOf(format).end());
+    // Those of the other format are told of as such where they stand.
+    for (const std::string_view key : keysOf(format == rodFormat ? stringFormat : rodFormat))
+        if (indexOf(root, key) < root.children.size()) known.push_back(key);
+    const YamlEntries file = reader.entriesOf(root, "", known);
     reader.scenario().form = formOf(file, format);
     readTitle(reader, file);
     if (!checkKeysOfFormat(reader, file, format)) return false;

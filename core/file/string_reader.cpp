@@ -203,6 +203,7 @@ class StringReader {
                 item.offset, path,
                 "must be a section, `{name: rod, length: 3660 mm, diameter: 39 mm}`, or "
                 "`{repeat: 3, of: […]}`");
+        part.sections.resize(1);  // those behind it keep their places
         ++m_place;
         m_string.parts.push_back(std::move(part));
     }

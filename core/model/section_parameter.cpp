@@ -129,7 +129,7 @@ struct OwnedParameter {
           address(itsAddress),
           parameter{key,
                     label,
-                    address.field->symbol,
+                    {},  // behind "length of the adapter" a symbol would name anything
                     address.field->meaning,
                     address.field->quantity,
                     address.field->unit,

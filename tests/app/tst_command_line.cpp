@@ -192,7 +192,9 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("nearly an example")
         << QStringList{"run", "t38_medium_rok"} << 3 << "did you mean the example `t38_medium_rock`?";
     QTest::newRow("the beginning of an example")
-        << QStringList{"run", "t38"} << 3 << "did you mean the example `t38_medium_rock`?";
+        << QStringList{"run", "t38_m"} << 3 << "did you mean the example `t38_medium_rock`?";
+    QTest::newRow("the beginning of two examples")
+        << QStringList{"run", "t38"} << 3 << "did you mean the example `t38_medium_rock` or `t38_string`?";
     QTest::newRow("output twice") << QStringList{"sweep",    paper,       "--vary",
                                                  "beta=1,2", "--outputs", "cor,impulse,cor"}
                                   << 2 << "`cor` is given twice";

@@ -52,6 +52,7 @@ class TestScenarioArgument : public QObject {
     void settingsApplyWhateverTheirOrder();
     void refusalsHaveTheirExitCodes_data();
     void refusalsHaveTheirExitCodes();
+    void aDrillStringIsTakenWhereItIsSolved();
     void anOutputIsNoInput();
     void whatAnAxisChangesIsNotSet();
 };
@@ -109,6 +110,28 @@ void TestScenarioArgument::refusalsHaveTheirExitCodes() {
     const Refusal refused = refusal(path.toStdString(), {"--set", setting.toStdString()});
     QCOMPARE(refused.code, code);
     QVERIFY2(QString::fromStdString(refused.line).contains(part), refused.line.c_str());
+}
+
+void TestScenarioArgument::aDrillStringIsTakenWhereItIsSolved() {
+    const Refusal rodsAlone = refusal("t38_string", {});
+    QCOMPARE(rodsAlone.code, ExitCode::invalidScenario);
+    QVERIFY(QString::fromStdString(rodsAlone.line).contains("solves uniform rods alone"));
+    const auto with = [](std::vector<std::string> words) {
+        return loadScenarioInput("t38_string", parsed(words), DrillStrings::taken).document.scenario;
+    };
+    const Scenario set = with({"--set", "string.3.length=3 m", "string.rod.bore=12 mm", "string.repeat=2",
+                               "hammer.restrike=false"});
+    const StringPart& rods = *firstRepeat(set.drillString);
+    QCOMPARE(rods.repeat, 2);
+    QCOMPARE(rods.sections[1].length, 3.0);
+    QCOMPARE(rods.sections[1].bore, 0.012);
+    QVERIFY(!set.drillString.hammer.restrike);
+    QCOMPARE(with({"--rock", "soft rock"}).bitRock == with({}).bitRock, false);
+    QVERIFY_EXCEPTION_THROWN(with({"--rod", "T38"}), CommandError);
+    // Both are the rod that the repeat brings to both places.
+    QVERIFY_EXCEPTION_THROWN(with({"--set", "string.3.length=3 m", "string.5.length=4 m"}), CommandError);
+    QVERIFY_EXCEPTION_THROWN(with({"--set", "string.rod.area=9 cm^2", "string.rod.diameter=3 cm"}),
+                             CommandError);
 }
 
 void TestScenarioArgument::anOutputIsNoInput() {

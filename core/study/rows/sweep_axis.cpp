@@ -165,6 +165,7 @@ std::string readKey(ParsedAxis& parsed, std::string_view text, std::string_view 
     values = text.substr(equals + 1);
     parsed.axis.parameter = findParameter(key);
     if (parsed.axis.parameter || key == pulseShapeKey) return {};
+    if (key == restrikeKey) return std::string(key) + " has no numbers to go along; give it with --set";
     const std::string near = nearestKey(key);
     return "`" + shortened(key) + "` is not a parameter" +
            (near.empty() ? "" : "; did you mean `" + near + "`?");

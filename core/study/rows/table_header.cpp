@@ -37,7 +37,12 @@ std::string_view meantKey(std::string_view name) {
     if (wanted == bare(pulseShapeKey)) return pulseShapeKey;
     const auto found =
         std::ranges::find_if(parameters(), [&](const Parameter& p) { return bare(p.key) == wanted; });
-    return found == parameters().end() ? std::string_view() : found->key;
+    if (found != parameters().end()) return found->key;
+    // Of a section: names keep their blanks.
+    std::string small(name);
+    for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const Parameter* ofSection = findParameter(small);
+    return ofSection ? ofSection->key : std::string_view();
 }
 
 /// The character that holds keys together in one cell, as spreadsheets of some countries write it.
@@ -63,6 +68,8 @@ std::string misnamed(std::string_view cell, std::string_view name) {
     if (const TextProblem problem = checkText(cell); !problem.reason.empty())
         return "has " + problem.reason + "; save the table as CSV in UTF-8";
     if (const auto separator = otherSeparator(cell)) return wrongSeparator(*separator);
+    if (name == restrikeKey)
+        return "`" + std::string(name) + "` is no number; give it with --set for all rows";
     const std::string_view key = meantKey(name);
     if (key.empty()) return {};
     const bool unitInParentheses = name.find('(') != std::string_view::npos;

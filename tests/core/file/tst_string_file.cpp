@@ -380,6 +380,12 @@ void TestStringFile::randomEditsReadBackTheSame() {
         else if (field.applies(section))
             field.assign(section, between(field.plausible, random));
         if (i % 7 == 0) section.name = "probe";
+        if (i % 3 == 0) document.scenario.drillString.hammer.restrike = i % 2 == 0;
+        for (const Parameter& parameter : parameters()) {
+            if (!parameter.applies(document.scenario) || parameter.isGroup() || random() % 8 != 0) continue;
+            parameter.assign(document.scenario, between(parameter.plausible, random));
+            if (parameter.rules.clear && random() % 2 == 0) parameter.rules.clear(document.scenario);
+        }
         if (i % 11 == 0) document.scenario.drill = {};
         if (!validate(document.scenario).empty()) continue;
         const std::string text = writeScenario(document);

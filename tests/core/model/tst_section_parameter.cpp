@@ -13,6 +13,7 @@
 #include "core/model/scenario_difference.h"
 #include "core/model/section_parameter.h"
 #include "core/model/validation.h"
+#include "core/report/alert_words.h"
 
 using namespace drillwave;
 
@@ -389,6 +390,8 @@ void TestSectionParameter::implausibleSectionsAreRemarkedOn() {
     scenario.drillString.parts[1].sections[0].length = 190;
     scenario.drillString.hammer.velocity = 100;
     QCOMPARE(keys(), QStringList({"hammer.velocity", "string.2.length"}));
+    QCOMPARE(QString::fromStdString(alertText(alertsFor(scenario)[1])),
+             QString("The length of section 2 = 190 m is outside the usual range, 10 mm to 10 m."));
 }
 
 QTEST_GUILESS_MAIN(TestSectionParameter)

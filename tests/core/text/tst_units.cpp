@@ -15,9 +15,10 @@ using namespace drillwave;
 namespace {
 
 constexpr Quantity quantities[] = {
-    Quantity::ratio,     Quantity::length,  Quantity::area,  Quantity::stress,    Quantity::density,
-    Quantity::time,      Quantity::impulse, Quantity::force, Quantity::stiffness, Quantity::velocity,
-    Quantity::frequency, Quantity::energy,  Quantity::power, Quantity::mass,      Quantity::angle};
+    Quantity::ratio,     Quantity::length,     Quantity::area,  Quantity::stress,    Quantity::density,
+    Quantity::time,      Quantity::impulse,    Quantity::force, Quantity::stiffness, Quantity::velocity,
+    Quantity::frequency, Quantity::energy,     Quantity::power, Quantity::mass,      Quantity::angle,
+    Quantity::share,     Quantity::attenuation};
 
 /// Any finite double, all magnitudes alike.
 double anyDouble(std::mt19937_64& random) {
@@ -120,6 +121,9 @@ void TestUnits::factorsAgreeWithTheDefinitionOfTheUnits_data() {
     QTest::newRow("in^2") << Quantity::area << "in^2" << 0.0254 * 0.0254;
     QTest::newRow("hp") << Quantity::power << "hp" << 550 * 0.3048 * pound * gravity;
     QTest::newRow("lb") << Quantity::mass << "lb" << pound;
+    QTest::newRow("%") << Quantity::share << "%" << 0.01;
+    QTest::newRow("1/km") << Quantity::attenuation << "1/km" << 0.001;
+    QTest::newRow("1/ft") << Quantity::attenuation << "1/ft" << 1 / 0.3048;
     QTest::newRow("rad") << Quantity::angle << "rad" << 180 / std::acos(-1.0);
     QTest::newRow("m/min") << Quantity::velocity << "m/min" << 1.0 / 60;
     QTest::newRow("ft/min") << Quantity::velocity << "ft/min" << 0.3048 / 60;
@@ -205,6 +209,7 @@ void TestUnits::wrongTextIsRefusedWithTheReason_data() {
     QTest::newRow("words") << "about 3 m" << Quantity::length << "not a number";
     QTest::newRow("no unit") << "38" << Quantity::length << "m, mm, cm, km, um, in, ft";
     QTest::newRow("zero, no unit") << "0" << Quantity::length << "has no unit";
+    QTest::newRow("no share") << "2 mm" << Quantity::share << "units that would do: %";
     QTest::newRow("wrong quantity") << "38 kN" << Quantity::length << "`kN` is not known here";
     QTest::newRow("decimal comma") << "3,2 m" << Quantity::length << "decimal comma";
     QTest::newRow("two numbers") << "3 4 m" << Quantity::length << "`4 m` is not known";

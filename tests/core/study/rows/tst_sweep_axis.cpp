@@ -196,6 +196,8 @@ void TestSweepAxis::wrongTextIsRefusedWithTheReason_data() {
                                   << "did you mean `bit_rock.gamma`?" << false;
     QTest::newRow("between whole numbers") << "string.repeat=1:4:3"
                                            << "takes whole numbers alone" << false;
+    QTest::newRow("true and false") << "hammer.restrike=0,1"
+                                    << "give it with --set" << false;
     QTest::newRow("half a repeat") << "string.repeat=1,2.5"
                                    << "must be a whole number" << true;
     QTest::newRow("mistyped number of a section") << "string.rod.lenght=1 m,2 m"
