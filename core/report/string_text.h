@@ -8,8 +8,8 @@
 
 namespace drillwave {
 
-/// Results, where the energy of the hammer went, and the largest stresses of each section. Of a solved blow on
-/// a drill string.
+/// Results, where the energy of the hammer went, and the largest stresses of each section. Of a solved blow
+/// on a drill string.
 std::string stringResultText(const Blow& blow);
 
 }  // namespace drillwave

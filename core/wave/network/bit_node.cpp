@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "core/wave/exact/first_zero.h"
 
@@ -22,6 +23,20 @@ constexpr double fastRise = 0.4;
 
 /// Waves smaller than that make no jump worth a cut [Zr v0].
 constexpr double leastJump = 1e-7;
+
+/// Differences of this share of what they are taken of are rounding, and decide nothing.
+constexpr double rounding = 256 * std::numeric_limits<double>::epsilon();
+
+double sumOf(const double* c, int count) {
+    double sum = 0;
+    for (int k = 0; k < count; ++k) sum += std::abs(c[k]);
+    return sum;
+}
+
+void dropRounding(double* c, int count, double size) {
+    for (int k = 0; k < count; ++k)
+        if (std::abs(c[k]) <= rounding * size) c[k] = 0;
+}
 
 /// Nearer to its ends a cell is not cut.
 constexpr double nearestCut = 1e-9;
@@ -179,6 +194,7 @@ BitNode::EventPiece BitNode::nextPiece(const Powers& g, double width, double fro
         const Powers wave = seenFrom(twice, from, piece.width);
         for (int k = 0; k < piece.count; ++k)
             piece.speed[k] = ((k < WaveCell::count ? wave[k] : 0) - piece.force[k]) / m_impedance;
+        dropRounding(piece.speed.data(), piece.count, sumOf(piece.force.data(), piece.count) / m_impedance);
     } else if (m_mass == 0) {
         const Powers wave = seenFrom(g, from, piece.width);
         for (int k = 0; k < WaveCell::count; ++k) piece.speed[k] = 2 / m_impedance * wave[k];
@@ -210,20 +226,23 @@ BitNode::EventPiece BitNode::nextPiece(const Powers& g, double width, double fro
 /// From event to event.
 WaveCell BitNode::follow(const WaveCell& g, double width, double share, double time, CutAt cutAt,
                          CellJump& jump) {
-    constexpr int mostPieces = 100'000;
+    constexpr int mostPieces = 100'000, mostStanding = 4;
     const Powers powers = g.powers();
     CellProjection leaving;
     SearchCount uncounted;
     double from = 0;
+    int standing = 0;  // events at one point
     for (int pieces = 0; from < share; ++pieces) {
         if (pieces == mostPieces) {
             m_trouble = "contact and separation follow each other without end";
             break;
         }
+        ++m_pieces;
         EventPiece piece = nextPiece(powers, width, from, share);
         ContactLine next = m_now.line;
         Zero<double> event;
         const auto meet = [&](const double* c, int count, ContactLine line) {
+            if (standing > mostStanding) return;  // what balances on a corner of the law stays there
             const auto zero = firstZero(c, count, event.found ? event.u : 1.0, uncounted);
             if (zero.undecided) m_trouble = "an event at the rock cannot be placed";
             if (zero.found && (!event.found || zero.u < event.u)) event = zero, next = line;
@@ -238,6 +257,7 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double share, double t
                 std::array<double, EventPiece::capacity> below;
                 for (int k = 0; k < piece.count; ++k) below[k] = -piece.force[k];
                 below[0] += m_now.law.largestForce();
+                dropRounding(below.data(), piece.count, m_now.law.largestForce());
                 meet(below.data(), piece.count, ContactLine::primary);
             }
         }
@@ -291,6 +311,7 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double share, double t
                 m_now.velocity = 0;
             }
         }
+        standing = to > from ? 0 : standing + 1;
         from = to;
     }
     return m_mass > 0 ? g + leaving.cell() : leaving.cell() - g;

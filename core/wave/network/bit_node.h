@@ -85,6 +85,8 @@ class BitNode {
     double fastestRate() const;
     /// All rates at which it follows [1/t0].
     std::vector<double> rates() const;
+    /// Pieces that cells with events took.
+    long pieces() const { return m_pieces; }
     /// Why the node could not go on; empty when it could.
     std::string_view trouble() const { return m_trouble; }
 
@@ -112,6 +114,7 @@ class BitNode {
     std::vector<CellMaps> m_maps;
     BitNodeState m_now;
     std::vector<ImpactEvent>* m_events = nullptr;
+    long m_pieces = 0;
     std::string_view m_trouble;
 };
 

@@ -20,6 +20,9 @@ constexpr double wallRate = 1e9;
 /// Jumps at most that are followed at a place of their own.
 constexpr int mostJumps = 100;
 
+/// Cells in more parts than that are cut no more.
+constexpr std::size_t mostParts = 400;
+
 /// Cuts nearer to each other than that are one.
 constexpr double nearestCut = 1e-9;
 
@@ -64,7 +67,7 @@ void CellCuts::measure() {
 }
 
 bool CellCuts::cutAt(double place) {
-    if (m_jumps == mostJumps || !add(place)) return false;
+    if (m_jumps == mostJumps || count() > mostParts || !add(place)) return false;
     ++m_jumps;
     addGraded(place);
     measure();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/wave/exact/first_zero.h"
 
@@ -14,6 +15,9 @@ using Powers = std::array<double, WaveCell::count>;
 
 /// Closing speeds below that are rounding: the faces rest against each other without force [v0].
 constexpr double stillSpeed = 1e-12;
+
+/// Differences of this share of what they are taken of are rounding, and decide nothing.
+constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
 
 /// A closing speed at a new contact that makes a jump worth a cut of the cells [v0].
 constexpr double leastJump = 1e-6;
@@ -46,7 +50,11 @@ void FaceNode::setWidths(const std::vector<double>& widths) {
 WaveCell FaceNode::closingSpeed(const WaveCell& f1, const WaveCell& b2) const {
     WaveCell w;
     const double of1 = 2 / m_impedance1, of2 = 2 / m_impedance2;
-    for (int k = 0; k < WaveCell::count; ++k) w.c[k] = of1 * f1.c[k] + of2 * b2.c[k];
+    const double size = of1 * (std::abs(f1.mean()) + f1.spread()) + of2 * (std::abs(b2.mean()) + b2.spread());
+    for (int k = 0; k < WaveCell::count; ++k) {
+        w.c[k] = of1 * f1.c[k] + of2 * b2.c[k];
+        if (std::abs(w.c[k]) <= rounding * size) w.c[k] = 0;
+    }
     return w;
 }
 
@@ -138,17 +146,19 @@ void FaceNode::separate(double time) {
 /// From contact to contact.
 WaveCell FaceNode::follow(const WaveCell& w, double width, double share, double time, CutAt cutAt,
                           CellJump& jump) {
-    constexpr int mostPieces = 10'000;
+    constexpr int mostPieces = 10'000, mostStanding = 4;
     const Powers powers = w.powers();
     CellProjection projection;
     SearchCount uncounted;
     double from = 0;
+    int standing = 0;  // events at one point
     if (!m_now.apart && !m_stiffness && isStill(w)) separate(time);
     for (int pieces = 0; from < share && !m_now.released; ++pieces) {
         if (pieces == mostPieces) {
             m_trouble = "the faces of hammer and string meet and part without end";
             break;
         }
+        ++m_pieces;
         double length = share - from;
         std::array<double, RelaxationPiece::capacity + 1> watched{};  // gap, closing speed or force
         int count = 0;
@@ -173,7 +183,8 @@ WaveCell FaceNode::follow(const WaveCell& w, double width, double share, double 
             double power = 1;
             for (int k = 0; k < count; ++k, power *= ratio) watched[k] = power * series.c[k];
         }
-        const auto event = firstZero(watched.data(), count, 1.0, uncounted);
+        Zero<double> event;  // what balances at the point of contact stays there
+        if (standing <= mostStanding) event = firstZero(watched.data(), count, 1.0, uncounted);
         if (event.undecided) m_trouble = "a contact of hammer and string cannot be placed";
         const double end = event.found ? event.u : 1;
         const double to = event.found || from + length < share ? from + end * length : share;
@@ -219,6 +230,7 @@ WaveCell FaceNode::follow(const WaveCell& w, double width, double share, double 
         if (event.found && !jump.found && to > nearestCut && to < 1 - nearestCut &&
             (cutAt == CutAt::corners || (cutAt == CutAt::jumps && jumps)))
             jump = {true, to};
+        standing = to > from ? 0 : standing + 1;
         from = to;
     }
     return projection.cell();

@@ -51,6 +51,8 @@ class FaceNode {
     std::optional<double> stiffness() const { return m_stiffness; }
     /// How fast the force follows [1/t0]; 0 for rigid faces.
     double rate() const { return m_stiffness ? *m_stiffness / m_common : 0; }
+    /// Pieces that cells with events took.
+    long pieces() const { return m_pieces; }
     std::string_view trouble() const { return m_trouble; }
 
   private:
@@ -70,6 +72,7 @@ class FaceNode {
     std::vector<Relaxation> m_maps;  ///< of faces with a stiffness
 
     FaceNodeState m_now;
+    long m_pieces = 0;
     std::string_view m_trouble;
 };
 

@@ -15,6 +15,20 @@ constexpr std::size_t mostBlock = 64;
 /// Without another limit a blow is followed for so many round trips of the string.
 constexpr double mostRoundTrips = 40;
 
+/// What a piece of a cell with events takes, and a cell with its largest forces, in cells.
+constexpr long workOfPiece = 60, workOfForces = 8;
+
+/// And what every node takes for every block of cells.
+constexpr long workOfBlock = 4;
+
+/// The string as its cells have it.
+NetworkProblem onGrid(const NetworkProblem& problem, const CellGrid& grid) {
+    NetworkProblem rounded = problem;
+    for (std::size_t j = 0; j < rounded.sections.size(); ++j)
+        rounded.sections[j].transitTime = static_cast<double>(grid.roundTrips[j]) * grid.cell / 2;
+    return rounded;
+}
+
 std::vector<double> transitTimes(const CellGrid& grid) {
     std::vector<double> times;
     for (const long count : grid.roundTrips) times.push_back(static_cast<double>(count) * grid.cell / 2);
@@ -28,7 +42,7 @@ const NetworkSection& sectionAt(const NetworkProblem& problem, std::size_t j) {
 }  // namespace
 
 NetworkMarch::NetworkMarch(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants)
-    : m_problem(problem),
+    : m_problem(onGrid(problem, grid)),
       m_grid(grid),
       m_wants(wants),
       m_clocks(problem, transitTimes(grid)),
@@ -279,7 +293,7 @@ void NetworkMarch::scheduleCensus() {
         return;
     }
     double ahead = 0;
-    for (std::size_t j = m_problem.hammerSections; j < m_lines.size(); ++j)
+    for (std::size_t j = 0; j < m_lines.size(); ++j)
         ahead = std::max(ahead, m_clocks.delays[j + 1] + m_clocks.transitTimes[j]);
     const double time = clock() + ahead;
     if (m_bit.state().isApart() && m_bit.state().record.contacts > 0 && m_face.state().apart) {
@@ -296,12 +310,23 @@ NetworkImpact NetworkMarch::notSolved(std::string reason) const {
     return impact;
 }
 
+long NetworkMarch::work() const {
+    return m_cells * (m_wants.forces ? workOfForces : 1) + workOfPiece * (m_bit.pieces() + m_face.pieces());
+}
+
+double NetworkMarch::foreseenWork() const {
+    const double steps = limitTime() / m_grid.cell * static_cast<double>(m_cuts.count());
+    const double ofCell = m_wants.forces ? workOfForces : 1;
+    const double ofBlock = static_cast<double>(workOfBlock) / static_cast<double>(nextBlock());
+    return steps * static_cast<double>(m_problem.sections.size() + 1) * (ofCell + ofBlock);
+}
+
 NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
     const std::size_t nodeCount = m_problem.sections.size() + 1;
     bool cuts = true;
     while (true) {
         if (stop.stop_requested()) return notSolved("stopped");
-        if (m_cells > mostCells) return notSolved("more wave cells than permitted");
+        if (work() > mostCells) return notSolved("it takes more wave cells than permitted");
         if (!m_census) scheduleCensus();
         const std::size_t count = nextBlock();
         if (mayJump() && cuts) {
@@ -319,6 +344,7 @@ NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
         if (!m_bit.trouble().empty()) return notSolved(std::string(m_bit.trouble()));
         if (!m_face.trouble().empty()) return notSolved(std::string(m_face.trouble()));
         m_cells += static_cast<long>(count * nodeCount);
+        m_blocks += static_cast<long>(nodeCount);
         observe(count);
         for (DelayLine& line : m_lines) line.advance(count);
         m_step += static_cast<long>(count);

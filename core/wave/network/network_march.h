@@ -36,8 +36,10 @@ class NetworkMarch {
   public:
     NetworkMarch(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants);
 
-    /// At most `mostCells` cells times nodes.
+    /// At most as much work as `mostCells` cells times nodes.
     NetworkImpact run(long mostCells, const std::stop_token& stop);
+    /// That of a run to the end, if it is followed to there and nothing happens.
+    double foreseenWork() const;
 
   private:
     /// All that a block of steps changes beside the lines.
@@ -66,6 +68,7 @@ class NetworkMarch {
     NetworkImpact result(const CensusResult& census, NetworkEnd end);
     NetworkImpact notSolved(std::string reason) const;
     double jumpPlace(std::size_t part, double place) const;
+    long work() const;
     double limitTime() const;
     double clock() const { return m_cuts.clock(m_step); }
 
@@ -82,6 +85,7 @@ class NetworkMarch {
     std::vector<std::vector<WaveCell>> m_downs;  ///< waves down over the present block, of each section
     long m_step = 0;                             ///< parts of cells that every clock has gone
     long m_cells = 0;
+    long m_blocks = 0;  ///< times nodes
     int m_cutsMade = 0;
     std::vector<ImpactEvent> m_events;
     std::optional<StringCensus> m_census;

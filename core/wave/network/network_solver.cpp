@@ -22,6 +22,12 @@ constexpr Smoothness sureSmoothness{0.02, {0.15, 1.25}, CutAt::corners};
 constexpr double mostSharedCells = 2e6;
 constexpr double roundedCells = 2e4;
 
+/// Of the work that is permitted, as much may be foreseen for one run.
+constexpr double sharedShare = 0.5, roundedShare = 0.1;
+
+/// A bit mass may swing so often in the round trip of all sections.
+constexpr double mostSwings = 1e6;
+
 /// What rounding in double precision is worth, in E0.
 constexpr double leastError = 1e-13;
 
@@ -44,12 +50,17 @@ CellGrid fineEnough(CellGrid grid, const NetworkProblem& problem, double mostCha
     return grid;
 }
 
-NetworkImpact solveOn(const NetworkProblem& problem, const CellGrid& grid, const NetworkSettings& settings,
-                      const Smoothness& smoothness, const std::stop_token& stop) {
+NetworkMarch marchOn(const NetworkProblem& problem, const CellGrid& grid, const NetworkSettings& settings,
+                     const Smoothness& smoothness) {
     NetworkWants wants = settings.wants;
     wants.cutAt = smoothness.cutAt;
     wants.grading = smoothness.grading;
-    return NetworkMarch(problem, grid, wants).run(settings.mostCells, stop);
+    return {problem, grid, wants};
+}
+
+NetworkImpact solveOn(const NetworkProblem& problem, const CellGrid& grid, const NetworkSettings& settings,
+                      const Smoothness& smoothness, const std::stop_token& stop) {
+    return marchOn(problem, grid, settings, smoothness).run(settings.mostCells, stop);
 }
 
 double restitution(const NetworkImpact& impact) {
@@ -75,7 +86,10 @@ void stateError(NetworkImpact& impact, const NetworkImpact& other) {
 /// Round trips that share no cell: rounded, and rounded otherwise.
 NetworkImpact solveRounded(const NetworkProblem& problem, const NetworkSettings& settings,
                            const std::stop_token& stop) {
-    const double cell = roundTripOf(problem) / roundedCells;
+    double cell = roundTripOf(problem) / roundedCells;
+    const CellGrid finest = roundedGrid(problem.sections, cell);
+    const double foreseen = marchOn(problem, finest, settings, quickSmoothness).foreseenWork();
+    cell *= std::max(1.0, foreseen / roundedShare / static_cast<double>(settings.mostCells));
     NetworkImpact impact =
         solveOn(problem, roundedGrid(problem.sections, cell), settings, quickSmoothness, stop);
     NetworkSettings sums = settings;
@@ -97,6 +111,14 @@ std::string_view networkRefusal(const NetworkProblem& problem) {
         if (problem.sections[j].decay > 0 || problem.sections[j].loss > 0)
             return "losses inside the hammer are not part of the model: give loss and attenuation to the "
                    "string only";
+    const double mass = problem.sections.back().massAfter;
+    if (mass > 0) {
+        const double slope = problem.law.beta / problem.law.gamma;
+        const OscillationRates rates{problem.sections.back().impedance, mass, slope};
+        if (rates.fastest() * roundTripOf(problem) > mostSwings)
+            return "the bit mass swings too fast on this rock to be followed: leave it out, it is too small "
+                   "to matter, or give a softer rock";
+    }
     return {};
 }
 
@@ -114,19 +136,19 @@ NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings&
         for (int i = 0; i < settings.halvings; ++i) fitting = fitting.halved();
         return fitting;
     };
-    if (settings.accuracy == NetworkAccuracy::quick) {
-        NetworkImpact impact = solveOn(problem, gridFor(quickSmoothness), settings, quickSmoothness, stop);
-        stateError(impact);
-        return impact;
-    }
-    NetworkSettings sums = settings;
-    sums.wants = {};
-    const NetworkImpact coarse = solveOn(problem, gridFor(quickSmoothness), sums, quickSmoothness, stop);
-    if (coarse.end == NetworkEnd::notSolved) return coarse;
-    NetworkImpact fine = solveOn(problem, gridFor(sureSmoothness), settings, sureSmoothness, stop);
-    stateError(fine, coarse);
-    fine.cells += coarse.cells;
-    return fine;
+    const CellGrid quickGrid = gridFor(quickSmoothness);
+    const double foreseen = marchOn(problem, quickGrid, settings, quickSmoothness).foreseenWork();
+    if (foreseen > sharedShare * static_cast<double>(settings.mostCells))
+        return solveRounded(problem, settings, stop);
+    NetworkImpact quick = solveOn(problem, quickGrid, settings, quickSmoothness, stop);
+    if (quick.end == NetworkEnd::notSolved) return quick;
+    stateError(quick);
+    if (settings.accuracy == NetworkAccuracy::quick) return quick;
+    NetworkImpact sure = solveOn(problem, gridFor(sureSmoothness), settings, sureSmoothness, stop);
+    if (sure.end == NetworkEnd::notSolved) return stop.stop_requested() ? sure : quick;
+    stateError(sure, quick);
+    sure.cells += quick.cells;
+    return sure;
 }
 
 }  // namespace drillwave

@@ -13,11 +13,11 @@ namespace drillwave {
 /// How exact an answer is wanted.
 enum class NetworkAccuracy {
     quick,  ///< one run, cells cut at jumps only; its error is what the energy balance misses
-    sure,   ///< cells cut at every corner of a wave, against a quick run
+    sure,  ///< cells cut at every corner of a wave, against a quick run; that alone where it is too much work
 };
 
-/// Most cells times nodes of one run: some tens of seconds.
-inline constexpr long mostNetworkCells = 2'000'000'000;
+/// Most work of one run, in cells times nodes: some seconds.
+inline constexpr long mostNetworkCells = 200'000'000;
 
 /// What cells of this string shall divide, and how small the law of the rock asks them to be.
 struct NetworkSettings {

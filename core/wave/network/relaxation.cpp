@@ -27,6 +27,9 @@ double sizeOf(const Powers& p) {
 /// From here on the layer is thinner than the rounding of times in the cell.
 constexpr double instantRate = 1e13;
 
+/// From here on nothing of the start of a cell is left at its end.
+constexpr double forgottenRate = 40;
+
 /// The solution over the cell, and y at its end.
 struct Followed {
     WaveCell cell;
@@ -85,6 +88,10 @@ RelaxationPiece relaxationPiece(const Powers& input, double rate, double start, 
 }
 
 Relaxation::Relaxation(double rate) {
+    if (rate > forgottenRate) {
+        makeFast(rate);
+        return;
+    }
     for (int l = 0; l < WaveCell::count; ++l) {
         WaveCell unit;
         unit.c[l] = 1;
@@ -95,6 +102,21 @@ Relaxation::Relaxation(double rate) {
     const Followed followed = followPieces({}, rate, 1);
     m_ofStart = followed.cell.c;
     m_kept = followed.end;
+}
+
+/// The slow solution, and a layer e^(−rate u) that has gone when the cell ends: ∫u^k e^(−rate u) =
+/// k!/rate^(k+1).
+void Relaxation::makeFast(double rate) {
+    const double m0 = 1 / rate, m1 = m0 / rate, m2 = 2 * m1 / rate, m3 = 3 * m2 / rate;
+    m_ofStart = {m0, 3 * (2 * m1 - m0), 5 * (6 * m2 - 6 * m1 + m0), 7 * (20 * m3 - 30 * m2 + 12 * m1 - m0)};
+    m_kept = 0;
+    for (int l = 0; l < WaveCell::count; ++l) {
+        WaveCell unit;
+        unit.c[l] = 1;
+        const WaveCell slow = WaveCell::fromPowers(slowSolution(unit.powers(), rate));
+        m_endOfInput[l] = slow.end();
+        for (int k = 0; k < WaveCell::count; ++k) m_ofInput[l][k] = slow.c[k] - slow.start() * m_ofStart[k];
+    }
 }
 
 }  // namespace drillwave

@@ -55,6 +55,8 @@ class Relaxation {
     }
 
   private:
+    void makeFast(double rate);
+
     std::array<std::array<double, WaveCell::count>, WaveCell::count> m_ofInput{};  ///< [of q][of y]
     std::array<double, WaveCell::count> m_ofStart{};
     std::array<double, WaveCell::count> m_endOfInput{};

@@ -173,7 +173,8 @@ class TestNetworkSolver : public QObject {
             const QByteArray number = "scene " + QByteArray::number(i);
             QVERIFY2(sure.end == NetworkEnd::endTime, number + ": " + sure.reason.c_str());
             QVERIFY2(quick.end == NetworkEnd::endTime, number + ": " + quick.reason.c_str());
-            QVERIFY2(std::abs(sure.momentumResidual) < 1e-10, number + ' ' + QByteArray::number(sure.momentumResidual));
+            QVERIFY2(std::abs(sure.momentumResidual) < 1e-10,
+                     number + ' ' + QByteArray::number(sure.momentumResidual));
             QVERIFY2(std::abs(sure.energyResidual) < 1e-6,
                      number + ' ' + QByteArray::number(sure.energyResidual));
             QVERIFY2(sure.peakForce >= 0 && sure.energy.rock >= -1e-12 && sure.energy.rock <= 1, number);
