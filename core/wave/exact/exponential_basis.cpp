@@ -325,6 +325,7 @@ Zero<double> ExponentialBasis::driveVanishes(Response& r) {
 }
 
 Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tangential) {
+    if (2 * r.incident->mostValue() <= peak) return {};  // F ≤ max(F(0), 2 max g)
     Piece& f = m_searched;
     double start = 0;
     if (tangential) {  // no return before the force has turned: F' = a·drive changes sign
@@ -335,7 +336,6 @@ Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tange
         start = turn.u;
         if (start == 0) return Zero<double>::at(0);
     }
-    if (start == 0 && 2 * r.incident->mostValue() <= peak) return {};  // F ≤ max(F(0), 2 max g)
     negate(r.force, f);
     f.c0 += peak;
     return decided(firstZero(f, 0, {.start = start, .negligible = m_negligible}, m_count));
