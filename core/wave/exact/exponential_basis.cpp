@@ -369,14 +369,16 @@ double ExponentialBasis::largest(Response& r, double length, double before) {
     const Piece& slope = drive(r);
     if (slope.isAtLeastZero() || slope.isAtMostZero()) return before;
     double most = before;
-    // F turns where the drive changes its sign, at most once more for each of its terms
+    // F turns where the drive changes its sign: less often than a sum of decays has terms
+    const int mostTurns =
+        slope.isCurved ? 2 * Coefficients::capacity : slope.primary.count + slope.elastic.count - 1;
     Piece& turning = m_searched;
     turning = slope;
     turning.shorten(length);
     bool isRising = turning.startValue() > 0;
     if (!isRising) negate(turning, turning);
     double start = 0;
-    for (int turn = 0; turn < 2 * Coefficients::capacity; ++turn) {
+    for (int turn = 0; turn < mostTurns; ++turn) {
         const auto zero =
             decided(firstZero(turning, 0, {.start = start, .negligible = m_negligible}, m_count));
         if (!zero.found || m_failed) break;
