@@ -67,20 +67,19 @@ struct ExponentialSum {
     }
     /// Whether bounds say that f ≥ 0: enough for it, not needed.
     bool isAtLeastZero() const {
-        return leastWithoutHammer() >= 0 && (!isCurved || curve.hammer.allAtLeastZero(length));
+        const double steps = c0 + primary.least() + elastic.least();
+        return steps >= 0 &&
+               (!isCurved || (steps + leastOfRises() >= 0 && curve.hammer.allAtLeastZero(length)));
     }
     bool isAtMostZero() const {
-        return mostWithoutHammer() <= 0 && (!isCurved || curve.hammer.allAtMostZero(length));
+        const double steps = c0 + primary.most() + elastic.most();
+        return steps <= 0 &&
+               (!isCurved || (steps + mostOfRises() <= 0 && curve.hammer.allAtMostZero(length)));
     }
     /// An upper bound of f.
-    double mostValue() const { return isCurved ? mostWithoutHammer() + mostOfHammer() : mostWithoutHammer(); }
-    double mostWithoutHammer() const {
+    double mostValue() const {
         const double steps = c0 + primary.most() + elastic.most();
-        return isCurved ? steps + mostOfRises() : steps;
-    }
-    double leastWithoutHammer() const {
-        const double steps = c0 + primary.least() + elastic.least();
-        return isCurved ? steps + leastOfRises() : steps;
+        return isCurved ? steps + mostOfRises() + mostOfHammer() : steps;
     }
     /// An upper bound of ∫f over [0, x] for every x up to the length, and 0.
     double mostIntegral() const {

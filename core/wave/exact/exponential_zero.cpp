@@ -182,7 +182,7 @@ Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search,
         if (only && only->count > 0 && only->count <= solvable && only->c[0] != 0)
             return only->c[0] < 0 ? Zero<double>::at(0) : firstZeroOfShortDecay(*only, rate, f.length);
     }
-    if (c2 >= 0 && !f.hasHammer() && f.leastWithoutHammer() >= 0) return {};
+    if (c2 >= 0 && !f.hasHammer() && f.isAtLeastZero()) return {};
     const SearchedSum searched{f, c2};
     const ExponentialSample s = searched.at(search.start);
     ++tally.searches;
