@@ -23,6 +23,8 @@ struct MarchLimits {
     long pieces = 30'000'000;               ///< smooth pieces
     const std::stop_token* stop = nullptr;  ///< none: to the end
     InputMove move = {};
+    /// Of e: a march whose error has become larger is not wanted.
+    double error = std::numeric_limits<double>::infinity();
 };
 
 /// Solves, piece by piece,
@@ -103,6 +105,7 @@ class ContactMarch {
     /// Whether the work must end, and why; cheap enough for every piece.
     bool isOver() {
         if (m_waves.size() > mostWaiting) return failAtLimit();
+        if (m_error > m_limits.error) return fail("its error would be larger than permitted");
         return m_impact->pieces > m_nextLook && lookForEnd();
     }
     bool lookForEnd() {

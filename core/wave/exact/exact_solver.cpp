@@ -39,6 +39,7 @@ void ExactSolver::Workspace::march(const Problem& problem, Detail detail, const 
     if (ExponentialBasis::suits(problem)) {
         MarchLimits few = limits;
         few.pieces = std::min(limits.pieces, mostClosedPieces);
+        few.error = mostClosedError;
         if (closed.solve(problem, detail, impact, few) && isSolved(impact) &&
             impact.corError <= mostClosedError)
             return;

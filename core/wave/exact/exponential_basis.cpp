@@ -2,6 +2,7 @@
 #include "core/wave/exact/exponential_basis.h"
 
 #include "core/contact/bilinear_law.h"
+#include "core/wave/exact/exponential_algebra.h"
 #include "core/wave/exact/exponential_stretches.h"
 
 namespace drillwave {
@@ -51,7 +52,7 @@ constexpr double leastDetuning = 0.1;
 constexpr double mostCancellation = 1024;
 
 /// Of the roundings that could be seen: terms of less are dropped.
-constexpr int negligibleExponent = -62;
+constexpr double negligible = 0x1p-62;
 
 /// F' + aF = 2a g for the terms of the same rate: F_{m+1} = 2 g_m; F_0 is left to the initial condition.
 bool resonant(const Coefficients& g, Coefficients& force) {
@@ -69,34 +70,6 @@ void nonResonant(const Coefficients& g, double a, double lambda, Coefficients& f
         next = (2 * a * g.c[m] - lambda * next) / (a - lambda);
         force.c[m] = next;
     }
-}
-
-HammerTerms combine(double p, const HammerTerms& g, double q, const HammerTerms& f) {
-    return {p * g.sine + q * f.sine, p * g.cosine + q * f.cosine, p * g.decay + q * f.decay, true};
-}
-
-/// out = p·g + q·f
-void combine(double p, const Coefficients& g, double q, const Coefficients& f, Coefficients& out) {
-    out.count = std::max(g.count, f.count);
-    for (int m = 0; m < out.count; ++m)
-        out.c[m] = (m < g.count ? p * g.c[m] : 0) + (m < f.count ? q * f.c[m] : 0);
-}
-
-void combine(double p, const ExponentialSum& g, double q, const ExponentialSum& f, ExponentialSum& out) {
-    out.length = g.length;
-    out.c0 = p * g.c0 + q * f.c0;
-    out.c1 = p * g.c1 + q * f.c1;
-    combine(p, g.primary.decays, q, f.primary.decays, out.primary.decays);
-    combine(p, g.elastic.decays, q, f.elastic.decays, out.elastic.decays);
-    combine(p, g.primary.rises, q, f.primary.rises, out.primary.rises);
-    combine(p, g.elastic.rises, q, f.elastic.rises, out.elastic.rises);
-    if (g.hammer.present || f.hammer.present)
-        out.hammer = combine(p, g.hammer, q, f.hammer);
-    else
-        out.hammer = {};
-    out.primaryDecay = g.primaryDecay;
-    out.elasticDecay = g.elasticDecay;
-    out.rates = g.rates;
 }
 
 /// The forced responses, which begin anywhere: 2a (a + d/dx)^{-1} of a sine and of e^{−x}.
@@ -124,16 +97,14 @@ double decayingIntegral(const ExponentialSum& f, double length) {
         return terms.rises(y, std::exp(-y)) / together;
     };
     const double decayed = -std::expm1(-length);
-    double sum = f.c0 * decayed + f.c1 * (decayed - length * std::exp(-length));
-    sum -= f.hammer.decay * std::expm1(-2 * length) / 2;
-    if (f.primary.decays.count) sum += of(f.primary.decays, f.rates->primary);
-    if (f.elastic.decays.count) sum += of(f.elastic.decays, f.rates->elastic);
+    double sum = f.c0 * decayed;
+    if (f.isCurved) {
+        sum += f.curve.c1 * (decayed - length * std::exp(-length));
+        sum -= f.curve.hammer.decay * std::expm1(-2 * length) / 2;
+    }
+    if (f.primary.count) sum += of(f.primary, f.rates->primary);
+    if (f.elastic.count) sum += of(f.elastic, f.rates->elastic);
     return sum;
-}
-
-/// An upper bound of ∫f over [0, x] for every x up to the length.
-double mostIntegral(const RateTerms& f, double rate, double length) {
-    return f.decays.positivePart() / rate + f.rises.positivePart() * std::min(rate * length, 1.0) * length;
 }
 
 }  // namespace
@@ -160,7 +131,7 @@ void ExponentialBasis::begin(const Problem& problem, ContactRates<double> rates)
     m_scale = std::max(problem.hammer.peak, problem.transitTime < 0.5 || problem.hammer.isRigidBody()
                                                 ? 1 / (2 * problem.transitTime)
                                                 : 0.0);
-    m_negligible = std::ldexp(m_scale, negligibleExponent);
+    m_negligible = negligible * m_scale;
 }
 
 ExponentialSum ExponentialBasis::constant(double length, double value) const {
@@ -174,19 +145,22 @@ void ExponentialBasis::addHammer(const PulseSegment& segment, double into, doubl
     switch (segment.kind) {
         case PulseSegment::Kind::linear:
             g.c0 += segment.value + segment.slope * into;
-            g.c1 += segment.slope;
+            if (segment.slope != 0) g.makeCurved().c1 += segment.slope;
             break;
         case PulseSegment::Kind::sine: {
             const double phase = HammerTerms::pi * (segment.start + into);
-            g.hammer.sine += segment.value * std::cos(phase);
-            g.hammer.cosine += segment.value * std::sin(phase);
-            g.hammer.present = true;
+            HammerTerms& hammer = g.makeCurved().hammer;
+            hammer.sine += segment.value * std::cos(phase);
+            hammer.cosine += segment.value * std::sin(phase);
+            hammer.present = true;
             break;
         }
-        case PulseSegment::Kind::exponential:
-            g.hammer.decay += segment.value * std::exp(-into);
-            g.hammer.present = true;
+        case PulseSegment::Kind::exponential: {
+            HammerTerms& hammer = g.makeCurved().hammer;
+            hammer.decay += segment.value * std::exp(-into);
+            hammer.present = true;
             break;
+        }
     }
 }
 
@@ -194,7 +168,7 @@ double ExponentialBasis::hammerProduct(const PulseSegment& segment, double into,
                                        double length) const {
     const bool isConstant = segment.kind == PulseSegment::Kind::linear && segment.slope == 0;
     if (isConstant) return segment.value * g.integral(length);
-    if (segment.kind == PulseSegment::Kind::exponential && !g.hammer.hasSine())
+    if (segment.kind == PulseSegment::Kind::exponential && !(g.isCurved && g.curve.hammer.hasSine()))
         return segment.value * std::exp(-into) * decayingIntegral(g, length);
     Piece hammer = Piece::zero(length);
     addHammer(segment, into, length, hammer);
@@ -207,50 +181,58 @@ ExponentialBasis::Response& ExponentialBasis::respond(Piece& g, double rate, dou
     r.incident = &g;
     r.length = g.length;
     r.rate = rate;
-    const bool primary = rate == m_rates.primary;
-    const double other = primary ? m_rates.elastic : m_rates.primary;
-    const RateTerms& same = primary ? g.primary : g.elastic;
-    const RateTerms& different = primary ? g.elastic : g.primary;
-    RateTerms& forceSame = primary ? r.force.primary : r.force.elastic;
-    RateTerms& forceDifferent = primary ? r.force.elastic : r.force.primary;
+    r.hasDrive = false;
+    const bool isPrimary = rate == m_rates.primary;
+    Coefficients& forceSame = isPrimary ? r.force.primary : r.force.elastic;
+    Coefficients& forceDifferent = isPrimary ? r.force.elastic : r.force.primary;
 
     r.force.length = g.length;
     r.force.rates = &m_rates;
-    r.force.c1 = 2 * g.c1;
     r.force.c0 = 2 * g.c0;
-    nonResonant(different.decays, rate, other, forceDifferent.decays);
-    if (!resonant(same.decays, forceSame.decays)) {
+    r.force.isCurved = g.isCurved;
+    nonResonant(isPrimary ? g.elastic : g.primary, rate, isPrimary ? m_rates.elastic : m_rates.primary,
+                forceDifferent);
+    if (!resonant(isPrimary ? g.primary : g.elastic, forceSame) ||
+        (g.isCurved && !respondToCurve(g.curve, isPrimary, r.force.curve))) {
         m_failed = true;
         return r;
     }
-    if (g.c1 == 0 && same.rises.count == 0 && different.rises.count == 0) {
-        forceSame.rises.count = forceDifferent.rises.count = 0;
-    } else {
-        // F' = 0 at the start for all that begins at zero: 2x − 2ω_0(ax)/a for a ramp, −(λ/a) F_0 ω_0(ax) for
-        // rises of another rate
-        nonResonant(different.rises, rate, other, forceDifferent.rises);
-        if (!resonant(same.rises, forceSame.rises)) {
-            m_failed = true;
-            return r;
-        }
-        forceSame.rises.c[0] = -(r.force.c1 + other * forceDifferent.rises[0]) / rate;
-    }
-    r.force.hammer = g.hammer.present ? forced(g.hammer, rate) : HammerTerms{};
     // the layer in which the force joins the slow solution; on stiff rock its rounding would seem an event
-    const double slow = r.force.c0 + forceDifferent.start() + r.force.hammer.startValue();
-    const double layer = force - slow;
+    forceSame.c[0] = 0;
+    const double layer = force - r.force.startValue();
     const bool isRounding = std::abs(layer) <= 4 * epsilon * (std::abs(force) + std::abs(r.force.c0));
-    forceSame.decays.c[0] = isRounding ? 0 : layer;
+    if (!isRounding) forceSame.c[0] = layer;
     // the decays over the whole piece serve all functions of this piece
-    if (g.primaryDecay < 0 && !r.force.primary.isZero())
-        g.primaryDecay = std::exp(-m_rates.primary * g.length);
-    if (g.elasticDecay < 0 && !r.force.elastic.isZero())
-        g.elasticDecay = std::exp(-m_rates.elastic * g.length);
+    if (g.primaryDecay < 0 && r.force.hasPrimary()) g.primaryDecay = std::exp(-m_rates.primary * g.length);
+    if (g.elasticDecay < 0 && r.force.hasElastic()) g.elasticDecay = std::exp(-m_rates.elastic * g.length);
     r.force.primaryDecay = g.primaryDecay;
     r.force.elasticDecay = g.elasticDecay;
-    r.size = r.force.magnitude();
+    r.primarySize = r.force.primary.magnitude();
+    r.elasticSize = r.force.elastic.magnitude();
+    r.size = std::abs(r.force.c0) + r.primarySize + r.elasticSize;
+    if (r.force.isCurved) r.size += r.force.curveMagnitude();
     if (r.size > mostCancellation * m_scale) m_failed = true;
     return r;
+}
+
+/// What ramps and curved blows make of it; false where that needs more terms than there is room for.
+bool ExponentialBasis::respondToCurve(const CurvedTerms& g, bool isPrimary, CurvedTerms& force) const {
+    const double rate = isPrimary ? m_rates.primary : m_rates.elastic;
+    const double other = isPrimary ? m_rates.elastic : m_rates.primary;
+    Coefficients& forceSame = isPrimary ? force.primary : force.elastic;
+    Coefficients& forceDifferent = isPrimary ? force.elastic : force.primary;
+    force.c1 = 2 * g.c1;
+    force.hammer = g.hammer.present ? forced(g.hammer, rate) : HammerTerms{};
+    if (g.c1 == 0 && g.primary.count == 0 && g.elastic.count == 0) {
+        forceSame.count = forceDifferent.count = 0;
+        return true;
+    }
+    // F' = 0 at the start for all that begins at zero: 2x − 2ω_0(ax)/a for a ramp, −(λ/a) F_0 ω_0(ax) for
+    // rises of another rate
+    nonResonant(isPrimary ? g.elastic : g.primary, rate, other, forceDifferent);
+    if (!resonant(isPrimary ? g.primary : g.elastic, forceSame)) return false;
+    forceSame.c[0] = -(force.c1 + other * forceDifferent[0]) / rate;
+    return true;
 }
 
 void ExponentialBasis::reflect(const Response& r, Piece& reflected) const {
@@ -261,74 +243,80 @@ void ExponentialBasis::reflect(const Response& r, Piece& reflected) const {
 }
 
 /// 2g − F; where both nearly cancel on stiff rock, term by term as F'/a.
-const ExponentialSum& ExponentialBasis::drive(const Response& r) {
-    combine(2, *r.incident, -1, r.force, m_drive);
-    const bool primary = r.rate == m_rates.primary;
-    const Coefficients& slow = primary ? r.force.elastic.decays : r.force.primary.decays;
-    Coefficients& drive = primary ? m_drive.elastic.decays : m_drive.primary.decays;
-    const double share = (primary ? m_rates.elastic : m_rates.primary) / r.rate;
-    for (int m = 0; m < slow.count; ++m) drive.c[m] = share * (slow[m + 1] - slow.c[m]);
-    if (const HammerTerms& force = r.force.hammer; force.present)
-        m_drive.hammer = {-HammerTerms::pi / r.rate * force.cosine, HammerTerms::pi / r.rate * force.sine,
-                          -force.decay / r.rate, true};
+const ExponentialSum& ExponentialBasis::drive(Response& r) {
+    if (r.hasDrive) return m_drive;
+    r.hasDrive = true;
+    const bool isPrimary = r.rate == m_rates.primary;
+    if (r.force.isCurved) [[unlikely]]
+        combineCurves(2, *r.incident, -1, r.force, m_drive);
+    else
+        m_drive.isCurved = false;
+    m_drive.length = r.force.length;
+    m_drive.c0 = 2 * r.incident->c0 - r.force.c0;
+    m_drive.rates = &m_rates;
+    m_drive.primaryDecay = r.force.primaryDecay;
+    m_drive.elasticDecay = r.force.elasticDecay;
+    differences(r.force.primary, isPrimary ? 1 : m_rates.primary / r.rate, m_drive.primary);
+    differences(r.force.elastic, isPrimary ? m_rates.elastic / r.rate : 1, m_drive.elastic);
+    if (r.force.hasHammer()) {
+        const HammerTerms& force = r.force.curve.hammer;
+        m_drive.curve.hammer = {-HammerTerms::pi / r.rate * force.cosine,
+                                HammerTerms::pi / r.rate * force.sine, -force.decay / r.rate, true};
+    }
     return m_drive;
 }
 
-/// The decays up to the end serve every function of this stretch.
-void ExponentialBasis::endAt(Response& r, double length) {
-    if (length == r.length) return;
+void ExponentialBasis::shorten(Response& r, double length) const {
     r.length = length;
     r.force.shorten(length);
-    if (!r.force.primary.isZero()) r.force.primaryDecay = std::exp(-m_rates.primary * length);
-    if (!r.force.elastic.isZero()) r.force.elasticDecay = std::exp(-m_rates.elastic * length);
-}
-
-void ExponentialBasis::dropFront(Piece& g, const Response& r) const {
-    g.rates = &m_rates;
-    g.dropFront(r.length, r.force.primaryDecay, r.force.elasticDecay);
-}
-
-double ExponentialBasis::mostIntegral(const Piece& g) const {
-    double most = std::max({0.0, g.c0, g.c0 + g.c1 * g.length}) * g.length;
-    if (!g.primary.isZero()) most += drillwave::mostIntegral(g.primary, m_rates.primary, g.length);
-    if (!g.elastic.isZero()) most += drillwave::mostIntegral(g.elastic, m_rates.elastic, g.length);
-    if (g.hammer.present)
-        most += g.hammer.amplitude() * g.length + std::max(g.hammer.decay, 0.0) * std::min(g.length, 1.0);
-    return most;
+    if (r.force.hasPrimary()) r.force.primaryDecay = std::exp(-m_rates.primary * length);
+    if (r.force.hasElastic()) r.force.elasticDecay = std::exp(-m_rates.elastic * length);
 }
 
 Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
-    if (g.allAtMostZero()) return gap < 0 ? Zero<double>::at(0) : Zero<double>{};
-    if (gap > 2 * mostIntegral(g)) return {};
-    const bool isConstant = g.primary.isZero() && g.elastic.isZero() && g.c1 == 0 && !g.hammer.present;
-    if (isConstant) {
+    if (g.isAtMostZero()) return gap < 0 ? Zero<double>::at(0) : Zero<double>{};
+    if (gap > 2 * g.mostIntegral()) return {};
+    if (g.isConstant()) {
         const double x = gap / (2 * g.c0);
         return x <= g.length ? Zero<double>::at(x) : Zero<double>{};
     }
-    // gap − 2∫g: ∫φ_m = ω_m/λ, and ∫ω_m = x − Σ_{k≤m} ω_k/λ
+    return searchedGapClosure(g, gap);
+}
+
+/// Where gap − 2∫g vanishes: ∫φ_m = ω_m/λ, and ∫ω_m = x − Σ_{k≤m} ω_k/λ.
+Zero<double> ExponentialBasis::searchedGapClosure(const Piece& g, double gap) {
     Piece& f = m_searched;
-    f = Piece::zero(g.length);
+    f.length = g.length;
     f.rates = &m_rates;
+    f.primaryDecay = g.primaryDecay;
+    f.elasticDecay = g.elasticDecay;
     f.c0 = gap;
-    f.c1 = -2 * g.c0;
-    const auto integrate = [&f](const RateTerms& terms, double rate, RateTerms& out) {
-        const Coefficients sums = RateTerms::sumsFromEach(terms.rises);
-        combine(-2 / rate, terms.decays, 2 / rate, sums, out.rises);
-        f.c1 -= 2 * sums[0];
+    f.primary.count = f.elastic.count = 0;
+    CurvedTerms& curve = f.makeCurved();
+    curve.c1 = -2 * g.c0;
+    curve.hammer = {};
+    const CurvedTerms none;
+    const CurvedTerms& arriving = g.isCurved ? g.curve : none;
+    const auto integrate = [&](const Coefficients& decays, const Coefficients& rises, double rate,
+                               Coefficients& out) {
+        const Coefficients sums = rises.sumsFromEach();
+        combine(-2 / rate, decays, 2 / rate, sums, out);
+        curve.c1 -= 2 * sums[0];
     };
-    integrate(g.primary, m_rates.primary, f.primary);
-    integrate(g.elastic, m_rates.elastic, f.elastic);
-    if (g.hammer.present) {
+    integrate(g.primary, arriving.primary, m_rates.primary, curve.primary);
+    integrate(g.elastic, arriving.elastic, m_rates.elastic, curve.elastic);
+    if (arriving.hammer.present) {
         constexpr double pi = HammerTerms::pi;
-        f.hammer = {-2 * g.hammer.cosine / pi, 2 * g.hammer.sine / pi, 2 * g.hammer.decay, true};
-        f.c0 -= f.hammer.startValue();
+        curve.hammer = {-2 * arriving.hammer.cosine / pi, 2 * arriving.hammer.sine / pi,
+                        2 * arriving.hammer.decay, true};
+        f.c0 -= curve.hammer.startValue();
     }
-    return decided(firstZero(f, -g.c1, {.startsAtZero = gap == 0}, m_count));
+    return decided(firstZero(f, -arriving.c1, {.startsAtZero = gap == 0}, m_count));
 }
 
 Zero<double> ExponentialBasis::forceVanishes(Response& r) {
     // a compressive wave cannot pull the rod off: F is a positive mean of 2g and of what it was
-    if (r.incident->allAtLeastZero()) return {};
+    if (r.incident->isAtLeastZero()) return {};
     return decided(firstZero(r.force, 0, {.negligible = m_negligible}, m_count));
 }
 
@@ -337,26 +325,25 @@ Zero<double> ExponentialBasis::driveVanishes(Response& r) {
 }
 
 Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tangential) {
+    if (2 * r.incident->mostValue() <= peak) return {};  // F ≤ max(F(0), 2 max g)
     Piece& f = m_searched;
     double start = 0;
     if (tangential) {  // no return before the force has turned: F' = a·drive changes sign
-        const Piece& falling = drive(r);
-        combine(-1, falling, 0, falling, f);
+        negate(drive(r), f);
         const auto turn =
             decided(firstZero(f, 0, {.startsAtZero = true, .negligible = m_negligible}, m_count));
         if (!turn.found || m_failed) return {};
         start = turn.u;
         if (start == 0) return Zero<double>::at(0);
     }
-    if (start == 0 && 2 * r.incident->mostValue() <= peak) return {};  // F ≤ max(F(0), 2 max g)
-    combine(0, r.force, -1, r.force, f);
+    negate(r.force, f);
     f.c0 += peak;
     return decided(firstZero(f, 0, {.start = start, .negligible = m_negligible}, m_count));
 }
 
 double ExponentialBasis::largestIntegral(const Piece& g) {
     const double whole = g.integral(g.length);
-    if (g.allAtLeastZero()) return whole;
+    if (g.isAtLeastZero()) return whole;
     double most = std::max(whole, 0.0), before = 0;
     ExponentialStretches(std::array{&g}, g.length, m_negligible).forEach([&](double, const auto& series) {
         const PowerSeries<double>& f = series[0];
@@ -368,45 +355,36 @@ double ExponentialBasis::largestIntegral(const Piece& g) {
 }
 
 double ExponentialBasis::roundingError(const Response& r, double length) const {
-    const auto lasting = [length](const RateTerms& terms, double rate) {
-        return terms.decays.magnitude() * std::min(length, Coefficients::capacity / rate) +
-               terms.rises.magnitude() * std::min(rate * length, 1.0) * length;
-    };
-    const double weighted =
-        (std::abs(r.force.c0) + std::abs(r.force.c1) * length + r.force.hammer.magnitude()) * length +
-        lasting(r.force.primary, m_rates.primary) + lasting(r.force.elastic, m_rates.elastic);
+    const auto lasting = [length](double rate) { return std::min(length, Coefficients::capacity / rate); };
+    double weighted = std::abs(r.force.c0) * length + r.primarySize * lasting(m_rates.primary) +
+                      r.elasticSize * lasting(m_rates.elastic);
+    if (r.force.isCurved) weighted += r.force.curveMagnitude() * length;
     const double persisting =
         r.size * epsilon / m_rates.primary;  // decays only as slowly as the contact force
     return 4 * (epsilon * weighted + persisting + m_negligible * length);
 }
 
-void ExponentialBasis::tidy(Piece& piece) const {
-    piece.rates = &m_rates;
-    piece.primary.trim(m_negligible);
-    piece.elastic.trim(m_negligible);
-    if (piece.hammer.present) piece.hammer.trim(m_negligible);
-    if (std::abs(piece.c0) + std::abs(piece.c1) * piece.length <= m_negligible) piece.c0 = piece.c1 = 0;
-}
-
-double ExponentialBasis::largest(const Response& r, double length, double before) {
+double ExponentialBasis::largest(Response& r, double length, double before) {
     if (2 * r.incident->mostValue() <= before) return before;  // F ≤ max(F(0), 2 max g)
-    double most = before;
     const Piece& slope = drive(r);
-    if (slope.allAtLeastZero() || slope.allAtMostZero()) return most;
-    // F turns where the drive changes its sign, at most once more for each of its terms
+    if (slope.isAtLeastZero() || slope.isAtMostZero()) return before;
+    double most = before;
+    // F turns where the drive changes its sign: less often than a sum of decays has terms
+    const int mostTurns =
+        slope.isCurved ? 2 * Coefficients::capacity : slope.primary.count + slope.elastic.count - 1;
     Piece& turning = m_searched;
     turning = slope;
     turning.shorten(length);
     bool isRising = turning.startValue() > 0;
-    if (!isRising) combine(-1, turning, 0, turning, turning);
+    if (!isRising) negate(turning, turning);
     double start = 0;
-    for (int turn = 0; turn < 2 * Coefficients::capacity; ++turn) {
+    for (int turn = 0; turn < mostTurns; ++turn) {
         const auto zero =
             decided(firstZero(turning, 0, {.start = start, .negligible = m_negligible}, m_count));
         if (!zero.found || m_failed) break;
         if (isRising) most = std::max(most, r.force.value(zero.u));
         isRising = !isRising;
-        combine(-1, turning, 0, turning, turning);
+        negate(turning, turning);
         start = zero.u;
     }
     return most;

@@ -26,7 +26,9 @@ class ExponentialBasis {
         double rate = 0;
         const Piece* incident = nullptr;  ///< the arriving wave, which must outlive the response
         Piece force;
-        double size = 0;
+        double primarySize = 0, elasticSize = 0;  ///< sums of |coefficients| of the decays of the force
+        double size = 0;                          ///< of all terms
+        bool hasDrive = false;                    ///< drive() has been asked for
     };
 
     /// Whether it is worth trying: few reflections, rates apart, and a rock that is not too soft.
@@ -51,23 +53,32 @@ class ExponentialBasis {
     const Piece& incidentOf(const Response& r) const { return *r.incident; }
     /// The wave g − F that goes back, to be cut at the end of the stretch.
     void reflect(const Response& r, Piece& reflected) const;
-    /// The drive 2g − F = U' = F'/a of a response, until the next is asked for.
-    const Piece& drive(const Response& r);
-    void endAt(Response& r, double length);
-    void dropFront(Piece& g, const Response& r) const;
+    /// The drive 2g − F = U' = F'/a of a response, until the next.
+    const Piece& drive(Response& r);
+    /// The decays up to the end serve every function of this stretch.
+    void endAt(Response& r, double length) {
+        if (length != r.length) shorten(r, length);
+    }
+    void dropFront(Piece& g, const Response& r) const {
+        g.rates = &m_rates;
+        g.dropFront(r.length, r.force.primaryDecay, r.force.elasticDecay);
+    }
     Zero<double> gapClosure(const Piece& g, double gap);
     Zero<double> forceVanishes(Response& r);
     Zero<double> driveVanishes(Response& r);
     Zero<double> forceReaches(Response& r, double peak, bool tangential);
     double largestIntegral(const Piece& g);
     /// An upper bound of that, and of 0.
-    double mostIntegral(const Piece& g) const;
+    double mostIntegral(const Piece& g) const { return g.mostIntegral(); }
     double roundingError(const Response& r, double length) const;
-    void tidy(Piece& piece) const;
+    void tidy(Piece& piece) const {
+        piece.rates = &m_rates;
+        piece.trim(m_negligible);
+    }
 
     /// Largest F over [0, length], or the largest before if that is not exceeded; F at the ends must be among
     /// those before.
-    double largest(const Response& r, double length, double before);
+    double largest(Response& r, double length, double before);
     [[gnu::cold]] double productIntegral(const Piece& f, const Piece& g, double length) const;
     [[gnu::cold]] void record(const Piece& incident, const Piece* force, double length, Impact& impact) const;
 
@@ -77,6 +88,10 @@ class ExponentialBasis {
         m_failed |= zero.undecided;
         return zero;
     }
+
+    bool respondToCurve(const CurvedTerms& g, bool isPrimary, CurvedTerms& force) const;
+    void shorten(Response& r, double length) const;
+    Zero<double> searchedGapClosure(const Piece& g, double gap);
 
     ContactRates<double> m_rates;
     double m_scale = 1;

@@ -23,7 +23,7 @@ class ExponentialStretches {
         for (std::size_t i = 0; i < count; ++i) m_rest[i] = *functions[i];
         for (ExponentialSum& rest : m_rest) {
             rest.shorten(length);
-            tidy(rest);
+            rest.trim(m_negligible);
         }
     }
 
@@ -43,24 +43,20 @@ class ExponentialStretches {
             start += length;
             for (ExponentialSum& rest : m_rest) {
                 rest.dropFront(length);
-                tidy(rest);
+                rest.trim(m_negligible);
             }
         }
     }
 
   private:
-    void tidy(ExponentialSum& f) const {
-        f.primary.trim(m_negligible);
-        f.elastic.trim(m_negligible);
-        f.hammer.trim(m_negligible);
-    }
     double fastestDecay() const {
         double fastest = 0;
         for (const ExponentialSum& f : m_rest) {
-            if (!f.primary.isZero()) fastest = std::max(fastest, f.rates->primary);
-            if (!f.elastic.isZero()) fastest = std::max(fastest, f.rates->elastic);
-            if (f.hammer.decay != 0) fastest = std::max(fastest, 1.0);
-            if (f.hammer.hasSine()) fastest = std::max(fastest, rateOfSine);
+            if (f.hasPrimary()) fastest = std::max(fastest, f.rates->primary);
+            if (f.hasElastic()) fastest = std::max(fastest, f.rates->elastic);
+            if (!f.hasHammer()) continue;
+            if (f.curve.hammer.decay != 0) fastest = std::max(fastest, 1.0);
+            if (f.curve.hammer.hasSine()) fastest = std::max(fastest, rateOfSine);
         }
         return fastest;
     }
@@ -91,18 +87,19 @@ class ExponentialStretches {
         f.count = PowerSeries<double>::capacity;
     }
 
-    /// Adds the terms with y = reach·u; ω_m is the integral of φ_m.
-    static void add(const RateTerms& terms, double reach, PowerSeries<double>& f) {
-        if (terms.isZero()) return;
+    /// Adds the decays with y = reach·u.
+    static void addDecays(const Coefficients& terms, double reach, PowerSeries<double>& f) {
+        if (terms.count == 0) return;
         makeFull(f);
-        if (terms.decays.count) {
-            const Series decays = seriesOf(terms.decays, reach);
-            for (int j = 0; j < f.count; ++j) f.c[j] += decays[j];
-        }
-        if (terms.rises.count) {
-            const Series slopes = seriesOf(terms.rises, reach);
-            for (int j = 1; j < f.count; ++j) f.c[j] += reach * slopes[j - 1] / j;
-        }
+        const Series decays = seriesOf(terms, reach);
+        for (int j = 0; j < f.count; ++j) f.c[j] += decays[j];
+    }
+    /// And the rises: ω_m is the integral of φ_m.
+    static void addRises(const Coefficients& terms, double reach, PowerSeries<double>& f) {
+        if (terms.count == 0) return;
+        makeFull(f);
+        const Series slopes = seriesOf(terms, reach);
+        for (int j = 1; j < f.count; ++j) f.c[j] += reach * slopes[j - 1] / j;
     }
 
     /// Adds s sin πx + k cos πx + d e^{−x}, x = length·u.
@@ -122,12 +119,14 @@ class ExponentialStretches {
         auto series = PowerSeries<double>::zero(length);
         series.count = 2;
         series.c[0] = f.c0;
-        series.c[1] = f.c1 * length;
-        if (f.rates) {
-            add(f.primary, f.rates->primary * length, series);
-            add(f.elastic, f.rates->elastic * length, series);
+        series.c[1] = f.isCurved ? f.curve.c1 * length : 0;
+        if (f.hasPrimary()) addDecays(f.primary, f.rates->primary * length, series);
+        if (f.hasElastic()) addDecays(f.elastic, f.rates->elastic * length, series);
+        if (f.isCurved) {
+            if (f.hasPrimary()) addRises(f.curve.primary, f.rates->primary * length, series);
+            if (f.hasElastic()) addRises(f.curve.elastic, f.rates->elastic * length, series);
+            if (f.curve.hammer.present) add(f.curve.hammer, length, series);
         }
-        if (f.hammer.present) add(f.hammer, length, series);
         series.trim(m_negligible);
         return series;
     }

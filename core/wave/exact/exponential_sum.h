@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of c0 + c1 x, decays and rises of two fixed rates and what a curved hammer force leaves: the fast
+// Sums of constants and decays of two fixed rates, and of what ramps and curved hammer forces leave: the fast
 // representation of the exact solver.
 #pragma once
 
@@ -11,90 +11,146 @@
 
 namespace drillwave {
 
-/// f(x) = c0 + c1 x + Σ primary + Σ elastic + hammer on 0 ≤ x ≤ length.
+/// f(x) = c0 + Σ primary + Σ elastic (+ curve) on 0 ≤ x ≤ length.
+///
+/// Blows made of steps leave nothing but constants and decays, and should not pay for more: a sum that is not
+/// curved neither copies nor looks at its curved terms, which may hold what an earlier one has left.
 struct ExponentialSum {
     double length = 0;
-    double c0 = 0, c1 = 0;
-    RateTerms primary, elastic;
-    HammerTerms hammer;
-    mutable double primaryDecay = -1, elasticDecay = -1;  ///< e^{−rate·length}; negative: not computed yet
+    double c0 = 0;
     const ContactRates<double>* rates = nullptr;
+    mutable double primaryDecay = -1, elasticDecay = -1;  ///< e^{−rate·length}; negative: not computed yet
+    bool isCurved = false;
+    Coefficients primary, elastic;  ///< decays
+    CurvedTerms curve;
+
+    ExponentialSum() {}
+    ExponentialSum(const ExponentialSum& other) { *this = other; }
+    ExponentialSum& operator=(const ExponentialSum& other) {
+        length = other.length;
+        c0 = other.c0;
+        rates = other.rates;
+        primaryDecay = other.primaryDecay;
+        elasticDecay = other.elasticDecay;
+        isCurved = other.isCurved;
+        primary = other.primary;
+        elastic = other.elastic;
+        if (isCurved) [[unlikely]]
+            curve = other.curve;
+        return *this;
+    }
 
     static ExponentialSum zero(double length) {
         ExponentialSum f;
         f.length = length;
         return f;
     }
-    bool isZero() const {
-        return c0 == 0 && c1 == 0 && primary.isZero() && elastic.isZero() && !hammer.present;
+    /// Its curved terms, none before.
+    CurvedTerms& makeCurved() {
+        if (!isCurved) curve = {};
+        isCurved = true;
+        return curve;
     }
-    double startValue() const { return c0 + primary.start() + elastic.start() + hammer.startValue(); }
+    bool isConstant() const { return !isCurved && primary.count == 0 && elastic.count == 0; }
+    bool isZero() const { return c0 == 0 && isConstant(); }
+    bool hasPrimary() const { return primary.count || (isCurved && curve.primary.count); }
+    bool hasElastic() const { return elastic.count || (isCurved && curve.elastic.count); }
+    bool hasHammer() const { return isCurved && curve.hammer.present; }
+
+    double startValue() const {
+        const double steps = c0 + primary[0] + elastic[0];
+        return isCurved ? steps + curve.hammer.startValue() : steps;
+    }
     double magnitude() const {
-        double sum = std::abs(c0) + std::abs(c1) * length + hammer.magnitude();
-        if (!primary.isZero()) sum += primary.magnitude(rates->primary * length);
-        if (!elastic.isZero()) sum += elastic.magnitude(rates->elastic * length);
-        return sum;
+        const double steps = std::abs(c0) + primary.magnitude() + elastic.magnitude();
+        return isCurved ? steps + curveMagnitude() : steps;
     }
-    /// Whether no term is below zero anywhere: enough for f ≥ 0, not needed for it.
-    bool allAtLeastZero() const {
-        return c0 >= 0 && c0 + c1 * length >= 0 && primary.allAtLeastZero() && elastic.allAtLeastZero() &&
-               hammer.allAtLeastZero(length);
+    /// Whether bounds say that f ≥ 0: enough for it, not needed.
+    bool isAtLeastZero() const {
+        const double steps = c0 + primary.least() + elastic.least();
+        return steps >= 0 &&
+               (!isCurved || (steps + leastOfRises() >= 0 && curve.hammer.allAtLeastZero(length)));
     }
-    bool allAtMostZero() const {
-        return c0 <= 0 && c0 + c1 * length <= 0 && primary.allAtMostZero() && elastic.allAtMostZero() &&
-               hammer.allAtMostZero(length);
+    bool isAtMostZero() const {
+        const double steps = c0 + primary.most() + elastic.most();
+        return steps <= 0 &&
+               (!isCurved || (steps + mostOfRises() <= 0 && curve.hammer.allAtMostZero(length)));
     }
     /// An upper bound of f.
     double mostValue() const {
-        double sum = std::max(c0, c0 + c1 * length) + hammer.amplitude() + std::max(hammer.decay, 0.0);
-        if (!primary.isZero()) sum += primary.positivePart(rates->primary * length);
-        if (!elastic.isZero()) sum += elastic.positivePart(rates->elastic * length);
-        return sum;
+        const double steps = c0 + primary.most() + elastic.most();
+        return isCurved ? steps + mostOfRises() + mostOfHammer() : steps;
+    }
+    /// An upper bound of ∫f over [0, x] for every x up to the length, and 0.
+    double mostIntegral() const {
+        double most = std::max(c0, 0.0) * length;
+        if (primary.count) most += primary.mostRisen() * std::min(1 / rates->primary, length);
+        if (elastic.count) most += elastic.mostRisen() * std::min(1 / rates->elastic, length);
+        return isCurved ? most + mostIntegralOfCurve() : most;
     }
 
-    double decayOver(double x, double rate, double& whole) const {
-        if (x != length) return std::exp(-rate * x);
-        if (whole < 0) whole = std::exp(-rate * x);
-        return whole;
-    }
+    double primaryOver(double x) const { return decayOver(x, rates->primary, primaryDecay); }
+    double elasticOver(double x) const { return decayOver(x, rates->elastic, elasticDecay); }
     double value(double x) const {
-        double f = c0 + c1 * x;
-        if (!primary.isZero())
-            f += primary.value(rates->primary * x, decayOver(x, rates->primary, primaryDecay));
-        if (!elastic.isZero())
-            f += elastic.value(rates->elastic * x, decayOver(x, rates->elastic, elasticDecay));
-        if (hammer.present) f += hammer.value(x);
+        if (isCurved) [[unlikely]]
+            return valueOfCurved(x);
+        double f = c0;
+        if (primary.count) f += primary.decays(rates->primary * x, primaryOver(x));
+        if (elastic.count) f += elastic.decays(rates->elastic * x, elasticOver(x));
         return f;
     }
     double integral(double x) const {
-        double f = (c0 + c1 * x / 2) * x;
-        if (!primary.isZero())
-            f += primary.integral(rates->primary * x, decayOver(x, rates->primary, primaryDecay)) /
-                 rates->primary;
-        if (!elastic.isZero())
-            f += elastic.integral(rates->elastic * x, decayOver(x, rates->elastic, elasticDecay)) /
-                 rates->elastic;
-        if (hammer.present) f += hammer.integral(x);
+        if (isCurved) [[unlikely]]
+            return integralOfCurved(x);
+        double f = c0 * x;
+        if (primary.count) f += primary.rises(rates->primary * x, primaryOver(x)) / rates->primary;
+        if (elastic.count) f += elastic.rises(rates->elastic * x, elasticOver(x)) / rates->elastic;
         return f;
     }
     /// The function seen from x on, with the decays up to there given.
     void dropFront(double x, double primaryTo, double elasticTo) {
-        c0 += c1 * x;
-        if (!primary.isZero()) c0 += primary.dropFront(rates->primary * x, primaryTo);
-        if (!elastic.isZero()) c0 += elastic.dropFront(rates->elastic * x, elasticTo);
-        if (hammer.present) hammer.dropFront(x);
+        if (isCurved) [[unlikely]]
+            dropFrontOfCurve(x, primaryTo, elasticTo);
+        if (primary.count) primary.shift(rates->primary * x, primaryTo);
+        if (elastic.count) elastic.shift(rates->elastic * x, elasticTo);
         length -= x;
         primaryDecay = elasticDecay = -1;
     }
     void dropFront(double x) {
-        dropFront(x, primary.isZero() ? 0 : decayOver(x, rates->primary, primaryDecay),
-                  elastic.isZero() ? 0 : decayOver(x, rates->elastic, elasticDecay));
+        dropFront(x, hasPrimary() ? primaryOver(x) : 0, hasElastic() ? elasticOver(x) : 0);
     }
     void shorten(double x) {
         if (x == length) return;
         length = x;
         primaryDecay = elasticDecay = -1;
     }
+    /// Drops what is at most that.
+    void trim(double negligible) {
+        primary.trim(negligible);
+        elastic.trim(negligible);
+        if (isCurved) [[unlikely]]
+            trimCurve(negligible);
+        else if (std::abs(c0) <= negligible)
+            c0 = 0;
+    }
+
+    double curveMagnitude() const;
+
+  private:
+    double decayOver(double x, double rate, double& whole) const {
+        if (x != length) return std::exp(-rate * x);
+        if (whole < 0) whole = std::exp(-rate * x);
+        return whole;
+    }
+    // the same for sums that are curved, out of the way of those that are not
+    double mostOfHammer() const;
+    double mostOfRises() const;
+    double leastOfRises() const;
+    double mostIntegralOfCurve() const;
+    double valueOfCurved(double x) const;
+    double integralOfCurved(double x) const;
+    void dropFrontOfCurve(double x, double primaryTo, double elasticTo);
+    void trimCurve(double negligible);
 };
 
 }  // namespace drillwave

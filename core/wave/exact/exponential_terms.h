@@ -8,7 +8,11 @@
 
 namespace drillwave {
 
-/// Coefficients c_m, m = 0, 1, …, of one kind of term of one rate.
+/// Coefficients c_m, m = 0, 1, …, of one kind of term of one rate: of the decays φ_m(y) = e^{−y} y^m/m! or of
+/// the rises ω_m(y) = ∫0..y φ_m = 1 − Σ_{k≤m} φ_k(y), y = λx.
+///
+/// The factorials make the resonant response a mere shift: F' + λF = 2λ φ_m gives F = 2 φ_{m+1}, and likewise
+/// for ω_m.
 struct Coefficients {
     static constexpr int capacity = 8;
     int count = 0;
@@ -23,21 +27,32 @@ struct Coefficients {
     }
 
     double operator[](int m) const { return m < count ? c[m] : 0.0; }
-    bool allAtLeastZero() const {
-        return std::all_of(c.begin(), c.begin() + count, [](double v) { return v >= 0; });
-    }
-    bool allAtMostZero() const {
-        return std::all_of(c.begin(), c.begin() + count, [](double v) { return v <= 0; });
-    }
     double magnitude() const {
         double sum = 0;
         for (int m = 0; m < count; ++m) sum += std::abs(c[m]);
         return sum;
     }
-    double positivePart() const {
-        double sum = 0;
-        for (int m = 0; m < count; ++m) sum += std::max(c[m], 0.0);
-        return sum;
+    /// Bounds of Σ c_m φ_m, and 0: no φ_m is negative, and together they are at most 1.
+    double most() const {
+        double largest = 0;
+        for (int m = 0; m < count; ++m) largest = std::max(largest, c[m]);
+        return largest;
+    }
+    double least() const {
+        double smallest = 0;
+        for (int m = 0; m < count; ++m) smallest = std::min(smallest, c[m]);
+        return smallest;
+    }
+    /// Bounds of Σ c_m ω_m, and 0: as 1 ≥ ω_0 ≥ ω_1 ≥ … it is a mean of the partial sums Σ_{k≤m} c_k.
+    double mostRisen() const {
+        double largest = 0, sum = 0;
+        for (int m = 0; m < count; ++m) largest = std::max(largest, sum += c[m]);
+        return largest;
+    }
+    double leastRisen() const {
+        double smallest = 0, sum = 0;
+        for (int m = 0; m < count; ++m) smallest = std::min(smallest, sum += c[m]);
+        return smallest;
     }
     void trim(double negligible) {
         if (magnitude() <= negligible)
@@ -46,21 +61,22 @@ struct Coefficients {
             while (count > 0 && c[count - 1] == 0) --count;
     }
 
-    /// Σ c_m φ_m(y), φ_m(y) = e^{−y} y^m/m!, with e^{−y} given.
+    /// Σ c_m φ_m(y), with e^{−y} given.
     double decays(double y, double decay) const {
         if (count == 0) return 0;
         double sum = c[count - 1];
         for (int m = count - 1; m > 0; --m) sum = sum * (y / m) + c[m - 1];
         return sum * decay;
     }
-    /// Σ c_m ω_m(y), ω_m = ∫0..y φ_m = 1 − Σ_{k≤m} φ_k(y), to rounding of Σ|c_m| min(1, y).
+    /// Σ c_m ω_m(y), to rounding of Σ|c_m| min(1, y).
     double rises(double y, double decay) const {
+        if (count == 0) return 0;
         double omega = y < 0.5 ? -std::expm1(-y) : 1 - decay;
-        double sum = 0, phi = decay;
-        for (int m = 0; m < count; ++m) {
-            sum += c[m] * omega;
-            phi *= y / (m + 1);
+        double sum = c[0] * omega, phi = decay;
+        for (int m = 1; m < count; ++m) {
+            phi *= y / m;
             omega -= phi;
+            sum += c[m] * omega;
         }
         return sum;
     }
@@ -72,54 +88,10 @@ struct Coefficients {
             c[k] = sum * decay;
         }
     }
-};
-
-/// Σ c_m φ_m(λx) + Σ q_m ω_m(λx) for one rate λ; y = λx below, and e^{−y} is given.
-///
-/// The factorials make the resonant response a mere shift: F' + λF = 2λ φ_m gives F = 2 φ_{m+1}, and likewise
-/// for ω_m. Ramps leave rises: x − ω_0(λx)/λ and what follows from it would be differences of large constants
-/// and decays where λx is small.
-struct RateTerms {
-    Coefficients decays, rises;
-
-    bool isZero() const { return decays.count == 0 && rises.count == 0; }
-    double start() const { return decays[0]; }
-    bool allAtLeastZero() const { return decays.allAtLeastZero() && rises.allAtLeastZero(); }
-    bool allAtMostZero() const { return decays.allAtMostZero() && rises.allAtMostZero(); }
-    /// Sums of the largest values of the terms up to y.
-    double magnitude(double y) const { return decays.magnitude() + rises.magnitude() * std::min(y, 1.0); }
-    double positivePart(double y) const {
-        return decays.positivePart() + rises.positivePart() * std::min(y, 1.0);
-    }
-    double value(double y, double decay) const {
-        return decays.decays(y, decay) + (rises.count ? rises.rises(y, decay) : 0.0);
-    }
-    /// ∫ over y from 0.
-    double integral(double y, double decay) const {
-        double sum = decays.rises(y, decay);
-        if (rises.count) {
-            const Coefficients sums = sumsFromEach(rises);
-            sum += sums.c[0] * y - sums.rises(y, decay);
-        }
-        return sum;
-    }
-    /// The same terms seen from y on; what has risen until then becomes a constant, which is returned.
-    double dropFront(double y, double decay) {
-        decays.shift(y, decay);
-        if (rises.count == 0) return 0;
-        const double risen = rises.rises(y, decay);
-        rises.shift(y, decay);
-        return risen;
-    }
-    void trim(double negligible) {
-        decays.trim(negligible);
-        rises.trim(negligible);
-    }
-
-    /// Σ_{m≥k} q_m for each k: ∫ω_m dy = y − Σ_{k≤m} ω_k.
-    static Coefficients sumsFromEach(const Coefficients& terms) {
-        Coefficients sums = terms;
-        for (int k = terms.count - 2; k >= 0; --k) sums.c[k] += sums.c[k + 1];
+    /// Σ_{m≥k} c_m for each k: ∫ω_m dy = y − Σ_{k≤m} ω_k.
+    Coefficients sumsFromEach() const {
+        Coefficients sums = *this;
+        for (int k = count - 2; k >= 0; --k) sums.c[k] += sums.c[k + 1];
         return sums;
     }
 };
@@ -128,7 +100,7 @@ struct RateTerms {
 /// None of the three grows by reflection, unless a rate of the contact is near that of e^{−x}.
 struct HammerTerms {
     double sine = 0, cosine = 0, decay = 0;
-    bool present = false;  ///< most pieces have none, and should not pay for them
+    bool present = false;  ///< ramps leave none, and should not pay for them
 
     double startValue() const { return cosine + decay; }
     /// Amplitude of the sine.
@@ -171,6 +143,18 @@ struct HammerTerms {
     double wave(double x) const {
         return hasSine() ? sine * std::sin(pi * x) + cosine * std::cos(pi * x) : 0.0;
     }
+};
+
+/// c1 x + Σ q_m ω_m of both rates + hammer: what ramps and curved blows leave besides constants and decays.
+///
+/// Ramps leave rises: x − ω_0(λx)/λ and what follows from it would be differences of large constants and
+/// decays where λx is small.
+struct CurvedTerms {
+    double c1 = 0;
+    Coefficients primary, elastic;  ///< rises
+    HammerTerms hammer;
+
+    bool isZero() const { return c1 == 0 && primary.count == 0 && elastic.count == 0 && !hammer.present; }
 };
 
 }  // namespace drillwave

@@ -22,50 +22,50 @@ struct Work {
 // At most so much each. Where the solver has become better, let the numbers fall: run the test with
 // DRILLWAVE_PRINT_WORK=1 and put the lines that it prints in place of these.
 const std::vector<Work> mostWork{
-    {"elastic", 8, 0, 2, 3, 3},
-    {"bilinear", 13, 0, 5, 10, 18},
-    {"reference", 3, 0, 2, 2, 6},
-    {"gap", 22, 0, 7, 17, 29},
+    {"elastic", 5, 0, 2, 1, 1},
+    {"bilinear", 13, 0, 5, 6, 13},
+    {"reference", 3, 0, 2, 1, 5},
+    {"gap", 22, 0, 7, 12, 24},
     {"soft", 229, 0, 37, 45, 178},
-    {"stiff", 5, 0, 3, 3, 10},
+    {"stiff", 5, 0, 3, 1, 8},
     {"near_elastic", 17, 0, 3, 4, 13},
     {"half_sine", 14, 0, 5, 14, 34},
     {"triangular", 19, 0, 5, 16, 37},
-    {"piston", 50, 0, 5, 7, 16},
+    {"piston", 50, 0, 5, 4, 12},
     {"softest", 5736, 0, 3, 2, 7},
-    {"stiffest", 7, 0, 3, 3, 9},
-    {"rectangular 0.5 0.1", 13, 0, 5, 10, 18},
-    {"rectangular 0.5 1", 8, 0, 2, 3, 3},
-    {"rectangular 5 0.1", 5, 0, 3, 4, 12},
-    {"rectangular 5 1", 4, 0, 2, 2, 6},
+    {"stiffest", 7, 0, 3, 1, 7},
+    {"rectangular 0.5 0.1", 13, 0, 5, 6, 13},
+    {"rectangular 0.5 1", 5, 0, 2, 1, 1},
+    {"rectangular 5 0.1", 5, 0, 3, 2, 10},
+    {"rectangular 5 1", 4, 0, 2, 1, 5},
     {"triangular 0.5 0.1", 19, 0, 5, 16, 37},
-    {"triangular 0.5 1", 11, 0, 2, 6, 11},
-    {"triangular 5 0.1", 11, 0, 3, 7, 17},
+    {"triangular 0.5 1", 11, 0, 2, 4, 9},
+    {"triangular 5 0.1", 11, 0, 3, 6, 16},
     {"triangular 5 1", 11, 0, 2, 5, 12},
     {"half_sine 0.5 0.1", 14, 0, 5, 14, 34},
-    {"half_sine 0.5 1", 8, 0, 2, 5, 11},
+    {"half_sine 0.5 1", 8, 0, 2, 3, 9},
     {"half_sine 5 0.1", 9, 0, 3, 9, 26},
     {"half_sine 5 1", 7, 0, 2, 3, 9},
-    {"trapezoid 0.5 0.1", 22, 0, 5, 17, 33},
-    {"trapezoid 0.5 1", 14, 0, 2, 7, 10},
-    {"trapezoid 5 0.1", 8, 0, 3, 7, 16},
-    {"trapezoid 5 1", 8, 0, 2, 6, 11},
-    {"exponential 0.5 0.1", 18, 0, 5, 16, 78},
+    {"trapezoid 0.5 0.1", 22, 0, 5, 15, 31},
+    {"trapezoid 0.5 1", 14, 0, 2, 5, 8},
+    {"trapezoid 5 0.1", 8, 0, 3, 6, 15},
+    {"trapezoid 5 1", 8, 0, 2, 5, 10},
+    {"exponential 0.5 0.1", 18, 0, 5, 13, 56},
     {"exponential 0.5 1", 8, 0, 2, 6, 30},
-    {"exponential 5 0.1", 8, 0, 3, 7, 64},
+    {"exponential 5 0.1", 8, 0, 3, 6, 42},
     {"exponential 5 1", 5, 0, 2, 4, 32},
-    {"piston 0.5 0.1", 50, 0, 5, 7, 16},
+    {"piston 0.5 0.1", 50, 0, 5, 4, 12},
     {"piston 0.5 1", 43, 0, 2, 2, 5},
-    {"piston 5 0.1", 43, 0, 3, 4, 12},
-    {"piston 5 1", 42, 0, 2, 2, 6},
+    {"piston 5 0.1", 43, 0, 3, 2, 10},
+    {"piston 5 1", 42, 0, 2, 1, 5},
     {"table 0.5 0.1", 219, 0, 7, 6, 26},
     {"table 0.5 1", 160, 0, 2, 2, 8},
-    {"table 5 0.1", 114, 0, 3, 32, 38},
-    {"table 5 1", 116, 0, 2, 20, 24},
-    {"rigid_body 0.5 0.1", 4, 0, 3, 4, 19},
-    {"rigid_body 0.5 1", 3, 0, 2, 2, 6},
-    {"rigid_body 5 0.1", 4, 0, 3, 3, 7},
-    {"rigid_body 5 1", 3, 0, 2, 2, 6},
+    {"table 5 0.1", 114, 0, 3, 23, 29},
+    {"table 5 1", 116, 0, 2, 15, 19},
+    {"rigid_body 0.5 0.1", 4, 0, 3, 1, 5},
+    {"rigid_body 0.5 1", 3, 0, 2, 1, 5},
+    {"rigid_body 5 0.1", 4, 0, 3, 2, 6},
+    {"rigid_body 5 1", 3, 0, 2, 1, 5},
 };
 
 Work workOf(const NamedScene& named) {
@@ -125,10 +125,21 @@ class TestAmountOfWork : public QObject {
             QCOMPARE(impact.searches, used.impact.searches);
             QCOMPARE(impact.samples, used.impact.samples);
             QVERIFY(impact.samples >= impact.searches);
-            QCOMPARE(impact.abandoned, isClosed ? 0 : found.closed.impact.pieces);
+            // a closed march ends as soon as its error is too large
+            const long closedPieces = isClosed ? 0 : found.closed.impact.pieces;
+            QVERIFY(impact.abandoned <= closedPieces && (impact.abandoned > 0) == (closedPieces > 0));
             abandoned += impact.abandoned > 0;
         }
         QVERIFY2(abandoned > 0, "no scene tries this");
+    }
+
+    void aMarchWhoseErrorIsTooLargeIsNotGoneOnWith() {
+        // in closed form 53 pieces, whose stated error passes what is wanted after a tenth of them
+        Problem problem = problemOf(pulseForceOf(PulseShape::rectangular), {0.1, 0.1, 10, 0});
+        const Impact impact = ExactSolver().solve(problem);
+        QCOMPARE(impact.outcome, Outcome::rebounded);
+        QVERIFY2(impact.abandoned > 0 && impact.abandoned < 15,
+                 qPrintable(QString::number(impact.abandoned)));
     }
 };
 

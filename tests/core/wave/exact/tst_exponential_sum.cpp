@@ -20,35 +20,50 @@ Coefficients someTerms(Chance& chance, unsigned most) {
     return terms;
 }
 
-/// A sum of up to three terms of each kind.
-ExponentialSum someSum(Chance& chance) {
+/// A constant and up to three decays of each rate.
+ExponentialSum someDecays(Chance& chance) {
     ExponentialSum f = ExponentialSum::zero(chance.logarithmic(0.01, 20));
     f.rates = &rates;
     if (chance.oneIn(2)) f.c0 = 2 * chance.fraction() - 1;
-    if (chance.oneIn(3)) f.c1 = (2 * chance.fraction() - 1) / f.length;
-    f.primary = {someTerms(chance, 3), someTerms(chance, chance.below(3))};
-    f.elastic = {someTerms(chance, 3), someTerms(chance, chance.below(3))};
-    if (chance.oneIn(3)) f.hammer = {chance.fraction(), chance.fraction() - 0.5, chance.fraction(), true};
+    f.primary = someTerms(chance, 3);
+    f.elastic = someTerms(chance, 3);
+    return f;
+}
+
+/// A sum of up to three terms of each kind.
+ExponentialSum someSum(Chance& chance) {
+    ExponentialSum f = someDecays(chance);
+    if (chance.oneIn(3)) f.makeCurved().c1 = (2 * chance.fraction() - 1) / f.length;
+    if (chance.oneIn(2)) f.makeCurved().primary = someTerms(chance, chance.below(3));
+    if (chance.oneIn(2)) f.makeCurved().elastic = someTerms(chance, chance.below(3));
+    if (chance.oneIn(3))
+        f.makeCurved().hammer = {chance.fraction(), chance.fraction() - 0.5, chance.fraction(), true};
     return f;
 }
 
 /// c0 + c1 x + Σ … term by term, as the definitions say.
 double bySum(const ExponentialSum& f, double x) {
     const auto phi = [](int m, double y) { return std::exp(-y) * std::pow(y, m) / std::tgamma(m + 1.0); };
-    double sum = f.c0 + f.c1 * x;
-    const auto add = [&](const RateTerms& terms, double rate) {
-        for (int m = 0; m < terms.decays.count; ++m) sum += terms.decays.c[m] * phi(m, rate * x);
-        for (int m = 0; m < terms.rises.count; ++m) {
+    double sum = f.c0;
+    const auto addDecays = [&](const Coefficients& terms, double rate) {
+        for (int m = 0; m < terms.count; ++m) sum += terms.c[m] * phi(m, rate * x);
+    };
+    const auto addRises = [&](const Coefficients& terms, double rate) {
+        for (int m = 0; m < terms.count; ++m) {
             double omega = 1;
             for (int k = 0; k <= m; ++k) omega -= phi(k, rate * x);
-            sum += terms.rises.c[m] * omega;
+            sum += terms.c[m] * omega;
         }
     };
-    add(f.primary, rates.primary);
-    add(f.elastic, rates.elastic);
+    addDecays(f.primary, rates.primary);
+    addDecays(f.elastic, rates.elastic);
+    if (!f.isCurved) return sum;
+    addRises(f.curve.primary, rates.primary);
+    addRises(f.curve.elastic, rates.elastic);
     const double pi = 3.141592653589793;
-    return sum + f.hammer.sine * std::sin(pi * x) + f.hammer.cosine * std::cos(pi * x) +
-           f.hammer.decay * std::exp(-x);
+    const HammerTerms& hammer = f.curve.hammer;
+    return sum + f.curve.c1 * x + hammer.sine * std::sin(pi * x) + hammer.cosine * std::cos(pi * x) +
+           hammer.decay * std::exp(-x);
 }
 
 }  // namespace
@@ -64,7 +79,41 @@ class TestExponentialSum : public QObject {
             const double x = f.length * chance.fraction();
             QVERIFY(std::abs(f.value(x) - bySum(f, x)) < 1e-14);
             QVERIFY(f.mostValue() >= f.value(x) - 1e-14 && f.magnitude() >= std::abs(f.value(x)) - 1e-14);
+            QVERIFY(!f.isAtLeastZero() || f.value(x) >= -1e-14);
+            QVERIFY(!f.isAtMostZero() || f.value(x) <= 1e-14);
+            QVERIFY(f.mostIntegral() >= f.integral(x) - 1e-14);
         }
+    }
+
+    void boundsSeeHowTermsCancel() {
+        // φ_0 + φ_1 + … ≤ 1, and each ω_m is below the one before
+        ExponentialSum f = ExponentialSum::zero(10);
+        f.rates = &rates;
+        f.c0 = -2;
+        f.primary.count = 3;
+        f.primary.c = {2, 1, 2};
+        QCOMPARE(f.mostValue(), 0.0);
+        f.c0 = 0;
+        f.primary.c = {3, -4, 1};
+        QCOMPARE(f.mostIntegral(), 3 / rates.primary);
+        f.primary.c = {-3, 4, -2};
+        QCOMPARE(f.mostIntegral(), 1 / rates.primary);
+    }
+
+    void whatIsNotCurvedCopiesNoCurvedTerms() {
+        ExponentialSum curved = ExponentialSum::zero(1);
+        curved.rates = &rates;
+        curved.makeCurved().c1 = 3;
+        ExponentialSum straight = ExponentialSum::zero(1);
+        straight.c0 = 1;
+        ExponentialSum f = curved;
+        f = straight;
+        QCOMPARE(f.value(1), 1.0);
+        QCOMPARE(f.makeCurved().c1, 0.0);
+        f = curved;
+        QCOMPARE(f.value(1), 3.0);
+        f.trim(4);
+        QVERIFY(!f.isCurved && f.isZero());
     }
 
     void theIntegralIsThatOfTheValues() {
@@ -96,9 +145,10 @@ class TestExponentialSum : public QObject {
         constexpr ContactRates<double> soft{1e-6, 1e-5};
         ExponentialSum f = ExponentialSum::zero(1);
         f.rates = &soft;
-        f.c1 = 2;
-        f.primary.rises.count = 1;
-        f.primary.rises.c[0] = -2 / soft.primary;
+        CurvedTerms& curve = f.makeCurved();
+        curve.c1 = 2;
+        curve.primary.count = 1;
+        curve.primary.c[0] = -2 / soft.primary;
         for (const double x : {0.1, 0.5, 1.0})
             QVERIFY(std::abs(f.value(x) - soft.primary * x * x * (1 - soft.primary * x / 3)) < 1e-15);
         QVERIFY(f.magnitude() < 5);  // though the coefficient is 2e6
@@ -131,7 +181,7 @@ class TestExponentialSum : public QObject {
         const auto search = [&](double c1, double c2) {
             ExponentialSum f = ExponentialSum::zero(1);
             f.rates = &rates;
-            f.c1 = c1;
+            f.makeCurved().c1 = c1;
             return firstZero(f, c2, {.startsAtZero = true}, tally);
         };
         QVERIFY(!search(1, 0).found);  // up
@@ -147,11 +197,11 @@ class TestExponentialSum : public QObject {
         // e^−y (1 − y/200) + … vanishes at y = 200, where nothing is left of it
         ExponentialSum f = ExponentialSum::zero(1000);
         f.rates = &rates;
-        f.primary.decays.count = 2;
-        f.primary.decays.c[0] = 1;
-        f.primary.decays.c[1] = -1. / 200;
-        f.elastic.decays.count = 1;
-        f.elastic.decays.c[0] = 1e-3;
+        f.primary.count = 2;
+        f.primary.c[0] = 1;
+        f.primary.c[1] = -1. / 200;
+        f.elastic.count = 1;
+        f.elastic.c[0] = 1e-3;
         SearchCount tally;
         QVERIFY(!firstZero(f, 0, {.negligible = 1e-19}, tally).found);
         QVERIFY2(tally.samples < 60, qPrintable(QString::number(tally.samples)));
