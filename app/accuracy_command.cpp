@@ -13,6 +13,7 @@
 #include "core/report/accuracy_json.h"
 #include "core/report/accuracy_text.h"
 #include "core/report/blow_csv.h"
+#include "core/report/string_accuracy_report.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
@@ -54,13 +55,37 @@ Accuracy measure(const Scenario& scenario, const std::vector<int>& ladder, const
     return accuracy;
 }
 
+/// The same of a drill string.
+ExitCode runStringAccuracy(const Arguments& arguments, const std::string& path,
+                           const ScenarioDocument& document, const Interruption& interruption) {
+    const StringAccuracy accuracy = measureStringAccuracy(document.scenario, interruption.token());
+    interruption.check();
+    if (!accuracy.reason.empty())
+        throw CommandError(ExitCode::unsolvedOrFailed, path + ": could not be solved: " + accuracy.reason);
+    const std::string scenario = completeScenarioText(document);
+    const std::string csv = scenarioHeader(scenario) + stringAccuracyCsv(accuracy);
+    const std::string directory = arguments.value("o").value_or(std::string());
+    if (directory == "-") {
+        writeFile("-", csv, Overwrite::allowed);
+        return ExitCode::done;
+    }
+    if (!directory.empty())
+        writeFolder(directory, {{{csvName, csv}}, {}},
+                    arguments.has("force") ? Overwrite::allowed : Overwrite::refused, interruption);
+    writeFile("-",
+              arguments.has("json") ? stringAccuracyJson(scenario, accuracy)
+                                    : stringAccuracyText(document.scenario, accuracy),
+              Overwrite::allowed);
+    return ExitCode::done;
+}
+
 ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const std::vector<int> ladder = ladderOf(arguments);
     const std::string directory = arguments.value("o").value_or(std::string());
     const StudyPlots plots = StudyPlots::inFolder(arguments, "accuracy");
-    const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    const ScenarioDocument document = loadScenarioInput(path, arguments, DrillStrings::taken).document;
     const bool inFolder = !directory.empty() && directory != "-";
     if (inFolder) {
         checkOutputIsNoInput(directory + "/" + csvName, path, document);
@@ -70,8 +95,16 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
         plots.check(path, document, overwrite);
     }
 
+    if (isString(document.scenario)) {
+        for (const char* option : {"segments", "plots"})
+            if (arguments.has(option))
+                throw CommandError(ExitCode::usage,
+                                   std::string("--") + option + ": " + path +
+                                       ": is for uniform rods; leave it out for a drill string");
+    }
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
+    if (isString(document.scenario)) return runStringAccuracy(arguments, path, document, interruption);
     const Accuracy accuracy = measure(document.scenario, ladder, interruption);
     if (accuracy.exact.outcome != Outcome::rebounded)
         throw CommandError(ExitCode::unsolvedOrFailed,

@@ -234,7 +234,7 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double share, double t
     int standing = 0;  // events at one point
     for (int pieces = 0; from < share; ++pieces) {
         if (pieces == mostPieces) {
-            m_trouble = "contact and separation follow each other without end";
+            m_trouble = "bit and rock meet and part, or a small bit mass swings, faster than can be followed";
             break;
         }
         ++m_pieces;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cells of time that all round trips share (strings §12).
+// The cells of time that all round trips share (strings §11).
 #pragma once
 
 #include <optional>

@@ -167,7 +167,7 @@ CellJump NetworkMarch::stepFace(std::size_t count, CutAt cutAt) {
         const long step = m_step + static_cast<long>(i);
         const double time = m_cuts.clock(step);
         if (m_census && m_census->time() >= time && m_census->time() < m_cuts.clock(step + 1)) {
-            const double share = (m_census->time() - time) / m_cuts.widths()[part];
+            const double share = std::min(1.0, (m_census->time() - time) / m_cuts.widths()[part]);
             m_census->setFace(m_face.stateWithin(f, b, static_cast<int>(part), share, time));
         }
         m_face.step(f, b, static_cast<int>(part), time, cutAt, jump);
@@ -188,7 +188,7 @@ CellJump NetworkMarch::stepBit(std::size_t count, CutAt cutAt) {
         const long step = m_step + static_cast<long>(i);
         const double clock = m_cuts.clock(step);
         if (m_census && censusClock >= clock && censusClock < m_cuts.clock(step + 1)) {
-            const double share = (censusClock - clock) / m_cuts.widths()[part];
+            const double share = std::min(1.0, (censusClock - clock) / m_cuts.widths()[part]);
             m_census->setBit(m_bit.stateWithin(g, static_cast<int>(part), share, clock + m_clocks.bit()));
         }
         m_lines[j].leaving()[i] = m_bit.step(g, static_cast<int>(part), clock + m_clocks.bit(), cutAt, jump);
@@ -207,8 +207,8 @@ void NetworkMarch::takeMassVelocity(std::size_t joint, const WaveCell* f1, const
         const long step = m_step + static_cast<long>(i);
         const double start = m_cuts.clock(step), width = m_cuts.width(step);
         if (wanted < m_cuts.clock(step + 1)) {
-            m_census->setMassVelocity(joint,
-                                      copy.velocityWithin(f1[i], b2[i], width, (wanted - start) / width));
+            m_census->setMassVelocity(
+                joint, copy.velocityWithin(f1[i], b2[i], width, std::min(1.0, (wanted - start) / width)));
             return;
         }
         WaveCell f2, b1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A blow on a drill string, cell by cell (strings §12).
+// A blow on a drill string, cell by cell (strings §11).
 #pragma once
 
 #include <cstddef>

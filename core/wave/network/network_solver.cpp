@@ -122,6 +122,10 @@ std::string_view networkRefusal(const NetworkProblem& problem) {
     return {};
 }
 
+std::optional<CellGrid> usualGrid(const NetworkProblem& problem) {
+    return sharedGrid(problem.sections, roundTripOf(problem) / mostSharedCells);
+}
+
 NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings& settings,
                            const std::stop_token& stop) {
     if (const std::string_view refusal = networkRefusal(problem); !refusal.empty()) {
@@ -129,7 +133,7 @@ NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings&
         refused.reason = refusal;
         return refused;
     }
-    std::optional<CellGrid> grid = sharedGrid(problem.sections, roundTripOf(problem) / mostSharedCells);
+    std::optional<CellGrid> grid = usualGrid(problem);
     if (!grid) return solveRounded(problem, settings, stop);
     const auto gridFor = [&](const Smoothness& smoothness) {
         CellGrid fitting = fineEnough(*grid, problem, smoothness.mostChange);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blows on drill strings with a stated error (strings §12).
+// Blows on drill strings with a stated error (strings §11).
 #pragma once
 
+#include <optional>
 #include <stop_token>
+#include <string_view>
 
 #include "core/wave/network/network_impact.h"
 #include "core/wave/network/network_march.h"
@@ -30,6 +32,9 @@ struct NetworkSettings {
 /// Why this is no problem that can be solved: losses inside the hammer, a section without length. Empty where
 /// it is one.
 std::string_view networkRefusal(const NetworkProblem& problem);
+
+/// The cell that all round trips share; nothing where they share none.
+std::optional<CellGrid> usualGrid(const NetworkProblem& problem);
 
 /// Solves one blow. Round trips that share no cell are rounded: `rounding` tells by how much, and the error
 /// then is what other cells make of it. A blow that takes more work than permitted is not solved.

@@ -10,7 +10,7 @@
 namespace drillwave {
 
 /// f(u) = Σ c_k P_k(2u − 1) over 0 ≤ u ≤ 1, P_k of Legendre. Its moments ∫f u^k du, k = 0 … 3, are those of
-/// the wave that it stands for: what is cut off is orthogonal to all that is kept (strings §12).
+/// the wave that it stands for: what is cut off is orthogonal to all that is kept (strings §11).
 struct WaveCell {
     static constexpr int count = 4;
     std::array<double, count> c{};

@@ -113,6 +113,28 @@ const std::vector<Example>& examples() {
          "The waves of a blow make only n_b = 4.06 round trips until the next blow, and meet it undamped and "
          "nearly in step (n_b close to 4): penetration may swing by 10 % up or down; another blow frequency "
          "or length tells."},
+        {{warning,
+          AlertCode::stressAboveYield,
+          "string.9.yield_strength",
+          {{"tension", 362.2e6, Quantity::stress},
+           {"place", 1.5, Quantity::length},
+           {"time", 4e-3, Quantity::time},
+           {"strength", 300e6, Quantity::stress},
+           {"section", 9}}},
+         "Section 9 of hammer and string would yield: tension reaches 362.2 MPa, 1.5 m from its rear end at "
+         "4 "
+         "ms, against a strength of 300 MPa."},
+        {{warning,
+          AlertCode::lengthsRounded,
+          "",
+          {{"time", 2e-7, Quantity::time}, {"efficiency_error", 1e-3}}},
+         "The transit times of the sections share no cell of time: they were rounded by up to 200 ns, and "
+         "the "
+         "efficiency may be off by 0.0011. Lengths in whole millimetres of one steel are exact."},
+        {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}}},
+         "After 16.7 ms bit or hammer may still meet again: these are the numbers at the next blow, not "
+         "final "
+         "ones."},
     };
     return all;
 }

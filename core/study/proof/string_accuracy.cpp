@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/proof/string_accuracy.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/model/scales.h"
+#include "core/wave/network/network_solver.h"
+#include "core/wave/network/plain_lattice.h"
+#include "core/wave/network/string_problem.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr int quickHalvings = 3, sureHalvings = 1, plainHalvings = 6;
+
+RunTime timeOf(const auto& work, const std::stop_token& stop) {
+    const double start = threadSeconds();
+    work();
+    return measureRunTime(work, threadSeconds() - start, stop, [] {});
+}
+
+}  // namespace
+
+std::string_view name(StringMethod method) {
+    constexpr std::array<std::string_view, 3> names{"cells", "cells_cut", "plain"};
+    return names[static_cast<std::size_t>(method)];
+}
+
+StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_token& stop) {
+    StringAccuracy accuracy;
+    NetworkProblem problem = networkProblemOf(scenario);
+    NetworkSettings finest;
+    finest.halvings = sureHalvings + 1;
+    NetworkImpact reference = solveNetwork(problem, finest, stop);
+    if (reference.end == NetworkEnd::notSolved) {
+        accuracy.reason = reference.reason;
+        return accuracy;
+    }
+    if (!problem.endTime) {  // all methods to the same end
+        problem.endTime = reference.endTime;
+        reference = solveNetwork(problem, finest, stop);
+    }
+    accuracy.efficiency = reference.energy.rock;
+    accuracy.reference = reference.efficiencyError;
+    const double seconds = scalesOf(scenario).time, p0 = reference.hammerMomentum;
+
+    const auto addCells = [&](StringMethod method, int halvings) {
+        NetworkSettings settings;
+        settings.accuracy = method == StringMethod::quick ? NetworkAccuracy::quick : NetworkAccuracy::sure;
+        settings.halvings = halvings;
+        const NetworkImpact impact = solveNetwork(problem, settings, stop);
+        if (impact.end == NetworkEnd::notSolved) return;
+        accuracy.rows.push_back({method, impact.cell * seconds,
+                                 std::abs(impact.energy.rock - accuracy.efficiency), impact.efficiencyError,
+                                 std::abs(impact.rockImpulse - reference.rockImpulse) / p0, impact.cells,
+                                 timeOf([&] { solveNetwork(problem, settings, stop); }, stop)});
+    };
+    for (int i = 0; i <= quickHalvings; ++i) addCells(StringMethod::quick, i);
+    for (int i = 0; i <= sureHalvings; ++i) addCells(StringMethod::sure, i);
+
+    std::optional<CellGrid> grid = usualGrid(problem);
+    for (int i = 0; grid && i <= plainHalvings && !stop.stop_requested(); ++i, *grid = grid->halved()) {
+        const PlainBlow blow = solvePlainLattice(problem, *grid, stop);
+        accuracy.rows.push_back({StringMethod::plain, grid->cell * seconds,
+                                 std::abs(blow.efficiency - accuracy.efficiency),
+                                 std::numeric_limits<double>::quiet_NaN(),
+                                 std::abs(blow.rockImpulse - reference.rockImpulse / p0), blow.cells,
+                                 timeOf([&] { solvePlainLattice(problem, *grid, stop); }, stop)});
+    }
+    return accuracy;
+}
+
+}  // namespace drillwave

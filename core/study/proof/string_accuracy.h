@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Error against run time for a drill string: polynomial cells of several sizes beside the plain lattice.
+#pragma once
+
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/model/scenario.h"
+#include "core/numeric/run_time.h"
+
+namespace drillwave {
+
+enum class StringMethod {
+    quick,  ///< polynomial cells, cut at jumps: what studies use
+    sure,   ///< cut at every corner of a wave: what `run` uses
+    plain,  ///< a lattice of constant cells
+};
+
+/// "cells", "cells_cut", "plain".
+std::string_view name(StringMethod method);
+
+/// One method with one size of cell.
+struct StringAccuracyRow {
+    StringMethod method = StringMethod::quick;
+    double cell = 0;          ///< Δ of the round trip [s]
+    double error = 0;         ///< |efficiency − that of the reference|
+    double stated = 0;        ///< what the method says of it; not a number: nothing
+    double impulseError = 0;  ///< of the impulse on the rock, likewise [p0]
+    long cells = 0;           ///< times nodes
+    RunTime time;
+};
+
+struct StringAccuracy {
+    std::string reason;     ///< why there is nothing
+    double efficiency = 0;  ///< of the reference: cut at every corner, cells half as large as usual
+    double reference = 0;   ///< stated error of that
+    std::vector<StringAccuracyRow> rows;
+};
+
+/// Solves a valid drill string whose lengths share a cell, and measures. Takes seconds.
+StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_token& stop = {});
+
+}  // namespace drillwave

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lattice that drill strings are usually solved on: waves constant over each cell of time.
+#pragma once
+
+#include <stop_token>
+
+#include "core/wave/network/cell_grid.h"
+#include "core/wave/network/network_problem.h"
+
+namespace drillwave {
+
+/// What the plain lattice makes of a blow.
+struct PlainBlow {
+    bool isSolved = false;
+    double efficiency = 0;   ///< work on the rock [E0]
+    double rockImpulse = 0;  ///< [p0]
+    double peakForce = 0;    ///< [Zr v0]
+    long cells = 0;          ///< times nodes
+};
+
+/// One value of a wave for each cell, events at the ends of cells: first order in the cell. To compare with;
+/// it shares no code with NetworkMarch. Requires an end time.
+PlainBlow solvePlainLattice(const NetworkProblem& problem, const CellGrid& grid,
+                            const std::stop_token& stop = {});
+
+}  // namespace drillwave

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A blow on a drill string in the terms of every other blow.
+#include <QtTest>
+
+#include "core/blow/blow.h"
+#include "core/blow/outputs.h"
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
+#include "core/model/parameter.h"
+#include "core/report/alert_words.h"
+
+using namespace drillwave;
+
+namespace {
+
+Scenario t38() {
+    for (const Example& example : builtInExamples())
+        if (example.name == "t38_string") return parseScenario(example.text, "t38_string").scenario;
+    return {};
+}
+
+Blow solved(const Scenario& scenario) {
+    return solveBlow(scenario, {}, Detail::ledger, {}, Stresses::wanted);
+}
+
+double output(const Blow& blow, std::string_view name) {
+    return findOutput(name)->value({blow.summary, blow.scenario}).value_or(NAN);
+}
+
+double efficiencyWith(std::string_view key, double value) {
+    Scenario scenario = t38();
+    findParameter(key)->assign(scenario, value);
+    return solved(scenario).summary.string->efficiency;
+}
+
+}  // namespace
+
+class TestStringBlow : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void t38StringHasThePublishedEfficiency() {
+        const Blow blow = solved(t38());
+        QVERIFY(blow.isSolved());
+        QVERIFY(std::abs(blow.summary.string->efficiency - 0.501587377477) < 1e-11);
+        QVERIFY(blow.summary.string->efficiencyError < 1e-9);
+        QCOMPARE(blow.string->impact.end, NetworkEnd::proven);
+        QCOMPARE(blow.impact.contacts, 4);
+    }
+
+    void efficiencyFollowsRodsAndCouplings() {
+        const double ofRods[] = {0.640, 0.559, 0.502, 0.487, 0.482};
+        for (int rods = 1; rods <= 5; ++rods)
+            QVERIFY(std::abs(efficiencyWith("string.repeat", rods) - ofRods[rods - 1]) < 6e-4);
+        const std::pair<double, double> ofCouplings[] = {{0.039, 0.747}, {0.048, 0.607}, {0.065, 0.478}};
+        for (const auto& [diameter, efficiency] : ofCouplings)
+            QVERIFY(std::abs(efficiencyWith("string.coupling.diameter", diameter) - efficiency) < 6e-4);
+    }
+
+    void everyShareOfTheEnergyIsThere() {
+        const Blow blow = solved(t38());
+        const double sum = output(blow, "efficiency") + output(blow, "rebound_energy") +
+                           output(blow, "residual_wave_energy") + output(blow, "hammer_rebound_energy") +
+                           output(blow, "hammer_wave_energy") + output(blow, "joint_loss") +
+                           output(blow, "rod_loss");
+        QVERIFY(std::abs(sum - 1) < 1e-12);
+        QVERIFY(std::isnan(output(blow, "peak_tension_after")));
+        QVERIFY(!findOutput("peak_tension_after")->problem(blow.scenario).empty());
+        QVERIFY(output(blow, "peak_tension") > 0);
+    }
+
+    void velocityIsOnlyAScale() {
+        Scenario scenario = t38();
+        const Blow slow = solved(scenario);
+        scenario.drillString.hammer.velocity *= 2;
+        const Blow fast = solved(scenario);
+        QVERIFY(std::abs(slow.summary.string->efficiency - fast.summary.string->efficiency) < 1e-13);
+        const double slowest = sectionStresses(slow.scenario, *slow.string)[2].tension;
+        const double fastest = sectionStresses(fast.scenario, *fast.string)[2].tension;
+        QVERIFY(std::abs(fastest / slowest - 2) < 1e-12);
+    }
+
+    void sectionsBeyondTheirStrengthAreToldOnce() {
+        Scenario scenario = t38();
+        for (StringPart& part : scenario.drillString.parts)
+            for (Section& section : part.sections)
+                if (section.name == "rod") section.yieldStrength = 300e6, section.fatigueStrength = 400e6;
+        const Blow blow = solved(scenario);
+        int told = 0;
+        for (const Alert& alert : blow.alerts) {
+            if (alert.code == AlertCode::stressAboveFatigue) QFAIL("362 MPa are less than 400 MPa");
+            if (alert.code != AlertCode::stressAboveYield) continue;
+            ++told;
+            QCOMPARE(alert.argument("section").value, 9.0);  // the last rod, behind two sections of hammer
+            QVERIFY(alertText(alert).find("362.2 MPa") != std::string::npos);
+        }
+        QCOMPARE(told, 1);
+    }
+
+    void lengthsThatShareNoCellAreRemarkedOn() {
+        Scenario scenario = t38();
+        scenario.drillString.hammer.sections[0].length = 0.3 * M_SQRT2 / 1.4;
+        const Blow blow = solved(scenario);
+        QVERIFY(blow.isSolved());
+        QVERIFY(std::any_of(blow.alerts.begin(), blow.alerts.end(),
+                            [](const Alert& alert) { return alert.code == AlertCode::lengthsRounded; }));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestStringBlow)
+#include "tst_string_blow.moc"

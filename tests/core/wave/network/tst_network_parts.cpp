@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the solver of drill strings is made of: cells, relaxations, grids, and a lattice to compare with.
+#include <QtTest>
+
+#include "core/wave/network/cell_cuts.h"
+#include "core/wave/network/cell_grid.h"
+#include "core/wave/network/network_solver.h"
+#include "core/wave/network/plain_lattice.h"
+#include "core/wave/network/relaxation.h"
+#include "core/wave/network/wave_cell.h"
+#include "tests/support/network_scenes.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+class TestNetworkParts : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aPartOfACellIsTheSameWave() {
+        const WaveCell f{{1, -0.7, 0.4, 0.3}};
+        const WaveCell part = f.part(0.2, 0.6);
+        for (const double u : {0.0, 0.3, 1.0})
+            QVERIFY(std::abs(part.value(u) - f.value(0.2 + 0.4 * u)) < 1e-14);
+        const double whole = 0.2 * f.part(0, 0.2).mean() + 0.4 * part.mean() + 0.4 * f.part(0.6, 1).mean();
+        QVERIFY(std::abs(whole - f.mean()) < 1e-15);
+    }
+
+    void thePeakOfACellIsItsLargestValue() {
+        Chance chance(3);
+        for (int i = 0; i < 1000; ++i) {
+            WaveCell f;
+            for (double& c : f.c) c = chance.fraction() - 0.5;
+            double largest = -10;
+            for (int k = 0; k <= 1000; ++k) largest = std::max(largest, f.value(k / 1000.0));
+            const WaveCell::Peak peak = f.peak();
+            QVERIFY(peak.value >= largest - 1e-15 && peak.value <= largest + 1e-5);
+            QVERIFY(std::abs(f.value(peak.place) - peak.value) < 1e-12);
+        }
+    }
+
+    /// y' = a(q − y), q = 1: y = 1 + (y0 − 1) e^(−a u).
+    void aRelaxationKeepsTheMomentsOfTheExponential() {
+        for (const double rate : {1e-6, 0.1, 1.0, 7.0, 39.9, 40.1, 1e3, 1e9, 1e15}) {
+            double y = 3;
+            const WaveCell cell = Relaxation(rate).follow(WaveCell::constant(1), y);
+            const double mean = 1 + 2 * -std::expm1(-rate) / rate;
+            QVERIFY2(std::abs(cell.mean() - mean) < 1e-14 * 3, QByteArray::number(rate));
+            QVERIFY2(std::abs(y - (1 + 2 * std::exp(-rate))) < 3e-14, QByteArray::number(rate));
+            // ∫u e^(−a u) du
+            const double first =
+                rate < 1e-3 ? 0.5 - rate / 3 : (1 - std::exp(-rate) * (1 + rate)) / (rate * rate);
+            QVERIFY2(std::abs(cell.firstMoment() - (0.5 + 2 * first)) < 1e-12, QByteArray::number(rate));
+        }
+    }
+
+    void theCellIsTheLargestThatAllRoundTripsShare() {
+        const auto grid = [](std::vector<double> lengths) {
+            std::vector<NetworkSection> sections;
+            for (const double length : lengths) sections.push_back({.impedance = 1, .transitTime = length});
+            return sharedGrid(sections, 1e-6);
+        };
+        const auto millimetres = grid({0.300, 0.250, 0.450, 0.190, 3.660, 0.070, 0.060});
+        QVERIFY(millimetres && std::abs(millimetres->cell - 0.020) < 1e-12);
+        QCOMPARE(millimetres->roundTrips, (std::vector<long>{30, 25, 45, 19, 366, 7, 6}));
+        QVERIFY(!grid({1, std::sqrt(2.0) / 1.3, M_PI / 3}));
+    }
+
+    void cutsStayInOrderAndGradedPartsFollowAFront() {
+        CellCuts cuts(1, {1e4}, {0.3, 1.5});
+        const std::size_t parts = cuts.count();
+        QVERIFY(parts > 10 && parts < 60);
+        QVERIFY(cuts.widths().front() < 1e-4);
+        QVERIFY(cuts.cutAt(0.37));
+        QVERIFY(!cuts.cutAt(0.37));
+        QVERIFY(cuts.count() > parts + 5);
+        QVERIFY(std::is_sorted(cuts.places().begin(), cuts.places().end()));
+        double sum = 0;
+        for (const double width : cuts.widths()) sum += width;
+        QVERIFY(std::abs(sum - 1) < 1e-12);
+    }
+
+    /// It shares nothing with the solver but the problem: both must come to the same.
+    void thePlainLatticeComesToTheReferenceToo() {
+        int compared = 0;
+        for (const NetworkCase& scene : networkCases()) {
+            if (scene.id.find("stiff") != std::string::npos) continue;  // needs cells that no lattice has
+            std::optional<CellGrid> grid = usualGrid(scene.problem);
+            QVERIFY(grid);
+            while (*scene.problem.endTime / grid->cell < 30'000) *grid = grid->halved();
+            const PlainBlow blow = solvePlainLattice(scene.problem, *grid);
+            QVERIFY(blow.isSolved);
+            const double expected = scene.reference["efficiency"].toObject()["value"].toDouble();
+            QVERIFY2(std::abs(blow.efficiency - expected) < 3e-3,
+                     QByteArray(scene.id.c_str()) + ' ' + QByteArray::number(blow.efficiency - expected));
+            ++compared;
+        }
+        QVERIFY(compared >= 24);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestNetworkParts)
+#include "tst_network_parts.moc"
