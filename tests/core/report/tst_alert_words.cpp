@@ -128,9 +128,8 @@ const std::vector<Example>& examples() {
           AlertCode::lengthsRounded,
           "",
           {{"time", 2e-7, Quantity::time}, {"efficiency_error", 1e-3}}},
-         "The transit times of the sections share no cell of time: they were rounded by up to 200 ns, and "
-         "the "
-         "efficiency may be off by 0.0011. Lengths in whole millimetres of one steel are exact."},
+         "The transit times of the sections share no cell of time: they were rounded by up to 0.2 us, and "
+         "the efficiency may be off by 0.0011. Lengths in whole millimetres of one steel are exact."},
         {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}}},
          "After 16.7 ms bit or hammer may still meet again: these are the numbers at the next blow, not "
          "final "
