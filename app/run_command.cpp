@@ -93,6 +93,10 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     if (files.units == OutputUnits::si && !hasUnits(document.scenario))
         throw CommandError(ExitCode::usage,
                            "--si: " + path + " is given by its dimensionless groups and has no SI units");
+    if (isString(document.scenario) && !files.plots.empty())
+        throw CommandError(
+            ExitCode::usage,
+            "--plots: " + path + ": pictures are drawn of uniform rods; leave it out for a drill string");
     prepare(files, path, document);
 
     const bool writesFiles = !files.directory.empty();
@@ -135,7 +139,7 @@ const Command& runCommand() {
     static const std::string details =
         "With -o, DIR gets scenario.yaml, summary.json, histories.csv, "
         "events.csv and the plots: each of the\n"
-        "first four can be run again.";
+        "first four can be run again. Of a drill string there are no histories and no plots.";
     static const Command command{
         .name = "run",
         .operands = "FILE",

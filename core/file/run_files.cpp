@@ -69,9 +69,9 @@ std::vector<std::string> runFilesThere(const std::string& folder) {
 FolderFiles runFolder(const SolvedRun& run, std::vector<NamedFile> pictures) {
     FolderFiles folder;
     folder.outdated = filesOfEarlierRun;
-    folder.files = {{scenarioName, scenarioFile(run)},
-                    {historiesName, historiesFile(run)},
-                    {eventsName, eventsFile(run)}};
+    folder.files = {{scenarioName, scenarioFile(run)}, {eventsName, eventsFile(run)}};
+    // the waves of a string are not those of one rod
+    if (!run.blow.string) folder.files.push_back({historiesName, historiesFile(run)});
     std::ranges::move(pictures, std::back_inserter(folder.files));
     folder.files.push_back({summaryName, blowJson(run.blow, run.scenarioText)});
     return folder;

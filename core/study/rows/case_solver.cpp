@@ -40,10 +40,14 @@ std::string CaseSolver::solve(const Scenario& scenario, std::span<double> output
     return {};
 }
 
+/// A wave piece of the exact solver is worth so many cells of a string.
+constexpr long cellsOfPiece = 30;
+
 /// By one run: `efficiency_error` says how good it is.
 std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<double> outputs,
                                          const std::stop_token& stop) {
-    NetworkSettings settings{.accuracy = NetworkAccuracy::quick, .wants = {}, .mostCells = m_workLimit};
+    NetworkSettings settings{
+        .accuracy = NetworkAccuracy::quick, .wants = {}, .mostCells = cellsOfPiece * m_workLimit};
     settings.wants.forces = m_detail == Detail::histories;
     const StringBlow blow = solveString(scenario, settings, stop);
     m_impact = impactOf(blow);

@@ -31,7 +31,9 @@ void SectionWatch::note(SectionPeak& peak, double force, double downClock, doubl
     const double q = m_section.startTime + m_section.transitTime + upClock;
     const double time = (s + q + m_section.transitTime) / 2;
     if (time > lastTime) return;
-    peak = {force, std::clamp((q - s + m_section.transitTime) / (2 * m_section.transitTime), 0.0, 1.0), time};
+    const double place = (q - s + m_section.transitTime) / (2 * m_section.transitTime);
+    constexpr double atEnd = 1e-9;  // an end, but for rounding
+    peak = {force, place < atEnd ? 0 : place > 1 - atEnd ? 1 : place, time};
 }
 
 void SectionWatch::watch(Side& side, const Meeting& meeting) const {
