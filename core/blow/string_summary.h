@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a drill string adds to the numbers of a blow (files §4.1).
+// What a drill string adds to the numbers of a blow (files §4).
 #pragma once
 
 #include <vector>

@@ -54,7 +54,7 @@ class TestOutputs : public QObject {
 };
 
 void TestOutputs::everyOutputIsFoundByItsName() {
-    QCOMPARE(outputs().size(), std::size_t{25});
+    QCOMPARE(outputs().size(), std::size_t{36});
     for (const Output& output : outputs()) QCOMPARE(findOutput(output.name), &output);
     QCOMPARE(findOutput("peak"), nullptr);
 }
@@ -63,11 +63,17 @@ void TestOutputs::everyOutputHasANumberWhereTheScenarioHasIt() {
     Scenario complete = drillOf(50);
     complete.drill.thrust = 5000;
     const Blow drill = solveBlow(complete, {}, Detail::histories);
+    int told = 0;
     for (const Output& output : outputs()) {
-        QVERIFY(output.problem(drill.scenario).empty());
         const std::optional<double> value = output.value({drill.summary, drill.scenario, 0.1});
+        if (!output.problem(drill.scenario).empty()) {  // of drill strings
+            QVERIFY(!value);
+            continue;
+        }
+        ++told;
         QVERIFY2(value && std::isfinite(*value), std::string(output.name).c_str());
     }
+    QCOMPARE(told, 25);
     const Blow groups = solveBlow(groupsCase({0.5, 0.1, 10, 0.2}), {}, Detail::ledger);
     for (const Output& output : outputs()) {
         const bool isThere = output.problem(groups.scenario).empty() && output.detail != Detail::histories;
@@ -82,6 +88,7 @@ void TestOutputs::anOutputNeedsNoMoreThanItsDetail() {
     const Blow full = solveBlow(scenario, {}, Detail::histories);
     for (const Output& output : outputs()) {
         if (output.measure == Measure::error || output.needsThrustStudy()) continue;  // rounding; no blow
+        if (!output.problem(scenario).empty()) continue;  // of drill strings; without a thrust
         const Blow own = solveBlow(scenario, {}, output.detail);
         const double value = *output.value({own.summary, scenario});
         const double expected = *output.value({full.summary, scenario});
