@@ -17,9 +17,6 @@ constexpr double diedAway = 25, growthBehind = 4;
 /// Rates so fast that what they lose in a cell is below 1e-9 of it need no parts.
 constexpr double wallRate = 1e9;
 
-/// Jumps at most that are followed at a place of their own.
-constexpr int mostJumps = 100;
-
 /// Cells in more parts than that are cut no more.
 constexpr std::size_t mostParts = 400;
 
@@ -67,7 +64,7 @@ void CellCuts::measure() {
 }
 
 bool CellCuts::cutAt(double place) {
-    if (m_jumps == mostJumps || count() > mostParts || !add(place)) return false;
+    if (m_jumps == m_grading.mostCuts || count() > mostParts || !add(place)) return false;
     ++m_jumps;
     addGraded(place);
     measure();

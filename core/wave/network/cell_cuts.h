@@ -13,6 +13,7 @@ namespace drillwave {
 struct Grading {
     double first;   ///< how far the fastest rate runs in the first part
     double growth;  ///< of the parts behind it
+    int mostCuts;   ///< jumps at most that are followed at a place of their own
     bool operator==(const Grading&) const = default;
 };
 

@@ -36,6 +36,11 @@ class LineCensus {
         if (start + width <= m_from) {
             m_sums.passed += width * cell.mean();
             m_sums.passedSquare += width * cell.meanSquare();
+        } else if (start >= m_from && start + width <= m_to && m_decay == 0) {
+            m_sums.entered += width * cell.mean();
+            m_sums.enteredSquare += width * cell.meanSquare();
+            m_sums.present = m_sums.entered;
+            m_sums.presentSquare = m_sums.enteredSquare;
         } else {
             addAcross(cell, start, width);
         }

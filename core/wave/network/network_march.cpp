@@ -35,6 +35,11 @@ std::vector<double> transitTimes(const CellGrid& grid) {
     return times;
 }
 
+bool losesEnergy(const NetworkProblem& problem) {
+    return std::any_of(problem.sections.begin(), problem.sections.end(),
+                       [](const NetworkSection& section) { return section.loss > 0 || section.decay > 0; });
+}
+
 const NetworkSection& sectionAt(const NetworkProblem& problem, std::size_t j) {
     return problem.sections[j];
 }
@@ -45,6 +50,7 @@ NetworkMarch::NetworkMarch(const NetworkProblem& problem, const CellGrid& grid, 
     : m_problem(onGrid(problem, grid)),
       m_grid(grid),
       m_wants(wants),
+      m_lossy(losesEnergy(problem)),
       m_clocks(problem, transitTimes(grid)),
       m_cuts(grid.cell, {}, wants.grading),
       m_face(sectionAt(problem, problem.hammerSections - 1).impedance,
@@ -234,14 +240,14 @@ bool NetworkMarch::cut(double place) {
 }
 
 void NetworkMarch::observe(std::size_t count) {
+    if (!m_census && !m_wants.forces && !m_wants.histories) return;
     const double start = clock(), end = m_cuts.clock(m_step + static_cast<long>(count));
     const double lastTime = m_problem.endTime.value_or(std::numeric_limits<double>::infinity());
     for (std::size_t j = 0; j < m_lines.size(); ++j) {
         if (m_census) {
-            const bool losses = isLossy();
             for (const bool down : {true, false}) {
                 LineCensus& line = down ? m_census->down(j) : m_census->up(j);
-                if (!line.concerns(start, end, losses)) continue;
+                if (!line.concerns(start, end, m_lossy)) continue;
                 const WaveCell* cells = down ? m_downs[j].data() : m_lines[j].leaving();
                 for (std::size_t i = 0; i < count; ++i) {
                     const long step = m_step + static_cast<long>(i);
@@ -275,11 +281,6 @@ void NetworkMarch::observe(std::size_t count) {
             m_clocksOfHistories.push_back(m_cuts.clock(m_step + static_cast<long>(i)));
 }
 
-bool NetworkMarch::isLossy() const {
-    return std::any_of(m_problem.sections.begin(), m_problem.sections.end(),
-                       [](const NetworkSection& section) { return section.loss > 0 || section.decay > 0; });
-}
-
 double NetworkMarch::limitTime() const {
     if (m_problem.endTime) return *m_problem.endTime;
     return m_problem.nextBlow.value_or(mostRoundTrips * 2 * m_clocks.bit());
@@ -287,8 +288,7 @@ double NetworkMarch::limitTime() const {
 
 /// Decides when all that moves is counted next: all of it must lie ahead.
 void NetworkMarch::scheduleCensus() {
-    if (m_problem.endTime ||
-        isLossy()) {  // no proof for what loses: what passes counts from the beginning on
+    if (m_problem.endTime || m_lossy) {  // no proof for what loses: what passes counts from the beginning on
         m_census.emplace(m_problem, m_clocks, limitTime());
         return;
     }
@@ -351,7 +351,7 @@ NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
         if (!m_census || clock() <= m_census->lastClock()) continue;
         const CensusResult census = m_census->finish();
         if (m_problem.endTime) return result(census, NetworkEnd::endTime);
-        if (!isLossy() && nothingFollows(m_problem, m_clocks, census))
+        if (!m_lossy && nothingFollows(m_problem, m_clocks, census))
             return result(census, NetworkEnd::proven);
         if (census.time >= limitTime()) return result(census, NetworkEnd::nextBlow);
         m_census.reset();

@@ -26,7 +26,7 @@ struct NetworkWants {
     bool forces = false;     ///< of every section, and what joints reflect
     bool histories = false;  ///< both waves of every section
     CutAt cutAt = CutAt::jumps;
-    Grading grading{0.3, 1.5};
+    Grading grading{0.3, 1.5, 24};
 };
 
 /// One blow on a lattice of polynomial cells. Only round trips matter: every node has a clock of its own, the
@@ -64,7 +64,6 @@ class NetworkMarch {
     bool cut(double place);
     void observe(std::size_t count);
     void scheduleCensus();
-    bool isLossy() const;
     NetworkImpact result(const CensusResult& census, NetworkEnd end);
     NetworkImpact notSolved(std::string reason) const;
     double jumpPlace(std::size_t part, double place) const;
@@ -75,6 +74,7 @@ class NetworkMarch {
     NetworkProblem m_problem;
     CellGrid m_grid;
     NetworkWants m_wants;
+    bool m_lossy;                   ///< joints or sections lose energy
     std::vector<double> m_passing;  ///< e^−αL of each section
     StringClocks m_clocks;
     CellCuts m_cuts;

@@ -15,8 +15,8 @@ struct Smoothness {
     Grading grading;
     CutAt cutAt;
 };
-constexpr Smoothness quickSmoothness{0.2, {0.3, 1.5}, CutAt::jumps};
-constexpr Smoothness sureSmoothness{0.02, {0.15, 1.25}, CutAt::corners};
+constexpr Smoothness quickSmoothness{0.2, {0.3, 1.5, 24}, CutAt::jumps};
+constexpr Smoothness sureSmoothness{0.02, {0.15, 1.25, 100}, CutAt::corners};
 
 /// Round trips of hammer and string are at most so many cells; what shares none is rounded to that.
 constexpr double mostSharedCells = 2e6;

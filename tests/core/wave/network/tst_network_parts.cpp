@@ -67,7 +67,7 @@ class TestNetworkParts : public QObject {
     }
 
     void cutsStayInOrderAndGradedPartsFollowAFront() {
-        CellCuts cuts(1, {1e4}, {0.3, 1.5});
+        CellCuts cuts(1, {1e4}, {0.3, 1.5, 24});
         const std::size_t parts = cuts.count();
         QVERIFY(parts > 10 && parts < 60);
         QVERIFY(cuts.widths().front() < 1e-4);
