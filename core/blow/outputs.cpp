@@ -143,7 +143,7 @@ constexpr auto outputTable = std::to_array<Output>({
      "transit time; couplings and threads raise it locally",
      &RodForces::compression},
     {"peak_tension", "largest tension in the rod while the blow lasts", Measure::stress, Detail::histories,
-     largest<&RodForces::tension>, OutputGroup::stress, "tension, blow",
+     largestStress<&RodForces::tension, &StringSummary::largestTension>, OutputGroup::stress, "tension, blow",
      "Largest tensile stress of the uniform rod while the blow lasts: to the last separation plus one "
      "transit time; couplings and threads raise it locally",
      &RodForces::tension},
@@ -224,6 +224,12 @@ constexpr auto outputTable = std::to_array<Output>({
 
 std::string Output::problem(const Scenario& scenario) const {
     return lack ? lack(scenario) : std::string();
+}
+
+bool Output::concerns(const Scenario& scenario) const {
+    if (lack == notAString) return isString(scenario);
+    if (lack == notAUniformRod) return !isString(scenario);
+    return true;
 }
 
 bool Output::isOnlySi() const {
