@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "core/blow/thrust.h"
 #include "ui/result/alert_link.h"
@@ -326,6 +327,7 @@ void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const Entry& en
     m_rows.append({section, name, value, entry.meaning, entry.text, entry.note, entry.number,
                    entry.changeText ? entry.changeText : percentText, change, entry.warning, entry.concerns,
                    swatch});
+    offerRow(m_rows.last(), Scenario());  // the panel is no wider than a rod needs
 }
 
 void ResultPanel::addEvents() {
@@ -389,13 +391,17 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
     m_worst.ask(*blow);
     QSet<SectionBox*> filled;
     for (const Row& row : std::as_const(m_rows)) {
-        offerRow(row);
+        offerRow(row, blow->request.scenario);
         showRow(row);
         if (row.isThere() && row.value->text() != nothing) filled.insert(row.section);
     }
     // Without frequency and feed force there is nothing to say about the thrust.
     for (const Row& row : std::as_const(m_rows))
         row.section->setVisible(!solved || filled.contains(row.section));
+    // The names of a string's numbers are longer than those of a rod's.
+    if (const bool ofString = isString(blow->request.scenario);
+        std::exchange(m_ofString, ofString) != ofString)
+        updateGeometry();
     m_alerts->present(blow->problem, blow->alerts);
     if (solved)
         m_energy->present(blow->summary);
@@ -405,9 +411,9 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
 }
 
 // What a rod or a string alone has is not there for the other.
-void ResultPanel::offerRow(const Row& row) {
+void ResultPanel::offerRow(const Row& row, const Scenario& scenario) {
     if (!row.concerns) return;
-    const bool offered = row.concerns(m_blow->request.scenario);
+    const bool offered = row.concerns(scenario);
     row.name->setVisible(offered && !row.name->text().isEmpty());
     row.value->setVisible(offered);
     if (row.swatch) row.swatch->setVisible(offered);

@@ -115,12 +115,13 @@ class ResultPanel : public SteadyScrollArea {
     void alignColumns();
     void copy() const;
     void showRow(const Row& row);
-    void offerRow(const Row& row);
+    static void offerRow(const Row& row, const Scenario& scenario);
     void follow(RodForce RodForces::*place);
     void showChange(const Row& row);
     void showWorst();
     std::optional<double> worstOf(const SolvedBlow& blow) const;
 
+    bool m_ofString = false;  // whose rows are there
     SolvedBlowPtr m_blow;
     SolvedBlowPtr m_reference;
     QString m_referenceTitle;
