@@ -226,6 +226,12 @@ std::string Output::problem(const Scenario& scenario) const {
     return lack ? lack(scenario) : std::string();
 }
 
+bool Output::concerns(const Scenario& scenario) const {
+    if (lack == notAString) return isString(scenario);
+    if (lack == notAUniformRod) return !isString(scenario);
+    return true;
+}
+
 bool Output::isOnlySi() const {
     return measure == Measure::newton || measure == Measure::watt || measure == Measure::speed;
 }

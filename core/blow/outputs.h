@@ -60,6 +60,9 @@ struct Output {
 
     /// Why such a scenario has none and what to do; empty when it has.
     std::string problem(const Scenario& scenario) const;
+    /// Whether it is a number of such scenarios at all, be it given or not: a uniform rod has no energy lost
+    /// in joints.
+    bool concerns(const Scenario& scenario) const;
     bool isOnlySi() const;          ///< there is no dimensionless number
     bool needsThrustStudy() const;  ///< whether OutputSource::thrustMargin must be there
     /// `ratio` where SI is the same number.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of the whole window, to be looked at: screenshots FOLDER. Every page, light and dark, in three
-// sizes, at one and two pixels a point: blow_dark_1440x900_2x.png and so on.
+// Pictures of the whole window, to be looked at: screenshots FOLDER [PAGE]. Every page or that one, light and
+// dark, in three sizes, at one and two pixels a point: blow_dark_1440x900_2x.png and so on.
 #include <QApplication>
 #include <QDir>
 #include <QProcess>
@@ -8,6 +8,7 @@
 #include <QTest>
 #include <cstdio>
 
+#include "core/file/examples.h"
 #include "tests/support/themes.h"
 #include "tests/support/window_parts.h"
 #include "ui/job/solve_job.h"
@@ -48,9 +49,15 @@ void pinRuns(MainWindow& window) {
     }
 }
 
+bool isWanted(const QString& page) {
+    const QString wanted = QCoreApplication::arguments().value(2);
+    return wanted.isEmpty() || page.compare(wanted, Qt::CaseInsensitive) == 0;
+}
+
 bool drawPages(MainWindow& window, const QDir& folder, const char* theme, int scale) {
     auto* pages = window.findChild<PageTabs*>();
     for (int page = 0; page < pages->count(); ++page) {
+        if (!pages->isOffered(page) || !isWanted(pages->page(page).title())) continue;
         pages->setCurrentIndex(page);
         for (const QSize size : sizes) {
             window.resize(size);
@@ -81,8 +88,13 @@ bool drawThemes(const QDir& folder, int scale) {
         QApplication::setPalette(dark ? darkPalette() : lightPalette());
         MainWindow window;
         window.show();
-        pinRuns(window);
-        if (!drawPages(window, folder, dark ? "dark" : "light", scale)) return false;
+        const char* theme = dark ? "dark" : "light";
+        if (QCoreApplication::arguments().size() < 3) pinRuns(window);
+        if (!drawPages(window, folder, theme, scale)) return false;
+        // Also of a drill string: its own page.
+        window.document().startFrom(findExample("t38_string")->text, QStringLiteral("t38_string"));
+        settle(window);
+        if (isWanted(QStringLiteral("String")) && !drawPages(window, folder, theme, scale)) return false;
     }
     return true;
 }
@@ -95,8 +107,8 @@ int main(int argc, char** argv) {
     const bool isChild = qEnvironmentVariableIsSet("QT_SCALE_FACTOR");
     const QApplication application(argc, argv);
     const QStringList words = QCoreApplication::arguments();
-    if (words.size() != 2) {
-        std::fprintf(stderr, "usage: screenshots FOLDER\n");
+    if (words.size() != 2 && words.size() != 3) {
+        std::fprintf(stderr, "usage: screenshots FOLDER [PAGE]\n");
         return 2;
     }
     QLocale::setDefault(QLocale::c());
@@ -107,5 +119,5 @@ int main(int argc, char** argv) {
     if (!drawThemes(QDir(words.at(1)), isChild ? 2 : 1)) return 1;
     if (isChild) return 0;
     qputenv("QT_SCALE_FACTOR", "2");
-    return QProcess::execute(QCoreApplication::applicationFilePath(), {words.at(1)});
+    return QProcess::execute(QCoreApplication::applicationFilePath(), words.mid(1));
 }

@@ -25,13 +25,6 @@ std::string nativePath(const QString& path) {
     return QFile::encodeName(path).toStdString();
 }
 
-// Of what is loaded, whatever from. Throws ScenarioError.
-void checkForWindow(const Scenario& scenario, const std::string& source) {
-    if (isString(scenario))
-        throw ScenarioError(ScenarioError::Kind::invalid, source,
-                            {{"", "this window shows uniform rods; drill strings run on the command line"}});
-}
-
 QString lines(const ScenarioError& error) {
     QStringList all;
     for (const std::string& line : error.lines()) all.append(QString::fromStdString(line));
@@ -227,7 +220,6 @@ void Document::start() {
 QString Document::startFrom(std::string_view text, const QString& name) {
     try {
         ScenarioDocument source = parseScenario(text, name.toStdString());
-        checkForWindow(source.scenario, source.source);
         take(std::move(source), {}, {});
     } catch (const ScenarioError& error) {
         return lines(error);
@@ -240,7 +232,6 @@ QString Document::open(const QString& path) {
     try {
         const std::string native = nativePath(absolute);
         ScenarioInput input = loadInput(native);
-        checkForWindow(input.document.scenario, native);
         // What is saved is a scenario: not over a result.
         const QString toSave = input.isResult ? QString() : absolute;
         take(std::move(input.document), toSave, absolute);
@@ -253,7 +244,6 @@ QString Document::open(const QString& path) {
 QString Document::reload() {
     try {
         ScenarioDocument source = loadScenario(nativePath(m_path));
-        checkForWindow(source.scenario, source.source);
         pushContents(source.scenario, source.text, tr("reload the file"));
         m_source = std::move(source);
     } catch (const ScenarioError& error) {
@@ -269,7 +259,6 @@ QString Document::restore(const std::string& text, const QString& origin) {
     const std::string source = origin.isEmpty() ? std::string() : nativePath(origin);
     try {
         ScenarioDocument document = parseScenario(text, source);
-        checkForWindow(document.scenario, source);
         take(std::move(document), {}, origin);
     } catch (const ScenarioError& error) {
         return lines(error);
@@ -285,7 +274,9 @@ void Document::markUnsaved() {
 
 QString Document::applyPreset(const Preset& preset) {
     // A menu that is open stays so when the scenario is replaced, by an undo or another file.
-    if (m_scenario.form != ScenarioForm::dimensional)
+    if (isString(m_scenario) && preset.kind != PresetKind::rock)
+        return tr("A preset of a rod or a hammer is for uniform rods, and this scenario is a drill string.");
+    if (!hasUnits(m_scenario))
         return tr("A preset has physical units, and this scenario is given by its dimensionless groups.");
     Scenario changed = withPreset(m_scenario, preset);
     std::vector<InputProblem> problems = m_check(changed);
@@ -342,6 +333,8 @@ QString Document::tablePath() const {
 }
 
 QString Document::takeTable(const QString& path, const std::string& name, const QString& step) {
+    if (isString(m_scenario))
+        return tr("A drill string is struck by the sections of its hammer, not by a force from a table.");
     PulseTable table = readPulseTable(nativePath(path), nativePath(path), m_scenario.form);
     std::vector<InputProblem> problems = std::move(table.problems);
     Scenario changed = m_scenario;

@@ -33,9 +33,8 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
       m_window(window) {
     setToolTipsVisible(true);
     qApp->installEventFilter(this);
-    add(tr("&Histories…"), {},
-        tr("Forces, impulse, momentum, penetration and velocity at the bit over time, as CSV"),
-        [this] { saveHistories(); });
+    m_histories = add(tr("&Histories…"), {}, {}, [this] { saveHistories(); });
+    offerRodFiles(true);
     add(tr("&Events…"), {}, tr("Contacts, reversals and separations with their times, as CSV"),
         [this] { saveEvents(); });
     m_afterNumbers = addSeparator();
@@ -70,6 +69,13 @@ void ExportMenu::setExports(const QList<PageExport>& exports) {
             offered.picture ? m_afterPictures : m_afterNumbers));
     }
     m_afterPictures->setEnabled(hasPicture);
+}
+
+void ExportMenu::offerRodFiles(bool offered) {
+    m_histories->setEnabled(offered);
+    m_histories->setToolTip(
+        offered ? tr("Forces, impulse, momentum, penetration and velocity at the bit over time, as CSV")
+                : tr("Kept of uniform rods alone, and this scenario is a drill string"));
 }
 
 void ExportMenu::save(const PageExport& wanted) {
@@ -149,7 +155,8 @@ void ExportMenu::writeFolder(const QString& folder, SolvedRun run, ExistingFiles
     const WaitCursor wait;
     addThrustMargin(run.blow);
     const std::vector<std::string> formats(pictureFormats.begin(), pictureFormats.end());
-    Pictures pictures = drawBlowPlots(run.blow.scenario, run.blow.impact, formats);
+    Pictures pictures;  // none of a drill string
+    if (!isString(run.blow.scenario)) pictures = drawBlowPlots(run.blow.scenario, run.blow.impact, formats);
     if (!pictures.problem.isEmpty()) return fail(pictures.problem);
     const FolderEnd end = writeWholeFolder(QFile::encodeName(folder).toStdString(),
                                            runFolder(run, std::move(pictures.files)), existing);

@@ -31,6 +31,8 @@ class ExportMenu : public QMenu {
 
     /// What the page on show offers; from now on in the menu.
     void setExports(const QList<PageExport>& exports);
+    /// Whether there are histories: of a uniform rod.
+    void offerRodFiles(bool offered);
     /// One of them, the numbers behind the scenario.
     void save(const PageExport& wanted);
     /// The curves and the events of the blow, in the units that are shown.
@@ -74,6 +76,7 @@ class ExportMenu : public QMenu {
     QWidget* m_window;
     QList<PageExport> m_exports;
     QList<QAction*> m_actions;  // of m_exports
+    QAction* m_histories = nullptr;
     QAction* m_afterNumbers = nullptr;
     QAction* m_afterPictures = nullptr;
 };

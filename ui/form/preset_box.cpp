@@ -38,7 +38,7 @@ PresetBox::PresetBox(PresetKind kind, const QString& part, Document& document, P
 }
 
 void PresetBox::present(const Scenario& scenario) {
-    const bool physical = scenario.form == ScenarioForm::dimensional;
+    const bool physical = hasUnits(scenario);
     const Preset* preset = m_library.matching(m_kind, scenario);
     QString help = tr("The values are those of no preset. Choose one to start from its values.");
     if (!physical)

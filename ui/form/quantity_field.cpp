@@ -15,6 +15,7 @@
 
 #include "core/text/number_text.h"
 #include "ui/form/unit_button.h"
+#include "ui/text/field_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_quantity.h"
 #include "ui/text/typed_text.h"
@@ -22,10 +23,8 @@
 namespace drillwave {
 namespace {
 
-constexpr int patienceMs = 500;      // a half-typed number is not called wrong before that
-constexpr int stepSeriesMs = 800;    // steps closer in time than this are one edit
-constexpr int exactTextLength = 10;  // longer ones are rounded for display
-constexpr int displayDigits = 6;
+constexpr int patienceMs = 500;    // a half-typed number is not called wrong before that
+constexpr int stepSeriesMs = 800;  // steps closer in time than this are one edit
 
 // One unit of the second digit, so that a step is a few per cent wherever the value lies.
 double stepSize(double value, int direction) {
@@ -200,14 +199,7 @@ void QuantityField::showValue() {
 }
 
 QString QuantityField::shownText(double si) const {
-    const QString exact = QString::fromStdString(formatQuantity(si, m_quantity, *m_unit));
-    const qsizetype end = exact.indexOf(u' ');
-    const QString number = end < 0 ? exact : exact.left(end);
-    const bool inThisUnit = m_unit->name.empty() || exact.mid(end + 1).toStdString() == m_unit->name;
-    const bool readable = inThisUnit && number.size() <= exactTextLength;
-    return localText(
-        readable ? number : QString::fromStdString(drillwave::rounded(m_unit->fromSi(si), displayDigits)),
-        locale());
+    return fieldText(si, m_quantity, *m_unit, locale());
 }
 
 double QuantityField::rounded(double si) const {

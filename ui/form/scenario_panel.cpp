@@ -8,12 +8,20 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/text/shown_text.h"
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
 
 const QString groupsSection = QStringLiteral("groups");
+const QString stringSection = QStringLiteral("string");
+
+// Where in the form a parameter is: what a string has beside its sections stands together.
+QString formSection(const Parameter& parameter) {
+    const QString section = fromView(parameter.section());
+    return section.isEmpty() || section == QLatin1String("material") ? stringSection : section;
+}
 
 std::optional<PresetKind> presetsOf(const QString& section) {
     if (section == QLatin1String("rod")) return PresetKind::rod;
@@ -31,6 +39,8 @@ ScenarioPanel::ScenarioPanel(Document& document, Questions& questions, QWidget* 
     layout->setContentsMargins(4, 4, 4, 4);
     layout->setSpacing(6);
     addTitle();
+    addSection(stringSection, tr("String"));
+    addSection(QStringLiteral("hammer"), tr("Hammer"));
     addSection(QStringLiteral("rod"), tr("Rod"));
     addSection(QStringLiteral("pulse"), tr("Hammer blow"));
     addSection(QStringLiteral("bit_rock"), tr("Bit and rock"));
@@ -77,8 +87,13 @@ void ScenarioPanel::addSection(const QString& section, const QString& title) {
         m_pulse = new PulseSection(m_document, m_questions, grid, box->content());
         connect(m_pulse, &PulseSection::importRequested, this, &ScenarioPanel::importRequested);
     }
+    if (section == stringSection) {
+        m_string = new StringSection(m_document, grid, box->content());
+        connect(m_string, &StringSection::sectionsRequested, this, &ScenarioPanel::sectionsRequested);
+    }
     for (const Parameter& parameter : parameters())
-        if (parameter.section() == section.toStdString()) addRow(parameter, title, grid, box->content());
+        if (formSection(parameter) == section) addRow(parameter, title, grid, box->content());
+    if (section == QLatin1String("hammer")) m_string->addRestrike(grid, box->content());
     widget()->layout()->addWidget(box);
 }
 
@@ -131,7 +146,8 @@ void ScenarioPanel::beginDrag() {
 
 void ScenarioPanel::endDrag() {
     m_dragged = false;
-    m_pulse->present(m_document.scenario(), PulseSection::Shapes::asked);
+    if (!isString(m_document.scenario()))
+        m_pulse->present(m_document.scenario(), PulseSection::Shapes::asked);
     emit dragEnded();
 }
 
@@ -156,12 +172,18 @@ void ScenarioPanel::showScenario() {
     const QString title = QString::fromStdString(scenario.title);
     if (m_title->text() != title) m_title->setText(title);
     showPresets();
-    m_pulse->present(scenario, m_dragged ? PulseSection::Shapes::asBefore : PulseSection::Shapes::asked);
+    const bool ofString = isString(scenario);
+    if (ofString)
+        m_string->present(scenario);
+    else
+        m_pulse->present(scenario, m_dragged ? PulseSection::Shapes::asBefore : PulseSection::Shapes::asked);
     for (const Section& section : std::as_const(m_sections)) {
         for (ParameterRow* row : section.rows) row->present(scenario);
         const bool used = std::ranges::any_of(
             section.rows, [&](const ParameterRow* row) { return row->parameter().applies(scenario); });
-        section.box->setVisible(used || section.box->objectName() == QLatin1String("pulse"));
+        const QString name = section.box->objectName();
+        const bool ofRodAlone = name == QLatin1String("pulse") || name == groupsSection;
+        section.box->setVisible(ofRodAlone ? !ofString : used);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "ui/form/pulse_section.h"
 #include "ui/form/section_box.h"
 #include "ui/form/steady_scroll_area.h"
+#include "ui/form/string_section.h"
 #include "ui/questions/questions.h"
 
 namespace drillwave {
@@ -37,6 +38,8 @@ class ScenarioPanel : public SteadyScrollArea {
     void dragEnded();
     /// The user wants to import a measured hammer blow.
     void importRequested();
+    /// The user wants to see the sections of the drill string.
+    void sectionsRequested();
 
   private:
     void addTitle();
@@ -64,6 +67,7 @@ class ScenarioPanel : public SteadyScrollArea {
     QList<PresetBox*> m_presetBoxes;
     QLineEdit* m_title = nullptr;
     PulseSection* m_pulse = nullptr;
+    StringSection* m_string = nullptr;
     QList<Section> m_sections;
     int m_gesture = m_document.newGesture();  // until edits have ended
     bool m_dragged = false;                   // a slider is held

@@ -23,6 +23,12 @@ void Importer::start(ImportUse use) {
 }
 
 void Importer::open(const QString& path, ImportUse use) {
+    if (isString(m_document.scenario()))
+        return m_questions.tell(
+            m_window, Questions::Tone::failure, tr("This cannot be taken."),
+            tr("%1\nMeasured signals are compared with uniform rods, and this scenario is a "
+               "drill string.")
+                .arg(QFileInfo(path).fileName()));
     delete m_dialog;
     m_dialog = new ImportDialog(path, use, m_document, m_window);
     m_dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -45,6 +51,9 @@ void Importer::take() {
 }
 
 QString Importer::takeBlow() {
+    // Another scenario may have been opened while the dialog was.
+    if (isString(m_document.scenario()))
+        return tr("A drill string is struck by the sections of its hammer, not by a measured force.");
     Scenario changed = m_document.scenario();
     changed.pulse.shape = PulseShape::table;
     changed.pulse.tableFile.clear();

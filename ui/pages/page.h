@@ -21,6 +21,9 @@ class Page : public QWidget {
 
     /// Name on the tab.
     virtual QString title() const = 0;
+    /// Whether it has something to show of such a scenario; a page that has not cannot be chosen, and is
+    /// asked for nothing.
+    virtual bool shows(const Scenario& scenario) const { return !isString(scenario); }
     /// How what this page needs now is made from a blow; asked for only while the page can be seen. Empty
     /// where it needs nothing but the blow.
     virtual PreparePage prepare() const = 0;

@@ -25,19 +25,27 @@ QColor colourOf(EnergyPart part, const QPalette& palette) {
             return dark ? QColor(0xd9, 0xa4, 0x6a) : QColor(0x8a, 0x55, 0x20);
         case EnergyPart::rebound:
             return dark ? QColor(0x7f, 0xbd, 0xee) : QColor(0x1f, 0x63, 0xa0);
+        case EnergyPart::hammer:
+            return dark ? QColor(0xc9, 0xa6, 0xe4) : QColor(0x6e, 0x3f, 0x96);
+        case EnergyPart::losses:
+            return dark ? QColor(0xb8, 0xb8, 0xb8) : QColor(0x5a, 0x5a, 0x5a);
         case EnergyPart::waves:
             break;
     }
     return dark ? QColor(0x9f, 0xd6, 0x9b) : QColor(0x2f, 0x74, 0x35);
 }
 
-// Solid, hatched and striped: to be told apart without colour.
+// Solid, hatched, striped and dotted: to be told apart without colour.
 Qt::BrushStyle patternOf(EnergyPart part) {
     switch (part) {
         case EnergyPart::rock:
             return Qt::SolidPattern;
         case EnergyPart::rebound:
             return Qt::BDiagPattern;
+        case EnergyPart::hammer:
+            return Qt::HorPattern;
+        case EnergyPart::losses:
+            return Qt::Dense6Pattern;
         case EnergyPart::waves:
             break;
     }
@@ -64,14 +72,22 @@ QString energyPartName(EnergyPart part) {
             return EnergyBar::tr("rock");
         case EnergyPart::rebound:
             return EnergyBar::tr("rebound");
+        case EnergyPart::hammer:
+            return EnergyBar::tr("hammer");
+        case EnergyPart::losses:
+            return EnergyBar::tr("losses");
         case EnergyPart::waves:
             break;
     }
     return EnergyBar::tr("waves");
 }
 
-double energyShare(const EnergyLedger& ledger, EnergyPart part) {
-    const std::array values{ledger.rockWork, ledger.reboundEnergy, ledger.residualWaveEnergy};
+double energyShare(const ImpactSummary& summary, EnergyPart part) {
+    const EnergyLedger& ledger = summary.energy;
+    const StringSummary string = summary.string.value_or(StringSummary());
+    const std::array values{ledger.rockWork, ledger.reboundEnergy, ledger.residualWaveEnergy,
+                            string.hammerReboundEnergy + string.hammerWaveEnergy,
+                            string.jointLoss + string.rodLoss + string.faceEnergy};
     return std::max(0.0, values[index(part)]);
 }
 
@@ -80,8 +96,8 @@ EnergyBar::EnergyBar(QWidget* parent) : QWidget(parent) {
     describe();
 }
 
-void EnergyBar::present(const EnergyLedger& ledger) {
-    for (const EnergyPart part : energyParts) m_shares[index(part)] = energyShare(ledger, part);
+void EnergyBar::present(const ImpactSummary& summary) {
+    for (const EnergyPart part : energyParts) m_shares[index(part)] = energyShare(summary, part);
     const double sum = std::accumulate(m_shares.begin(), m_shares.end(), 0.0);
     if (!(sum > 0)) return clear();
     for (double& share : m_shares) share /= sum;

@@ -9,16 +9,23 @@
 
 namespace drillwave {
 
-/// The shares of the energy ledger, in the order of the bar.
-enum class EnergyPart { rock, rebound, waves };
-inline constexpr std::array energyParts{EnergyPart::rock, EnergyPart::rebound, EnergyPart::waves};
+/// Where the work of the hammer goes, in the order of the bar; of a drill string, the energy of the hammer.
+enum class EnergyPart {
+    rock,
+    rebound,
+    waves,   ///< left in the rod or the string
+    hammer,  ///< of a drill string: still in the hammer, moving and in waves
+    losses,  ///< of a drill string: in joints, on the way, and between the faces
+};
+inline constexpr std::array energyParts{EnergyPart::rock, EnergyPart::rebound, EnergyPart::waves,
+                                        EnergyPart::hammer, EnergyPart::losses};
 
 /// A short word for a share: "rock".
 QString energyPartName(EnergyPart part);
-/// The share of the hammer work, 0 … 1; what rounding makes negative is 0.
-double energyShare(const EnergyLedger& ledger, EnergyPart part);
+/// The share of the whole, 0 … 1; what rounding makes negative is 0.
+double energyShare(const ImpactSummary& summary, EnergyPart part);
 
-/// A horizontal bar in three parts told apart by pattern, colour and, where they fit, words. Empty where
+/// A horizontal bar in parts told apart by pattern, colour and, where they fit, words. Empty where
 /// there is no result.
 class EnergyBar : public QWidget {
     Q_OBJECT
@@ -26,7 +33,7 @@ class EnergyBar : public QWidget {
   public:
     explicit EnergyBar(QWidget* parent = nullptr);
 
-    void present(const EnergyLedger& ledger);
+    void present(const ImpactSummary& summary);
     void clear();
     /// What is written in a part; empty where it does not fit.
     QString labelOf(EnergyPart part) const;

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "core/blow/thrust.h"
 #include "ui/result/alert_link.h"
@@ -36,6 +37,9 @@ std::optional<EnergyPart> partOf(const Output& output) {
     if (output.name == "rock_work") return EnergyPart::rock;
     if (output.name == "rebound_energy") return EnergyPart::rebound;
     if (output.name == "residual_wave_energy") return EnergyPart::waves;
+    if (output.name == "hammer_rebound_energy" || output.name == "hammer_wave_energy")
+        return EnergyPart::hammer;
+    if (output.name == "joint_loss" || output.name == "rod_loss") return EnergyPart::losses;
     return std::nullopt;
 }
 
@@ -49,6 +53,11 @@ void makeHeavy(QLabel& label) {
 
 const QString nothing = QStringLiteral("–");
 const QString worstName = QStringLiteral("worstNeed");
+
+// What studies of all gaps and the field of waves are there for.
+bool isOfRod(const Scenario& scenario) {
+    return !isString(scenario);
+}
 
 QString words(std::string_view text) {
     return ResultPanel::tr(std::string(text).c_str());
@@ -95,11 +104,14 @@ QList<ResultPanel::Entry> ResultPanel::entriesOf(const std::function<bool(const 
                         [&output](const SolvedBlow& blow) { return outputText(output, blow); },
                         partOf(output)});
         entries.last().number = numberOf(output);
+        entries.last().concerns = [&output](const Scenario& scenario) { return output.concerns(scenario); };
         if (!output.force) continue;
         entries.append({{},
                         tr("Where in the rod it is first that large, and when: a click leads there"),
                         [&output](const SolvedBlow& blow) { return placeText(output, blow); }});
         entries.last().place = output.force;
+        // Of a drill string the page String tells the places.
+        entries.last().concerns = isOfRod;
     }
     return entries;
 }
@@ -131,7 +143,9 @@ void ResultPanel::addThrust() {
           nullptr,
           Weight::usual,
           {},
-          [](const SolvedBlow& blow, UnitSystem) { return thrustNeeded(blow.scenario, blow.summary.cor); }},
+          [](const SolvedBlow& blow, UnitSystem) {
+              return thrustNeeded(blow.scenario, blow.summary.thrustRestitution());
+          }},
          {tr("worst of 4 needs"),
           tr("The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid rock, "
              "and "
@@ -141,7 +155,11 @@ void ResultPanel::addThrust() {
           [this](const SolvedBlow&) { return m_worst.problem(); },
           Weight::usual,
           worstName,
-          [this](const SolvedBlow& blow, UnitSystem) { return worstOf(blow); }},
+          [this](const SolvedBlow& blow, UnitSystem) { return worstOf(blow); },
+          nullptr,
+          nullptr,
+          nullptr,
+          isOfRod},
          {{},
           tr("Feed force less the worst of the four needs, and as a share of that: thrust_margin of commands "
              "and files"),
@@ -153,7 +171,8 @@ void ResultPanel::addThrust() {
           nullptr,
           nullptr,
           nullptr,
-          [this](const SolvedBlow& blow) { return isShortOfWorst(m_worst, blow); }},
+          [this](const SolvedBlow& blow) { return isShortOfWorst(m_worst, blow); },
+          isOfRod},
          {tr("installed"),
           tr("Feed force of the drill rig"),
           thrustInstalledText,
@@ -285,6 +304,7 @@ void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const Entry& en
         makeSelectable(*value);
     name->setBuddy(value);
     if (entry.weight == Weight::heavy) makeHeavy(*value);
+    QWidget* swatch = nullptr;
     const int row = grid->rowCount();
     if (entry.name.isEmpty()) {
         name->hide();
@@ -298,14 +318,16 @@ void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const Entry& en
         line->addWidget(value);
         grid->addLayout(line, row, 1, 1, 3);
     } else {
-        if (entry.part) grid->addWidget(new EnergySwatch(*entry.part, content), row, 0);
+        if (entry.part) grid->addWidget(swatch = new EnergySwatch(*entry.part, content), row, 0);
         grid->addWidget(name, row, 1);
         grid->addWidget(change, row, 2);
         grid->addWidget(value, row, 3);
     }
     value->setObjectName(entry.objectName);
     m_rows.append({section, name, value, entry.meaning, entry.text, entry.note, entry.number,
-                   entry.changeText ? entry.changeText : percentText, change, entry.warning});
+                   entry.changeText ? entry.changeText : percentText, change, entry.warning, entry.concerns,
+                   swatch});
+    offerRow(m_rows.last(), Scenario());  // the panel is no wider than a rod needs
 }
 
 void ResultPanel::addEvents() {
@@ -351,7 +373,7 @@ void ResultPanel::setOutOfDate(bool outOfDate) {
 QString ResultPanel::text() const {
     QString text = m_veil->isHidden() ? QString() : StaleVeil::words() + QLatin1Char('\n');
     for (const Row& row : m_rows)
-        if (!row.section->isHidden())
+        if (!row.section->isHidden() && row.isThere())
             text += row.section->title() + QStringLiteral(": ") + row.name->text() + QLatin1Char('\t') +
                     row.value->text() +
                     (row.change->text().isEmpty() ? QString() : QLatin1Char('\t') + row.change->text()) +
@@ -369,18 +391,32 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
     m_worst.ask(*blow);
     QSet<SectionBox*> filled;
     for (const Row& row : std::as_const(m_rows)) {
+        offerRow(row, blow->request.scenario);
         showRow(row);
-        if (row.value->text() != nothing) filled.insert(row.section);
+        if (row.isThere() && row.value->text() != nothing) filled.insert(row.section);
     }
     // Without frequency and feed force there is nothing to say about the thrust.
     for (const Row& row : std::as_const(m_rows))
         row.section->setVisible(!solved || filled.contains(row.section));
+    // The names of a string's numbers are longer than those of a rod's.
+    if (const bool ofString = isString(blow->request.scenario);
+        std::exchange(m_ofString, ofString) != ofString)
+        updateGeometry();
     m_alerts->present(blow->problem, blow->alerts);
     if (solved)
-        m_energy->present(blow->summary.energy);
+        m_energy->present(blow->summary);
     else
         m_energy->clear();
     m_events->present(blow);
+}
+
+// What a rod or a string alone has is not there for the other.
+void ResultPanel::offerRow(const Row& row, const Scenario& scenario) {
+    if (!row.concerns) return;
+    const bool offered = row.concerns(scenario);
+    row.name->setVisible(offered && !row.name->text().isEmpty());
+    row.value->setVisible(offered);
+    if (row.swatch) row.swatch->setVisible(offered);
 }
 
 void ResultPanel::showRow(const Row& row) {
@@ -406,7 +442,7 @@ void ResultPanel::follow(RodForce RodForces::*place) {
 void ResultPanel::showChange(const Row& row) {
     const UnitSystem units = m_blow->request.units;
     QString change;
-    if (m_reference && row.number && m_blow->problem.isEmpty()) {
+    if (m_reference && row.number && row.isThere() && m_blow->problem.isEmpty()) {
         const std::optional<double> now = row.number(*m_blow, units);
         const std::optional<double> then = row.number(*m_reference, units);
         if (now && then) change = row.changeText(*now, *then);

@@ -64,6 +64,8 @@ class ResultPanel : public SteadyScrollArea {
     using Number = std::function<std::optional<double>(const SolvedBlow&, UnitSystem)>;
     /// How a number of the blow on show is off that of the reference.
     using Change = std::function<QString(double now, double then)>;
+    /// Whether it is a number of such a scenario at all; the row is not there otherwise.
+    using Concern = std::function<bool(const Scenario&)>;
     /// Whether the text is a warning, and is to look like one.
     using Warning = std::function<bool(const SolvedBlow&)>;
     enum class Weight { usual, heavy };
@@ -78,6 +80,9 @@ class ResultPanel : public SteadyScrollArea {
         Change changeText;
         QLabel* change;  // against the reference
         Warning warning;
+        Concern concerns;
+        QWidget* swatch;  // of a part of the energy, or nullptr
+        bool isThere() const { return !value->isHidden(); }
     };
     struct Entry {
         QString name;
@@ -91,6 +96,7 @@ class ResultPanel : public SteadyScrollArea {
         RodForce RodForces::*place = nullptr;  ///< what the text leads to
         Change changeText = nullptr;           ///< in percent where there is none
         Warning warning = nullptr;
+        Concern concerns = nullptr;  ///< every one where there is none
     };
 
     SectionBox* addSection(const QString& title);
@@ -109,11 +115,13 @@ class ResultPanel : public SteadyScrollArea {
     void alignColumns();
     void copy() const;
     void showRow(const Row& row);
+    static void offerRow(const Row& row, const Scenario& scenario);
     void follow(RodForce RodForces::*place);
     void showChange(const Row& row);
     void showWorst();
     std::optional<double> worstOf(const SolvedBlow& blow) const;
 
+    bool m_ofString = false;  // whose rows are there
     SolvedBlowPtr m_blow;
     SolvedBlowPtr m_reference;
     QString m_referenceTitle;

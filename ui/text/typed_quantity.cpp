@@ -224,6 +224,17 @@ TypedQuantity sum(QList<Summand> summands, Quantity quantity, const Unit& defaul
     return total;
 }
 
+/// "0.002 1/m": the unit at the end whose name begins with a digit, which no number before it is to swallow.
+const Unit* reciprocalUnit(const QString& text, Quantity quantity) {
+    for (const Unit& unit : unitsOf(quantity)) {
+        const QString name = fromView(unit.name);
+        const qsizetype before = text.size() - name.size() - 1;
+        if (name.startsWith(u'1') && before > 0 && text.endsWith(name) && text[before].isSpace())
+            return &unit;
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 const Unit* typedUnit(const QString& spelling, Quantity quantity) {
@@ -234,13 +245,20 @@ const Unit* typedUnit(const QString& spelling, Quantity quantity) {
 
 TypedQuantity typedQuantity(const QString& typed, Quantity quantity, const Unit& defaultUnit,
                             const QLocale& locale) {
+    const QString whole = withoutInvisible(typed).trimmed();
+    if (const Unit* unit = reciprocalUnit(whole, quantity)) {
+        TypedQuantity read =
+            typedQuantity(whole.chopped(qsizetype(unit->name.size())), quantity, *unit, locale);
+        if (read.valid()) read.unit = unit;
+        return read;
+    }
     const PlainText plain = plainText(typed, locale);
     const TypedQuantity simple =
         plain.problem.isEmpty()
             ? parseQuantity(plain.text.toStdString(), quantity, BareNumber::inDefaultUnit, &defaultUnit)
             : refused(plain.problem);
     if (simple.valid()) return simple;
-    QString text = withoutInvisible(typed).trimmed();
+    QString text = whole;
     const bool hasDigit = std::ranges::any_of(text, [](QChar c) { return c.isDigit(); });
     if (!hasDigit || text.size() > longestArithmetic || text.contains(u'\n')) return simple;
     text = withSumsWrittenOut(text).replace(u'−', u'-');

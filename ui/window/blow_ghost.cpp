@@ -19,7 +19,8 @@ BlowGhost::BlowGhost(Document& document, ScenarioPanel& panel, PageTabs& pages, 
 }
 
 void BlowGhost::set(const SolvedBlowPtr& before) {
-    m_pages.current().setGhost(before);
+    Page& page = m_pages.current();
+    page.setGhost(before && page.shows(before->request.scenario) ? before : nullptr);
 }
 
 void BlowGhost::followChange() {

@@ -82,21 +82,26 @@ void FileMenu::addFileActions(QMenu* exports) {
     addAction(tr("&Save"), QKeySequence::Save, this, &FileMenu::save);
     // Without a desktop theme some standard shortcuts are empty.
     addAction(tr("Save &As…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this, &FileMenu::saveAs);
-    QAction* import = addAction(tr("&Import…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I), this,
-                                [this] { emit importRequested({}); });
-    import->setToolTip(
-        tr("A measured signal from a table of samples: as the hammer blow, or to compare with"));
+    m_import = addAction(tr("&Import…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I), this,
+                         [this] { emit importRequested({}); });
+    offerImport(true);
     addMenu(exports);
     addSeparator();
     QAction* quit = addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), m_window, &QWidget::close);
     quit->setMenuRole(QAction::QuitRole);
 }
 
+void FileMenu::offerImport(bool offered) {
+    m_import->setEnabled(offered);
+    m_import->setToolTip(
+        offered ? tr("A measured signal from a table of samples: as the hammer blow, or to compare with")
+                : tr("Measured signals are compared with uniform rods; this scenario is a drill string"));
+}
+
 void FileMenu::addExamples() {
     QMenu* menu = addMenu(tr("&Examples"));
     menu->setToolTipsVisible(true);
     for (const Example& example : builtInExamples()) {
-        if (example.ofString) continue;  // the window shows uniform rods
         QAction* action =
             menu->addAction(fromUtf8(example.title), this, [this, &example] { openExample(example); });
         action->setToolTip(QStringLiteral("<p>%1</p>").arg(fromUtf8(example.explanation).toHtmlEscaped()));

@@ -25,6 +25,7 @@
 #include "ui/pages/rock/rock_page.h"
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/stiffness/stiffness_page.h"
+#include "ui/pages/string/string_page.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/result/alert_link.h"
@@ -54,8 +55,14 @@ namespace {
 constexpr int messageMilliseconds = 8000;
 
 QString statusText(const SolvedBlow& blow) {
-    if (!blow.problem.isEmpty()) return MainWindow::tr("exact · not solved");
+    if (!blow.problem.isEmpty())
+        return isString(blow.request.scenario) ? MainWindow::tr("polynomial cells · not solved")
+                                               : MainWindow::tr("exact · not solved");
     const QLocale locale;
+    if (const std::optional<StringSummary>& string = blow.summary.string)
+        return MainWindow::tr("polynomial cells · %1 · efficiency %2 ± %3")
+            .arg(runTimeText(blow.runTime, locale), numberText(string->efficiency, 4, locale),
+                 magnitudeText(string->efficiencyError, locale));
     const int peaks = blow.summary.forcePeaks.value_or(0);
     return MainWindow::tr("exact · %1 · %2 · e = %3 ± %4")
         .arg(peaks == 1 ? MainWindow::tr("1 force peak") : MainWindow::tr("%1 force peaks").arg(peaks),
@@ -85,6 +92,9 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     const Example& example = defaultExample();
     m_document.startFrom(example.text, QString::fromStdString(example.name));
     m_runs = new PinnedRuns(m_document, *m_questions, this);
+    // Before any page hears of it: none is to ask for studies of what it cannot show.
+    connect(&m_document, &Document::scenarioChanged, m_pages,
+            [this] { m_pages->follow(m_document.scenario()); });
     addTabs();
     addCenter();
     addDocks();
@@ -95,6 +105,8 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
     m_rodPage = new RodPage(m_observation);
     m_pages->add(m_rodPage, PageGroup::thisBlow);
+    m_stringPage = new StringPage(m_document);
+    m_pages->add(m_stringPage, PageGroup::thisBlow);
     m_pages->add(new StiffnessPage(m_document), PageGroup::studies);
     m_pages->add(new GapPage(m_document), PageGroup::studies);
     m_pages->add(new MapPage(m_document), PageGroup::studies);
@@ -109,6 +121,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     wireSolving();
     wireImport();
     presentState();
+    m_pages->follow(m_document.scenario());
     m_layout->restoreSize();
     m_pages->restoreChoice();
     followPage();
@@ -218,7 +231,9 @@ void MainWindow::wire() {
         m_layout->reveal(m_resultSide);
         m_resultPanel->goToAlerts();
     });
-    connect(m_resultPanel, &ResultPanel::parameterChosen, m_scenarioPanel.get(), &ScenarioPanel::goTo);
+    connect(m_resultPanel, &ResultPanel::parameterChosen, this, &MainWindow::goToParameter);
+    connect(m_scenarioPanel.get(), &ScenarioPanel::sectionsRequested, this,
+            [this] { m_pages->setCurrentWidget(m_stringPage); });
     connect(qApp, &QGuiApplication::commitDataRequest, this, &MainWindow::endSession, Qt::DirectConnection);
 }
 
@@ -265,6 +280,15 @@ void MainWindow::goToPlace(double section, double time) {
     if (!m_pages->current().prepare()) m_pages->setCurrentWidget(m_rodPage);
     m_observation.setSection(section);
     m_observation.setTime(time);
+}
+
+// Numbers of sections are in the table of the page String, all others in the scenario.
+void MainWindow::goToParameter(const QString& key) {
+    const Parameter* parameter = findParameter(key.toStdString());
+    if (!parameter || !parameter->address) return m_scenarioPanel->goTo(key);
+    if (!isString(m_document.scenario())) return;
+    m_pages->setCurrentWidget(m_stringPage);
+    m_stringPage->goTo(*parameter->address);
 }
 
 // What the page on show can write, and what it computes.
@@ -325,7 +349,8 @@ void MainWindow::present(const SolvedBlowPtr& blow) {
     m_shown = blow;
     m_resultPanel->present(blow);
     m_runs->present(blow);
-    m_pages->current().setResult(blow);
+    // The answer to an earlier question may be of another form of scenario.
+    if (m_pages->current().shows(blow->request.scenario)) m_pages->current().setResult(blow);
     m_units->present(m_document.scenario());
     if (blow->request.number == m_asked)
         m_solveStatus->answered(statusText(*blow));
@@ -341,12 +366,21 @@ void MainWindow::markResult(bool outOfDate) {
 }
 
 void MainWindow::presentState() {
+    offerFiles();
     const QString file = QFileInfo(m_document.path()).fileName();
     const QString name = m_document.displayName();
     setWindowTitle(file.isEmpty() || file == name ? tr("%1[*] — Drillwave").arg(name)
                                                   : tr("%1 – %2[*] — Drillwave").arg(name, file));
     setWindowModified(m_document.isModified());
     setWindowFilePath(m_document.path());
+}
+
+// What is written of uniform rods alone is offered for them alone.
+void MainWindow::offerFiles() {
+    const bool ofRod = !isString(m_document.scenario());
+    m_report->offer(ofRod);
+    m_exportMenu->offerRodFiles(ofRod);
+    m_fileMenu->offerImport(ofRod);
 }
 
 void MainWindow::saveChoices() const {

@@ -30,6 +30,7 @@ class ResultPanel;
 class RodPage;
 class ScenarioPanel;
 class SolveStatus;
+class StringPage;
 class StudyStatus;
 class UnitsChoice;
 class WindowLayout;
@@ -70,6 +71,8 @@ class MainWindow : public QMainWindow {
     void wireImport();
     void followPage();
     void goToPlace(double section, double time);
+    void goToParameter(const QString& key);
+    void offerFiles();
     bool mayClose();
     void saveChoices() const;
     void endSession(QSessionManager& session);
@@ -102,6 +105,7 @@ class MainWindow : public QMainWindow {
     ReportWriter* m_report;
     PageTabs* m_pages;
     RodPage* m_rodPage = nullptr;
+    StringPage* m_stringPage = nullptr;
     SolveStatus* m_solveStatus;
     AlertLink* m_alertLink = nullptr;
     StudyStatus* m_studyStatus;

@@ -85,6 +85,34 @@ void PageTabs::setCurrent(bool current) {
     for (int index = 0; index < count(); ++index) page(index).setCurrent(current);
 }
 
+void PageTabs::follow(const Scenario& scenario) {
+    m_ofString = isString(scenario);
+    if (!current().shows(scenario)) {
+        Page* next = replacementFor(scenario);
+        m_left = &current();
+        m_strip->setTabEnabled(m_strip->indexOf(next), true);
+        setCurrentWidget(next);
+    }
+    for (int index = 0; index < count(); ++index) offer(page(index), scenario);
+}
+
+Page* PageTabs::replacementFor(const Scenario& scenario) const {
+    if (m_left && m_left->shows(scenario)) return m_left;
+    for (int index = 0; index < count(); ++index)
+        if (page(index).shows(scenario)) return &page(index);
+    return &current();
+}
+
+void PageTabs::offer(Page& page, const Scenario& scenario) {
+    m_strip->setOffered(m_strip->indexOf(&page), page.shows(scenario),
+                        m_ofString ? tr("of uniform rods alone, and this scenario is a drill string")
+                                   : tr("of drill strings alone, and this scenario is a uniform rod"));
+}
+
+bool PageTabs::isOffered(int index) const {
+    return m_strip->isTabEnabled(m_strip->indexOf(widget(index)));
+}
+
 void PageTabs::setOutOfDate(bool outOfDate) {
     m_veil->raise();
     m_veil->setVisible(outOfDate);
@@ -93,7 +121,7 @@ void PageTabs::setOutOfDate(bool outOfDate) {
 void PageTabs::restoreChoice() {
     const QString kept = Settings().value(pageKey).toString();
     for (int index = 0; index < count(); ++index)
-        if (nameOf(page(index)) == kept) setCurrentIndex(index);
+        if (nameOf(page(index)) == kept && isOffered(index)) setCurrentIndex(index);
 }
 
 void PageTabs::saveChoice() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QList>
+#include <QPointer>
 #include <QStackedWidget>
 
 #include "ui/pages/page.h"
@@ -37,6 +38,11 @@ class PageTabs : public QStackedWidget {
     void addTo(QMenu& menu);
     /// Whether what all pages show answers the present input.
     void setCurrent(bool current);
+    /// Only the pages that show such a scenario can be chosen from now on. Where the one on show cannot, the
+    /// one that was last on show for such a scenario takes its place.
+    void follow(const Scenario& scenario);
+    /// Whether a page can be chosen.
+    bool isOffered(int index) const;
     /// Veils what is shown.
     void setOutOfDate(bool outOfDate);
     /// The page shown last in an earlier run of the program.
@@ -54,10 +60,14 @@ class PageTabs : public QStackedWidget {
         int pages = 0;
     };
     int addTab(Page* page, PageGroup group);
+    void offer(Page& page, const Scenario& scenario);
+    Page* replacementFor(const Scenario& scenario) const;
 
     QList<Group> m_groups;  // that have pages, in the order of the tabs
     TabStrip* m_strip;
     StaleVeil* m_veil;
+    bool m_ofString = false;
+    QPointer<Page> m_left;  // was on show before one that shows the other form of scenario
 };
 
 }  // namespace drillwave

@@ -4,6 +4,8 @@
 #include <QAction>
 #include <QDir>
 #include <QFile>
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "ui/pages/compare/compare_page.h"
@@ -11,6 +13,18 @@
 #include "ui/window/page_tabs.h"
 
 namespace drillwave {
+namespace {
+
+// Those that the page can lay over its own plot.
+RunListPtr runsFor(const Page& page, const RunListPtr& all) {
+    const auto fits = [&](const Run& run) { return page.shows(run.contents.scenario); };
+    if (std::ranges::all_of(*all, fits)) return all;
+    auto some = std::make_shared<RunList>();
+    std::ranges::copy_if(*all, std::back_inserter(*some), fits);
+    return some;
+}
+
+}  // namespace
 
 PinnedRuns::PinnedRuns(Document& document, Questions& questions, QWidget* window)
     : QObject(window),
@@ -46,10 +60,11 @@ void PinnedRuns::addTo(PageTabs& pages) {
     connect(compare, &ComparePage::revertRequested, this, &PinnedRuns::revertTo);
     for (int index = 0; index < pages.count(); ++index) {
         Page& page = pages.page(index);
-        connect(&m_runs, &Runs::changed, &page, [this, &page] { page.setRuns(m_runs.list()); });
+        connect(&m_runs, &Runs::changed, &page,
+                [this, &page] { page.setRuns(runsFor(page, m_runs.list())); });
         connect(&page, &Page::pinRequested, this,
                 [this](const ScenarioDocument& contents) { pin(contents, nullptr); });
-        page.setRuns(m_runs.list());
+        page.setRuns(runsFor(page, m_runs.list()));
     }
 }
 

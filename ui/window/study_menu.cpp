@@ -9,7 +9,8 @@ namespace drillwave {
 StudyMenu::StudyMenu(PageTabs& pages, QWidget* window) : QMenu(tr("&Study"), window), m_pages(pages) {
     for (int index = 0; index < pages.count(); ++index)
         if (qobject_cast<StudyPage*>(&pages.page(index)))
-            addAction(pages.page(index).title(), this, [&pages, index] { pages.setCurrentIndex(index); });
+            m_choose.append({index, addAction(pages.page(index).title(), this,
+                                              [&pages, index] { pages.setCurrentIndex(index); })});
     addSeparator();
     m_copy = addAction(tr("&Copy as command line"), this, [this] {
         if (StudyPage* page = current()) page->copyCommand();
@@ -29,6 +30,7 @@ StudyPage* StudyMenu::current() const {
 void StudyMenu::update() {
     const StudyPage* page = current();
     m_copy->setEnabled(page);
+    for (const auto& [index, action] : std::as_const(m_choose)) action->setEnabled(m_pages.isOffered(index));
     m_cancel->setEnabled(page && page->activity()->state() == StudyState::running);
 }
 

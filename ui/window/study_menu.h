@@ -21,6 +21,7 @@ class StudyMenu : public QMenu {
     void update();
 
     PageTabs& m_pages;
+    QList<std::pair<int, QAction*>> m_choose;  // pages by their index
     QAction* m_copy;
     QAction* m_cancel;
 };

@@ -41,7 +41,12 @@ void TabStrip::insertPage(int index, QWidget* page, const QString& title) {
 
 void TabStrip::rename(int index, const QString& title) {
     setTabText(index, title);
-    setTabToolTip(index, title);  // it may be cut short
+    if (isTabEnabled(index)) setTabToolTip(index, title);  // it may be cut short
+}
+
+void TabStrip::setOffered(int index, bool offered, const QString& why) {
+    setTabEnabled(index, offered);
+    setTabToolTip(index, offered ? tabText(index) : QStringLiteral("%1: %2").arg(tabText(index), why));
 }
 
 QWidget* TabStrip::pageAt(int index) const {
@@ -57,7 +62,7 @@ int TabStrip::indexOf(const QWidget* page) const {
 void TabStrip::choose(int step) {
     int index = currentIndex();
     do index = (index + step + count()) % count();
-    while (isCaption(index) && index != currentIndex());
+    while (!isTabEnabled(index) && index != currentIndex());  // nor are captions
     setCurrentIndex(index);
 }
 

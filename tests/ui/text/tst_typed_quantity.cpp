@@ -17,6 +17,7 @@ class TestTypedQuantity : public QObject {
     void whatCannotBeCalculatedIsRefusedWithAReason_data();
     void whatCannotBeCalculatedIsRefusedWithAReason();
     void capitalsNeverMakeMegaOfMilli();
+    void theOneOfAReciprocalUnitBelongsToIt();
     void longOrDeepTextsAreRefused();
 };
 
@@ -125,6 +126,14 @@ void TestTypedQuantity::capitalsNeverMakeMegaOfMilli() {
     QVERIFY(!read(QStringLiteral("210 mpa"), Quantity::stress, "GPa").valid());
     QVERIFY(!read(QStringLiteral("5 mj"), Quantity::energy, "J").valid());
     QCOMPARE(read(QStringLiteral("255 KN"), Quantity::force, "N").si, 255e3);
+}
+
+void TestTypedQuantity::theOneOfAReciprocalUnitBelongsToIt() {
+    QCOMPARE(read(QStringLiteral("0.002 1/m"), Quantity::attenuation, "1/m").si, 0.002);
+    QCOMPARE(read(QStringLiteral("2 1/km"), Quantity::attenuation, "1/m").si, 0.002);
+    QCOMPARE(read(QStringLiteral("0.002"), Quantity::attenuation, "1/m").si, 0.002);
+    QCOMPARE(read(QStringLiteral("2*0.001 1/m"), Quantity::attenuation, "1/m").si, 0.002);
+    QVERIFY(!read(QStringLiteral("x 1/m"), Quantity::attenuation, "1/m").valid());
 }
 
 void TestTypedQuantity::longOrDeepTextsAreRefused() {

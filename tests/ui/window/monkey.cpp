@@ -209,7 +209,7 @@ void Monkey::choosePage(QWidget& window) {
     if (!pages || pages->count() == 0) return;
     const int page = upTo(pages->count());
     note(QStringLiteral("page %1").arg(page));
-    pages->setCurrentIndex(page);
+    if (pages->isOffered(page)) pages->setCurrentIndex(page);
 }
 
 void Monkey::triggerAction(QWidget& window) {

@@ -24,8 +24,8 @@ QByteArray textOf(const char* example) {
 
 MonkeyFiles::MonkeyFiles() {
     for (const char* name :
-         {"rod.yaml", "groups.yaml", "broken.yaml", "invalid.yaml", "noise.yaml", "empty.yaml", "pulse.csv",
-          "ragged.csv", "missing.yaml", "folder", "notes.txt", "gauges.txt", "histories.csv"})
+         {"rod.yaml", "string.yaml", "groups.yaml", "broken.yaml", "invalid.yaml", "noise.yaml", "empty.yaml",
+          "pulse.csv", "ragged.csv", "missing.yaml", "folder", "notes.txt", "gauges.txt", "histories.csv"})
         m_toOpen.append(path(QLatin1String(name)));
     for (const char* name :
          {"rod.yaml", "new.yaml", "other.yml", "without_suffix", "missing/new.yaml", "folder"})
@@ -38,6 +38,7 @@ MonkeyFiles::MonkeyFiles() {
 void MonkeyFiles::writeAll() {
     QDir(m_folder.path()).mkdir(QStringLiteral("folder"));
     write(QStringLiteral("rod.yaml"), textOf("t38_medium_rock"));
+    write(QStringLiteral("string.yaml"), textOf("t38_string"));
     write(QStringLiteral("groups.yaml"), textOf("paper_fig4b"));
     write(QStringLiteral("broken.yaml"), "drillwave: 1\nrod: [3\n");
     write(QStringLiteral("invalid.yaml"), "drillwave: 1\ngroups: {beta: -1}\n");

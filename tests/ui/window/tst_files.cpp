@@ -224,11 +224,8 @@ void TestFiles::whatCannotBeTakenIsToldOnce() {
 }
 
 void TestFiles::everyExampleExplainsItself() {
-    // The window shows uniform rods; drill strings are the last examples.
-    const auto rods = builtInExamples().size() -
-                      static_cast<size_t>(std::ranges::count(builtInExamples(), true, &Example::ofString));
-    QCOMPARE(menu(QStringLiteral("Examples"))->actions().size(), qsizetype(rods));
-    for (size_t i = 0; i < rods; ++i) {
+    QCOMPARE(menu(QStringLiteral("Examples"))->actions().size(), qsizetype(builtInExamples().size()));
+    for (size_t i = 0; i < builtInExamples().size(); ++i) {
         menu(QStringLiteral("Examples"))->actions()[qsizetype(i)]->trigger();
         QVERIFY(part<ExampleNote>(window()).isVisible());
         QCOMPARE(part<ExampleNote>(window()).text(),

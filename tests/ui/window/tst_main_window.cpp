@@ -78,9 +78,7 @@ void TestMainWindow::everyRowHasANameAndAnExplanation() {
         QVERIFY(findParameter(each->objectName().toStdString()));
         ++rows;
     }
-    // The window shows uniform rods.
-    const auto ofStrings = std::ranges::count(parameters(), Scope::string, &Parameter::scope);
-    QCOMPARE(rows, int(parameters().size()) - int(ofStrings));
+    QCOMPARE(rows, int(parameters().size()));
     for (const QLabel* label : part<ResultPanel>(window()).findChildren<QLabel*>())
         if (label->textInteractionFlags() & Qt::TextSelectableByKeyboard)
             QVERIFY(!label->accessibleName().isEmpty());
@@ -259,7 +257,6 @@ void TestMainWindow::theShapeOfThePulseChangesItsRows() {
 
 void TestMainWindow::everyExampleOpensSolved() {
     for (const Example& example : builtInExamples()) {
-        if (example.ofString) continue;  // the window shows uniform rods
         QCOMPARE(window().document().startFrom(example.text, QString::fromStdString(example.name)),
                  QString());
         settle();

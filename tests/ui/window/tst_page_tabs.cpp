@@ -181,6 +181,7 @@ void TestPageTabs::theKeysGoRoundThePages() {
     auto& pages = part<PageTabs>(*window);
     pages.setCurrentIndex(0);
     for (int i = 1; i <= pages.count(); ++i) {
+        if (!pages.isOffered(i % pages.count())) continue;
         press(*window, Qt::Key_Tab, Qt::ControlModifier);
         QCOMPARE(pages.currentIndex(), i % pages.count());
     }

@@ -14,7 +14,7 @@
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_bar.h"
 #include "ui/pages/blow/measured_curves.h"
-#include "ui/pages/section_field.h"
+#include "ui/pages/place_field.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
 
@@ -29,7 +29,7 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     : PlotPage(parent),
       m_observation(observation),
       m_hint(new QLabel(this)),
-      m_section(new SectionField(
+      m_section(new PlaceField(
           observation, tr("Where in the rod the waves are observed: 0 is the struck end, 1 the bit."), this)),
       m_place(new QLabel(this)),
       m_instant(new QLabel(this)),

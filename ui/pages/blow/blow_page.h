@@ -14,7 +14,7 @@ class BlowPlots;
 class MeasuredBar;
 class MeasuredCurves;
 class MeasuredList;
-class SectionField;
+class PlaceField;
 
 class BlowPage : public PlotPage {
     Q_OBJECT
@@ -52,7 +52,7 @@ class BlowPage : public PlotPage {
 
     Observation& m_observation;
     QLabel* m_hint;
-    SectionField* m_section;
+    PlaceField* m_section;
     QLabel* m_place;
     QLabel* m_instant;
     PlotWidget* m_plot;

@@ -24,6 +24,8 @@ class ComparePage : public Page {
     explicit ComparePage(Runs& runs, QWidget* parent = nullptr);
 
     QString title() const override;
+    /// Runs of any form side by side.
+    bool shows(const Scenario& /*scenario*/) const override { return true; }
     PreparePage prepare() const override { return {}; }
     void setResult(const SolvedBlowPtr& blow) override;
     void fit() override;

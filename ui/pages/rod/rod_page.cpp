@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/wave/field/wave_field.h"
+#include "ui/pages/place_field.h"
 #include "ui/pages/rod/rod_plot.h"
-#include "ui/pages/section_field.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
 
@@ -21,11 +21,11 @@ RodPage::RodPage(Observation& observation, QWidget* parent)
       m_readout(new QLabel(this)),
       m_plot(makePlot()),
       m_rod(new RodPlot(m_plot)) {
-    auto* section = new SectionField(observation,
-                                     tr("The dotted line: where in the rod one looks, 0 is the struck end, 1 "
-                                        "the bit.\nA click in the plot moves it, and the time cursor to when "
-                                        "the stress there is largest."),
-                                     this);
+    auto* section = new PlaceField(observation,
+                                   tr("The dotted line: where in the rod one looks, 0 is the struck end, 1 "
+                                      "the bit.\nA click in the plot moves it, and the time cursor to when "
+                                      "the stress there is largest."),
+                                   this);
     auto* label = new QLabel(tr("Section x/L"), this);
     label->setBuddy(section);
     m_readout->setObjectName(QStringLiteral("readout"));

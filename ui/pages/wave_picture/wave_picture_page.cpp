@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "core/wave/field/wave_field.h"
-#include "ui/pages/section_field.h"
+#include "ui/pages/place_field.h"
 #include "ui/pages/wave_picture/picture_cursors.h"
 #include "ui/pages/wave_picture/play_bar.h"
 #include "ui/pages/wave_picture/rod_profile.h"
@@ -41,11 +41,11 @@ WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
       m_observation(observation),
       m_field(new QComboBox(this)),
       m_fronts(new QCheckBox(tr("Fronts"), this)),
-      m_section(new SectionField(observation,
-                                 tr("The dashed line: where in the rod the waves of the page Blow are "
-                                    "observed; 0 is the struck end, "
-                                    "1 the bit."),
-                                 this)),
+      m_section(new PlaceField(observation,
+                               tr("The dashed line: where in the rod the waves of the page Blow are "
+                                  "observed; 0 is the struck end, "
+                                  "1 the bit."),
+                               this)),
       m_readout(new QLabel(this)),
       m_plot(makePlot()),
       m_picture(new WavePicturePlot(m_plot)),

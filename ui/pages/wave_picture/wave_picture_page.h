@@ -18,7 +18,7 @@ class PictureCursors;
 class PlayBar;
 class RodProfile;
 class RodStrip;
-class SectionField;
+class PlaceField;
 class WavePicturePlot;
 
 class WavePicturePage : public PlotPage {
@@ -55,7 +55,7 @@ class WavePicturePage : public PlotPage {
     Observation& m_observation;
     QComboBox* m_field;
     QCheckBox* m_fronts;
-    SectionField* m_section;
+    PlaceField* m_section;
     QLabel* m_readout;
     PlotWidget* m_plot;
     WavePicturePlot* m_picture;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/section_field.h"
+#include "ui/pages/place_field.h"
 
 #include <QSignalBlocker>
 
 namespace drillwave {
 
-SectionField::SectionField(Observation& observation, const QString& toolTip, QWidget* parent)
+PlaceField::PlaceField(Observation& observation, const QString& toolTip, QWidget* parent)
     : QDoubleSpinBox(parent) {
     setObjectName(QStringLiteral("section"));
     setRange(0, 1);

@@ -9,12 +9,12 @@
 namespace drillwave {
 
 /// x/L of the observation, shown with three decimals, kept with all.
-class SectionField : public QDoubleSpinBox {
+class PlaceField : public QDoubleSpinBox {
     Q_OBJECT
 
   public:
     /// The observation must outlive the field.
-    SectionField(Observation& observation, const QString& toolTip, QWidget* parent);
+    PlaceField(Observation& observation, const QString& toolTip, QWidget* parent);
 };
 
 }  // namespace drillwave

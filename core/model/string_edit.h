@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edits of a hammer and a string as a list of sections: where they stand, and how they come, go, move and
+// repeat. What an edit would leave invalid for a moment (two sections of one bore) is not its matter.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/model/drill_string.h"
+
+namespace drillwave {
+
+/// Where a section stands in a file.
+struct SectionSpot {
+    bool inHammer = false;
+    std::size_t part = 0;   ///< of the string; 0 in the hammer
+    std::size_t index = 0;  ///< in the hammer or in the part
+    bool operator==(const SectionSpot&) const = default;
+};
+
+/// All of them in the order of a file: the hammer from its rear, then the string from the shank.
+std::vector<SectionSpot> sectionSpots(const DrillString& drillString);
+
+/// Requires a spot that is there.
+const Section& sectionAt(const DrillString& drillString, const SectionSpot& spot);
+Section& sectionAt(DrillString& drillString, const SectionSpot& spot);
+
+/// The first place, from 1, that the section has in its hammer or its string with repeats written out: that
+/// of its key.
+std::uint64_t placeOf(const DrillString& drillString, const SectionSpot& spot);
+
+/// Puts a section behind another one, in the same repeat if that is in one. Returns where it stands.
+SectionSpot insertAfter(DrillString& drillString, const SectionSpot& spot, Section section);
+
+/// Whether there is another one in its hammer or string, so that it may go.
+bool canRemove(const DrillString& drillString, const SectionSpot& spot);
+/// Takes a section away, and with the last one of a repeat the repeat. Requires canRemove().
+void removeSection(DrillString& drillString, const SectionSpot& spot);
+
+enum class MoveTo { rear, bit };
+/// Moves a section one step: past its neighbour, into a repeat beside it, or out of its own at the end; the
+/// only section of a repeat goes with its repeat. Returns where it stands then; nothing, and no change, where
+/// it is at the end of its hammer or string.
+std::optional<SectionSpot> moveSection(DrillString& drillString, const SectionSpot& spot, MoveTo direction);
+
+/// Whether these sections follow one another in the string and are in no repeat.
+bool canRepeat(const DrillString& drillString, const std::vector<SectionSpot>& spots);
+/// Makes a repeat of them. Requires canRepeat() and a `times` of 1 or more.
+void repeatSections(DrillString& drillString, const std::vector<SectionSpot>& spots, int times);
+/// Once is no repeat: its sections then stand alone. Requires a part that is a repeat.
+void setRepeat(DrillString& drillString, std::size_t part, int times);
+
+}  // namespace drillwave

@@ -1,0 +1,451 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page String in the window: opened, edited, undone by name, saved and read again.
+#include <QFile>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QTableView>
+#include <QTest>
+
+#include "core/file/examples.h"
+#include "core/model/section_parameter.h"
+#include "tests/support/window_fixture.h"
+#include "ui/export/export_menu.h"
+#include "ui/export/report_writer.h"
+#include "ui/form/section_box.h"
+#include "ui/pages/blow/blow_page.h"
+#include "ui/pages/string/string_drawing.h"
+#include "ui/pages/string/string_edits.h"
+#include "ui/pages/string/string_model.h"
+#include "ui/pages/string/string_page.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/result/energy_bar.h"
+#include "ui/result/result_panel.h"
+#include "ui/window/page_tabs.h"
+#include "ui/window/pinned_runs.h"
+#include "ui/window/tab_strip.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+class TestStringPage : public QObject, private WindowFixture {
+    Q_OBJECT
+
+  private slots:
+    void init();
+    void aStringIsOpenedOnItsOwnPage();
+    void pagesOfRodsAreGreyedAndSayWhy();
+    void aRodBringsItsPagesBack();
+    void theTableShowsTheSectionsAsTheyStandInTheFile();
+    void theResultsAreThoseOfTheBlow();
+    void aCellIsEditedUndoneByNameSavedAndReadAgain();
+    void wrongTextStaysOutWithItsReason();
+    void unitsOfAllKindsAreTaken();
+    void numbersFollowTheLocale();
+    void aNewcomerBuildsTheStringFromOneSection();
+    void aClickInTheDrawingSelectsTheRow();
+    void theDrawingIsToScale();
+    void theKeysGoThroughTheDrawing();
+    void theResultPanelShowsWhatAStringHas();
+    void theFormShowsWhatAppliesToAString();
+    void theHammerMayBeWithdrawn();
+    void aRockPresetIsTaken();
+    void aStringIsPinnedAndRevertedTo();
+    void anAlertLeadsToItsSection();
+    void switchingBetweenRodAndStringDoesNoHarm();
+
+  private:
+    void openExample(const char* name) {
+        QCOMPARE(window().document().startFrom(findExample(name)->text, QLatin1String(name)), QString());
+        settle();
+    }
+    StringPage& page() { return part<StringPage>(window()); }
+    StringModel& model() { return *page().model(); }
+    Document& document() { return window().document(); }
+    QString text(int row, int column) { return model().index(row, column).data().toString(); }
+    QString words() { return page().findChild<QLabel*>(QStringLiteral("words"))->text(); }
+    QString undoText() { return document().undoStack().undoText(); }
+    void select(int row) { page().edits()->select(model().rows()[std::size_t(row)].spot); }
+    void trigger(const char* action) {
+        auto* found = page().findChild<QAction*>(QStringLiteral("string.") + QLatin1String(action));
+        QVERIFY(found);
+        QVERIFY2(found->isEnabled(), action);
+        found->trigger();
+    }
+    /// Types into a cell as a user would; the editor stays open where it refuses the text.
+    void typeIntoCell(int row, int column, const QString& typed);
+    bool isRowThere(const QString& label) {
+        for (const QLabel* each : part<ResultPanel>(window()).findChildren<QLabel*>())
+            if (each->text() == label && !each->isHidden()) return true;
+        return false;
+    }
+};
+
+void TestStringPage::init() {
+    start();
+    openExample("t38_string");
+}
+
+void TestStringPage::typeIntoCell(int row, int column, const QString& typed) {
+    const QModelIndex index = model().index(row, column);
+    page().table()->setCurrentIndex(index);
+    page().table()->edit(index);
+    QWidget* target = page().table()->indexWidget(index);
+    QVERIFY(target);
+    QTest::keyClick(target, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(target, typed);
+    QTest::keyClick(target, Qt::Key_Return);
+    QCoreApplication::processEvents();
+}
+
+void TestStringPage::aStringIsOpenedOnItsOwnPage() {
+    QCOMPARE(&part<PageTabs>(window()).current(), static_cast<Page*>(&page()));
+    QVERIFY(window().shown()->string.has_value());
+    QCOMPARE(window().shown()->problem, QString());
+    QVERIFY(words().contains(QStringLiteral("rod (7)")));
+    // Its examples are on the menu, and so is a file of one.
+    const QString path = m_folder.filePath(QStringLiteral("a.yaml"));
+    QCOMPARE(document().save(path), QString());
+    openExample("t38_medium_rock");
+    QVERIFY(window().openFile(path));
+    settle();
+    QVERIFY(isString(document().scenario()));
+    QCOMPARE(document().path(), path);
+}
+
+void TestStringPage::pagesOfRodsAreGreyedAndSayWhy() {
+    const TabStrip& strip = *part<PageTabs>(window()).strip();
+    int greyed = 0;
+    for (int tab = 0; tab < strip.count(); ++tab) {
+        if (!strip.pageAt(tab) || strip.isTabEnabled(tab)) continue;
+        ++greyed;
+        QVERIFY(strip.tabToolTip(tab).contains(QStringLiteral("drill string")));
+    }
+    QCOMPARE(greyed, part<PageTabs>(window()).count() - 2);  // String and Compare are there
+    QVERIFY(!part<ReportWriter>(window()).action()->isEnabled());
+    QVERIFY(!part<ReportWriter>(window()).action()->toolTip().isEmpty());
+    QVERIFY(!part<ExportMenu>(window()).actions().first()->isEnabled());
+    QTest::keyClick(&window(), Qt::Key_Tab, Qt::ControlModifier);
+    QVERIFY(part<PageTabs>(window()).current().shows(document().scenario()));
+}
+
+void TestStringPage::aRodBringsItsPagesBack() {
+    openExample("t38_medium_rock");
+    PageTabs& pages = part<PageTabs>(window());
+    QCOMPARE(&pages.current(), static_cast<Page*>(&part<BlowPage>(window())));
+    for (int index = 0; index < pages.count(); ++index)
+        QCOMPARE(pages.isOffered(index), &pages.page(index) != &page());
+    QVERIFY(!part<BlowPage>(window()).plot()->graph(0)->data()->isEmpty());
+    QVERIFY(part<ReportWriter>(window()).action()->isEnabled());
+}
+
+void TestStringPage::theTableShowsTheSectionsAsTheyStandInTheFile() {
+    QCOMPARE(model().rowCount(), 7);
+    QCOMPARE(text(0, StringModel::sectionName), QStringLiteral("hammer 1"));
+    QCOMPARE(text(2, StringModel::sectionName), QStringLiteral("adapter"));
+    QCOMPARE(text(4, StringModel::length), QStringLiteral("3660"));
+    QCOMPARE(text(4, StringModel::bore), QStringLiteral("14.5"));
+    QVERIFY(text(3, StringModel::repeat).startsWith(QStringLiteral("3 ×")));
+    QVERIFY(!text(4, StringModel::repeat).isEmpty());
+    QVERIFY(text(5, StringModel::repeat).isEmpty());
+    QVERIFY(!(model().flags(model().index(0, StringModel::loss)) & Qt::ItemIsEditable));
+    QVERIFY(model().flags(model().index(3, StringModel::loss)) & Qt::ItemIsEditable);
+    QCOMPARE(model().headerData(5, Qt::Vertical).toString(), QStringLiteral("8"));
+}
+
+void TestStringPage::theResultsAreThoseOfTheBlow() {
+    const SolvedBlow& blow = *window().shown();
+    double largest = 0;
+    for (const SectionStress& stress : sectionStresses(blow.scenario, *blow.string))
+        largest = std::max(largest, stress.tension);
+    QCOMPARE(model().results()->rows[4].tension.size, largest);
+    QCOMPARE(model().results()->rows[4].tension.section, std::uint64_t(7));
+    QCOMPARE(text(4, StringModel::tension), QLocale().toString(largest / 1e6, 'f', 1));
+    QCOMPARE(model().results()->rows[3].reflected->size, blow.string->impact.jointReflection[1]);
+    QCOMPARE(findOutput("peak_tension")->value({blow.summary, blow.scenario}).value() * blow.scales.stress,
+             largest);
+}
+
+void TestStringPage::aCellIsEditedUndoneByNameSavedAndReadAgain() {
+    const QByteArray before = document().text();
+    typeIntoCell(3, StringModel::diameter, QStringLiteral("50 mm"));
+    QCOMPARE(document().scenario().drillString.parts[1].sections[0].diameter, 0.05);
+    QVERIFY2(undoText().contains(QStringLiteral("diameter of section 2")), qPrintable(undoText()));
+    QVERIFY(window().isWindowModified());
+    settle();
+    const double efficiency = window().shown()->summary.string->efficiency;
+    QVERIFY(efficiency > 0.51);
+    const QString path = m_folder.filePath(QStringLiteral("thin.yaml"));
+    QCOMPARE(document().save(path), QString());
+    QVERIFY(!window().isWindowModified());
+    document().undoStack().undo();
+    QCOMPARE(document().text(), before);
+    QVERIFY(window().openFile(path));
+    settle();
+    QCOMPARE(document().scenario().drillString.parts[1].sections[0].diameter, 0.05);
+    QCOMPARE(window().shown()->summary.string->efficiency, efficiency);
+    QVERIFY(document().text().contains("12 ft rod"));  // comments stay
+}
+
+void TestStringPage::wrongTextStaysOutWithItsReason() {
+    const Scenario before = document().scenario();
+    typeIntoCell(3, StringModel::bore, QStringLiteral("60"));
+    auto* field = page().table()->viewport()->findChild<QuantityField*>();
+    QVERIFY(field);  // it stays, with its text
+    QVERIFY(field->problem().contains(QStringLiteral("must be less than the diameter")));
+    QCOMPARE(document().scenario(), before);
+    page().drawing()->setFocus();
+    QCoreApplication::processEvents();
+    QVERIFY(words().contains(QStringLiteral("must be less than the diameter")));
+    QCOMPARE(document().scenario(), before);
+    QCOMPARE(document().undoStack().count(), 0);
+}
+
+void TestStringPage::unitsOfAllKindsAreTaken() {
+    typeIntoCell(2, StringModel::length, QStringLiteral("1.5 ft"));
+    QCOMPARE(document().scenario().drillString.parts[0].sections[0].length, 0.4572);
+    typeIntoCell(4, StringModel::attenuation, QStringLiteral("0.002 1/m"));
+    QCOMPARE(document().scenario().drillString.parts[1].sections[1].attenuation, 0.002);
+    typeIntoCell(3, StringModel::loss, QStringLiteral("2 %"));
+    QCOMPARE(document().scenario().drillString.parts[1].sections[0].loss, 0.02);
+    typeIntoCell(6, StringModel::massAfter, QStringLiteral("300 g"));
+    QCOMPARE(document().scenario().drillString.parts[3].sections[0].massAfter, 0.3);
+    settle();
+    QCOMPARE(window().shown()->problem, QString());
+    QVERIFY(window().shown()->summary.string->jointLoss > 0);
+    QVERIFY(isRowThere(QStringLiteral("lost in joints")));
+}
+
+void TestStringPage::numbersFollowTheLocale() {
+    const QLocale german(QLocale::German, QLocale::Germany);
+    QLocale::setDefault(german);
+    m_window.reset();
+    makeWindow(exactSolve());
+    openExample("t38_string");
+    QCOMPARE(text(4, StringModel::bore), QStringLiteral("14,5"));
+    QVERIFY(text(4, StringModel::tension).contains(QLatin1Char(',')));
+    typeIntoCell(4, StringModel::diameter, QStringLiteral("39,5"));
+    QCOMPARE(document().scenario().drillString.parts[1].sections[1].diameter, 0.0395);
+    const QByteArray csv = page().exports().first().csv();
+    QVERIFY(csv.contains(",39.5,14.5,"));
+    QCOMPARE(QLocale(), german);
+    QLocale::setDefault(QLocale::c());
+}
+
+void TestStringPage::aNewcomerBuildsTheStringFromOneSection() {
+    const DrillString wanted = parseScenario(findExample("t38_string")->text, "t38").scenario.drillString;
+    const char* bare =
+        "drillwave: 2\n"
+        "hammer: {velocity: 10 m/s, sections: [{length: 300 mm, diameter: 50 mm}]}\n"
+        "string:\n  - {length: 1 m, diameter: 40 mm}\n"
+        "bit_rock: {stiffness: 100 MN/m, gamma: 0.1}\n";
+    QCOMPARE(document().startFrom(bare, QStringLiteral("bare")), QString());
+    QCOMPARE(model().rowCount(), 2);
+    const auto fill = [&](int row, const char* name, double length, double diameter, double bore) {
+        if (*name) typeIntoCell(row, StringModel::sectionName, QLatin1String(name));
+        typeIntoCell(row, StringModel::length, QString::number(length) + QStringLiteral(" mm"));
+        typeIntoCell(row, StringModel::diameter, QString::number(diameter));
+        typeIntoCell(row, StringModel::bore, QString::number(bore));
+    };
+    select(0);
+    trigger("duplicate");
+    fill(1, "", 250, 38, 0);
+    fill(2, "adapter", 450, 45, 12);
+    select(2);
+    for (int i = 0; i < 4; ++i) trigger("duplicate");
+    QCOMPARE(undoText(), QStringLiteral("duplicate adapter"));
+    fill(3, "coupling", 190, 56, 14.5);
+    fill(4, "rod", 3660, 39, 14.5);
+    fill(5, "bit head", 60, 76, 0);
+    fill(6, "bit skirt", 70, 56, 14.5);
+    select(6);
+    trigger("up");
+    QCOMPARE(undoText(), QStringLiteral("move bit skirt towards the hammer"));
+    page().table()->selectionModel()->select(QItemSelection(model().index(3, 0), model().index(4, 0)),
+                                             QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    trigger("repeat");
+    QVERIFY(text(3, StringModel::repeat).startsWith(QStringLiteral("2 ×")));
+    QVERIFY(model().setData(model().index(3, StringModel::repeat), 3));
+    QCOMPARE(document().scenario().drillString.hammer.sections, wanted.hammer.sections);
+    QCOMPARE(document().scenario().drillString.parts, wanted.parts);
+    settle();
+    QVERIFY(std::abs(window().shown()->summary.string->efficiency - 0.501587377477) < 1e-9);
+    const QString path = m_folder.filePath(QStringLiteral("built.yaml"));
+    QCOMPARE(document().save(path), QString());
+    QVERIFY(window().openFile(path));
+    QCOMPARE(document().scenario().drillString.parts, wanted.parts);
+    while (document().undoStack().canUndo()) document().undoStack().undo();
+}
+
+void TestStringPage::aClickInTheDrawingSelectsTheRow() {
+    StringDrawing& drawing = *page().drawing();
+    int clicked = 0;
+    for (std::size_t i = 0; i < model().chain().size(); ++i) {
+        const QRectF rect = drawing.sectionRect(i);
+        if (rect.width() < 4) continue;
+        QTest::mouseClick(&drawing, Qt::LeftButton, {}, rect.center().toPoint());
+        QCOMPARE(page().table()->currentIndex().row(), int(model().chain()[i].row));
+        ++clicked;
+    }
+    QVERIFY(clicked >= 8);
+    QVERIFY(drawing.textOf(8).contains(QStringLiteral("rod (7)")));
+    QVERIFY(drawing.textOf(8).contains(QStringLiteral("ms")));
+    QVERIFY(!drawing.sectionAt(QPointF(1, 1)));
+}
+
+void TestStringPage::theDrawingIsToScale() {
+    StringDrawing& drawing = *page().drawing();
+    const QRectF rod = drawing.sectionRect(4), coupling = drawing.sectionRect(3);
+    QVERIFY(std::abs(rod.width() / coupling.width() - 3660.0 / 190) < 1e-9);
+    QVERIFY(std::abs(rod.height() / coupling.height() - 39.0 / 56) < 1e-9);
+    QVERIFY(std::abs(rod.height() / rod.width() / (39.0 / 3660) - drawing.exaggeration()) <
+            1e-9 * drawing.exaggeration());
+    QCOMPARE(coupling.right(), rod.left());
+}
+
+void TestStringPage::theKeysGoThroughTheDrawing() {
+    StringDrawing& drawing = *page().drawing();
+    QTest::keyClick(&drawing, Qt::Key_Home);
+    QTest::keyClick(&drawing, Qt::Key_Right);
+    QCOMPARE(page().table()->currentIndex().row(), 1);
+    QTest::keyClick(&drawing, Qt::Key_End);
+    QCOMPARE(page().table()->currentIndex().row(), 6);
+    drawing.setFocus();
+    QTest::keyClick(&drawing, Qt::Key_Delete);
+    QCOMPARE(undoText(), QStringLiteral("remove bit head"));
+    QCOMPARE(model().rowCount(), 6);
+}
+
+void TestStringPage::theResultPanelShowsWhatAStringHas() {
+    for (const char* ofString : {"hammer rebound", "into the hammer", "hammer leaves", "lost in joints"})
+        QVERIFY2(isRowThere(QLatin1String(ofString)), ofString);
+    for (const char* ofRod : {"worst of 4 needs", "force peaks", "tension, after"})
+        QVERIFY2(!isRowThere(QLatin1String(ofRod)), ofRod);
+    QVERIFY(isRowThere(QStringLiteral("margin")));
+    // All of the energy is in the bar.
+    double sum = 0;
+    for (const EnergyPart part : energyParts) sum += energyShare(window().shown()->summary, part);
+    QVERIFY(std::abs(sum - 1) < 1e-9);
+    openExample("t38_medium_rock");
+    for (const char* ofString : {"hammer rebound", "into the hammer", "hammer leaves", "lost in joints"})
+        QVERIFY2(!isRowThere(QLatin1String(ofString)), ofString);
+    QVERIFY(isRowThere(QStringLiteral("tension, after")));
+}
+
+void TestStringPage::theFormShowsWhatAppliesToAString() {
+    const ScenarioPanel& panel = part<ScenarioPanel>(window());
+    for (const char* there : {"string", "hammer", "bit_rock", "drill"})
+        QVERIFY2(!panel.findChild<SectionBox*>(QLatin1String(there))->isHidden(), there);
+    for (const char* gone : {"rod", "pulse", "groups"})
+        QVERIFY2(panel.findChild<SectionBox*>(QLatin1String(gone))->isHidden(), gone);
+    type(field("hammer.velocity"), QStringLiteral("12"));
+    QCOMPARE(document().scenario().drillString.hammer.velocity, 12.0);
+    type(field("hammer.face_stiffness"), QStringLiteral("10 GN/m"));
+    type(field("end_time"), QStringLiteral("5"));
+    settle();
+    QCOMPARE(window().shown()->problem, QString());
+    QVERIFY(window().shown()->string->problem.face.stiffness.has_value());
+    while (document().undoStack().canUndo()) document().undoStack().undo();
+    openExample("t38_medium_rock");
+    for (const char* gone : {"string", "hammer"})
+        QVERIFY2(panel.findChild<SectionBox*>(QLatin1String(gone))->isHidden(), gone);
+    QVERIFY(!panel.findChild<SectionBox*>(QStringLiteral("groups"))->isHidden());
+}
+
+void TestStringPage::theHammerMayBeWithdrawn() {
+    auto* box = part<ScenarioPanel>(window()).findChild<QCheckBox*>(QStringLiteral("hammer.restrike"));
+    QVERIFY(box && box->isChecked());
+    box->click();
+    QVERIFY(!document().scenario().drillString.hammer.restrike);
+    QCOMPARE(undoText(), QStringLiteral("withdraw the hammer"));
+    document().undoStack().undo();
+    QVERIFY(box->isChecked());
+}
+
+void TestStringPage::aRockPresetIsTaken() {
+    const PresetLibrary library;
+    for (const PresetSource& source : library.sources())
+        for (const Preset& preset : source.presets) {
+            const QString problem = document().applyPreset(preset);
+            QCOMPARE(problem.isEmpty(), preset.kind == PresetKind::rock);
+        }
+    QVERIFY(document().undoStack().canUndo());
+    const QByteArray text = document().text();
+    QVERIFY(isString(parseScenario(text.toStdString(), "t").scenario));
+}
+
+void TestStringPage::aStringIsPinnedAndRevertedTo() {
+    part<PinnedRuns>(window()).pinAction()->trigger();
+    openExample("t38_medium_rock");
+    part<PinnedRuns>(window()).pinAction()->trigger();
+    // A page of rods lays the run of a rod alone over its plot.
+    PageTabs& pages = part<PageTabs>(window());
+    for (int index = 0; index < pages.count(); ++index) {
+        if (!pages.isOffered(index)) continue;
+        pages.setCurrentIndex(index);
+        settle();
+        QCOMPARE(window().shown()->problem, QString());
+    }
+    part<PinnedRuns>(window()).revertTo(0);
+    settle();
+    QVERIFY(isString(document().scenario()));
+    QCOMPARE(model().rowCount(), 7);
+    document().undoStack().undo();
+    settle();
+    QVERIFY(!isString(document().scenario()));
+}
+
+void TestStringPage::anAlertLeadsToItsSection() {
+    QCOMPARE(document().assign(*findParameter("string.3.yield_strength"), 200e6, document().newGesture()),
+             QString());
+    settle();
+    QVERIFY(!window().shown()->alerts.empty());
+    select(0);
+    emit part<ResultPanel>(window()).parameterChosen(QStringLiteral("string.7.yield_strength"));
+    QCOMPARE(page().table()->currentIndex().row(), 4);
+}
+
+void TestStringPage::switchingBetweenRodAndStringDoesNoHarm() {
+    QRandomGenerator random(11);
+    const char* const examples[] = {"t38_string", "t38_medium_rock", "r32_string", "paper_fig4a",
+                                    "t51_string"};
+    int strings = 0;
+    for (int i = 0; i < 60; ++i) {
+        const char* name = examples[random.bounded(int(std::size(examples)))];
+        QCOMPARE(document().startFrom(findExample(name)->text, QLatin1String(name)), QString());
+        for (int edit = 0; edit < 6; ++edit) {
+            if (isString(document().scenario())) {
+                ++strings;
+                select(random.bounded(model().rowCount()));
+                const QList<QAction*>& actions = page().edits()->actions();
+                QAction* action = actions[random.bounded(int(actions.size()))];
+                if (action->isEnabled() && !action->menu()) action->trigger();
+                const std::vector<const Parameter*> numbers = sectionParameters(document().scenario());
+                const Parameter& number = *numbers[std::size_t(random.bounded(int(numbers.size())))];
+                if (const auto si = number.value(document().scenario()))
+                    document().assign(number, *si * (0.8 + 0.4 * random.generateDouble()),
+                                      document().newGesture());
+            } else {
+                const auto all = parameters();
+                const Parameter& number = all[std::size_t(random.bounded(int(all.size())))];
+                if (number.applies(document().scenario()))
+                    if (const auto si = number.value(document().scenario()))
+                        document().assign(number, *si * 1.1, document().newGesture());
+                PageTabs& pages = part<PageTabs>(window());
+                const int index = random.bounded(pages.count());
+                if (pages.isOffered(index)) pages.setCurrentIndex(index);
+            }
+            if (random.bounded(3) == 0) document().undoStack().undo();
+            QCoreApplication::processEvents();
+            QVERIFY(part<PageTabs>(window()).current().shows(document().scenario()));
+            QVERIFY(validate(document().scenario()).empty());
+        }
+    }
+    QVERIFY(strings > 50);
+    QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(window()).isBusy(), 60000);
+    QCOMPARE(window().shown()->request.scenario, document().scenario());
+}
+
+QTEST_MAIN(TestStringPage)
+#include "tst_string_page.moc"

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/form/string_section.h"
+
+#include <QLocale>
+
+#include "core/model/scales.h"
+#include "ui/text/number_text.h"
+#include "ui/text/unit_choice.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int columns = 4;
+
+// In the unit in which it is best read.
+QString handyText(double si, UnitKind kind) {
+    const UnitChoice& units = UnitChoice::shared();
+    const auto chosen = units.chosen().find(kind);
+    const Unit& unit =
+        chosen != units.chosen().end() ? *chosen->second : handyUnit(kind, si, units.physicalSystem());
+    const ShownUnit shown = shownUnit(unit);
+    return numberText(si * shown.factor, 4, QLocale()) + QChar(QChar::Nbsp) + shown.unit;
+}
+
+}  // namespace
+
+StringSection::StringSection(Document& document, QGridLayout* grid, QWidget* parent)
+    : QObject(parent), m_document(document), m_summary(new QLabel(parent)) {
+    m_summary->setObjectName(QStringLiteral("stringSummary"));
+    m_summary->setWordWrap(true);
+    m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_summary->setToolTip(
+        tr("Closed forms, groups and the shape of a pulse are of uniform rods, and not here"));
+    auto* sections = new QPushButton(tr("Sections…"), parent);
+    sections->setObjectName(QStringLiteral("sections"));
+    sections->setToolTip(tr("The page String: a drawing, and all sections in a table to edit"));
+    connect(sections, &QPushButton::clicked, this, &StringSection::sectionsRequested);
+    const int row = grid->rowCount();
+    grid->addWidget(m_summary, row, 0, 1, columns - 2);
+    grid->addWidget(sections, row, columns - 2, 1, 2, Qt::AlignTop);
+}
+
+void StringSection::addRestrike(QGridLayout* grid, QWidget* parent) {
+    m_restrike = new QCheckBox(tr("may strike again"), parent);
+    m_restrike->setObjectName(QStringLiteral("hammer.restrike"));
+    m_restrike->setAccessibleName(tr("Hammer: may strike again"));
+    m_restrike->setToolTip(
+        tr("The hammer stays where the string may meet it again; without it, it is withdrawn once they have "
+           "parted"));
+    grid->addWidget(m_restrike, grid->rowCount(), 0, 1, columns);
+    connect(m_restrike, &QCheckBox::clicked, this, &StringSection::setRestrike);
+}
+
+void StringSection::setRestrike(bool restrike) {
+    Scenario changed = m_document.scenario();
+    changed.drillString.hammer.restrike = restrike;
+    m_document.useScenario(changed, restrike ? tr("let the hammer strike again") : tr("withdraw the hammer"));
+}
+
+void StringSection::present(const Scenario& scenario) {
+    const DrillString& drill = scenario.drillString;
+    const auto count = static_cast<qlonglong>(sectionCount(drill));
+    const ChainProperties string = stringProperties(drill);
+    const ChainProperties hammer = hammerProperties(drill);
+    m_summary->setText(
+        tr("%1 of %2, %3; hammer %4, %5")
+            .arg(count == 1 ? tr("1 section") : tr("%1 sections").arg(QLocale().toString(count)),
+                 handyText(string.length, UnitKind::length), handyText(string.mass, UnitKind::mass),
+                 handyText(hammer.length, UnitKind::length), handyText(hammer.mass, UnitKind::mass)));
+    m_restrike->setChecked(drill.hammer.restrike);
+}
+
+}  // namespace drillwave

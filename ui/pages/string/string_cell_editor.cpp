@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/string/string_cell_editor.h"
+
+#include <QKeyEvent>
+
+#include "core/model/section_parameter.h"
+#include "ui/form/problem_plate.h"
+#include "ui/form/quantity_field.h"
+#include "ui/pages/string/string_model.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/unit_choice.h"
+
+namespace drillwave {
+namespace {
+
+// Why a document would not take the number.
+QString objection(const Document& document, const Parameter& parameter, double si) {
+    try {
+        ScenarioDocument changed;
+        return document.contentsWith({{&parameter, si}}, changed);
+    } catch (const ScenarioError& error) {
+        return QString::fromUtf8(error.what());
+    }
+}
+
+}  // namespace
+
+StringCellEditor::StringCellEditor(const Document& document, StringModel& model, QObject* parent)
+    : QStyledItemDelegate(parent), m_document(document), m_model(model) {}
+
+QWidget* StringCellEditor::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                                        const QModelIndex& index) const {
+    return m_model.parameterAt(index) ? newField(parent, index)
+                                      : QStyledItemDelegate::createEditor(parent, option, index);
+}
+
+QWidget* StringCellEditor::newField(QWidget* parent, const QModelIndex& index) const {
+    const Parameter& parameter = *m_model.parameterAt(index);
+    const std::string ofColumn = "string.1." + std::string(parameter.address->field->key);
+    auto* field = new QuantityField(parameter.quantity,
+                                    UnitChoice::shared().fieldUnit(*findParameter(ofColumn)), parent);
+    field->setFrame(false);
+    field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    field->setAccessibleName(fromView(parameter.label));
+    field->setToolTip(fromView(parameter.meaning));
+    field->setAutoFillBackground(true);
+    if (field->unitButton()) field->unitButton()->hide();
+    field->setTaker([this, &parameter](double si) { return objection(m_document, parameter, si); });
+    auto* plate = new ProblemPlate(field);
+    connect(field, &QObject::destroyed, plate, &QObject::deleteLater);
+    connect(field, &QuantityField::problemShown, plate, [plate, &parameter](const QString& problem) {
+        if (problem.isEmpty())
+            plate->hide();
+        else
+            plate->say(QStringLiteral("⚠ %1: %2").arg(fromView(parameter.label), problem));
+    });
+    return field;
+}
+
+void StringCellEditor::setEditorData(QWidget* editor, const QModelIndex& index) const {
+    const Parameter* parameter = m_model.parameterAt(index);
+    auto* field = qobject_cast<QuantityField*>(editor);
+    if (!field || !parameter) return QStyledItemDelegate::setEditorData(editor, index);
+    field->setValue(parameter->value(m_document.scenario()));
+}
+
+void StringCellEditor::setModelData(QWidget* editor, QAbstractItemModel* model,
+                                    const QModelIndex& index) const {
+    auto* field = qobject_cast<QuantityField*>(editor);
+    if (!field) return QStyledItemDelegate::setModelData(editor, model, index);
+    if (!field->problem().isEmpty()) {
+        emit leftOut(field->problem());
+        return;
+    }
+    const Parameter* parameter = m_model.parameterAt(index);
+    const bool isNew =
+        parameter && field->value() && field->value() != parameter->value(m_document.scenario());
+    if (isNew) model->setData(index, *field->value());
+}
+
+// Enter leaves a cell only with text that can be taken.
+bool StringCellEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        const auto* field = qobject_cast<QuantityField*>(watched);
+        if (field && (key == Qt::Key_Return || key == Qt::Key_Enter) && !field->problem().isEmpty())
+            return false;  // the field shows why at once
+    }
+    return QStyledItemDelegate::eventFilter(watched, event);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a cell of the table of sections is edited: numbers in a field like those of the form.
+#pragma once
+
+#include <QStyledItemDelegate>
+
+namespace drillwave {
+
+class Document;
+class QuantityField;
+class StringModel;
+
+/// Wrong text is marked with its reason while it is typed, and never taken.
+class StringCellEditor : public QStyledItemDelegate {
+    Q_OBJECT
+
+  public:
+    /// Document and model must outlive it.
+    StringCellEditor(const Document& document, StringModel& model, QObject* parent = nullptr);
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override;
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override;
+    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
+
+  signals:
+    /// Why text that was left in a cell was not taken.
+    void leftOut(const QString& reason) const;
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    QWidget* newField(QWidget* parent, const QModelIndex& index) const;
+
+    const Document& m_document;
+    StringModel& m_model;
+};
+
+}  // namespace drillwave

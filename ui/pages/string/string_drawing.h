@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hammer and string to scale, coloured by the largest stresses of each section.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "ui/pages/string/string_model.h"
+#include "ui/plot/colour_scale.h"
+
+namespace drillwave {
+
+/// Lengths run from the rear of the hammer to the rock; diameters are drawn larger by a factor that is told.
+/// The upper half of a section has the colour of its largest tension, the lower half that of its largest
+/// compression. A click, and the keys Left, Right, Home and End, choose a section.
+class StringDrawing : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// The model must outlive it.
+    explicit StringDrawing(const StringModel& model, QWidget* parent = nullptr);
+
+    /// The row whose sections are marked; −1 for none.
+    void setRow(int row);
+    /// The section of the chain below a point; nothing beside hammer and string.
+    std::optional<std::size_t> sectionAt(QPointF point) const;
+    /// Where a section of the chain is drawn.
+    QRectF sectionRect(std::size_t section) const;
+    /// Of a section: its name, impedance, and largest stresses with place and time.
+    QString textOf(std::size_t section) const;
+    /// By what factor diameters are larger than lengths; 0 where there is nothing to draw.
+    double exaggeration() const;
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+  signals:
+    void rowChosen(int row);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+  private:
+    double totalLength() const;
+    double largestDiameter() const;
+    QRectF area() const;
+    double wordsHeight() const;
+    ColourScale colours() const;
+    QColor colour(double stress) const;
+    void drawSection(QPainter& painter, std::size_t section) const;
+    void drawMarks(QPainter& painter) const;
+    void drawRuler(QPainter& painter) const;
+    void drawLegend(QPainter& painter) const;
+    void choose(int row);
+
+    const StringModel& m_model;
+    int m_row = -1;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/string/string_edits.h"
+
+#include <QItemSelectionModel>
+#include <QMenu>
+#include <QTableView>
+#include <algorithm>
+
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
+#include "ui/text/field_text.h"
+#include "ui/text/typed_text.h"
+#include "ui/text/unit_choice.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int usualRepeat = 2;
+
+QString sizeText(double si) {
+    const Unit& unit = UnitChoice::shared().fieldUnit(*findParameter("string.1.diameter"));
+    return fieldText(si, Quantity::length, unit, QLocale());
+}
+
+// "rod, 3660 × 39/14.5 mm".
+QString describe(const Section& section) {
+    const Unit& unit = UnitChoice::shared().fieldUnit(*findParameter("string.1.diameter"));
+    QString size = sizeText(section.length) + QStringLiteral(" × ") + sizeText(section.diameter);
+    if (section.bore > 0) size += QLatin1Char('/') + sizeText(section.bore);
+    const QString name =
+        section.name.empty() ? StringEdits::tr("section") : QString::fromStdString(section.name);
+    return QStringLiteral("%1, %2 %3").arg(name, size, shownUnitName(unit.name)).replace(u'&', "&&");
+}
+
+}  // namespace
+
+StringEdits::StringEdits(Document& document, StringModel& model, QTableView& table)
+    : QObject(&table), m_document(document), m_model(model), m_table(table), m_addMenu(new QMenu(&table)) {
+    m_add = newAction(QStringLiteral("add"), tr("Add"),
+                      tr("Put a section behind the selected one: like it, or one of the example strings"),
+                      QKeySequence(Qt::Key_Insert), [this] {
+                          const std::optional<SectionSpot> spot = current();
+                          if (!spot) return;
+                          Section section = sectionAt(m_document.scenario().drillString, *spot);
+                          section.name.clear();
+                          add(section);
+                      });
+    m_add->setMenu(m_addMenu);
+    m_duplicate = newAction(QStringLiteral("duplicate"), tr("Duplicate"),
+                            tr("Put the selected section there once more, with its name"),
+                            QKeySequence(Qt::CTRL | Qt::Key_D), [this] { duplicate(); });
+    m_remove = newAction(QStringLiteral("remove"), tr("Remove"), tr("Take the selected sections away"),
+                         QKeySequence(Qt::Key_Delete), [this] { remove(); });
+    m_up = newAction(QStringLiteral("up"), tr("Towards the hammer"),
+                     tr("Move the selected section one step towards the rear, into or out of a repeat"),
+                     QKeySequence(Qt::ALT | Qt::Key_Up), [this] { move(MoveTo::rear); });
+    m_down = newAction(QStringLiteral("down"), tr("Towards the bit"),
+                       tr("Move the selected section one step towards the bit, into or out of a repeat"),
+                       QKeySequence(Qt::ALT | Qt::Key_Down), [this] { move(MoveTo::bit); });
+    m_repeat =
+        newAction(QStringLiteral("repeat"), tr("Repeat…"),
+                  tr("Let the selected sections follow one another several times; in a repeat, type how "
+                     "often"),
+                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { repeat(); });
+    connect(m_addMenu, &QMenu::aboutToShow, this, &StringEdits::fillAddMenu);
+    connect(table.selectionModel(), &QItemSelectionModel::selectionChanged, this, &StringEdits::offer);
+    connect(&model, &QAbstractItemModel::modelReset, this, &StringEdits::offer);
+    connect(&model, &QAbstractItemModel::dataChanged, this, &StringEdits::offer);
+    offer();
+}
+
+QAction* StringEdits::newAction(const QString& name, const QString& text, const QString& toolTip,
+                                const QKeySequence& keys, const std::function<void()>& then) {
+    auto* action = new QAction(text, &m_table);
+    action->setObjectName(QStringLiteral("string.") + name);
+    action->setShortcut(keys);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    action->setToolTip(QStringLiteral("%1 (%2)").arg(toolTip, keys.toString(QKeySequence::NativeText)));
+    connect(action, &QAction::triggered, this, then);
+    m_table.addAction(action);
+    m_actions.append(action);
+    return action;
+}
+
+// Sections of known strings, so that nobody begins with a blank one.
+void StringEdits::fillAddMenu() {
+    m_addMenu->clear();
+    if (const std::optional<SectionSpot> spot = current()) {
+        const Section like = sectionAt(m_document.scenario().drillString, *spot);
+        m_addMenu->addAction(tr("Like the selected one"), this, [this, like] {
+            Section section = like;
+            section.name.clear();
+            add(section);
+        });
+    }
+    for (const Example& example : builtInExamples()) {
+        if (!example.ofString) continue;
+        QMenu* menu = m_addMenu->addMenu(QString::fromStdString(example.title));
+        for (const StringRow& row :
+             stringRows(parseScenario(example.text, example.name).scenario.drillString))
+            menu->addAction(describe(row.section), this, [this, section = row.section] { add(section); });
+    }
+}
+
+std::vector<SectionSpot> StringEdits::selected() const {
+    std::vector<int> rows;
+    for (const QModelIndex& index : m_table.selectionModel()->selectedRows()) rows.push_back(index.row());
+    std::ranges::sort(rows);
+    std::vector<SectionSpot> spots;
+    for (const int row : rows)
+        if (row < m_model.rowCount()) spots.push_back(m_model.rows()[static_cast<std::size_t>(row)].spot);
+    return spots;
+}
+
+// The last one selected; of a table without selection the last row.
+std::optional<SectionSpot> StringEdits::current() const {
+    const std::vector<SectionSpot> spots = selected();
+    if (!spots.empty()) return spots.back();
+    if (m_model.rows().empty()) return std::nullopt;
+    return m_model.rows().back().spot;
+}
+
+void StringEdits::select(const SectionSpot& spot) {
+    const int row = m_model.rowOf(spot);
+    if (row < 0) return;
+    const QModelIndex index = m_model.index(row, StringModel::sectionName);
+    m_table.selectionModel()->setCurrentIndex(
+        index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    m_table.scrollTo(index);
+}
+
+void StringEdits::offer() {
+    const std::vector<SectionSpot> spots = selected();
+    const bool isOne = spots.size() == 1;
+    const DrillString& drill = m_document.scenario().drillString;
+    const bool isThere = !m_model.rows().empty();
+    m_add->setEnabled(isThere);
+    m_duplicate->setEnabled(isThere && isOne);
+    m_remove->setEnabled(isThere && !spots.empty());
+    const auto canMove = [&](MoveTo direction) {
+        DrillString tried = drill;
+        return isThere && isOne && moveSection(tried, spots.front(), direction).has_value();
+    };
+    m_up->setEnabled(canMove(MoveTo::rear));
+    m_down->setEnabled(canMove(MoveTo::bit));
+    const bool isInRepeat =
+        isThere && isOne && !spots.front().inHammer && drill.parts[spots.front().part].group;
+    m_repeat->setEnabled(isThere && (isInRepeat || canRepeat(drill, spots)));
+}
+
+bool StringEdits::take(const Scenario& changed, const QString& step) {
+    const QString problem = m_document.useScenario(changed, step);
+    emit refused(problem);
+    return problem.isEmpty();
+}
+
+void StringEdits::add(const Section& section) {
+    const std::optional<SectionSpot> after = current();
+    if (!after) return;
+    Scenario changed = m_document.scenario();
+    Section added = section;
+    if (after->inHammer) added.loss = added.attenuation = 0;
+    const SectionSpot spot = insertAfter(changed.drillString, *after, added);
+    const QString name = added.name.empty() ? tr("a section") : QString::fromStdString(added.name);
+    if (take(changed, tr("add %1").arg(name))) select(spot);
+}
+
+void StringEdits::duplicate() {
+    const std::vector<SectionSpot> spots = selected();
+    if (spots.size() != 1) return;
+    Scenario changed = m_document.scenario();
+    const Section copy = sectionAt(changed.drillString, spots.front());
+    const QString name = m_model.rows()[std::size_t(m_model.rowOf(spots.front()))].name();
+    const SectionSpot spot = insertAfter(changed.drillString, spots.front(), copy);
+    if (take(changed, tr("duplicate %1").arg(name))) select(spot);
+}
+
+// From the end, so that those before stay where they are.
+void StringEdits::remove() {
+    const std::vector<SectionSpot> spots = selected();
+    if (spots.empty()) return;
+    Scenario changed = m_document.scenario();
+    const int row = m_model.rowOf(spots.front());
+    const QString name = m_model.rows()[std::size_t(row)].name();
+    for (auto spot = spots.rbegin(); spot != spots.rend(); ++spot) {
+        if (!canRemove(changed.drillString, *spot))
+            return emit refused(spot->inHammer ? tr("A hammer has at least one section.")
+                                               : tr("A string has at least one section."));
+        removeSection(changed.drillString, *spot);
+    }
+    const QString step =
+        spots.size() == 1 ? tr("remove %1").arg(name) : tr("remove %1 sections").arg(spots.size());
+    if (!take(changed, step)) return;
+    select(m_model.rows()[std::size_t(std::min(row, m_model.rowCount() - 1))].spot);
+}
+
+void StringEdits::move(MoveTo direction) {
+    const std::vector<SectionSpot> spots = selected();
+    if (spots.size() != 1) return;
+    const QString name = m_model.rows()[std::size_t(m_model.rowOf(spots.front()))].name();
+    Scenario changed = m_document.scenario();
+    const std::optional<SectionSpot> spot = moveSection(changed.drillString, spots.front(), direction);
+    if (!spot) return;
+    const QString step =
+        direction == MoveTo::rear ? tr("move %1 towards the hammer") : tr("move %1 towards the bit");
+    if (take(changed, step.arg(name))) select(*spot);
+}
+
+void StringEdits::repeat() {
+    const std::vector<SectionSpot> spots = selected();
+    if (spots.empty()) return;
+    Scenario changed = m_document.scenario();
+    SectionSpot spot = spots.front();
+    if (canRepeat(changed.drillString, spots)) {
+        repeatSections(changed.drillString, spots, usualRepeat);
+        spot.index = 0;
+        const QString name = m_model.rows()[std::size_t(m_model.rowOf(spots.front()))].name();
+        const QString what = spots.size() == 1 ? name : tr("%1 sections").arg(spots.size());
+        if (!take(changed, tr("repeat %1").arg(what))) return;
+        select(spot);
+    }
+    const QModelIndex cell = m_model.index(m_model.rowOf(spot), StringModel::repeat);
+    if (cell.isValid() && (m_model.flags(cell) & Qt::ItemIsEditable)) {
+        m_table.setCurrentIndex(cell);
+        m_table.edit(cell);
+    }
+}
+
+}  // namespace drillwave

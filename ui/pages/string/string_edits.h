@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What can be done with the sections that are selected in the table: added to, doubled, taken away, moved,
+// repeated. Each is one step of the document's history.
+#pragma once
+
+#include <QAction>
+#include <QObject>
+
+#include "ui/document/document.h"
+#include "ui/pages/string/string_model.h"
+
+class QMenu;
+class QTableView;
+
+namespace drillwave {
+
+class StringEdits : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Document, model and table must outlive it; the actions are the table's, too.
+    StringEdits(Document& document, StringModel& model, QTableView& table);
+
+    /// In the order of a bar.
+    const QList<QAction*>& actions() const { return m_actions; }
+    /// The sections that can be added, from the example strings.
+    QMenu* addMenu() const { return m_addMenu; }
+    /// Behind the selected one; at the end where none is.
+    void add(const Section& section);
+    void duplicate();
+    void remove();
+    void move(MoveTo direction);
+    /// Makes a repeat of the selected rows, or leads to the number of theirs.
+    void repeat();
+    /// Selects the row of a spot.
+    void select(const SectionSpot& spot);
+
+  signals:
+    /// Why an edit was not made; empty when one was.
+    void refused(const QString& reason);
+
+  private:
+    QAction* newAction(const QString& name, const QString& text, const QString& toolTip,
+                       const QKeySequence& keys, const std::function<void()>& then);
+    void fillAddMenu();
+    void offer();
+    std::vector<SectionSpot> selected() const;
+    std::optional<SectionSpot> current() const;
+    bool take(const Scenario& changed, const QString& step);
+
+    Document& m_document;
+    StringModel& m_model;
+    QTableView& m_table;
+    QMenu* m_addMenu;
+    QList<QAction*> m_actions;
+    QAction* m_add;
+    QAction* m_duplicate;
+    QAction* m_remove;
+    QAction* m_up;
+    QAction* m_down;
+    QAction* m_repeat;
+};
+
+}  // namespace drillwave

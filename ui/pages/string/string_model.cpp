@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/string/string_model.h"
+
+#include <QGuiApplication>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "core/model/section_parameter.h"
+#include "ui/text/field_text.h"
+#include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/typed_text.h"
+#include "ui/text/unit_choice.h"
+
+namespace drillwave {
+namespace {
+
+const QString none = QStringLiteral("–");
+
+/// The number of a section that a column shows; empty for other columns.
+std::string_view fieldKey(int column) {
+    switch (column) {
+        case StringModel::length:
+            return "length";
+        case StringModel::diameter:
+            return "diameter";
+        case StringModel::bore:
+            return "bore";
+        case StringModel::loss:
+            return "loss";
+        case StringModel::massAfter:
+            return "mass_after";
+        case StringModel::attenuation:
+            return "attenuation";
+        default:
+            return {};
+    }
+}
+
+/// The solver takes no losses inside the hammer.
+bool isOfStringAlone(int column) {
+    return column == StringModel::loss || column == StringModel::attenuation;
+}
+
+/// One unit for all rows of a column: that of the first section's field.
+const Unit& columnUnit(int column) {
+    return UnitChoice::shared().fieldUnit(*findParameter("string.1." + std::string(fieldKey(column))));
+}
+
+// The label of the parameter, in two lines where it is long.
+QString columnTitle(int column) {
+    if (column == StringModel::massAfter) return StringModel::tr("mass\nbehind");
+    if (column == StringModel::attenuation) return StringModel::tr("attenu-\nation");
+    return fromView(findSectionField(fieldKey(column))->label);
+}
+
+QString withUnit(const QString& words, const QString& unit) {
+    return unit.isEmpty() ? words : QStringLiteral("%1\n[%2]").arg(words, unit);
+}
+
+}  // namespace
+
+StringModel::StringModel(Document& document, QObject* parent)
+    : QAbstractTableModel(parent), m_document(document) {
+    connect(&document, &Document::scenarioChanged, this, &StringModel::follow);
+    connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
+        emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
+        if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+    });
+    follow();
+}
+
+void StringModel::follow() {
+    const Scenario& scenario = m_document.scenario();
+    std::vector<StringRow> rows;
+    if (isString(scenario)) rows = stringRows(scenario.drillString);
+    const bool same = std::ranges::equal(rows, m_rows, {}, &StringRow::spot, &StringRow::spot);
+    if (!same) beginResetModel();
+    m_rows = std::move(rows);
+    m_chain = chainSections(scenario.drillString, m_rows);
+    m_results.reset();
+    if (m_blow) m_results = stringResults(*m_blow, m_rows, m_chain);
+    if (!same)
+        endResetModel();
+    else if (!m_rows.empty())
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+}
+
+void StringModel::present(const SolvedBlowPtr& blow) {
+    m_blow = blow;
+    m_results = stringResults(*blow, m_rows, m_chain);
+    emit headerDataChanged(Qt::Horizontal, compression, reflected);
+    if (!m_rows.empty()) emit dataChanged(index(0, compression), index(rowCount() - 1, reflected));
+}
+
+const Parameter* StringModel::parameterAt(const QModelIndex& index) const {
+    const std::string_view field = fieldKey(index.column());
+    if (field.empty() || !index.isValid()) return nullptr;
+    const StringRow& row = m_rows[static_cast<std::size_t>(index.row())];
+    if (row.spot.inHammer && isOfStringAlone(index.column())) return nullptr;
+    const auto chain = row.spot.inHammer ? SectionAddress::Chain::hammer : SectionAddress::Chain::string;
+    const Parameter* parameter = findParameter(sectionKey(chain, row.place) + "." + std::string(field));
+    return parameter && parameter->applies(m_document.scenario()) ? parameter : nullptr;
+}
+
+int StringModel::rowOf(const SectionSpot& spot) const {
+    const auto found = std::ranges::find(m_rows, spot, &StringRow::spot);
+    return found == m_rows.end() ? -1 : static_cast<int>(found - m_rows.begin());
+}
+
+int StringModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int StringModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : columns;
+}
+
+Qt::ItemFlags StringModel::flags(const QModelIndex& index) const {
+    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+    if (!index.isValid()) return flags;
+    const StringRow& row = m_rows[static_cast<std::size_t>(index.row())];
+    const bool editable = index.column() == repeat ? row.repeat.has_value()
+                                                   : index.column() == sectionName || parameterAt(index);
+    return editable ? flags | Qt::ItemIsEditable : flags;
+}
+
+QVariant StringModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) return {};
+    const StringRow& row = m_rows[static_cast<std::size_t>(index.row())];
+    switch (role) {
+        case Qt::DisplayRole:
+            return shown(index);
+        case Qt::EditRole:
+            if (index.column() == sectionName) return QString::fromStdString(row.section.name);
+            if (index.column() == repeat) return row.repeat ? row.repeat->times : 1;
+            return shown(index);
+        case Qt::ToolTipRole:
+            return toolTip(index);
+        case Qt::ForegroundRole:
+            // A name that is none of its own.
+            if (index.column() == sectionName && row.section.name.empty())
+                return QGuiApplication::palette().brush(QPalette::PlaceholderText);
+            return {};
+        case Qt::TextAlignmentRole:
+            return int((index.column() == sectionName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        default:
+            return {};
+    }
+}
+
+QVariant StringModel::shown(const QModelIndex& index) const {
+    const StringRow& row = m_rows[static_cast<std::size_t>(index.row())];
+    if (index.column() == repeat) return repeatCell(row);
+    if (index.column() == sectionName) return row.name();
+    if (index.column() >= compression) return resultCell(index.row(), index.column());
+    const Parameter* parameter = parameterAt(index);
+    return parameter ? numberCell(row, *parameter) : none;
+}
+
+QString StringModel::numberCell(const StringRow& /*row*/, const Parameter& parameter) const {
+    const std::optional<double> si = parameter.value(m_document.scenario());
+    const std::string_view field = parameter.address->field->key;
+    if (!si) return none;
+    // Most sections have none of these.
+    const bool isUsual = *si == 0 && (field == "loss" || field == "mass_after" || field == "attenuation");
+    if (isUsual) return none;
+    const Unit& unit = UnitChoice::shared().fieldUnit(*findParameter("string.1." + std::string(field)));
+    return fieldText(*si, parameter.quantity, unit, QLocale());
+}
+
+// A bracket over the rows of the repeat, with its number at the first.
+QString StringModel::repeatCell(const StringRow& row) const {
+    if (!row.repeat) return {};
+    const auto [times, index, size] = *row.repeat;
+    const QString number = QStringLiteral("%1 × ").arg(QLocale().toString(times));
+    if (size == 1) return number + QStringLiteral("[");
+    if (index == 0) return number + QStringLiteral("⎡");
+    return index + 1 == size ? QStringLiteral("⎣") : QStringLiteral("⎢");
+}
+
+QString StringModel::resultCell(int row, int column) const {
+    if (!m_results) return none;
+    const RowResult& result = m_results->rows[static_cast<std::size_t>(row)];
+    if (column == reflected)
+        return result.reflected ? numberText(100 * result.reflected->size, 3, QLocale()) : none;
+    const RowPeak& peak = column == compression ? result.compression : result.tension;
+    return numberText(peak.size / m_blow->scales.stress * m_blow->units.stress.factor, 4, QLocale());
+}
+
+QString StringModel::peakText(const RowPeak& peak) const {
+    const Scales& scales = m_blow->scales;
+    const ShownUnits& units = m_blow->units;
+    const QLocale locale;
+    const QString stress = quantityText(peak.size / scales.stress, units.stress, locale);
+    if (!(peak.size > 0)) return stress;
+    // What is closer to an end than this is at the end.
+    constexpr double rounding = 1e-9;
+    const double place = peak.place / scales.length < rounding ? 0 : peak.place / scales.length;
+    return tr("%1 at %2 from its rear end, %3")
+        .arg(stress, quantityText(place, units.length, locale),
+             quantityText(peak.time / scales.time, units.time, locale));
+}
+
+QString StringModel::toolTip(const QModelIndex& index) const {
+    const StringRow& row = m_rows[static_cast<std::size_t>(index.row())];
+    const int column = index.column();
+    if (column == repeat)
+        return row.repeat
+                   ? tr("These sections come %1 times, one after another. Type another number; 1 takes the "
+                        "repeat away.")
+                         .arg(row.repeat->times)
+                   : QString();
+    if (column == sectionName) return tr("Name of the section; parameters go by it, too");
+    if (column >= compression) {
+        if (!m_results) return {};
+        const RowResult& result = m_results->rows[static_cast<std::size_t>(index.row())];
+        if (column == reflected)
+            return result.reflected
+                       ? tr("Share of the energy of the hammer that the joint behind %1 throws back of "
+                            "what comes from the hammer")
+                             .arg(row.nameAt(result.reflected->section))
+                       : QString();
+        const RowPeak& peak = column == compression ? result.compression : result.tension;
+        return row.nameAt(peak.section) + QStringLiteral(": ") + peakText(peak);
+    }
+    if (const Parameter* parameter = parameterAt(index)) return fromView(parameter->meaning);
+    if (isOfStringAlone(column)) return tr("The hammer loses nothing inside");
+    return tr("The section is given by its cross-section, not by diameters");
+}
+
+QVariant StringModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Vertical) {
+        if (role != Qt::DisplayRole || section >= rowCount()) return {};
+        const StringRow& row = m_rows[static_cast<std::size_t>(section)];
+        return row.spot.inHammer ? tr("H%1").arg(row.place) : QString::number(row.place);
+    }
+    if (role == Qt::ToolTipRole) {
+        if (section == compression) return tr("Largest compression of the section in this blow");
+        if (section == tension) return tr("Largest tension of the section in this blow");
+        if (section == reflected)
+            return tr(
+                "Share of the energy of the hammer that the joint behind the section throws back of what "
+                "comes from the hammer; of a repeat, by the joint that throws back most");
+        if (const std::string_view field = fieldKey(section); !field.empty())
+            return fromView(findSectionField(field)->meaning);
+        return {};
+    }
+    if (role != Qt::DisplayRole) return {};
+    const QString stressUnit = m_blow ? m_blow->units.stress.unit : QString();
+    switch (section) {
+        case repeat:
+            return tr("repeat");
+        case sectionName:
+            return tr("name");
+        case compression:
+            return withUnit(tr("compres-\nsion"), stressUnit);
+        case tension:
+            return withUnit(tr("tension"), stressUnit);
+        case reflected:
+            return withUnit(tr("joint\nreflects"), QStringLiteral("%"));
+        default:
+            break;
+    }
+    return withUnit(columnTitle(section), shownUnitName(columnUnit(section).name));
+}
+
+bool StringModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
+    const StringRow row = m_rows[static_cast<std::size_t>(index.row())];
+    if (index.column() == sectionName) return rename(row, value.toString().trimmed());
+    bool isNumber = false;
+    const double number = value.toDouble(&isNumber);
+    if (!isNumber) return false;
+    if (index.column() == repeat) return setTimes(row, number);
+    return told(m_document.assign(*parameterAt(index), number, m_document.newGesture()));
+}
+
+bool StringModel::rename(const StringRow& row, const QString& name) {
+    if (const std::string problem = sectionNameProblem(name.toStdString()); !problem.empty())
+        return told(tr("The name %1").arg(QString::fromStdString(problem)));
+    Scenario changed = m_document.scenario();
+    sectionAt(changed.drillString, row.spot).name = name.toStdString();
+    return told(m_document.useScenario(changed, tr("call %1 “%2”").arg(row.name(), name)));
+}
+
+bool StringModel::setTimes(const StringRow& row, double times) {
+    const bool isWhole = times == std::floor(times) && times >= 1 && times <= double(maximumSections);
+    if (!isWhole) return told(tr("A repeat is a whole number from 1 to %1").arg(maximumSections));
+    if (!row.repeat || times == row.repeat->times) return false;
+    Scenario changed = m_document.scenario();
+    setRepeat(changed.drillString, row.spot.part, static_cast<int>(times));
+    return told(m_document.useScenario(changed, times == 1
+                                                    ? tr("take the repeat of %1 away").arg(row.name())
+                                                    : tr("repeat %1 %2 times").arg(row.name()).arg(times)));
+}
+
+bool StringModel::told(const QString& problem) {
+    emit refused(problem);
+    return problem.isEmpty();
+}
+
+}  // namespace drillwave

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of the sections: a row for each as it stands in a file, with numbers to be edited and what the
+// blow does to it.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <optional>
+#include <vector>
+
+#include "ui/document/document.h"
+#include "ui/pages/string/string_rows.h"
+
+namespace drillwave {
+
+/// Shows the document's string. Every edit is one step of its history; what is wrong stays out of it.
+class StringModel : public QAbstractTableModel {
+    Q_OBJECT
+
+  public:
+    enum Column {
+        repeat,
+        sectionName,
+        length,
+        diameter,
+        bore,
+        loss,
+        massAfter,
+        attenuation,
+        compression,
+        tension,
+        reflected,
+        columns
+    };
+
+    /// The document must outlive the model.
+    explicit StringModel(Document& document, QObject* parent = nullptr);
+
+    /// What the last columns show; nullptr before the first.
+    void present(const SolvedBlowPtr& blow);
+
+    const std::vector<StringRow>& rows() const { return m_rows; }
+    const std::vector<ChainSection>& chain() const { return m_chain; }
+    const std::optional<StringResults>& results() const { return m_results; }
+    const SolvedBlowPtr& blow() const { return m_blow; }
+    /// The number that a cell is; nullptr where it is a word, a result, or nothing of that section.
+    const Parameter* parameterAt(const QModelIndex& index) const;
+    /// Stress, place and time of a peak as the results are shown: "362.2 MPa at 0.12 m, 3.28 ms".
+    QString peakText(const RowPeak& peak) const;
+    /// Where a spot is in the table; −1 where there is none.
+    int rowOf(const SectionSpot& spot) const;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    /// Takes a number in SI, or a name.
+    bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
+
+  signals:
+    /// Why a cell did not take its text; empty when one has.
+    void refused(const QString& reason);
+
+  private:
+    void follow();
+    QVariant shown(const QModelIndex& index) const;
+    QString numberCell(const StringRow& row, const Parameter& parameter) const;
+    QString repeatCell(const StringRow& row) const;
+    QString resultCell(int row, int column) const;
+    QString toolTip(const QModelIndex& index) const;
+    bool rename(const StringRow& row, const QString& name);
+    bool setTimes(const StringRow& row, double times);
+    bool told(const QString& problem);
+
+    Document& m_document;
+    SolvedBlowPtr m_blow;
+    std::vector<StringRow> m_rows;
+    std::vector<ChainSection> m_chain;
+    std::optional<StringResults> m_results;
+};
+
+}  // namespace drillwave

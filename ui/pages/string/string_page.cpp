@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/string/string_page.h"
+
+#include <QHeaderView>
+#include <QItemSelectionModel>
+#include <QLabel>
+#include <QMenu>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/text/csv.h"
+#include "ui/pages/string/string_cell_editor.h"
+#include "ui/pages/string/string_drawing.h"
+#include "ui/pages/string/string_edits.h"
+#include "ui/pages/string/string_model.h"
+#include "ui/pages/study/flow_layout.h"
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+
+StringPage::StringPage(Document& document, QWidget* parent)
+    : Page(parent),
+      m_document(document),
+      m_model(new StringModel(document, this)),
+      m_drawing(new StringDrawing(*m_model, this)),
+      m_table(new QTableView(this)),
+      m_words(new QLabel(this)) {
+    fillTable();
+    m_edits = new StringEdits(document, *m_model, *m_table);
+    m_words->setObjectName(QStringLiteral("words"));
+    m_words->setWordWrap(true);
+    m_words->setMargin(4);
+    // Two lines are reserved: nothing jumps.
+    m_words->setMinimumHeight(2 * m_words->fontMetrics().lineSpacing() + 8);
+    m_words->setToolTip(tr("Of uniform sections: threads and shoulders raise stresses locally"));
+    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(m_drawing, 2);
+    layout->addWidget(m_words);
+    layout->addWidget(makeBar());
+    layout->addWidget(m_table, 3);
+    // The keys and the menu of the table are those of the drawing, too.
+    m_drawing->addActions(m_edits->actions());
+    m_drawing->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(m_drawing, &StringDrawing::rowChosen, this,
+            [this](int row) { m_edits->select(m_model->rows()[static_cast<std::size_t>(row)].spot); });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            &StringPage::followSelection);
+    connect(m_edits, &StringEdits::refused, this, &StringPage::say);
+    connect(m_model, &StringModel::refused, this, &StringPage::say);
+    connect(&document, &Document::scenarioChanged, this, [this] { say({}); });
+}
+
+void StringPage::fillTable() {
+    m_table->setObjectName(QStringLiteral("sections"));
+    m_table->setAccessibleName(tr("Sections of hammer and string"));
+    m_table->setModel(m_model);
+    auto* editor = new StringCellEditor(m_document, *m_model, m_table);
+    m_table->setItemDelegate(editor);
+    connect(editor, &StringCellEditor::leftOut, this, &StringPage::say);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::ContiguousSelection);
+    m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                             QAbstractItemView::AnyKeyPressed | QAbstractItemView::SelectedClicked);
+    m_table->setAlternatingRowColors(true);
+    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_table->setTabKeyNavigation(false);  // Tab leads out of it
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    QHeaderView* header = m_table->horizontalHeader();
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setMinimumSectionSize(36);
+    m_table->setWordWrap(false);
+    header->setHighlightSections(false);
+}
+
+QWidget* StringPage::makeBar() {
+    auto* bar = new QWidget(this);
+    auto* row = new FlowLayout(bar);
+    for (QAction* action : m_edits->actions()) {
+        auto* button = new QToolButton(bar);
+        button->setDefaultAction(action);
+        button->setFocusPolicy(Qt::TabFocus);
+        if (action->menu()) button->setPopupMode(QToolButton::InstantPopup);
+        row->addWidget(button);
+    }
+    return bar;
+}
+
+void StringPage::followSelection() {
+    m_drawing->setRow(m_table->currentIndex().isValid() ? m_table->currentIndex().row() : -1);
+}
+
+void StringPage::setResult(const SolvedBlowPtr& blow) {
+    m_model->present(blow);
+    say(m_refusal);
+}
+
+void StringPage::say(const QString& refusal) {
+    m_refusal = refusal;
+    m_words->setText(refusal.isEmpty() ? sentence() : QStringLiteral("⚠ ") + refusal);
+}
+
+// Where it is worst, in words.
+QString StringPage::sentence() const {
+    const SolvedBlowPtr& blow = m_model->blow();
+    if (blow && !blow->problem.isEmpty()) return tr("Not solved: %1").arg(blow->problem);
+    const std::optional<StringResults>& results = m_model->results();
+    if (!results || results->rows.empty()) return {};
+    const auto worst = [&](RowPeak RowResult::*peak) {
+        const auto size = [peak](const RowResult& row) { return (row.*peak).size; };
+        const auto row = std::ranges::max_element(results->rows, {}, size);
+        const StringRow& section = m_model->rows()[std::size_t(row - results->rows.begin())];
+        return tr("in %1, %2").arg(section.nameAt(((*row).*peak).section), m_model->peakText((*row).*peak));
+    };
+    return tr("Largest tension %1; largest compression %2.")
+        .arg(worst(&RowResult::tension), worst(&RowResult::compression));
+}
+
+void StringPage::goTo(const SectionAddress& address) {
+    const bool ofHammer = address.chain == SectionAddress::Chain::hammer;
+    for (const ChainSection& each : m_model->chain()) {
+        const StringRow& row = m_model->rows()[each.row];
+        const bool isMeant =
+            address.place > 0 ? each.place == address.place : row.section.name == address.name;
+        if (row.spot.inHammer != ofHammer || !isMeant) continue;
+        m_edits->select(row.spot);
+        return m_table->setFocus(Qt::OtherFocusReason);
+    }
+}
+
+// As it is shown, in columns.
+QByteArray StringPage::csv() const {
+    std::string text;
+    const auto add = [&](const QString& cell, bool first) {
+        if (!first) text += ',';
+        text += csvCell(cell.simplified().toStdString());
+    };
+    add(tr("place"), true);
+    for (int column = 0; column < m_model->columnCount(); ++column)
+        add(m_model->headerData(column, Qt::Horizontal).toString(), false);
+    text += '\n';
+    const QLocale locale = QLocale();
+    QLocale::setDefault(QLocale::c());
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        add(m_model->headerData(row, Qt::Vertical).toString(), true);
+        for (int column = 0; column < m_model->columnCount(); ++column) {
+            const StringRow& at = m_model->rows()[std::size_t(row)];
+            const QString cell = column == StringModel::repeat
+                                     ? QString::number(at.repeat ? at.repeat->times : 1)
+                                     : m_model->index(row, column).data().toString();
+            add(cell == QStringLiteral("–") ? QString() : cell, false);
+        }
+        text += '\n';
+    }
+    QLocale::setDefault(locale);
+    return QByteArray::fromStdString(text);
+}
+
+QList<PageExport> StringPage::exports() const {
+    PageExport numbers;
+    numbers.title = tr("&Table of the sections…");
+    numbers.toolTip = tr("Every section with its sizes and largest stresses, as CSV");
+    numbers.fileStem = QStringLiteral("_sections");
+    numbers.csv = [this] { return csv(); };
+    return {numbers};
+}
+
+}  // namespace drillwave

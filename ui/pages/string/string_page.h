@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hammer and string: drawn to scale with the stresses of the blow, and as a table to be edited.
+#pragma once
+
+#include "core/model/section_parameter.h"
+#include "ui/document/document.h"
+#include "ui/pages/page.h"
+
+class QLabel;
+class QTableView;
+
+namespace drillwave {
+
+class StringDrawing;
+class StringEdits;
+class StringModel;
+
+class StringPage : public Page {
+    Q_OBJECT
+
+  public:
+    /// The document must outlive the page.
+    explicit StringPage(Document& document, QWidget* parent = nullptr);
+
+    QString title() const override { return tr("String"); }
+    bool shows(const Scenario& scenario) const override { return isString(scenario); }
+    /// The blow has it all.
+    PreparePage prepare() const override { return {}; }
+    void setResult(const SolvedBlowPtr& blow) override;
+    void fit() override {}
+    QList<PageExport> exports() const override;
+    void setCurrent(bool /*current*/) override {}
+
+    /// Selects the first of the sections and the number that are meant.
+    void goTo(const SectionAddress& address);
+
+    StringDrawing* drawing() const { return m_drawing; }
+    StringModel* model() const { return m_model; }
+    QTableView* table() const { return m_table; }
+    StringEdits* edits() const { return m_edits; }
+
+  private:
+    QWidget* makeBar();
+    void fillTable();
+    void followSelection();
+    void say(const QString& refusal);
+    QString sentence() const;
+    QByteArray csv() const;
+
+    Document& m_document;
+    StringModel* m_model;
+    StringDrawing* m_drawing;
+    QTableView* m_table;
+    StringEdits* m_edits;
+    QLabel* m_words;
+    QString m_refusal;
+};
+
+}  // namespace drillwave

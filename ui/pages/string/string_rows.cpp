@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/string/string_rows.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace drillwave {
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("drillwave::StringRows", text);
+}
+
+void take(RowPeak& peak, const RowPeak& other) {
+    if (other.size > peak.size) peak = other;
+}
+
+}  // namespace
+
+QString StringRow::name() const {
+    if (!section.name.empty()) return QString::fromStdString(section.name);
+    return (spot.inHammer ? tr("hammer %1") : tr("section %1")).arg(place);
+}
+
+QString StringRow::nameAt(std::uint64_t itsPlace) const {
+    if (spot.inHammer || section.name.empty())
+        return (spot.inHammer ? tr("hammer %1") : tr("section %1")).arg(itsPlace);
+    return QStringLiteral("%1 (%2)").arg(name()).arg(itsPlace);
+}
+
+std::vector<StringRow> stringRows(const DrillString& drillString) {
+    std::vector<StringRow> rows;
+    for (const SectionSpot& spot : sectionSpots(drillString)) {
+        StringRow row{spot, sectionAt(drillString, spot), placeOf(drillString, spot)};
+        if (!spot.inHammer)
+            if (const StringPart& part = drillString.parts[spot.part]; part.group)
+                row.repeat = StringRow::Repeat{part.repeat, spot.index, part.sections.size()};
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::vector<ChainSection> chainSections(const DrillString& drillString, const std::vector<StringRow>& rows) {
+    std::vector<ChainSection> chain;
+    double start = 0;
+    std::uint64_t place = 0;
+    const auto add = [&](std::size_t row) {
+        chain.push_back({row, ++place, start});
+        start += rows[row].section.length;
+    };
+    std::size_t row = 0;
+    while (row < rows.size() && rows[row].spot.inHammer) add(row++);
+    place = 0;
+    for (const StringPart& part : drillString.parts) {
+        for (int n = 0; n < part.repeat; ++n)
+            for (std::size_t i = 0; i < part.sections.size(); ++i) add(row + i);
+        row += part.sections.size();
+    }
+    return chain;
+}
+
+std::optional<StringResults> stringResults(const SolvedBlow& blow, const std::vector<StringRow>& rows,
+                                           const std::vector<ChainSection>& chain) {
+    if (!blow.problem.isEmpty() || !blow.string) return std::nullopt;
+    const DrillString& solved = blow.scenario.drillString;
+    const auto spot = [](const StringRow& row) { return row.spot; };
+    StringResults results;
+    results.sections = sectionStresses(blow.scenario, *blow.string);
+    if (results.sections.size() != chain.size()) return std::nullopt;
+    if (!std::ranges::equal(sectionSpots(solved), rows, {}, {}, spot)) return std::nullopt;
+    results.rows.resize(rows.size());
+    const std::vector<double>& reflected = blow.string->impact.jointReflection;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+        const SectionStress& stress = results.sections[i];
+        RowResult& row = results.rows[chain[i].row];
+        const std::uint64_t place = chain[i].place;
+        take(row.compression, {stress.compression, stress.compressionPlace, stress.compressionTime, place});
+        take(row.tension, {stress.tension, stress.tensionPlace, stress.tensionTime, place});
+        results.largest = std::max({results.largest, stress.compression, stress.tension});
+        if (rows[chain[i].row].spot.inHammer || place > reflected.size()) continue;
+        if (!row.reflected) row.reflected.emplace();
+        take(*row.reflected, {reflected[place - 1], 0, 0, place});
+    }
+    return results;
+}
+
+}  // namespace drillwave
