@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/wave/exact/first_zero.h"
-
 namespace drillwave {
 
 namespace {
@@ -223,93 +221,103 @@ BitNode::EventPiece BitNode::nextPiece(const Powers& g, double width, double fro
     return piece;
 }
 
+/// The first event on a piece: where, and the line that follows. What balances on a corner of the law is to
+/// stay there: then no event is looked for.
+BitNode::LineEvent BitNode::nextEvent(const EventPiece& piece) {
+    LineEvent event{{}, m_now.line};
+    SearchCount uncounted;
+    const auto meet = [&](const double* c, int count, ContactLine line) {
+        const auto zero = firstZero(c, count, event.zero.found ? event.zero.u : 1.0, uncounted);
+        if (zero.undecided) m_trouble = "an event at the rock cannot be placed";
+        if (zero.found && (!event.zero.found || zero.u < event.zero.u)) event = {zero, line};
+    };
+    if (m_now.isApart()) {
+        meet(piece.distance.data(), piece.count + 1, m_now.law.lineAtContact());
+    } else if (m_now.law.isOneWay(m_now.line)) {
+        meet(piece.speed.data(), piece.count, ContactLine::elastic);
+    } else {
+        meet(piece.force.data(), piece.count, ContactLine::apart);
+        if (m_now.law.isElastic()) return event;
+        std::array<double, EventPiece::capacity> below{};
+        for (int k = 0; k < piece.count; ++k) below[k] = -piece.force[k];
+        below[0] += m_now.law.largestForce();
+        dropRounding(below.data(), piece.count, m_now.law.largestForce());
+        meet(below.data(), piece.count, ContactLine::primary);
+    }
+    return event;
+}
+
+/// Adds what the rock feels over the first `end` of a piece; `unit` is the length of the piece, `time` when
+/// it begins [t0].
+void BitNode::addContact(const EventPiece& piece, double end, double unit, double time) {
+    double sum = 0, moment = 0, power = end;
+    for (int k = 0; k < piece.count; ++k, power *= end) {
+        sum += piece.force[k] * power / (k + 1);
+        moment += piece.force[k] * power * end / (k + 2);
+    }
+    m_now.record.contactDuration += end * unit;
+    m_now.record.impulse += unit * sum;
+    m_now.record.impulseMoment += unit * (time * sum + unit * moment);
+    if (!m_now.law.isElastic()) return;
+    SearchCount uncounted;  // the force has its maximum where the bit turns
+    const auto top = firstZero(piece.speed.data(), piece.count, end, uncounted);
+    if (top.found) noteForce(piece.forceAt(top.u), time + top.u * unit);
+}
+
+/// The state after the first `end` of a piece, at `time`.
+void BitNode::moveAlong(const EventPiece& piece, double end, double time) {
+    if (m_mass > 0) m_now.velocity = piece.speedAt(end);
+    if (m_now.isApart()) {
+        m_now.distance = piece.distanceAt(end);
+        return;
+    }
+    m_now.force = piece.forceAt(end);
+    if (m_now.line == ContactLine::primary) noteForce(m_now.force, time);
+}
+
+/// Where the bit turns on the primary line it stands still: rounding must not send it on.
+void BitNode::restAt(double wave, double time) {
+    m_now.velocity = 0;
+    if (m_mass > 0) return;
+    noteForce(2 * wave, time);
+    m_now.force = m_now.law.largestForce();
+}
+
 /// From event to event.
 WaveCell BitNode::follow(const WaveCell& g, double width, double share, double time, CutAt cutAt,
                          CellJump& jump) {
     constexpr int mostPieces = 100'000, mostStanding = 4;
     const Powers powers = g.powers();
     CellProjection leaving;
-    SearchCount uncounted;
     double from = 0;
     int standing = 0;  // events at one point
-    for (int pieces = 0; from < share; ++pieces) {
+    for (int pieces = 0; from < share; ++pieces, ++m_pieces) {
         if (pieces == mostPieces) {
             m_trouble = "bit and rock meet and part, or a small bit mass swings, faster than can be followed";
             break;
         }
-        ++m_pieces;
-        EventPiece piece = nextPiece(powers, width, from, share);
-        ContactLine next = m_now.line;
-        Zero<double> event;
-        const auto meet = [&](const double* c, int count, ContactLine line) {
-            if (standing > mostStanding) return;  // what balances on a corner of the law stays there
-            const auto zero = firstZero(c, count, event.found ? event.u : 1.0, uncounted);
-            if (zero.undecided) m_trouble = "an event at the rock cannot be placed";
-            if (zero.found && (!event.found || zero.u < event.u)) event = zero, next = line;
-        };
-        if (m_now.isApart()) {
-            meet(piece.distance.data(), piece.count + 1, m_now.law.lineAtContact());
-        } else if (m_now.law.isOneWay(m_now.line)) {
-            meet(piece.speed.data(), piece.count, ContactLine::elastic);
-        } else {
-            meet(piece.force.data(), piece.count, ContactLine::apart);
-            if (!m_now.law.isElastic()) {
-                std::array<double, EventPiece::capacity> below;
-                for (int k = 0; k < piece.count; ++k) below[k] = -piece.force[k];
-                below[0] += m_now.law.largestForce();
-                dropRounding(below.data(), piece.count, m_now.law.largestForce());
-                meet(below.data(), piece.count, ContactLine::primary);
-            }
-        }
-        const double end = event.found ? event.u : 1;
-        const double to = event.found || from + piece.width < share ? from + end * piece.width : share;
+        const EventPiece piece = nextPiece(powers, width, from, share);
+        const LineEvent event = standing > mostStanding ? LineEvent{{}, m_now.line} : nextEvent(piece);
+        const bool found = event.zero.found;
+        const double end = found ? event.zero.u : 1;
+        const double to = found || from + piece.width < share ? from + end * piece.width : share;
         const double eventTime = time + to * width;
-        const double length = (to - from) * width;
-        if (to > from) {
-            const auto local = [&](double u) { return (u - piece.from) / piece.width; };
-            if (m_mass > 0)
-                leaving.add(from, to, [&](double u) { return -m_impedance * piece.speedAt(local(u)); });
-            else if (!m_now.isApart())
-                leaving.add(from, to, [&](double u) { return piece.forceAt(local(u)); });
-            if (!m_now.isApart()) {
-                m_now.record.contactDuration += length;
-                double sum = 0, moment = 0, power = end;
-                for (int k = 0; k < piece.count; ++k, power *= end) {
-                    sum += piece.force[k] * power / (k + 1);
-                    moment += piece.force[k] * power * end / (k + 2);
-                }
-                const double scale = piece.width * width;
-                m_now.record.impulse += scale * sum;
-                m_now.record.impulseMoment += scale * ((time + from * width) * sum + scale * moment);
-            }
-        }
-        if (!m_now.isApart() && m_now.law.isElastic()) {
-            const auto top = firstZero(piece.speed.data(), piece.count, end, uncounted);
-            if (top.found) noteForce(piece.forceAt(top.u), time + (from + top.u * piece.width) * width);
-        }
-        if (m_now.isApart()) {
-            m_now.distance = piece.distanceAt(end);
-        } else {
-            m_now.force = piece.forceAt(end);
-            if (m_now.line == ContactLine::primary) noteForce(m_now.force, eventTime);
-        }
-        if (m_mass > 0) m_now.velocity = piece.speedAt(end);
-        if (event.found) {
-            const bool rests = m_now.law.isOneWay(m_now.line) && event.u > 0;
+        const auto local = [&](double u) { return (u - piece.from) / piece.width; };
+        if (to > from && m_mass > 0)
+            leaving.add(from, to, [&](double u) { return -m_impedance * piece.speedAt(local(u)); });
+        else if (to > from && !m_now.isApart())
+            leaving.add(from, to, [&](double u) { return piece.forceAt(local(u)); });
+        if (!m_now.isApart()) addContact(piece, end, piece.width * width, time + from * width);
+        moveAlong(piece, end, eventTime);
+        if (found) {
+            const bool turns = m_now.law.isOneWay(m_now.line) && end > 0;
             const bool isJump = m_now.isApart() && fastestRate() * width * (1 - to) > fastRise &&
                                 std::abs(piece.speedAt(end)) > leastJump;
             if (!jump.found && to > nearestCut && to < 1 - nearestCut &&
                 (cutAt == CutAt::corners || (cutAt == CutAt::jumps && isJump)))
                 jump = {true, to};
-            enter(next, eventTime);
-            // where the bit turns it stands still: rounding must not send it on
-            if (rests && m_mass == 0) {
-                m_now.force = 2 * g.value(to);
-                noteForce(m_now.force, eventTime);
-                m_now.force = m_now.law.largestForce();
-            } else if (rests) {
-                m_now.velocity = 0;
-            }
+            enter(event.line, eventTime);
+            if (turns) restAt(g.value(to), eventTime);
         }
         standing = to > from ? 0 : standing + 1;
         from = to;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/contact/bilinear_law.h"
+#include "core/wave/exact/first_zero.h"
 #include "core/wave/impact.h"
 #include "core/wave/network/oscillation.h"
 #include "core/wave/network/relaxation.h"
@@ -93,11 +94,20 @@ class BitNode {
   private:
     struct CellMaps;
     struct EventPiece;
+    /// Where a piece ends before its time, and the line that follows.
+    struct LineEvent {
+        Zero<double> zero;
+        ContactLine line;
+    };
 
     WaveCell follow(const WaveCell& g, double width, double share, double time, CutAt cutAt, CellJump& jump);
     bool quietStep(const WaveCell& g, const CellMaps& maps, double time, WaveCell& b);
     EventPiece nextPiece(const std::array<double, WaveCell::count>& g, double width, double from,
                          double end) const;
+    LineEvent nextEvent(const EventPiece& piece);
+    void addContact(const EventPiece& piece, double end, double unit, double time);
+    void moveAlong(const EventPiece& piece, double end, double time);
+    void restAt(double wave, double time);
     void noteForce(double force, double time);
     void enter(ContactLine line, double time);
     double rateOn(ContactLine line) const { return m_now.law.slope(line) / m_impedance; }

@@ -26,6 +26,9 @@ NetworkProblem onGrid(const NetworkProblem& problem, const CellGrid& grid) {
     NetworkProblem rounded = problem;
     for (std::size_t j = 0; j < rounded.sections.size(); ++j)
         rounded.sections[j].transitTime = static_cast<double>(grid.roundTrips[j]) * grid.cell / 2;
+    // behind the last section of hammer or string there is no joint
+    rounded.sections[rounded.hammerSections - 1].loss = 0;
+    rounded.sections.back().loss = 0;
     return rounded;
 }
 
@@ -50,7 +53,7 @@ NetworkMarch::NetworkMarch(const NetworkProblem& problem, const CellGrid& grid, 
     : m_problem(onGrid(problem, grid)),
       m_grid(grid),
       m_wants(wants),
-      m_lossy(losesEnergy(problem)),
+      m_lossy(losesEnergy(m_problem)),
       m_clocks(problem, transitTimes(grid)),
       m_cuts(grid.cell, {}, wants.grading),
       m_face(sectionAt(problem, problem.hammerSections - 1).impedance,
