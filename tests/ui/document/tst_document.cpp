@@ -47,7 +47,6 @@ class TestDocument : public QObject {
     void savingMakesTheDocumentClean();
     void aFailedSaveIsReportedAndLosesNothing();
     void aFileThatCannotBeReadChangesNothing();
-    void aDrillStringIsRefusedAndChangesNothing();
     void savingElsewhereKeepsTheTableInReach();
     void aResultIsOpenedWithoutAPath();
     void aNewFileIsNamedAfterItsTitle();
@@ -275,22 +274,6 @@ void TestDocument::aFileThatCannotBeReadChangesNothing() {
     QVERIFY(!m_document->open(m_folder.filePath(QStringLiteral("none.yaml"))).isEmpty());
     QVERIFY(m_document->scenario() == before);
     QVERIFY(m_document->isModified());
-}
-
-void TestDocument::aDrillStringIsRefusedAndChangesNothing() {
-    const Scenario before = m_document->scenario();
-    const Example& example = *findExample("t38_string");
-    const QString path = m_folder.filePath(QStringLiteral("string.yaml"));
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(example.text.data(), static_cast<qint64>(example.text.size()));
-    file.close();
-    const QString said =
-        QStringLiteral("this window shows uniform rods; drill strings run on the command line");
-    QVERIFY(m_document->open(path).endsWith(said));
-    QVERIFY(m_document->startFrom(example.text, QStringLiteral("example")).endsWith(said));
-    QVERIFY(m_document->restore(std::string(example.text), path).endsWith(said));
-    QVERIFY(m_document->scenario() == before);
 }
 
 void TestDocument::savingElsewhereKeepsTheTableInReach() {

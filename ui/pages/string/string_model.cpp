@@ -78,6 +78,7 @@ void StringModel::follow() {
     const bool same = std::ranges::equal(rows, m_rows, {}, &StringRow::spot, &StringRow::spot);
     if (!same) beginResetModel();
     m_rows = std::move(rows);
+    m_shown = scenario.drillString;
     m_chain = chainSections(scenario.drillString, m_rows);
     m_results.reset();
     if (m_blow) m_results = stringResults(*m_blow, m_rows, m_chain);
@@ -267,6 +268,9 @@ QVariant StringModel::headerData(int section, Qt::Orientation orientation, int r
 }
 
 bool StringModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    // A cell that is still open when another file is opened hands over its text as its page hides.
+    const Scenario& scenario = m_document.scenario();
+    if (!isString(scenario) || scenario.drillString != m_shown) return false;
     if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
     const StringRow row = m_rows[static_cast<std::size_t>(index.row())];
     if (index.column() == sectionName) return rename(row, value.toString().trimmed());

@@ -74,6 +74,7 @@ class StringModel : public QAbstractTableModel {
 
     Document& m_document;
     SolvedBlowPtr m_blow;
+    DrillString m_shown;  // what the rows are of
     std::vector<StringRow> m_rows;
     std::vector<ChainSection> m_chain;
     std::optional<StringResults> m_results;

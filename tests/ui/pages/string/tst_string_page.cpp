@@ -41,6 +41,7 @@ class TestStringPage : public QObject, private WindowFixture {
     void theResultsAreThoseOfTheBlow();
     void aCellIsEditedUndoneByNameSavedAndReadAgain();
     void wrongTextStaysOutWithItsReason();
+    void anOpenCellDoesNotReachAnotherFile();
     void unitsOfAllKindsAreTaken();
     void numbersFollowTheLocale();
     void aNewcomerBuildsTheStringFromOneSection();
@@ -200,6 +201,21 @@ void TestStringPage::wrongTextStaysOutWithItsReason() {
     QVERIFY(words().contains(QStringLiteral("must be less than the diameter")));
     QCOMPARE(document().scenario(), before);
     QCOMPARE(document().undoStack().count(), 0);
+}
+
+void TestStringPage::anOpenCellDoesNotReachAnotherFile() {
+    for (const int column : {int(StringModel::sectionName), int(StringModel::diameter)}) {
+        openExample("t38_string");
+        page().table()->setFocus();
+        page().table()->edit(model().index(6, column));
+        QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("9"));
+        openExample("t38_medium_rock");
+        const Scenario rod = document().scenario();
+        QVERIFY(!isString(rod));
+        QCOMPARE(document().undoStack().count(), 0);
+        openExample("t38_string");
+        QCOMPARE(document().scenario(), parseScenario(findExample("t38_string")->text, "").scenario);
+    }
 }
 
 void TestStringPage::unitsOfAllKindsAreTaken() {
