@@ -43,11 +43,42 @@ bool losesEnergy(const NetworkProblem& problem) {
                        [](const NetworkSection& section) { return section.loss > 0 || section.decay > 0; });
 }
 
+/// All rates at which something follows in this string [1/t0].
+std::vector<double> ratesOf(const NetworkProblem& problem) {
+    const std::vector<NetworkSection>& sections = problem.sections;
+    std::vector<double> rates =
+        BitNode(sections.back().impedance, sections.back().massAfter, problem.law, problem.gap).rates();
+    const std::size_t h = problem.hammerSections;
+    const FaceNode face(sections[h - 1].impedance, sections[h].impedance, problem.face);
+    if (face.rate() > 0) rates.push_back(face.rate());
+    for (std::size_t j = 0; j + 1 < sections.size(); ++j)
+        if (sections[j].massAfter > 0) rates.push_back(Joint(sections[j], sections[j + 1], 0).rate());
+    return rates;
+}
+
+double limitOf(const NetworkProblem& problem, const StringClocks& clocks) {
+    if (problem.endTime) return *problem.endTime;
+    return problem.nextBlow.value_or(mostRoundTrips * 2 * clocks.bit());
+}
+
 const NetworkSection& sectionAt(const NetworkProblem& problem, std::size_t j) {
     return problem.sections[j];
 }
 
 }  // namespace
+
+ForeseenWork foreseeWork(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants) {
+    const NetworkProblem rounded = onGrid(problem, grid);
+    const auto parts = static_cast<double>(CellCuts(grid.cell, ratesOf(rounded), wants.grading).count());
+    double held = 0, shortest = mostBlock;
+    for (const long count : grid.roundTrips) {
+        held += static_cast<double>(count) * parts;
+        shortest = std::min(shortest, static_cast<double>(count) * parts);
+    }
+    const double steps = limitOf(rounded, StringClocks(rounded, transitTimes(grid))) / grid.cell * parts;
+    const double ofNode = (wants.forces ? workOfForces : 1) + static_cast<double>(workOfBlock) / shortest;
+    return {steps * static_cast<double>(problem.sections.size() + 1) * ofNode, held};
+}
 
 NetworkMarch::NetworkMarch(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants)
     : m_problem(onGrid(problem, grid)),
@@ -66,7 +97,7 @@ NetworkMarch::NetworkMarch(const NetworkProblem& problem, const CellGrid& grid, 
         m_passing.push_back(std::exp(-section.decay));
         if (j + 1 < count) m_joints.emplace_back(section, problem.sections[j + 1], hammer ? 1 : 0);
     }
-    m_cuts = CellCuts(grid.cell, rates(), wants.grading);
+    m_cuts = CellCuts(grid.cell, ratesOf(m_problem), wants.grading);
     // what is counted at the end shall not depend on how a wave runs within a part
     if (problem.endTime && wants.cutAt == CutAt::corners)
         for (const double delay : m_clocks.delays) {
@@ -93,14 +124,6 @@ NetworkMarch::NetworkMarch(const NetworkProblem& problem, const CellGrid& grid, 
     m_reflected.assign(m_joints.size(), 0);
     if (wants.events) m_bit.setEvents(&m_events);
     setWidths();
-}
-
-std::vector<double> NetworkMarch::rates() const {
-    std::vector<double> rates = m_bit.rates();
-    if (m_face.rate() > 0) rates.push_back(m_face.rate());
-    for (const Joint& joint : m_joints)
-        if (joint.mass() > 0) rates.push_back(joint.rate());
-    return rates;
 }
 
 void NetworkMarch::setWidths() {
@@ -285,8 +308,7 @@ void NetworkMarch::observe(std::size_t count) {
 }
 
 double NetworkMarch::limitTime() const {
-    if (m_problem.endTime) return *m_problem.endTime;
-    return m_problem.nextBlow.value_or(mostRoundTrips * 2 * m_clocks.bit());
+    return limitOf(m_problem, m_clocks);
 }
 
 /// Decides when all that moves is counted next: all of it must lie ahead.
@@ -315,13 +337,6 @@ NetworkImpact NetworkMarch::notSolved(std::string reason) const {
 
 long NetworkMarch::work() const {
     return m_cells * (m_wants.forces ? workOfForces : 1) + workOfPiece * (m_bit.pieces() + m_face.pieces());
-}
-
-double NetworkMarch::foreseenWork() const {
-    const double steps = limitTime() / m_grid.cell * static_cast<double>(m_cuts.count());
-    const double ofCell = m_wants.forces ? workOfForces : 1;
-    const double ofBlock = static_cast<double>(workOfBlock) / static_cast<double>(nextBlock());
-    return steps * static_cast<double>(m_problem.sections.size() + 1) * (ofCell + ofBlock);
 }
 
 NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {

@@ -29,6 +29,13 @@ struct NetworkWants {
     Grading grading{0.3, 1.5, 24};
 };
 
+/// What a run takes that is followed to its end and in which nothing happens.
+struct ForeseenWork {
+    double work = 0;  ///< in cells times nodes
+    double held = 0;  ///< cells that are on their way at once
+};
+ForeseenWork foreseeWork(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants);
+
 /// One blow on a lattice of polynomial cells. Only round trips matter: every node has a clock of its own, the
 /// waves down arrive at once and those back a round trip later. A jump that a contact makes inside a cell
 /// cuts every cell of every line there from then on.
@@ -38,8 +45,6 @@ class NetworkMarch {
 
     /// At most as much work as `mostCells` cells times nodes.
     NetworkImpact run(long mostCells, const std::stop_token& stop);
-    /// That of a run to the end, if it is followed to there and nothing happens.
-    double foreseenWork() const;
 
   private:
     /// All that a block of steps changes beside the lines.
@@ -52,7 +57,6 @@ class NetworkMarch {
     Nodes nodes() const;
     void setNodes(const Nodes& nodes);
 
-    std::vector<double> rates() const;
     void setWidths();
     std::size_t nextBlock() const;
     bool mayJump() const;

@@ -28,6 +28,9 @@ constexpr double sharedShare = 0.5, roundedShare = 0.1;
 /// A bit mass may swing so often in the round trip of all sections.
 constexpr double mostSwings = 1e6;
 
+/// Cells on their way at once: some hundreds of megabytes.
+constexpr double mostHeld = 4e6;
+
 /// What rounding in double precision is worth, in E0.
 constexpr double leastError = 1e-13;
 
@@ -54,17 +57,16 @@ CellGrid fineEnough(CellGrid grid, const NetworkProblem& problem, double mostCha
     return grid;
 }
 
-NetworkMarch marchOn(const NetworkProblem& problem, const CellGrid& grid, const NetworkSettings& settings,
-                     const Smoothness& smoothness) {
+NetworkWants wantsOf(const NetworkSettings& settings, const Smoothness& smoothness) {
     NetworkWants wants = settings.wants;
     wants.cutAt = smoothness.cutAt;
     wants.grading = smoothness.grading;
-    return {problem, grid, wants};
+    return wants;
 }
 
 NetworkImpact solveOn(const NetworkProblem& problem, const CellGrid& grid, const NetworkSettings& settings,
                       const Smoothness& smoothness, const std::stop_token& stop) {
-    return marchOn(problem, grid, settings, smoothness).run(settings.mostCells, stop);
+    return NetworkMarch(problem, grid, wantsOf(settings, smoothness)).run(settings.mostCells, stop);
 }
 
 double restitution(const NetworkImpact& impact) {
@@ -93,7 +95,7 @@ NetworkImpact solveRounded(const NetworkProblem& problem, const NetworkSettings&
                            const std::stop_token& stop) {
     double cell = roundTripOf(problem) / roundedCells;
     const CellGrid finest = roundedGrid(problem.sections, cell);
-    const double foreseen = marchOn(problem, finest, settings, quickSmoothness).foreseenWork();
+    const double foreseen = foreseeWork(problem, finest, wantsOf(settings, quickSmoothness)).work;
     cell *= std::max(1.0, foreseen / roundedShare / static_cast<double>(settings.mostCells));
     NetworkImpact impact =
         solveOn(problem, roundedGrid(problem.sections, cell), settings, quickSmoothness, stop);
@@ -146,14 +148,16 @@ NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings&
         return fitting;
     };
     const CellGrid quickGrid = gridFor(quickSmoothness);
-    const double foreseen = marchOn(problem, quickGrid, settings, quickSmoothness).foreseenWork();
-    if (foreseen > sharedShare * static_cast<double>(settings.mostCells))
+    const ForeseenWork foreseen = foreseeWork(problem, quickGrid, wantsOf(settings, quickSmoothness));
+    if (foreseen.work > sharedShare * static_cast<double>(settings.mostCells) || foreseen.held > mostHeld)
         return solveRounded(problem, settings, stop);
     NetworkImpact quick = solveOn(problem, quickGrid, settings, quickSmoothness, stop);
     if (quick.end == NetworkEnd::notSolved) return quick;
     stateError(quick, coveringResidual);
     if (settings.accuracy == NetworkAccuracy::quick) return quick;
-    NetworkImpact sure = solveOn(problem, gridFor(sureSmoothness), settings, sureSmoothness, stop);
+    const CellGrid sureGrid = gridFor(sureSmoothness);
+    if (foreseeWork(problem, sureGrid, wantsOf(settings, sureSmoothness)).held > mostHeld) return quick;
+    NetworkImpact sure = solveOn(problem, sureGrid, settings, sureSmoothness, stop);
     if (sure.end == NetworkEnd::notSolved) return stop.stop_requested() ? sure : quick;
     stateError(sure, quick);
     sure.cells += quick.cells;
