@@ -14,14 +14,6 @@ namespace drillwave {
 
 namespace {
 
-/// All sections as the solver has them: of the hammer, then of the string.
-std::vector<const Section*> sectionsOf(const DrillString& drill) {
-    std::vector<const Section*> sections;
-    for (const Section& section : drill.hammer.sections) sections.push_back(&section);
-    for (const Section* section : expandedSections(drill)) sections.push_back(section);
-    return sections;
-}
-
 /// A force of 1 of the network, in F0.
 constexpr double unitForce = 2;
 
@@ -115,7 +107,7 @@ std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Strin
     if (forces.empty()) return {};
     const DrillString& drill = scenario.drillString;
     const Scales scales = scalesOf(scenario);
-    const std::vector<const Section*> sections = sectionsOf(drill);
+    const std::vector<const Section*> sections = allSections(drill);
     assert(sections.size() == forces.size());
     std::vector<SectionStress> stresses;
     for (std::size_t j = 0; j < sections.size(); ++j) {
@@ -142,7 +134,7 @@ std::string_view strengthKey(const DrillString& drill, std::size_t j, std::strin
 
 void addOverloads(const Scenario& scenario, const StringBlow& blow, std::vector<Alert>& alerts) {
     const std::vector<SectionStress> stresses = sectionStresses(scenario, blow);
-    const std::vector<const Section*> sections = sectionsOf(scenario.drillString);
+    const std::vector<const Section*> sections = allSections(scenario.drillString);
     std::vector<const Section*> told;  // a section that is repeated is told of where it is worst
     for (std::size_t j = 0; j < stresses.size(); ++j) {
         const Section* section = sections[j];

@@ -34,6 +34,14 @@ std::vector<const Section*> expandedSections(const DrillString& drillString) {
     return sections;
 }
 
+std::vector<const Section*> allSections(const DrillString& drillString) {
+    std::vector<const Section*> sections;
+    for (const Section& section : drillString.hammer.sections) sections.push_back(&section);
+    const std::vector<const Section*> ofString = expandedSections(drillString);
+    sections.insert(sections.end(), ofString.begin(), ofString.end());
+    return sections;
+}
+
 std::vector<PlacedSection> placedSections(const DrillString& drillString) {
     std::vector<PlacedSection> placed;
     std::uint64_t before = 0;

@@ -10,6 +10,14 @@
 
 namespace drillwave {
 
+/// Σ c_k u^k.
+template <class Real>
+Real polynomialValue(const Real* c, int count, Real u) {
+    Real sum = 0;
+    for (int k = count - 1; k >= 0; --k) sum = sum * u + c[k];
+    return sum;
+}
+
 /// f(x) = Σ c_k u^k, u = x/scale, on 0 ≤ x ≤ length ≤ scale. No coefficients: exactly zero.
 template <class Real>
 struct PowerSeries {
@@ -41,12 +49,7 @@ struct PowerSeries {
     bool isZero() const { return count == 0; }
     Real startValue() const { return count > 0 ? c[0] : Real(0); }
 
-    Real value(Real x) const {
-        const Real u = x / scale;
-        Real sum = 0;
-        for (int k = count - 1; k >= 0; --k) sum = sum * u + c[k];
-        return sum;
-    }
+    Real value(Real x) const { return polynomialValue(c.data(), count, x / scale); }
 
     /// ∫ from 0 to x.
     Real integral(Real x) const {

@@ -79,13 +79,13 @@ JsonObject peakJson(double stress, double place, double time) {
 JsonArray sectionsJson(const Blow& blow) {
     JsonArray array;
     const DrillString& drill = blow.scenario.drillString;
-    const std::vector<const Section*> ofString = expandedSections(drill);
+    const std::vector<const Section*> sections = allSections(drill);
     const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
     const std::size_t ofHammer = drill.hammer.sections.size();
     double from = 0;
-    for (std::size_t j = 0; j < ofHammer + ofString.size(); ++j) {
+    for (std::size_t j = 0; j < sections.size(); ++j) {
         const bool hammer = j < ofHammer;
-        const Section& section = hammer ? drill.hammer.sections[j] : *ofString[j - ofHammer];
+        const Section& section = *sections[j];
         JsonObject object{{"part", hammer ? "hammer" : "string"},
                           {"place", hammer ? j + 1 : j + 1 - ofHammer},
                           {"name", section.name},

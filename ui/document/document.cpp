@@ -219,8 +219,7 @@ void Document::start() {
 
 QString Document::startFrom(std::string_view text, const QString& name) {
     try {
-        ScenarioDocument source = parseScenario(text, name.toStdString());
-        take(std::move(source), {}, {});
+        take(parseScenario(text, name.toStdString()), {}, {});
     } catch (const ScenarioError& error) {
         return lines(error);
     }
@@ -258,8 +257,7 @@ QString Document::reload() {
 QString Document::restore(const std::string& text, const QString& origin) {
     const std::string source = origin.isEmpty() ? std::string() : nativePath(origin);
     try {
-        ScenarioDocument document = parseScenario(text, source);
-        take(std::move(document), {}, origin);
+        take(parseScenario(text, source), {}, origin);
     } catch (const ScenarioError& error) {
         return lines(error);
     }

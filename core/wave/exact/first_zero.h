@@ -58,11 +58,7 @@ struct LocalPolynomial {
         for (int k = 2; k < count; ++k) sum += Real(k) * std::max(c[k], Real(0));
         return sum;
     }
-    Real value(Real u) const {
-        Real sum = 0;
-        for (int k = count - 1; k >= 0; --k) sum = sum * u + c[k];
-        return sum;
-    }
+    Real value(Real u) const { return polynomialValue(c.data(), count, u); }
 };
 
 /// p(u) and p'(u) by two Horner schemes in u², of the even and of the odd powers: they do not wait for each

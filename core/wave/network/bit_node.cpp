@@ -10,14 +10,7 @@ namespace drillwave {
 
 namespace {
 
-using Powers = std::array<double, WaveCell::count>;
-
-/// What a cell must stay away from an event by to be taken as a whole, in its own changes: more than its
-/// projection moves it.
-constexpr double quietMargin = 1e-3;
-
-/// A rise is too fast for a cell where its rate times the width is more than this.
-constexpr double fastRise = 0.4;
+using Powers = WaveCell::Powers;
 
 /// Waves smaller than that make no jump worth a cut [Zr v0].
 constexpr double leastJump = 1e-7;
@@ -31,14 +24,6 @@ double sumOf(const double* c, int count) {
     return sum;
 }
 
-void dropRounding(double* c, int count, double size) {
-    for (int k = 0; k < count; ++k)
-        if (std::abs(c[k]) <= rounding * size) c[k] = 0;
-}
-
-/// Nearer to its ends a cell is not cut.
-constexpr double nearestCut = 1e-9;
-
 }  // namespace
 
 /// Motion of the bit over a piece of a cell, from event to event: power series in 0 ≤ v ≤ 1.
@@ -49,14 +34,9 @@ struct BitNode::EventPiece {
     std::array<double, capacity> force, speed;
     std::array<double, capacity + 1> distance;
 
-    static double valueOf(const double* c, int count, double v) {
-        double sum = 0;
-        for (int k = count - 1; k >= 0; --k) sum = sum * v + c[k];
-        return sum;
-    }
-    double forceAt(double v) const { return valueOf(force.data(), count, v); }
-    double speedAt(double v) const { return valueOf(speed.data(), count, v); }
-    double distanceAt(double v) const { return valueOf(distance.data(), count + 1, v); }
+    double forceAt(double v) const { return polynomialValue(force.data(), count, v); }
+    double speedAt(double v) const { return polynomialValue(speed.data(), count, v); }
+    double distanceAt(double v) const { return polynomialValue(distance.data(), count + 1, v); }
 };
 
 BitNode::BitNode(double impedance, double mass, const BitRockLaw& law, double gap)
@@ -183,16 +163,16 @@ BitNode::EventPiece BitNode::nextPiece(const Powers& g, double width, double fro
     if (m_mass == 0 && !m_now.isApart()) {
         Powers twice = g;
         for (double& coefficient : twice) coefficient *= 2;
-        const RelaxationPiece series = relaxationPiece(twice, rateOn(m_now.line) * width, m_now.force, from);
-        if (series.width < piece.width) piece.width = series.width;
+        const RelaxationPiece series =
+            relaxationPiece(twice, rateOn(m_now.line) * width, m_now.force, from, end);
+        piece.width = series.width;
         piece.count = series.count;
-        double ratio = 1;  // the piece may end before the series does
-        for (int k = 0; k < series.count; ++k, ratio *= piece.width / series.width)
-            piece.force[k] = ratio * series.c[k];
+        std::copy_n(series.c.begin(), series.count, piece.force.begin());
         const Powers wave = seenFrom(twice, from, piece.width);
         for (int k = 0; k < piece.count; ++k)
             piece.speed[k] = ((k < WaveCell::count ? wave[k] : 0) - piece.force[k]) / m_impedance;
-        dropRounding(piece.speed.data(), piece.count, sumOf(piece.force.data(), piece.count) / m_impedance);
+        dropRounding(piece.speed.data(), piece.count,
+                     rounding * sumOf(piece.force.data(), piece.count) / m_impedance);
     } else if (m_mass == 0) {
         const Powers wave = seenFrom(g, from, piece.width);
         for (int k = 0; k < WaveCell::count; ++k) piece.speed[k] = 2 / m_impedance * wave[k];
@@ -200,12 +180,10 @@ BitNode::EventPiece BitNode::nextPiece(const Powers& g, double width, double fro
         Powers target = g;
         for (double& coefficient : target) coefficient *= 2 / m_impedance;
         const RelaxationPiece series =
-            relaxationPiece(target, m_impedance / m_mass * width, m_now.velocity, from);
-        if (series.width < piece.width) piece.width = series.width;
+            relaxationPiece(target, m_impedance / m_mass * width, m_now.velocity, from, end);
+        piece.width = series.width;
         piece.count = series.count;
-        double ratio = 1;
-        for (int k = 0; k < series.count; ++k, ratio *= piece.width / series.width)
-            piece.speed[k] = ratio * series.c[k];
+        std::copy_n(series.c.begin(), series.count, piece.speed.begin());
     } else {
         const OscillationRates rates{m_impedance, m_mass, m_now.law.slope(m_now.line)};
         piece.width = std::min(piece.width, 1 / (rates.fastest() * width));
@@ -241,7 +219,7 @@ BitNode::LineEvent BitNode::nextEvent(const EventPiece& piece) {
         std::array<double, EventPiece::capacity> below{};
         for (int k = 0; k < piece.count; ++k) below[k] = -piece.force[k];
         below[0] += m_now.law.largestForce();
-        dropRounding(below.data(), piece.count, m_now.law.largestForce());
+        dropRounding(below.data(), piece.count, rounding * m_now.law.largestForce());
         meet(below.data(), piece.count, ContactLine::primary);
     }
     return event;
@@ -286,7 +264,7 @@ void BitNode::restAt(double wave, double time) {
 /// From event to event.
 WaveCell BitNode::follow(const WaveCell& g, double width, double share, double time, CutAt cutAt,
                          CellJump& jump) {
-    constexpr int mostPieces = 100'000, mostStanding = 4;
+    constexpr int mostPieces = 100'000;
     const Powers powers = g.powers();
     CellProjection leaving;
     double from = 0;
@@ -313,9 +291,7 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double share, double t
             const bool turns = m_now.law.isOneWay(m_now.line) && end > 0;
             const bool isJump = m_now.isApart() && fastestRate() * width * (1 - to) > fastRise &&
                                 std::abs(piece.speedAt(end)) > leastJump;
-            if (!jump.found && to > nearestCut && to < 1 - nearestCut &&
-                (cutAt == CutAt::corners || (cutAt == CutAt::jumps && isJump)))
-                jump = {true, to};
+            jump.offer(cutAt, isJump, to);
             enter(event.line, eventTime);
             if (turns) restAt(g.value(to), eventTime);
         }

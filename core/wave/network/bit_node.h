@@ -9,6 +9,7 @@
 #include "core/contact/bilinear_law.h"
 #include "core/wave/exact/first_zero.h"
 #include "core/wave/impact.h"
+#include "core/wave/network/cell_event.h"
 #include "core/wave/network/oscillation.h"
 #include "core/wave/network/relaxation.h"
 #include "core/wave/network/wave_cell.h"
@@ -43,19 +44,6 @@ struct BitNodeState {
     double penetration() const {
         return isApart() ? law.residualPenetration() - distance : law.penetration(force);
     }
-};
-
-/// Which events cut the cells.
-enum class CutAt {
-    nothing,
-    jumps,   ///< contacts whose force rises too fast for a cell
-    corners  ///< whatever bends a wave: then all cells are smooth
-};
-
-/// Where in a cell to cut.
-struct CellJump {
-    bool found = false;
-    double place = 0;  ///< in the cell, 0 … 1
 };
 
 /// The end of the string, with the mass of a bit or without:
@@ -102,8 +90,7 @@ class BitNode {
 
     WaveCell follow(const WaveCell& g, double width, double share, double time, CutAt cutAt, CellJump& jump);
     bool quietStep(const WaveCell& g, const CellMaps& maps, double time, WaveCell& b);
-    EventPiece nextPiece(const std::array<double, WaveCell::count>& g, double width, double from,
-                         double end) const;
+    EventPiece nextPiece(const WaveCell::Powers& g, double width, double from, double end) const;
     LineEvent nextEvent(const EventPiece& piece);
     void addContact(const EventPiece& piece, double end, double unit, double time);
     void moveAlong(const EventPiece& piece, double end, double time);

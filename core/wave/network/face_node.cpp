@@ -11,7 +11,7 @@ namespace drillwave {
 
 namespace {
 
-using Powers = std::array<double, WaveCell::count>;
+using Powers = WaveCell::Powers;
 
 /// Closing speeds below that are rounding: the faces rest against each other without force [v0].
 constexpr double stillSpeed = 1e-12;
@@ -21,11 +21,6 @@ constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
 
 /// A closing speed at a new contact that makes a jump worth a cut of the cells [v0].
 constexpr double leastJump = 1e-6;
-
-/// Nearer to its ends a cell is not cut.
-constexpr double nearestCut = 1e-9;
-
-constexpr double quietMargin = 1e-3;
 
 bool isStill(const WaveCell& w) {
     return std::abs(w.mean()) + w.spread() <= stillSpeed;
@@ -51,10 +46,8 @@ WaveCell FaceNode::closingSpeed(const WaveCell& f1, const WaveCell& b2) const {
     WaveCell w;
     const double of1 = 2 / m_impedance1, of2 = 2 / m_impedance2;
     const double size = of1 * (std::abs(f1.mean()) + f1.spread()) + of2 * (std::abs(b2.mean()) + b2.spread());
-    for (int k = 0; k < WaveCell::count; ++k) {
-        w.c[k] = of1 * f1.c[k] + of2 * b2.c[k];
-        if (std::abs(w.c[k]) <= rounding * size) w.c[k] = 0;
-    }
+    for (int k = 0; k < WaveCell::count; ++k) w.c[k] = of1 * f1.c[k] + of2 * b2.c[k];
+    dropRounding(w.c.data(), WaveCell::count, rounding * size);
     return w;
 }
 
@@ -64,7 +57,7 @@ void FaceNode::step(WaveCell& f1ToF2, WaveCell& b2ToB1, int index, double time, 
     const WaveCell w = closingSpeed(f1, b2);
     noteOpening(w, m_widths[index], time);
     if (!m_now.released) {
-        if (quietForce(w, index, time, force))
+        if (quietForce(w, index, force))
             add(force, m_widths[index], time);
         else
             force = follow(w, m_widths[index], 1, time, cutAt, jump);
@@ -85,7 +78,7 @@ FaceNodeState FaceNode::stateWithin(const WaveCell& f1, const WaveCell& b2, int 
 
 /// The force over a whole cell in which the faces neither part nor meet. False, and nothing done, where they
 /// may.
-bool FaceNode::quietForce(const WaveCell& w, int index, double time, WaveCell& force) {
+bool FaceNode::quietForce(const WaveCell& w, int index, WaveCell& force) {
     const double width = m_widths[index];
     if (m_now.apart) {
         const bool leaves = w.most() < -quietMargin * w.spread();
@@ -98,16 +91,11 @@ bool FaceNode::quietForce(const WaveCell& w, int index, double time, WaveCell& f
     if (m_stiffness) {
         double last = m_now.force;
         force = m_maps[index].follow(m_common * w, last);
-        if (force.least() <= quietMargin * force.spread() || force.most() > m_now.record.peakForce)
-            return false;
+        if (force.least() <= quietMargin * force.spread()) return false;
         m_now.force = last;
     } else {
         if (w.least() <= quietMargin * w.spread() || w.least() <= stillSpeed) return false;
         force = m_common * w;
-        if (force.most() > m_now.record.peakForce) {
-            const WaveCell::Peak peak = force.peak();
-            notePeak(peak.value, time + peak.place * width);
-        }
     }
     return true;
 }
@@ -115,12 +103,6 @@ bool FaceNode::quietForce(const WaveCell& w, int index, double time, WaveCell& f
 void FaceNode::add(const WaveCell& force, double width, double time) {
     m_now.record.impulse += width * force.mean();
     m_now.record.impulseMoment += width * (time * force.mean() + width * force.firstMoment());
-}
-
-void FaceNode::notePeak(double force, double time) {
-    if (force <= m_now.record.peakForce) return;
-    m_now.record.peakForce = force;
-    m_now.record.peakTime = time;
 }
 
 /// After their force has gone the faces rest against each other until a wave moves them.
@@ -143,97 +125,95 @@ void FaceNode::separate(double time) {
     if (!m_restrike) m_now.released = true;
 }
 
+/// What decides over a stretch of a cell: the gap while apart, else the force, as powers of 0 ≤ v ≤ 1. Either
+/// is positive until something happens.
+struct FaceNode::EventPiece {
+    double from = 0, width = 1;  ///< in the width of the cell
+    int count = 0;
+    std::array<double, RelaxationPiece::capacity> c{};
+
+    double value(double v) const { return polynomialValue(c.data(), count, v); }
+};
+
+FaceNode::EventPiece FaceNode::nextPiece(const Powers& w, double width, double from, double end) const {
+    EventPiece piece = stretch(w, width, from, end);
+    // Where a wave changes its sign it is zero, not what rounding leaves: else the faces part and meet there.
+    double size = 0;
+    for (const double coefficient : piece.c) size += std::abs(coefficient);
+    dropRounding(piece.c.data(), piece.count, rounding * size);
+    return piece;
+}
+
+FaceNode::EventPiece FaceNode::stretch(const Powers& w, double width, double from, double end) const {
+    EventPiece piece;
+    piece.from = from;
+    piece.width = end - from;
+    if (m_now.apart) {
+        const Powers speed = seenFrom(w, from, piece.width);
+        piece.count = WaveCell::count + 1;
+        piece.c[0] = m_now.gap;
+        for (int k = 0; k < WaveCell::count; ++k) piece.c[k + 1] = -piece.width * width * speed[k] / (k + 1);
+        return piece;
+    }
+    Powers force = w;  // that of rigid faces, which the others follow
+    for (double& coefficient : force) coefficient *= m_common;
+    if (m_stiffness) {
+        const RelaxationPiece series = relaxationPiece(force, rate() * width, m_now.force, from, end);
+        piece.width = series.width;
+        piece.count = series.count;
+        std::copy_n(series.c.begin(), series.count, piece.c.begin());
+    } else {
+        force = seenFrom(force, from, piece.width);
+        piece.count = WaveCell::count;
+        std::copy(force.begin(), force.end(), piece.c.begin());
+    }
+    return piece;
+}
+
 /// From contact to contact.
 WaveCell FaceNode::follow(const WaveCell& w, double width, double share, double time, CutAt cutAt,
                           CellJump& jump) {
-    constexpr int mostPieces = 10'000, mostStanding = 4;
+    constexpr int mostPieces = 10'000;
     const Powers powers = w.powers();
-    CellProjection projection;
+    WaveCell total;
     SearchCount uncounted;
     double from = 0;
     int standing = 0;  // events at one point
     if (!m_now.apart && !m_stiffness && isStill(w)) separate(time);
-    for (int pieces = 0; from < share && !m_now.released; ++pieces) {
+    for (int pieces = 0; from < share && !m_now.released; ++pieces, ++m_pieces) {
         if (pieces == mostPieces) {
             m_trouble = "the faces of hammer and string meet and part without end";
             break;
         }
-        ++m_pieces;
-        double length = share - from;
-        std::array<double, RelaxationPiece::capacity + 1> watched{};  // gap, closing speed or force
-        int count = 0;
-        if (m_now.apart || !m_stiffness) {
-            const Powers speed = seenFrom(powers, from, length);
-            if (m_now.apart) {
-                watched[0] = m_now.gap;
-                for (int k = 0; k < WaveCell::count; ++k)
-                    watched[k + 1] = -length * width * speed[k] / (k + 1);
-                count = WaveCell::count + 1;
-            } else {
-                std::copy(speed.begin(), speed.end(), watched.begin());
-                count = WaveCell::count;
-            }
-        } else {
-            Powers target = powers;
-            for (double& coefficient : target) coefficient *= m_common;
-            const RelaxationPiece series = relaxationPiece(target, rate() * width, m_now.force, from);
-            const double ratio = std::min(1.0, length / series.width);
-            length = ratio * series.width;
-            count = series.count;
-            double power = 1;
-            for (int k = 0; k < count; ++k, power *= ratio) watched[k] = power * series.c[k];
-        }
-        Zero<double> event;  // what balances at the point of contact stays there
-        if (standing <= mostStanding) event = firstZero(watched.data(), count, 1.0, uncounted);
+        const EventPiece piece = nextPiece(powers, width, from, share);
+        Zero<double> event;
+        if (standing <= mostStanding) event = firstZero(piece.c.data(), piece.count, 1.0, uncounted);
         if (event.undecided) m_trouble = "a contact of hammer and string cannot be placed";
         const double end = event.found ? event.u : 1;
-        const double to = event.found || from + length < share ? from + end * length : share;
-        const auto valueAt = [&](double v) {
-            double sum = 0;
-            for (int k = count - 1; k >= 0; --k) sum = sum * v + watched[k];
-            return sum;
-        };
+        const double to = event.found || from + piece.width < share ? from + end * piece.width : share;
         if (m_now.apart) {
-            m_now.gap = event.found ? 0 : valueAt(1);
+            m_now.gap = event.found ? 0 : piece.value(1);
         } else if (to > from) {
-            const double factor = m_stiffness ? 1 : m_common;
-            CellProjection piece;
-            const auto force = [&](double u) { return factor * valueAt((u - from) / length); };
-            piece.add(from, to, force);
-            projection.add(from, to, force);
-            add(piece.cell(), width, time);
-            m_now.force = factor * valueAt(end);
-            notePeak(factor * valueAt(0), time + from * width);
-            notePeak(m_now.force, time + to * width);
-            if (m_stiffness) {
-                PowerSeries<double> slope;
-                slope.length = slope.scale = end;
-                slope.count = count - 1;
-                double power = 1;
-                for (int k = 0; k + 1 < count; ++k, power *= end)
-                    slope.c[k] = (k + 1) * watched[k + 1] * power;
-                forEachMaximum(slope, end,
-                               [&](double v) { notePeak(valueAt(v), time + (from + v * length) * width); });
-            }
+            CellProjection force;
+            force.add(from, to, [&](double u) { return piece.value((u - from) / piece.width); });
+            add(force.cell(), width, time);
+            total += force.cell();
+            m_now.force = piece.value(end);
         }
-        bool jumps = false;
         if (event.found && m_now.apart) {
+            const bool rises = !m_stiffness || rate() * width * (1 - to) > fastRise;
+            jump.offer(cutAt, rises && w.value(to) > leastJump, to);
             m_now.apart = false;
             m_now.force = 0;
-            const double speed = w.value(to);
-            const bool rises = !m_stiffness || rate() * width * (1 - to) > 0.4;
-            jumps = rises && speed > leastJump;
         } else if (event.found) {
+            jump.offer(cutAt, false, to);
             separate(time + to * width);
             if (m_now.record.firstSeparation < 0) m_now.record.firstSeparation = time + to * width;
         }
-        if (event.found && !jump.found && to > nearestCut && to < 1 - nearestCut &&
-            (cutAt == CutAt::corners || (cutAt == CutAt::jumps && jumps)))
-            jump = {true, to};
         standing = to > from ? 0 : standing + 1;
         from = to;
     }
-    return projection.cell();
+    return total;
 }
 
 }  // namespace drillwave

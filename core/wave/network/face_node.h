@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/wave/network/bit_node.h"
+#include "core/wave/network/cell_event.h"
 #include "core/wave/network/network_problem.h"
 #include "core/wave/network/relaxation.h"
 #include "core/wave/network/wave_cell.h"
@@ -17,8 +17,6 @@ namespace drillwave {
 struct FaceRecord {
     double impulse = 0;           ///< ∫P dt
     double impulseMoment = 0;     ///< ∫P t dt
-    double peakForce = 0;         ///< largest P
-    double peakTime = 0;          ///< when
     double firstRelease = -1;     ///< when P first fell to zero; negative: never
     double firstSeparation = -1;  ///< when the faces first moved apart; negative: never
 };
@@ -56,11 +54,14 @@ class FaceNode {
     std::string_view trouble() const { return m_trouble; }
 
   private:
+    struct EventPiece;
+
     WaveCell closingSpeed(const WaveCell& f1, const WaveCell& b2) const;
-    bool quietForce(const WaveCell& w, int index, double time, WaveCell& force);
+    bool quietForce(const WaveCell& w, int index, WaveCell& force);
+    EventPiece nextPiece(const WaveCell::Powers& w, double width, double from, double end) const;
+    EventPiece stretch(const WaveCell::Powers& w, double width, double from, double end) const;
     WaveCell follow(const WaveCell& w, double width, double share, double time, CutAt cutAt, CellJump& jump);
     void add(const WaveCell& force, double width, double time);
-    void notePeak(double force, double time);
     void noteOpening(const WaveCell& w, double width, double time);
     void separate(double time);
 

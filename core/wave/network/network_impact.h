@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/wave/impact.h"
-#include "core/wave/network/wave_cell.h"
 
 namespace drillwave {
 
@@ -29,13 +28,6 @@ struct SectionPeak {
 struct SectionForces {
     SectionPeak compression;
     SectionPeak tension;
-};
-
-/// What both waves of a section have been, cell by cell.
-struct SectionHistory {
-    double downDelay = 0, upDelay = 0;  ///< from the clock of the cells to the time at either end [t0]
-    std::vector<WaveCell> down;         ///< f as it enters the rear end
-    std::vector<WaveCell> up;           ///< b as it enters the front end
 };
 
 /// Where the energy of the hammer went, in E0; the sum is 1 but for `energyResidual`.
@@ -71,19 +63,15 @@ struct NetworkImpact {
     double firstContact = -1, lastSeparation = -1;  ///< of bit and rock; negative: never
     double contactDuration = 0;
     int contacts = 0;
-    bool inContact = false;  ///< of bit and rock at the end
 
-    double faceImpulse = 0, facePeakForce = 0, facePeakTime = 0;
+    double faceImpulse = 0;
     double faceSeparation = -1;  ///< the first; negative: never
 
-    std::vector<ImpactEvent> events;        ///< at the rock
-    std::vector<SectionForces> sections;    ///< where wanted
-    std::vector<double> jointReflection;    ///< [E0] per joint of two sections, where wanted
-    std::vector<SectionHistory> histories;  ///< where wanted
-    std::vector<double> clocks;             ///< where the cells of all histories begin, and the end [t0]
+    std::vector<ImpactEvent> events;      ///< at the rock
+    std::vector<SectionForces> sections;  ///< where wanted
+    std::vector<double> jointReflection;  ///< [E0] per joint of two sections, where wanted
 
     long cells = 0;       ///< cells times nodes: the work
-    int cuts = 0;         ///< how often the cells were cut where a jump lay
     double cell = 0;      ///< Δ [t0]
     double rounding = 0;  ///< of the round trips, largest [t0]
 };

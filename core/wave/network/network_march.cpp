@@ -112,9 +112,6 @@ NetworkMarch::NetworkMarch(const NetworkProblem& problem, const CellGrid& grid, 
         if (wants.forces)
             m_watches.emplace_back(
                 WatchedSection{m_clocks.transitTimes[j], problem.sections[j].decay, m_clocks.delays[j]});
-        if (wants.histories)
-            m_histories.push_back(
-                {m_clocks.delays[j], m_clocks.delays[j] + m_clocks.transitTimes[j], {}, {}});
     }
     for (SectionWatch& watch : m_watches)
         watch.restart(m_lines[&watch - m_watches.data()].content(), 0, m_cuts);
@@ -253,7 +250,6 @@ void NetworkMarch::takeMassVelocity(std::size_t joint, const WaveCell* f1, const
 bool NetworkMarch::cut(double place) {
     const CellCuts coarse = m_cuts;
     if (!m_cuts.cutAt(place)) return false;
-    ++m_cutsMade;
     const long parts = static_cast<long>(coarse.count());
     const std::size_t part = static_cast<std::size_t>(m_step % parts);
     const auto at = std::lower_bound(m_cuts.places().begin(), m_cuts.places().end(), coarse.places()[part]);
@@ -266,7 +262,7 @@ bool NetworkMarch::cut(double place) {
 }
 
 void NetworkMarch::observe(std::size_t count) {
-    if (!m_census && !m_wants.forces && !m_wants.histories) return;
+    if (!m_census && !m_wants.forces) return;
     const double start = clock(), end = m_cuts.clock(m_step + static_cast<long>(count));
     const double lastTime = m_problem.endTime.value_or(std::numeric_limits<double>::infinity());
     for (std::size_t j = 0; j < m_lines.size(); ++j) {
@@ -295,16 +291,7 @@ void NetworkMarch::observe(std::size_t count) {
                                 m_cuts.count());
                 m_reflected[j] += m_cuts.width(step) * b1.meanSquare();
             }
-        if (m_wants.histories) {
-            m_histories[j].down.insert(m_histories[j].down.end(), m_downs[j].begin(),
-                                       m_downs[j].begin() + static_cast<std::ptrdiff_t>(count));
-            m_histories[j].up.insert(m_histories[j].up.end(), m_lines[j].leaving(),
-                                     m_lines[j].leaving() + count);
-        }
     }
-    if (m_wants.histories)
-        for (std::size_t i = 0; i < count; ++i)
-            m_clocksOfHistories.push_back(m_cuts.clock(m_step + static_cast<long>(i)));
 }
 
 double NetworkMarch::limitTime() const {
@@ -362,15 +349,13 @@ NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
         if (!m_bit.trouble().empty()) return notSolved(std::string(m_bit.trouble()));
         if (!m_face.trouble().empty()) return notSolved(std::string(m_face.trouble()));
         m_cells += static_cast<long>(count * nodeCount);
-        m_blocks += static_cast<long>(nodeCount);
         observe(count);
         for (DelayLine& line : m_lines) line.advance(count);
         m_step += static_cast<long>(count);
         if (!m_census || clock() <= m_census->lastClock()) continue;
         const CensusResult census = m_census->finish();
         if (m_problem.endTime) return result(census, NetworkEnd::endTime);
-        if (!m_lossy && nothingFollows(m_problem, m_clocks, census))
-            return result(census, NetworkEnd::proven);
+        if (!m_lossy && nothingFollows(m_problem, census)) return result(census, NetworkEnd::proven);
         if (census.time >= limitTime()) return result(census, NetworkEnd::nextBlow);
         m_census.reset();
     }
@@ -410,11 +395,8 @@ NetworkImpact NetworkMarch::result(const CensusResult& census, NetworkEnd end) {
     impact.lastSeparation = rock.lastSeparation;
     impact.contactDuration = rock.contactDuration;
     impact.contacts = rock.contacts;
-    impact.inContact = !census.bit.isApart();
     const FaceRecord& face = census.face.record;
     impact.faceImpulse = face.impulse;
-    impact.facePeakForce = face.peakForce;
-    impact.facePeakTime = face.peakTime;
     impact.faceSeparation = face.firstSeparation;
 
     std::copy_if(m_events.begin(), m_events.end(), std::back_inserter(impact.events),
@@ -423,11 +405,7 @@ NetworkImpact NetworkMarch::result(const CensusResult& census, NetworkEnd end) {
     if (m_wants.forces)
         for (std::size_t j = m_problem.hammerSections; j < m_joints.size(); ++j)
             impact.jointReflection.push_back(m_reflected[j] / m_problem.sections[j].impedance / e0);
-    impact.histories = std::move(m_histories);
-    impact.clocks = std::move(m_clocksOfHistories);
-    if (m_wants.histories) impact.clocks.push_back(clock());
     impact.cells = m_cells;
-    impact.cuts = m_cutsMade;
     impact.cell = m_grid.cell;
     impact.rounding = m_grid.rounding;
     return impact;

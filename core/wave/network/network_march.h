@@ -23,8 +23,7 @@ namespace drillwave {
 /// What is wanted of a blow beside its sums.
 struct NetworkWants {
     bool events = false;
-    bool forces = false;     ///< of every section, and what joints reflect
-    bool histories = false;  ///< both waves of every section
+    bool forces = false;  ///< of every section, and what joints reflect
     CutAt cutAt = CutAt::jumps;
     Grading grading{0.3, 1.5, 24};
 };
@@ -89,15 +88,11 @@ class NetworkMarch {
     std::vector<std::vector<WaveCell>> m_downs;  ///< waves down over the present block, of each section
     long m_step = 0;                             ///< parts of cells that every clock has gone
     long m_cells = 0;
-    long m_blocks = 0;  ///< times nodes
-    int m_cutsMade = 0;
     std::vector<ImpactEvent> m_events;
     std::optional<StringCensus> m_census;
     std::vector<SectionWatch> m_watches;
-    std::vector<Joint> m_alone;       ///< the joints, met by waves down only
-    std::vector<double> m_reflected;  ///< ∫b1² of those
-    std::vector<SectionHistory> m_histories;
-    std::vector<double> m_clocksOfHistories;
+    std::vector<Joint> m_alone;        ///< the joints, met by waves down only
+    std::vector<double> m_reflected;   ///< ∫b1² of those
     std::vector<WaveCell> m_weakened;  ///< waves back over the present block, as they arrive
 };
 

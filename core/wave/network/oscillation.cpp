@@ -12,8 +12,8 @@ double OscillationRates::fastest() const {
     return std::max(impedance / mass, std::sqrt(slope / mass));
 }
 
-OscillationPiece oscillationPiece(const OscillationRates& rates, const std::array<double, WaveCell::count>& g,
-                                  double width, double velocity, double force) {
+OscillationPiece oscillationPiece(const OscillationRates& rates, const WaveCell::Powers& g, double width,
+                                  double velocity, double force) {
     OscillationPiece piece;
     piece.width = width;
     piece.velocity[0] = velocity;
@@ -28,19 +28,9 @@ OscillationPiece oscillationPiece(const OscillationRates& rates, const std::arra
     return piece;
 }
 
-namespace {
-
-double valueOf(const std::array<double, OscillationPiece::capacity>& c, double v) {
-    double sum = 0;
-    for (int k = OscillationPiece::capacity - 1; k >= 0; --k) sum = sum * v + c[k];
-    return sum;
-}
-
-}  // namespace
-
 Oscillation::Column Oscillation::columnOf(const OscillationRates& rates, double width, const WaveCell& g,
                                           double velocity, double force) {
-    const std::array<double, WaveCell::count> powers = g.powers();
+    const WaveCell::Powers powers = g.powers();
     const int pieces = static_cast<int>(std::max(1.0, std::ceil(width * rates.fastest())));
     CellProjection velocities, forces;
     Column column{{}, {}, velocity, force};
@@ -49,10 +39,10 @@ Oscillation::Column Oscillation::columnOf(const OscillationRates& rates, double 
         const OscillationPiece piece = oscillationPiece(rates, seenFrom(powers, from, to - from),
                                                         (to - from) * width, column.velocity, column.force);
         const auto local = [&](double u) { return (u - from) / (to - from); };
-        velocities.add(from, to, [&](double u) { return valueOf(piece.velocity, local(u)); });
-        forces.add(from, to, [&](double u) { return valueOf(piece.force, local(u)); });
-        column.velocity = valueOf(piece.velocity, 1);
-        column.force = valueOf(piece.force, 1);
+        velocities.add(from, to, [&](double u) { return piece.velocityAt(local(u)); });
+        forces.add(from, to, [&](double u) { return piece.forceAt(local(u)); });
+        column.velocity = piece.velocityAt(1);
+        column.force = piece.forceAt(1);
     }
     column.velocities = velocities.cell();
     column.forces = forces.cell();

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "core/numeric/power_series.h"
 #include "core/wave/network/wave_cell.h"
 
 namespace drillwave {
@@ -23,12 +24,15 @@ struct OscillationPiece {
     double width = 1;  ///< of the piece [time]
     std::array<double, capacity> velocity;
     std::array<double, capacity> force;
+
+    double velocityAt(double v) const { return polynomialValue(velocity.data(), capacity, v); }
+    double forceAt(double v) const { return polynomialValue(force.data(), capacity, v); }
 };
 
 /// From `velocity` and `force` on over `width` [time] with `width · fastest()` ≤ 1; `g` are the powers of the
 /// arriving wave over just that piece.
-OscillationPiece oscillationPiece(const OscillationRates& rates, const std::array<double, WaveCell::count>& g,
-                                  double width, double velocity, double force);
+OscillationPiece oscillationPiece(const OscillationRates& rates, const WaveCell::Powers& g, double width,
+                                  double velocity, double force);
 
 /// The solution over a whole cell as a linear map.
 class Oscillation {

@@ -9,7 +9,7 @@ namespace drillwave {
 
 namespace {
 
-using Powers = std::array<double, WaveCell::count>;
+using Powers = WaveCell::Powers;
 
 /// q − q'/rate + q''/rate² − q'''/rate³: the solution that has forgotten how it began.
 Powers slowSolution(const Powers& q, double rate) {
@@ -61,11 +61,11 @@ Powers seenFrom(const Powers& p, double from, double width) {
     return q;
 }
 
-RelaxationPiece relaxationPiece(const Powers& input, double rate, double start, double from) {
+RelaxationPiece relaxationPiece(const Powers& input, double rate, double start, double from, double to) {
     constexpr double farthest = 1;  // width · rate: the series ends at 1/20! there
     RelaxationPiece piece;
     piece.from = from;
-    const double left = 1 - from;
+    const double left = to - from;
     if (rate * left > 4 * farthest) {
         const Powers slow = seenFrom(slowSolution(input, rate), from, left);
         const double noise = 4 * std::numeric_limits<double>::epsilon();

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "core/numeric/power_series.h"
 #include "core/wave/network/wave_cell.h"
 
 namespace drillwave {
@@ -16,22 +17,17 @@ struct RelaxationPiece {
     int count = 0;
     std::array<double, capacity> c;  ///< y = Σ c_k v^k
 
-    double value(double v) const {
-        double sum = 0;
-        for (int k = count - 1; k >= 0; --k) sum = sum * v + c[k];
-        return sum;
-    }
+    double value(double v) const { return polynomialValue(c.data(), count, v); }
 };
 
 /// p(from + width v) of the powers p of u.
-std::array<double, WaveCell::count> seenFrom(const std::array<double, WaveCell::count>& p, double from,
-                                             double width);
+WaveCell::Powers seenFrom(const WaveCell::Powers& p, double from, double width);
 
-/// The next piece from `from` on, where y is `start`; it ends where the cell does, or as far as the series
-/// carries. Behind the layer of a fast rate it is the slow solution q − q'/rate + …, exact for a cubic.
-/// `input` are the powers of q over the cell, `rate` is in units of one over the width of the cell.
-RelaxationPiece relaxationPiece(const std::array<double, WaveCell::count>& input, double rate, double start,
-                                double from);
+/// The next piece from `from` on, where y is `start`; it ends at `to`, or as far as the series carries.
+/// Behind the layer of a fast rate it is the slow solution q − q'/rate + …, exact for a cubic. `input` are
+/// the powers of q over the cell, `rate` is in units of one over the width of the cell.
+RelaxationPiece relaxationPiece(const WaveCell::Powers& input, double rate, double start, double from,
+                                double to = 1);
 
 /// The solution over a whole cell as a linear map, exact but for rounding: y' = rate (q − y).
 class Relaxation {

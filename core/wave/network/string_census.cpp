@@ -105,7 +105,7 @@ double deviation(double energy, double momentum, double mass, double compliance)
 
 }  // namespace
 
-bool nothingFollows(const NetworkProblem& problem, const StringClocks&, const CensusResult& census) {
+bool nothingFollows(const NetworkProblem& problem, const CensusResult& census) {
     if (!census.bit.isApart() || !census.face.apart) return false;
     const FreeBody string = freeBody(problem, problem.hammerSections, problem.sections.size());
     const FreeBody hammer = freeBody(problem, 0, problem.hammerSections);

@@ -51,6 +51,6 @@ class StringCensus {
 };
 
 /// Whether neither the rock nor the hammer can be met again by a string that loses nothing (strings §8).
-bool nothingFollows(const NetworkProblem& problem, const StringClocks& clocks, const CensusResult& census);
+bool nothingFollows(const NetworkProblem& problem, const CensusResult& census);
 
 }  // namespace drillwave

@@ -23,8 +23,7 @@ NetworkProblem networkProblemOf(const Scenario& scenario) {
                                     .massAfter = section.massAfter / (impedance * time),
                                     .loss = section.loss});
     };
-    for (const Section& section : drill.hammer.sections) add(section);
-    for (const Section* section : expandedSections(drill)) add(*section);
+    for (const Section* section : allSections(drill)) add(*section);
     problem.hammerSections = drill.hammer.sections.size();
     const double slope = time / impedance;
     if (drill.hammer.faceStiffness) problem.face.stiffness = *drill.hammer.faceStiffness * slope;

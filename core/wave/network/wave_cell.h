@@ -13,11 +13,12 @@ namespace drillwave {
 /// the wave that it stands for: what is cut off is orthogonal to all that is kept (strings §11).
 struct WaveCell {
     static constexpr int count = 4;
+    using Powers = std::array<double, count>;  ///< p(u) = Σ p_k u^k
     std::array<double, count> c{};
 
     static WaveCell constant(double value) { return {{value, 0, 0, 0}}; }
     /// Of p(u) = Σ p_k u^k.
-    static WaveCell fromPowers(const std::array<double, count>& p) {
+    static WaveCell fromPowers(const Powers& p) {
         WaveCell f;
         f.c[3] = p[3] / 20;
         f.c[2] = (p[2] + 30 * f.c[3]) / 6;
@@ -25,7 +26,7 @@ struct WaveCell {
         f.c[0] = p[0] + f.c[1] - f.c[2] + f.c[3];
         return f;
     }
-    std::array<double, count> powers() const {
+    Powers powers() const {
         return {c[0] - c[1] + c[2] - c[3], 2 * c[1] - 6 * c[2] + 12 * c[3], 6 * c[2] - 30 * c[3], 20 * c[3]};
     }
 
@@ -69,7 +70,7 @@ struct WaveCell {
 
     /// The same function over [from, to] of this cell.
     WaveCell part(double from, double to) const {
-        std::array<double, count> p = powers();
+        Powers p = powers();
         for (int i = 0; i + 1 < count; ++i)
             for (int k = count - 2; k >= i; --k) p[k] += from * p[k + 1];
         const double width = to - from;
