@@ -277,7 +277,7 @@ void MainWindow::wireImport() {
 
 // Pages of this blow show the place themselves; from the others the page Rod does.
 void MainWindow::goToPlace(double section, double time) {
-    if (!m_pages->current().prepare()) m_pages->setCurrentWidget(m_rodPage);
+    if (!m_pages->current().prepare()) m_pages->choose(m_pages->indexOf(m_rodPage));
     m_observation.setSection(section);
     m_observation.setTime(time);
 }
@@ -332,7 +332,9 @@ void MainWindow::endSession(QSessionManager& session) {
 
 SolveRequest MainWindow::request() {
     std::vector<PreparePage> pages;
-    if (PreparePage prepare = m_pages->current().prepare()) pages.push_back(std::move(prepare));
+    const Page& page = m_pages->current();
+    if (PreparePage prepare = page.prepare(); prepare && page.shows(m_document.scenario()))
+        pages.push_back(std::move(prepare));
     return {.scenario = m_document.scenario(),
             .units = m_units->of(m_document.scenario()),
             .chosenUnits = UnitChoice::shared().chosen(),

@@ -94,6 +94,7 @@ void PageTabs::follow(const Scenario& scenario) {
         setCurrentWidget(next);
     }
     for (int index = 0; index < count(); ++index) offer(page(index), scenario);
+    emit offersChanged();
 }
 
 Page* PageTabs::replacementFor(const Scenario& scenario) const {
@@ -113,6 +114,10 @@ bool PageTabs::isOffered(int index) const {
     return m_strip->isTabEnabled(m_strip->indexOf(widget(index)));
 }
 
+void PageTabs::choose(int index) {
+    if (isOffered(index)) setCurrentIndex(index);
+}
+
 void PageTabs::setOutOfDate(bool outOfDate) {
     m_veil->raise();
     m_veil->setVisible(outOfDate);
@@ -121,7 +126,7 @@ void PageTabs::setOutOfDate(bool outOfDate) {
 void PageTabs::restoreChoice() {
     const QString kept = Settings().value(pageKey).toString();
     for (int index = 0; index < count(); ++index)
-        if (nameOf(page(index)) == kept && isOffered(index)) setCurrentIndex(index);
+        if (nameOf(page(index)) == kept) choose(index);
 }
 
 void PageTabs::saveChoice() const {

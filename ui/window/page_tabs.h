@@ -45,6 +45,8 @@ class PageTabs : public QStackedWidget {
     bool isOffered(int index) const;
     /// Veils what is shown.
     void setOutOfDate(bool outOfDate);
+    /// Puts a page on show, where it can be chosen.
+    void choose(int index);
     /// The page shown last in an earlier run of the program.
     void restoreChoice();
     void saveChoice() const;
@@ -53,6 +55,8 @@ class PageTabs : public QStackedWidget {
     /// Of the page on show.
     void needsChanged();
     void exportRequested(const drillwave::PageExport& wanted);
+    /// Other pages can be chosen than before.
+    void offersChanged();
 
   private:
     struct Group {

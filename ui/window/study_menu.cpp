@@ -10,7 +10,7 @@ StudyMenu::StudyMenu(PageTabs& pages, QWidget* window) : QMenu(tr("&Study"), win
     for (int index = 0; index < pages.count(); ++index)
         if (qobject_cast<StudyPage*>(&pages.page(index)))
             m_choose.append({index, addAction(pages.page(index).title(), this,
-                                              [&pages, index] { pages.setCurrentIndex(index); })});
+                                              [&pages, index] { pages.choose(index); })});
     addSeparator();
     m_copy = addAction(tr("&Copy as command line"), this, [this] {
         if (StudyPage* page = current()) page->copyCommand();
@@ -20,6 +20,7 @@ StudyMenu::StudyMenu(PageTabs& pages, QWidget* window) : QMenu(tr("&Study"), win
     });
     connect(this, &QMenu::aboutToShow, this, &StudyMenu::update);
     connect(&pages, &QStackedWidget::currentChanged, this, &StudyMenu::update);
+    connect(&pages, &PageTabs::offersChanged, this, &StudyMenu::update);
     update();
 }
 

@@ -9,10 +9,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/file/examples.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/scenario_panel.h"
 #include "ui/job/study_status.h"
+#include "ui/pages/compare/compare_page.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
 #include "ui/window/page_tabs.h"
@@ -60,6 +62,7 @@ class TestPageTabs : public QObject {
     void f6GoesRoundTheAreas();
     void onlyTheStudyOfThePageOnShowIsFollowed();
     void theStudyMenuHasTheStudies();
+    void noPageIsChosenThatShowsNothingOfAString();
 
   private:
     void press(QWidget& window, Qt::Key key, Qt::KeyboardModifiers modifiers) {
@@ -256,6 +259,24 @@ void TestPageTabs::theStudyMenuHasTheStudies() {
     QGuiApplication::clipboard()->clear();
     copy->trigger();
     QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("drillwave ")));
+}
+
+void TestPageTabs::noPageIsChosenThatShowsNothingOfAString() {
+    const auto window = newWindow(m_answers);
+    window->show();
+    auto& pages = part<PageTabs>(*window);
+    const Example& example = *findExample("t38_string");
+    auto& compare = part<ComparePage>(*window);  // stays on show when the string comes
+    pages.setCurrentWidget(&compare);
+    QCOMPARE(window->document().startFrom(example.text, QStringLiteral("t38")), QString());
+    QCOMPARE(pages.currentWidget(), &compare);
+    for (const QAction* action : part<StudyMenu>(*window).actions()) {
+        if (action->isSeparator()) break;
+        QVERIFY2(!action->isEnabled(), qPrintable(action->text()));
+    }
+    // A place of the rod's blow, which is on show until the string is solved.
+    emit part<ResultPanel>(*window).placeChosen(0.5, 1);
+    QCOMPARE(pages.currentWidget(), &compare);
 }
 
 QTEST_MAIN(TestPageTabs)
