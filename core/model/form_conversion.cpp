@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/form_conversion.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "core/model/scales.h"
+
+namespace drillwave {
+namespace {
+
+/// An impedance of so many times that of the rod stands for a rigid hammer.
+constexpr double rigidRatio = 20;
+
+Section sectionOf(const Rod& rod) {
+    Section section;
+    section.name = "rod";
+    section.length = rod.length;
+    section.diameter = rod.diameter;
+    section.bore = rod.bore;
+    section.area = rod.area;
+    section.yieldStrength = rod.yieldStrength;
+    section.fatigueStrength = rod.fatigueStrength;
+    return section;
+}
+
+Section sectionOf(const Piston& piston) {
+    Section section;
+    section.length = piston.length;
+    section.diameter = piston.diameter;
+    section.youngsModulus = piston.youngsModulus;
+    section.density = piston.density;
+    return section;
+}
+
+/// Sections of whole millimetres share a cell of the solver.
+double wholeMillimetres(double length, std::vector<std::string>& lost) {
+    const double rounded = std::round(length * 1000) / 1000;
+    if (length < 0.02 || std::abs(rounded - length) <= 1e-12 * length) return length;
+    lost.emplace_back(
+        "The hammer is rounded to whole millimetres; it gives the same impulse, in a blow that "
+        "is so much longer or shorter.");
+    return rounded;
+}
+
+Hammer hammerOf(const Scenario& scenario, std::vector<std::string>& lost) {
+    const Pulse& pulse = scenario.pulse;
+    const RodProperties rod = propertiesOf(scenario.rod);
+    const double duration = pulseDuration(scenario), impulse = pulseImpulse(scenario);
+    Hammer hammer;
+    hammer.restrike = false;
+    if (pulse.shape == PulseShape::piston) {
+        hammer.velocity = pulse.piston.velocity;
+        hammer.sections = {sectionOf(pulse.piston)};
+        if (pistonImpedanceRatio(scenario) > 1)
+            lost.emplace_back(
+                "The blow is no prescribed force any more: waves that come back to the hammer while it still "
+                "pushes part it from the rod.");
+        return hammer;
+    }
+    Section section;
+    section.diameter = scenario.rod.diameter;
+    section.bore = scenario.rod.bore;
+    section.area = scenario.rod.area;
+    if (pulse.shape == PulseShape::exponential) {
+        section.area = rigidRatio * rod.area;
+        section.length = rod.waveSpeed * duration / rigidRatio;
+        lost.emplace_back(
+            "The rigid hammer has become an elastic one of twenty times the impedance of the rod and the "
+            "same mass and momentum: its blow is a staircase about the exponential.");
+    } else {
+        section.length = wholeMillimetres(rod.waveSpeed * duration / 2, lost);
+        if (pulse.shape != PulseShape::rectangular)
+            lost.emplace_back(
+                "The shape of the blow: the hammer gives a rectangular one of the same duration and "
+                "impulse.");
+    }
+    hammer.sections = {section};
+    const Material material{scenario.rod.youngsModulus, scenario.rod.density};
+    hammer.velocity = impulse / propertiesOf(section, material).mass;
+    return hammer;
+}
+
+/// What differs from the section that is kept, in words; the rod itself not.
+void nameLostSections(const DrillString& drill, std::vector<std::string>& lost) {
+    const double kept = propertiesOf(ruleSection(drill), drill.material).impedance;
+    int others = 0, losses = 0;
+    double mass = 0;
+    const std::vector<const Section*> sections = expandedSections(drill);
+    for (const Section* section : sections) {
+        const double impedance = propertiesOf(*section, drill.material).impedance;
+        others += std::abs(impedance - kept) > 1e-9 * kept;
+        losses += section->loss > 0 || section->attenuation > 0;
+        mass += section->massAfter;
+    }
+    if (others > 0)
+        lost.push_back(std::to_string(others) + " of " + std::to_string(sections.size()) +
+                       " sections are of another impedance (couplings, adapter, bit): they have become rod, "
+                       "which reflects nothing.");
+    if (mass > 0) lost.emplace_back("The lumped masses, that of the bit among them.");
+    if (losses > 0) lost.emplace_back("The losses in joints and along the rods.");
+}
+
+void nameLostHammer(const Hammer& hammer, std::vector<std::string>& lost) {
+    if (hammer.sections.size() > 1)
+        lost.emplace_back(
+            "The steps of the hammer: it has become uniform, of the same mass, velocity and wave travel "
+            "time.");
+    if (hammer.faceStiffness) lost.emplace_back("The elastic face of the hammer: it is rigid.");
+    if (hammer.restrike)
+        lost.emplace_back("The hammer is not hit again once it has separated: it is withdrawn.");
+}
+
+}  // namespace
+
+std::string whyNoString(const Scenario& scenario) {
+    if (isString(scenario)) return "it is a drill string already";
+    if (!hasUnits(scenario)) return "a drill string has physical units, and this scenario has none";
+    if (scenario.pulse.shape == PulseShape::rigidBody)
+        return "the reference case of a rod that arrives without waves has no hammer";
+    return {};
+}
+
+Conversion stringOf(const Scenario& scenario) {
+    assert(whyNoString(scenario).empty());
+    Conversion converted;
+    Scenario& string = converted.scenario;
+    string.title = scenario.title;
+    string.form = ScenarioForm::string;
+    string.bitRock = scenario.bitRock;
+    string.drill = scenario.drill;
+    string.drillString.material = {scenario.rod.youngsModulus, scenario.rod.density};
+    string.drillString.hammer = hammerOf(scenario, converted.lost);
+    string.drillString.parts.resize(1);
+    string.drillString.parts.front().sections = {sectionOf(scenario.rod)};
+    return converted;
+}
+
+Conversion uniformRodOf(const Scenario& scenario) {
+    assert(isString(scenario));
+    const DrillString& drill = scenario.drillString;
+    const Section& kept = ruleSection(drill);
+    const RodProperties properties = propertiesOf(kept, drill.material);
+    Conversion converted;
+    Scenario& uniform = converted.scenario;
+    uniform.title = scenario.title;
+    uniform.bitRock = scenario.bitRock;
+    uniform.drill = scenario.drill;
+    uniform.rod = {.length = properties.waveSpeed * stringProperties(drill).transitTime,
+                   .diameter = kept.diameter,
+                   .bore = kept.bore,
+                   .area = kept.area,
+                   .youngsModulus = kept.youngsModulus.value_or(drill.material.youngsModulus),
+                   .density = kept.density.value_or(drill.material.density),
+                   .yieldStrength = kept.yieldStrength,
+                   .fatigueStrength = kept.fatigueStrength};
+    const ChainProperties hammer = hammerProperties(drill);
+    const Section& front = drill.hammer.sections.back();
+    uniform.pulse.shape = PulseShape::piston;
+    Piston& piston = uniform.pulse.piston;
+    piston.velocity = drill.hammer.velocity;
+    piston.youngsModulus = front.youngsModulus.value_or(drill.material.youngsModulus);
+    piston.density = front.density.value_or(drill.material.density);
+    piston.length = propertiesOf(front, drill.material).waveSpeed * hammer.transitTime;
+    piston.diameter = std::sqrt(4 * hammer.mass / (std::numbers::pi * *piston.density * piston.length));
+    nameLostSections(drill, converted.lost);
+    nameLostHammer(drill.hammer, converted.lost);
+    if (drill.endTime) converted.lost.emplace_back("The time until which the blow is followed.");
+    return converted;
+}
+
+}  // namespace drillwave

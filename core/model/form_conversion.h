@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a uniform rod to a drill string, and back.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// A scenario in another form.
+struct Conversion {
+    Scenario scenario;
+    std::vector<std::string> lost;  ///< what it does not say any more, or not exactly: sentences
+};
+
+/// Why a scenario cannot be a string: it has no units, or no hammer. Empty where it can.
+std::string whyNoString(const Scenario& scenario);
+
+/// The rod as a string of one section, and a hammer of the impulse and the duration of its blow: the piston
+/// itself; of the rod's impedance Z and the length c t0/2, to whole millimetres, for a rectangular blow and
+/// other shapes; of twenty times the impedance and the mass Z t0 for an exponential one. The hammer is
+/// withdrawn once it has separated, as the uniform rod has it: then both forms of a rectangular blow, or of
+/// a piston of no larger impedance than the rod, have the same results (theory of strings, §10). Requires
+/// whyNoString() to be empty.
+Conversion stringOf(const Scenario& scenario);
+
+/// A uniform rod of the sizes and the material of the ruleSection(), in which waves travel as long as in the
+/// string, struck by a uniform piston of the mass, the velocity and the wave travel time of the hammer.
+/// Requires a string.
+Conversion uniformRodOf(const Scenario& scenario);
+
+}  // namespace drillwave
