@@ -38,6 +38,7 @@
 #include "ui/window/file_drop.h"
 #include "ui/window/file_menu.h"
 #include "ui/window/file_notice.h"
+#include "ui/window/form_notice.h"
 #include "ui/window/help_menu.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
@@ -159,6 +160,8 @@ void MainWindow::addCenter() {
     layout->addWidget(m_fileNotice);
     layout->addWidget(tableNotice);
     layout->addWidget(m_exampleNote);
+    m_formNotice = new FormNotice(m_document);
+    layout->addWidget(m_formNotice);
     layout->addWidget(m_pages, 1);
     setCentralWidget(center);
 }
@@ -195,6 +198,9 @@ void MainWindow::addMenus() {
     edit->addActions({undo, redo});
     edit->addSeparator();
     edit->addAction(m_runs->pinAction());
+    edit->addSeparator();
+    edit->addActions({m_formNotice->toString(), m_formNotice->toUniformRod()});
+    edit->setToolTipsVisible(true);
     auto* areas = new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultSide}, this);
     menuBar()->addMenu(new ViewMenu({*m_units, *m_pages, *areas, *m_layout, *m_exampleNote}, this));
     menuBar()->addMenu(new StudyMenu(*m_pages, this));

@@ -20,6 +20,7 @@ class AlertLink;
 class ExampleNote;
 class ExportMenu;
 class FileNotice;
+class FormNotice;
 class FileMenu;
 class Importer;
 class PageTabs;
@@ -97,6 +98,7 @@ class MainWindow : public QMainWindow {
     ExportMenu* m_exportMenu = nullptr;
     ExampleNote* m_exampleNote = nullptr;
     FileNotice* m_fileNotice = nullptr;
+    FormNotice* m_formNotice = nullptr;
     Recovery* m_recovery = nullptr;
     PinnedRuns* m_runs = nullptr;
     ResultPanel* m_resultPanel = nullptr;

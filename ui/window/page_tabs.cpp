@@ -105,9 +105,12 @@ Page* PageTabs::replacementFor(const Scenario& scenario) const {
 }
 
 void PageTabs::offer(Page& page, const Scenario& scenario) {
-    m_strip->setOffered(m_strip->indexOf(&page), page.shows(scenario),
-                        m_ofString ? tr("of uniform rods alone, and this scenario is a drill string")
-                                   : tr("of drill strings alone, and this scenario is a uniform rod"));
+    m_strip->setOffered(
+        m_strip->indexOf(&page), page.shows(scenario),
+        m_ofString ? tr("of uniform rods alone, and this scenario is a drill string: Edit ▸ Simplify to a "
+                        "uniform rod")
+                   : tr("of drill strings alone, and this scenario is a uniform rod: Edit ▸ Make a "
+                        "drill string of this"));
 }
 
 bool PageTabs::isOffered(int index) const {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/form_notice.h"
+
+#include <QPushButton>
+
+namespace drillwave {
+
+FormNotice::FormNotice(Document& document, QWidget* parent)
+    : Notice(Tone::information, parent),
+      m_document(document),
+      m_toString(new QAction(tr("Make a drill &string of this"), this)),
+      m_toUniformRod(new QAction(tr("&Simplify to a uniform rod"), this)) {
+    setObjectName(QStringLiteral("formNotice"));
+    QPushButton* undo = addButton(tr("Undo"), tr("Take the conversion back"));
+    connect(undo, &QPushButton::clicked, &document.undoStack(), &QUndoStack::undo);
+    connect(m_toString, &QAction::triggered, this, [this] {
+        convert(
+            stringOf(m_document.scenario()), tr("make a drill string"),
+            tr("This is a drill string now: a hammer and one rod, to which couplings, an adapter and a bit "
+               "can be added on the page String."));
+    });
+    connect(m_toUniformRod, &QAction::triggered, this, [this] {
+        convert(uniformRodOf(m_document.scenario()), tr("simplify to a uniform rod"),
+                tr("This is a uniform rod now, through which waves travel as long as through the string."));
+    });
+    // Whatever comes after it, an undo for one, is another scenario.
+    connect(&document, &Document::scenarioChanged, this, [this] {
+        if (!m_isConverting) hide();
+        offer();
+    });
+    offer();
+}
+
+void FormNotice::convert(const Conversion& conversion, const QString& step, const QString& done) {
+    m_isConverting = true;
+    const QString problem = m_document.useScenario(conversion.scenario, step);
+    m_isConverting = false;
+    if (!problem.isEmpty()) return say(tr("Nothing was converted: %1").arg(problem));
+    QString text = done;
+    if (!conversion.lost.empty()) text += QLatin1Char('\n') + tr("Lost or changed:");
+    for (const std::string& sentence : conversion.lost)
+        text += QStringLiteral("\n• ") + QString::fromStdString(sentence);
+    say(text);
+}
+
+void FormNotice::offer() {
+    const Scenario& scenario = m_document.scenario();
+    const QString reason = QString::fromStdString(whyNoString(scenario));
+    m_toString->setEnabled(reason.isEmpty());
+    m_toString->setToolTip(
+        reason.isEmpty()
+            ? tr("A hammer and a rod of the same blow, to add couplings, an adapter and a bit to")
+            : tr("Not of this scenario: %1").arg(reason));
+    m_toUniformRod->setEnabled(isString(scenario));
+    m_toUniformRod->setToolTip(
+        isString(scenario)
+            ? tr("The rod alone, as long for the waves as the string, struck by a uniform piston")
+            : tr("This scenario is a uniform rod"));
+}
+
+}  // namespace drillwave
