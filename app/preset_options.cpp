@@ -68,8 +68,8 @@ std::vector<OptionSpec> presetOptionSpecs() {
             {"presets", "FILE.yaml", "a file of presets of your own, in place of the built-in ones"}};
 }
 
-std::vector<Preset> presetsOf(const std::string& path) {
-    if (path.empty()) return {builtInPresets().begin(), builtInPresets().end()};
+PresetFile presetsOf(const std::string& path) {
+    if (path.empty()) return builtInPresetFile();
     try {
         return loadPresets(path);
     } catch (const ScenarioError& error) {
@@ -88,7 +88,7 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
         if (!hasUnits(scenario))
             refuse(option, *wanted,
                    path + " is given by its dimensionless groups; presets need a scenario in physical units");
-        if (presets.empty()) presets = presetsOf(arguments.value("presets").value_or(std::string()));
+        if (presets.empty()) presets = presetsOf(arguments.value("presets").value_or(std::string())).presets;
         scenario = withPreset(std::move(scenario), presetNamed(presets, kind, *wanted));
     }
     const bool used =

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/arguments.h"
-#include "core/model/preset.h"
+#include "core/file/preset_file.h"
 
 namespace drillwave {
 
@@ -21,6 +21,6 @@ std::string_view name(PresetKind kind);
 void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path);
 
 /// The presets of a file, or the built-in ones without. Throws CommandError.
-std::vector<Preset> presetsOf(const std::string& path);
+PresetFile presetsOf(const std::string& path);
 
 }  // namespace drillwave

@@ -20,7 +20,7 @@ using Kind = ScenarioError::Kind;
 
 }  // namespace
 
-std::vector<Preset> parsePresets(std::string_view text, const std::string& source) {
+PresetFile parsePresets(std::string_view text, const std::string& source) {
     if (const TextProblem problem = checkText(text); !problem.reason.empty())
         refuse(Kind::unreadable, text, source, problem.offset,
                "is not a text file: it holds " + problem.reason);
@@ -29,22 +29,32 @@ std::vector<Preset> parsePresets(std::string_view text, const std::string& sourc
         refuse(tree.problem.isYaml ? Kind::invalid : Kind::unreadable, text, source, tree.problem.offset,
                tree.problem.text);
     PresetReader reader(text);
-    std::vector<Preset> presets = reader.read(tree.root);
+    PresetFile file;
+    file.presets = reader.read(tree.root);
+    file.sectionPresets = reader.takeSectionPresets();
     std::vector<InputProblem> problems = reader.takeProblems();
     if (!problems.empty()) throw ScenarioError(Kind::invalid, source, std::move(problems));
-    return presets;
+    return file;
 }
 
-std::vector<Preset> loadPresets(const std::string& path) {
+PresetFile loadPresets(const std::string& path) {
     const FileBytes file = readFile(path, maximumFileBytes);
     if (!file.problem.empty())
         throw ScenarioError(Kind::unreadable, path, {{"", "the file of presets " + file.problem}});
     return parsePresets(file.bytes, path);
 }
 
+const PresetFile& builtInPresetFile() {
+    static const PresetFile file = parsePresets(presetText, "presets.yaml");
+    return file;
+}
+
 std::span<const Preset> builtInPresets() {
-    static const std::vector<Preset> presets = parsePresets(presetText, "presets.yaml");
-    return presets;
+    return builtInPresetFile().presets;
+}
+
+std::span<const SectionPreset> builtInSectionPresets() {
+    return builtInPresetFile().sectionPresets;
 }
 
 }  // namespace drillwave

@@ -9,6 +9,7 @@
 
 #include "core/file/scenario_file.h"
 #include "core/model/preset.h"
+#include "core/model/section_preset.h"
 
 namespace drillwave {
 
@@ -18,15 +19,22 @@ inline constexpr int presetFormat = 1;
 /// The first key of such a file.
 inline constexpr std::string_view presetKey = "drillwave_presets:";
 
-/// The presets of the text, in its order. `source` names it in messages. Throws ScenarioError with every
-/// problem and its place: unknown keys, values without a unit or a source, hammers and rods that could not
-/// be.
-std::vector<Preset> parsePresets(std::string_view text, const std::string& source);
+/// What such a file holds, each kind in the order of the file.
+struct PresetFile {
+    std::vector<Preset> presets;                ///< of rods, hammers and rocks
+    std::vector<SectionPreset> sectionPresets;  ///< of pieces of drill strings
+};
+
+/// `source` names the text in messages. Throws ScenarioError with every problem and its place: unknown keys,
+/// values without a unit or a source, hammers, rods and sections that could not be.
+PresetFile parsePresets(std::string_view text, const std::string& source);
 
 /// The same for a file of at most 1 MiB.
-std::vector<Preset> loadPresets(const std::string& path);
+PresetFile loadPresets(const std::string& path);
 
 /// The presets of resources/presets, built into the program.
+const PresetFile& builtInPresetFile();
 std::span<const Preset> builtInPresets();
+std::span<const SectionPreset> builtInSectionPresets();
 
 }  // namespace drillwave

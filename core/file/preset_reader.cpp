@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/file/preset_file.h"
+#include "core/file/section_preset_reader.h"
 
 namespace drillwave {
 
@@ -37,10 +38,13 @@ std::vector<Preset> PresetReader::read(const YamlNode& root) {
         return {};
     }
     if (!readFormat(root)) return {};
-    const YamlEntries file = m_reader.entriesOf(root, "", {formatKey, "rods", "hammers", "rocks"});
+    std::vector<std::string_view> lists{formatKey, "rods", "hammers", "rocks"};
+    lists.insert(lists.end(), sectionPresetLists().begin(), sectionPresetLists().end());
+    const YamlEntries file = m_reader.entriesOf(root, "", lists);
     for (const Section& section : sections)
         if (const auto found = file.find(section.list); found != file.end())
             readList(*found->second.value, section);
+    m_sectionPresets = readSectionPresets(m_reader, file);
     return std::move(m_presets);
 }
 

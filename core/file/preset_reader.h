@@ -10,6 +10,7 @@
 #include "core/file/section_reader.h"
 #include "core/file/yaml_tree.h"
 #include "core/model/preset.h"
+#include "core/model/section_preset.h"
 
 namespace drillwave {
 
@@ -19,6 +20,8 @@ class PresetReader {
 
     /// Good for nothing if there are problems.
     std::vector<Preset> read(const YamlNode& root);
+    /// Those of sections; after read().
+    std::vector<SectionPreset> takeSectionPresets() { return std::move(m_sectionPresets); }
     std::vector<InputProblem> takeProblems() { return m_reader.problems().take(); }
 
   private:
@@ -37,6 +40,7 @@ class PresetReader {
 
     SectionReader m_reader;
     std::vector<Preset> m_presets;
+    std::vector<SectionPreset> m_sectionPresets;
     std::set<std::string> m_names;  // of the list being read
 };
 

@@ -16,6 +16,8 @@ using Chain = SectionAddress::Chain;
 constexpr std::string_view stringExample =
     "must be a list of sections: `- {name: rod, length: 3660 mm, diameter: 39 mm}`";
 
+constexpr std::string_view sectionExample = "must be a section: `{length: 300 mm, diameter: 50 mm}`";
+
 /// One section, the place of whose keys is that of `path`: "string.3".
 class SectionOfFile {
   public:
@@ -96,8 +98,7 @@ std::vector<Section> readSections(SectionReader& reader, const YamlNode& list, C
             return false;
         };
         if (item.kind != Kind::map) {
-            reader.problems().reportKey(item.offset, path,
-                                        "must be a section: `{length: 300 mm, diameter: 50 mm}`");
+            reader.problems().reportKey(item.offset, path, sectionExample);
             sections.emplace_back();
         } else if (isRepeat("repeat") || isRepeat("of")) {
             reader.problems().reportKey(item.offset, path,
@@ -253,6 +254,19 @@ class StringReader {
 };
 
 }  // namespace
+
+std::vector<Section> readSectionList(SectionReader& reader, const YamlNode& list, const std::string& key) {
+    std::vector<Section> sections;
+    for (const YamlNode& item : list.children) {
+        const std::string path = joinedKey(key, std::to_string(sections.size() + 1));
+        if (item.kind != Kind::map)
+            reader.problems().reportKey(item.offset, path, sectionExample);
+        else
+            sections.push_back(SectionOfFile(reader, path).read(item));
+        if (sections.size() > maximumSections) break;
+    }
+    return sections;
+}
 
 void readDrillString(SectionReader& reader, const YamlEntries& file) {
     if (file.contains("material"))

@@ -9,4 +9,7 @@ namespace drillwave {
 /// Reads `material`, `hammer`, `string` and `end_time` into the reader's scenario, which is one of a string.
 void readDrillString(SectionReader& reader, const YamlEntries& file);
 
+/// Sections that stand in a list elsewhere; `key` names it in messages.
+std::vector<Section> readSectionList(SectionReader& reader, const YamlNode& list, const std::string& key);
+
 }  // namespace drillwave

@@ -14,18 +14,6 @@ namespace {
 /// An impedance of so many times that of the rod stands for a rigid hammer.
 constexpr double rigidRatio = 20;
 
-Section sectionOf(const Rod& rod) {
-    Section section;
-    section.name = "rod";
-    section.length = rod.length;
-    section.diameter = rod.diameter;
-    section.bore = rod.bore;
-    section.area = rod.area;
-    section.yieldStrength = rod.yieldStrength;
-    section.fatigueStrength = rod.fatigueStrength;
-    return section;
-}
-
 Section sectionOf(const Piston& piston) {
     Section section;
     section.length = piston.length;
@@ -115,6 +103,20 @@ void nameLostHammer(const Hammer& hammer, std::vector<std::string>& lost) {
 
 }  // namespace
 
+Section sectionOf(const Rod& rod, const Material& material) {
+    Section section;
+    section.name = "rod";
+    section.length = rod.length;
+    section.diameter = rod.diameter;
+    section.bore = rod.bore;
+    section.area = rod.area;
+    if (rod.youngsModulus != material.youngsModulus) section.youngsModulus = rod.youngsModulus;
+    if (rod.density != material.density) section.density = rod.density;
+    section.yieldStrength = rod.yieldStrength;
+    section.fatigueStrength = rod.fatigueStrength;
+    return section;
+}
+
 std::string whyNoString(const Scenario& scenario) {
     if (isString(scenario)) return "it is a drill string already";
     if (!hasUnits(scenario)) return "a drill string has physical units, and this scenario has none";
@@ -134,7 +136,7 @@ Conversion stringOf(const Scenario& scenario) {
     string.drillString.material = {scenario.rod.youngsModulus, scenario.rod.density};
     string.drillString.hammer = hammerOf(scenario, converted.lost);
     string.drillString.parts.resize(1);
-    string.drillString.parts.front().sections = {sectionOf(scenario.rod)};
+    string.drillString.parts.front().sections = {sectionOf(scenario.rod, string.drillString.material)};
     return converted;
 }
 

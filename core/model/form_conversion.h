@@ -15,6 +15,9 @@ struct Conversion {
     std::vector<std::string> lost;  ///< what it does not say any more, or not exactly: sentences
 };
 
+/// A rod as a section of that name; its material is told where it is another one.
+Section sectionOf(const Rod& rod, const Material& material);
+
 /// Why a scenario cannot be a string: it has no units, or no hammer. Empty where it can.
 std::string whyNoString(const Scenario& scenario);
 

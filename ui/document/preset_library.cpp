@@ -21,7 +21,9 @@ PresetSource read(const QString& path) {
     PresetSource source;
     source.path = path;
     try {
-        source.presets = loadPresets(QFile::encodeName(path).toStdString());
+        PresetFile file = loadPresets(QFile::encodeName(path).toStdString());
+        source.presets = std::move(file.presets);
+        source.sectionPresets = std::move(file.sectionPresets);
     } catch (const ScenarioError& error) {
         QStringList lines;
         for (const std::string& line : error.lines()) lines.append(QString::fromStdString(line));
@@ -33,9 +35,9 @@ PresetSource read(const QString& path) {
 }  // namespace
 
 void PresetLibrary::reload() {
-    const std::span<const Preset> builtIn = builtInPresets();
+    const PresetFile& builtIn = builtInPresetFile();
     m_sources.clear();
-    m_sources.push_back({{}, {builtIn.begin(), builtIn.end()}, {}});
+    m_sources.push_back({{}, builtIn.presets, builtIn.sectionPresets, {}});
     const QString own = QDir(folder()).filePath(QStringLiteral("presets.yaml"));
     if (QFile::exists(own)) m_sources.push_back(read(own));
     for (const QString& path : addedFiles()) m_sources.push_back(read(path));

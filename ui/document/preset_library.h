@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/preset.h"
+#include "core/model/section_preset.h"
 
 namespace drillwave {
 
@@ -14,6 +15,7 @@ namespace drillwave {
 struct PresetSource {
     QString path;  ///< empty for those built in
     std::vector<Preset> presets;
+    std::vector<SectionPreset> sectionPresets;
     QString problem;  ///< why the file is not used, line by line; empty when it is
 };
 

@@ -3,7 +3,10 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
+#include "core/file/examples.h"
 #include "core/file/preset_file.h"
 #include "core/file/yaml_tree.h"
 #include "core/model/alerts.h"
@@ -62,17 +65,19 @@ class TestPresetFile : public QObject {
     void problemsAreReportedAtTheirPlace();
     void allProblemsAreReportedAtOnce();
     void aMissingFileIsReported();
+    void everyPieceOfAStringFitsIntoOne();
+    void piecesOfStringsAreRead();
 };
 
 void TestPresetFile::everyBuiltInValueHasAUnitAndASource() {
     QFile file(QStringLiteral(DRILLWAVE_SOURCE_DIR "/resources/presets/presets.yaml"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     const std::string text = file.readAll().toStdString();
-    QCOMPARE(parsePresets(text, "presets.yaml").size(), builtInPresets().size());
+    QCOMPARE(parsePresets(text, "presets.yaml").presets.size(), builtInPresets().size());
     // Looked at without the reader that enforces it.
     const YamlTree tree = parseYaml(text);
     int values = 0;
-    for (std::size_t list = 3; list < tree.root.children.size(); list += 2)
+    for (std::size_t list = 3; list <= 7; list += 2)  // rods, hammers, rocks
         for (const YamlNode& item : tree.root.children[list].children)
             for (std::size_t i = 0; i + 1 < item.children.size(); i += 2) {
                 const std::string& key = item.children[i].text;
@@ -184,7 +189,7 @@ void TestPresetFile::presetsNeverMatchGroupsAlone() {
 }
 
 void TestPresetFile::aFileOfTheUserIsRead() {
-    const std::vector<Preset> presets = parsePresets(good, "mine.yaml");
+    const std::vector<Preset> presets = parsePresets(good, "mine.yaml").presets;
     QCOMPARE(presets.size(), std::size_t(3));
     QCOMPARE(presets[1].name, std::string("my drill"));
     QVERIFY(presets[1].shape == PulseShape::piston);
@@ -193,7 +198,7 @@ void TestPresetFile::aFileOfTheUserIsRead() {
     QCOMPARE(presets[1].values.back().si, 50.0);
     QCOMPARE(presets[2].values.front().source, std::string("fitted"));
     QVERIFY(description(presets[2]).starts_with("stiffness: 120 MN/m — fitted"));
-    QVERIFY(parsePresets("drillwave_presets: 1\n", "").empty());
+    QVERIFY(parsePresets("drillwave_presets: 1\n", "").presets.empty());
 }
 
 void TestPresetFile::problemsAreReportedAtTheirPlace_data() {
@@ -260,6 +265,64 @@ void TestPresetFile::aMissingFileIsReported() {
         QVERIFY(error.kind() == ScenarioError::Kind::unreadable);
         QVERIFY(
             error.lines().front().starts_with("/nowhere/presets.yaml: the file of presets cannot be opened"));
+    }
+}
+
+void TestPresetFile::everyPieceOfAStringFitsIntoOne() {
+    std::map<SectionPresetKind, int> count;
+    std::set<std::string> names;
+    for (const SectionPreset& each : builtInSectionPresets()) {
+        Scenario scenario = parseScenario(findExample("t38_string")->text, "").scenario;
+        DrillString& drill = scenario.drillString;
+        if (each.kind == SectionPresetKind::piston)
+            drill.hammer = withPiston(drill.hammer, each);
+        else
+            drill.parts.push_back({.repeat = 1, .group = false, .sections = {each.sections.back()}});
+        QVERIFY2(validate(scenario).empty(), each.name.c_str());
+        for (const Alert& alert : alertsFor(scenario))
+            QVERIFY2(alert.code != AlertCode::implausibleValue, alertText(alert).c_str());
+        QVERIFY2(each.source.size() > 4, each.name.c_str());
+        QVERIFY2(names.insert(each.name).second, each.name.c_str());
+        QVERIFY(description(each).find(each.source) != std::string::npos);
+        ++count[each.kind];
+    }
+    for (const SectionPresetKind kind : sectionPresetKinds) QVERIFY(count[kind] >= 3);
+}
+
+void TestPresetFile::piecesOfStringsAreRead() {
+    const std::string text = R"(drillwave_presets: 1
+pistons:
+  - name: mine
+    source: data sheet
+    velocity: 9 m/s
+    sections:
+      - {length: 300 mm, diameter: 50 mm}
+      - {length: 0.25 m, diameter: 38 mm}
+couplings:
+  - {name: sleeve, source: measured, sections: [{name: coupling, length: 190 mm, diameter: 56 mm, bore: 40 mm, loss: 2 %}]}
+)";
+    const std::vector<SectionPreset> read = parsePresets(text, "mine.yaml").sectionPresets;
+    QCOMPARE(read.size(), std::size_t(2));
+    QCOMPARE(read[0].kind, SectionPresetKind::piston);
+    QCOMPARE(*read[0].velocity, 9.0);
+    QCOMPARE(read[0].sections.size(), std::size_t(2));
+    QCOMPARE(read[1].sections[0].loss, 0.02);
+    QCOMPARE(description(read[0]), std::string("300 mm × 50 mm, 250 mm × 38 mm, 9 m/s — data sheet"));
+    for (const auto& [from, to, reason] : std::vector<std::tuple<std::string, std::string, std::string>>{
+             {"bore: 40 mm", "bore: 60 mm", "couplings"},
+             {"source: measured, ", "", "mine.yaml:10"},
+             {"    velocity: 9 m/s\n", "    velocity: 9\n", "pistons.velocity"},
+             {"length: 190 mm, ", "", "couplings.sections.1.length"},
+             {"loss: 2 %", "loss: 2", "couplings.sections.1.loss"},
+             {"source: measured", "velocity: 3 m/s, source: x", "velocity"}}) {
+        std::string wrong = text;
+        wrong.replace(wrong.find(from), from.size(), to);
+        try {
+            parsePresets(wrong, "mine.yaml");
+            QFAIL(reason.c_str());
+        } catch (const ScenarioError& error) {
+            QVERIFY2(error.lines().front().find(reason) != std::string::npos, error.lines().front().c_str());
+        }
     }
 }
 

@@ -5,9 +5,11 @@
 #include <QMenu>
 #include <QTableView>
 #include <algorithm>
+#include <array>
 
 #include "core/file/examples.h"
 #include "core/file/scenario_file.h"
+#include "core/model/form_conversion.h"
 #include "ui/text/field_text.h"
 #include "ui/text/typed_text.h"
 #include "ui/text/unit_choice.h"
@@ -29,22 +31,23 @@ QString describe(const Section& section) {
     if (section.bore > 0) size += QLatin1Char('/') + sizeText(section.bore);
     const QString name =
         section.name.empty() ? StringEdits::tr("section") : QString::fromStdString(section.name);
-    return QStringLiteral("%1, %2 %3").arg(name, size, shownUnitName(unit.name)).replace(u'&', "&&");
+    return QStringLiteral("%1, %2 %3").arg(name, size, shownUnitName(unit.name));
 }
 
 }  // namespace
 
 StringEdits::StringEdits(Document& document, StringModel& model, QTableView& table)
     : QObject(&table), m_document(document), m_model(model), m_table(table), m_addMenu(new QMenu(&table)) {
-    m_add = newAction(QStringLiteral("add"), tr("Add"),
-                      tr("Put a section behind the selected one: like it, or one of the example strings"),
-                      QKeySequence(Qt::Key_Insert), [this] {
-                          const std::optional<SectionSpot> spot = current();
-                          if (!spot) return;
-                          Section section = sectionAt(m_document.scenario().drillString, *spot);
-                          section.name.clear();
-                          add(section);
-                      });
+    m_add = newAction(
+        QStringLiteral("add"), tr("Add"),
+        tr("Put a section behind the selected one: like it, a preset, or one of the example strings"),
+        QKeySequence(Qt::Key_Insert), [this] {
+            const std::optional<SectionSpot> spot = current();
+            if (!spot) return;
+            Section section = sectionAt(m_document.scenario().drillString, *spot);
+            section.name.clear();
+            add({section});
+        });
     m_add->setMenu(m_addMenu);
     m_duplicate = newAction(QStringLiteral("duplicate"), tr("Duplicate"),
                             tr("Put the selected section there once more, with its name"),
@@ -82,23 +85,64 @@ QAction* StringEdits::newAction(const QString& name, const QString& text, const 
     return action;
 }
 
-// Sections of known strings, so that nobody begins with a blank one.
+// Known pieces, so that nobody begins with a blank one.
 void StringEdits::fillAddMenu() {
     m_addMenu->clear();
     if (const std::optional<SectionSpot> spot = current()) {
-        const Section like = sectionAt(m_document.scenario().drillString, *spot);
-        m_addMenu->addAction(tr("Like the selected one"), this, [this, like] {
-            Section section = like;
-            section.name.clear();
-            add(section);
-        });
+        Section like = sectionAt(m_document.scenario().drillString, *spot);
+        like.name.clear();
+        addChoice(*m_addMenu, tr("Like the selected one"), {}, adding({like}));
     }
+    addPresets();
+    addExamples();
+}
+
+void StringEdits::addChoice(QMenu& menu, const QString& text, const QString& toolTip,
+                            const std::function<void()>& then) {
+    menu.addAction(QString(text).replace(u'&', QStringLiteral("&&")), this, then)->setToolTip(toolTip);
+}
+
+std::function<void()> StringEdits::adding(std::vector<Section> sections) {
+    return [this, sections = std::move(sections)] { add(sections); };
+}
+
+void StringEdits::addPresets() {
+    m_presets.reload();
+    const auto newMenu = [this](const QString& title) {
+        QMenu* menu = m_addMenu->addMenu(title);
+        menu->setToolTipsVisible(true);
+        return menu;
+    };
+    m_addMenu->addSection(tr("Presets"));
+    QMenu* rods = newMenu(tr("Rods"));
+    const std::array<QMenu*, sectionPresetKinds.size()> menus{newMenu(tr("Hammer, in place of this one")),
+                                                              newMenu(tr("Adapters")),
+                                                              newMenu(tr("Couplings")), newMenu(tr("Bits"))};
+    const Material& material = m_document.scenario().drillString.material;
+    for (const PresetSource& source : m_presets.sources()) {
+        for (const Preset& preset : source.presets)
+            if (preset.kind == PresetKind::rod)
+                addChoice(*rods, QString::fromStdString(preset.name),
+                          QString::fromStdString(description(preset)),
+                          adding({sectionOf(withPreset({}, preset).rod, material)}));
+        for (const SectionPreset& preset : source.sectionPresets) {
+            const bool isHammer = preset.kind == SectionPresetKind::piston;
+            addChoice(*menus[static_cast<std::size_t>(preset.kind)], QString::fromStdString(preset.name),
+                      QString::fromStdString(description(preset)),
+                      isHammer ? std::function<void()>([this, preset] { useHammer(preset); })
+                               : adding(preset.sections));
+        }
+    }
+}
+
+void StringEdits::addExamples() {
+    m_addMenu->addSection(tr("From the example strings"));
     for (const Example& example : builtInExamples()) {
         if (!example.ofString) continue;
         QMenu* menu = m_addMenu->addMenu(QString::fromStdString(example.title));
         for (const StringRow& row :
              stringRows(parseScenario(example.text, example.name).scenario.drillString))
-            menu->addAction(describe(row.section), this, [this, section = row.section] { add(section); });
+            addChoice(*menu, describe(row.section), {}, adding({row.section}));
     }
 }
 
@@ -154,15 +198,27 @@ bool StringEdits::take(const Scenario& changed, const QString& step) {
     return problem.isEmpty();
 }
 
-void StringEdits::add(const Section& section) {
+void StringEdits::add(const std::vector<Section>& sections) {
     const std::optional<SectionSpot> after = current();
     if (!after) return;
     Scenario changed = m_document.scenario();
-    Section added = section;
-    if (after->inHammer) added.loss = added.attenuation = 0;
-    const SectionSpot spot = insertAfter(changed.drillString, *after, added);
-    const QString name = added.name.empty() ? tr("a section") : QString::fromStdString(added.name);
-    if (take(changed, tr("add %1").arg(name))) select(spot);
+    SectionSpot spot = *after;
+    for (Section section : sections) {
+        if (spot.inHammer) section.loss = section.attenuation = 0;
+        spot = insertAfter(changed.drillString, spot, std::move(section));
+    }
+    const std::string& first = sections.front().name;
+    const QString what = sections.size() > 1 ? tr("%1 sections").arg(sections.size())
+                         : first.empty()     ? tr("a section")
+                                             : QString::fromStdString(first);
+    if (take(changed, tr("add %1").arg(what))) select(spot);
+}
+
+void StringEdits::useHammer(const SectionPreset& piston) {
+    Scenario changed = m_document.scenario();
+    changed.drillString.hammer = withPiston(changed.drillString.hammer, piston);
+    if (take(changed, tr("take the hammer %1").arg(QString::fromStdString(piston.name))))
+        select({.inHammer = true, .part = 0, .index = 0});
 }
 
 void StringEdits::duplicate() {

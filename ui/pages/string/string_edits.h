@@ -5,8 +5,10 @@
 
 #include <QAction>
 #include <QObject>
+#include <functional>
 
 #include "ui/document/document.h"
+#include "ui/document/preset_library.h"
 #include "ui/pages/string/string_model.h"
 
 class QMenu;
@@ -23,10 +25,12 @@ class StringEdits : public QObject {
 
     /// In the order of a bar.
     const QList<QAction*>& actions() const { return m_actions; }
-    /// The sections that can be added, from the example strings.
+    /// What can be added: presets, and the sections of the example strings.
     QMenu* addMenu() const { return m_addMenu; }
-    /// Behind the selected one; at the end where none is.
-    void add(const Section& section);
+    /// Behind the selected one; at the end where none is. At least one section.
+    void add(const std::vector<Section>& sections);
+    /// In place of the hammer.
+    void useHammer(const SectionPreset& piston);
     void duplicate();
     void remove();
     void move(MoveTo direction);
@@ -43,6 +47,12 @@ class StringEdits : public QObject {
     QAction* newAction(const QString& name, const QString& text, const QString& toolTip,
                        const QKeySequence& keys, const std::function<void()>& then);
     void fillAddMenu();
+    void addPresets();
+    void addExamples();
+    void addChoice(QMenu& menu, const QString& text, const QString& toolTip,
+                   const std::function<void()>& then);
+    /// An action that adds sections.
+    std::function<void()> adding(std::vector<Section> sections);
     void offer();
     std::vector<SectionSpot> selected() const;
     std::optional<SectionSpot> current() const;
@@ -50,6 +60,7 @@ class StringEdits : public QObject {
 
     Document& m_document;
     StringModel& m_model;
+    PresetLibrary m_presets;
     QTableView& m_table;
     QMenu* m_addMenu;
     QList<QAction*> m_actions;

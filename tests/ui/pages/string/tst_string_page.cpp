@@ -22,6 +22,7 @@
 #include "ui/plot/plot_widget.h"
 #include "ui/result/energy_bar.h"
 #include "ui/result/result_panel.h"
+#include "ui/window/form_notice.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
 #include "ui/window/tab_strip.h"
@@ -45,6 +46,7 @@ class TestStringPage : public QObject, private WindowFixture {
     void unitsOfAllKindsAreTaken();
     void numbersFollowTheLocale();
     void aNewcomerBuildsTheStringFromOneSection();
+    void aNewcomerBuildsTheStringFromPresets();
     void aClickInTheDrawingSelectsTheRow();
     void theDrawingIsToScale();
     void theKeysGoThroughTheDrawing();
@@ -73,6 +75,20 @@ class TestStringPage : public QObject, private WindowFixture {
         QVERIFY(found);
         QVERIFY2(found->isEnabled(), action);
         found->trigger();
+    }
+    /// From a menu of Add.
+    void choose(const QString& menu, const QString& name) {
+        QMenu* add = page().edits()->addMenu();
+        emit add->aboutToShow();
+        for (const QAction* each : add->actions())
+            if (each->menu() && each->text() == menu)
+                for (QAction* choice : each->menu()->actions())
+                    if (choice->text() == name) {
+                        QVERIFY(menu != QStringLiteral("Couplings") ||
+                                choice->toolTip().contains(QStringLiteral("190 mm × 56 mm")));
+                        return choice->trigger();
+                    }
+        QFAIL(qPrintable(menu + u' ' + name));
     }
     /// Types into a cell as a user would; the editor stays open where it refuses the text.
     void typeIntoCell(int row, int column, const QString& typed);
@@ -292,6 +308,33 @@ void TestStringPage::aNewcomerBuildsTheStringFromOneSection() {
     QVERIFY(window().openFile(path));
     QCOMPARE(document().scenario().drillString.parts, wanted.parts);
     while (document().undoStack().canUndo()) document().undoStack().undo();
+}
+
+void TestStringPage::aNewcomerBuildsTheStringFromPresets() {
+    openExample("t38_medium_rock");
+    part<FormNotice>(window()).toString()->trigger();
+    settle();
+    QCOMPARE(model().rowCount(), 2);
+    choose(QStringLiteral("Hammer, in place of this one"), QStringLiteral("T38 drifter, 50 and 38 mm"));
+    QCOMPARE(model().rowCount(), 3);
+    QVERIFY(undoText().contains(QStringLiteral("T38 drifter")));
+    select(2);
+    choose(QStringLiteral("Adapters"), QStringLiteral("T38 shank, 450 mm"));
+    select(2);
+    trigger("remove");
+    choose(QStringLiteral("Couplings"), QStringLiteral("T38, 190 mm"));
+    QVERIFY(undoText().contains(QStringLiteral("coupling")));
+    choose(QStringLiteral("Rods"), QStringLiteral("T38, round 39 mm"));
+    choose(QStringLiteral("Bits"), QStringLiteral("T38, 76 mm"));
+    QCOMPARE(model().rowCount(), 7);
+    Scenario scenario = document().scenario();
+    repeatSections(scenario.drillString, {model().rows()[3].spot, model().rows()[4].spot}, 3);
+    scenario.drillString.hammer.restrike = true;
+    scenario.bitRock.stiffness = 100e6;
+    QCOMPARE(document().useScenario(scenario, QStringLiteral("repeat")), QString());
+    settle();
+    QCOMPARE(window().shown()->problem, QString());
+    QVERIFY(std::abs(window().shown()->summary.string->efficiency - 0.501587377477) < 1e-9);
 }
 
 void TestStringPage::aClickInTheDrawingSelectsTheRow() {

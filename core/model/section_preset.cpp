@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/section_preset.h"
+
+#include <cassert>
+
+#include "core/text/units.h"
+
+namespace drillwave {
+namespace {
+
+std::string millimetres(double si) {
+    static const Unit& unit = *findUnit(Quantity::length, "mm");
+    return formatQuantity(si, Quantity::length, unit);
+}
+
+std::string sizeText(const Section& section) {
+    std::string text = millimetres(section.length) + " × ";
+    if (section.area)
+        return text + formatQuantity(*section.area, Quantity::area, *findUnit(Quantity::area, "mm^2"));
+    text += millimetres(section.diameter);
+    return section.bore > 0 ? text + " / " + millimetres(section.bore) : text;
+}
+
+}  // namespace
+
+std::string_view name(SectionPresetKind kind) {
+    switch (kind) {
+        case SectionPresetKind::piston:
+            return "piston";
+        case SectionPresetKind::adapter:
+            return "adapter";
+        case SectionPresetKind::coupling:
+            return "coupling";
+        case SectionPresetKind::bit:
+            return "bit";
+    }
+    return {};
+}
+
+std::string description(const SectionPreset& preset) {
+    std::string text;
+    for (const Section& section : preset.sections) text += (text.empty() ? "" : ", ") + sizeText(section);
+    if (preset.velocity)
+        text +=
+            ", " + formatQuantity(*preset.velocity, Quantity::velocity, *findUnit(Quantity::velocity, "m/s"));
+    return text + " — " + preset.source;
+}
+
+Hammer withPiston(Hammer hammer, const SectionPreset& piston) {
+    assert(piston.kind == SectionPresetKind::piston);
+    hammer.sections = piston.sections;
+    if (piston.velocity) hammer.velocity = *piston.velocity;
+    return hammer;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A named piece of a drill string: a piston, an adapter, a coupling, a bit.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/model/drill_string.h"
+
+namespace drillwave {
+
+enum class SectionPresetKind { piston, adapter, coupling, bit };
+inline constexpr std::array sectionPresetKinds{SectionPresetKind::piston, SectionPresetKind::adapter,
+                                               SectionPresetKind::coupling, SectionPresetKind::bit};
+
+/// "piston" and so on; its list in a file is called "pistons".
+std::string_view name(SectionPresetKind kind);
+
+/// Sections with one source for all of them.
+struct SectionPreset {
+    SectionPresetKind kind = SectionPresetKind::coupling;
+    std::string name;
+    std::string source;              ///< never empty; begins with "assumed" where there is none
+    std::optional<double> velocity;  ///< [m/s] at impact, of a piston where it is to be set too
+    std::vector<Section> sections;   ///< at least one, from the rear
+    bool operator==(const SectionPreset&) const = default;
+};
+
+/// "300 mm × 50 mm, 250 mm × 38 mm, 10 m/s — assumed".
+std::string description(const SectionPreset& preset);
+
+/// The piston in place of the hammer's sections, and its velocity where it has one. Requires a piston.
+Hammer withPiston(Hammer hammer, const SectionPreset& piston);
+
+}  // namespace drillwave
