@@ -96,11 +96,15 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
         throw CommandError(ExitCode::usage, "--json and -o - would both print to standard output; take one");
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const int jobs = jobsOf(arguments);
-    const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    const ScenarioDocument document = loadScenarioInput(path, arguments, DrillStrings::taken).document;
     ThrustReport report;
     report.scenario = document.scenario;
     report.scenarioText = completeScenarioText(document);
     checkQuestion(report.scenario, axis, path);
+    if (isString(report.scenario) && plots.areWanted())
+        throw CommandError(
+            ExitCode::usage,
+            "--plots: " + path + ": pictures are drawn of uniform rods; leave it out for a drill string");
     if (csvPath) {
         checkOutputIsNoInput(*csvPath, path, document);
         checkOverwrite(*csvPath, overwrite);
@@ -143,7 +147,9 @@ const Command& thrustCommand() {
         "nothing damps the rebound; - where that never becomes steady. n_b: round trips of the waves "
         "between\n"
         "two blows. Needs a scenario in physical units with drill.blow_frequency; verdict and margins need\n"
-        "drill.thrust.";
+        "drill.thrust. Of a drill string I0 is the impulse of the hammer's face; its gaps have no period, so "
+        "that\n"
+        "only this blow and rigid rock are told.";
     static const Command command{
         .name = "thrust",
         .operands = "FILE",

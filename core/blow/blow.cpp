@@ -34,7 +34,7 @@ void solveStringBlow(Blow& blow, const std::stop_token& stop) {
     blow.impact = impactOf(*blow.string);
     if (!blow.isSolved()) return;
     blow.summary = summarize(blow.scenario, *blow.string);
-    blow.feed = judgeFeed(blow.scenario, blow.summary.thrustRestitution());
+    blow.feed = judgeFeed(blow.scenario, blow.summary.cor, blow.summary.transferred());
     append(blow.alerts, resultAlerts(blow.scenario, blow.summary));
     append(blow.alerts, stringAlerts(blow.scenario, *blow.string));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/blow/feed_verdict.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/blow/thrust.h"
@@ -40,23 +41,29 @@ FeedVerdict feedVerdict(const std::optional<FeedForce>& force, const FeedThresho
     return verdict;
 }
 
-std::optional<FeedVerdict> judgeFeed(const Scenario& scenario, double cor) {
-    const std::optional<double> balance = thrustNeeded(scenario, 0);
+std::optional<FeedVerdict> judgeFeed(const Scenario& scenario, double cor, double transferred) {
+    const std::optional<double> balance = thrustNeeded(scenario, 0, transferred);
     if (!balance) return std::nullopt;
-    return feedVerdict(feedForceOf(scenario),
-                       {*balance, *thrustNeeded(scenario, cor), *thrustNeeded(scenario, 2 * cor)});
+    return feedVerdict(feedForceOf(scenario), {*balance, *thrustNeeded(scenario, cor, transferred),
+                                               *thrustNeeded(scenario, 2 * cor, transferred)});
 }
 
-std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor) {
-    const std::optional<double> balance = thrustNeeded(scenario, 0);
+std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double transferred) {
+    const std::optional<double> balance = thrustNeeded(scenario, 0, transferred);
     const std::optional<FeedForce> force = feedForceOf(scenario);
     if (!balance || !force) return std::nullopt;
     GapAtBlow found{.motion = {}, .feed = force->effective() / *balance};
-    found.motion = undampedMotion(found.feed, cor);
-    found.isBackInTime = found.feed >= 1 + 2 * cor;  // (T35)
+    const double rebound = std::max(cor, 0.0);
+    found.motion = undampedMotion(found.feed, rebound);
+    found.isBackInTime = found.feed >= 1 + 2 * rebound;  // (T35)
     found.roundTrips = *roundTripsBetweenBlows(scenario);
-    found.gap = found.motion.gap * scalesOf(scenario).velocity / *scenario.drill.blowFrequency;  // (T37)
-    found.inD0 = found.motion.gap * found.roundTrips;                                            // (T37)
+    const Scales scales = scalesOf(scenario);
+    const double velocity = isString(scenario)
+                                ? transferred * scales.impulse / stringProperties(scenario.drillString).mass
+                                : scales.velocity;
+    found.gap = found.motion.gap * velocity / *scenario.drill.blowFrequency;  // (T37)
+    found.inD0 =
+        isString(scenario) ? found.gap / scales.penetration : found.motion.gap * found.roundTrips;  // (T37)
     return found;
 }
 

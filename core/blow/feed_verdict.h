@@ -48,8 +48,9 @@ struct FeedVerdict : FeedThresholds {
 /// The verdict by its thresholds.
 FeedVerdict feedVerdict(const std::optional<FeedForce>& force, const FeedThresholds& thresholds);
 
-/// Judges the feed for blows with that COR, e ≥ 0. nullopt where thrustProblem() says why.
-std::optional<FeedVerdict> judgeFeed(const Scenario& scenario, double cor);
+/// Judges the feed for blows with that COR and, of a drill string, that share of the hammer's momentum
+/// handed on: thrustNeeded(). nullopt where thrustProblem() says why.
+std::optional<FeedVerdict> judgeFeed(const Scenario& scenario, double cor, double transferred = 1);
 
 /// Where the bit is when the hammer strikes, if nothing damps the rebound.
 struct GapAtBlow {
@@ -59,10 +60,11 @@ struct GapAtBlow {
     /// φ ≥ 1 + 2e: a bit that was at rest is back in time, and yet may bounce on and on in this motion.
     bool isBackInTime = false;
     double gap = 0;   ///< y v0/f [m] (T37), 0 but where it bounces
-    double inD0 = 0;  ///< the same, y n_b [d0]
+    double inD0 = 0;  ///< the same, y n_b of a uniform rod [d0]
 };
 
-/// For blows with that COR, e ≥ 0. nullopt where there is no verdict, or no thrust is installed.
-std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor);
+/// Likewise. A drill string moves as a rigid body. nullopt where there is no verdict, or no thrust is
+/// installed.
+std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double transferred = 1);
 
 }  // namespace drillwave

@@ -32,8 +32,8 @@ struct ImpactSummary {
     std::optional<RodForces> rodForces;        ///< [F0] where they were asked for; solveBlow() does
     std::optional<StringSummary> string = {};  ///< of a drill string alone
 
-    /// e for the thrust: of a drill string, whose hammer may strike again, ∫F/p0 − 1.
-    double thrustRestitution() const { return string ? impulse - 1 : cor; }
+    /// What the hammer hands on, in I0: of a drill string the impulse of its face, else all of it.
+    double transferred() const { return string ? string->faceImpulse : 1; }
 };
 
 /// Of an impact solved with Detail::ledger or more. From one of less detail what that asks for means

@@ -109,7 +109,7 @@ constexpr auto outputTable = std::to_array<Output>({
      "blow frequency times impulse, N, when the scenario has a frequency",
      Measure::newton,
      Detail::cor,
-     [](const From& f) { return thrustNeeded(f.scenario, f.summary.thrustRestitution()); },
+     [](const From& f) { return thrustNeeded(f.scenario, f.summary.cor, f.summary.transferred()); },
      OutputGroup::none,
      {},
      {},

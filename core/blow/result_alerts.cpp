@@ -19,7 +19,7 @@ namespace {
 constexpr double promisedError = 1e-9;
 
 void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    const std::optional<FeedVerdict> verdict = judgeFeed(scenario, summary.thrustRestitution());
+    const std::optional<FeedVerdict> verdict = judgeFeed(scenario, summary.cor, summary.transferred());
     if (!verdict || !verdict->isTooLittle()) return;
     Alert alert{AlertLevel::warning,
                 AlertCode::thrustBelowNeeded,

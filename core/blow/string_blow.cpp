@@ -87,6 +87,7 @@ ImpactSummary summarize(const Scenario& scenario, const StringBlow& blow) {
     string.stringEnergy = from.energy.string;
     string.jointLoss = from.energy.joints;
     string.rodLoss = from.energy.rods;
+    string.faceImpulse = from.faceImpulse / from.hammerMomentum;
     string.faceEnergy = from.energy.face;
     string.pistonSeparationTime =
         from.faceSeparation >= 0 ? from.faceSeparation : std::numeric_limits<double>::quiet_NaN();

@@ -20,8 +20,9 @@ struct StringSummary {
     double hammerWaveEnergy = 0;       ///< of waves left in the hammer
     double stringMomentum = 0;         ///< towards the rock
     double stringEnergy = 0;
-    double jointLoss = 0;  ///< energy lost in joints
-    double rodLoss = 0;    ///< energy lost on the way through sections
+    double jointLoss = 0;    ///< energy lost in joints
+    double rodLoss = 0;      ///< energy lost on the way through sections
+    double faceImpulse = 0;  ///< what the hammer has handed to the string
     double faceEnergy = 0;
     double pistonSeparationTime = 0;  ///< when hammer and string first part; not a number: never
     bool hasForces = false;           ///< the largest ones were asked for

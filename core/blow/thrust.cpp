@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/blow/thrust.h"
 
+#include <algorithm>
+
 #include "core/model/scales.h"
 
 namespace drillwave {
 
-std::optional<double> thrustNeeded(const Scenario& scenario, double cor) {
+std::optional<double> thrustNeeded(const Scenario& scenario, double cor, double transferred) {
     if (!thrustProblem(scenario).empty()) return std::nullopt;
-    return *scenario.drill.blowFrequency * pulseImpulse(scenario) * (1 + cor);
+    return *scenario.drill.blowFrequency * pulseImpulse(scenario) * transferred * (1 + std::max(cor, 0.0));
 }
 
 std::string thrustProblem(const Scenario& scenario) {

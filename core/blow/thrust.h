@@ -11,8 +11,10 @@
 namespace drillwave {
 
 /// Mean thrust f·I0·(1 + e) [N] (T34) [paper (9)]: the impulse that the rock gives back with every blow that
-/// begins at rest on the rock. nullopt where thrustProblem() says why.
-std::optional<double> thrustNeeded(const Scenario& scenario, double cor);
+/// begins at rest on the rock. Of a drill string (strings §7) I0 is what its hammer hands on, `transferred`
+/// of its momentum (ImpactSummary::transferred), and a string that still moves to the rock counts as e = 0.
+/// nullopt where thrustProblem() says why.
+std::optional<double> thrustNeeded(const Scenario& scenario, double cor, double transferred = 1);
 
 /// Why there is no thrust for a scenario and what to do; empty when there is one.
 std::string thrustProblem(const Scenario& scenario);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/model/scales.h"
+#include "core/report/feed_words.h"
 #include "core/report/report_text.h"
 #include "core/text/handy_text.h"
 
@@ -49,8 +50,11 @@ std::string resultGrid(const Blow& blow) {
               "away from the rock"});
     if (blow.feed) {
         std::string needed = si(blow.feed->fullRate, Quantity::force);
-        if (blow.feed->force) needed += ", installed " + si(blow.feed->force->thrust, Quantity::force);
+        const std::optional<FeedForce>& force = blow.feed->force;
+        if (force) needed += ", installed " + si(force->thrust, Quantity::force);
+        if (force && force->weight) needed += ", effective " + si(force->effective(), Quantity::force);
         grid.add({"thrust needed", needed});
+        if (force) grid.add({"  feed", std::string(feedWord(blow.feed->feed))});
     }
     return grid.text();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/thrust_csv.h"
 
+#include <algorithm>
+
 #include "core/text/number_text.h"
 
 namespace drillwave {
@@ -20,10 +22,14 @@ void appendCells(std::string& row, const ThrustPoint& point) {
         row += ',';
         if (number) appendNumber(row, *number);
     };
-    for (const ThrustNeed& need : point.needs) add(need.thrust);
-    for (const ThrustNeed& need : point.needs) add(need.thrustUndamped);
+    const auto known = [](const ThrustNeed& need, double value) {
+        return need.known ? std::optional(value) : std::nullopt;
+    };
+    for (const ThrustNeed& need : point.needs) add(known(need, need.thrust));
+    for (const ThrustNeed& need : point.needs) add(known(need, need.thrustUndamped));
     add(point.verdict.effective());
-    add(largestOf(point.needs).margin);
+    const bool allKnown = std::ranges::all_of(point.needs, &ThrustNeed::known);
+    add(allKnown ? largestOf(point.needs).margin : std::nullopt);
     const std::optional<GapAtBlow>& gap = point.need(ThrustCase::scenario).gapAtBlow;
     const bool hasGap = gap && gap->motion.kind != UndampedMotion::Kind::pushedBack;
     add(hasGap ? std::optional(gap->gap) : std::nullopt);

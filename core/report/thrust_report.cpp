@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/thrust_report.h"
 
+#include <algorithm>
+
 #include "core/model/alerts.h"
 #include "core/model/blow_interval.h"
 #include "core/model/scales.h"
@@ -29,6 +31,11 @@ const char* label(ThrustCase which) {
     return "";
 }
 
+/// What the hammer hands on with a blow [N s].
+double impulseOf(const ThrustReport& report) {
+    return pulseImpulse(report.scenario) * report.study.transferred;
+}
+
 std::string force(double newton) {
     return inHandyUnit(newton, Quantity::force, 4);
 }
@@ -51,17 +58,29 @@ std::string gapText(const GapAtBlow& found) {
     return found.motion.stable ? inHandyUnit(found.gap, Quantity::length, 3) : "-";
 }
 
+/// Those that a point knows; all four where none is solved.
+std::vector<ThrustCase> knownCases(const ThrustAlong& along) {
+    std::vector<ThrustCase> cases(thrustCases.begin(), thrustCases.end());
+    for (const ThrustPoint& point : along.curve.points) {
+        if (!point.reason.empty()) continue;
+        std::erase_if(cases, [&](ThrustCase which) { return !point.need(which).known; });
+        break;
+    }
+    return cases;
+}
+
 std::string bracketTable(const ThrustAlong& along) {
     const RowColumn column = along.axis.column();
     TextGrid grid;
     std::vector<std::string> titles{column.header};
-    for (const ThrustCase which : thrustCases) titles.emplace_back(label(which));
+    const std::vector<ThrustCase> cases = knownCases(along);
+    for (const ThrustCase which : cases) titles.emplace_back(label(which));
     titles.emplace_back("feed");
     grid.add(titles);
     for (const ThrustPoint& point : along.curve.points) {
         std::vector<std::string> cells(1);
         column.appendText(cells.front(), point.value);
-        for (const ThrustCase which : thrustCases)
+        for (const ThrustCase which : cases)
             cells.push_back(point.reason.empty() ? bracket(point.need(which)) : "-");
         cells.emplace_back(feedWord(point.verdict.feed));
         grid.add(cells);
@@ -107,7 +126,8 @@ JsonObject needJson(const ThrustNeed& need) {
 JsonObject needsJson(const ThrustNeeds& needs) {
     JsonObject object;
     for (const ThrustCase which : thrustCases)
-        object[name(which)] = needJson(needs[static_cast<std::size_t>(which)]);
+        if (const ThrustNeed& need = needs[static_cast<std::size_t>(which)]; need.known)
+            object[name(which)] = needJson(need);
     return object;
 }
 
@@ -135,8 +155,10 @@ std::string marginSentence(const ThrustNeeds& needs) {
     const ThrustNeed& largest = largestOf(needs);
     if (!largest.margin) return {};
     const auto which = static_cast<ThrustCase>(&largest - needs.data());
-    return std::string("Margin over the largest of the four needs (") + label(which) +
-           "): " + signedPercent(*largest.margin) + ".";
+    const bool allKnown = std::ranges::all_of(needs, &ThrustNeed::known);
+    return std::string(allKnown ? "Margin over the largest of the four needs ("
+                                : "Margin over the larger of the two needs (") +
+           label(which) + "): " + signedPercent(*largest.margin) + ".";
 }
 
 TextGrid needsGrid(const ThrustReport& report) {
@@ -147,6 +169,7 @@ TextGrid needsGrid(const ThrustReport& report) {
     grid.add(titles);
     for (const ThrustCase which : thrustCases) {
         const ThrustNeed& need = report.study.need(which);
+        if (!need.known) continue;
         std::vector<std::string> cells{label(which), rounded(need.cor.value), bracket(need)};
         if (judged)
             cells.insert(cells.end(), {signedPercent(*need.margin), hertz(*need.frequencyLimit),
@@ -163,13 +186,20 @@ std::vector<std::string> verdictSentences(const ThrustReport& report) {
     if (const std::optional<double> share = report.study.shareFull)
         sentences.push_back("It is at least f I0 (1+e) at " + rounded(*share * 100, 4) +
                             " % of all gaps in this rock. " + marginSentence(report.study.needs));
+    if (isString(report.scenario)) {
+        if (std::string margin = marginSentence(report.study.needs); !margin.empty())
+            sentences.push_back(std::move(margin));
+        sentences.emplace_back(
+            "I0 is the impulse of the hammer's face in this blow. The gaps of a drill string have no period: "
+            "what 95 % of them and the worst one would need is not told.");
+    }
     return sentences;
 }
 
 std::string thrustText(const ThrustReport& report) {
     const Drill& drill = report.scenario.drill;
     std::string text = headingOf(report.scenario) + "  " + hertz(*drill.blowFrequency) + " of " +
-                       inHandyUnit(pulseImpulse(report.scenario), Quantity::impulse, 4);
+                       inHandyUnit(impulseOf(report), Quantity::impulse, 4);
     text += ", n_b = " + rounded(*roundTripsBetweenBlows(report.scenario), 4);
     if (const std::optional<FeedForce> feed = feedForceOf(report.scenario))
         text += (feed->weight ? "\n  " : ", ") + feedForceText(*feed);
@@ -199,7 +229,7 @@ std::string thrustJson(const ThrustReport& report) {
                              {"blow_frequency", unitJson(Quantity::frequency)}}},
         {"groups", groupsJson(groupsOf(report.scenario))},
         {"blow_frequency", *report.scenario.drill.blowFrequency},
-        {"impulse", pulseImpulse(report.scenario)},
+        {"impulse", impulseOf(report)},
         {"round_trips", *roundTripsBetweenBlows(report.scenario)},
         {"installed_thrust", report.scenario.drill.thrust},
         {"weight_along_hole", weightAlongHole(report.scenario)},

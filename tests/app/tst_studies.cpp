@@ -28,6 +28,7 @@ class TestStudies : public QObject {
     void impulsesAreOnePlusRestitutions();
     void thrustGivesNeedsMarginsAndAdvice();
     void thrustWithoutAnInstalledOneHasNoMargins();
+    void thrustOfAStringIsToldOfItsBlowAndRigidRock();
     void thrustIsProportionalToFrequency();
     void thrustAlongAParameterIsAStudyAtEachValue();
     void weightAlongTheHoleIsPartOfTheFeed();
@@ -157,6 +158,28 @@ void TestStudies::thrustWithoutAnInstalledOneHasNoMargins() {
     QVERIFY(thrust["needs"]["scenario"]["margin"].isNull());
     QCOMPARE(thrust["feed"].toString(), QString("unknown"));
     QVERIFY(!output({"thrust", folder.filePath("drill.yaml")}).contains("margin "));
+}
+
+void TestStudies::thrustOfAStringIsToldOfItsBlowAndRigidRock() {
+    const QString drill = example("t38_string");
+    const QJsonObject thrust = json({"thrust", drill});
+    const QJsonObject needs = thrust["needs"].toObject();
+    QCOMPARE(needs.keys(), (QStringList{"rigid_rock", "scenario"}));
+    const double handedOn = thrust["impulse"].toDouble();
+    for (const QJsonValue& need : needs)
+        QVERIFY(std::abs(need["thrust"].toDouble() / (60 * handedOn * (1 + need["cor"].toDouble())) - 1) <
+                1e-12);
+    const QJsonObject run = json({"run", drill});
+    QVERIFY(std::abs(needs["scenario"]["thrust"].toDouble() - run["si"]["thrust"].toDouble()) < 1e-6);
+    QCOMPARE(thrust["feed"].toString(), QString("back_in_time"));
+    QVERIFY(thrust["thrust_margin"].isNull());
+    const QByteArray text = output({"thrust", drill});
+    QVERIFY(text.contains("this blow") && text.contains("rigid rock") && text.contains("no period"));
+    QVERIFY(!text.contains("worst gap  "));
+    const auto rows = rowsOf(output({"thrust", drill, "--frequency", "30Hz:120Hz:3", "-o", "-"}));
+    QCOMPARE(rows.size(), 4);
+    QVERIFY(rows[1][2].isEmpty() && !rows[1][1].isEmpty() && !rows[1][3].isEmpty());
+    QVERIFY(output({"run", drill}).contains("bit back in time"));
 }
 
 void TestStudies::thrustIsProportionalToFrequency() {

@@ -144,7 +144,7 @@ void ResultPanel::addThrust() {
           Weight::usual,
           {},
           [](const SolvedBlow& blow, UnitSystem) {
-              return thrustNeeded(blow.scenario, blow.summary.thrustRestitution());
+              return thrustNeeded(blow.scenario, blow.summary.cor, blow.summary.transferred());
           }},
          {tr("worst of 4 needs"),
           tr("The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid rock, "

@@ -3,6 +3,7 @@
 
 #include <cassert>
 
+#include "core/blow/string_blow.h"
 #include "core/blow/thrust.h"
 #include "core/model/blow_interval.h"
 #include "core/model/validation.h"
@@ -29,6 +30,7 @@ std::string obstacle(const Scenario& scenario, const Parameter& parameter, doubl
 /// Whether all points are one blow at one gap or another, for which one thread is enough: it finds the rest
 /// in its memory.
 bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const double> values) {
+    if (isString(base)) return false;
     const auto blowAt = [&](double value) -> std::optional<Problem> {
         const Scenario scenario = scenarioAt(base, parameter, value);
         if (!obstacle(scenario, parameter, value).empty()) return std::nullopt;
@@ -46,6 +48,17 @@ ThrustPoint pointAt(const Scenario& base, const Parameter& parameter, double val
     if (std::string problem = obstacle(scenario, parameter, value); !problem.empty())
         return {.value = value, .needs = {}, .verdict = {}, .reason = std::move(problem)};
     return thrustPoint(scenario, value, finder, stop);
+}
+
+ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, const std::stop_token& stop) {
+    const StringBlow blow = solveString(scenario, {.accuracy = NetworkAccuracy::quick, .wants = {}}, stop);
+    point.reason = stop.stop_requested() ? "stopped" : blow.impact.reason;
+    if (!point.reason.empty()) return point;
+    const ImpactSummary summary = summarize(scenario, blow);
+    point.needs = stringThrustNeeds(scenario, {summary.cor, summary.corError}, summary.transferred());
+    point.verdict = *judgeFeed(scenario, summary.cor, summary.transferred());
+    point.roundTrips = *roundTripsBetweenBlows(scenario);
+    return point;
 }
 
 struct Chunk {
@@ -100,6 +113,7 @@ ThrustPoint thrustPoint(const Scenario& scenario, double value, GapReboundFinder
                         const std::stop_token& stop) {
     assert(thrustProblem(scenario).empty());
     ThrustPoint point{.value = value, .needs = {}, .verdict = {}, .reason = {}};
+    if (isString(scenario)) return stringPoint(scenario, std::move(point), stop);
     const Problem problem = problemOf(scenario);
     const Impact impact = ExactSolver().solve(problem, Detail::cor, stop);
     if (impact.outcome != Outcome::rebounded) {

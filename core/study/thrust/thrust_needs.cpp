@@ -10,15 +10,15 @@ namespace drillwave {
 
 namespace {
 
-ThrustNeed needOf(const Scenario& scenario, const Estimate& cor) {
-    const FeedVerdict verdict = *judgeFeed(scenario, cor.value);
+ThrustNeed needOf(const Scenario& scenario, const Estimate& cor, double transferred = 1) {
+    const FeedVerdict verdict = *judgeFeed(scenario, cor.value, transferred);
     ThrustNeed need{.cor = cor,
                     .thrust = verdict.fullRate,
                     .thrustUndamped = verdict.returned,
                     .margin = verdict.margin(),
                     .frequencyLimit = {},
                     .feed = verdict.feed,
-                    .gapAtBlow = gapAtBlow(scenario, cor.value)};
+                    .gapAtBlow = gapAtBlow(scenario, cor.value, transferred)};
     if (const auto force = verdict.effective())
         need.frequencyLimit = *scenario.drill.blowFrequency * std::max(*force, 0.0) / need.thrust;
     return need;
@@ -38,8 +38,16 @@ ThrustNeeds thrustNeeds(const Scenario& scenario, const Estimate& cor, const Gap
             needOf(scenario, rebounds.worst.cor)};
 }
 
+ThrustNeeds stringThrustNeeds(const Scenario& scenario, const Estimate& cor, double transferred) {
+    assert(isString(scenario) && thrustProblem(scenario).empty());
+    ThrustNeed unknown;
+    unknown.known = false;
+    return {needOf(scenario, cor, transferred), unknown, needOf(scenario, {1, 0}, transferred), unknown};
+}
+
 const ThrustNeed& largestOf(const ThrustNeeds& needs) {
-    return *std::ranges::max_element(needs, {}, &ThrustNeed::thrust);
+    return *std::ranges::max_element(needs, {},
+                                     [](const ThrustNeed& need) { return need.known ? need.thrust : -1; });
 }
 
 }  // namespace drillwave

@@ -30,6 +30,8 @@ std::string_view name(ThrustCase which);
 /// to the f I0 (1+2e) that brings the bit back before the next blow even if nothing damps. Margin and
 /// frequency limit are about its lower end.
 struct ThrustNeed {
+    /// Whether it can be told: of a drill string not what counts its gaps, which have no period.
+    bool known = true;
     Estimate cor;
     double thrust = 0;             ///< f I0 (1+e) [N]
     double thrustUndamped = 0;     ///< f I0 (1+2e) [N]
@@ -47,7 +49,11 @@ using ThrustNeeds = std::array<ThrustNeed, thrustCaseCount>;
 /// thrustProblem() to be empty.
 ThrustNeeds thrustNeeds(const Scenario& scenario, const Estimate& cor, const GapRebounds& rebounds);
 
-/// The one with the largest `thrust`.
+/// By the e of the blow itself of a drill string, whose hammer hands on so much of its momentum, and on rigid
+/// rock; the others are not known. Requires thrustProblem() to be empty.
+ThrustNeeds stringThrustNeeds(const Scenario& scenario, const Estimate& cor, double transferred);
+
+/// The one with the largest `thrust` of those that are known.
 const ThrustNeed& largestOf(const ThrustNeeds& needs);
 
 }  // namespace drillwave

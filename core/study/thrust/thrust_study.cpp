@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/thrust/thrust_study.h"
 
+#include <algorithm>
 #include <cassert>
 
+#include "core/blow/string_blow.h"
 #include "core/blow/thrust.h"
 #include "core/wave/exact/exact_solver.h"
 
@@ -24,11 +26,31 @@ class HalfProgress {
     GapProgress m_whole;
 };
 
+/// One blow, and no gaps.
+ThrustStudy studyStringThrust(const Scenario& scenario, const std::stop_token& stop) {
+    ThrustStudy study;
+    const StringBlow blow = solveString(scenario, {}, stop);
+    study.stopped = stop.stop_requested();
+    study.reason = blow.impact.reason;
+    if (study.stopped || !study.reason.empty()) return study;
+    const ImpactSummary summary = summarize(scenario, blow);
+    study.transferred = summary.transferred();
+    study.needs = stringThrustNeeds(scenario, {summary.cor, summary.corError}, study.transferred);
+    study.verdict = *judgeFeed(scenario, summary.cor, study.transferred);
+    return study;
+}
+
 }  // namespace
+
+std::optional<double> ThrustStudy::margin() const {
+    const bool allKnown = std::ranges::all_of(needs, &ThrustNeed::known);
+    return allKnown ? largestNeed().margin : std::nullopt;
+}
 
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress,
                         long mostPieces) {
     assert(thrustProblem(scenario).empty());
+    if (isString(scenario)) return studyStringThrust(scenario, stop);
     const Problem problem = problemOf(scenario);
     ThrustStudy study;
     const Impact impact = ExactSolver().solve(problem, Detail::cor, stop);

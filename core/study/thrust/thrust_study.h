@@ -12,7 +12,8 @@ namespace drillwave {
 
 struct ThrustStudy {
     ThrustNeeds needs;
-    GapRebounds rebounds;             ///< that they are from
+    GapRebounds rebounds;             ///< that they are from; of a uniform rod
+    double transferred = 1;           ///< what the hammer hands on, in I0 (ImpactSummary::transferred())
     std::optional<double> shareFull;  ///< share of all gaps at which the effective force is ≥ f I0 (1+e)
     FeedVerdict verdict;              ///< by the e of the scenario's own blow
     std::string reason;               ///< why there is no result; empty when there is
@@ -20,8 +21,9 @@ struct ThrustStudy {
 
     const ThrustNeed& need(ThrustCase which) const { return needs[static_cast<std::size_t>(which)]; }
     const ThrustNeed& largestNeed() const { return largestOf(needs); }
-    /// Effective force over the largest of the four `thrust`, less 1: the output `thrust_margin`.
-    std::optional<double> margin() const { return largestNeed().margin; }
+    /// Effective force over the largest of the four `thrust`, less 1: the output `thrust_margin`. Nothing of
+    /// a drill string, of which not all four are known.
+    std::optional<double> margin() const;
 };
 
 /// Requires thrustProblem() to be empty. Without a result where one of its two curves over the gap takes more

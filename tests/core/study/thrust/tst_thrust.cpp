@@ -4,7 +4,10 @@
 
 #include <cmath>
 
+#include "core/blow/outputs.h"
 #include "core/blow/thrust.h"
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
 #include "core/model/scales.h"
 #include "core/study/thrust/thrust_curve.h"
 #include "core/study/thrust/thrust_margins.h"
@@ -24,6 +27,13 @@ Scenario drill(double gamma = 0.1) {
     const RodProperties rod = propertiesOf(scenario.rod);
     scenario.rod.length = 10 * scenario.pulse.duration * rod.waveSpeed;
     scenario.bitRock.stiffness = 0.5 * rod.impedance / scenario.pulse.duration;
+    return scenario;
+}
+
+/// Without an installed thrust, 60 blows a second.
+Scenario t38String() {
+    Scenario scenario = parseScenario(findExample("t38_string")->text, "t38_string").scenario;
+    scenario.drill.thrust.reset();
     return scenario;
 }
 
@@ -50,6 +60,11 @@ class TestThrust : public QObject {
     void aPointWithoutAnAnswerSaysWhy();
     void aStopLeavesTheFinishedPoints();
     void theReferenceCaseHasOneRebound();
+    void aStringNeedsWhatTheRockGivesBack();
+    void aStringThatIsARodNeedsWhatTheRodNeeds();
+    void theGapsOfAStringAreNotTold();
+    void alongAParameterOfAStringEveryPointIsABlow();
+    void aStringThatStillMovesToTheRockNeedsWhatItsHammerHandsOn();
     void aStopEndsTheStudy();
 };
 
@@ -288,6 +303,101 @@ void TestThrust::theMarginOfAHeavyBlowIsLeftOut() {
     addThrustMargin(heavy);
     QVERIFY(!heavy.thrustMargin);
     QCOMPARE(studyThrust(scenario, {}, {}, mostPiecesInPassing).reason, std::string(tooManyPieces));
+}
+
+// Nothing else pushes a string without losses: what the hammer hands on and the rebound come from the rock.
+void TestThrust::aStringNeedsWhatTheRockGivesBack() {
+    Scenario scenario = t38String();
+    const Blow blow = solveBlow(scenario, {}, Detail::ledger);
+    const NetworkImpact& impact = blow.string->impact;
+    const double perUnit = pulseImpulse(scenario) / impact.hammerMomentum, frequency = 60;
+    const ThrustStudy study = studyThrust(scenario);
+    QCOMPARE(study.reason, std::string());
+    const ThrustNeed& here = study.need(ThrustCase::scenario);
+    QVERIFY(std::abs(here.thrust / (frequency * perUnit * impact.rockImpulse) - 1) < 1e-9);
+    // Momentum of the hammer before less after.
+    const double handedOn = impact.hammerMomentum - impact.pistonMomentum;
+    QVERIFY(std::abs(study.verdict.balance / (frequency * perUnit * handedOn) - 1) < 1e-9);
+    QVERIFY(std::abs(here.thrustUndamped + study.verdict.balance - 2 * here.thrust) < 1e-6);
+    QVERIFY(std::abs(study.need(ThrustCase::rigidRock).thrust / study.verdict.balance - 2) < 1e-12);
+    // One judgement for command, result panel and alerts.
+    QCOMPARE(study.verdict, *blow.feed);
+    QCOMPARE(*findOutput("thrust")->value({blow.summary, scenario}), here.thrust);
+    scenario.drill.thrust = 1.25 * here.thrust;
+    QVERIFY(std::abs(*studyThrust(scenario).need(ThrustCase::scenario).margin - 0.25) < 1e-9);
+    scenario.drill.thrust = 0.9 * study.verdict.balance;
+    QCOMPARE(studyThrust(scenario).verdict.feed, Feed::pushedBack);
+}
+
+// strings §10: one rod, a hammer of its section, withdrawn after its push.
+void TestThrust::aStringThatIsARodNeedsWhatTheRodNeeds() {
+    Scenario rod = drill();
+    rod.drill.thrust = 3000;
+    const RodProperties properties = propertiesOf(rod.rod);
+    Section section;
+    section.length = rod.rod.length;
+    section.diameter = rod.rod.diameter;
+    section.bore = rod.rod.bore;
+    Scenario string = rod;
+    string.form = ScenarioForm::string;
+    string.drillString.material = {rod.rod.youngsModulus, rod.rod.density};
+    string.drillString.parts = {{.sections = {section}}};
+    section.length = rod.pulse.duration / 2 * properties.waveSpeed;
+    string.drillString.hammer.sections = {section};
+    string.drillString.hammer.velocity = 40 / (section.length * rod.rod.density * properties.area);
+    string.drillString.hammer.restrike = false;
+    const ThrustStudy of = studyThrust(string), than = studyThrust(rod);
+    for (const ThrustCase which : {ThrustCase::scenario, ThrustCase::rigidRock}) {
+        const ThrustNeed &a = of.need(which), &b = than.need(which);
+        QVERIFY(std::abs(a.cor.value - b.cor.value) < 1e-9);
+        QVERIFY(std::abs(a.thrust / b.thrust - 1) < 1e-9);
+        QVERIFY(std::abs(a.thrustUndamped / b.thrustUndamped - 1) < 1e-9);
+        QVERIFY(std::abs(*a.margin - *b.margin) < 1e-9);
+        QCOMPARE(a.feed, b.feed);
+        QCOMPARE(a.gapAtBlow->motion.kind, b.gapAtBlow->motion.kind);
+        QVERIFY(std::abs(a.gapAtBlow->gap - b.gapAtBlow->gap) < 1e-9 * (1 + b.gapAtBlow->gap));
+        QVERIFY(std::abs(a.gapAtBlow->inD0 - b.gapAtBlow->inD0) < 1e-7 * (1 + b.gapAtBlow->inD0));
+    }
+    QVERIFY(than.need(ThrustCase::scenario).gapAtBlow->gap > 0);  // so that the last two say something
+}
+
+void TestThrust::theGapsOfAStringAreNotTold() {
+    Scenario scenario = t38String();
+    scenario.drill.thrust = 10e3;
+    const ThrustStudy study = studyThrust(scenario);
+    QVERIFY(study.need(ThrustCase::scenario).known && study.need(ThrustCase::rigidRock).known);
+    QVERIFY(!study.need(ThrustCase::gapQuantile).known && !study.need(ThrustCase::elasticWorst).known);
+    QCOMPARE(&study.largestNeed(), &study.need(ThrustCase::rigidRock));
+    QVERIFY(!study.margin());
+    QVERIFY(!study.shareFull);
+}
+
+void TestThrust::alongAParameterOfAStringEveryPointIsABlow() {
+    const Scenario scenario = t38String();
+    const Parameter& stiffness = *findParameter("bit_rock.stiffness");
+    const std::vector<double> values{5e7, 1e8, 2e8};
+    const ThrustCurve curve = thrustAlong(scenario, stiffness, values, 2);
+    QCOMPARE(curve.points.size(), values.size());
+    for (const ThrustPoint& point : curve.points) {
+        QCOMPARE(point.reason, std::string());
+        Scenario alone = scenario;
+        stiffness.assign(alone, point.value);
+        const ThrustStudy study = studyThrust(alone);
+        QVERIFY(std::abs(point.need(ThrustCase::scenario).thrust / study.need(ThrustCase::scenario).thrust -
+                         1) < 1e-6);  // quick and sure
+        QCOMPARE(point.verdict.feed, study.verdict.feed);
+    }
+    QVERIFY(curve.points[2].need(ThrustCase::scenario).thrust >
+            curve.points[0].need(ThrustCase::scenario).thrust);
+}
+
+// What has not come back yet will not ask for less than nothing.
+void TestThrust::aStringThatStillMovesToTheRockNeedsWhatItsHammerHandsOn() {
+    const Scenario scenario = t38String();
+    const double handedOn = 60 * pulseImpulse(scenario) * 1.1;
+    QCOMPARE(*thrustNeeded(scenario, -0.2, 1.1), handedOn);
+    const FeedVerdict verdict = *judgeFeed(scenario, -0.2, 1.1);
+    QVERIFY(verdict.balance <= verdict.fullRate && verdict.fullRate <= verdict.returned);
 }
 
 QTEST_GUILESS_MAIN(TestThrust)
