@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/curve/sampled_curve.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/numeric/ordered_work.h"
+#include "core/study/rows/axis_scenario.h"
+#include "core/study/rows/case_solver.h"
+#include "core/study/rows/sweep_check.h"
+
+namespace drillwave {
+
+namespace {
+
+/// Points of the first lines that are shown lie so far apart, those of each further ones half as far.
+constexpr std::size_t coarsest = 8;
+/// Nothing is told from a value that differs by less.
+constexpr double sameShare = 1e-9;
+
+struct PointTask {
+    std::size_t line = 0, point = 0, stride = 0;
+    std::vector<double> values = {};  // of the columns
+    std::string reason = {};
+};
+
+/// What is known of one line.
+struct Samples {
+    std::vector<std::vector<double>> values;  // of each point, empty before it is solved
+    std::vector<std::string> reasons;         // likewise; empty where it has an answer
+};
+
+/// Solves points; one for each thread.
+class PointSampler {
+  public:
+    PointSampler(const CurveQuestion& question, const std::vector<SweepAxis>& axes)
+        : m_question(question),
+          m_axes(axes),
+          m_scenario(question.base, axes),
+          m_solver(question.columns, question.method, question.workLimit) {}
+
+    void operator()(PointTask& task, const std::stop_token& stop) {
+        std::vector<double> at;
+        if (m_question.family) at.push_back(m_question.family->value(task.line));
+        at.push_back(m_question.along.value(task.point));
+        const Scenario& scenario = m_scenario.set(at);
+        m_solver.setPulse(scenario);
+        task.values.assign(m_question.columns.size(), std::numeric_limits<double>::quiet_NaN());
+        task.reason = m_solver.solve(scenario, task.values, stop);
+    }
+
+  private:
+    const CurveQuestion& m_question;
+    const std::vector<SweepAxis>& m_axes;
+    AxisScenario m_scenario;
+    CaseSolver m_solver;
+};
+
+/// The points in the order in which they are solved.
+std::vector<PointTask> tasksOf(std::size_t lines, std::size_t points) {
+    std::vector<PointTask> tasks;
+    for (std::size_t stride = coarsest; stride > 0; stride /= 2)
+        for (std::size_t line = 0; line < lines; ++line)
+            for (std::size_t point = 0; point < points; ++point) {
+                const bool isLast = point + 1 == points;  // with the coarsest, so that the range is whole
+                const std::size_t own =
+                    isLast ? coarsest : std::min(coarsest, point == 0 ? coarsest : point & ~(point - 1));
+                if (own == stride) tasks.push_back({.line = line, .point = point, .stride = stride});
+            }
+    return tasks;
+}
+
+FitPiece straightPiece(double from, double to, double a, double b) {
+    FitPiece piece;
+    piece.start = from;
+    piece.end = to;
+    piece.resolved = false;
+    piece.solved = std::isfinite(a) && std::isfinite(b);
+    if (!piece.solved) return piece;
+    const double ends[] = {a, b};
+    piece.outputs.emplace_back(from, to, ends);
+    piece.error.push_back(std::abs(b - a));
+    return piece;
+}
+
+/// The least and the largest value, as well as points tell.
+void addExtremes(CurveOutput& output, const std::vector<double>& points, const std::vector<double>& values) {
+    std::size_t least = values.size(), largest = values.size();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!std::isfinite(values[i])) continue;
+        if (least == values.size() || values[i] < values[least]) least = i;
+        if (largest == values.size() || values[i] > values[largest]) largest = i;
+    }
+    if (least == values.size()) return;
+    const bool isSame = values[largest] - values[least] <= sameShare * std::abs(values[largest]);
+    const auto add = [&](CurveFeature::Kind kind, std::size_t at) {
+        const bool isEnd = at == 0 || at + 1 == values.size();
+        const double before = points[at == 0 ? 0 : at - 1];
+        const double after = points[std::min(at + 1, points.size() - 1)];
+        output.features.push_back({.kind = kind,
+                                   .shape = isSame  ? CurveFeature::Shape::everywhere
+                                            : isEnd ? CurveFeature::Shape::end
+                                                    : CurveFeature::Shape::grid,
+                                   .ofAll = true,
+                                   .x = {points[at], (after - before) / 2},
+                                   .value = {values[at], 0}});
+    };
+    add(CurveFeature::Kind::minimum, least);
+    add(CurveFeature::Kind::maximum, largest);
+    std::ranges::stable_sort(output.features, {}, [](const CurveFeature& each) { return each.x.value; });
+}
+
+CurveLine lineThrough(const CurveQuestion& question, std::size_t number, const Samples& samples) {
+    CurveLine line;
+    if (question.family) line.family = question.family->value(number);
+    line.range = question.range();
+    line.outputs.resize(question.columns.size());
+    line.values.resize(question.columns.size());
+    std::vector<std::string_view> reasons;
+    for (std::size_t i = 0; i < samples.values.size(); ++i) {
+        if (samples.values[i].empty()) continue;
+        line.points.push_back(question.along.value(i));
+        reasons.push_back(samples.reasons[i]);
+        for (std::size_t c = 0; c < line.values.size(); ++c) line.values[c].push_back(samples.values[i][c]);
+    }
+    for (std::size_t c = 0; c < line.outputs.size(); ++c) {
+        CurveOutput& output = line.outputs[c];
+        for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
+            output.pieces.push_back(straightPiece(line.range.shareOf(line.points[i]),
+                                                  line.range.shareOf(line.points[i + 1]), line.values[c][i],
+                                                  line.values[c][i + 1]));
+            if (!output.pieces.back().solved)
+                output.unsolved.push_back({line.points[i], line.points[i + 1],
+                                           std::string(reasons[i].empty() ? reasons[i + 1] : reasons[i])});
+        }
+        output.grid = {{question.along.start, question.along.stop, "solved point by point"}};
+        addExtremes(output, line.points, line.values[c]);
+    }
+    return line;
+}
+
+CurveStudy studyOf(const CurveQuestion& question, const std::vector<Samples>& samples, std::uint64_t solves) {
+    CurveStudy study{.question = question, .lines = {}, .solves = solves};
+    for (std::size_t line = 0; line < samples.size(); ++line)
+        study.lines.push_back(lineThrough(question, line, samples[line]));
+    return study;
+}
+
+}  // namespace
+
+std::vector<std::string> sampledProblemsOf(const CurveQuestion& question) {
+    const SweepAxis& along = question.along;
+    const bool isRange = along.kind == SweepAxis::Kind::linear || along.kind == SweepAxis::Kind::logarithmic;
+    if (!isRange || !(along.start < along.stop) || along.count < 2)
+        return {"the range of " + std::string(along.key()) + " must end above its beginning"};
+    std::vector<std::string> problems = problemsOf(
+        Sweep{.base = question.base, .axes = question.axes(), .columns = question.columns, .shard = {}});
+    if (question.family && question.family->count > maximumCurveLines)
+        problems.push_back("a family has at most " + std::to_string(maximumCurveLines) + " lines, this one " +
+                           std::to_string(question.family->count));
+    return problems;
+}
+
+CurveStudy sampleCurve(const CurveQuestion& question, int jobs, std::stop_token stop,
+                       const SampledProgress& progress) {
+    assert(jobs >= 1 && sampledProblemsOf(question).empty());
+    const std::vector<SweepAxis> axes = question.axes();
+    std::vector<Samples> samples(question.family ? question.family->count : 1);
+    for (Samples& each : samples) {
+        each.values.resize(question.along.count);
+        each.reasons.resize(question.along.count);
+    }
+    std::vector<PointTask> tasks = tasksOf(samples.size(), question.along.count);
+    std::size_t next = 0, done = 0;
+    const auto fill = [&](PointTask& task) {
+        if (next == tasks.size()) return false;
+        task = tasks[next++];
+        return true;
+    };
+    const auto deliver = [&](PointTask& task) {
+        samples[task.line].values[task.point] = std::move(task.values);
+        samples[task.line].reasons[task.point] = std::move(task.reason);
+        ++done;
+        if (progress.tell) progress.tell(done, tasks.size());
+        const bool endsStride = done < tasks.size() && tasks[done].stride != task.stride;
+        if (progress.show && endsStride) progress.show(studyOf(question, samples, done));
+        return true;
+    };
+    const auto makeWorker = [&] { return PointSampler(question, axes); };
+    const WorkEnd end = processInOrder<PointTask>(jobs, std::move(stop), fill, makeWorker, deliver);
+    if (end == WorkEnd::finished) return studyOf(question, samples, done);
+    return {.question = question, .lines = {}, .solves = done, .stopped = true};
+}
+
+}  // namespace drillwave
