@@ -54,7 +54,8 @@ bool isWanted(const QString& page) {
     return wanted.isEmpty() || page.compare(wanted, Qt::CaseInsensitive) == 0;
 }
 
-bool drawPages(MainWindow& window, const QDir& folder, const char* theme, int scale) {
+/// `of` stands before the names of pages that are of a drill string.
+bool drawPages(MainWindow& window, const QDir& folder, const QString& of, const char* theme, int scale) {
     auto* pages = window.findChild<PageTabs*>();
     for (int page = 0; page < pages->count(); ++page) {
         if (!pages->isOffered(page) || !isWanted(pages->page(page).title())) continue;
@@ -64,8 +65,9 @@ bool drawPages(MainWindow& window, const QDir& folder, const char* theme, int sc
             settle(window);
             window.resize(size);  // a narrow window has moved its docks together
             settle(window);
-            const QString name = QStringLiteral("%1_%2_%3x%4_%5x.png")
-                                     .arg(pages->page(page)
+            const QString name = QStringLiteral("%1%2_%3_%4x%5_%6x.png")
+                                     .arg(of,
+                                          pages->page(page)
                                               .title()
                                               .section(QStringLiteral(" ("), 0, 0)
                                               .toLower()
@@ -90,11 +92,11 @@ bool drawThemes(const QDir& folder, int scale) {
         window.show();
         const char* theme = dark ? "dark" : "light";
         if (QCoreApplication::arguments().size() < 3) pinRuns(window);
-        if (!drawPages(window, folder, theme, scale)) return false;
-        // Also of a drill string: its own page.
+        if (!drawPages(window, folder, {}, theme, scale)) return false;
+        // Also of a drill string.
         window.document().startFrom(findExample("t38_string")->text, QStringLiteral("t38_string"));
         settle(window);
-        if (isWanted(QStringLiteral("String")) && !drawPages(window, folder, theme, scale)) return false;
+        if (!drawPages(window, folder, QStringLiteral("string_"), theme, scale)) return false;
     }
     return true;
 }

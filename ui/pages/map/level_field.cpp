@@ -10,7 +10,7 @@ LevelField::LevelField(QWidget* parent) : QLineEdit(parent) {
     setObjectName(QStringLiteral("levels"));
     setAccessibleName(tr("Contours at"));
     setPlaceholderText(tr("none"));
-    setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.95; 1; 1.05")) + 16);
+    setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.4; 0.5; 0.6; 0.7")) + 16);
     setMaximumWidth(2 * minimumWidth());
     presentProblem();
     connect(this, &QLineEdit::editingFinished, this, &LevelField::read);

@@ -4,8 +4,10 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QSignalBlocker>
 
 #include "core/model/assignments.h"
+#include "core/model/section_choice.h"
 #include "core/report/row_csv.h"
 #include "core/study/map/map_rows.h"
 #include "ui/form/choice_box.h"
@@ -21,13 +23,19 @@ namespace {
 
 // More are for the command: their picture is no better, and their numbers would have to be kept several
 // times.
-constexpr int pointsEachWay[] = {50, 100, 200, 400, 1000};
+constexpr int pointsEachWay[] = {20, 40, 50, 100, 200, 400, 1000};
 constexpr int usualPoints = 200;
+constexpr int usualPointsOfString = 40;  // each takes a millisecond or several
 
 /// A number that is easily read, as fine as pixels are.
 double readable(double shown) {
     constexpr int digits = 4;
     return QString::number(shown, 'g', digits).toDouble();
+}
+
+/// All there is of it.
+StudyRange wholeElasticity(const Parameter& gamma) {
+    return {&gamma, 0.01, 1, false};
 }
 
 QWidget* labelled(const QString& words, QWidget* control, QWidget* parent) {
@@ -118,7 +126,8 @@ OutputColumn MapPage::column() const {
 
 QString MapPage::axisWord(const AxisFields& fields) const {
     const StudyRange& range = fields.range();
-    return QString::fromStdString(range.text() + ":" + std::to_string(m_points->currentData().toInt()) +
+    const auto most = static_cast<std::uint64_t>(m_points->currentData().toInt());
+    return QString::fromStdString(range.text() + ":" + std::to_string(range.pointsWithin(most)) +
                                   range.tail());
 }
 
@@ -137,16 +146,31 @@ void MapPage::offer(AxisFields& fields) {
     fields.present(scenario());
     const Parameter* parameter = fields.range().parameter;
     if (!parameter || parameter == before) return;
-    if (parameter->key.ends_with("gamma")) fields.setRange({parameter, 0.01, 1, false});
+    if (parameter->key.ends_with("gamma")) fields.setRange(wholeElasticity(*parameter));
     if (parameter->key == "delta") fields.setRange({parameter, 0, 2, false});
 }
 
 void MapPage::takeUsualLevels() {
-    const std::optional<double> level = decisiveLevel(m_output->output());
-    m_levels->setLevels(level ? std::vector<double>{*level} : std::vector<double>{});
+    m_levels->setLevels(usualLevels(m_output->output()));
+}
+
+// A size of the string against the rock, where a rod has its rock against the elasticity.
+void MapPage::followForm() {
+    const bool ofString = isString(scenario());
+    if (ofString == m_ofString) return;
+    m_ofString = ofString;
+    const QSignalBlocker quietPoints(m_points), quietX(m_x), quietY(m_y);
+    m_points->setCurrentIndex(m_points->findData(ofString ? usualPointsOfString : usualPoints));
+    if (ofString) {
+        m_x->setRange(rangeAround(*typicalSize(scenario()), scenario()));
+        m_y->setRange(rangeAround(*findParameter("bit_rock.stiffness"), scenario()));
+    } else if (hasUnits(scenario())) {
+        m_y->setRange(wholeElasticity(*findParameter("bit_rock.gamma")));
+    }
 }
 
 void MapPage::ask() {
+    followForm();
     offer(*m_x);
     offer(*m_y);
     m_output->present(scenario());

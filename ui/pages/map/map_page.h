@@ -23,6 +23,7 @@ class MapPage : public StudyPage {
     explicit MapPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Map"); }
+    bool shows(const Scenario&) const override { return true; }
     MapPlot* map() const { return m_plot; }
     /// How many studies were started.
     int studies() const { return m_study.started(); }
@@ -45,6 +46,8 @@ class MapPage : public StudyPage {
     OutputColumn column() const;
     QString axisWord(const AxisFields& fields) const;
     MapStudy study() const;
+    /// Takes axes and points that suit a drill string, or a uniform rod.
+    void followForm();
     void offer(AxisFields& fields);
     void takeUsualLevels();
     void draw();
@@ -62,6 +65,7 @@ class MapPage : public StudyPage {
     QString m_problem;  // why the controls say no map
     QString m_readout;  // of what is below the pointer
     int m_gesture = 0;  // of the crosshair
+    bool m_ofString = false;
     std::shared_ptr<const MapReport> m_shown;
     ShownUnits m_shownUnits;
     std::shared_ptr<std::atomic<int>> m_newest;

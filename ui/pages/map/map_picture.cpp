@@ -107,6 +107,12 @@ std::optional<double> decisiveLevel(const Output& output) {
     return std::nullopt;
 }
 
+std::vector<double> usualLevels(const Output& output) {
+    if (const std::optional<double> level = decisiveLevel(output)) return {*level};
+    if (output.name == "efficiency") return {0.4, 0.5, 0.6, 0.7};
+    return {};
+}
+
 OutputUnits mapUnits(const Output& output, UnitSystem system) {
     const bool isNumber = output.quantity() == Quantity::ratio;
     return isNumber || system == UnitSystem::dimensionless ? OutputUnits::dimensionless : OutputUnits::si;

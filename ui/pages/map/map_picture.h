@@ -54,6 +54,9 @@ struct MapPicture {
 /// The level of an output that decides something: 1 of e, 0 of the margin of the thrust.
 std::optional<double> decisiveLevel(const Output& output);
 
+/// The levels of which a map of an output has contours at first: what decides, or tenths of an efficiency.
+std::vector<double> usualLevels(const Output& output);
+
 /// In which numbers a map of an output is asked for where results are shown in such units.
 OutputUnits mapUnits(const Output& output, UnitSystem system);
 

@@ -15,13 +15,15 @@ std::optional<CurveQuestion> runLineQuestion(const CurveQuestion& page, const Sc
     question.family.reset();
     question.levels.clear();  // nothing is marked on it
     takeOut(question.base, *question.along.parameter, question.along.start);
-    if (!problemsOf(question).empty()) return std::nullopt;
-    return question;
+    if (isString(run) && !isString(page.base)) question.along.count = sampledPoints;
+    const bool isUsable = isString(run) ? sampledProblemsOf(question).empty() : problemsOf(question).empty();
+    return isUsable ? std::optional(question) : std::nullopt;
 }
 
 std::optional<CurveStudy> runLine(const CurveQuestion& question, const std::stop_token& stop) {
     constexpr int jobs = 1;  // the others are left to what the user waits for
-    CurveStudy study = studyCurve(question, jobs, stop);
+    CurveStudy study =
+        isString(question.base) ? sampleCurve(question, jobs, stop) : studyCurve(question, jobs, stop);
     if (study.stopped) return std::nullopt;
     return study;
 }

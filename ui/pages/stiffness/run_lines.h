@@ -2,13 +2,17 @@
 // A result along a parameter for a pinned run, laid over that of the scenario.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <stop_token>
 
-#include "core/study/curve/curve.h"
+#include "core/study/curve/sampled_curve.h"
 #include "ui/pages/study/run_studies.h"
 
 namespace drillwave {
+
+/// How many points the line of a drill string has among those of uniform rods.
+inline constexpr std::uint64_t sampledPoints = 101;
 
 using RunLines = RunStudies<CurveQuestion, CurveStudy>;
 

@@ -3,11 +3,14 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QThread>
 #include <algorithm>
 #include <utility>
 
 #include "core/report/curve_csv.h"
+#include "ui/form/choice_box.h"
 #include "ui/pages/stiffness/stiffness_plot.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/family_fields.h"
@@ -24,11 +27,17 @@ std::vector<StudyFamily> preferredFamilies() {
     return {{findParameter("bit_rock.gamma"), gammas}, {findParameter("gamma"), gammas}};
 }
 
+/// How many points a curve of a drill string may have.
+constexpr int pointsOfCurve[] = {51, 101, 201, 401, 1001};
+
 StiffnessStudy solve(const StiffnessQuestion& question, const StudyFeed<StiffnessStudy>& feed) {
     constexpr double parts = 1000;
-    return studyStiffness(question, std::max(1, QThread::idealThreadCount()), feed.stop, [&](double done) {
-        feed.tell({static_cast<std::size_t>(done * parts), static_cast<std::size_t>(parts)});
-    });
+    return studyStiffness(
+        question, std::max(1, QThread::idealThreadCount()), feed.stop,
+        [&](double done) {
+            feed.tell({static_cast<std::size_t>(done * parts), static_cast<std::size_t>(parts)});
+        },
+        [&](const StiffnessStudy& soFar) { feed.show(soFar); });
 }
 
 /// As many digits as a pixel is worth.
@@ -50,6 +59,7 @@ StiffnessPage::StiffnessPage(Document& document, QWidget* parent)
     connect(plot, &PlotWidget::clicked, this, &StiffnessPage::click);
     plot->keyPoint().offer(m_stiffness->keyPlaces());
     connect(&UnitChoice::shared(), &UnitChoice::changed, this, &StiffnessPage::askSoon);
+    connect(&document, &Document::scenarioChanged, this, &StiffnessPage::followForm);
 }
 
 QList<QWidget*> StiffnessPage::makeControls() {
@@ -78,7 +88,55 @@ QList<QWidget*> StiffnessPage::makeControls() {
     connect(m_reference, &QComboBox::currentIndexChanged, this, &StiffnessPage::askSoon);
     for (QCheckBox* box : {m_own, m_closedForm})
         connect(box, &QCheckBox::toggled, this, &StiffnessPage::askSoon);
-    return {m_axis, m_output, m_family, m_own, m_closedForm, m_reference};
+    m_pointsPart = makePointsBox();
+    return {m_axis, m_output, m_family, m_own, m_pointsPart, m_closedForm, m_reference};
+}
+
+QWidget* StiffnessPage::makePointsBox() {
+    auto* part = new QWidget(this);
+    m_points = new ChoiceBox(part);
+    m_points->setObjectName(QStringLiteral("points"));
+    m_points->setAccessibleName(tr("Points of a curve"));
+    m_points->setToolTip(tr("How many blows are solved along a curve of a drill string"));
+    for (const int points : pointsOfCurve) m_points->addItem(QString::number(points), points);
+    m_points->setCurrentIndex(m_points->findData(int(sampledPoints)));
+    auto* label = new QLabel(tr("points"), part);
+    label->setBuddy(m_points);
+    auto* layout = new QHBoxLayout(part);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(label);
+    layout->addWidget(m_points);
+    part->hide();
+    connect(m_points, &QComboBox::currentIndexChanged, this, &StiffnessPage::askSoon);
+    return part;
+}
+
+QString StiffnessPage::title() const {
+    return m_ofString ? tr("Efficiency–stiffness") : tr("COR–stiffness");
+}
+
+// The paper's curves and its family of elasticities are of uniform rods.
+void StiffnessPage::followForm() {
+    const bool ofString = isString(scenario());
+    if (ofString == m_ofString) return;
+    m_ofString = ofString;
+    m_closedForm->setVisible(!ofString);
+    m_reference->setVisible(!ofString);
+    m_pointsPart->setVisible(ofString);
+    const std::vector<StudyFamily> ofRods = preferredFamilies();
+    const bool isUsual = std::ranges::find(ofRods, m_family->family()) != ofRods.end();
+    if (ofString && (isUsual || !m_family->family().parameter)) m_family->setFamily({});
+    if (!ofString && !m_family->family().parameter) m_family->setFamily(ofRods[hasUnits(scenario()) ? 0 : 1]);
+    emit titleChanged();
+}
+
+/// As the command has it: a range to be followed, or with a number of points.
+std::string StiffnessPage::axisText() const {
+    const StudyRange& range = m_axis->range();
+    if (!m_ofString) return range.text() + range.tail();
+    const auto most = static_cast<std::uint64_t>(m_points->currentData().toInt());
+    return range.text() + ":" + std::to_string(range.pointsWithin(most)) + range.tail();
 }
 
 std::optional<double> StiffnessPage::hereOf(const Parameter* parameter) const {
@@ -99,13 +157,13 @@ StudyFamily StiffnessPage::askedFamily() const {
 StiffnessPage::Wish StiffnessPage::wish() const {
     const StudyRange& range = m_axis->range();
     if (!range.parameter) return {};
-    const bool isPhysical = scenario().form == ScenarioForm::dimensional &&
-                            UnitChoice::shared().system() != UnitSystem::dimensionless;
+    const bool isPhysical =
+        hasUnits(scenario()) && UnitChoice::shared().system() != UnitSystem::dimensionless;
     StiffnessQuestion asked;
     CurveQuestion& curve = asked.curve;
     curve.base = scenario();
     curve.base.title.clear();
-    const ParsedAxis along = parseRange(range.text() + range.tail());
+    const ParsedAxis along = m_ofString ? parseAxis(axisText()) : parseRange(axisText());
     if (!along.problem.empty()) return {{}, QString::fromStdString(along.problem)};
     curve.along = along.axis;
     takeOut(curve.base, *range.parameter, range.start);
@@ -116,16 +174,17 @@ StiffnessPage::Wish StiffnessPage::wish() const {
         takeOut(curve.base, *family.parameter, family.values.front());
     }
     curve.columns = {{&m_output->output(), isPhysical ? OutputUnits::si : OutputUnits::dimensionless}};
-    if (m_output->output().name == "cor") curve.levels = {1};
+    if (m_output->output().name == "cor" && !m_ofString) curve.levels = {1};
     asked.reference = static_cast<ReferenceScale>(m_reference->currentIndex());
     asked.closedForm = m_closedForm->isChecked();
     QStringList problems;
-    for (const std::string& problem : problemsOf(curve)) problems << QString::fromStdString(problem);
+    for (const std::string& problem : problemsOf(asked)) problems << QString::fromStdString(problem);
     if (!problems.isEmpty()) return {{}, problems.join(QLatin1Char('\n'))};
     return {std::move(asked), {}};
 }
 
 void StiffnessPage::ask() {
+    followForm();
     m_axis->present(scenario());
     m_family->present(scenario());
     m_output->present(scenario());
@@ -133,7 +192,7 @@ void StiffnessPage::ask() {
     m_problem = now.problem;
     if (!now.question) return m_study.job().cancel();
     m_reference->setEnabled(now.question->hasReference());
-    m_closedForm->setEnabled(now.question->curve.base.pulse.shape == PulseShape::rectangular);
+    m_closedForm->setEnabled(!m_ofString && now.question->curve.base.pulse.shape == PulseShape::rectangular);
     m_study.ask(std::move(*now.question));
 }
 
@@ -151,7 +210,7 @@ StiffnessPage::Shown StiffnessPage::wanted() const {
     shown.study = m_study.job().value();
     const CurveQuestion& asked = shown.study->question.curve;
     const Scales scales = scalesOf(asked.base);
-    shown.units = asked.base.form == ScenarioForm::dimensional
+    shown.units = hasUnits(asked.base)
                       ? shownUnits(blow()->request.units, scales, blow()->request.chosenUnits)
                       : shownUnits(naturalUnits(asked.base), scales);
     shown.xUnit = &UnitChoice::shared().fieldUnit(*asked.along.parameter);
@@ -266,11 +325,16 @@ QByteArray StiffnessPage::csv() const {
 QStringList StiffnessPage::commandWords() const {
     const std::optional<StiffnessQuestion> asked = wish().question;
     if (!asked) return {};
-    const StudyRange& range = m_axis->range();
-    QStringList words{QStringLiteral("curve"), QStringLiteral("--along"),
-                      fromView(range.text() + range.tail())};
-    if (const StudyFamily family = askedFamily(); family.parameter)
-        words << QStringLiteral("--family") << fromView(family.text());
+    const QString along = fromView(axisText()), family = fromView(askedFamily().text());
+    QStringList words;
+    if (m_ofString) {
+        words << QStringLiteral("sweep");
+        if (!family.isEmpty()) words << QStringLiteral("--vary") << family;
+        words << QStringLiteral("--vary") << along;  // fastest
+    } else {
+        words << QStringLiteral("curve") << QStringLiteral("--along") << along;
+        if (!family.isEmpty()) words << QStringLiteral("--family") << family;
+    }
     const CurveQuestion& curve = asked->curve;
     words << QStringLiteral("--outputs") << fromView(curve.columns.front().output->name);
     for (const double level : curve.levels)

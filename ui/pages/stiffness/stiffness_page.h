@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Page COR–stiffness: any result over any parameter, at first e over the stiffness of the rock.
+// Page COR–stiffness: any result over any parameter, at first e over the stiffness of the rock, of a drill
+// string the efficiency.
 #pragma once
 
 #include "ui/document/preset_library.h"
@@ -28,7 +29,8 @@ class StiffnessPage : public StudyPage {
   public:
     explicit StiffnessPage(Document& document, QWidget* parent = nullptr);
 
-    QString title() const override { return tr("COR–stiffness"); }
+    QString title() const override;
+    bool shows(const Scenario&) const override { return true; }
     StiffnessPlot* stiffnessPlot() const { return m_stiffness; }
     AxisFields* axis() const { return m_axis; }
     FamilyFields* family() const { return m_family; }
@@ -60,6 +62,10 @@ class StiffnessPage : public StudyPage {
         bool operator==(const Shown&) const = default;
     };
     QList<QWidget*> makeControls();
+    QWidget* makePointsBox();
+    /// Takes the controls that the form of the scenario has.
+    void followForm();
+    std::string axisText() const;
     Wish wish() const;
     StudyFamily askedFamily() const;
     std::optional<double> hereOf(const Parameter* parameter) const;
@@ -82,6 +88,9 @@ class StiffnessPage : public StudyPage {
     OutputBox* m_output;
     QCheckBox* m_closedForm;
     QComboBox* m_reference;
+    QComboBox* m_points;  // of a curve that is sampled
+    QWidget* m_pointsPart = nullptr;
+    bool m_ofString = false;
     StiffnessPlot* m_stiffness = nullptr;
     PresetLibrary m_presets;
     QString m_problem;  // why the controls say no curve

@@ -32,7 +32,7 @@ double largestOf(const CurveStudy& study) {
 
 /// A group that goes with the parameter, as the axis above shows it.
 void addAbove(StiffnessPicture& picture, const CurveQuestion& question) {
-    if (question.base.form != ScenarioForm::dimensional) return;
+    if (!hasUnits(question.base)) return;
     const Scales scales = scalesOf(question.base);
     const auto show = [&](const char* group, double perSi) {
         const Parameter& parameter = *findParameter(group);
@@ -162,7 +162,10 @@ QString summaryOf(const StiffnessPicture& picture, const StiffnessStudy& study, 
     else if (!crossings.isEmpty())
         parts << tr("1 at %1").arg(crossings.join(QStringLiteral("; ")));
     QString text = line->name + QStringLiteral(": ") + parts.join(QStringLiteral(" · "));
-    if (!output.grid.empty()) text += tr(" · known by points alone in a part of the range");
+    if (study.question.isSampled())
+        text += tr(" · %1 points").arg(study.curve.lines.front().points.size());
+    else if (!output.grid.empty())
+        text += tr(" · known by points alone in a part of the range");
     if (!output.unsolved.empty())
         text += tr(" · no answer in a part of the range: %1").arg(fromView(output.unsolved.front().reason));
     return text;

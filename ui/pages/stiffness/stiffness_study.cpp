@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/stiffness/stiffness_study.h"
 
+#include <utility>
+
 #include "core/model/assignments.h"
 #include "core/model/scales.h"
 
@@ -46,6 +48,15 @@ CurveQuestion closedFormOf(const CurveQuestion& question) {
     return closed;
 }
 
+StiffnessStudy sampleStiffness(const StiffnessQuestion& question, int jobs, std::stop_token stop,
+                               const CurveProgress& progress, const StiffnessPreview& preview) {
+    const auto studyOf = [&](CurveStudy curve) { return StiffnessStudy{question, std::move(curve), {}, {}}; };
+    SampledProgress told;
+    if (progress) told.tell = [&](std::size_t done, std::size_t of) { progress(double(done) / double(of)); };
+    if (preview) told.show = [&](CurveStudy soFar) { preview(studyOf(std::move(soFar))); };
+    return studyOf(sampleCurve(question.curve, jobs, std::move(stop), told));
+}
+
 bool isGamma(const SweepAxis& axis) {
     return axis.key() == "gamma" || axis.key() == "bit_rock.gamma";
 }
@@ -63,8 +74,13 @@ void takeOut(Scenario& scenario, const Parameter& parameter, double value) {
     if (!Assignments({parameter.key}).movePulse()) parameter.assign(scenario, value);
 }
 
+std::vector<std::string> problemsOf(const StiffnessQuestion& question) {
+    return question.isSampled() ? sampledProblemsOf(question.curve) : problemsOf(question.curve);
+}
+
 StiffnessStudy studyStiffness(const StiffnessQuestion& question, int jobs, std::stop_token stop,
-                              const CurveProgress& progress) {
+                              const CurveProgress& progress, const StiffnessPreview& preview) {
+    if (question.isSampled()) return sampleStiffness(question, jobs, std::move(stop), progress, preview);
     const auto part = [&](double before, double share) {
         return [&progress, before, share](double done) {
             if (progress) progress(before + share * done);

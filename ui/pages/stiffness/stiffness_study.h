@@ -6,7 +6,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "core/study/curve/curve.h"
+#include "core/study/curve/sampled_curve.h"
 
 namespace drillwave {
 
@@ -24,6 +24,8 @@ struct StiffnessQuestion {
     bool closedForm = false;  ///< where it holds
     bool operator==(const StiffnessQuestion&) const = default;
 
+    /// Whether it is of a drill string: its curve is solved at CurveQuestion::along.count points.
+    bool isSampled() const { return isString(curve.base); }
     /// Whether there is a reference: e along stiffness or β, for a family of γ or none.
     bool hasReference() const;
 };
@@ -39,8 +41,15 @@ struct StiffnessStudy {
 /// What a study sets itself does not matter to it: it is the same question whatever the scenario has there.
 void takeOut(Scenario& scenario, const Parameter& parameter, double value);
 
-/// The curve is that of studyCurve(), bit for bit. Requires problemsOf(question.curve) to be empty.
+/// What makes it unusable; empty when it can be studied.
+std::vector<std::string> problemsOf(const StiffnessQuestion& question);
+
+/// Told what there is of a curve that grows.
+using StiffnessPreview = std::function<void(const StiffnessStudy& soFar)>;
+
+/// The curve is that of studyCurve(), or of sampleCurve() where it is sampled, bit for bit. Requires
+/// problemsOf() to be empty.
 StiffnessStudy studyStiffness(const StiffnessQuestion& question, int jobs, std::stop_token stop = {},
-                              const CurveProgress& progress = {});
+                              const CurveProgress& progress = {}, const StiffnessPreview& preview = {});
 
 }  // namespace drillwave

@@ -37,6 +37,8 @@ AxisFields::AxisFields(const QString& words, std::vector<std::string_view> prefe
     auto* label = new QLabel(words, this);
     label->setBuddy(m_parameters);
     m_parameters->setObjectName(QStringLiteral("parameter"));
+    // Those of sections have longer names than those of a rod.
+    m_parameters->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_parameters->setAccessibleName(tr("%1: parameter").arg(words));
     m_logarithmic->setObjectName(QStringLiteral("logarithmic"));
     m_logarithmic->setAccessibleName(tr("%1: logarithmic").arg(words));
@@ -60,7 +62,8 @@ AxisFields::AxisFields(const QString& words, std::vector<std::string_view> prefe
 void AxisFields::present(const Scenario& scenario) {
     m_scenario = scenario;
     offerParameters(*m_parameters, scenario);
-    if (m_range.parameter && m_range.parameter->applies(scenario)) return;
+    if (m_range.parameter && m_range.parameter->applies(scenario))
+        return chooseParameter(*m_parameters, m_range.parameter);
     const auto applies = [&](std::string_view key) { return findParameter(key)->applies(scenario); };
     const auto found = std::ranges::find_if(m_preferred, applies);
     if (found != m_preferred.end()) chooseParameter(*m_parameters, findParameter(*found));
@@ -81,7 +84,8 @@ void AxisFields::setRange(const StudyRange& range) {
     m_start->setValue(range.start);
     m_stop->setValue(range.stop);
     // Ratios need ends above zero.
-    m_logarithmic->setEnabled(range.logarithmic || (range.start > 0 && range.stop > 0));
+    const bool mayBeLogarithmic = range.start > 0 && range.stop > 0 && !range.parameter->rules.wholeNumber;
+    m_logarithmic->setEnabled(range.logarithmic || mayBeLogarithmic);
     const QSignalBlocker quiet(m_logarithmic);
     m_logarithmic->setChecked(range.logarithmic);
     emit changed();

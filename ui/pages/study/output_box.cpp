@@ -18,7 +18,10 @@ OutputBox::OutputBox(QWidget* parent, OfferedOutputs offered) : ChoiceBox(parent
 }
 
 void OutputBox::present(const Scenario& scenario) {
-    const QString before = m_shown.isEmpty() ? QStringLiteral("cor") : m_shown;
+    // What a scenario is first asked for follows it, what the user has chosen does not.
+    const QString first = isString(scenario) ? QStringLiteral("efficiency") : QStringLiteral("cor");
+    const QString before = m_shown.isEmpty() || m_shown == m_first ? first : m_shown;
+    m_first = first;
     {
         const QSignalBlocker quiet(this);
         clear();
@@ -28,7 +31,7 @@ void OutputBox::present(const Scenario& scenario) {
             addItem(outputName(output), fromView(output.name));
             setItemData(count() - 1, fromView(output.meaning), Qt::ToolTipRole);
         }
-        setCurrentIndex(std::max(0, findData(before)));
+        setCurrentIndex(std::max(0, findData(findData(before) < 0 ? first : before)));
     }
     if (currentData().toString() != std::exchange(m_shown, currentData().toString())) emit changed();
 }

@@ -10,14 +10,14 @@ namespace drillwave {
 /// Which outputs a study can have: thrust_margin takes a study of all gaps for every value.
 enum class OfferedOutputs { all, ofOneBlow };
 
-/// The outputs that a scenario has; e at first.
+/// The outputs that a scenario has; e at first, of a drill string the efficiency.
 class OutputBox : public ChoiceBox {
     Q_OBJECT
 
   public:
     explicit OutputBox(QWidget* parent = nullptr, OfferedOutputs offered = OfferedOutputs::all);
 
-    /// Offers what the scenario has; what is chosen stays, or is e where it has that no more.
+    /// Offers what the scenario has; what is chosen stays where it has that, and is the first one otherwise.
     void present(const Scenario& scenario);
     const Output& output() const;
     void setOutput(const Output& output);
@@ -29,6 +29,7 @@ class OutputBox : public ChoiceBox {
   private:
     OfferedOutputs m_offered;
     QString m_shown;
+    QString m_first;  // of the last scenario
 };
 
 /// "peak force", "COR e": as a box or an axis calls it.

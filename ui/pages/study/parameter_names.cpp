@@ -4,9 +4,20 @@
 #include <QComboBox>
 #include <QSignalBlocker>
 
+#include "core/model/section_choice.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
+
+namespace {
+
+/// "string.coupling", which its numbers stand together under.
+QString sectionsOf(const Parameter& parameter) {
+    const QString key = fromView(parameter.key);
+    return key.left(key.lastIndexOf(QLatin1Char('.')));
+}
+
+}  // namespace
 
 QString parameterName(const Parameter& parameter) {
     return (fromView(parameter.label) + QLatin1Char(' ') + shownSymbol(parameter.symbol)).trimmed();
@@ -19,14 +30,18 @@ void offerParameters(QComboBox& box, const Scenario& scenario) {
     for (int i = box.count() - 1; i >= 0; --i)
         if (!box.itemData(i).toString().isEmpty() || box.itemText(i).isEmpty()) box.removeItem(i);
     QString section;
-    for (const Parameter& parameter : parameters()) {
-        if (!parameter.applies(scenario)) continue;
-        if (const QString own = fromView(parameter.section());
-            own != std::exchange(section, own) && box.count() > 0)
-            box.insertSeparator(box.count());
+    const auto offer = [&](const Parameter& parameter, const QString& own) {
+        if (own != std::exchange(section, own) && box.count() > 0) box.insertSeparator(box.count());
         box.addItem(parameterName(parameter), fromView(parameter.key));
         box.setItemData(box.count() - 1, fromView(parameter.meaning), Qt::ToolTipRole);
-    }
+    };
+    for (const Parameter& parameter : parameters())
+        if (parameter.applies(scenario)) offer(parameter, fromView(parameter.section()));
+    for (const Parameter* parameter : variableSectionParameters(scenario))
+        offer(*parameter, sectionsOf(*parameter));
+    // A number of a section may be asked for by another key than the one that is offered.
+    if (chosen && chosen->applies(scenario) && box.findData(fromView(chosen->key)) < 0)
+        offer(*chosen, fromView(chosen->section()));
     chooseParameter(box, chosen);
 }
 

@@ -17,7 +17,10 @@ bool sets(const Preset& preset, const Parameter& parameter) {
 }
 
 std::optional<Scenario> taken(const Preset& preset, const Scenario& scenario) {
-    if (scenario.form != ScenarioForm::dimensional) return std::nullopt;
+    // A string takes rocks alone.
+    const bool isTaken =
+        preset.kind == PresetKind::rock ? hasUnits(scenario) : scenario.form == ScenarioForm::dimensional;
+    if (!isTaken) return std::nullopt;
     const Scenario with = withPreset(scenario, preset);
     if (!validate(with).empty()) return std::nullopt;
     return with;

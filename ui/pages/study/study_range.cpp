@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/model/validation.h"
+
 namespace drillwave {
 namespace {
 
@@ -23,6 +25,27 @@ double readable(const Parameter& parameter, double si) {
     return unit.toSi(*parseNumber(formatNumber(digit) + "e" + std::to_string(exponent)));
 }
 
+bool isValidAt(const Parameter& parameter, Scenario scenario, double si) {
+    if (!rangeProblem(parameter, si).empty()) return false;
+    parameter.assign(scenario, si);
+    return validate(scenario).empty();
+}
+
+/// Half as much to half as much again, nearer where the section has no such values, as of a diameter that the
+/// bore does not leave room for; what there is usually none of goes up to a tenth of what is plausible.
+StudyRange rangeAroundSection(const Parameter& parameter, const Scenario& scenario) {
+    const double value = parameter.value(scenario).value_or(0);
+    if (!(value > 0)) return {&parameter, 0, parameter.plausible.high / 10, false};
+    const auto end = [&](double sign) {
+        for (const double share : {0.5, 0.4, 0.3, 0.2, 0.1}) {
+            const double si = readable(parameter, value * (1 + sign * share));
+            if (si * sign > value * sign && isValidAt(parameter, scenario, si)) return si;
+        }
+        return value * (1 + sign / 100);
+    };
+    return {&parameter, end(-1), end(1), false};
+}
+
 }  // namespace
 
 std::string StudyRange::text() const {
@@ -31,6 +54,7 @@ std::string StudyRange::text() const {
 }
 
 StudyRange rangeAround(const Parameter& parameter, const Scenario& scenario) {
+    if (parameter.address) return rangeAroundSection(parameter, scenario);
     const Range& hard = parameter.hard;
     const Range& usual = parameter.plausible;
     const double value = parameter.value(scenario).value_or(0);
@@ -45,6 +69,15 @@ StudyRange rangeAround(const Parameter& parameter, const Scenario& scenario) {
     if (!hard.contains(range.stop)) range.stop = hard.contains(hard.high) ? hard.high : usual.high;
     if (!hard.contains(range.start)) range.start = hard.contains(hard.low) ? hard.low : usual.low;
     return range;
+}
+
+std::uint64_t StudyRange::pointsWithin(std::uint64_t most) const {
+    const double span = std::abs(stop - start);
+    if (!parameter || !parameter->rules.wholeNumber || !(span >= 1) || span != std::floor(span)) return most;
+    const auto steps = static_cast<std::uint64_t>(span);
+    for (std::uint64_t points = std::min(most, steps + 1); points > 2; --points)
+        if (steps % (points - 1) == 0) return points;
+    return 2;
 }
 
 std::string StudyFamily::text() const {

@@ -2,6 +2,7 @@
 // What a study varies: a parameter over a range, or over a list of values.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct StudyRange {
     std::string text() const;
     /// ":log", or nothing.
     std::string tail() const { return logarithmic ? ":log" : ""; }
+    /// How many values a study takes of it that would take `most` (≥ 2): so many, but of whole numbers as
+    /// many as meet whole numbers alone.
+    std::uint64_t pointsWithin(std::uint64_t most) const;
 };
 
 /// A range around the value that a parameter has in the scenario, with ends that are easily read and inside

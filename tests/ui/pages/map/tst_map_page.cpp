@@ -55,11 +55,17 @@ class TestMapPage : public QObject {
     void aCancelledMapKeepsWhatIsThere();
     void whatCannotBeMappedIsSaid();
     void levelsThatAreNoNumbersStayAndSayWhy();
+    void aStringIsMappedOverCouplingAndRock();
+    void theCommandOfAStringWritesWhatThePageExports();
+    void draggingTheCrosshairMovesSectionAndRock();
+    void rodsOfAStringAreMappedAsWholeNumbers();
+    void theFormOfTheScenarioIsFollowedBack();
 
   private:
     void open(const char* example);
     void finish();
     void choose(const char* box, const char* parameter);
+    void choosePoints(int eachWay);
     QPoint pixelOf(double x, double y) const;
     const MapReport& report() const { return *m_page->report(); }
 
@@ -92,6 +98,11 @@ void TestMapPage::choose(const char* box, const char* parameter) {
     auto* fields = m_page->findChild<AxisFields*>(QLatin1String(box));
     auto* parameters = fields->findChild<QComboBox*>(QStringLiteral("parameter"));
     parameters->setCurrentIndex(parameters->findData(QString::fromLatin1(parameter)));
+}
+
+void TestMapPage::choosePoints(int eachWay) {
+    auto* points = m_page->findChild<QComboBox*>(QStringLiteral("points"));
+    points->setCurrentIndex(points->findData(eachWay));
 }
 
 QPoint TestMapPage::pixelOf(double x, double y) const {
@@ -334,6 +345,89 @@ void TestMapPage::levelsThatAreNoNumbersStayAndSayWhy() {
     finish();
     QCOMPARE(report().contours.size(), std::size_t{2});
     QCOMPARE(report().contours[1].level, 1.2);
+}
+
+/// So few points that a test need not wait.
+constexpr int fewPointsOfString = 20;
+
+void TestMapPage::aStringIsMappedOverCouplingAndRock() {
+    m_document->startFrom(findExample("t38_string")->text, QStringLiteral("t38"));
+    m_page->show();
+    const auto* points = m_page->findChild<QComboBox*>(QStringLiteral("points"));
+    QCOMPARE(points->currentData().toInt(), 40);
+    choosePoints(fewPointsOfString);
+    finish();
+    QCOMPARE(report().study.x.key(), std::string_view("string.coupling.diameter"));
+    QCOMPARE(report().study.y.key(), std::string_view("bit_rock.stiffness"));
+    QCOMPARE(report().study.y.kind, SweepAxis::Kind::logarithmic);
+    QCOMPARE(report().study.output.output->name, std::string_view("efficiency"));
+    QCOMPARE(report().grid.size(), std::size_t{fewPointsOfString * fewPointsOfString});
+    QVERIFY(report().grid.isComplete());
+    QCOMPARE(report().grid.failed(), std::size_t{0});
+    QVERIFY(!report().contours.empty());
+    QVERIFY(std::ranges::any_of(report().contours, [](const Contour& c) { return c.pointCount() > 5; }));
+    QCOMPARE(*m_page->map()->crosshair()->place(), QPointF(56, 100));
+    QCOMPARE(m_page->map()->picture()->xLabel(), QStringLiteral("diameter of coupling [mm]"));
+}
+
+void TestMapPage::theCommandOfAStringWritesWhatThePageExports() {
+    const QString folder = QFileInfo(QStringLiteral(DRILLWAVE_PROGRAM)).absolutePath();
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("PATH"), folder + QLatin1Char(':') + environment.value("PATH"));
+    m_document->startFrom(findExample("t38_string")->text, QStringLiteral("t38"));
+    m_page->show();
+    choosePoints(fewPointsOfString);
+    choose("x", "hammer.1.diameter");
+    finish();
+    const QString command = m_page->command();
+    QVERIFY2(command.contains(QStringLiteral("drillwave map - --x 'hammer.1.diameter=")),
+             qPrintable(command));
+    QProcess shell;
+    shell.setProcessEnvironment(environment);
+    shell.start(QStringLiteral("/bin/sh"), {QStringLiteral("-c"), command});
+    QVERIFY(shell.waitForFinished(60000));
+    QCOMPARE(shell.readAllStandardError(), QByteArray());
+    QVERIFY(shell.readAllStandardOutput() == m_page->exports().first().csv());
+}
+
+void TestMapPage::draggingTheCrosshairMovesSectionAndRock() {
+    m_document->startFrom(findExample("t38_string")->text, QStringLiteral("t38"));
+    m_page->show();
+    choosePoints(fewPointsOfString);
+    finish();
+    const int before = m_document->undoStack().count(), studies = m_page->studies();
+    QTest::mousePress(m_page->plot(), Qt::LeftButton, {}, pixelOf(56, 100));
+    QTest::mouseMove(m_page->plot(), pixelOf(45, 200));
+    QTest::mouseRelease(m_page->plot(), Qt::LeftButton, {}, pixelOf(45, 200));
+    QCOMPARE(m_document->undoStack().count(), before + 1);
+    QCOMPARE(m_page->studies(), studies);
+    const double diameter = *findParameter("string.coupling.diameter")->value(m_document->scenario());
+    QVERIFY2(std::abs(diameter - 0.045) < 5e-4, qPrintable(QString::number(diameter)));
+    QVERIFY(std::abs(m_document->scenario().bitRock.stiffness / 2e8 - 1) < 0.05);
+}
+
+void TestMapPage::rodsOfAStringAreMappedAsWholeNumbers() {
+    m_document->startFrom(findExample("t38_string")->text, QStringLiteral("t38"));
+    m_page->show();
+    choosePoints(fewPointsOfString);
+    choose("x", "string.repeat");
+    finish();
+    QVERIFY(std::ranges::equal(report().grid.xs(), std::vector<double>{1, 2, 3, 4, 5, 6}));
+    QCOMPARE(report().grid.rows(), std::size_t{fewPointsOfString});
+}
+
+void TestMapPage::theFormOfTheScenarioIsFollowedBack() {
+    m_document->startFrom(findExample("t38_string")->text, QStringLiteral("t38"));
+    m_page->show();
+    open("t38_medium_rock");
+    QCOMPARE(report().study.x.key(), std::string_view("bit_rock.stiffness"));
+    QCOMPARE(report().study.y.key(), std::string_view("bit_rock.gamma"));
+    QCOMPARE(report().study.output.output->name, std::string_view("cor"));
+    QCOMPARE(report().contours.front().level, 1.0);
+    m_document->startFrom(findExample("t38_string")->text, QStringLiteral("t38"));
+    open("paper_fig4a");
+    QCOMPARE(report().study.x.key(), std::string_view("beta"));
+    QCOMPARE(report().study.y.key(), std::string_view("delta"));
 }
 
 QTEST_MAIN(TestMapPage)

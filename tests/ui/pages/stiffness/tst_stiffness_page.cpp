@@ -10,6 +10,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/file/examples.h"
+#include "core/model/section_choice.h"
 #include "core/report/curve_csv.h"
 #include "tests/support/window.h"
 #include "ui/pages/stiffness/stiffness_page.h"
@@ -73,8 +75,20 @@ class TestStiffnessPage : public QObject {
     void otherUnitsAreShownWithoutAnotherStudy();
     void aStudyBeforeItsBlowIsShownInItsOwnScales();
     void presetsAreReadAsThePageIsShown();
+    void aStringIsAskedForItsEfficiencyOverTheRock();
+    void sectionsOfAStringAreOffered();
+    void theFileOfAStringIsThatOfTheCommand_data();
+    void theFileOfAStringIsThatOfTheCommand();
+    void rodsOfAStringAreWholeNumbers();
+    void rangesAroundSectionsAreOnesThatTheyCanTake();
+    void aPinnedRodIsLaidOverAString();
+    void theFormOfTheScenarioIsFollowedBack();
 
   private:
+    void openExample(const char* name) { open(std::string(findExample(name)->text).c_str()); }
+    void openString() { openExample("t38_string"); }
+    void varyBy(const char* key);
+    QByteArray outputOf(const QString& command);
     void open(const char* text);
     void openElastic();
     void showPage();
@@ -482,6 +496,150 @@ void TestStiffnessPage::presetsAreReadAsThePageIsShown() {
     QVERIFY2(namesOf(picture.bands).join(' ').contains("my own rock"),
              qPrintable(namesOf(picture.bands).join(", ")));
     QCOMPARE(m_page->study().started(), 2);
+}
+
+// As by hand.
+void TestStiffnessPage::varyBy(const char* key) {
+    auto* box = m_page->axis()->findChild<QComboBox*>("parameter");
+    QVERIFY2(box->findData(QLatin1String(key)) >= 0, key);
+    box->setCurrentIndex(box->findData(QLatin1String(key)));
+}
+
+QByteArray TestStiffnessPage::outputOf(const QString& command) {
+    QProcess shell;
+    QStringList path{QFileInfo(QStringLiteral(DRILLWAVE_PROGRAM)).path(), qEnvironmentVariable("PATH")};
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("PATH", path.join(':'));
+    shell.setProcessEnvironment(environment);
+    shell.start("/bin/sh", {"-c", command});
+    if (!shell.waitForFinished(60000)) return "the command does not end";
+    return shell.readAllStandardError() + shell.readAllStandardOutput();
+}
+
+void TestStiffnessPage::aStringIsAskedForItsEfficiencyOverTheRock() {
+    QCOMPARE(m_page->title(), QStringLiteral("COR–stiffness"));
+    openString();
+    QCOMPARE(m_page->title(), QStringLiteral("Efficiency–stiffness"));
+    showPage();
+    const CurveQuestion& asked = study().question.curve;
+    QCOMPARE(asked.along.key(), std::string_view("bit_rock.stiffness"));
+    QCOMPARE(asked.along.kind, SweepAxis::Kind::logarithmic);
+    QCOMPARE(asked.along.start, 1e7);
+    QCOMPARE(asked.along.stop, 1e9);
+    QVERIFY(!asked.family);
+    QCOMPARE(asked.columns.front().output->name, std::string_view("efficiency"));
+    const CurveLine& line = study().curve.lines.front();
+    QCOMPARE(line.points.size(), std::size_t{101});
+    // Logarithmically in the middle: the scenario itself, whose value the manual has.
+    QVERIFY(std::abs(line.points[50] - 1e8) < 1);
+    QVERIFY(std::abs(line.values.front()[50] - 0.501587377477) < 1e-7);
+    for (const char* ofRods : {"reference", "closedForm"})
+        QVERIFY2(m_page->findChild<QWidget*>(QLatin1String(ofRods))->isHidden(), ofRods);
+    QVERIFY2(words().contains(QStringLiteral("101 points")), qPrintable(words()));
+    QVERIFY(!namesOf(m_page->stiffnessPlot()->picture().bands).isEmpty());  // rocks
+    const auto* here = m_page->plot()->findChild<HereMark*>();
+    QVERIFY(here && here->y() && std::abs(*here->y() - 0.501587377477) < 1e-7);
+}
+
+void TestStiffnessPage::sectionsOfAStringAreOffered() {
+    openString();
+    showPage();
+    for (const char* key :
+         {"string.coupling.diameter", "hammer.1.diameter", "hammer.velocity", "string.repeat"})
+        varyBy(key);
+    auto* box = m_page->axis()->findChild<QComboBox*>("parameter");
+    QVERIFY(box->findData(QStringLiteral("rod.length")) < 0);
+    QVERIFY(box->findData(QStringLiteral("pulse.duration")) < 0);
+    finish();
+}
+
+void TestStiffnessPage::theFileOfAStringIsThatOfTheCommand_data() {
+    QTest::addColumn<QString>("along");
+    QTest::addColumn<QString>("output");
+    QTest::addColumn<bool>("family");
+    QTest::newRow("rock") << "bit_rock.stiffness"
+                          << "efficiency" << false;
+    QTest::newRow("a size, in SI") << "string.coupling.diameter"
+                                   << "peak_force" << false;
+    QTest::newRow("a blank in the name, a family") << "string.bit_skirt.diameter"
+                                                   << "efficiency" << true;
+}
+
+void TestStiffnessPage::theFileOfAStringIsThatOfTheCommand() {
+    QFETCH(QString, along);
+    QFETCH(QString, output);
+    QFETCH(bool, family);
+    openString();
+    auto* points = m_page->findChild<QComboBox*>("points");
+    points->setCurrentIndex(points->findData(51));
+    showPage();
+    varyBy(along.toUtf8());
+    m_page->output()->setOutput(*findOutput(output.toStdString()));
+    if (family) m_page->family()->setFamily({findParameter("hammer.1.diameter"), {0.045, 0.05}});
+    finish();
+    const QString command = m_page->command();
+    QVERIFY2(command.startsWith("drillwave sweep - --vary"), qPrintable(command));
+    const QByteArray written = outputOf(command);
+    QCOMPARE(written.count('\n'), family ? 1 + 2 * 51 : 1 + 51);
+    QCOMPARE(m_page->exports().first().csv(), written);
+}
+
+void TestStiffnessPage::rodsOfAStringAreWholeNumbers() {
+    openString();
+    showPage();
+    varyBy("string.repeat");
+    finish();
+    QCOMPARE(study().curve.lines.front().points, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+    QVERIFY(!m_page->axis()->findChild<QCheckBox*>("logarithmic")->isEnabled());
+    QCOMPARE(m_page->exports().first().csv(), outputOf(m_page->command()));
+}
+
+void TestStiffnessPage::rangesAroundSectionsAreOnesThatTheyCanTake() {
+    for (const char* name : {"t38_string", "r32_string", "t51_string"}) {
+        openExample(name);
+        const Scenario& scenario = m_document->scenario();
+        for (const Parameter* parameter : variableSectionParameters(scenario)) {
+            const StudyRange range = rangeAround(*parameter, scenario);
+            QVERIFY2(range.start < range.stop, std::string(parameter->key).c_str());
+            const double value = *parameter->value(scenario);
+            QVERIFY(range.start <= value && value <= range.stop);
+            CurveQuestion question;
+            question.base = scenario;
+            question.along =
+                parseAxis(range.text() + ":" + std::to_string(range.pointsWithin(101)) + range.tail()).axis;
+            question.columns = {{findOutput("efficiency")}};
+            const auto problems = sampledProblemsOf(question);
+            QVERIFY2(
+                problems.empty(),
+                (std::string(parameter->key) + ": " + (problems.empty() ? "" : problems.front())).c_str());
+        }
+    }
+}
+
+void TestStiffnessPage::aPinnedRodIsLaidOverAString() {
+    Run rod;
+    rod.number = 1;
+    rod.contents = m_document->contents();
+    rod.blow = solved(*m_document);
+    openString();
+    auto runs = std::make_shared<RunList>();
+    runs->push_back(rod);
+    m_page->setRuns(runs);
+    showPage();
+    QTRY_COMPARE(m_page->stiffnessPlot()->runCurves().graphs().size(), 1);
+}
+
+void TestStiffnessPage::theFormOfTheScenarioIsFollowedBack() {
+    openString();
+    showPage();
+    openExample("t38_medium_rock");
+    m_page->setResult(solved(*m_document));
+    finish();
+    QCOMPARE(m_page->title(), QStringLiteral("COR–stiffness"));
+    QCOMPARE(study().question.curve.columns.front().output->name, std::string_view("cor"));
+    QVERIFY(study().question.curve.family);
+    QVERIFY(!m_page->findChild<QWidget*>("reference")->isHidden());
+    QVERIFY(m_page->command().startsWith("drillwave curve"));
 }
 
 QTEST_MAIN(TestStiffnessPage)
