@@ -25,6 +25,7 @@
 #include "ui/window/form_notice.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
+#include "ui/window/study_menu.h"
 #include "ui/window/tab_strip.h"
 
 using namespace drillwave;
@@ -37,6 +38,7 @@ class TestStringPage : public QObject, private WindowFixture {
     void init();
     void aStringIsOpenedOnItsOwnPage();
     void pagesOfRodsAreGreyedAndSayWhy();
+    void studiesOfStringsAreOfferedByTheirNames();
     void aRodBringsItsPagesBack();
     void theTableShowsTheSectionsAsTheyStandInTheFile();
     void theResultsAreThoseOfTheBlow();
@@ -145,6 +147,21 @@ void TestStringPage::pagesOfRodsAreGreyedAndSayWhy() {
     QVERIFY(!part<ExportMenu>(window()).actions().first()->isEnabled());
     QTest::keyClick(&window(), Qt::Key_Tab, Qt::ControlModifier);
     QVERIFY(part<PageTabs>(window()).current().shows(document().scenario()));
+}
+
+void TestStringPage::studiesOfStringsAreOfferedByTheirNames() {
+    const auto names = [&] {
+        QStringList names;
+        emit part<StudyMenu>(window()).aboutToShow();
+        for (const QAction* action : part<StudyMenu>(window()).actions())
+            if (action->isEnabled()) names << action->text();
+        return names;
+    };
+    QVERIFY2(names().contains(QStringLiteral("Efficiency–stiffness")), qPrintable(names().join(u',')));
+    QVERIFY(names().contains(QStringLiteral("Map")));
+    openExample("t38_medium_rock");
+    QVERIFY2(names().contains(QStringLiteral("COR–stiffness")), qPrintable(names().join(u',')));
+    QVERIFY(!names().contains(QStringLiteral("Efficiency–stiffness")));
 }
 
 void TestStringPage::aRodBringsItsPagesBack() {
