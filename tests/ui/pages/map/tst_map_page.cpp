@@ -90,7 +90,9 @@ void TestMapPage::open(const char* example) {
 }
 
 void TestMapPage::finish() {
-    QTRY_VERIFY(m_page->activity()->state() == StudyState::finished && m_page->activity()->isCurrent());
+    // Of a drill string it may take seconds where the machine is busy.
+    QTRY_VERIFY_WITH_TIMEOUT(
+        m_page->activity()->state() == StudyState::finished && m_page->activity()->isCurrent(), 60000);
     m_page->plot()->replot();
 }
 

@@ -151,11 +151,11 @@ void TestStringPage::pagesOfRodsAreGreyedAndSayWhy() {
 
 void TestStringPage::studiesOfStringsAreOfferedByTheirNames() {
     const auto names = [&] {
-        QStringList names;
+        QStringList enabled;
         emit part<StudyMenu>(window()).aboutToShow();
         for (const QAction* action : part<StudyMenu>(window()).actions())
-            if (action->isEnabled()) names << action->text();
-        return names;
+            if (action->isEnabled()) enabled << action->text();
+        return enabled;
     };
     QVERIFY2(names().contains(QStringLiteral("Efficiency–stiffness")), qPrintable(names().join(u',')));
     QVERIFY(names().contains(QStringLiteral("Map")));
