@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/study/axis_fields.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -37,8 +38,6 @@ AxisFields::AxisFields(const QString& words, std::vector<std::string_view> prefe
     auto* label = new QLabel(words, this);
     label->setBuddy(m_parameters);
     m_parameters->setObjectName(QStringLiteral("parameter"));
-    // Those of sections have longer names than those of a rod.
-    m_parameters->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_parameters->setAccessibleName(tr("%1: parameter").arg(words));
     m_logarithmic->setObjectName(QStringLiteral("logarithmic"));
     m_logarithmic->setAccessibleName(tr("%1: logarithmic").arg(words));
@@ -62,12 +61,23 @@ AxisFields::AxisFields(const QString& words, std::vector<std::string_view> prefe
 void AxisFields::present(const Scenario& scenario) {
     m_scenario = scenario;
     offerParameters(*m_parameters, scenario);
-    if (m_range.parameter && m_range.parameter->applies(scenario))
-        return chooseParameter(*m_parameters, m_range.parameter);
+    if (m_range.parameter && m_range.parameter->applies(scenario)) {
+        chooseParameter(*m_parameters, m_range.parameter);
+        return widen();
+    }
     const auto applies = [&](std::string_view key) { return findParameter(key)->applies(scenario); };
     const auto found = std::ranges::find_if(m_preferred, applies);
     if (found != m_preferred.end()) chooseParameter(*m_parameters, findParameter(*found));
     choose();
+}
+
+// Parameters of sections have long names: the box is as wide as what is chosen, its list as the longest.
+void AxisFields::widen() {
+    constexpr int roomForArrow = 40;
+    m_parameters->setMinimumWidth(fontMetrics().horizontalAdvance(m_parameters->currentText()) +
+                                  roomForArrow);
+    QAbstractItemView* list = m_parameters->view();
+    list->setMinimumWidth(list->sizeHintForColumn(0) + roomForArrow);
 }
 
 void AxisFields::choose() {
@@ -80,6 +90,7 @@ void AxisFields::setRange(const StudyRange& range) {
     const bool other = range.parameter != m_range.parameter;
     m_range = range;
     chooseParameter(*m_parameters, range.parameter);
+    widen();
     if (other) addFields();
     m_start->setValue(range.start);
     m_stop->setValue(range.stop);

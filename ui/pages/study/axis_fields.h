@@ -40,6 +40,7 @@ class AxisFields : public QWidget {
     void changed();
 
   private:
+    void widen();
     void choose();
     void addFields();
     QuantityField* addField(QWidget& part, const QString& words, const QString& name,
