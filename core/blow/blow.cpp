@@ -23,10 +23,11 @@ void solveTimed(Blow& blow, Detail detail, const std::stop_token& stop, MethodSo
 }
 
 /// A drill string, for sure, with the forces in every section.
-void solveStringBlow(Blow& blow, const std::stop_token& stop) {
+void solveStringBlow(Blow& blow, Detail detail, const std::stop_token& stop) {
     NetworkSettings settings;
     settings.wants.events = true;
     settings.wants.forces = true;
+    settings.wants.histories = detail == Detail::histories;
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     blow.string = solveString(blow.scenario, settings, stop);
@@ -65,7 +66,7 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
     blow.scales = scalesOf(scenario);
     blow.alerts = alertsFor(scenario);
     if (isString(scenario)) {
-        solveStringBlow(blow, stop);
+        solveStringBlow(blow, detail, stop);
         return blow;
     }
     blow.solved = problemOf(scenario);

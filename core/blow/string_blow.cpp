@@ -17,6 +17,19 @@ namespace {
 /// A force of 1 of the network, in F0.
 constexpr double unitForce = 2;
 
+/// A force of the network in F0.
+PiecewisePolynomial scaled(const PiecewisePolynomial& force) {
+    PiecewisePolynomial result;
+    result.clear(force.start());
+    std::vector<double> c;
+    for (const PiecewisePolynomial::Piece& piece : force.pieces()) {
+        c.clear();
+        for (const double coefficient : force.coefficients(piece)) c.push_back(unitForce * coefficient);
+        result.append(piece.length, piece.scale, c);
+    }
+    return result;
+}
+
 }  // namespace
 
 StringBlow solveString(const Scenario& scenario, const NetworkSettings& settings,
@@ -47,6 +60,10 @@ Impact impactOf(const StringBlow& blow) {
     impact.contactDuration = from.contactDuration;
     impact.contacts = from.contacts;
     impact.events = from.events;
+    if (from.waves) {
+        impact.incident = scaled(from.waves->bitWave());
+        impact.force = scaled(from.waves->bitForce());
+    }
     return impact;
 }
 

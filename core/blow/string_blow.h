@@ -24,8 +24,9 @@ struct StringBlow {
 StringBlow solveString(const Scenario& scenario, const NetworkSettings& settings,
                        const std::stop_token& stop = {});
 
-/// The events and numbers that a uniform rod has too, in its units: forces in F0, impulses in p0. No
-/// histories.
+/// The events, numbers and histories that a uniform rod has too, in its units: forces in F0, impulses in p0;
+/// those at the bit are known from time 0 to the end of the recording and count from t = 0, and nothing
+/// repeats itself after it.
 Impact impactOf(const StringBlow& blow);
 
 /// The numbers of the blow. Where it is not solved, nothing.

@@ -98,6 +98,7 @@ bool BitNode::quietStep(const WaveCell& g, const CellMaps& maps, double time, Wa
         m_now.distance -= maps.width * speeds.mean();
         m_now.velocity = velocity;
         b = m_mass > 0 ? g - m_impedance * speeds : -1.0 * g;
+        m_cellForce = {};
         return true;
     }
     const bool primary = m_now.line == ContactLine::primary;
@@ -123,6 +124,7 @@ bool BitNode::quietStep(const WaveCell& g, const CellMaps& maps, double time, Wa
     m_now.record.impulseMoment += maps.width * (time * forces.mean() + maps.width * forces.firstMoment());
     m_now.record.contactDuration += maps.width;
     b = m_mass > 0 ? g - m_impedance * speeds : forces - g;
+    m_cellForce = forces;
     return true;
 }
 
@@ -266,7 +268,7 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double share, double t
                          CellJump& jump) {
     constexpr int mostPieces = 100'000;
     const Powers powers = g.powers();
-    CellProjection leaving;
+    CellProjection leaving, forces;
     double from = 0;
     int standing = 0;  // events at one point
     for (int pieces = 0; from < share; ++pieces, ++m_pieces) {
@@ -283,8 +285,8 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double share, double t
         const auto local = [&](double u) { return (u - piece.from) / piece.width; };
         if (to > from && m_mass > 0)
             leaving.add(from, to, [&](double u) { return -m_impedance * piece.speedAt(local(u)); });
-        else if (to > from && !m_now.isApart())
-            leaving.add(from, to, [&](double u) { return piece.forceAt(local(u)); });
+        if (to > from && !m_now.isApart())
+            forces.add(from, to, [&](double u) { return piece.forceAt(local(u)); });
         if (!m_now.isApart()) addContact(piece, end, piece.width * width, time + from * width);
         moveAlong(piece, end, eventTime);
         if (found) {
@@ -298,7 +300,8 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double share, double t
         standing = to > from ? 0 : standing + 1;
         from = to;
     }
-    return m_mass > 0 ? g + leaving.cell() : leaving.cell() - g;
+    m_cellForce = forces.cell();
+    return m_mass > 0 ? g + leaving.cell() : m_cellForce - g;
 }
 
 }  // namespace drillwave

@@ -65,6 +65,9 @@ class BitNode {
     /// Where it would be after the first `share` of that cell.
     BitNodeState stateWithin(const WaveCell& g, int index, double share, double time) const;
 
+    /// F over the cell that was stepped last.
+    const WaveCell& cellForce() const { return m_cellForce; }
+
     const BitNodeState& state() const { return m_now; }
     void setState(const BitNodeState& state) { m_now = state; }
     /// Where events go; nullptr: nowhere.
@@ -110,6 +113,7 @@ class BitNode {
     double m_mass;
     std::vector<CellMaps> m_maps;
     BitNodeState m_now;
+    WaveCell m_cellForce;
     std::vector<ImpactEvent>* m_events = nullptr;
     long m_pieces = 0;
     std::string_view m_trouble;

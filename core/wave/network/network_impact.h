@@ -2,10 +2,13 @@
 // One blow on a drill string, solved.
 #pragma once
 
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/wave/impact.h"
+#include "core/wave/network/string_waves.h"
 
 namespace drillwave {
 
@@ -67,9 +70,10 @@ struct NetworkImpact {
     double faceImpulse = 0;
     double faceSeparation = -1;  ///< the first; negative: never
 
-    std::vector<ImpactEvent> events;      ///< at the rock
-    std::vector<SectionForces> sections;  ///< where wanted
-    std::vector<double> jointReflection;  ///< [E0] per joint of two sections, where wanted
+    std::vector<ImpactEvent> events;           ///< at the rock
+    std::vector<SectionForces> sections;       ///< where wanted
+    std::vector<double> jointReflection;       ///< [E0] per joint of two sections, where wanted
+    std::shared_ptr<const StringWaves> waves;  ///< where wanted, and not more than can be kept
 
     long cells = 0;       ///< cells times nodes: the work
     double cell = 0;      ///< Δ [t0]

@@ -120,6 +120,10 @@ NetworkMarch::NetworkMarch(const NetworkProblem& problem, const CellGrid& grid, 
     m_alone = m_joints;
     m_reflected.assign(m_joints.size(), 0);
     if (wants.events) m_bit.setEvents(&m_events);
+    if (wants.histories) {
+        m_waves = std::make_shared<StringWaves>(m_problem, m_clocks.delays);
+        m_bitForces.resize(mostBlock);
+    }
     setWidths();
 }
 
@@ -222,6 +226,7 @@ CellJump NetworkMarch::stepBit(std::size_t count, CutAt cutAt) {
         }
         m_lines[j].leaving()[i] = m_bit.step(g, static_cast<int>(part), clock + m_clocks.bit(), cutAt, jump);
         if (jump.found) return {true, jumpPlace(part, jump.place)};
+        if (m_waves) m_bitForces[i] = m_bit.cellForce();
     }
     return {};
 }
@@ -294,6 +299,17 @@ void NetworkMarch::observe(std::size_t count) {
     }
 }
 
+/// Where they are too many, none is kept.
+void NetworkMarch::keepWaves(std::size_t count) {
+    if (m_waves->isFull()) return m_waves.reset();
+    for (std::size_t i = 0; i < count; ++i) {
+        const long step = m_step + static_cast<long>(i);
+        m_waves->addStep(m_cuts.clock(step), m_cuts.width(step), m_bitForces[i]);
+    }
+    for (std::size_t j = 0; j < m_lines.size(); ++j)
+        for (std::size_t i = 0; i < count; ++i) m_waves->add(j, m_downs[j][i], m_lines[j].leaving()[i]);
+}
+
 double NetworkMarch::limitTime() const {
     return limitOf(m_problem, m_clocks);
 }
@@ -350,6 +366,7 @@ NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
         if (!m_face.trouble().empty()) return notSolved(std::string(m_face.trouble()));
         m_cells += static_cast<long>(count * nodeCount);
         observe(count);
+        if (m_waves) keepWaves(count);
         for (DelayLine& line : m_lines) line.advance(count);
         m_step += static_cast<long>(count);
         if (!m_census || clock() <= m_census->lastClock()) continue;
@@ -405,6 +422,8 @@ NetworkImpact NetworkMarch::result(const CensusResult& census, NetworkEnd end) {
     if (m_wants.forces)
         for (std::size_t j = m_problem.hammerSections; j < m_joints.size(); ++j)
             impact.jointReflection.push_back(m_reflected[j] / m_problem.sections[j].impedance / e0);
+    if (m_waves) m_waves->finish(census.time);
+    impact.waves = m_waves;
     impact.cells = m_cells;
     impact.cell = m_grid.cell;
     impact.rounding = m_grid.rounding;

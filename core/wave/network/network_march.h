@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -17,13 +18,15 @@
 #include "core/wave/network/network_problem.h"
 #include "core/wave/network/section_watch.h"
 #include "core/wave/network/string_census.h"
+#include "core/wave/network/string_waves.h"
 
 namespace drillwave {
 
 /// What is wanted of a blow beside its sums.
 struct NetworkWants {
     bool events = false;
-    bool forces = false;  ///< of every section, and what joints reflect
+    bool forces = false;     ///< of every section, and what joints reflect
+    bool histories = false;  ///< the waves of every section
     CutAt cutAt = CutAt::jumps;
     Grading grading{0.3, 1.5, 24};
 };
@@ -66,6 +69,7 @@ class NetworkMarch {
     void takeMassVelocity(std::size_t joint, const WaveCell* f1, const WaveCell* b2, std::size_t count);
     bool cut(double place);
     void observe(std::size_t count);
+    void keepWaves(std::size_t count);
     void scheduleCensus();
     NetworkImpact result(const CensusResult& census, NetworkEnd end);
     NetworkImpact notSolved(std::string reason) const;
@@ -94,6 +98,8 @@ class NetworkMarch {
     std::vector<Joint> m_alone;        ///< the joints, met by waves down only
     std::vector<double> m_reflected;   ///< ∫b1² of those
     std::vector<WaveCell> m_weakened;  ///< waves back over the present block, as they arrive
+    std::shared_ptr<StringWaves> m_waves;
+    std::vector<WaveCell> m_bitForces;  ///< over the present block, where waves are kept
 };
 
 }  // namespace drillwave

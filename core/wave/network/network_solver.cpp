@@ -159,6 +159,7 @@ NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings&
     if (foreseeWork(problem, sureGrid, wantsOf(settings, sureSmoothness)).held > mostHeld) return quick;
     NetworkImpact sure = solveOn(problem, sureGrid, settings, sureSmoothness, stop);
     if (sure.end == NetworkEnd::notSolved) return stop.stop_requested() ? sure : quick;
+    if (!sure.waves) sure.waves = quick.waves;
     stateError(sure, quick);
     sure.cells += quick.cells;
     return sure;

@@ -36,8 +36,10 @@ std::string_view networkRefusal(const NetworkProblem& problem);
 /// The cell that all round trips share; nothing where they share none.
 std::optional<CellGrid> usualGrid(const NetworkProblem& problem);
 
-/// Solves one blow. Round trips that share no cell are rounded: `rounding` tells by how much, and the error
-/// then is what other cells make of it. A blow that takes more work than permitted is not solved.
+/// Solves one blow. Where the waves of a sure run are more than can be kept, they are those of a quick one:
+/// values to some 1e-3 where a wave bends within a cell. Round trips that share no cell are rounded:
+/// `rounding` tells by how much, and the error then is what other cells make of it. A blow that takes more
+/// work than permitted is not solved.
 NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings& settings,
                            const std::stop_token& stop = {});
 

@@ -8,6 +8,7 @@
 #include "core/file/scenario_file.h"
 #include "core/model/parameter.h"
 #include "core/report/alert_words.h"
+#include "core/wave/field/bit_history.h"
 
 using namespace drillwave;
 
@@ -55,6 +56,24 @@ class TestStringBlow : public QObject {
         const std::pair<double, double> ofCouplings[] = {{0.039, 0.747}, {0.048, 0.607}, {0.065, 0.478}};
         for (const auto& [diameter, efficiency] : ofCouplings)
             QVERIFY(std::abs(efficiencyWith("string.coupling.diameter", diameter) - efficiency) < 6e-4);
+    }
+
+    void historiesAtTheBitAreThoseOfTheBlow() {
+        const Blow blow = solveBlow(t38(), {}, Detail::histories);
+        QVERIFY(blow.impact.hasHistories() && blow.string->impact.waves);
+        const double end = blow.summary.string->endTime;
+        double peak = 0;
+        for (const ImpactEvent& event : blow.impact.events) {
+            const double force = impactForce(blow.impact, event.time);
+            peak = std::max(peak, force);
+            if (event.kind == ContactEvent::contact || event.kind == ContactEvent::separation)
+                QVERIFY(std::abs(force) < 2e-3);  // a kink within a cell
+        }
+        QVERIFY(std::abs(peak - blow.summary.peakForce) < 2e-3);
+        // the impulse is told in that of the hammer: p0 of F0 t0
+        const double hammer = blow.scales.impulse / (blow.scales.force * blow.scales.time);
+        QVERIFY(std::abs(impactImpulse(blow.impact, end) / hammer - blow.summary.impulse) < 1e-7);
+        QVERIFY(!solved(t38()).impact.hasHistories());
     }
 
     void everyShareOfTheEnergyIsThere() {

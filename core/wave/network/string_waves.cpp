@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/network/string_waves.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace drillwave {
+
+namespace {
+
+/// Puts cells one behind the other, those without anything in them as one piece.
+class CurveOfCells {
+  public:
+    CurveOfCells(PiecewisePolynomial& curve, double start) : m_curve(curve) { curve.clear(start); }
+
+    void add(const WaveCell& cell, double width) {
+        if (cell.mean() == 0 && cell.spread() == 0) {
+            m_nothing += width;
+            return;
+        }
+        finish();
+        m_curve.append(width, width, cell.powers());
+    }
+    void finish() {
+        if (m_nothing > 0) m_curve.append(m_nothing, m_nothing, {});
+        m_nothing = 0;
+    }
+
+  private:
+    PiecewisePolynomial& m_curve;
+    double m_nothing = 0;  ///< how long the last cells were zero
+};
+
+/// ∫ of a cell over the first `share` of it, in its width.
+double integralOf(const WaveCell& cell, double share) {
+    const WaveCell::Powers p = cell.powers();
+    return share * (p[0] + share * (p[1] / 2 + share * (p[2] / 3 + share * p[3] / 4)));
+}
+
+}  // namespace
+
+StringWaves::StringWaves(const NetworkProblem& problem, const std::vector<double>& rearTimes)
+    : m_hammerSections(problem.hammerSections) {
+    for (std::size_t j = 0; j < problem.sections.size(); ++j) {
+        const NetworkSection& section = problem.sections[j];
+        m_sections.push_back({.impedance = section.impedance,
+                              .transitTime = section.transitTime,
+                              .decay = section.decay,
+                              .rearTime = rearTimes[j],
+                              .first = j < m_hammerSections ? section.impedance / 2 : 0,
+                              .down = {},
+                              .up = {}});
+    }
+}
+
+void StringWaves::addStep(double clock, double width, const WaveCell& bitForce) {
+    m_clocks.push_back(clock);
+    m_widths.push_back(width);
+    m_bitForces.push_back(bitForce);
+}
+
+bool StringWaves::isFull() const {
+    // two waves of every section; clock and width; the curves of face and bit
+    const std::size_t ofStep = 2 * m_sections.size() * sizeof(WaveCell) + 2 * sizeof(double) +
+                               4 * (sizeof(PiecewisePolynomial::Piece) + sizeof(WaveCell) + sizeof(double));
+    return m_clocks.size() * ofStep >= mostBytes;
+}
+
+void StringWaves::finish(double end) {
+    m_end = end;
+    makeCurves();
+    m_bitForces = {};
+    for (SectionWaves& section : m_sections) {
+        section.down.shrink_to_fit();
+        section.up.shrink_to_fit();
+    }
+}
+
+void StringWaves::makeCurves() {
+    const SectionWaves& hammer = m_sections[m_hammerSections - 1];
+    const SectionWaves& last = m_sections.back();
+    const double kept = std::exp(-last.decay), bitTime = last.rearTime + last.transitTime;
+    CurveOfCells face(m_faceForce, hammer.rearTime + hammer.transitTime), force(m_bitForce, bitTime);
+    CurveOfCells wave(m_bitWave, bitTime), velocity(m_bitVelocity, bitTime);
+    for (std::size_t i = 0; i < m_clocks.size(); ++i) {
+        const WaveCell g = kept * last.down[i];
+        face.add(hammer.down[i] + hammer.up[i], m_widths[i]);
+        force.add(m_bitForces[i], m_widths[i]);
+        wave.add(g, m_widths[i]);
+        velocity.add((1 / last.impedance) * (g - last.up[i]), m_widths[i]);
+    }
+    for (CurveOfCells* curve : {&face, &force, &wave, &velocity}) curve->finish();
+}
+
+double StringWaves::rounding() const {
+    // times are sums of some delays of the size of the last one
+    return m_clocks.empty() ? 0 : 32 * std::numeric_limits<double>::epsilon() * (m_clocks.back() + m_end);
+}
+
+double StringWaves::clockAt(const SectionWaves& section, Wave wave, double xi, double t) const {
+    return wave == Wave::down ? t - section.rearTime - xi * section.transitTime
+                              : t - section.rearTime - (2 - xi) * section.transitTime;
+}
+
+/// The step that a clock is in, at 0 or later.
+std::size_t StringWaves::stepAt(double clock) const {
+    const auto behind = std::upper_bound(m_clocks.begin(), m_clocks.end(), clock);
+    return behind == m_clocks.begin() ? 0 : static_cast<std::size_t>(behind - m_clocks.begin()) - 1;
+}
+
+double StringWaves::value(const SectionWaves& section, Wave wave, double xi, double t, TimeSide side) const {
+    const bool isDown = wave == Wave::down;
+    const double clock = clockAt(section, wave, xi, t);
+    const double reach = side == TimeSide::after ? rounding() : -rounding();
+    if (m_clocks.empty() || clock + reach < 0) return isDown ? section.first : -section.first;
+    const std::size_t step = stepAt(clock + reach);
+    const double u = std::clamp((clock - m_clocks[step]) / m_widths[step], 0.0, 1.0);
+    const double entered = (isDown ? section.down : section.up)[step].value(u);
+    return section.decay > 0 ? entered * std::exp(-section.decay * (isDown ? xi : 1 - xi)) : entered;
+}
+
+double StringWaves::down(std::size_t section, double xi, double t, TimeSide side) const {
+    assert(section < m_sections.size() && xi >= 0 && xi <= 1);
+    return value(m_sections[section], Wave::down, xi, t, side);
+}
+
+double StringWaves::up(std::size_t section, double xi, double t, TimeSide side) const {
+    assert(section < m_sections.size() && xi >= 0 && xi <= 1);
+    return value(m_sections[section], Wave::up, xi, t, side);
+}
+
+double StringWaves::impulse(const SectionWaves& section, Wave wave, double xi, double t) const {
+    const bool isDown = wave == Wave::down;
+    const double end = clockAt(section, wave, xi, t), start = clockAt(section, wave, xi, 0);
+    const double first = isDown ? section.first : -section.first;
+    const std::vector<WaveCell>& cells = isDown ? section.down : section.up;
+    const auto until = [&](double clock) {  // from the clock's zero on
+        if (clock <= 0 || m_clocks.empty()) return first * clock;
+        const std::size_t last = stepAt(clock);
+        double sum = 0;
+        for (std::size_t i = 0; i < last; ++i) sum += m_widths[i] * cells[i].mean();
+        const double share = std::min(1.0, (clock - m_clocks[last]) / m_widths[last]);
+        return sum + m_widths[last] * integralOf(cells[last], share);
+    };
+    const double sum = until(end) - until(start);
+    return section.decay > 0 ? sum * std::exp(-section.decay * (isDown ? xi : 1 - xi)) : sum;
+}
+
+double StringWaves::downImpulse(std::size_t section, double xi, double t) const {
+    return impulse(m_sections[section], Wave::down, xi, t);
+}
+
+double StringWaves::upImpulse(std::size_t section, double xi, double t) const {
+    return impulse(m_sections[section], Wave::up, xi, t);
+}
+
+std::vector<double> StringWaves::pieceTimes(std::size_t section, double xi) const {
+    std::vector<double> times{0, m_end};
+    for (const Wave wave : {Wave::down, Wave::up}) {
+        const double zero = -clockAt(m_sections[section], wave, xi, 0);
+        for (const double clock : m_clocks)
+            if (const double t = zero + clock; t > 0 && t < m_end) times.push_back(t);
+    }
+    std::sort(times.begin(), times.end());
+    const double same = rounding();
+    times.erase(std::unique(times.begin(), times.end(), [same](double a, double b) { return b - a <= same; }),
+                times.end());
+    return times;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The waves in hammer and string while a blow lasts, to be read at any place and time (strings §2).
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/numeric/piecewise.h"
+#include "core/wave/network/network_problem.h"
+#include "core/wave/network/wave_cell.h"
+
+namespace drillwave {
+
+/// Where something jumps: what was until then, or what is from then on.
+enum class TimeSide { before, after };
+
+/// Both waves of one section, each cell as it enters: f at the rear end, b at the front end, where a clock
+/// counts from 0.
+struct SectionWaves {
+    double impedance = 1;    ///< ζ
+    double transitTime = 1;  ///< τ
+    double decay = 0;        ///< αL
+    double rearTime = 0;     ///< global time of the clock's zero at the rear end; at the front end τ later
+    double first = 0;        ///< f before that, and −b
+    std::vector<WaveCell> down, up;
+};
+
+/// Looks up what hammer and string do. Units of NetworkProblem, times global, from the first touch; sections
+/// as in the problem, ξ = 0 at the rear end of a section and 1 at its front end. Compression and motion
+/// towards the rock are positive:
+///
+///     P(ξ, t) = f(t − ξτ) e^(−ξαL) + b(t − (1 − ξ)τ) e^(−(1 − ξ)αL),   v = (f − b)/ζ
+///
+/// Accurate to what a cubic over a cell is: sums are those of the run, values to some 1e-9 where that is a
+/// sure one. A time that is but for rounding that of a jump is taken for it.
+class StringWaves {
+  public:
+    /// What is kept is at most about so many bytes.
+    static constexpr std::size_t mostBytes = 40'000'000;
+
+    StringWaves(const NetworkProblem& problem, const std::vector<double>& rearTimes);
+
+    // While it is recorded
+
+    /// What the clocks go through next, after the waves that enter then in every section.
+    void add(std::size_t section, const WaveCell& down, const WaveCell& up) {
+        m_sections[section].down.push_back(down);
+        m_sections[section].up.push_back(up);
+    }
+    void addStep(double clock, double width, const WaveCell& bitForce);
+    bool isFull() const;
+    /// Nothing follows; what is told is told up to `end`.
+    void finish(double end);
+
+    // To be read
+
+    double end() const { return m_end; }  ///< all places are known until then
+    std::span<const SectionWaves> sections() const { return m_sections; }
+    double force(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const {
+        return down(section, xi, t, side) + up(section, xi, t, side);
+    }
+    double velocity(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const {
+        return (down(section, xi, t, side) - up(section, xi, t, side)) / m_sections[section].impedance;
+    }
+    /// The wave that runs to the rock, and the one that comes back, where they are.
+    double down(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const;
+    double up(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const;
+    /// ∫ of these from the first touch on.
+    double downImpulse(std::size_t section, double xi, double t) const;
+    double upImpulse(std::size_t section, double xi, double t) const;
+
+    /// Times from 0 to end() between which all waves at a place are smooth, in order; two that differ by
+    /// rounding are one.
+    std::vector<double> pieceTimes(std::size_t section, double xi) const;
+
+    const PiecewisePolynomial& faceForce() const { return m_faceForce; }  ///< of hammer and string
+    const PiecewisePolynomial& bitForce() const { return m_bitForce; }    ///< F of the rock
+    const PiecewisePolynomial& bitWave() const { return m_bitWave; }      ///< g that arrives at the bit
+    /// U' of the bit, with its mass where it has one: its integral is how far it has moved.
+    const PiecewisePolynomial& bitVelocity() const { return m_bitVelocity; }
+
+    /// What two times may differ by and be the same.
+    double rounding() const;
+
+  private:
+    enum class Wave { down, up };
+    double clockAt(const SectionWaves& section, Wave wave, double xi, double t) const;
+    std::size_t stepAt(double clock) const;
+    double value(const SectionWaves& section, Wave wave, double xi, double t, TimeSide side) const;
+    double impulse(const SectionWaves& section, Wave wave, double xi, double t) const;
+    void makeCurves();
+
+    std::vector<SectionWaves> m_sections;
+    std::size_t m_hammerSections;
+    std::vector<double> m_clocks, m_widths;  ///< of the steps
+    std::vector<WaveCell> m_bitForces;       ///< until finish()
+    double m_end = 0;
+    PiecewisePolynomial m_faceForce, m_bitForce, m_bitWave, m_bitVelocity;
+};
+
+}  // namespace drillwave
