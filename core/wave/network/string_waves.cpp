@@ -2,6 +2,7 @@
 #include "core/wave/network/string_waves.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -10,26 +11,35 @@ namespace drillwave {
 
 namespace {
 
-/// Puts cells one behind the other, those without anything in them as one piece.
-class CurveOfCells {
-  public:
-    CurveOfCells(PiecewisePolynomial& curve, double start) : m_curve(curve) { curve.clear(start); }
+bool isNothing(const WaveCell& cell) {
+    return cell.mean() == 0 && cell.spread() == 0;
+}
 
-    void add(const WaveCell& cell, double width) {
-        if (cell.mean() == 0 && cell.spread() == 0) {
+/// Puts cells of curves on the same pieces one behind the other, those in which there is nothing as one
+/// piece.
+template <std::size_t count>
+class CurvesOfCells {
+  public:
+    CurvesOfCells(const std::array<PiecewisePolynomial*, count>& curves, double start) : m_curves(curves) {
+        for (PiecewisePolynomial* curve : m_curves) curve->clear(start);
+    }
+
+    void add(const std::array<WaveCell, count>& cells, double width) {
+        if (std::ranges::all_of(cells, isNothing)) {
             m_nothing += width;
             return;
         }
         finish();
-        m_curve.append(width, width, cell.powers());
+        for (std::size_t i = 0; i < count; ++i) m_curves[i]->append(width, width, cells[i].powers());
     }
     void finish() {
-        if (m_nothing > 0) m_curve.append(m_nothing, m_nothing, {});
+        if (m_nothing > 0)
+            for (PiecewisePolynomial* curve : m_curves) curve->append(m_nothing, m_nothing, {});
         m_nothing = 0;
     }
 
   private:
-    PiecewisePolynomial& m_curve;
+    std::array<PiecewisePolynomial*, count> m_curves;
     double m_nothing = 0;  ///< how long the last cells were zero
 };
 
@@ -82,16 +92,15 @@ void StringWaves::makeCurves() {
     const SectionWaves& hammer = m_sections[m_hammerSections - 1];
     const SectionWaves& last = m_sections.back();
     const double kept = std::exp(-last.decay), bitTime = last.rearTime + last.transitTime;
-    CurveOfCells face(m_faceForce, hammer.rearTime + hammer.transitTime), force(m_bitForce, bitTime);
-    CurveOfCells wave(m_bitWave, bitTime), velocity(m_bitVelocity, bitTime);
+    CurvesOfCells<1> face({&m_faceForce}, hammer.rearTime + hammer.transitTime);
+    CurvesOfCells<3> bit({&m_bitForce, &m_bitWave, &m_bitVelocity}, bitTime);
     for (std::size_t i = 0; i < m_clocks.size(); ++i) {
         const WaveCell g = kept * last.down[i];
-        face.add(hammer.down[i] + hammer.up[i], m_widths[i]);
-        force.add(m_bitForces[i], m_widths[i]);
-        wave.add(g, m_widths[i]);
-        velocity.add((1 / last.impedance) * (g - last.up[i]), m_widths[i]);
+        face.add({hammer.down[i] + hammer.up[i]}, m_widths[i]);
+        bit.add({m_bitForces[i], g, (1 / last.impedance) * (g - last.up[i])}, m_widths[i]);
     }
-    for (CurveOfCells* curve : {&face, &force, &wave, &velocity}) curve->finish();
+    face.finish();
+    bit.finish();
 }
 
 double StringWaves::rounding() const {

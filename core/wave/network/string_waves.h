@@ -74,6 +74,8 @@ class StringWaves {
     /// rounding are one.
     std::vector<double> pieceTimes(std::size_t section, double xi) const;
 
+    // Over global time; those at the bit are on the same pieces.
+
     const PiecewisePolynomial& faceForce() const { return m_faceForce; }  ///< of hammer and string
     const PiecewisePolynomial& bitForce() const { return m_bitForce; }    ///< F of the rock
     const PiecewisePolynomial& bitWave() const { return m_bitWave; }      ///< g that arrives at the bit

@@ -4,6 +4,7 @@
 
 #include "core/blow/blow.h"
 #include "core/blow/outputs.h"
+#include "core/blow/string_curves.h"
 #include "core/file/examples.h"
 #include "core/file/scenario_file.h"
 #include "core/model/parameter.h"
@@ -74,6 +75,43 @@ class TestStringBlow : public QObject {
         const double hammer = blow.scales.impulse / (blow.scales.force * blow.scales.time);
         QVERIFY(std::abs(impactImpulse(blow.impact, end) / hammer - blow.summary.impulse) < 1e-7);
         QVERIFY(!solved(t38()).impact.hasHistories());
+    }
+
+    void placesAreCountedAlongTheString() {
+        const DrillString drill = t38().drillString;
+        QCOMPARE(stringPlace(drill, 0), (StringPlace{2, 0}));
+        const std::size_t last = allSections(drill).size() - 1;
+        QCOMPARE(stringPlace(drill, 1).section, last);
+        QVERIFY(std::abs(stringPlace(drill, 1).share - 1) < 1e-12);
+        const StringPlace middle = middleOfLongest(drill);
+        QCOMPARE(allSections(drill)[middle.section]->name, std::string("rod"));
+        const StringPlace again = stringPlace(drill, shareOfString(drill, middle));
+        QCOMPARE(again.section, middle.section);
+        QVERIFY(std::abs(again.share - 0.5) < 1e-12);
+    }
+
+    void itsHistoryIsThatOfTheBlow() {
+        const Blow blow = solveBlow(t38(), {}, Detail::histories);
+        const StringHistory history(*blow.string, middleOfLongest(blow.scenario.drillString));
+        const std::vector<StringInstant> rows = history.sampled();
+        QVERIFY(rows.size() > 1000);
+        QVERIFY(std::ranges::is_sorted(rows, {}, &StringInstant::time));
+        QCOMPARE(rows.front().time, 0.0);
+        QVERIFY(std::abs(rows.back().time - blow.summary.string->endTime) < 1e-9);
+        QVERIFY(std::abs(rows.back().impulse - blow.summary.impulse) < 1e-7);
+        QVERIFY(std::abs(rows.back().momentum - blow.summary.string->stringMomentum) < 1e-7);
+        double deepest = 0;
+        for (const StringInstant& now : rows) {
+            deepest = std::max(deepest, now.penetration);
+            QVERIFY(std::abs(now.positiveWave + now.negativeWave - now.normalForce) < 1e-12);
+        }
+        QVERIFY(std::abs(deepest - blow.summary.maxPenetration) < 1e-4 * deepest);
+        // the first wave of the hammer arrives after its way through adapter, coupling and half a rod
+        const auto first =
+            std::ranges::find_if(rows, [](const StringInstant& now) { return now.normalForce < -1e-6; });
+        const std::vector<NetworkSection>& sections = blow.string->problem.sections;
+        const double way = sections[2].transitTime + sections[3].transitTime + sections[4].transitTime / 2;
+        QVERIFY(std::abs(first->time - way) < 1e-9);
     }
 
     void everyShareOfTheEnergyIsThere() {

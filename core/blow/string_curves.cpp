@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/blow/string_curves.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace drillwave {
+
+namespace {
+
+/// A force of 1 of the network, in F0.
+constexpr double unitForce = 2;
+
+/// Of forces in F0 and velocities in v0: what is less is no jump, and no bend.
+constexpr double negligible = 1e-4;
+
+/// How far two instants are apart in what may jump.
+double distance(const StringInstant& a, const StringInstant& b) {
+    return std::max({std::abs(a.impactForce - b.impactForce), std::abs(a.faceForce - b.faceForce),
+                     std::abs(a.positiveWave - b.positiveWave), std::abs(a.negativeWave - b.negativeWave),
+                     std::abs(a.frontVelocity - b.frontVelocity)});
+}
+
+StringInstant middleOf(const StringInstant& a, const StringInstant& b) {
+    StringInstant middle;
+    middle.impactForce = (a.impactForce + b.impactForce) / 2;
+    middle.faceForce = (a.faceForce + b.faceForce) / 2;
+    middle.positiveWave = (a.positiveWave + b.positiveWave) / 2;
+    middle.negativeWave = (a.negativeWave + b.negativeWave) / 2;
+    middle.frontVelocity = (a.frontVelocity + b.frontVelocity) / 2;
+    return middle;
+}
+
+}  // namespace
+
+StringPlace stringPlace(const DrillString& drillString, double share) {
+    const std::vector<const Section*> sections = expandedSections(drillString);
+    double length = 0;
+    for (const Section* section : sections) length += section->length;
+    double left = std::clamp(share, 0.0, 1.0) * length;
+    std::size_t i = 0;
+    for (; i + 1 < sections.size() && left > sections[i]->length; ++i) left -= sections[i]->length;
+    return {drillString.hammer.sections.size() + i, std::clamp(left / sections[i]->length, 0.0, 1.0)};
+}
+
+double shareOfString(const DrillString& drillString, const StringPlace& place) {
+    const std::vector<const Section*> sections = expandedSections(drillString);
+    const std::size_t number = place.section - drillString.hammer.sections.size();
+    assert(number < sections.size());
+    double length = 0, before = 0;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        if (i < number) before += sections[i]->length;
+        length += sections[i]->length;
+    }
+    return (before + place.share * sections[number]->length) / length;
+}
+
+StringPlace middleOfLongest(const DrillString& drillString) {
+    const std::vector<const Section*> sections = expandedSections(drillString);
+    const auto longest =
+        std::ranges::max_element(sections, {}, [](const Section* section) { return section->length; });
+    return {drillString.hammer.sections.size() + static_cast<std::size_t>(longest - sections.begin()), 0.5};
+}
+
+StringHistory::StringHistory(const StringBlow& blow, const StringPlace& place)
+    : m_blow(&blow), m_waves(blow.impact.waves.get()), m_place(place) {
+    assert(m_waves && place.section < blow.problem.sections.size());
+}
+
+StringInstant StringHistory::at(double time, TimeSide side) const {
+    const StringWaves& waves = *m_waves;
+    const double t = std::clamp(time, 0.0, waves.end());
+    const double beside = side == TimeSide::after ? t + waves.rounding() : t - waves.rounding();
+    const std::size_t face = m_blow->problem.hammerSections - 1;
+    const double momentum = m_blow->impact.hammerMomentum;
+    StringInstant now;
+    now.time = t;
+    now.impactForce = std::max(0.0, unitForce * waves.bitForce()(beside));
+    now.impulse = waves.bitForce().integral(t) / momentum;
+    now.momentum = waves.faceForce().integral(t) / momentum - now.impulse;
+    now.penetration = waves.bitVelocity().integral(t) - m_blow->problem.gap;
+    now.frontVelocity = waves.bitVelocity()(beside);
+    now.faceForce = std::max(0.0, unitForce * waves.force(face, 1, t, side));
+    const double down = waves.down(m_place.section, m_place.share, t, side);
+    const double up = waves.up(m_place.section, m_place.share, t, side);
+    now.positiveWave = 0 - unitForce * down;
+    now.negativeWave = 0 - unitForce * up;
+    now.normalForce = 0 - unitForce * (down + up);
+    now.velocity = (down - up) / m_blow->problem.sections[m_place.section].impedance;
+    return now;
+}
+
+double StringHistory::normalImpulse(double time) const {
+    const double t = std::clamp(time, 0.0, m_waves->end());
+    return -(m_waves->downImpulse(m_place.section, m_place.share, t) +
+             m_waves->upImpulse(m_place.section, m_place.share, t)) /
+           m_blow->impact.hammerMomentum;
+}
+
+std::vector<double> StringHistory::pieceTimes() const {
+    std::vector<double> times = m_waves->pieceTimes(m_place.section, m_place.share);
+    for (const PiecewisePolynomial* curve : {&m_waves->faceForce(), &m_waves->bitForce()})
+        for (const PiecewisePolynomial::Piece& piece : curve->pieces())
+            if (piece.start > 0 && piece.start < m_waves->end()) times.push_back(piece.start);
+    std::sort(times.begin(), times.end());
+    const double same = m_waves->rounding();
+    times.erase(std::unique(times.begin(), times.end(), [same](double a, double b) { return b - a <= same; }),
+                times.end());
+    return times;
+}
+
+std::vector<StringInstant> StringHistory::sampled() const {
+    const std::vector<double> times = pieceTimes();
+    std::vector<StringInstant> rows;
+    rows.reserve(times.size() + times.size() / 4);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const StringInstant now = at(times[i]);
+        if (i > 0) {
+            const StringInstant before = at(times[i], TimeSide::before);
+            const StringInstant start = rows.back();
+            const StringInstant middle = at((times[i - 1] + times[i]) / 2);
+            const double bend = distance(middle, middleOf(start, before));
+            const int chords = std::clamp(static_cast<int>(std::sqrt(bend / negligible)) + 1, 1, 32);
+            for (int k = 1; k < chords; ++k)
+                rows.push_back(at(times[i - 1] + (times[i] - times[i - 1]) * k / chords));
+            if (i + 1 == times.size() || distance(before, now) > negligible) rows.push_back(before);
+        }
+        if (i + 1 < times.size()) rows.push_back(now);
+    }
+    return rows;
+}
+
+}  // namespace drillwave
