@@ -28,6 +28,19 @@ JsonObject dimensionlessJson(const Blow& blow) {
     return object;
 }
 
+/// Energies, which are told in shares of that of the hammer: in SI [J].
+bool isEnergy(std::string_view output) {
+    constexpr std::string_view energies[] = {
+        "rock_work",          "rebound_energy", "residual_wave_energy", "hammer_rebound_energy",
+        "hammer_wave_energy", "string_energy",  "joint_loss",           "rod_loss"};
+    return std::ranges::find(energies, output) != std::end(energies);
+}
+
+/// What the hammer gives: of a rod its work, of a string the energy of its hammer [J].
+double energyOfHammer(const Blow& blow) {
+    return blow.scales.energy * (blow.string ? 1 : blow.summary.workRatio);
+}
+
 /// All that the scenario has, and the SI unit of each, "1" for what has none.
 void addSi(JsonObject& report, const Blow& blow) {
     JsonObject si, units;
@@ -35,6 +48,11 @@ void addSi(JsonObject& report, const Blow& blow) {
         if (!output.problem(blow.scenario).empty()) continue;
         si[output.name] = outputJson(blow, output, blow.scales);
         units[output.name] = unitJson(output.quantity());
+        if (!isEnergy(output.name)) continue;
+        if (blow.isSolved())
+            if (const auto share = output.value({blow.summary, blow.scenario, blow.thrustMargin}))
+                si[output.name] = *share * energyOfHammer(blow);
+        units[output.name] = "J";
     }
     report["si"] = si;
     report["units"] = units;
