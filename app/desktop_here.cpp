@@ -76,7 +76,7 @@ class QtDrawing : public Drawing {
 
     std::vector<NamedFile> blow(const Blow& blow, const std::vector<std::string>& formats,
                                 const std::stop_token& stop) const override {
-        return filesOf(drawBlowPlots(blow.scenario, blow.impact, formats, stop));
+        return filesOf(drawBlowPlots(blow, formats, stop));
     }
 
     std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order) const override {

@@ -71,7 +71,11 @@ Blow solve(const Scenario& scenario, const MethodChoice& choice, Detail detail, 
 void writeFiles(const RunFiles& files, const SolvedRun& run, const Drawing* drawing,
                 const Interruption& interruption) {
     std::vector<NamedFile> pictures;
-    if (!files.plots.empty()) pictures = drawing->blow(run.blow, files.plots, interruption.token());
+    const bool drawn = hasHistories(run.blow);
+    if (!drawn)
+        std::fputs("note: the waves of this blow are more than can be kept: no histories.csv and no plots\n",
+                   stderr);
+    if (!files.plots.empty() && drawn) pictures = drawing->blow(run.blow, files.plots, interruption.token());
     interruption.check();
     writeFolder(files.directory, runFolder(run, std::move(pictures)), files.overwrite, interruption);
 }
@@ -93,10 +97,6 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     if (files.units == OutputUnits::si && !hasUnits(document.scenario))
         throw CommandError(ExitCode::usage,
                            "--si: " + path + " is given by its dimensionless groups and has no SI units");
-    if (isString(document.scenario) && !files.plots.empty())
-        throw CommandError(
-            ExitCode::usage,
-            "--plots: " + path + ": pictures are drawn of uniform rods; leave it out for a drill string");
     prepare(files, path, document);
 
     const bool writesFiles = !files.directory.empty();
@@ -139,7 +139,8 @@ const Command& runCommand() {
     static const std::string details =
         "With -o, DIR gets scenario.yaml, summary.json, histories.csv, "
         "events.csv and the plots: each of the\n"
-        "first four can be run again. Of a drill string there are no histories and no plots.";
+        "first four can be run again. Of a drill string the histories hold the waves in the middle of its "
+        "longest\nsection, and the plots are blow.* and rock.*.";
     static const Command command{
         .name = "run",
         .operands = "FILE",

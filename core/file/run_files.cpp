@@ -34,12 +34,23 @@ OutputUnits customaryUnits(const Scenario& scenario) {
     return hasUnits(scenario) ? OutputUnits::si : OutputUnits::dimensionless;
 }
 
+bool hasHistories(const Blow& blow) {
+    return !blow.string || blow.string->impact.waves;
+}
+
 std::string runHeader(const SolvedRun& run) {
     return scenarioHeader(run.scenarioText, describe(run.blow.method));
 }
 
 std::string historiesFile(const SolvedRun& run) {
     const Blow& blow = run.blow;
+    if (blow.string) {
+        const DrillString& drill = blow.scenario.drillString;
+        const StringPlace place = middleOfLongest(drill);
+        return scenarioHeader(run.scenarioText, describe(blow.method),
+                              stringHistoryColumns(drill, place, run.units)) +
+               stringHistoriesCsv(*blow.string, place, run.units, blow.scales);
+    }
     return scenarioHeader(run.scenarioText, describe(blow.method), historyColumns(run.units)) +
            historiesCsv(blow.impact, blow.solved, run.units, blow.scales);
 }
@@ -70,8 +81,7 @@ FolderFiles runFolder(const SolvedRun& run, std::vector<NamedFile> pictures) {
     FolderFiles folder;
     folder.outdated = filesOfEarlierRun;
     folder.files = {{scenarioName, scenarioFile(run)}, {eventsName, eventsFile(run)}};
-    // the waves of a string are not those of one rod
-    if (!run.blow.string) folder.files.push_back({historiesName, historiesFile(run)});
+    if (hasHistories(run.blow)) folder.files.push_back({historiesName, historiesFile(run)});
     std::ranges::move(pictures, std::back_inserter(folder.files));
     folder.files.push_back({summaryName, blowJson(run.blow, run.scenarioText)});
     return folder;

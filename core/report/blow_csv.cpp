@@ -123,6 +123,61 @@ std::string historyColumns(OutputUnits units) {
                                        "penetration d0 = 2 I0/Z, front_velocity d0/t0.");
 }
 
+std::string stringHistoriesCsv(const StringBlow& blow, const StringPlace& place, OutputUnits units,
+                               const Scales& scales) {
+    const Scales scale = units == OutputUnits::si ? scales : Scales{};
+    const auto forces = [&](std::string_view name) { return "," + heading(name, Quantity::force, units); };
+    const auto velocities = [&](std::string_view name) {
+        return "," + heading(name, Quantity::velocity, units);
+    };
+    std::string csv = heading("time", Quantity::time, units) + forces("impact_force") + "," +
+                      heading("impulse", Quantity::impulse, units) + "," +
+                      heading("momentum", Quantity::impulse, units) + "," +
+                      heading("penetration", Quantity::length, units) + velocities("front_velocity") +
+                      forces("face_force") + forces("normal_force") + forces("positive_wave") +
+                      forces("negative_wave") + velocities("velocity") + "\n";
+    for (const StringInstant& now : StringHistory(blow, place).sampled()) {
+        const double cells[] = {now.time * scale.time,
+                                now.impactForce * scale.force,
+                                now.impulse * scale.impulse,
+                                now.momentum * scale.impulse,
+                                now.penetration * scale.penetration,
+                                now.frontVelocity * scale.velocity,
+                                now.faceForce * scale.force,
+                                now.normalForce * scale.force,
+                                now.positiveWave * scale.force,
+                                now.negativeWave * scale.force,
+                                now.velocity * scale.velocity};
+        for (const double& cell : cells) {
+            if (&cell != cells) csv += ',';
+            appendNumber(csv, cell);
+        }
+        csv += '\n';
+    }
+    return csv;
+}
+
+std::string stringHistoryColumns(const DrillString& drillString, const StringPlace& place,
+                                 OutputUnits units) {
+    const Section& section = *allSections(drillString)[place.section];
+    const std::size_t ofHammer = drillString.hammer.sections.size();
+    std::string where;
+    appendNumber(where, place.share * section.length);
+    where += " m from the rear end of section ";
+    where += place.section < ofHammer ? std::to_string(place.section + 1) + " of the hammer"
+                                      : std::to_string(place.section - ofHammer + 1) + " of the string";
+    if (!section.name.empty()) where += " (" + section.name + ")";
+    return "normal_force, positive_wave, negative_wave and velocity are those at " + where +
+           ", the normal forces tension positive; face_force is that of hammer and string; impact_force, "
+           "impulse, momentum, penetration and the velocities are positive into the rock; momentum is what "
+           "the hammer has given to the string less the impulse on the rock; penetration is that of the bit "
+           "below the first surface of the rock" +
+           (units == OutputUnits::si ? std::string(". Units stand in the header.")
+                                     : std::string("; units: time t0, force F0 = Z v0/2, impulse and "
+                                                   "momentum those of the hammer, penetration v0 t0, "
+                                                   "velocities v0."));
+}
+
 std::string eventsCsv(const Impact& impact, OutputUnits units, const Scales& scales) {
     const double scale = units == OutputUnits::si ? scales.time : 1;
     std::string csv = "kind," + heading("time", Quantity::time, units) + "\n";

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/blow/string_curves.h"
 #include "core/model/scales.h"
 #include "core/study/rows/output_column.h"
 #include "core/wave/impact.h"
@@ -33,6 +34,16 @@ std::string historiesCsv(const Impact& impact, const Problem& problem, OutputUni
 
 /// Signs and units of these columns in one line, for the header of the file.
 std::string historyColumns(OutputUnits units);
+
+/// The same of a drill string whose waves were kept, from the first touch to where it was followed; and
+/// behind these columns face_force of hammer and string, then normal_force, positive_wave and negative_wave,
+/// tension positive, and velocity at a place. Momentum is what the hammer has given to the string less the
+/// impulse on the rock.
+std::string stringHistoriesCsv(const StringBlow& blow, const StringPlace& place, OutputUnits units,
+                               const Scales& scales);
+
+/// Signs and units of these, and where the place is.
+std::string stringHistoryColumns(const DrillString& drillString, const StringPlace& place, OutputUnits units);
 
 /// kind, time of every event.
 std::string eventsCsv(const Impact& impact, OutputUnits units, const Scales& scales);

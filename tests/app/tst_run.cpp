@@ -62,6 +62,8 @@ class TestRun : public QObject {
     void everyRunWritesTheSameBytes();
     void aRunIsRepeatedFromItsHistories();
     void aTableOfPointsIsCompleteInTheHistories();
+    void aDrillStringHasHistoriesAndPlots();
+    void energiesInSiAreInJoules();
     void plotsAreWrittenWithoutADisplay();
     void theLocaleDoesNotMatter();
 };
@@ -319,6 +321,41 @@ void TestRun::aTableOfPointsIsCompleteInTheHistories() {
     const QJsonObject again = blow({out + "/histories.csv"});
     QCOMPARE(again["groups"], first["groups"]);
     QCOMPARE(again["dimensionless"], first["dimensionless"]);
+}
+
+void TestRun::aDrillStringHasHistoriesAndPlots() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("out");
+    QCOMPARE(run({"run", "t38_string", "-o", out, "--plots", "svg"}).exitCode, 0);
+    QCOMPARE(QDir(out).entryList(QDir::Files, QDir::Name),
+             QStringList(
+                 {"blow.svg", "events.csv", "histories.csv", "rock.svg", "scenario.yaml", "summary.json"}));
+    const QByteArray csv = read(out + "/histories.csv");
+    QVERIFY(
+        csv.contains("\ntime [s],impact_force [N],impulse [N s],momentum [N s],penetration [m],"
+                     "front_velocity [m/s],face_force [N],normal_force [N],positive_wave [N],"
+                     "negative_wave [N],velocity [m/s]\n"));
+    QVERIFY(csv.contains("1.83 m from the rear end of section 3 of the string (rod)"));
+    const double impulse = csv.trimmed().split('\n').last().split(',').at(2).toDouble();
+    const QJsonObject si = blow({"t38_string"})["si"].toObject();
+    QVERIFY(std::abs(impulse / si["impulse"].toDouble() - 1) < 1e-6);
+    // and it can be run again
+    QCOMPARE(blow({out + "/histories.csv"})["dimensionless"], blow({"t38_string"})["dimensionless"]);
+}
+
+void TestRun::energiesInSiAreInJoules() {
+    const QJsonObject rod = blow({example("t38_medium_rock")});
+    const QJsonObject si = rod["si"].toObject(), plain = rod["dimensionless"].toObject();
+    QCOMPARE(rod["units"].toObject()["rock_work"].toString(), QString("J"));
+    // 60 blows a second of the work of the hammer
+    const double work = si["percussion_power"].toDouble() / 60;
+    for (const char* name : {"rock_work", "rebound_energy", "residual_wave_energy"})
+        QVERIFY(std::abs(si[name].toDouble() - work * plain[name].toDouble()) < 1e-12 * work);
+    QCOMPARE(si["efficiency"], plain["efficiency"]);
+    const QJsonObject string = blow({"t38_string"});
+    const double hammer = 342.5;  // J, to as many digits as here
+    QVERIFY(std::abs(string["si"].toObject()["rock_work"].toDouble() / hammer -
+                     string["dimensionless"].toObject()["rock_work"].toDouble()) < 1e-4);
 }
 
 void TestRun::plotsAreWrittenWithoutADisplay() {

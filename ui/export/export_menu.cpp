@@ -34,7 +34,7 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
     setToolTipsVisible(true);
     qApp->installEventFilter(this);
     m_histories = add(tr("&Histories…"), {}, {}, [this] { saveHistories(); });
-    offerRodFiles(true);
+    m_histories->setToolTip(tr("Forces, impulse, momentum, penetration and velocity over time, as CSV"));
     add(tr("&Events…"), {}, tr("Contacts, reversals and separations with their times, as CSV"),
         [this] { saveEvents(); });
     m_afterNumbers = addSeparator();
@@ -71,13 +71,6 @@ void ExportMenu::setExports(const QList<PageExport>& exports) {
     m_afterPictures->setEnabled(hasPicture);
 }
 
-void ExportMenu::offerRodFiles(bool offered) {
-    m_histories->setEnabled(offered);
-    m_histories->setToolTip(
-        offered ? tr("Forces, impulse, momentum, penetration and velocity at the bit over time, as CSV")
-                : tr("Kept of uniform rods alone, and this scenario is a drill string"));
-}
-
 void ExportMenu::save(const PageExport& wanted) {
     if (const QString why = wanted.obstacle ? wanted.obstacle() : QString(); !why.isEmpty()) return fail(why);
     if (wanted.picture) return savePicture(wanted);
@@ -98,6 +91,8 @@ bool ExportMenu::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ExportMenu::saveHistories() {
+    if (const SolvedBlowPtr blow = m_sources.blow(); blow && !hasHistories(*blow))
+        return fail(tr("The waves of this blow are more than can be kept: there are no histories."));
     saveFile(tr("Export the histories"), QStringLiteral("_histories.csv"), historiesFile);
 }
 
@@ -155,8 +150,8 @@ void ExportMenu::writeFolder(const QString& folder, SolvedRun run, ExistingFiles
     const WaitCursor wait;
     addThrustMargin(run.blow);
     const std::vector<std::string> formats(pictureFormats.begin(), pictureFormats.end());
-    Pictures pictures;  // none of a drill string
-    if (!isString(run.blow.scenario)) pictures = drawBlowPlots(run.blow.scenario, run.blow.impact, formats);
+    Pictures pictures;
+    if (hasHistories(run.blow)) pictures = drawBlowPlots(run.blow, formats);
     if (!pictures.problem.isEmpty()) return fail(pictures.problem);
     const FolderEnd end = writeWholeFolder(QFile::encodeName(folder).toStdString(),
                                            runFolder(run, std::move(pictures.files)), existing);

@@ -31,8 +31,6 @@ class ExportMenu : public QMenu {
 
     /// What the page on show offers; from now on in the menu.
     void setExports(const QList<PageExport>& exports);
-    /// Whether there are histories: of a uniform rod.
-    void offerRodFiles(bool offered);
     /// One of them, the numbers behind the scenario.
     void save(const PageExport& wanted);
     /// The curves and the events of the blow, in the units that are shown.

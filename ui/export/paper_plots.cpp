@@ -17,12 +17,28 @@ ShownUnits unitsFor(const Scenario& scenario) {
     return shownUnits(naturalUnits(scenario), scalesOf(scenario));
 }
 
+/// The middle of a rod; in a string that of its longest section, where histories.csv has its waves too.
+double shownSection(const Blow& blow) {
+    if (!blow.string) return 0.5;
+    const DrillString& drill = blow.scenario.drillString;
+    return shareOfString(drill, middleOfLongest(drill));
+}
+
 }  // namespace
 
 std::shared_ptr<QCustomPlot> emptyPaperPlot() {
     auto plot = std::make_shared<QCustomPlot>();
     plot->setLocale(QLocale::c());
     return plot;
+}
+
+PaperPlot blowPaperPlot(const Blow& blow) {
+    return paperPlot<BlowPlots>(blowCurves(blow, unitsFor(blow.scenario), shownSection(blow), Tail::cut),
+                                {180, 240});
+}
+
+PaperPlot rockPaperPlot(const Blow& blow) {
+    return paperPlot<RockPlot>(rockCurve(blow, unitsFor(blow.scenario)), {120, 90});
 }
 
 PaperPlot blowPaperPlot(const Scenario& scenario, const Impact& impact) {

@@ -34,6 +34,9 @@ PaperPlot paperPlot(const Shown& shown, Millimetres size) {
     return paper;
 }
 
+/// Of a rod or a string that has its histories.
+PaperPlot blowPaperPlot(const Blow& blow);
+PaperPlot rockPaperPlot(const Blow& blow);
 /// Waves, impact force, impulse and momentum over time, of an impact solved with Detail::histories.
 PaperPlot blowPaperPlot(const Scenario& scenario, const Impact& impact);
 /// Force over penetration, likewise.

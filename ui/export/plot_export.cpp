@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/plot_export.h"
 
-#include <array>
-
 #include "ui/export/paper_plots.h"
 
 namespace drillwave {
@@ -18,20 +16,14 @@ QString obstacle(const Impact& impact) {
     return {};
 }
 
-}  // namespace
+struct Drawn {
+    const char* name;
+    PaperPlot paper;
+};
 
-Pictures drawBlowPlots(const Scenario& scenario, const Impact& impact,
-                       const std::vector<std::string>& formats, const std::stop_token& stop) {
-    Pictures pictures{.files = {}, .problem = obstacle(impact)};
-    if (!pictures.problem.isEmpty()) return pictures;
-
-    struct Drawn {
-        const char* name;
-        PaperPlot paper;
-    };
-    const std::array all{Drawn{"blow", blowPaperPlot(scenario, impact)},
-                         Drawn{"rock", rockPaperPlot(scenario, impact)},
-                         Drawn{"rod", rodPaperPlot(scenario, impact, stop)}};
+Pictures render(const std::vector<Drawn>& all, const Scenario& scenario,
+                const std::vector<std::string>& formats, const std::stop_token& stop) {
+    Pictures pictures;
     const QString title = QString::fromStdString(scenario.title);
     for (const Drawn& drawn : all) {
         Pictures more =
@@ -40,6 +32,25 @@ Pictures drawBlowPlots(const Scenario& scenario, const Impact& impact,
         for (NamedFile& file : more.files) pictures.files.push_back(std::move(file));
     }
     return pictures;
+}
+
+}  // namespace
+
+Pictures drawBlowPlots(const Blow& blow, const std::vector<std::string>& formats,
+                       const std::stop_token& stop) {
+    if (!blow.string) return drawBlowPlots(blow.scenario, blow.impact, formats, stop);
+    if (const QString problem = obstacle(blow.impact); !problem.isEmpty()) return {{}, problem};
+    return render({{"blow", blowPaperPlot(blow)}, {"rock", rockPaperPlot(blow)}}, blow.scenario, formats,
+                  stop);
+}
+
+Pictures drawBlowPlots(const Scenario& scenario, const Impact& impact,
+                       const std::vector<std::string>& formats, const std::stop_token& stop) {
+    if (const QString problem = obstacle(impact); !problem.isEmpty()) return {{}, problem};
+    return render({{"blow", blowPaperPlot(scenario, impact)},
+                   {"rock", rockPaperPlot(scenario, impact)},
+                   {"rod", rodPaperPlot(scenario, impact, stop)}},
+                  scenario, formats, stop);
 }
 
 }  // namespace drillwave

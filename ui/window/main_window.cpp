@@ -387,7 +387,6 @@ void MainWindow::presentState() {
 void MainWindow::offerFiles() {
     const bool ofRod = !isString(m_document.scenario());
     m_report->offer(ofRod);
-    m_exportMenu->offerRodFiles(ofRod);
     m_fileMenu->offerImport(ofRod);
 }
 

@@ -4,6 +4,7 @@
 #include <qcustomplot.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/model/visible_pulse.h"
@@ -41,7 +42,58 @@ double interestingEnd(const Impact& impact, const PulseForce& pulse, const std::
     return end;
 }
 
+/// Until all has happened that is seen: the last contact of the rock, and the first one of the hammer.
+double interestingEnd(const Blow& blow, double last) {
+    const StringSummary& string = *blow.summary.string;
+    double end = 0;
+    for (const double time : {blow.summary.separationTime, string.pistonSeparationTime})
+        if (std::isfinite(time)) end = std::max(end, 1.1 * time);
+    return end > 0 ? std::min(end, last) : last;
+}
+
+BlowCurves stringCurves(const Blow& blow, const ShownUnits& units, double section, Tail tail) {
+    BlowCurves curves;
+    curves.units = units;
+    curves.section = section;
+    curves.place = stringPlace(blow.scenario.drillString, section);
+    const DrillString& drill = blow.scenario.drillString;
+    const Section& at = *allSections(drill)[curves.place->section];
+    curves.sectionNumber = static_cast<int>(curves.place->section - drill.hammer.sections.size()) + 1;
+    curves.sectionName = QString::fromStdString(at.name);
+    curves.fromRear = curves.place->share * at.length;
+    for (GraphData* each : {&curves.sectionForce, &curves.force, &curves.faceForce, &curves.impulse,
+                            &curves.momentum, &curves.waves[0], &curves.waves[1], &curves.waves[2],
+                            &curves.waves[3], &curves.laterWaves[0], &curves.laterWaves[1]})
+        *each = GraphData::create();
+    if (!blow.string->impact.waves) return curves;
+    const StringHistory history(*blow.string, *curves.place);
+    const double end = interestingEnd(blow, history.end());
+    curves.timeEnd = end * units.time.factor;
+    std::vector<StringInstant> rows = history.sampled();
+    if (tail == Tail::cut) std::erase_if(rows, [end](const StringInstant& now) { return now.time > end; });
+    const auto curve = [&](double StringInstant::*value, const ShownUnit& unit) {
+        QVector<QCPGraphData> points;
+        points.reserve(static_cast<qsizetype>(rows.size()));
+        for (const StringInstant& now : rows)
+            appendFinite(points, now.time * units.time.factor, now.*value * unit.factor);
+        return graphData(points);
+    };
+    curves.sectionForce = curve(&StringInstant::normalForce, units.force);
+    curves.waves[0] = curve(&StringInstant::positiveWave, units.force);
+    curves.waves[1] = curve(&StringInstant::negativeWave, units.force);
+    curves.force = curve(&StringInstant::impactForce, units.force);
+    curves.faceForce = curve(&StringInstant::faceForce, units.force);
+    curves.impulse = curve(&StringInstant::impulse, units.impulse);
+    curves.momentum = curve(&StringInstant::momentum, units.impulse);
+    return curves;
+}
+
 }  // namespace
+
+BlowCurves blowCurves(const Blow& blow, const ShownUnits& units, double section, Tail tail) {
+    return blow.string ? stringCurves(blow, units, section, tail)
+                       : blowCurves(blow.impact, blow.solved.hammer, units, section, tail);
+}
 
 BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const ShownUnits& units, double section,
                       Tail tail) {

@@ -2,9 +2,12 @@
 // The curves of one blow as ready plot data, built away from the window's thread.
 #pragma once
 
+#include <QString>
 #include <array>
 #include <optional>
 
+#include "core/blow/blow.h"
+#include "core/blow/string_curves.h"
 #include "core/model/pulse_force.h"
 #include "core/wave/impact.h"
 #include "ui/pages/blow/closed_form_curve.h"
@@ -19,17 +22,26 @@ struct BlowCurves {
     static constexpr int waveCount = 4;
 
     ShownUnits units;
-    double section = 0.5;                           ///< x/L of the waves
-    std::array<GraphData, waveCount> waves;         ///< N0p, N1n, N2p, N3n, each over its own interval
-    std::array<GraphData, 2> laterWaves;            ///< N4p, N6p … and N5n, N7n …, up to timeEnd
-    GraphData sectionForce;                         ///< N there: the sum of all waves, up to timeEnd
+    double section = 0.5;                    ///< x/L of the waves
+    std::array<GraphData, waveCount> waves;  ///< N0p, N1n, N2p, N3n, each over its own interval
+    std::array<GraphData, 2> laterWaves;     ///< N4p, N6p … and N5n, N7n …, up to timeEnd
+    GraphData sectionForce;                  ///< N there: the sum of all waves, up to timeEnd
+    std::optional<StringPlace> place;        ///< where in a drill string that is: then the first two
+                                             ///< waves are Np and Nn, and there are no others
+    int sectionNumber = 0;                   ///< the same, from the shank on
+    QString sectionName;
+    double fromRear = 0;                            ///< [m]
     GraphData force;                                ///< impact force
+    GraphData faceForce = {};                       ///< of hammer and string
     GraphData impulse;                              ///< of the impact force so far
     GraphData momentum;                             ///< of the rod, positive towards the rock
     std::optional<ClosedFormCurve> closedForm;      ///< where it is wanted and holds
     double timeEnd = 0;                             ///< until then something happens; the curves may go on
     std::vector<RunOverlay<BlowCurves>> runs = {};  ///< laid over them
 };
+
+/// Of a rod or a string; of a string whose waves were not kept, no curves.
+BlowCurves blowCurves(const Blow& blow, const ShownUnits& units, double section, Tail tail = Tail::kept);
 
 /// Requires an impact solved with Detail::histories.
 BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const ShownUnits& units, double section,

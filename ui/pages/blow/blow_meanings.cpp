@@ -64,7 +64,39 @@ CurveMeaning forceMeaning(const ShownUnits& units) {
     return forceLike(units, {}, {});
 }
 
+namespace {
+
+// The state of a string at a place, read when asked; the blow lives as long as the function.
+BlowMeanings stringMeanings(const SolvedBlowPtr& blow) {
+    const ShownUnits& units = blow->units;
+    const StringPlace place = *blow->page<BlowCurves>()->place;
+    const auto reading = [blow, place](double StringInstant::*value) {
+        return [blow, place, value](double t) { return StringHistory(*blow->string, place).at(t).*value; };
+    };
+    BlowMeanings meanings;
+    meanings.waves.fill(forceMeaning(units));
+    meanings.laterWaves.fill(forceMeaning(units));
+    meanings.closedForm = forceMeaning(units);
+    meanings.faceForce = forceMeaning(units);
+    meanings.sectionForce = forceMeaning(units);
+    meanings.force = forceMeaning(units);
+    const auto value = [&](double StringInstant::*which) {
+        return shownValue(units, units.force, reading(which));
+    };
+    meanings.waves[0].value = value(&StringInstant::positiveWave);
+    meanings.waves[1].value = value(&StringInstant::negativeWave);
+    meanings.sectionForce.value = value(&StringInstant::normalForce);
+    meanings.force.value = value(&StringInstant::impactForce);
+    meanings.faceForce.value = value(&StringInstant::faceForce);
+    meanings.impulse = momentumLike(units, reading(&StringInstant::impulse));
+    meanings.momentum = momentumLike(units, reading(&StringInstant::momentum));
+    return meanings;
+}
+
+}  // namespace
+
 BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
+    if (blow->string) return stringMeanings(blow);
     const ShownUnits& units = blow->units;
     BlowMeanings meanings;
     for (int i = 0; i < BlowCurves::waveCount; ++i)
@@ -79,6 +111,7 @@ BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
         units, [blow](double t) { return WaveField(blow->impact).impactForce(t); },
         [blow](double t) { return WaveField(blow->impact).impactImpulse(t); });
     meanings.closedForm = forceMeaning(units);
+    meanings.faceForce = forceMeaning(units);
     meanings.impulse =
         momentumLike(units, [blow](double t) { return WaveField(blow->impact).impactImpulse(t); });
     meanings.momentum =

@@ -19,6 +19,7 @@ struct BlowMeanings {
     CurveMeaning sectionForce;
     CurveMeaning force;
     CurveMeaning closedForm;
+    CurveMeaning faceForce;
     CurveMeaning impulse;
     CurveMeaning momentum;
 };

@@ -30,7 +30,8 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
       m_observation(observation),
       m_hint(new QLabel(this)),
       m_section(new PlaceField(
-          observation, tr("Where in the rod the waves are observed: 0 is the struck end, 1 the bit."), this)),
+          observation,
+          tr("Where in the rod or string the waves are observed: 0 is the struck end, 1 the bit."), this)),
       m_place(new QLabel(this)),
       m_instant(new QLabel(this)),
       m_plot(makePlot()),
@@ -91,11 +92,11 @@ PreparePage BlowPage::prepare() const {
     if (shown && shown->section == m_observation.section()) made = shown->runs;
     return
         [section = m_observation.section(), runs = m_runs, made = std::move(made)](const SolvedBlow& blow) {
-            BlowCurves curves = blowCurves(blow.impact, blow.solved.hammer, blow.units, section);
+            BlowCurves curves = blowCurves(blow, blow.units, section);
             curves.runs = runOverlays(*runs, blow, made, [=](const SolvedBlow& run, const ShownUnits& units) {
-                return blowCurves(run.impact, run.solved.hammer, units, section);
+                return blowCurves(run, units, section);
             });
-            curves.closedForm = closedFormCurve(blow.solved, blow.units, curves.timeEnd);
+            if (!blow.string) curves.closedForm = closedFormCurve(blow.solved, blow.units, curves.timeEnd);
             return PageData::of(std::move(curves));
         };
 }
@@ -112,21 +113,39 @@ void BlowPage::showSection() {
 }
 
 void BlowPage::showPlace() {
-    const bool hasLength = m_blow && m_blow->request.scenario.form == ScenarioForm::dimensional;
+    const bool hasLength = m_blow && hasUnits(m_blow->request.scenario);
     m_place->setVisible(hasLength);
     if (!hasLength) return;
+    if (const DrillString& drill = m_blow->request.scenario.drillString; isString(m_blow->request.scenario)) {
+        const double x = m_observation.section() * stringProperties(drill).length;
+        const QString place = quantityText(x, m_blow->units.of(UnitKind::length, x), QLocale());
+        m_place->setText(tr("%1 from the shank").arg(place));
+        return;
+    }
     const double x = m_observation.section() * m_blow->request.scenario.rod.length;
     const QString place = quantityText(x, m_blow->units.of(UnitKind::length, x), QLocale());
     m_place->setText(tr("%1 from the struck end").arg(place));
 }
 
+// Nothing where the waves of a string were not kept.
+std::optional<RodState> BlowPage::stateAt(double time) const {
+    const double section = m_observation.section();
+    if (!m_blow->string) return rodState(m_blow->impact, m_blow->solved.hammer, section, time);
+    if (!m_blow->string->impact.waves) return {};
+    const StringPlace place = stringPlace(m_blow->request.scenario.drillString, section);
+    const StringInstant now = StringHistory(*m_blow->string, place).at(time);
+    return RodState{now.normalForce, now.impactForce, now.impulse, now.momentum};
+}
+
 void BlowPage::showInstant() {
     const std::optional<double> time = m_observation.time();
-    const bool known = time && m_blow && m_blow->problem.isEmpty();
+    const bool isKnown = time && m_blow && m_blow->problem.isEmpty();
     m_plot->reader().place(PlotCursor::time,
-                           known ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
-    if (!known) return m_instant->setText(tr("No time chosen: click an event, or press T over the plots."));
-    const RodState instant = rodState(m_blow->impact, m_blow->solved.hammer, m_observation.section(), *time);
+                           isKnown ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
+    if (!isKnown) return m_instant->setText(tr("No time chosen: click an event, or press T over the plots."));
+    const std::optional<RodState> known = stateAt(*time);
+    if (!known) return m_instant->setText(QString());
+    const RodState& instant = *known;
     const ShownUnits& units = m_blow->units;
     const QLocale locale;
     m_instant->setText(tr("t = %1 · N = %2 · F = %3 · I = %4 · p = %5")
@@ -139,7 +158,10 @@ void BlowPage::showInstant() {
 
 void BlowPage::setResult(const SolvedBlowPtr& blow) {
     m_blow = blow;
-    if (const auto* curves = blow->page<BlowCurves>()) {
+    const auto* curves = blow->page<BlowCurves>();
+    if (curves && !(curves->timeEnd > 0) && blow->string) {
+        m_plots->showNothing(tr("Nothing to show: the waves of this blow are more than can be kept."));
+    } else if (curves) {
         carryCursors();
         m_plots->present(*curves);
         setMeanings();
@@ -177,6 +199,7 @@ void BlowPage::setMeanings() {
     m_plot->setMeaning(m_plots->sectionForceGraph(), std::move(meanings.sectionForce));
     m_plot->setMeaning(m_plots->forceGraph(), std::move(meanings.force));
     m_plot->setMeaning(m_plots->closedFormGraph(), std::move(meanings.closedForm));
+    m_plot->setMeaning(m_plots->faceForceGraph(), std::move(meanings.faceForce));
     m_plot->setMeaning(m_plots->impulseGraph(), std::move(meanings.impulse));
     m_plot->setMeaning(m_plots->momentumGraph(), std::move(meanings.momentum));
 }

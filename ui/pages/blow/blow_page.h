@@ -2,6 +2,7 @@
 // The blow over time: waves at a section, impact force, impulse and momentum (paper, Figs. 3–5).
 #pragma once
 
+#include "core/wave/field/rod_state.h"
 #include "ui/job/observation.h"
 #include "ui/pages/plot_page.h"
 
@@ -24,6 +25,7 @@ class BlowPage : public PlotPage {
     explicit BlowPage(Observation& observation, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Blow"); }
+    bool shows(const Scenario& /*scenario*/) const override { return true; }
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;
@@ -44,6 +46,7 @@ class BlowPage : public PlotPage {
     void showPlace();
     void reserveInstant();
     void showInstant();
+    std::optional<RodState> stateAt(double time) const;
     void setMeanings();
     void carryCursors();
     void goToPlace(double x);

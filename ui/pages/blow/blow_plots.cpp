@@ -82,7 +82,8 @@ BlowPlots::BlowPlots(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(ne
     plot->plotLayout()->setRowSpacing(0);
     auto* margins = new QCPMarginGroup(plot);
     addPlot(waves, waveNames, margins);
-    addPlot(force, {tr("impact force F"), tr("closed form")}, margins);
+    addPlot(force, {tr("impact force F"), tr("closed form"), tr("force of the hammer on the string")},
+            margins);
     addPlot(impulse, {tr("impulse of the impact force I")}, margins);
     addPlot(momentumOfRod, {tr("momentum of the rod p")}, margins);
     linkTimeAxes();
@@ -158,10 +159,12 @@ void BlowPlots::present(const BlowCurves& curves) {
     if (hasOtherRuns) showRuns();
     if (unitsChanged) setGhost(nullptr);
     setData(*sectionForceGraph(), curves.sectionForce);
+    nameWaves();
     for (std::size_t i = 0; i < curves.waves.size(); ++i)
-        setData(*waveGraph(static_cast<int>(i)), curves.waves[i]);
+        showWhereThere(waves, *waveGraph(static_cast<int>(i)), curves.waves[i], !curves.place);
     for (std::size_t i = 0; i < curves.laterWaves.size(); ++i)
         showWhereThere(waves, *laterGraph(static_cast<int>(i)), curves.laterWaves[i]);
+    showWhereThere(force, *faceForceGraph(), curves.faceForce ? curves.faceForce : GraphData::create());
     setData(*forceGraph(), curves.force);
     setData(*impulseGraph(), curves.impulse);
     setData(*momentumGraph(), curves.momentum);
@@ -178,10 +181,28 @@ void BlowPlots::showClosedForm() {
     showWhereThere(force, *closedFormGraph(), closedForm ? closedForm->force : GraphData::create());
 }
 
-void BlowPlots::showWhereThere(std::size_t index, QCPGraph& graph, const GraphData& data) {
+// A string has two waves at a place, one either way; those of a rod are told apart by their number.
+void BlowPlots::nameWaves() {
+    const bool ofString = m_curves.place.has_value();
+    waveGraph(0)->setName(ofString ? tr("Nₚ to the bit") : waveNames[1]);
+    waveGraph(1)->setName(ofString ? tr("Nₙ from the bit") : waveNames[2]);
+    momentumGraph()->setName(ofString ? tr("momentum of the string p") : tr("momentum of the rod p"));
+}
+
+QString BlowPlots::placeText(const BlowCurves& curves, const QLocale& locale) {
+    const QString length =
+        quantityText(curves.fromRear, curves.units.of(UnitKind::length, curves.fromRear), locale);
+    return curves.sectionName.isEmpty()
+               ? tr("section %1, %2 from its rear").arg(curves.sectionNumber).arg(length)
+               : tr("section %1 (%2), %3 from its rear")
+                     .arg(curves.sectionNumber)
+                     .arg(curves.sectionName, length);
+}
+
+void BlowPlots::showWhereThere(std::size_t index, QCPGraph& graph, const GraphData& data, bool always) {
     QCPLegend* legend = m_plots[index].legend;
     setData(graph, data);
-    if (data->isEmpty())
+    if (data->isEmpty() && !always)
         graph.removeFromLegend(legend);
     else if (graph.addToLegend(legend))
         m_style.applyTo(*legend);
@@ -266,7 +287,9 @@ void BlowPlots::setLabels() {
     if (m_curves.closedForm)
         closedFormGraph()->setName(
             tr("closed form, error of e < %1").arg(boundText(m_curves.closedForm->error, locale)));
-    m_plots[waves].title->setText(tr("waves at x/L = %1").arg(sectionText(m_curves.section, locale)));
+    m_plots[waves].title->setText(m_curves.place
+                                      ? placeText(m_curves, locale)
+                                      : tr("waves at x/L = %1").arg(sectionText(m_curves.section, locale)));
     m_plots[waves].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(tr("N, tension +")));
     m_plots[force].rect->axis(QCPAxis::atLeft)->setLabel(units.force.axisLabel(QStringLiteral("F")));
     m_plots[impulse].rect->axis(QCPAxis::atLeft)->setLabel(units.impulse.axisLabel(QStringLiteral("I")));
@@ -276,7 +299,28 @@ void BlowPlots::setLabels() {
     m_plots[momentumOfRod].rect->axis(QCPAxis::atBottom)->setLabel(units.time.axisLabel(tr("time t")));
 }
 
+void BlowPlots::summarizeString() {
+    const BlowCurves& curves = m_curves;
+    const QLocale locale = m_plot->locale();
+    const auto shown = [&locale](double value, const ShownUnit& unit) {
+        return locale.toString(value, 'g', 4) + QLatin1Char(' ') + unit.unit;
+    };
+    m_summary =
+        tr("Four plots over time from 0 to %1. %2: largest N %3, wave to the bit %4, from the bit %5. "
+           "Impact force up to %6, force of the hammer on the string up to %7. Impulse up to %8. Momentum of "
+           "the string up to %9.")
+            .arg(shown(curves.timeEnd, curves.units.time), placeText(curves, locale),
+                 shown(largestMagnitude(curves.sectionForce), curves.units.force),
+                 shown(largestMagnitude(curves.waves[0]), curves.units.force),
+                 shown(largestMagnitude(curves.waves[1]), curves.units.force),
+                 shown(largestMagnitude(curves.force), curves.units.force),
+                 shown(largestMagnitude(curves.faceForce), curves.units.force),
+                 shown(largestMagnitude(curves.impulse), curves.units.impulse),
+                 shown(largestMagnitude(curves.momentum), curves.units.impulse));
+}
+
 void BlowPlots::summarize() {
+    if (m_curves.place) return summarizeString();
     const BlowCurves& curves = m_curves;
     const QLocale locale = m_plot->locale();
     const auto shown = [&locale](double value, const ShownUnit& unit) {

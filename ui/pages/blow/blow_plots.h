@@ -39,6 +39,8 @@ class BlowPlots : public QObject {
     void fit();
     /// The same, unless the user has chosen another view.
     void fitUnlessZoomed();
+    /// Where in a drill string the waves of these curves are.
+    static QString placeText(const BlowCurves& curves, const QLocale& locale);
     /// What the plots show, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
     QCPAxisRect* axisRect(int index) const { return m_plots.at(static_cast<std::size_t>(index)).rect; }
@@ -50,7 +52,9 @@ class BlowPlots : public QObject {
     QCPGraph* laterGraph(int heading) const { return m_plots[0].graphs[1 + BlowCurves::waveCount + heading]; }
     QCPGraph* forceGraph() const { return m_plots[1].graphs.first(); }
     /// In its legend only while the closed form holds.
-    QCPGraph* closedFormGraph() const { return m_plots[1].graphs.last(); }
+    QCPGraph* closedFormGraph() const { return m_plots[1].graphs[1]; }
+    /// Of the hammer on a string.
+    QCPGraph* faceForceGraph() const { return m_plots[1].graphs[2]; }
     /// Of the pinned runs, in the legend of the force.
     const QVector<QCPGraph*>& sumsOfRuns() const { return m_plots[0].runs->graphs(); }
     const QVector<QCPGraph*>& forcesOfRuns() const { return m_plots[1].runs->graphs(); }
@@ -70,8 +74,10 @@ class BlowPlots : public QObject {
     void addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins);
     void linkTimeAxes();
     void showClosedForm();
+    void nameWaves();
+    void summarizeString();
     /// In a legend only while it has data: nothing to be hidden or shown otherwise.
-    void showWhereThere(std::size_t index, QCPGraph& graph, const GraphData& data);
+    void showWhereThere(std::size_t index, QCPGraph& graph, const GraphData& data, bool always = false);
     void showRuns();
     void addGhost(std::size_t index, int kind, const GraphData& data);
     void setLabels();

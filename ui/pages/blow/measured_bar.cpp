@@ -47,7 +47,7 @@ MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
       m_shift(new QuantityField(Quantity::time, *findUnit(Quantity::time, "us"), this)),
       m_align(new QPushButton(tr("Align"), this)),
       m_remove(new QToolButton(this)),
-      m_remark(new QLabel(tr("not drawn: this scenario has no physical units"), this)) {
+      m_remark(new QLabel(tr("not drawn: compared with uniform rods in physical units"), this)) {
     setObjectName(QStringLiteral("measured"));
     m_box->setObjectName(QStringLiteral("measuredSignal"));
     m_box->setAccessibleName(tr("Measured curve"));

@@ -16,8 +16,9 @@ namespace drillwave {
 namespace {
 
 RockCurve::Path pathOf(const Impact& impact, const Problem& problem, const ShownUnits& units) {
+    if (!impact.hasHistories()) return RockCurve::Path::create();
     const SampledHistory history = sampleHistory(impact);
-    QVector<QCPCurveData> points{QCPCurveData(WaveField(impact).arrival() * units.time.factor, 0, 0)};
+    QVector<QCPCurveData> points{QCPCurveData(impact.frontArrival * units.time.factor, 0, 0)};
     points.reserve(static_cast<qsizetype>(history.force.size()) + 1);
     BilinearLaw<> rock(problem.law);
     for (std::size_t i = 0; i < history.force.size(); ++i) {
@@ -69,10 +70,8 @@ RockCurve::Path outlineOf(const QSharedPointer<QCPCurveDataContainer>& path, dou
     return outline;
 }
 
-}  // namespace
-
-RockCurve rockCurve(const Impact& impact, const Problem& problem, const ShownUnits& units) {
-    const ImpactSummary summary = summarize(impact, problem);
+RockCurve curveOf(const Impact& impact, const Problem& problem, const ImpactSummary& summary,
+                  const ShownUnits& units) {
     const double peakForce = summary.peakForce * units.force.factor;
     const auto path = pathOf(impact, problem, units);
     const auto slopes = BilinearLaw<>(problem.law).slopes();
@@ -86,6 +85,21 @@ RockCurve rockCurve(const Impact& impact, const Problem& problem, const ShownUni
             .unloading = slopes.elastic * units.stiffness.factor,
             .energy = summary.energy.rockWork * summary.workRatio * units.energy.factor,
             .energyShare = summary.energy.rockWork};
+}
+
+}  // namespace
+
+RockCurve rockCurve(const Blow& blow, const ShownUnits& units) {
+    if (!blow.string) return rockCurve(blow.impact, blow.solved, units);
+    Problem rock;
+    rock.law = blow.string->problem.law;
+    ImpactSummary summary = blow.summary;
+    summary.workRatio = 1;  // what stays in the rock is told in shares of the hammer's energy
+    return curveOf(blow.impact, rock, summary, units);
+}
+
+RockCurve rockCurve(const Impact& impact, const Problem& problem, const ShownUnits& units) {
+    return curveOf(impact, problem, summarize(impact, problem), units);
 }
 
 QPointF rockPoint(const RockCurve& curve, double time) {

@@ -5,6 +5,7 @@
 #include <QPointF>
 #include <QSharedPointer>
 
+#include "core/blow/blow.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
 #include "ui/runs/run_overlay.h"
@@ -33,6 +34,9 @@ struct RockCurve {
     double energyShare = 0;                        ///< of the hammer work
     std::vector<RunOverlay<RockCurve>> runs = {};  ///< laid over it
 };
+
+/// Of a rod or a string; of a string whose waves were not kept, without a path.
+RockCurve rockCurve(const Blow& blow, const ShownUnits& units);
 
 /// Requires an impact solved with Detail::histories. The penetration follows from the force by the law of
 /// the rock alone, BilinearLaw::penetration(). While apart it is what stays.

@@ -51,9 +51,9 @@ PreparePage RockPage::prepare() const {
     std::vector<RunOverlay<RockCurve>> made;
     if (shown) made = shown->runs;
     return [runs = m_runs, made = std::move(made)](const SolvedBlow& blow) {
-        RockCurve curve = rockCurve(blow.impact, blow.solved, blow.units);
+        RockCurve curve = rockCurve(blow, blow.units);
         curve.runs = runOverlays(*runs, blow, made, [](const SolvedBlow& run, const ShownUnits& units) {
-            return rockCurve(run.impact, run.solved, units);
+            return rockCurve(run, units);
         });
         return PageData::of(std::move(curve));
     };
@@ -65,7 +65,10 @@ void RockPage::setRuns(const RunListPtr& runs) {
 }
 
 void RockPage::setResult(const SolvedBlowPtr& blow) {
-    if (const auto* curve = blow->page<RockCurve>()) {
+    const auto* curve = blow->page<RockCurve>();
+    if (curve && curve->path->isEmpty()) {
+        m_rock->showNothing(tr("Nothing to show: the waves of this blow are more than can be kept."));
+    } else if (curve) {
         m_rock->present(*curve);
         CurveMeaning meaning;
         meaning.xUnit = blow->units.penetration.unit;

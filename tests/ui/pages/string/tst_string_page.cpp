@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QTest>
 
+#include "core/blow/string_curves.h"
 #include "core/file/examples.h"
 #include "core/model/section_parameter.h"
 #include "tests/support/window_fixture.h"
@@ -15,6 +16,10 @@
 #include "ui/export/report_writer.h"
 #include "ui/form/section_box.h"
 #include "ui/pages/blow/blow_page.h"
+#include "ui/pages/blow/blow_plots.h"
+#include "ui/pages/place_field.h"
+#include "ui/pages/rock/rock_page.h"
+#include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/string/string_drawing.h"
 #include "ui/pages/string/string_edits.h"
 #include "ui/pages/string/string_model.h"
@@ -36,7 +41,10 @@ class TestStringPage : public QObject, private WindowFixture {
 
   private slots:
     void init();
-    void aStringIsOpenedOnItsOwnPage();
+    void aStringIsOpenedOnThePageOnShow();
+    void blowAndRockShowAString();
+    void runsOfEitherKindLieOverBlowAndRock();
+    void theBlowIsReadWhereOneLooks();
     void pagesOfRodsAreGreyedAndSayWhy();
     void studiesOfStringsAreOfferedByTheirNames();
     void aRodBringsItsPagesBack();
@@ -104,6 +112,8 @@ class TestStringPage : public QObject, private WindowFixture {
 void TestStringPage::init() {
     start();
     openExample("t38_string");
+    part<PageTabs>(window()).setCurrentWidget(&page());
+    settle();
 }
 
 void TestStringPage::typeIntoCell(int row, int column, const QString& typed) {
@@ -118,8 +128,14 @@ void TestStringPage::typeIntoCell(int row, int column, const QString& typed) {
     QCoreApplication::processEvents();
 }
 
-void TestStringPage::aStringIsOpenedOnItsOwnPage() {
-    QCOMPARE(&part<PageTabs>(window()).current(), static_cast<Page*>(&page()));
+void TestStringPage::aStringIsOpenedOnThePageOnShow() {
+    openExample("t38_medium_rock");
+    PageTabs& pages = part<PageTabs>(window());
+    QCOMPARE(&pages.current(), static_cast<Page*>(&part<BlowPage>(window())));
+    openExample("t38_string");
+    QCOMPARE(&pages.current(), static_cast<Page*>(&part<BlowPage>(window())));
+    pages.setCurrentWidget(&page());
+    settle();
     QVERIFY(window().shown()->string.has_value());
     QCOMPARE(window().shown()->problem, QString());
     QVERIFY(words().contains(QStringLiteral("rod (7)")));
@@ -141,10 +157,10 @@ void TestStringPage::pagesOfRodsAreGreyedAndSayWhy() {
         ++greyed;
         QVERIFY(strip.tabToolTip(tab).contains(QStringLiteral("drill string")));
     }
-    QCOMPARE(greyed, part<PageTabs>(window()).count() - 4);  // String, two studies and Compare are there
+    QCOMPARE(greyed,
+             part<PageTabs>(window()).count() - 6);  // String, Blow, Rock, two studies and Compare are there
     QVERIFY(!part<ReportWriter>(window()).action()->isEnabled());
     QVERIFY(!part<ReportWriter>(window()).action()->toolTip().isEmpty());
-    QVERIFY(!part<ExportMenu>(window()).actions().first()->isEnabled());
     QTest::keyClick(&window(), Qt::Key_Tab, Qt::ControlModifier);
     QVERIFY(part<PageTabs>(window()).current().shows(document().scenario()));
 }
@@ -162,6 +178,69 @@ void TestStringPage::studiesOfStringsAreOfferedByTheirNames() {
     openExample("t38_medium_rock");
     QVERIFY2(names().contains(QStringLiteral("COR–stiffness")), qPrintable(names().join(u',')));
     QVERIFY(!names().contains(QStringLiteral("Efficiency–stiffness")));
+}
+
+void TestStringPage::blowAndRockShowAString() {
+    auto& blow = part<BlowPage>(window());
+    part<PageTabs>(window()).setCurrentWidget(&blow);
+    settle();
+    const BlowPlots& plots = *blow.plots();
+    const auto shown = window().shown();
+    const StringHistory history(*shown->string, stringPlace(document().scenario().drillString, 0.5));
+    double largest = 0;
+    for (const StringInstant& now : history.sampled()) largest = std::max(largest, now.impactForce);
+    const auto range = [](const QCPGraph* graph) {
+        bool found = false;
+        return graph->getValueRange(found);
+    };
+    const double unit = shown->units.force.factor;
+    QVERIFY(std::abs(range(plots.forceGraph()).upper - largest * unit) < 1e-9 * largest * unit);
+    QVERIFY(range(plots.faceForceGraph()).upper > range(plots.forceGraph()).upper);
+    QVERIFY(plots.closedFormGraph()->data()->isEmpty());
+    QVERIFY(plots.waveGraph(2)->data()->isEmpty());
+    QVERIFY(plots.textSummary().contains(QStringLiteral("coupling")) ||
+            plots.textSummary().contains(QStringLiteral("rod")));
+    const auto last = plots.momentumGraph()->data()->constEnd() - 1;
+    const double momentum = shown->summary.string->stringMomentum * shown->units.impulse.factor;
+    QVERIFY(std::abs(last->value - momentum) < 1e-5 * std::abs(momentum));
+
+    auto& rock = part<RockPage>(window());
+    part<PageTabs>(window()).setCurrentWidget(&rock);
+    settle();
+    QVERIFY(rock.rockPlot()->path()->data()->size() > 100);
+    QVERIFY(rock.rockPlot()->textSummary().contains(QStringLiteral("energy left in the rock")));
+}
+
+void TestStringPage::runsOfEitherKindLieOverBlowAndRock() {
+    auto& blow = part<BlowPage>(window());
+    part<PageTabs>(window()).setCurrentWidget(&blow);
+    settle();
+    part<PinnedRuns>(window()).pinAction()->trigger();
+    openExample("t38_medium_rock");
+    part<PinnedRuns>(window()).pinAction()->trigger();
+    settle();
+    for (const char* present : {"t38_medium_rock", "r32_string"}) {
+        openExample(present);
+        QCOMPARE(blow.plots()->forcesOfRuns().size(), 2);
+        for (const QCPGraph* run : blow.plots()->forcesOfRuns()) QVERIFY(!run->data()->isEmpty());
+    }
+}
+
+// Near the bit what comes down comes later than near the shank.
+void TestStringPage::theBlowIsReadWhereOneLooks() {
+    auto& blow = part<BlowPage>(window());
+    part<PageTabs>(window()).setCurrentWidget(&blow);
+    const auto arrival = [&](double section) {
+        blow.findChild<PlaceField*>()->setValue(section);
+        settle();
+        for (const QCPGraphData& point : *blow.plots()->waveGraph(0)->data())
+            if (point.value < -1) return point.key;
+        return -1.0;
+    };
+    const double early = arrival(0.1), late = arrival(0.9);
+    QVERIFY(early > 0 && late > early);
+    const QString place = blow.findChild<QLabel*>(QStringLiteral("place"))->text();
+    QVERIFY2(place.contains(QStringLiteral("shank")), qPrintable(place));
 }
 
 void TestStringPage::aRodBringsItsPagesBack() {
@@ -272,6 +351,8 @@ void TestStringPage::numbersFollowTheLocale() {
     m_window.reset();
     makeWindow(exactSolve());
     openExample("t38_string");
+    part<PageTabs>(window()).setCurrentWidget(&page());
+    settle();
     QCOMPARE(text(4, StringModel::bore), QStringLiteral("14,5"));
     QVERIFY(text(4, StringModel::tension).contains(QLatin1Char(',')));
     typeIntoCell(4, StringModel::diameter, QStringLiteral("39,5"));
