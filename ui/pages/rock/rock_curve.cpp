@@ -95,7 +95,9 @@ RockCurve rockCurve(const Blow& blow, const ShownUnits& units) {
     rock.law = blow.string->problem.law;
     ImpactSummary summary = blow.summary;
     summary.workRatio = 1;  // what stays in the rock is told in shares of the hammer's energy
-    return curveOf(blow.impact, rock, summary, units);
+    RockCurve curve = curveOf(blow.impact, rock, summary, units);
+    curve.ofHammerEnergy = true;
+    return curve;
 }
 
 RockCurve rockCurve(const Impact& impact, const Problem& problem, const ShownUnits& units) {

@@ -32,6 +32,7 @@ struct RockCurve {
     double unloading = 0;                          ///< k/γ
     double energy = 0;                             ///< left in the rock: the enclosed area
     double energyShare = 0;                        ///< of the hammer work
+    bool ofHammerEnergy = false;                   ///< of a string: the share is that of its energy E0
     std::vector<RunOverlay<RockCurve>> runs = {};  ///< laid over it
 };
 

@@ -19,7 +19,8 @@ QString shown(double value, const ShownUnit& unit, const QLocale& locale) {
 QString energyText(const RockCurve& curve, const QLocale& locale) {
     constexpr double rounding = 1e-9;
     if (std::abs(curve.energyShare) < rounding) return RockPlot::tr("no energy left in the rock");
-    return RockPlot::tr("energy left in the rock: %1 (%2 of W)")
+    return (curve.ofHammerEnergy ? RockPlot::tr("energy left in the rock: %1 (%2 of E₀)")
+                                 : RockPlot::tr("energy left in the rock: %1 (%2 of W)"))
         .arg(shown(curve.energy, curve.units.energy, locale),
              numberText(100 * curve.energyShare, 3, locale) + QChar(QChar::Nbsp) + QLatin1Char('%'));
 }
