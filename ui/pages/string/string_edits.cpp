@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/string/string_edits.h"
 
+#include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QMenu>
+#include <QSignalBlocker>
 #include <QTableView>
 #include <algorithm>
 #include <array>
@@ -69,7 +71,21 @@ StringEdits::StringEdits(Document& document, StringModel& model, QTableView& tab
     connect(table.selectionModel(), &QItemSelectionModel::selectionChanged, this, &StringEdits::offer);
     connect(&model, &QAbstractItemModel::modelReset, this, &StringEdits::offer);
     connect(&model, &QAbstractItemModel::dataChanged, this, &StringEdits::offer);
+    letRowsBeDragged();
     offer();
+}
+
+// By their headers; the view's own order stays that of the file.
+void StringEdits::letRowsBeDragged() {
+    QHeaderView* header = m_table.verticalHeader();
+    header->setSectionsMovable(true);
+    connect(header, &QHeaderView::sectionMoved, this, [this, header](int /*row*/, int from, int to) {
+        const QSignalBlocker blocker(header);
+        header->moveSection(to, from);
+        // The header is still in the middle of its drag.
+        QMetaObject::invokeMethod(
+            this, [this, from, to] { moveRow(from, to); }, Qt::QueuedConnection);
+    });
 }
 
 QAction* StringEdits::newAction(const QString& name, const QString& text, const QString& toolTip,
@@ -260,6 +276,27 @@ void StringEdits::move(MoveTo direction) {
     const QString step =
         direction == MoveTo::rear ? tr("move %1 towards the hammer") : tr("move %1 towards the bit");
     if (take(changed, step.arg(name))) select(*spot);
+}
+
+void StringEdits::moveRow(int from, int to) {
+    if (from >= m_model.rowCount() || to >= m_model.rowCount() || from == to) return;
+    Scenario changed = m_document.scenario();
+    SectionSpot spot = m_model.rows()[std::size_t(from)].spot;
+    const QString name = m_model.rows()[std::size_t(from)].name();
+    const auto row = [&] {
+        const std::vector<SectionSpot> spots = sectionSpots(changed.drillString);
+        return int(std::ranges::find(spots, spot) - spots.begin());
+    };
+    // Into and out of repeats as by single steps.
+    while (to < from ? row() > to : row() < to) {
+        const std::optional<SectionSpot> next =
+            moveSection(changed.drillString, spot, to < from ? MoveTo::rear : MoveTo::bit);
+        if (!next)
+            return emit refused(
+                tr("Sections of the hammer stay in the hammer, those of the string behind it."));
+        spot = *next;
+    }
+    if (take(changed, tr("move %1").arg(name))) select(spot);
 }
 
 void StringEdits::repeat() {

@@ -34,6 +34,8 @@ class StringEdits : public QObject {
     void duplicate();
     void remove();
     void move(MoveTo direction);
+    /// From row to row, past those between.
+    void moveRow(int from, int to);
     /// Makes a repeat of the selected rows, or leads to the number of theirs.
     void repeat();
     /// Selects the row of a spot.
@@ -44,6 +46,7 @@ class StringEdits : public QObject {
     void refused(const QString& reason);
 
   private:
+    void letRowsBeDragged();
     QAction* newAction(const QString& name, const QString& text, const QString& toolTip,
                        const QKeySequence& keys, const std::function<void()>& then);
     void fillAddMenu();

@@ -57,6 +57,7 @@ class TestStringPage : public QObject, private WindowFixture {
     void numbersFollowTheLocale();
     void aNewcomerBuildsTheStringFromOneSection();
     void aNewcomerBuildsTheStringFromPresets();
+    void aRowIsDraggedToItsPlace();
     void aClickInTheDrawingSelectsTheRow();
     void theDrawingIsToScale();
     void theKeysGoThroughTheDrawing();
@@ -433,6 +434,36 @@ void TestStringPage::aNewcomerBuildsTheStringFromPresets() {
     settle();
     QCOMPARE(window().shown()->problem, QString());
     QVERIFY(std::abs(window().shown()->summary.string->efficiency - 0.501587377477) < 1e-9);
+}
+
+void TestStringPage::aRowIsDraggedToItsPlace() {
+    // Rows: two of the hammer, adapter, coupling and rod in a repeat, skirt, head.
+    const auto drag = [&](int from, int to) {
+        QHeaderView* header = page().table()->verticalHeader();
+        const auto middle = [&](int row) {
+            return QPoint(header->width() / 2,
+                          header->sectionViewportPosition(row) + header->sectionSize(row) / 2);
+        };
+        QTest::mousePress(header->viewport(), Qt::LeftButton, {}, middle(from));
+        QTest::mouseMove(header->viewport(), (middle(from) + middle(to)) / 2);
+        const QPoint beyond(0, to > from ? 6 : -6);
+        QTest::mouseMove(header->viewport(), middle(to) + beyond);
+        QTest::mouseRelease(header->viewport(), Qt::LeftButton, {}, middle(to) + beyond);
+        QCoreApplication::processEvents();
+    };
+    QStringList before;
+    for (int row = 0; row < model().rowCount(); ++row) before << model().rows()[std::size_t(row)].name();
+    drag(6, 2);
+    QCOMPARE(model().rows()[2].name(), QStringLiteral("bit head"));
+    QCOMPARE(undoText(), QStringLiteral("move bit head"));
+    document().undoStack().undo();
+    QCoreApplication::processEvents();
+    for (int row = 0; row < model().rowCount(); ++row)
+        QCOMPARE(model().rows()[std::size_t(row)].name(), before[row]);
+    const int steps = document().undoStack().index();
+    drag(2, 0);
+    QCOMPARE(document().undoStack().index(), steps);
+    QVERIFY2(words().contains(QStringLiteral("stay in the hammer")), qPrintable(words()));
 }
 
 void TestStringPage::aClickInTheDrawingSelectsTheRow() {
