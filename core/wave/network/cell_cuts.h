@@ -30,15 +30,34 @@ class CellCuts {
     const std::vector<double>& widths() const { return m_widths; }
 
     /// On a clock that counts parts from a whole cell on, where `step` begins and how long it is [t0].
-    double clock(long step) const {
-        const long parts = static_cast<long>(count());
-        const long cell = step >= 0 ? step / parts : -((parts - 1 - step) / parts);
-        return m_cell * (static_cast<double>(cell) + m_places[step - cell * parts]);
-    }
-    double width(long step) const {
-        const long parts = static_cast<long>(count());
-        return m_widths[((step % parts) + parts) % parts];
-    }
+    double clock(long step) const { return Walk(*this, step).clock(); }
+    double width(long step) const { return Walk(*this, step).width(); }
+
+    /// Goes from part to part, without a division for each.
+    class Walk {
+      public:
+        Walk(const CellCuts& cuts, long step) : m_cuts(cuts) {
+            const long parts = static_cast<long>(cuts.count());
+            m_cell = step >= 0 ? step / parts : -((parts - 1 - step) / parts);
+            m_part = static_cast<std::size_t>(step - m_cell * parts);
+        }
+        std::size_t part() const { return m_part; }
+        /// Where the part begins, and how long it is.
+        double clock() const {
+            return m_cuts.m_cell * (static_cast<double>(m_cell) + m_cuts.m_places[m_part]);
+        }
+        double width() const { return m_cuts.m_widths[m_part]; }
+        void next() {
+            if (++m_part < m_cuts.count()) return;
+            m_part = 0;
+            ++m_cell;
+        }
+
+      private:
+        const CellCuts& m_cuts;
+        long m_cell;
+        std::size_t m_part;
+    };
 
     /// Also cut at this place, and behind it as finely as behind a front. False where that is cut already, or
     /// there are enough cuts.

@@ -31,6 +31,8 @@ bool isStill(const WaveCell& w) {
 FaceNode::FaceNode(double impedance1, double impedance2, const NetworkFace& face)
     : m_impedance1(impedance1),
       m_impedance2(impedance2),
+      m_of1(2 / impedance1),
+      m_of2(2 / impedance2),
       m_common(impedance1 * impedance2 / (impedance1 + impedance2)),
       m_stiffness(face.stiffness),
       m_restrike(face.restrike) {}
@@ -44,9 +46,9 @@ void FaceNode::setWidths(const std::vector<double>& widths) {
 
 WaveCell FaceNode::closingSpeed(const WaveCell& f1, const WaveCell& b2) const {
     WaveCell w;
-    const double of1 = 2 / m_impedance1, of2 = 2 / m_impedance2;
-    const double size = of1 * (std::abs(f1.mean()) + f1.spread()) + of2 * (std::abs(b2.mean()) + b2.spread());
-    for (int k = 0; k < WaveCell::count; ++k) w.c[k] = of1 * f1.c[k] + of2 * b2.c[k];
+    const double size =
+        m_of1 * (std::abs(f1.mean()) + f1.spread()) + m_of2 * (std::abs(b2.mean()) + b2.spread());
+    for (int k = 0; k < WaveCell::count; ++k) w.c[k] = m_of1 * f1.c[k] + m_of2 * b2.c[k];
     dropRounding(w.c.data(), WaveCell::count, rounding * size);
     return w;
 }

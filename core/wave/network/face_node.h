@@ -66,7 +66,8 @@ class FaceNode {
     void separate(double time);
 
     double m_impedance1, m_impedance2;
-    double m_common;  ///< Z* = Z1 Z2/(Z1 + Z2)
+    double m_of1, m_of2;  ///< 2/Z1, 2/Z2: from waves to the closing speed
+    double m_common;      ///< Z* = Z1 Z2/(Z1 + Z2)
     std::optional<double> m_stiffness;
     bool m_restrike;
     std::vector<double> m_widths;

@@ -15,23 +15,26 @@ void Joint::step(const WaveCell* f1, const WaveCell* b2, WaveCell* b1, WaveCell*
         }
         return;
     }
-    const double r = reflection();
-    for (std::size_t i = 0; i < count; ++i) {
-        const WaveCell f = f1[i], b = b2[i];
-        if (m_passing == 1) {
-            for (int k = 0; k < WaveCell::count; ++k) {
-                const double turned = r * (f.c[k] - b.c[k]);
-                b1[i].c[k] = b.c[k] + turned;
-                f2[i].c[k] = f.c[k] + turned;
-            }
-        } else {
-            for (int k = 0; k < WaveCell::count; ++k) {
-                const double weakened = m_passing * b.c[k];
-                const double turned = r * (f.c[k] - weakened);
-                b1[i].c[k] = weakened + turned;
-                f2[i].c[k] = m_passing * (f.c[k] + turned);
-            }
+    const double r = reflection(), passing = m_passing;
+    // In arrays of their own the four coefficients are worked on side by side.
+    using Coefficients = std::array<double, WaveCell::count>;
+    if (passing == 1) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const Coefficients f = f1[i].c, b = b2[i].c;
+            Coefficients turned;
+            for (int k = 0; k < WaveCell::count; ++k) turned[k] = r * (f[k] - b[k]);
+            for (int k = 0; k < WaveCell::count; ++k) b1[i].c[k] = b[k] + turned[k];
+            for (int k = 0; k < WaveCell::count; ++k) f2[i].c[k] = f[k] + turned[k];
         }
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const Coefficients f = f1[i].c, b = b2[i].c;
+        Coefficients weakened, turned;
+        for (int k = 0; k < WaveCell::count; ++k) weakened[k] = passing * b[k];
+        for (int k = 0; k < WaveCell::count; ++k) turned[k] = r * (f[k] - weakened[k]);
+        for (int k = 0; k < WaveCell::count; ++k) b1[i].c[k] = weakened[k] + turned[k];
+        for (int k = 0; k < WaveCell::count; ++k) f2[i].c[k] = passing * (f[k] + turned[k]);
     }
 }
 

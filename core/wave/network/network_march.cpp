@@ -65,6 +65,12 @@ const NetworkSection& sectionAt(const NetworkProblem& problem, std::size_t j) {
     return problem.sections[j];
 }
 
+/// Where the next part begins.
+double endOf(CellCuts::Walk at) {
+    at.next();
+    return at.clock();
+}
+
 }  // namespace
 
 ForeseenWork foreseeWork(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants) {
@@ -191,20 +197,20 @@ CellJump NetworkMarch::stepBlock(std::size_t count, CutAt cutAt) {
 }
 
 CellJump NetworkMarch::stepFace(std::size_t count, CutAt cutAt) {
-    const std::size_t j = m_problem.hammerSections, parts = m_cuts.count();
-    std::size_t part = static_cast<std::size_t>(m_step) % parts;
+    const std::size_t j = m_problem.hammerSections;
+    CellCuts::Walk at(m_cuts, m_step);
     CellJump jump;
-    for (std::size_t i = 0; i < count; ++i, part = part + 1 == parts ? 0 : part + 1) {
+    for (std::size_t i = 0; i < count; ++i, at.next()) {
         WaveCell f = m_downs[j - 1][i];
         WaveCell b = m_passing[j] == 1 ? m_lines[j].arriving()[i] : m_passing[j] * m_lines[j].arriving()[i];
-        const long step = m_step + static_cast<long>(i);
-        const double time = m_cuts.clock(step);
-        if (m_census && m_census->time() >= time && m_census->time() < m_cuts.clock(step + 1)) {
-            const double share = std::min(1.0, (m_census->time() - time) / m_cuts.widths()[part]);
-            m_census->setFace(m_face.stateWithin(f, b, static_cast<int>(part), share, time));
+        const int part = static_cast<int>(at.part());
+        const double time = at.clock();
+        if (m_census && m_census->time() >= time && m_census->time() < endOf(at)) {
+            const double share = std::min(1.0, (m_census->time() - time) / at.width());
+            m_census->setFace(m_face.stateWithin(f, b, part, share, time));
         }
-        m_face.step(f, b, static_cast<int>(part), time, cutAt, jump);
-        if (jump.found) return {true, jumpPlace(part, jump.place)};
+        m_face.step(f, b, part, time, cutAt, jump);
+        if (jump.found) return {true, jumpPlace(at.part(), jump.place)};
         m_downs[j][i] = f;
         m_lines[j - 1].leaving()[i] = b;
     }
@@ -212,20 +218,20 @@ CellJump NetworkMarch::stepFace(std::size_t count, CutAt cutAt) {
 }
 
 CellJump NetworkMarch::stepBit(std::size_t count, CutAt cutAt) {
-    const std::size_t j = m_problem.sections.size() - 1, parts = m_cuts.count();
-    std::size_t part = static_cast<std::size_t>(m_step) % parts;
+    const std::size_t j = m_problem.sections.size() - 1;
+    CellCuts::Walk at(m_cuts, m_step);
     CellJump jump;
     const double censusClock = m_census ? m_census->clockOf(j + 1) : -1;
-    for (std::size_t i = 0; i < count; ++i, part = part + 1 == parts ? 0 : part + 1) {
+    for (std::size_t i = 0; i < count; ++i, at.next()) {
         const WaveCell g = m_passing[j] == 1 ? m_downs[j][i] : m_passing[j] * m_downs[j][i];
-        const long step = m_step + static_cast<long>(i);
-        const double clock = m_cuts.clock(step);
-        if (m_census && censusClock >= clock && censusClock < m_cuts.clock(step + 1)) {
-            const double share = std::min(1.0, (censusClock - clock) / m_cuts.widths()[part]);
-            m_census->setBit(m_bit.stateWithin(g, static_cast<int>(part), share, clock + m_clocks.bit()));
+        const int part = static_cast<int>(at.part());
+        const double clock = at.clock(), time = clock + m_clocks.bit();
+        if (m_census && censusClock >= clock && censusClock < endOf(at)) {
+            const double share = std::min(1.0, (censusClock - clock) / at.width());
+            m_census->setBit(m_bit.stateWithin(g, part, share, time));
         }
-        m_lines[j].leaving()[i] = m_bit.step(g, static_cast<int>(part), clock + m_clocks.bit(), cutAt, jump);
-        if (jump.found) return {true, jumpPlace(part, jump.place)};
+        m_lines[j].leaving()[i] = m_bit.step(g, part, time, cutAt, jump);
+        if (jump.found) return {true, jumpPlace(at.part(), jump.place)};
         if (m_waves) m_bitForces[i] = m_bit.cellForce();
     }
     return {};
@@ -276,10 +282,8 @@ void NetworkMarch::observe(std::size_t count) {
                 LineCensus& line = down ? m_census->down(j) : m_census->up(j);
                 if (!line.concerns(start, end, m_lossy)) continue;
                 const WaveCell* cells = down ? m_downs[j].data() : m_lines[j].leaving();
-                for (std::size_t i = 0; i < count; ++i) {
-                    const long step = m_step + static_cast<long>(i);
-                    line.add(cells[i], m_cuts.clock(step), m_cuts.width(step));
-                }
+                CellCuts::Walk at(m_cuts, m_step);
+                for (std::size_t i = 0; i < count; ++i, at.next()) line.add(cells[i], at.clock(), at.width());
             }
         }
         if (m_wants.forces)
