@@ -251,11 +251,11 @@ void ContactMarch<Basis>::advanceContact() {
     const auto [length, ending] = firstEvent(response);
     if (m_basis.failed()) return;
 
-    m_basis.endAt(response, length);
-    m_impulse += response.force.integral(length);
-    m_error += m_basis.roundingError(response, length);
+    const auto end = m_basis.endAt(response, length);
+    m_impulse += end.impulse;
+    m_error += end.error + Basis::roundingOfSums * m_impulse;
     countJoining(response, length, ending);
-    m_force = std::max(response.force.value(length), Real(0));  // below it: rounding
+    m_force = std::max(end.force, Real(0));  // below it: rounding
     if (m_detail != Detail::cor && m_law.isElastic()) {
         m_law.remember(m_force);
         m_law.remember(m_basis.largest(response, length, m_law.largestForce()));

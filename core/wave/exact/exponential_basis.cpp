@@ -3,6 +3,7 @@
 
 #include "core/contact/bilinear_law.h"
 #include "core/wave/exact/exponential_algebra.h"
+#include "core/wave/exact/exponential_end.h"
 #include "core/wave/exact/exponential_stretches.h"
 
 namespace drillwave {
@@ -202,16 +203,14 @@ ExponentialBasis::Response& ExponentialBasis::respond(Piece& g, double rate, dou
     const double layer = force - r.force.startValue();
     const bool isRounding = std::abs(layer) <= 4 * epsilon * (std::abs(force) + std::abs(r.force.c0));
     if (!isRounding) forceSame.c[0] = layer;
+    r.start = isRounding ? force - layer : force;
+    r.dropped = isRounding ? std::abs(layer) : 0;
     // the decays over the whole piece serve all functions of this piece
     if (g.primaryDecay < 0 && r.force.hasPrimary()) g.primaryDecay = std::exp(-m_rates.primary * g.length);
     if (g.elasticDecay < 0 && r.force.hasElastic()) g.elasticDecay = std::exp(-m_rates.elastic * g.length);
     r.force.primaryDecay = g.primaryDecay;
     r.force.elasticDecay = g.elasticDecay;
-    r.primarySize = r.force.primary.magnitude();
-    r.elasticSize = r.force.elastic.magnitude();
-    r.size = std::abs(r.force.c0) + r.primarySize + r.elasticSize;
-    if (r.force.isCurved) r.size += r.force.curveMagnitude();
-    if (r.size > mostCancellation * m_scale) m_failed = true;
+    if (r.force.magnitude() > mostCancellation * m_scale) m_failed = true;
     return r;
 }
 
@@ -354,14 +353,41 @@ double ExponentialBasis::largestIntegral(const Piece& g) {
     return most;
 }
 
-double ExponentialBasis::roundingError(const Response& r, double length) const {
-    const auto lasting = [length](double rate) { return std::min(length, Coefficients::capacity / rate); };
-    double weighted = std::abs(r.force.c0) * length + r.primarySize * lasting(m_rates.primary) +
-                      r.elasticSize * lasting(m_rates.elastic);
-    if (r.force.isCurved) weighted += r.force.curveMagnitude() * length;
-    const double persisting =
-        r.size * epsilon / m_rates.primary;  // decays only as slowly as the contact force
-    return 4 * (epsilon * weighted + persisting + m_negligible * length);
+/// The coefficients of the force are wrong by their rounding, and so is the wave that they leave. What the
+/// force at the end is wrong by, δF, it takes back in 1/a: the bit stands δF/a off, and that persists. On
+/// soft rock constant and decays cancel; then the change from the start has digits that their sum has not.
+StretchEnd<double> ExponentialBasis::endAt(Response& r, double length) const {
+    const bool isCut = length != r.length;
+    if (isCut) shorten(r, length);
+    const Piece& force = r.force;
+    const double fastest = force.elastic.count ? m_rates.elastic : m_rates.primary;
+    const bool isSlow = fastest * length < 1 && !force.isCurved;
+    const double constant = std::abs(force.c0);
+    double stored = constant * length, integrated = 0, size = isSlow ? 0 : constant;
+    StretchEnd<double> end{isSlow ? r.start : force.c0, force.c0 * length, 0};
+    const auto add = [&](const Coefficients& terms, double rate, double decay) {
+        const DecaysEnd decays(terms, rate, length, decay);
+        end.force += isSlow ? decays.change() : decays.value();
+        size += isSlow ? decays.changeSize() : decays.valueSize();
+        end.impulse += decays.integral;
+        stored += decays.stored;
+        integrated += decays.integrated;
+    };
+    if (force.primary.count) add(force.primary, m_rates.primary, force.primaryDecay);
+    if (force.elastic.count) add(force.elastic, m_rates.elastic, force.elasticDecay);
+    if (force.isCurved) [[unlikely]] {
+        const double curve = force.curveMagnitude();
+        stored += curve * length;
+        size += curve;
+        end.force = force.value(length);
+        end.impulse = force.integral(length);
+    }
+    // an event at a force that is given has been found by the sum
+    if (isSlow && isCut && r.rate == m_rates.elastic) size += 2 * constant;
+    size += std::abs(end.force);
+    end.error =
+        4 * (epsilon * (stored + integrated + size / r.rate) + m_negligible * length) + r.dropped / r.rate;
+    return end;
 }
 
 double ExponentialBasis::largest(Response& r, double length, double before) {

@@ -2,8 +2,11 @@
 // Contact solved in closed form, one piece from front to front however long: fast where reflections are few.
 #pragma once
 
+#include <limits>
+
 #include "core/wave/exact/exponential_sum.h"
 #include "core/wave/exact/exponential_zero.h"
+#include "core/wave/exact/stretch_end.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
 
@@ -20,15 +23,17 @@ class ExponentialBasis {
     using Piece = ExponentialSum;
     using Sum = double;                         ///< its pieces are few
     static constexpr bool joinsPieces = false;  ///< there are few
+    /// What each term added to a Sum is wrong by, relative to the sum.
+    static constexpr double roundingOfSums = std::numeric_limits<double>::epsilon() / 2;
 
     struct Response {
         double length = 0;
         double rate = 0;
         const Piece* incident = nullptr;  ///< the arriving wave, which must outlive the response
         Piece force;
-        double primarySize = 0, elasticSize = 0;  ///< sums of |coefficients| of the decays of the force
-        double size = 0;                          ///< of all terms
-        bool hasDrive = false;                    ///< drive() has been asked for
+        double start = 0;       ///< the force at the start
+        double dropped = 0;     ///< what has been left out of it as rounding
+        bool hasDrive = false;  ///< drive() has been asked for
     };
 
     /// Whether it is worth trying: few reflections, rates apart, and a rock that is not too soft.
@@ -55,10 +60,8 @@ class ExponentialBasis {
     void reflect(const Response& r, Piece& reflected) const;
     /// The drive 2g − F = U' = F'/a of a response, until the next.
     const Piece& drive(Response& r);
-    /// The decays up to the end serve every function of this stretch.
-    void endAt(Response& r, double length) {
-        if (length != r.length) shorten(r, length);
-    }
+    /// Ends the stretch. The decays up to there serve every function of it.
+    StretchEnd<double> endAt(Response& r, double length) const;
     void dropFront(Piece& g, const Response& r) const {
         g.rates = &m_rates;
         g.dropFront(r.length, r.force.primaryDecay, r.force.elasticDecay);
@@ -70,7 +73,6 @@ class ExponentialBasis {
     double largestIntegral(const Piece& g);
     /// An upper bound of that, and of 0.
     double mostIntegral(const Piece& g) const { return g.mostIntegral(); }
-    double roundingError(const Response& r, double length) const;
     void tidy(Piece& piece) const {
         piece.rates = &m_rates;
         piece.trim(m_negligible);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/wave/exact/exponential_algebra.h"
+#include "core/wave/exact/exponential_end.h"
 
 namespace drillwave {
 
@@ -42,16 +43,6 @@ struct ExponentialSample {
 
     double noise() const { return 4 * std::numeric_limits<double>::epsilon() * size; }
 };
-
-/// Largest values of φ_m, at y = m.
-inline constexpr double largestDecays[Coefficients::capacity] = {1,
-                                                                 0.36787944117144233,
-                                                                 0.27067056647322538,
-                                                                 0.22404180765538775,
-                                                                 0.19536681481316454,
-                                                                 0.17546736976785068,
-                                                                 0.16062314104798003,
-                                                                 0.14900277967433771};
 
 /// Adds the terms of one rate, of which `slopes` are the slope.
 [[gnu::always_inline]] inline void addTerms(const Coefficients& decays, const Coefficients& rises,

@@ -8,6 +8,7 @@
 #include "core/wave/exact/first_zero.h"
 #include "core/wave/exact/joining_error.h"
 #include "core/wave/exact/series_joiner.h"
+#include "core/wave/exact/stretch_end.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
 
@@ -24,6 +25,7 @@ class SeriesBasis {
     using Real = RealType;
     using Piece = WavePiece<Real>;
     using Sum = CompensatedSum<Real>;
+    static constexpr Real roundingOfSums = 0;  ///< they are compensated
     static constexpr bool joinsPieces = true;
 
     /// One solved stretch of contact: F, the drive 2g − F = U' = F'/a and the reflected g − F, on one scale.
@@ -156,7 +158,12 @@ class SeriesBasis {
     void reflect(const Response& r, Piece& reflected) const { reflected = r.reflected; }
     const Piece& drive(const Response& r) const { return r.drive; }
     /// The stretch ends at `length`, by an event or at its end.
-    void endAt(Response& r, Real length) const { r.length = length; }
+    StretchEnd<Real> endAt(Response& r, Real length) const {
+        r.length = length;
+        const Real size = r.size + r.incident.magnitude();
+        return {r.force.value(length), r.force.integral(length),
+                4 * (std::numeric_limits<Real>::epsilon() * size + m_negligible) * length};
+    }
     /// The rest of g behind that stretch.
     void dropFront(Piece& g, const Response& r) const { g.dropFront(r.length); }
 
@@ -214,11 +221,6 @@ class SeriesBasis {
 
     /// An upper bound of that.
     Real mostIntegral(const Piece& g) const { return std::max(Real(0), g.mostValue()) * g.length; }
-
-    Real roundingError(const Response& r, Real length) const {
-        const Real size = r.size + r.incident.magnitude();
-        return 4 * (std::numeric_limits<Real>::epsilon() * size + m_negligible) * length;
-    }
 
     void tidy(Piece& piece) const { piece.trim(m_negligible); }
 

@@ -134,12 +134,28 @@ class TestAmountOfWork : public QObject {
     }
 
     void aMarchWhoseErrorIsTooLargeIsNotGoneOnWith() {
-        // in closed form 53 pieces, whose stated error passes what is wanted after a tenth of them
-        Problem problem = problemOf(pulseForceOf(PulseShape::rectangular), {0.1, 0.1, 10, 0});
+        // in closed form its terms are a thousand times as large as the force
+        const Problem problem = problemOf(pulseForceOf(PulseShape::rectangular), {0.04, 0.7, 10, 0});
         const Impact impact = ExactSolver().solve(problem);
         QCOMPARE(impact.outcome, Outcome::rebounded);
         QVERIFY2(impact.abandoned > 0 && impact.abandoned < 15,
                  qPrintable(QString::number(impact.abandoned)));
+    }
+
+    void softRockStaysClosed_data() {
+        QTest::addColumn<double>("beta");
+        QTest::addColumn<double>("gamma");
+        for (const double beta : {0.06, 0.08, 0.1, 0.14, 0.2})
+            for (const double gamma : {0.1, 0.5, 1.0})
+                QTest::addRow("beta %g, gamma %g", beta, gamma) << beta << gamma;
+    }
+    void softRockStaysClosed() {
+        QFETCH(const double, beta);
+        QFETCH(const double, gamma);
+        const Impact impact =
+            ExactSolver().solve(problemOf(pulseForceOf(PulseShape::rectangular), {beta, gamma, 10, 0}));
+        QCOMPARE(impact.outcome, Outcome::rebounded);
+        QCOMPARE(impact.abandoned, 0L);
     }
 };
 

@@ -47,6 +47,29 @@ class TestBases : public QObject {
         QVERIFY2(truths > scenesToTry() / 20, std::to_string(truths).c_str());
     }
 
+    void onSoftRockTheClosedFormHasTheDigitsThatItStates() {
+        // closed marches of several round trips, by how soft the rock is and how much it remembers
+        Chance chance(6);
+        BasisComparison comparison;
+        for (const double softest : {0.02, 0.1})
+            for (const double leastGamma : {0.05, 0.3, 1.0}) {
+                unsigned compared = 0;
+                for (unsigned i = 0; i < scenesToTry() / 30; ++i) {
+                    Scene scene;
+                    scene.groups.beta = chance.logarithmic(softest, 5 * softest);
+                    scene.groups.gamma = chance.logarithmic(leastGamma, std::min(1.0, 2 * leastGamma));
+                    scene.groups.tau = chance.logarithmic(2, 20);
+                    scene.groups.delta = chance.oneIn(2) ? 0 : 3 * chance.fraction();
+                    const BasisFinding found = comparison.compare(scene, true, false);
+                    if (!found.closed.isSolved() || found.growth() > coveredGrowth) continue;
+                    ++compared;
+                    QVERIFY2(found.closed.differenceTo(found.extended) <= found.closed.impact.corError,
+                             words(found).c_str());
+                }
+                QVERIFY2(compared > scenesToTry() / 100, std::to_string(compared).c_str());
+            }
+    }
+
     void energiesAndPeaksAgreeAsWell() {
         BasisScenes scenes(3);
         BasisComparison comparison;
