@@ -135,7 +135,7 @@ class TestAmountOfWork : public QObject {
 
     void aMarchWhoseErrorIsTooLargeIsNotGoneOnWith() {
         // in closed form its terms are a thousand times as large as the force
-        const Problem problem = problemOf(pulseForceOf(PulseShape::rectangular), {0.04, 0.7, 10, 0});
+        const Problem problem = problemOf(pulseForceOf(PulseShape::rectangular), {0.06, 0.7, 10, 0});
         const Impact impact = ExactSolver().solve(problem);
         QCOMPARE(impact.outcome, Outcome::rebounded);
         QVERIFY2(impact.abandoned > 0 && impact.abandoned < 15,
