@@ -57,6 +57,9 @@ class StringWaves {
 
     double end() const { return m_end; }  ///< all places are known until then
     std::span<const SectionWaves> sections() const { return m_sections; }
+    /// Of the cells of all waves: where on the clocks each begins, and how long it is.
+    std::span<const double> clocks() const { return m_clocks; }
+    std::span<const double> widths() const { return m_widths; }
     double force(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const {
         return down(section, xi, t, side) + up(section, xi, t, side);
     }
