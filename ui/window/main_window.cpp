@@ -281,8 +281,10 @@ void MainWindow::wireImport() {
     connect(m_importer.get(), &Importer::imported, this, &MainWindow::inform);
 }
 
-// Pages of this blow show the place themselves; from the others the page Rod does.
+// Pages of this blow show the place themselves; from the others the page Rod does. Places are of rods: while
+// a string is being solved they are of the blow before it.
 void MainWindow::goToPlace(double section, double time) {
+    if (isString(m_document.scenario())) return;
     if (!m_pages->current().prepare()) m_pages->choose(m_pages->indexOf(m_rodPage));
     m_observation.setSection(section);
     m_observation.setTime(time);

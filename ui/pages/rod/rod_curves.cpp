@@ -42,6 +42,24 @@ const RodForce& RodCurves::largest(RodLine line) const {
     return envelope.largest.*largestOf[static_cast<std::size_t>(line)];
 }
 
+RodForce RodCurves::forceAt(RodLine line, double section) const {
+    if (!string) return drillwave::forceAt(forces(line), section);
+    if (isAfter(line) || !string->waves) return {0, section, 0};
+    const RodForces largest = string->largestAt(section);
+    return isTension(line) ? largest.tension : largest.compression;
+}
+
+RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_token& stop) {
+    if (!blow.string) return rodCurves(blow.impact, blow.solved.hammer, blow.scenario, units, stop);
+    RodCurves curves;
+    curves.units = units;
+    curves.string = stringRod(blow);
+    curves.strengthFactor = units.stress.factor / scalesOf(blow.scenario).stress;
+    curves.envelope = stringRodEnvelope(*curves.string, blow, stop);
+    for (const RodLine line : rodLines) curves.curves[static_cast<std::size_t>(line)] = curveOf(curves, line);
+    return curves;
+}
+
 RodCurves rodCurves(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,
                     const ShownUnits& units, const std::stop_token& stop) {
     RodCurves curves;
@@ -63,7 +81,7 @@ QByteArray rodCsv(const RodCurves& curves, char separator) {
     const auto heading = [&](const char* name, const ShownUnit& unit) {
         append(csvCell(name + (" [" + unit.unit.toStdString() + "]")));
     };
-    for (const RodLine line : rodLines) {
+    for (const RodLine line : curves.lines()) {
         heading("position", curves.units.length);
         heading(columnNames[static_cast<std::size_t>(line)], curves.units.stress);
         heading("time", curves.units.time);
@@ -72,7 +90,7 @@ QByteArray rodCsv(const RodCurves& curves, char separator) {
     text += '\n';
     for (std::size_t row = 0; row < rows; ++row) {
         std::string cells;
-        for (const RodLine line : rodLines) {
+        for (const RodLine line : curves.lines()) {
             if (!cells.empty()) cells += separator;
             if (row >= curves.forces(line).size()) {
                 cells += std::string(2, separator);

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The largest stresses along the rod as ready plot data, built away from the window's thread.
+// The largest stresses along rod or drill string as ready plot data, built away from the window's thread.
 #pragma once
 
 #include <QByteArray>
 #include <array>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
+#include "core/blow/blow.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scenario.h"
 #include "core/wave/field/rod_envelope.h"
 #include "core/wave/impact.h"
+#include "ui/pages/rod/string_rod.h"
 #include "ui/plot/graph_data.h"
 #include "ui/runs/run_overlay.h"
 #include "ui/text/shown_units.h"
@@ -36,17 +39,32 @@ struct RodCurves {
     RodEnvelope envelope;                           ///< dimensionless
     std::array<GraphData, rodLines.size()> curves;  ///< position in the rod, stress
     std::optional<double> yieldStrength, fatigueStrength;
+    double strengthFactor = 0;                     ///< from Pa to stresses as shown
+    std::optional<StringRod> string = {};          ///< of a drill string, which has strengths of its own
     std::vector<RunOverlay<RodCurves>> runs = {};  ///< laid over them
 
     const GraphData& curve(RodLine line) const { return curves[static_cast<std::size_t>(line)]; }
     const EnvelopeLine& forces(RodLine line) const;
+    /// The lines that are there: a blow on a string is followed to its end, and has no waves left.
+    std::span<const RodLine> lines() const { return std::span(rodLines).first(string ? 2 : rodLines.size()); }
+    /// The largest at a place, in lengths of rod or string.
+    RodForce forceAt(RodLine line, double section) const;
+    /// Where it begins, likewise.
+    double rear() const { return string ? string->rear() : 0; }
     const RodForce& largest(RodLine line) const;
     /// As shown.
     double stress(RodLine line, const RodForce& force) const {
         return (isTension(line) ? 1 : -1) * force.size * units.stress.factor;
     }
+    /// Of a section of a string [Pa].
+    std::optional<double> shownStrength(const std::optional<double>& strength) const {
+        return strength ? std::optional(*strength * strengthFactor) : std::nullopt;
+    }
     double position(const RodForce& force) const { return force.section * units.length.factor; }
 };
+
+/// Of a rod or a string; of a string whose waves were not kept, no lines.
+RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_token& stop = {});
 
 /// Requires an impact solved with Detail::histories. A stop ends the work early, with lines that are too low.
 RodCurves rodCurves(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,

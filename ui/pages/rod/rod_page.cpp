@@ -5,8 +5,10 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
+#include "core/blow/string_curves.h"
 #include "core/wave/field/wave_field.h"
 #include "ui/pages/place_field.h"
 #include "ui/pages/rod/rod_plot.h"
@@ -14,6 +16,17 @@
 #include "ui/text/number_text.h"
 
 namespace drillwave {
+namespace {
+
+// Rods and strings have another axis.
+RunList runsLike(const Scenario& scenario, const RunList& runs) {
+    RunList alike;
+    for (const Run& run : runs)
+        if (isString(run.contents.scenario) == isString(scenario)) alike.push_back(run);
+    return alike;
+}
+
+}  // namespace
 
 RodPage::RodPage(Observation& observation, QWidget* parent)
     : PlotPage(parent),
@@ -66,11 +79,10 @@ PreparePage RodPage::prepare() const {
     if (const RodCurves* shown = curves()) made = shown->runs;
     return [runs = m_runs, made = std::move(made)](const SolvedBlow& blow) {
         const std::stop_token& stop = blow.request.stop;
-        RodCurves curves =
-            rodCurves(blow.impact, blow.solved.hammer, blow.request.scenario, blow.units, stop);
-        curves.runs = runOverlays(*runs, blow, made, [&](const SolvedBlow& run, const ShownUnits& units) {
-            return rodCurves(run.impact, run.solved.hammer, run.scenario, units, stop);
-        });
+        RodCurves curves = rodCurves(blow, blow.units, stop);
+        curves.runs = runOverlays(
+            runsLike(blow.scenario, *runs), blow, made,
+            [&](const SolvedBlow& run, const ShownUnits& units) { return rodCurves(run, units, stop); });
         return PageData::of(std::move(curves));
     };
 }
@@ -85,7 +97,10 @@ const RodCurves* RodPage::curves() const {
 }
 
 void RodPage::setResult(const SolvedBlowPtr& blow) {
-    if (const auto* curves = blow->page<RodCurves>()) {
+    if (const auto* curves = blow->page<RodCurves>(); curves && curves->string && !curves->string->waves) {
+        m_rod->showNothing(tr("Nothing to show: so many waves that they are not kept."));
+        m_plot->setDataText({});
+    } else if (curves) {
         m_rod->present(*curves);
         CurveMeaning meaning;
         meaning.xUnit = blow->units.length.unit;
@@ -116,24 +131,40 @@ void RodPage::showHere() {
     if (!shown) return;
     const double section = m_observation.section();
     std::optional<double> stress;
-    if (const std::optional<double> time = m_observation.time())
-        stress = WaveField(m_blow->impact).force(section, *time) * shown->units.stress.factor;
+    if (const std::optional<double> time = m_observation.time()) stress = stressAt(section, *time);
     m_rod->setHere(section * shown->units.length.factor, stress);
+}
+
+std::optional<double> RodPage::stressAt(double section, double time) const {
+    const RodCurves& shown = *curves();
+    if (!shown.string) return WaveField(m_blow->impact).force(section, time) * shown.units.stress.factor;
+    if (!shown.string->waves) return {};
+    const StringPlace place = stringPlace(m_blow->scenario.drillString, section);
+    const double force = -shown.string->waves->force(place.section, place.share,
+                                                     std::clamp(time, 0.0, shown.string->waves->end()));
+    return force * shown.string->stretches[place.section].toStress * shown.units.stress.factor;
 }
 
 // The line is there before it has anything to say: nothing jumps.
 void RodPage::showReadout() {
     const RodCurves* shown = curves();
-    if (!shown) return m_readout->setText(QStringLiteral(" "));
+    if (!shown || (shown->string && !shown->string->waves)) return m_readout->setText(QStringLiteral(" "));
     const QLocale locale;
     const auto words = [&](RodLine line) {
-        const RodForce force = forceAt(shown->forces(line), m_observation.section());
+        const RodForce force = shown->forceAt(line, m_observation.section());
         const QString stress =
             numberText(shown->stress(line, force), 4, locale) + QChar(QChar::Nbsp) + shown->units.stress.unit;
         if (!(force.size > 0)) return stress;
         return tr("%1 at %2").arg(stress, quantityText(force.time, shown->units.time, locale));
     };
     const QString place = quantityText(m_observation.section(), shown->units.length, locale);
+    if (shown->string) {
+        const RodStretch& in = shown->string->stretches[shown->string->sectionAt(m_observation.section())];
+        const QString name = in.name.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(in.name);
+        return m_readout->setText(tr("At %1 in the blow: %2 and %3\nin section %4%5 of the string")
+                                      .arg(place, words(RodLine::compression), words(RodLine::tension),
+                                           QString::number(in.number), name));
+    }
     m_readout->setText(tr("At %1 in the blow: %2 and %3\nof the waves left: %4 and %5")
                            .arg(place, words(RodLine::compression), words(RodLine::tension),
                                 words(RodLine::compressionAfter), words(RodLine::tensionAfter)));
@@ -142,7 +173,8 @@ void RodPage::showReadout() {
 void RodPage::goTo(QPointF coordinates) {
     const std::optional<RodForce> force = m_rod->forceAt(coordinates);
     if (!force) return;
-    m_observation.setSection(force->section);
+    // Of the hammer, where no page looks, the time.
+    if (force->section >= 0) m_observation.setSection(force->section);
     if (force->size > 0) m_observation.setTime(force->time);
 }
 

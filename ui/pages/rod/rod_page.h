@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rod under the blow: the largest stresses at every section, where and when they occur.
+// Rod or string under the blow: the largest stresses at every section, where and when they occur.
 #pragma once
 
 #include "ui/job/observation.h"
@@ -20,6 +20,7 @@ class RodPage : public PlotPage {
     explicit RodPage(Observation& observation, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Rod"); }
+    bool shows(const Scenario& /*scenario*/) const override { return true; }
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;
@@ -30,6 +31,7 @@ class RodPage : public PlotPage {
   private:
     void showHere();
     void showReadout();
+    std::optional<double> stressAt(double section, double time) const;
     void goTo(QPointF coordinates);
     const RodCurves* curves() const;
 

@@ -140,10 +140,9 @@ void RodPlot::present(const RodCurves& curves) {
     m_curves = curves;
     if (hasOtherRuns) showRuns();
     for (const RodLine line : rodLines) graph(line)->setData(curves.curve(line));
-    const ShownUnits& units = curves.units;
-    m_plot->xAxis->setLabel(units.length.axisLabel(tr("position x from the struck end")));
-    m_plot->yAxis->setLabel(units.stress.axisLabel(
-        units.stress.dimensionless ? tr("force N (tension positive)") : tr("stress (tension positive)")));
+    showLegendOf(curves);
+    showSections();
+    nameAxes();
     m_message->hide();
     placeMarks();
     nameNumbers();
@@ -151,10 +150,87 @@ void RodPlot::present(const RodCurves& curves) {
     if (m_view->isFitted() || unitsChanged) fit();
 }
 
+void RodPlot::nameAxes() {
+    const ShownUnits& units = m_curves.units;
+    const bool isString = m_curves.string.has_value();
+    m_plot->xAxis->setLabel(units.length.axisLabel(isString ? tr("position x from the shank, hammer below 0")
+                                                            : tr("position x from the struck end")));
+    const QString stress = !units.stress.dimensionless ? tr("stress (tension positive)")
+                           : isString                  ? tr("stress, as force in the rod (tension positive)")
+                                                       : tr("force N (tension positive)");
+    m_plot->yAxis->setLabel(units.stress.axisLabel(stress));
+}
+
+// Only of lines that are there.
+void RodPlot::showLegendOf(const RodCurves& curves) {
+    for (const RodLine line : {RodLine::compressionAfter, RodLine::tensionAfter}) {
+        const bool isThere = m_plot->legend->hasItemWithPlottable(graph(line));
+        if (curves.string && isThere) graph(line)->removeFromLegend();
+        if (!curves.string && !isThere) graph(line)->addToLegend();
+    }
+}
+
+// Neighbours of one strength have one line.
+void RodPlot::showSections() {
+    for (QCPItemStraightLine* joint : std::as_const(m_joints)) m_plot->removeItem(joint);
+    for (QCPItemLine* step : m_yieldSteps + m_fatigueSteps) m_plot->removeItem(step);
+    m_joints.clear();
+    m_yieldSteps.clear();
+    m_fatigueSteps.clear();
+    if (!m_curves.string || !m_curves.string->waves) return;
+    const std::vector<RodStretch>& stretches = m_curves.string->stretches;
+    const double length = m_curves.units.length.factor;
+    for (std::size_t j = 1; j < stretches.size(); ++j) {
+        auto* joint = new QCPItemStraightLine(m_plot);
+        joint->setLayer(QStringLiteral("grid"));
+        joint->setSelectable(false);
+        joint->setClipAxisRect(m_plot->axisRect());
+        joint->point1->setCoords(stretches[j].rear * length, 0);
+        joint->point2->setCoords(stretches[j].rear * length, 1);
+        m_joints.append(joint);
+    }
+    const auto addSteps = [&](QVector<QCPItemLine*>& steps, std::optional<double> RodStretch::*strength,
+                              bool alsoCompression) {
+        for (std::size_t from = 0, to; from < stretches.size(); from = to) {
+            for (to = from + 1;
+                 to < stretches.size() && stretches[to].*strength == stretches[from].*strength;)
+                ++to;
+            if (!(stretches[from].*strength)) continue;
+            const double shown = *m_curves.shownStrength(stretches[from].*strength);
+            for (const double sign : {1.0, -1.0}) {
+                if (sign < 0 && !alsoCompression) continue;
+                auto* step = new QCPItemLine(m_plot);
+                step->setSelectable(false);
+                step->setClipAxisRect(m_plot->axisRect());
+                step->start->setCoords(stretches[from].rear * length, sign * shown);
+                step->end->setCoords(stretches[to - 1].front * length, sign * shown);
+                steps.append(step);
+            }
+        }
+    };
+    addSteps(m_yieldSteps, &RodStretch::yieldStrength, true);
+    addSteps(m_fatigueSteps, &RodStretch::fatigueStrength, false);
+    styleSections();
+}
+
+void RodPlot::styleSections() {
+    for (qsizetype i = 0; i < m_joints.size(); ++i) {
+        const bool isFace =
+            m_curves.string && m_curves.string->stretches[static_cast<std::size_t>(i) + 1].number == 1;
+        QColor color = m_style.text;
+        color.setAlphaF(isFace ? 0.8F : 0.35F);
+        m_joints[i]->setPen(QPen(color, 1));
+    }
+    for (QCPItemLine* step : std::as_const(m_yieldSteps))
+        step->setPen(QPen(m_style.text, 1, Qt::DashDotLine));
+    for (QCPItemLine* step : std::as_const(m_fatigueSteps)) step->setPen(QPen(m_style.text, 1, Qt::DotLine));
+}
+
 void RodPlot::showNothing(const QString& message) {
     m_curves = {};
     showRuns();
     for (QCPGraph* graph : m_graphs) graph->setData(GraphData::create());
+    showSections();
     placeMarks();
     placeStrength(m_yield, {}, {});
     placeStrength(m_fatigue, {}, {});
@@ -221,10 +297,34 @@ void RodPlot::placeStrength(const Strength& strength, const std::optional<double
     strength.name->setVisible(value.has_value());
     if (!value) return;
     strength.name->setText(name.arg(stressText(*value)));
+    strength.name->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
     // On the side where the rod is not pulled most.
     const bool pulledAtRight = m_curves.largest(RodLine::tension).section > 0.5;
     strength.name->setPositionAlignment((pulledAtRight ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignBottom);
     strength.name->position->setCoords(pulledAtRight ? 0 : 1, *value);
+}
+
+// By its longest section.
+void RodPlot::nameSteps(const Strength& strength, std::optional<double> RodStretch::*value,
+                        const QString& one, const QString& several) {
+    placeStrength(strength, {}, {});
+    const RodStretch* longest = nullptr;
+    bool differ = false;
+    for (const RodStretch& stretch : m_curves.string->stretches) {
+        if (!(stretch.*value)) continue;
+        if (!longest) longest = &stretch;
+        differ = differ || stretch.*value != longest->*value;
+        if (stretch.front - stretch.rear > 1.001 * (longest->front - longest->rear)) longest = &stretch;
+    }
+    strength.name->position->setTypeX(longest ? QCPItemPosition::ptPlotCoords
+                                              : QCPItemPosition::ptAxisRectRatio);
+    strength.name->setVisible(longest);
+    if (!longest) return;
+    const double shown = *m_curves.shownStrength(longest->*value);
+    strength.name->setText(differ ? several : one.arg(stressText(shown)));
+    strength.name->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+    strength.name->position->setCoords((longest->rear + longest->front) / 2 * m_curves.units.length.factor,
+                                       shown);
 }
 
 bool RodPlot::isNumbered(RodLine line) const {
@@ -264,11 +364,18 @@ void RodPlot::nameNumbers() {
     for (const RodLine line : rodLines)
         m_marks[static_cast<std::size_t>(line)].number->setText(
             stressText(m_curves.stress(line, m_curves.largest(line))));
-    placeStrength(m_yield, m_curves.yieldStrength, tr("yield strength %1"));
-    placeStrength(m_fatigue, m_curves.fatigueStrength, tr("fatigue strength %1"));
+    if (m_curves.string) {
+        nameSteps(m_yield, &RodStretch::yieldStrength, tr("yield strength %1"), tr("yield strengths"));
+        nameSteps(m_fatigue, &RodStretch::fatigueStrength, tr("fatigue strength %1"),
+                  tr("fatigue strengths"));
+    } else {
+        placeStrength(m_yield, m_curves.yieldStrength, tr("yield strength %1"));
+        placeStrength(m_fatigue, m_curves.fatigueStrength, tr("fatigue strength %1"));
+    }
     const double missed = m_curves.envelope.missed * m_curves.units.stress.factor;
     m_caption->setText(
-        missed > 0
+        m_curves.string ? tr("of uniform sections; threads and changes of diameter raise stresses locally")
+        : missed > 0
             ? tr("so many waves that between the peaks a curve may be too low by %1").arg(stressText(missed))
             : tr("of the uniform rod; couplings and threads raise stresses locally, nothing "
                  "damps the waves left"));
@@ -277,7 +384,7 @@ void RodPlot::nameNumbers() {
 void RodPlot::summarize() {
     const QLocale locale = m_plot->locale();
     QStringList extremes;
-    for (const RodLine line : rodLines) {
+    for (const RodLine line : m_curves.lines()) {
         const RodForce& largest = m_curves.largest(line);
         extremes << tr("%1 up to %2 at %3, %4")
                         .arg(nameOf(line), stressText(m_curves.stress(line, largest)),
@@ -312,6 +419,7 @@ void RodPlot::setStyle(const PlotStyle& style) {
         strength->name->setFont(style.font);
         strength->name->setColor(style.text);
     }
+    styleSections();
     m_here->setStyle(style);
     if (m_curves.curves.front()) nameNumbers();  // files have another locale
 }
@@ -320,6 +428,7 @@ void RodPlot::fit() {
     m_view->fit([&] {
         double low = 0, high = 0;
         double length = m_curves.curves.front() ? m_curves.units.length.factor : 1;
+        double rear = m_curves.curves.front() ? m_curves.rear() * length : 0;
         for (QCPCurve* run : m_runs->graphs()) {
             bool found = false;
             const QCPRange values = run->getValueRange(found);
@@ -327,6 +436,7 @@ void RodPlot::fit() {
             low = std::min(low, values.lower);
             high = std::max(high, values.upper);
             length = std::max(length, run->getKeyRange(found).upper);
+            rear = std::min(rear, run->getKeyRange(found).lower);
         }
         for (const auto& graphs : {QVector<QCPGraph*>(m_graphs.begin(), m_graphs.end()), m_ghosts})
             for (const QCPGraph* graph : graphs)
@@ -342,8 +452,13 @@ void RodPlot::fit() {
         };
         take(m_curves.yieldStrength, true);
         take(m_curves.fatigueStrength, false);
+        if (m_curves.string)
+            for (const RodStretch& stretch : m_curves.string->stretches) {
+                take(m_curves.shownStrength(stretch.yieldStrength), true);
+                take(m_curves.shownStrength(stretch.fatigueStrength), false);
+            }
         const double size = high - low;
-        m_plot->xAxis->setRange(0, length);
+        m_plot->xAxis->setRange(rear, length);
         if (size > 0)
             m_plot->yAxis->setRange(low - 0.1 * size, high + 0.1 * size);
         else
@@ -389,11 +504,11 @@ std::optional<RodForce> RodPlot::forceAt(QPointF coordinates) const {
     }
     if (nearest) return nearest;
     const double section = coordinates.x() / m_curves.units.length.factor;
-    if (section < 0 || section > 1) return {};
+    if (section < m_curves.rear() || section > 1) return {};
     distance = std::numeric_limits<double>::infinity();
-    for (const RodLine line : rodLines) {
+    for (const RodLine line : m_curves.lines()) {
         if (!graph(line)->visible()) continue;
-        RodForce force = drillwave::forceAt(m_curves.forces(line), section);
+        RodForce force = m_curves.forceAt(line, section);
         const QPointF there = pixelOf({coordinates.x(), m_curves.stress(line, force)});
         force.section = section;
         offer(force, std::abs(there.y() - pixel.y()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The largest stresses along the rod: the same drawing code for the page and for files.
+// The largest stresses along rod or string: the same drawing code for the page and for files.
 #pragma once
 
 #include <qcustomplot.h>
@@ -21,6 +21,7 @@ namespace drillwave {
 
 /// Largest tension above and largest compression below zero over the position in the rod, while the blow
 /// lasts (solid) and of the waves left (dashed), with the strengths of the rod and a mark at each extreme.
+/// A string has its hammer at negative positions, a line where sections meet, and the strengths of each.
 /// Lives as a child of the plot.
 class RodPlot : public QObject {
     Q_OBJECT
@@ -66,7 +67,13 @@ class RodPlot : public QObject {
     void addStrength(Strength& strength);
     void addMark(Mark& mark);
     void placeStrength(const Strength& strength, const std::optional<double>& value, const QString& name);
+    void nameSteps(const Strength& strength, std::optional<double> RodStretch::*value, const QString& one,
+                   const QString& several);
     void showRuns();
+    void nameAxes();
+    void showLegendOf(const RodCurves& curves);
+    void showSections();
+    void styleSections();
     void placeMarks();
     void followLegend();
     void nameNumbers();
@@ -78,6 +85,8 @@ class RodPlot : public QObject {
     std::array<QCPGraph*, rodLines.size()> m_graphs{};
     std::array<Mark, rodLines.size()> m_marks;
     Strength m_yield, m_fatigue;
+    QVector<QCPItemStraightLine*> m_joints;              ///< of a string
+    QVector<QCPItemLine*> m_yieldSteps, m_fatigueSteps;  ///< of its sections
     QVector<QCPGraph*> m_ghosts;
     QCPLayoutGrid* m_header = nullptr;
     QCPLegend* m_runLegend = nullptr;  // in the header while there are runs

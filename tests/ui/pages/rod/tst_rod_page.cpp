@@ -4,6 +4,10 @@
 #include <QTest>
 
 #include "core/blow/result_alerts.h"
+#include "core/blow/string_curves.h"
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
+#include "core/model/drill_string.h"
 #include "core/wave/field/wave_field.h"
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/rod/rod_plot.h"
@@ -30,8 +34,20 @@ class TestRodPage : public QObject {
     void aGhostStaysUntilItIsTakenAway();
     void aDimensionlessRodHasForces();
     void darkAndLightAreFollowed();
+    void aStringHasTheStressesOfItsSections();
+    void aStringHasItsJointsAndStrengthsAsSteps();
+    void aClickInAStringLeadsToPlaceAndTime();
+    void aClickInTheHammerLeadsToTheTimeAlone();
+    void theDataOfAStringHaveNoWavesLeft();
+    void aStringWhoseWavesAreNotKeptSaysSo();
+    void runsAreLaidOverTheirOwnKind();
+    void rodsAndStringsTakeTurns();
 
   private:
+    SolvedBlowPtr solvedString(const std::function<void(Scenario&)>& change = {},
+                               UnitSystem units = UnitSystem::si) const;
+    /// Visible ones of a string on a layer.
+    int straightLines(const QString& layer) const;
     SolvedBlowPtr solved(double stiffness = 105e6, UnitSystem units = UnitSystem::si) const;
     /// Clicks where a force of the line is drawn.
     void click(RodLine line, const RodForce& force, QPoint beside = {}) const;
@@ -258,6 +274,188 @@ void TestRodPage::darkAndLightAreFollowed() {
     QCoreApplication::processEvents();
     QCOMPARE(m_page->plot()->grab().toImage().pixelColor(2, 2), QColor(30, 30, 32));
     QVERIFY(m_page->rodPlot()->graph(RodLine::tension)->pen().color().lightness() > 128);
+}
+
+SolvedBlowPtr TestRodPage::solvedString(const std::function<void(Scenario&)>& change,
+                                        UnitSystem units) const {
+    SolveRequest request;
+    request.scenario =
+        parseScenario(std::string(findExample("t38_string")->text), "t38_string.yaml").scenario;
+    if (change) change(request.scenario);
+    request.units = units;
+    request.pages = {m_page->prepare()};
+    MethodSolver solver;
+    return solveBlow(request, solver);
+}
+
+int TestRodPage::straightLines(const QString& layer) const {
+    int lines = 0;
+    for (int i = 0; i < m_page->plot()->itemCount(); ++i)
+        if (const auto* line = qobject_cast<QCPItemStraightLine*>(m_page->plot()->item(i)))
+            lines += line->visible() && line->layer()->name() == layer;
+    return lines;
+}
+
+void TestRodPage::aStringHasTheStressesOfItsSections() {
+    const SolvedBlowPtr blow = solvedString();
+    m_page->setResult(blow);
+    const RodCurves& curves = *blow->page<RodCurves>();
+    QVERIFY(curves.string && curves.string->waves);
+    const double scale = scalesOf(blow->scenario).stress;
+    const std::vector<SectionStress> stresses = sectionStresses(blow->scenario, *blow->string);
+    const std::vector<RodStretch>& stretches = curves.string->stretches;
+    QCOMPARE(stretches.size(), stresses.size());
+    for (std::size_t j = 0; j < stretches.size(); ++j) {
+        const auto most = [&](RodLine line) {
+            double size = 0;
+            for (const RodForce& force : curves.forces(line))
+                if (force.section > stretches[j].rear + 1e-9 && force.section < stretches[j].front - 1e-9)
+                    size = std::max(size, force.size);
+            return size * scale;
+        };
+        // the ends are those of the neighbours too
+        QVERIFY(most(RodLine::compression) <= stresses[j].compression * (1 + 1e-6));
+        QVERIFY(most(RodLine::tension) <= stresses[j].tension * (1 + 1e-6));
+        QVERIFY(most(RodLine::compression) > stresses[j].compression * 0.8);
+    }
+    QCOMPARE(curves.largest(RodLine::compression).size, blow->summary.string->largestCompression);
+    QCOMPARE(curves.largest(RodLine::tension).size, blow->summary.string->largestTension);
+    QVERIFY(curves.rear() < 0);
+    const QCPRange range = m_page->plot()->xAxis->range();
+    QCOMPARE(range.lower, curves.rear() * blow->units.length.factor);
+    QCOMPARE(range.upper, blow->units.length.factor);
+    QVERIFY(m_page->plot()->xAxis->label().contains(QStringLiteral("shank")));
+    QVERIFY2(readout().contains(QStringLiteral("in section ")), qPrintable(readout()));
+}
+
+void TestRodPage::aStringHasItsJointsAndStrengthsAsSteps() {
+    const SolvedBlowPtr blow = solvedString([](Scenario& scenario) {
+        for (StringPart& part : scenario.drillString.parts)
+            for (Section& section : part.sections) {
+                section.yieldStrength = section.name == "rod" ? 250e6 : 400e6;
+                if (section.name == "rod") section.fatigueStrength = 100e6;
+            }
+    });
+    m_page->setResult(blow);
+    const RodCurves& curves = *blow->page<RodCurves>();
+    QCOMPARE(straightLines(QStringLiteral("grid")), static_cast<int>(curves.string->stretches.size()) - 1);
+    QCOMPARE(visibleStrengths(), 0);
+    QVector<QPair<double, double>> steps;
+    double covered = 0;
+    for (int i = 0; i < m_page->plot()->itemCount(); ++i)
+        if (const auto* step = qobject_cast<QCPItemLine*>(m_page->plot()->item(i))) {
+            const double height = step->start->value();
+            QCOMPARE(step->end->value(), height);
+            QVERIFY(std::abs(std::abs(height) - 250) < 1e-6 || std::abs(std::abs(height) - 400) < 1e-6 ||
+                    std::abs(height - 100) < 1e-6);
+            if (std::abs(height - 250) < 1e-6) covered += step->end->key() - step->start->key();
+        }
+    double rods = 0;
+    for (const Section* section : allSections(blow->scenario.drillString))
+        if (section->name == "rod") rods += section->length;
+    QVERIFY(rods > 10 && std::abs(covered - rods) < 1e-9 * rods);
+}
+
+void TestRodPage::aClickInAStringLeadsToPlaceAndTime() {
+    const SolvedBlowPtr blow = solvedString();
+    m_page->setResult(blow);
+    const RodCurves& curves = *blow->page<RodCurves>();
+    PlotWidget& plot = *m_page->plot();
+    plot.replot();
+    const double x = 0.4 * blow->units.length.factor;
+    const RodForce pull = curves.forceAt(RodLine::tension, 0.4);
+    const QPoint at(
+        static_cast<int>(std::lround(plot.xAxis->coordToPixel(x))),
+        static_cast<int>(std::lround(plot.yAxis->coordToPixel(curves.stress(RodLine::tension, pull)))));
+    QTest::mouseClick(&plot, Qt::LeftButton, {}, at - QPoint(0, 30));
+    QVERIFY(std::abs(m_observation->section() - 0.4) < 0.005);
+    // what is read there is what the waves have there and then
+    const RodForce there = curves.forceAt(RodLine::tension, m_observation->section());
+    QCOMPARE(m_observation->time(), std::optional(there.time));
+    const StringPlace place = stringPlace(blow->scenario.drillString, m_observation->section());
+    double force = 0;
+    for (const TimeSide side : {TimeSide::before, TimeSide::after})
+        force = std::min(force, curves.string->waves->force(place.section, place.share, there.time, side));
+    QVERIFY(std::abs(-force * curves.string->stretches[place.section].toStress - there.size) <
+            1e-9 * there.size);
+}
+
+void TestRodPage::aClickInTheHammerLeadsToTheTimeAlone() {
+    const SolvedBlowPtr blow = solvedString();
+    m_page->setResult(blow);
+    m_observation->setSection(0.7);
+    const RodCurves& curves = *blow->page<RodCurves>();
+    const double middle = curves.rear() / 2;
+    m_page->plot()->xAxis->setRange(curves.rear() * blow->units.length.factor, 0);
+    m_page->plot()->replot();
+    const RodForce push = curves.forceAt(RodLine::compression, middle);
+    QVERIFY(push.size > 0);
+    const QPoint at(
+        static_cast<int>(m_page->plot()->xAxis->coordToPixel(middle * blow->units.length.factor)),
+        static_cast<int>(m_page->plot()->yAxis->coordToPixel(curves.stress(RodLine::compression, push))));
+    QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, at);
+    QCOMPARE(m_observation->section(), 0.7);
+    QVERIFY(m_observation->time().has_value());
+}
+
+void TestRodPage::theDataOfAStringHaveNoWavesLeft() {
+    const SolvedBlowPtr blow = solvedString();
+    m_page->setResult(blow);
+    const QList<QByteArray> rows = m_page->plot()->csv().trimmed().split('\n');
+    QCOMPARE(rows.first(),
+             QByteArray("position [m],compression [MPa],time [ms],position [m],tension [MPa],time [ms]"));
+    QCOMPARE(std::size_t(rows.size()), blow->page<RodCurves>()->forces(RodLine::tension).size() + 1);
+    for (const QByteArray& row : rows) QCOMPARE(row.count(','), 5);
+    QVERIFY(rows.at(1).toDouble() < 0 || rows.at(1).startsWith('-'));  // the hammer
+    QCOMPARE(m_page->plot()->legend->itemCount(), 2);
+}
+
+void TestRodPage::aStringWhoseWavesAreNotKeptSaysSo() {
+    auto blow = std::make_shared<SolvedBlow>(*solvedString());
+    blow->string->impact.waves.reset();
+    blow->pages = {PageData::of(rodCurves(*blow, blow->units))};
+    m_page->setResult(blow);
+    QVERIFY(m_page->plot()->accessibleDescription().contains(QStringLiteral("not kept")));
+    QVERIFY(!m_page->plot()->hasData());
+    m_observation->setTime(1);
+    m_observation->setSection(0.2);
+    QVERIFY(!m_page->rodPlot()->forceAt({0.5, 0}));
+    QVERIFY(blow->page<RodCurves>()->forces(RodLine::tension).empty());
+}
+
+void TestRodPage::runsAreLaidOverTheirOwnKind() {
+    const auto runOf = [](int number, const SolvedBlowPtr& blow) {
+        Run run;
+        run.number = number;
+        run.contents.scenario = blow->scenario;
+        run.blow = blow;
+        return run;
+    };
+    const SolvedBlowPtr rod = solved(), string = solvedString();
+    m_page->setRuns(std::make_shared<const RunList>(RunList{runOf(1, rod), runOf(2, string)}));
+    for (const SolvedBlowPtr& now : {solvedString(), solved(), solvedString()}) {
+        m_page->setResult(now);
+        const RodCurves& curves = *now->page<RodCurves>();
+        QCOMPARE(curves.runs.size(), std::size_t{1});
+        QCOMPARE(curves.runs.front().curves->string.has_value(), curves.string.has_value());
+        QCOMPARE(m_page->rodPlot()->runs().size(), 1);
+    }
+}
+
+void TestRodPage::rodsAndStringsTakeTurns() {
+    m_page->setResult(solved());
+    const int items = m_page->plot()->itemCount();
+    m_page->setResult(solvedString());
+    QVERIFY(m_page->plot()->itemCount() > items);
+    m_page->setGhost(solved());
+    m_page->setResult(solvedString({}, UnitSystem::dimensionless));
+    QVERIFY(m_page->plot()->yAxis->label().contains(QStringLiteral("stress")));
+    m_page->setGhost(nullptr);
+    m_page->setResult(solved());
+    QCOMPARE(m_page->plot()->itemCount(), items);
+    QCOMPARE(m_page->plot()->legend->itemCount(), 4);
+    QCOMPARE(visibleStrengths(), 2);
+    QCOMPARE(m_page->plot()->xAxis->range().lower, 0.0);
 }
 
 QTEST_MAIN(TestRodPage)

@@ -158,8 +158,9 @@ void TestStringPage::pagesOfRodsAreGreyedAndSayWhy() {
         ++greyed;
         QVERIFY(strip.tabToolTip(tab).contains(QStringLiteral("drill string")));
     }
-    QCOMPARE(greyed,
-             part<PageTabs>(window()).count() - 6);  // String, Blow, Rock, two studies and Compare are there
+    QCOMPARE(
+        greyed,
+        part<PageTabs>(window()).count() - 7);  // String, Blow, Rock, Rod, two studies and Compare are there
     QVERIFY(!part<ReportWriter>(window()).action()->isEnabled());
     QVERIFY(!part<ReportWriter>(window()).action()->toolTip().isEmpty());
     QTest::keyClick(&window(), Qt::Key_Tab, Qt::ControlModifier);

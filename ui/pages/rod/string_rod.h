@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sections of hammer and string in a row, with the largest stresses at every place of them.
+#pragma once
+
+#include <QString>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/blow/blow.h"
+#include "core/wave/field/rod_envelope.h"
+
+namespace drillwave {
+
+/// A section in its place, in lengths of the string from the shank: the hammer is below 0.
+struct RodStretch {
+    double rear = 0, front = 0;
+    double toStress = 0;  ///< from a force of the network to stresses as scales have them
+    int number = 0;       ///< in the string from 1, repeats written out; in the hammer likewise, below 0
+    QString name;
+    std::optional<double> yieldStrength, fatigueStrength;  ///< [Pa]
+};
+
+/// Never changed once built. Stresses take the place of forces in F0: a RodForce has the stress in that of
+/// the scales for its size, and the place in lengths of the string for its section.
+struct StringRod {
+    std::vector<RodStretch> stretches;         ///< from the rear of the hammer to the bit
+    std::shared_ptr<const StringWaves> waves;  ///< empty where they were too many to be kept
+
+    double rear() const { return stretches.front().rear; }
+    /// The section at a place, the one behind it where two meet.
+    std::size_t sectionAt(double place) const;
+    /// The largest stresses at a place, of both sections where two meet. Requires waves.
+    RodForces largestAt(double place) const;
+};
+
+/// Of a blow on a string.
+StringRod stringRod(const Blow& blow);
+
+/// Compression and tension while the blow lasts; a place where sections meet has both. Nothing where the
+/// waves were not kept. A stop ends the work early.
+RodEnvelope stringRodEnvelope(const StringRod& rod, const Blow& blow, const std::stop_token& stop = {});
+
+}  // namespace drillwave
