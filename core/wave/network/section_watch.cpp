@@ -6,6 +6,17 @@
 
 namespace drillwave {
 
+namespace {
+
+/// Of waves that lose, so many cells are looked at together before each of them is.
+constexpr long stepsOfBlock = 64;
+
+long blockOf(long step) {
+    return step >= 0 ? step / stepsOfBlock : -((stepsOfBlock - 1 - step) / stepsOfBlock);
+}
+
+}  // namespace
+
 struct SectionWatch::Meeting {
     const WaveCell& down;
     const WaveCell& up;
@@ -17,8 +28,18 @@ struct SectionWatch::Meeting {
     long oldest() const { return step - static_cast<long>(window.size()); }
 };
 
-void SectionWatch::push(Side& side, const WaveCell& cell, long step, const CellCuts& cuts) {
+void SectionWatch::pushBlock(Side& side, double value, long step) const {
+    const long block = blockOf(step);
+    if (side.blocks.empty()) side.firstBlock = block;
+    if (side.firstBlock + static_cast<long>(side.blocks.size()) <= block)
+        side.blocks.push_back(value);
+    else
+        side.blocks.back() = std::max(side.blocks.back(), value);
+}
+
+void SectionWatch::push(Side& side, const WaveCell& cell, long step, const CellCuts& cuts) const {
     const WaveCell::Peak peak = (side.sign * cell).peak();
+    if (m_section.decay > 0) pushBlock(side, peak.value, step);
     while (!side.largest.empty() && side.largest.back().value <= peak.value) side.largest.pop_back();
     side.largest.push_back({step, cuts.clock(step) + peak.place * cuts.width(step), peak.value});
 }
@@ -74,27 +95,52 @@ void SectionWatch::watchDecaying(Side& side, const Meeting& meeting) const {
     const double edge =
         std::max((side.sign * meeting.window.front()).peak().value, (side.sign * meeting.up).peak().value);
     if (top.value + std::max(most, edge) <= side.peak.force) return;
+    const CellCuts& cuts = meeting.cuts;
+    const double clock = cuts.clock(meeting.step), end = clock + cuts.width(meeting.step);
+    const double roundTrip = 2 * m_section.transitTime;
+    const auto weakest = [&](double share) {
+        return std::exp(-m_section.decay * std::clamp(share, 0.0, 1.0));
+    };
+    meet(side, meeting, f, 0);
+    for (std::size_t k = 0; k < side.blocks.size(); ++k) {
+        const long block = side.firstBlock + static_cast<long>(k);
+        const long first = std::max(block * stepsOfBlock, meeting.oldest());
+        const long behind = std::min((block + 1) * stepsOfBlock, meeting.step);
+        if (first >= behind) continue;
+        const double earliest = m_section.startTime + (clock + cuts.clock(first)) / 2 + m_section.transitTime;
+        if (earliest > meeting.lastTime) break;
+        // Neither is more than where it has come the shortest way.
+        const double bound =
+            std::max(top.value, 0.0) * weakest(1 - (end - cuts.clock(first)) / roundTrip) +
+            std::max(side.blocks[k], 0.0) * weakest((clock - cuts.clock(behind)) / roundTrip);
+        if (bound <= side.peak.force) continue;
+        for (long step = std::max(first, meeting.oldest() + 1); step < behind; ++step)
+            meet(side, meeting, f, static_cast<std::size_t>(step - meeting.oldest()));
+    }
+    meet(side, meeting, f, meeting.window.size());
+}
+
+/// f with cell number `number` of the window; the one behind the last is the present one.
+void SectionWatch::meet(Side& side, const Meeting& meeting, const WaveCell& f, std::size_t number) const {
+    const bool present = number == meeting.window.size(), oldest = number == 0;
+    const WaveCell b = side.sign * (present ? meeting.up : meeting.window[number]);
+    const WaveCell::Peak top = f.peak(), other = b.peak();
+    if (top.value + other.value <= side.peak.force) return;
     const double clock = meeting.cuts.clock(meeting.step), width = meeting.cuts.width(meeting.step);
     const double roundTrip = 2 * m_section.transitTime;
-    for (std::size_t i = 0; i <= meeting.window.size(); ++i) {
-        const bool present = i == meeting.window.size();
-        const WaveCell b = side.sign * (present ? meeting.up : meeting.window[i]);
-        const WaveCell::Peak other = b.peak();
-        if (top.value + other.value <= side.peak.force) continue;
-        const long step = meeting.oldest() + static_cast<long>(i);
-        for (const double u : {0.0, top.place, 1.0})
-            for (const double v : {0.0, other.place, 1.0}) {
-                if ((present && v > u) || (i == 0 && v < u)) continue;
-                const double downClock = clock + u * width;
-                const double upClock = present  ? clock + v * width
-                                       : i == 0 ? clock - roundTrip + v * width
-                                                : meeting.cuts.clock(step) + v * meeting.cuts.width(step);
-                const double share = (downClock - upClock) / roundTrip;  // of its way that b has gone
-                const double force = f.value(u) * std::exp(-m_section.decay * (1 - share)) +
-                                     b.value(v) * std::exp(-m_section.decay * share);
-                note(side.peak, force, downClock, upClock, meeting.lastTime);
-            }
-    }
+    const long step = meeting.oldest() + static_cast<long>(number);
+    for (const double u : {0.0, top.place, 1.0})
+        for (const double v : {0.0, other.place, 1.0}) {
+            if ((present && v > u) || (oldest && v < u)) continue;
+            const double downClock = clock + u * width;
+            const double upClock = present  ? clock + v * width
+                                   : oldest ? clock - roundTrip + v * width
+                                            : meeting.cuts.clock(step) + v * meeting.cuts.width(step);
+            const double share = (downClock - upClock) / roundTrip;  // of its way that b has gone
+            const double force = f.value(u) * std::exp(-m_section.decay * (1 - share)) +
+                                 b.value(v) * std::exp(-m_section.decay * share);
+            note(side.peak, force, downClock, upClock, meeting.lastTime);
+        }
 }
 
 void SectionWatch::add(const WaveCell& down, const WaveCell& up, std::span<const WaveCell> window, long step,
@@ -103,6 +149,10 @@ void SectionWatch::add(const WaveCell& down, const WaveCell& up, std::span<const
     for (Side* side : {&m_compression, &m_tension}) {
         while (!side->largest.empty() && side->largest.front().step <= meeting.oldest())
             side->largest.pop_front();
+        while (!side->blocks.empty() && side->firstBlock < blockOf(meeting.oldest())) {
+            side->blocks.pop_front();
+            ++side->firstBlock;
+        }
         m_section.decay > 0 ? watchDecaying(*side, meeting) : watch(*side, meeting);
         push(*side, up, step, cuts);
     }
@@ -111,6 +161,7 @@ void SectionWatch::add(const WaveCell& down, const WaveCell& up, std::span<const
 void SectionWatch::restart(std::span<const WaveCell> window, long step, const CellCuts& cuts) {
     for (Side* side : {&m_compression, &m_tension}) {
         side->largest.clear();
+        side->blocks.clear();
         long at = step - static_cast<long>(window.size());
         for (const WaveCell& cell : window) push(*side, cell, at++, cuts);
     }

@@ -44,21 +44,26 @@ class SectionWatch {
         double value;
     };
     struct Side {
+        explicit Side(double ofSign) : sign(ofSign) {}
         double sign;
         SectionPeak peak;
         std::deque<Entry> largest;
+        std::deque<double> blocks;  ///< where waves lose: the largest value of so many steps each
+        long firstBlock = 0;        ///< its number: steps over stepsOfBlock
     };
     /// One cell and what it meets.
     struct Meeting;
 
     void watch(Side& side, const Meeting& meeting) const;
     void watchDecaying(Side& side, const Meeting& meeting) const;
+    void meet(Side& side, const Meeting& meeting, const WaveCell& f, std::size_t number) const;
+    void pushBlock(Side& side, double value, long step) const;
     void note(SectionPeak& peak, double force, double downClock, double upClock, double lastTime) const;
-    static void push(Side& side, const WaveCell& cell, long step, const CellCuts& cuts);
+    void push(Side& side, const WaveCell& cell, long step, const CellCuts& cuts) const;
 
     WatchedSection m_section;
-    Side m_compression{.sign = 1, .peak = {}, .largest = {}};
-    Side m_tension{.sign = -1, .peak = {}, .largest = {}};
+    Side m_compression{1};
+    Side m_tension{-1};
 };
 
 }  // namespace drillwave
