@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/blow/outputs.h"
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
 #include "core/report/blow_csv.h"
@@ -51,7 +50,7 @@ void addSi(JsonObject& report, const Blow& blow) {
         if (!isEnergy(output.name)) continue;
         if (blow.isSolved())
             if (const auto share = output.value({blow.summary, blow.scenario, blow.thrustMargin}))
-                si[output.name] = *share * energyOfHammer(blow);
+                si[output.name] = inSi(output, *share, blow);
         units[output.name] = "J";
     }
     report["si"] = si;
@@ -127,6 +126,10 @@ JsonArray sectionsJson(const Blow& blow) {
 }
 
 }  // namespace
+
+double inSi(const Output& output, double value, const Blow& blow) {
+    return value * (isEnergy(output.name) ? energyOfHammer(blow) : output.scale(blow.scales));
+}
 
 std::string blowJson(const Blow& blow, const std::string& scenarioText) {
     const Impact& impact = blow.impact;

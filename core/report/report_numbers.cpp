@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/blow/outputs.h"
+#include "core/report/blow_json.h"
 #include "core/text/handy_text.h"
 
 namespace drillwave {
@@ -63,7 +64,7 @@ std::string multipleText(const Output& output, double value, const Blow& blow) {
     return rounded(value, digits) + std::string(measureText(output.measure));
 }
 
-/// In joules, of which JSON has none.
+/// In joules.
 ReportCell energyCell(double ofW0, const Blow& blow) {
     return {inHandyUnit(ofW0 * blow.scales.energy, Quantity::energy, digits), {}};
 }
@@ -76,11 +77,12 @@ ReportCell siCell(const Output& output, double value, const Blow& blow) {
         case Measure::work:
             return energyCell(value, blow);
         case Measure::share:
-            return energyCell(std::abs(value) < 1e-12 ? 0 : value * blow.summary.workRatio, blow);
+            return {energyCell(std::abs(value) < 1e-12 ? 0 : value * blow.summary.workRatio, blow).text,
+                    inSi(output, value, blow)};
         default:
             break;
     }
-    const double si = value * output.scale(blow.scales);
+    const double si = inSi(output, value, blow);
     return {inHandyUnit(si, output.quantity(), digits), si};
 }
 

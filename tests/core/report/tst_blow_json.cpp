@@ -41,11 +41,14 @@ void TestBlowJson::numbersReadBackExactly() {
         if (!output.problem(blow.scenario).empty()) continue;
         const QString name = QString::fromUtf8(output.name.data(), qsizetype(output.name.size()));
         QVERIFY2(si[name].isDouble() && value, qPrintable(name));
-        QCOMPARE(si[name].toDouble(), *value * output.scale(blow.scales));
+        QCOMPARE(si[name].toDouble(), inSi(output, *value, blow));
         if (!output.isOnlySi()) QCOMPARE(dimensionless[name].toDouble(), *value);
         ++written;
     }
     QCOMPARE(si.size(), written);
+    const double work = blow.scales.energy * blow.summary.workRatio;
+    QCOMPARE(si["rock_work"].toDouble(), dimensionless["rock_work"].toDouble() * work);
+    QCOMPARE(object["units"].toObject()["rock_work"].toString(), QString("J"));
     QVERIFY(written >= 15);
     QCOMPARE(object["events"].toArray().size(), qsizetype(blow.impact.events.size()));
     QCOMPARE(object["scenario"].toString(), QString("drillwave: 1\n"));

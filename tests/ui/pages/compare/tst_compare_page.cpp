@@ -152,7 +152,7 @@ void TestComparePage::theNumbersAreThoseOfTheCommandLine_data() {
                                  << "residual_penetration" << 1e3;
     QTest::newRow("share") << "into the rock"
                            << "%"
-                           << "rock_work" << 100.0;
+                           << "efficiency" << 100.0;
     QTest::newRow("power") << "percussion power"
                            << "kW"
                            << "percussion_power" << 1e-3;
