@@ -146,6 +146,7 @@ CompareTable compareTable(const Columns& columns, std::size_t reference, UnitSys
 }
 
 QByteArray compareText(const CompareTable& table, char separator) {
+    if (table.titles.isEmpty()) return {};
     std::string text = cell(tr("quantity"), separator) + separator + cell(tr("unit"), separator);
     const auto count = static_cast<std::size_t>(table.titles.size());
     const QString reference = table.titles[static_cast<qsizetype>(table.reference)];

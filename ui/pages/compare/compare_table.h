@@ -45,7 +45,7 @@ CompareTable compareTable(const std::vector<CompareColumn>& columns, std::size_t
                           const ChosenUnits& chosen);
 
 /// The table with all digits: name, unit, the columns, and for each but the reference its difference and its
-/// relative difference in percent. RFC 4180 with ',', or with a tab for spreadsheets.
+/// relative difference in percent; empty without columns. RFC 4180 with ',', or with a tab for spreadsheets.
 QByteArray compareText(const CompareTable& table, char separator);
 
 }  // namespace drillwave

@@ -49,6 +49,7 @@ class TestComparePage : public QObject {
     void initTestCase();
     void init();
     void withoutRunsItSaysHowToPin();
+    void beforeAnyResultNothingIsCopied();
     void changedParametersComeFirst();
     void theNumbersAreThoseOfTheCommandLine_data();
     void theNumbersAreThoseOfTheCommandLine();
@@ -131,6 +132,11 @@ void TestComparePage::changedParametersComeFirst() {
     QCOMPARE(table.rows[1].numbers[2], std::optional(3.0));
     QVERIFY(table.rows[2].kind == CompareRow::Kind::heading);
     QVERIFY(table.rows[3].kind == CompareRow::Kind::result);
+}
+
+void TestComparePage::beforeAnyResultNothingIsCopied() {
+    QVERIFY(m_page->table().titles.isEmpty());
+    QVERIFY(compareText(m_page->table(), ',').isEmpty());
 }
 
 void TestComparePage::theNumbersAreThoseOfTheCommandLine_data() {
