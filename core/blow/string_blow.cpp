@@ -14,9 +14,6 @@ namespace drillwave {
 
 namespace {
 
-/// A force of 1 of the network, in F0.
-constexpr double unitForce = 2;
-
 /// A force of the network in F0.
 PiecewisePolynomial scaled(const PiecewisePolynomial& force) {
     PiecewisePolynomial result;
@@ -24,7 +21,7 @@ PiecewisePolynomial scaled(const PiecewisePolynomial& force) {
     std::vector<double> c;
     for (const PiecewisePolynomial::Piece& piece : force.pieces()) {
         c.clear();
-        for (const double coefficient : force.coefficients(piece)) c.push_back(unitForce * coefficient);
+        for (const double coefficient : force.coefficients(piece)) c.push_back(networkForce * coefficient);
         result.append(piece.length, piece.scale, c);
     }
     return result;
@@ -53,7 +50,7 @@ Impact impactOf(const StringBlow& blow) {
     impact.impulse = from.rockImpulse / p0;
     impact.cor = from.faceImpulse > 0 ? -from.stringMomentum / from.faceImpulse : 0;
     impact.corError = from.corError;
-    impact.peakForce = unitForce * from.peakForce;
+    impact.peakForce = networkForce * from.peakForce;
     const double never = std::numeric_limits<double>::quiet_NaN();
     impact.firstContactTime = from.firstContact >= 0 ? from.firstContact : never;
     impact.separationTime = from.lastSeparation >= 0 ? from.lastSeparation : never;
@@ -129,7 +126,7 @@ std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Strin
     assert(sections.size() == forces.size());
     std::vector<SectionStress> stresses;
     for (std::size_t j = 0; j < sections.size(); ++j) {
-        const double toStress = unitForce * scales.force / propertiesOf(*sections[j], drill.material).area;
+        const double toStress = networkForce * scales.force / propertiesOf(*sections[j], drill.material).area;
         const SectionPeak &push = forces[j].compression, &pull = forces[j].tension;
         stresses.push_back({push.force * toStress, pull.force * toStress, push.place * sections[j]->length,
                             pull.place * sections[j]->length, push.time * scales.time,

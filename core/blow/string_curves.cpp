@@ -5,12 +5,11 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/wave/network/string_problem.h"
+
 namespace drillwave {
 
 namespace {
-
-/// A force of 1 of the network, in F0.
-constexpr double unitForce = 2;
 
 /// Of forces in F0 and velocities in v0: what is less is no jump, and no bend.
 constexpr double negligible = 1e-4;
@@ -76,17 +75,17 @@ StringInstant StringHistory::at(double time, TimeSide side) const {
     const double momentum = m_blow->impact.hammerMomentum;
     StringInstant now;
     now.time = t;
-    now.impactForce = std::max(0.0, unitForce * waves.bitForce()(beside));
+    now.impactForce = std::max(0.0, networkForce * waves.bitForce()(beside));
     now.impulse = waves.bitForce().integral(t) / momentum;
     now.momentum = waves.faceForce().integral(t) / momentum - now.impulse;
     now.penetration = waves.bitVelocity().integral(t) - m_blow->problem.gap;
     now.frontVelocity = waves.bitVelocity()(beside);
-    now.faceForce = std::max(0.0, unitForce * waves.force(face, 1, t, side));
+    now.faceForce = std::max(0.0, networkForce * waves.force(face, 1, t, side));
     const double down = waves.down(m_place.section, m_place.share, t, side);
     const double up = waves.up(m_place.section, m_place.share, t, side);
-    now.positiveWave = 0 - unitForce * down;
-    now.negativeWave = 0 - unitForce * up;
-    now.normalForce = 0 - unitForce * (down + up);
+    now.positiveWave = 0 - networkForce * down;
+    now.negativeWave = 0 - networkForce * up;
+    now.normalForce = 0 - networkForce * (down + up);
     now.velocity = (down - up) / m_blow->problem.sections[m_place.section].impedance;
     return now;
 }

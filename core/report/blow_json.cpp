@@ -12,18 +12,22 @@ namespace drillwave {
 
 namespace {
 
-/// null where there is no result.
-Json outputJson(const Blow& blow, const Output& output, const Scales& scales) {
-    const std::optional<double> value =
-        blow.isSolved() ? output.value({blow.summary, blow.scenario, blow.thrustMargin}) : std::nullopt;
-    return value ? Json(*value * output.scale(scales)) : Json();
+/// Nothing where there is no result.
+std::optional<double> valueOf(const Blow& blow, const Output& output) {
+    if (!blow.isSolved()) return std::nullopt;
+    return output.value({blow.summary, blow.scenario, blow.thrustMargin});
+}
+
+/// null for nothing.
+Json numberJson(const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
 }
 
 JsonObject dimensionlessJson(const Blow& blow) {
     JsonObject object;
     for (const Output& output : outputs())
         if (!output.isOnlySi() && output.problem(blow.scenario).empty())
-            object[output.name] = outputJson(blow, output, {});
+            object[output.name] = numberJson(valueOf(blow, output));
     return object;
 }
 
@@ -45,13 +49,10 @@ void addSi(JsonObject& report, const Blow& blow) {
     JsonObject si, units;
     for (const Output& output : outputs()) {
         if (!output.problem(blow.scenario).empty()) continue;
-        si[output.name] = outputJson(blow, output, blow.scales);
-        units[output.name] = unitJson(output.quantity());
-        if (!isEnergy(output.name)) continue;
-        if (blow.isSolved())
-            if (const auto share = output.value({blow.summary, blow.scenario, blow.thrustMargin}))
-                si[output.name] = inSi(output, *share, blow);
-        units[output.name] = "J";
+        std::optional<double> value = valueOf(blow, output);
+        if (value) value = inSi(output, *value, blow);
+        si[output.name] = numberJson(value);
+        units[output.name] = isEnergy(output.name) ? Json("J") : unitJson(output.quantity());
     }
     report["si"] = si;
     report["units"] = units;

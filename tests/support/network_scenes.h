@@ -6,6 +6,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -113,6 +114,18 @@ inline NetworkProblem randomNetwork(Chance& chance) {
     if (chance.below(3) == 0) problem.gap = chance.fraction();
     problem.endTime = 10 + 30 * chance.fraction();
     return problem;
+}
+
+/// One of networkCases().
+inline const NetworkCase& caseCalled(const std::string& id) {
+    static const std::vector<NetworkCase> cases = networkCases();
+    return *std::find_if(cases.begin(), cases.end(), [&](const NetworkCase& each) { return each.id == id; });
+}
+
+inline NetworkImpact solvedWithWaves(const NetworkProblem& problem) {
+    NetworkSettings settings;
+    settings.wants = {.events = true, .forces = true, .histories = true};
+    return solveNetwork(problem, settings);
 }
 
 }  // namespace drillwave::test

@@ -306,10 +306,9 @@ void NetworkMarch::observe(std::size_t count) {
 /// Where they are too many, none is kept.
 void NetworkMarch::keepWaves(std::size_t count) {
     if (m_waves->isFull()) return m_waves.reset();
-    for (std::size_t i = 0; i < count; ++i) {
-        const long step = m_step + static_cast<long>(i);
-        m_waves->addStep(m_cuts.clock(step), m_cuts.width(step), m_bitForces[i]);
-    }
+    CellCuts::Walk at(m_cuts, m_step);
+    for (std::size_t i = 0; i < count; ++i, at.next())
+        m_waves->addStep(at.clock(), at.width(), m_bitForces[i]);
     for (std::size_t j = 0; j < m_lines.size(); ++j)
         for (std::size_t i = 0; i < count; ++i) m_waves->add(j, m_downs[j][i], m_lines[j].leaving()[i]);
 }

@@ -116,15 +116,12 @@ void BlowPage::showPlace() {
     const bool hasLength = m_blow && hasUnits(m_blow->request.scenario);
     m_place->setVisible(hasLength);
     if (!hasLength) return;
-    if (const DrillString& drill = m_blow->request.scenario.drillString; isString(m_blow->request.scenario)) {
-        const double x = m_observation.section() * stringProperties(drill).length;
-        const QString place = quantityText(x, m_blow->units.of(UnitKind::length, x), QLocale());
-        m_place->setText(tr("%1 from the shank").arg(place));
-        return;
-    }
-    const double x = m_observation.section() * m_blow->request.scenario.rod.length;
+    const Scenario& scenario = m_blow->request.scenario;
+    const bool ofString = isString(scenario);
+    const double length = ofString ? stringProperties(scenario.drillString).length : scenario.rod.length;
+    const double x = m_observation.section() * length;
     const QString place = quantityText(x, m_blow->units.of(UnitKind::length, x), QLocale());
-    m_place->setText(tr("%1 from the struck end").arg(place));
+    m_place->setText((ofString ? tr("%1 from the shank") : tr("%1 from the struck end")).arg(place));
 }
 
 // Nothing where the waves of a string were not kept.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/map/map_page.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QMouseEvent>
 #include <QSignalBlocker>
 
@@ -15,6 +13,7 @@
 #include "ui/pages/map/map_crosshair.h"
 #include "ui/pages/map/map_plot.h"
 #include "ui/pages/study/axis_fields.h"
+#include "ui/pages/study/labelled_control.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/plot/plot_widget.h"
 
@@ -36,18 +35,6 @@ double readable(double shown) {
 /// All there is of it.
 StudyRange wholeElasticity(const Parameter& gamma) {
     return {&gamma, 0.01, 1, false};
-}
-
-QWidget* labelled(const QString& words, QWidget* control, QWidget* parent) {
-    auto* box = new QWidget(parent);
-    auto* layout = new QHBoxLayout(box);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    auto* label = new QLabel(words, box);
-    label->setBuddy(control);
-    layout->addWidget(label);
-    layout->addWidget(control);
-    return box;
 }
 
 }  // namespace

@@ -8,12 +8,10 @@
 #include "core/model/drill_string.h"
 #include "core/model/scales.h"
 #include "core/wave/network/string_envelope.h"
+#include "core/wave/network/string_problem.h"
 
 namespace drillwave {
 namespace {
-
-/// A force of 1 of the network, in F0.
-constexpr double unitForce = 2;
 
 RodForce stressOf(const RodStretch& stretch, const SectionPeak& peak) {
     return {peak.force * stretch.toStress, std::lerp(stretch.rear, stretch.front, peak.place), peak.time};
@@ -65,7 +63,7 @@ StringRod stringRod(const Blow& blow) {
         if (j + 1 == ofHammer) stretch.front = 0;
         if (j + 1 == static_cast<int>(sections.size())) stretch.front = 1;
         stretch.toStress =
-            unitForce * scales.force / propertiesOf(section, drill.material).area / scales.stress;
+            networkForce * scales.force / propertiesOf(section, drill.material).area / scales.stress;
         stretch.number = j < ofHammer ? -(j + 1) : j - ofHammer + 1;
         stretch.name = QString::fromStdString(section.name);
         stretch.yieldStrength = section.yieldStrength;

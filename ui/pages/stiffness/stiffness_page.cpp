@@ -3,8 +3,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QThread>
 #include <algorithm>
 #include <utility>
@@ -14,6 +12,7 @@
 #include "ui/pages/stiffness/stiffness_plot.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/family_fields.h"
+#include "ui/pages/study/labelled_control.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/shown_text.h"
@@ -93,22 +92,15 @@ QList<QWidget*> StiffnessPage::makeControls() {
 }
 
 QWidget* StiffnessPage::makePointsBox() {
-    auto* part = new QWidget(this);
-    m_points = new ChoiceBox(part);
+    m_points = new ChoiceBox(this);
     m_points->setObjectName(QStringLiteral("points"));
     m_points->setAccessibleName(tr("Points of a curve"));
     m_points->setToolTip(tr("How many blows are solved along a curve of a drill string"));
     for (const int points : pointsOfCurve) m_points->addItem(QString::number(points), points);
     m_points->setCurrentIndex(m_points->findData(int(sampledPoints)));
-    auto* label = new QLabel(tr("points"), part);
-    label->setBuddy(m_points);
-    auto* layout = new QHBoxLayout(part);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    layout->addWidget(label);
-    layout->addWidget(m_points);
-    part->hide();
     connect(m_points, &QComboBox::currentIndexChanged, this, &StiffnessPage::askSoon);
+    QWidget* part = labelled(tr("points"), m_points, this);
+    part->hide();
     return part;
 }
 

@@ -14,18 +14,6 @@ using namespace drillwave::test;
 
 namespace {
 
-NetworkImpact solvedWithWaves(const NetworkProblem& problem) {
-    NetworkSettings settings;
-    settings.wants = {.events = true, .forces = true, .histories = true};
-    return solveNetwork(problem, settings);
-}
-
-NetworkProblem problemCalled(const std::string& id) {
-    static const std::vector<NetworkCase> cases = networkCases();
-    return std::find_if(cases.begin(), cases.end(), [&](const NetworkCase& each) { return each.id == id; })
-        ->problem;
-}
-
 /// Where two fronts meet: what is at either side of the place.
 std::vector<double> betweenFronts(const StringWaves& waves, std::size_t section, double xi, double t) {
     constexpr auto before = TimeSide::before, after = TimeSide::after;
@@ -57,7 +45,7 @@ class TestStringEnvelope : public QObject {
     void aScanOfTheWavesFindsNothingLarger_data() { scenes_data(); }
     void aScanOfTheWavesFindsNothingLarger() {
         QFETCH(QString, id);
-        const NetworkImpact impact = solvedWithWaves(problemCalled(id.toStdString()));
+        const NetworkImpact impact = solvedWithWaves(caseCalled(id.toStdString()).problem);
         QVERIFY(impact.waves);
         const StringWaves& waves = *impact.waves;
         for (std::size_t j = 0; j < waves.sections().size(); ++j)
@@ -100,7 +88,7 @@ class TestStringEnvelope : public QObject {
     void thePeaksAreThoseOfTheSections_data() { scenes_data(); }
     void thePeaksAreThoseOfTheSections() {
         QFETCH(QString, id);
-        const NetworkImpact impact = solvedWithWaves(problemCalled(id.toStdString()));
+        const NetworkImpact impact = solvedWithWaves(caseCalled(id.toStdString()).problem);
         const std::vector<SectionEnvelope> envelope = stringEnvelope(impact);
         QCOMPARE(envelope.size(), impact.sections.size());
         for (std::size_t j = 0; j < envelope.size(); ++j) {
@@ -155,7 +143,7 @@ class TestStringEnvelope : public QObject {
     }
 
     void workIsBoundedAndEndsWhenItIsStopped() {
-        const NetworkImpact impact = solvedWithWaves(problemCalled("t38_medium"));
+        const NetworkImpact impact = solvedWithWaves(caseCalled("t38_medium").problem);
         const auto places = [](const std::vector<SectionEnvelope>& envelope) {
             std::size_t sum = 0;
             for (const SectionEnvelope& section : envelope) sum += section.size();

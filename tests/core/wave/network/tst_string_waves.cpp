@@ -4,29 +4,14 @@
 
 #include "core/wave/field/wave_field.h"
 #include "core/wave/network/network_solver.h"
+#include "core/wave/network/string_problem.h"
 #include "tests/support/network_scenes.h"
 #include "tests/support/scenes.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
 
-namespace {
-
-NetworkImpact solvedWithWaves(const NetworkProblem& problem) {
-    NetworkSettings settings;
-    settings.wants = {.events = true, .forces = true, .histories = true};
-    return solveNetwork(problem, settings);
-}
-
-const NetworkCase& caseCalled(const std::string& id) {
-    static const std::vector<NetworkCase> cases = networkCases();
-    return *std::find_if(cases.begin(), cases.end(), [&](const NetworkCase& each) { return each.id == id; });
-}
-
-/// A force of 1 of the network in F0, that of the uniform rod.
-constexpr double unitForce = 2;
-
-}  // namespace
+namespace {}  // namespace
 
 class TestStringWaves : public QObject {
     Q_OBJECT
@@ -65,7 +50,7 @@ class TestStringWaves : public QObject {
         int compared = 0;
         const auto compareAt = [&](double t) {
             for (const double xi : {0.0, 0.25, 0.5, 1.0}) {
-                const double expected = -field.force(xi, t) / unitForce;
+                const double expected = -field.force(xi, t) / networkForce;
                 const double force = waves.force(1, xi, t);
                 QVERIFY2(std::abs(force - expected) < 1e-9, QString("N at xi %1, t %2: %3, not %4")
                                                                 .arg(xi)
@@ -73,9 +58,9 @@ class TestStringWaves : public QObject {
                                                                 .arg(force, 0, 'g', 15)
                                                                 .arg(expected, 0, 'g', 15)
                                                                 .toUtf8());
-                QVERIFY(std::abs(waves.velocity(1, xi, t) - field.velocity(xi, t) / unitForce) < 1e-9);
+                QVERIFY(std::abs(waves.velocity(1, xi, t) - field.velocity(xi, t) / networkForce) < 1e-9);
             }
-            QVERIFY(std::abs(waves.bitForce()(t) - field.impactForce(t) / unitForce) < 1e-9);
+            QVERIFY(std::abs(waves.bitForce()(t) - field.impactForce(t) / networkForce) < 1e-9);
             ++compared;
         };
         Chance chance(3);

@@ -88,7 +88,8 @@ class TestStiffnessPage : public QObject {
     void openExample(const char* name) { open(std::string(findExample(name)->text).c_str()); }
     void openString() { openExample("t38_string"); }
     void varyBy(const char* key);
-    QByteArray outputOf(const QString& command);
+    /// Errors first, where they are not wanted apart.
+    QByteArray outputOf(const QString& command, QByteArray* errors = nullptr);
     void open(const char* text);
     void openElastic();
     void showPage();
@@ -170,15 +171,9 @@ void TestStiffnessPage::theFileIsThatOfTheCommand() {
     finish();
     const QString command = m_page->command();
     QVERIFY2(command.startsWith("drillwave curve"), qPrintable(command));
-    QProcess shell;
-    QStringList path{QFileInfo(QStringLiteral(DRILLWAVE_PROGRAM)).path(), qEnvironmentVariable("PATH")};
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("PATH", path.join(':'));
-    shell.setProcessEnvironment(environment);
-    shell.start("/bin/sh", {"-c", command});
-    QVERIFY(shell.waitForFinished(60000));
-    QCOMPARE(shell.readAllStandardError(), QByteArray());
-    const QByteArray written = shell.readAllStandardOutput();
+    QByteArray errors;
+    const QByteArray written = outputOf(command, &errors);
+    QCOMPARE(errors, QByteArray());
     QVERIFY(written.size() > 10000);
     QCOMPARE(m_page->exports().first().csv(), written);
 }
@@ -505,7 +500,7 @@ void TestStiffnessPage::varyBy(const char* key) {
     box->setCurrentIndex(box->findData(QLatin1String(key)));
 }
 
-QByteArray TestStiffnessPage::outputOf(const QString& command) {
+QByteArray TestStiffnessPage::outputOf(const QString& command, QByteArray* errors) {
     QProcess shell;
     QStringList path{QFileInfo(QStringLiteral(DRILLWAVE_PROGRAM)).path(), qEnvironmentVariable("PATH")};
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -513,7 +508,9 @@ QByteArray TestStiffnessPage::outputOf(const QString& command) {
     shell.setProcessEnvironment(environment);
     shell.start("/bin/sh", {"-c", command});
     if (!shell.waitForFinished(60000)) return "the command does not end";
-    return shell.readAllStandardError() + shell.readAllStandardOutput();
+    QByteArray problem = shell.readAllStandardError();
+    if (errors) *errors = std::exchange(problem, {});
+    return problem + shell.readAllStandardOutput();
 }
 
 void TestStiffnessPage::aStringIsAskedForItsEfficiencyOverTheRock() {
