@@ -39,6 +39,16 @@ struct PowerSeries {
         return *this;
     }
 
+    /// 1/k, 0 < k ≤ capacity + 1: divisions would be half of an integral.
+    static Real inverse(int k) {
+        static constexpr auto table = [] {
+            std::array<Real, capacity + 2> t{};
+            for (int i = 1; i < capacity + 2; ++i) t[i] = 1 / Real(i);
+            return t;
+        }();
+        return table[k];
+    }
+
     static PowerSeries zero(Real length) {
         PowerSeries f;
         f.length = length;
@@ -55,8 +65,15 @@ struct PowerSeries {
     Real integral(Real x) const {
         const Real u = x / scale;
         Real sum = 0;
-        for (int k = count - 1; k >= 0; --k) sum = sum * u + c[k] / Real(k + 1);
+        for (int k = count - 1; k >= 0; --k) sum = sum * u + c[k] * inverse(k + 1);
         return sum * x;
+    }
+
+    /// An upper bound of ∫f over [0, x] for every x up to the length, and 0.
+    Real mostIntegral() const {
+        Real most = 0;
+        for (int k = 0; k < count; ++k) most += std::max(c[k], Real(0)) * inverse(k + 1);
+        return most * length;
     }
 
     /// Σ|c_k| ≥ max|f|, the size that rounding errors are relative to.
@@ -65,6 +82,9 @@ struct PowerSeries {
         for (int k = 0; k < count; ++k) sum += std::abs(c[k]);
         return sum;
     }
+
+    /// ≥ ∫|f|, the size that the rounding of the integral is relative to.
+    Real integralOfSizes() const { return magnitude() * length; }
 
     /// An upper bound of f.
     Real mostValue() const {

@@ -28,7 +28,7 @@ bool ContactMarch<Basis>::staysAway() {
     Real reached = 0;
     for (std::size_t i = 0; i < m_waves.size(); ++i) {
         const Piece& piece = m_waves[i];
-        if (reached + m_basis.mostIntegral(piece) > free) {
+        if (reached + m_basis.mostIntegral(piece, free - reached) > free) {
             if (!isLong || reached + m_basis.largestIntegral(piece) > free) return false;
         }
         reached += piece.integral(piece.length);

@@ -109,6 +109,20 @@ double decayingIntegral(const ExponentialSum& f, double length) {
     return sum;
 }
 
+/// Whether g does not rise through zero.
+bool neverComesBack(const ExponentialSum& g) {
+    const ExponentialCourse course(g);
+    return course.falls() || (course.isConvex() && g.value(g.length) <= 0) ||
+           (course.isConcave() && g.startValue() >= 0);
+}
+
+/// Whether a force that is positive at the end has been so all the way: once it has vanished, which takes
+/// g < 0, F' = a(2g − F) keeps it below zero until g comes back.
+bool cannotVanish(const ExponentialBasis::Response& r) {
+    const double rounding = 16 * epsilon * r.force.magnitude();
+    return neverComesBack(*r.incident) && r.force.value(r.length) > rounding;
+}
+
 }  // namespace
 
 bool ExponentialBasis::suits(const Problem& problem) {
@@ -275,7 +289,7 @@ void ExponentialBasis::shorten(Response& r, double length) const {
 
 Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
     if (g.isAtMostZero()) return gap < 0 ? Zero<double>::at(0) : Zero<double>{};
-    if (gap > 2 * g.mostIntegral()) return {};
+    if (gap > 2 * mostIntegral(g, gap / 2)) return {};
     if (g.isConstant()) {
         const double x = gap / (2 * g.c0);
         return x <= g.length ? Zero<double>::at(x) : Zero<double>{};
@@ -317,6 +331,7 @@ Zero<double> ExponentialBasis::searchedGapClosure(const Piece& g, double gap) {
 Zero<double> ExponentialBasis::forceVanishes(Response& r) {
     // a compressive wave cannot pull the rod off: F is a positive mean of 2g and of what it was
     if (r.incident->isAtLeastZero()) return {};
+    if (!hasZeroByFormula(r.force) && cannotVanish(r)) return {};
     return decided(firstZero(r.force, 0, {.negligible = m_negligible}, m_count));
 }
 
@@ -391,21 +406,29 @@ StretchEnd<double> ExponentialBasis::endAt(Response& r, double length) const {
     return end;
 }
 
+/// The force turns where the drive changes its sign, and the drive U' = 2g' − aU, once below zero, returns
+/// only after g has turned up.
 double ExponentialBasis::largest(Response& r, double length, double before) {
-    if (2 * r.incident->mostValue() <= before) return before;  // F ≤ max(F(0), 2 max g)
+    const Piece& g = *r.incident;
+    const double most2g = 2 * g.mostValue();  // F' = a(2g − F): F is drawn towards 2g, within its time
+    if (most2g <= before) return before;
+    if (r.start + std::max(most2g - r.start, 0.0) * -std::expm1(-r.rate * length) <= before) return before;
+    const ExponentialCourse course(g);
     const Piece& slope = drive(r);
     if (slope.isAtLeastZero() || slope.isAtMostZero()) return before;
     double most = before;
-    // F turns where the drive changes its sign: less often than a sum of decays has terms
+    // less often than a sum of decays has terms
     const int mostTurns =
         slope.isCurved ? 2 * Coefficients::capacity : slope.primary.count + slope.elastic.count - 1;
     Piece& turning = m_searched;
     turning = slope;
     turning.shorten(length);
-    bool isRising = turning.startValue() > 0;
+    // a drive that starts at zero mostly rises, and if not, has its zero there
+    bool isRising = turning.startValue() >= -4 * epsilon * turning.magnitude();
     if (!isRising) negate(turning, turning);
     double start = 0;
     for (int turn = 0; turn < mostTurns; ++turn) {
+        if (!isRising && (course.falls() || (turn > 0 && course.isConcave()))) break;
         const auto zero =
             decided(firstZero(turning, 0, {.start = start, .negligible = m_negligible}, m_count));
         if (!zero.found || m_failed) break;

@@ -2,8 +2,10 @@
 // Contact solved in closed form, one piece from front to front however long: fast where reflections are few.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
+#include "core/wave/exact/exponential_course.h"
 #include "core/wave/exact/exponential_sum.h"
 #include "core/wave/exact/exponential_zero.h"
 #include "core/wave/exact/stretch_end.h"
@@ -71,8 +73,11 @@ class ExponentialBasis {
     Zero<double> driveVanishes(Response& r);
     Zero<double> forceReaches(Response& r, double peak, bool tangential);
     double largestIntegral(const Piece& g);
-    /// An upper bound of that, and of 0.
-    double mostIntegral(const Piece& g) const { return g.mostIntegral(); }
+    /// An upper bound of that, and of 0; one that is `enough` is not made narrower.
+    double mostIntegral(const Piece& g, double enough) const {
+        const double most = g.mostIntegral();
+        return most <= enough ? most : std::min(most, mostIntegralByEnds(g));
+    }
     void tidy(Piece& piece) const {
         piece.rates = &m_rates;
         piece.trim(m_negligible);

@@ -107,17 +107,6 @@ bool diesAway(const ExponentialSum& f, double c2) {
            (curve.c1 == 0 && curve.primary.count == 0 && curve.elastic.count == 0 && !curve.hammer.hasSine());
 }
 
-/// The only family of a function that is e^{−y} times a polynomial; nullptr where there is more in it.
-const Coefficients* onlyDecay(const ExponentialSum& f, double& rate) {
-    if (f.isCurved || f.c0 != 0) return nullptr;
-    if (f.elastic.count == 0) {
-        rate = f.rates->primary;
-        return &f.primary;
-    }
-    rate = f.rates->elastic;
-    return f.primary.count == 0 ? &f.elastic : nullptr;
-}
-
 /// The first zero of e^{−y}(c_0 + c_1 y + c_2 y²/2) behind its start, where it is positive.
 Zero<double> firstZeroOfShortDecay(const Coefficients& terms, double rate, double end) {
     const double c0 = terms.c[0];
@@ -174,13 +163,18 @@ Zero<double> firstZeroFromZero(const SearchedSum& f, double x, ExponentialSample
 
 }  // namespace
 
-Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search, SearchCount& tally) {
+bool hasZeroByFormula(const ExponentialSum& f) {
     constexpr int solvable = 3;
-    if (search.start == 0 && c2 == 0 && !search.startsAtZero) {
-        double rate = 0;
-        const Coefficients* only = onlyDecay(f, rate);
-        if (only && only->count > 0 && only->count <= solvable && only->c[0] != 0)
-            return only->c[0] < 0 ? Zero<double>::at(0) : firstZeroOfShortDecay(*only, rate, f.length);
+    if (f.isCurved || f.c0 != 0 || (f.primary.count && f.elastic.count)) return false;
+    const Coefficients& only = f.elastic.count ? f.elastic : f.primary;
+    return only.count > 0 && only.count <= solvable && only.c[0] != 0;
+}
+
+Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search, SearchCount& tally) {
+    if (search.start == 0 && c2 == 0 && !search.startsAtZero && hasZeroByFormula(f)) {
+        const Coefficients& only = f.elastic.count ? f.elastic : f.primary;
+        const double rate = f.elastic.count ? f.rates->elastic : f.rates->primary;
+        return only.c[0] < 0 ? Zero<double>::at(0) : firstZeroOfShortDecay(only, rate, f.length);
     }
     if (c2 >= 0 && !f.hasHammer() && f.isAtLeastZero()) return {};
     const SearchedSum searched{f, c2};

@@ -14,6 +14,9 @@ struct Search {
     double negligible = 0;      ///< a function that stays below has no zero any more
 };
 
+/// Whether the first zero of f is a formula: that of up to three decays of one rate alone.
+bool hasZeroByFormula(const ExponentialSum& f);
+
 /// First zero in (start, f.length] of f + c2 x², which is positive, or zero, at the start: steps from a lower
 /// bound of the curvature pass no zero, and once one is near beyond doubt Halley's method takes it. A
 /// function that starts at zero and turns down has its zero there.

@@ -170,10 +170,10 @@ class SeriesBasis {
     /// When ∫2g closes the gap.
     Zero<Real> gapClosure(const Piece& g, Real gap) {
         if (g.isZero()) return gap < 0 ? Zero<Real>::at(0) : Zero<Real>{};
-        if (gap > 2 * g.length * g.magnitude()) return {};
+        if (gap > 2 * g.mostIntegral()) return {};
         Real c[Piece::capacity + 1];
         c[0] = gap;
-        for (int k = 0; k < g.count; ++k) c[k + 1] = -2 * g.scale * g.c[k] * inverse(k + 1);
+        for (int k = 0; k < g.count; ++k) c[k + 1] = -2 * g.scale * g.c[k] * Piece::inverse(k + 1);
         return scaled(firstZero(c, g.count + 1, g.length / g.scale, m_count), g.scale, g.length);
     }
     /// F is a positive mean of 2g and of what it was: a compressive wave cannot pull the rod off.
@@ -220,7 +220,7 @@ class SeriesBasis {
     }
 
     /// An upper bound of that.
-    Real mostIntegral(const Piece& g) const { return std::max(Real(0), g.mostValue()) * g.length; }
+    Real mostIntegral(const Piece& g, Real) const { return g.mostIntegral(); }
 
     void tidy(Piece& piece) const { piece.trim(m_negligible); }
 
@@ -265,15 +265,6 @@ class SeriesBasis {
     /// Whether aℓ is so large that F may follow the slow solution 2g − F'/a: each term of that is then small
     /// beside the one before, k/(aℓ) < 1/4 for all k up to the degree of g.
     static bool isStiff(Real alpha, const Piece& g) { return alpha >= Real(16 + 4 * g.count); }
-
-    static Real inverse(int k) {
-        static const auto table = [] {
-            std::array<Real, Piece::capacity + 2> t{};
-            for (int i = 1; i < Piece::capacity + 2; ++i) t[i] = 1 / Real(i);
-            return t;
-        }();
-        return table[k];
-    }
 
     Zero<Real> scaled(Zero<Real> zero, Real scale, Real length) {
         m_undecided |= zero.undecided;
@@ -337,12 +328,12 @@ class SeriesBasis {
             if (k + 1 >= Piece::capacity) break;
             d[k] = 2 * g.c[k] - f[k];
             out[k] = g.c[k] - f[k];
-            f[k + 1] = alpha * inverse(k + 1) * d[k];
+            f[k + 1] = alpha * Piece::inverse(k + 1) * d[k];
             size += std::abs(f[k + 1]);
         }
         for (; std::abs(f[k]) > m_negligible && k + 1 < Piece::capacity; ++k) {
             d[k] = out[k] = -f[k];
-            f[k + 1] = alpha * inverse(k + 1) * d[k];
+            f[k + 1] = alpha * Piece::inverse(k + 1) * d[k];
             size += std::abs(f[k + 1]);
         }
         const bool full = k + 1 >= Piece::capacity;

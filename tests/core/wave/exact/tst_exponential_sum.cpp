@@ -2,6 +2,7 @@
 // Exponential sums: their terms against what they stand for, and the search for their first zero.
 #include <QtTest>
 
+#include "core/wave/exact/exponential_course.h"
 #include "core/wave/exact/exponential_sum.h"
 #include "core/wave/exact/exponential_zero.h"
 #include "tests/support/scene.h"
@@ -98,6 +99,57 @@ class TestExponentialSum : public QObject {
         QCOMPARE(f.mostIntegral(), 3 / rates.primary);
         f.primary.c = {-3, 4, -2};
         QCOMPARE(f.mostIntegral(), 1 / rates.primary);
+    }
+
+    void whatIsSaidOfTheCourseHolds() {
+        Chance chance(8);
+        int falling = 0, rising = 0, convex = 0, concave = 0;
+        for (int i = 0; i < 4000; ++i) {
+            ExponentialSum f = someSum(chance);
+            if (chance.oneIn(2)) f.length = std::min(f.length, 1.0);  // where a half sine may have one sign
+            const ExponentialCourse course(f);
+            falling += course.falls();
+            rising += course.rises();
+            convex += course.isConvex();
+            concave += course.isConcave();
+            constexpr int parts = 50;
+            for (int k = 1; k < parts; ++k) {
+                const double h = f.length / parts, x = k * h;
+                const double step = f.value(x) - f.value(x - h);
+                const double bend = f.value(x + h) - 2 * f.value(x) + f.value(x - h);
+                QVERIFY(step >= course.leastSlope * h - 1e-13 && step <= course.mostSlope * h + 1e-13);
+                QVERIFY(bend >= course.leastCurvature * h * h - 1e-13);
+                QVERIFY(bend <= course.mostCurvature * h * h + 1e-13);
+            }
+        }
+        QVERIFY2(falling > 300 && rising > 300 && convex > 300 && concave > 300,
+                 qPrintable(QString("%1 %2 %3 %4").arg(falling).arg(rising).arg(convex).arg(concave)));
+    }
+
+    void theValuesAtTheEndsBoundTheIntegral() {
+        Chance chance(9);
+        int narrower = 0;
+        for (int i = 0; i < 4000; ++i) {
+            ExponentialSum f = someSum(chance);
+            f.length = std::min(f.length, 2.0);
+            const double most = mostIntegralByEnds(f);
+            narrower += most < f.mostIntegral() / 2;
+            for (int k = 0; k <= 50; ++k) QVERIFY(most >= f.integral(f.length * k / 50) - 1e-15);
+        }
+        QVERIFY2(narrower > 1000, qPrintable(QString::number(narrower)));
+    }
+
+    void theValuesAtTheEndsOfALineAreItsIntegral() {
+        ExponentialSum f = ExponentialSum::zero(2);
+        f.rates = &rates;
+        f.c0 = 1;
+        f.makeCurved().c1 = -1;  // falls through zero in the middle
+        QCOMPARE(mostIntegralByEnds(f), 0.5);
+        f.c0 = -1;
+        f.makeCurved().c1 = 1;  // and back to where it was
+        QVERIFY(std::abs(mostIntegralByEnds(f)) < 1e-13);
+        f.c0 = 0;
+        QCOMPARE(mostIntegralByEnds(f), 2.0);
     }
 
     void whatIsNotCurvedCopiesNoCurvedTerms() {

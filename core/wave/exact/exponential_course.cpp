@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/exact/exponential_course.h"
+
+#include <limits>
+
+namespace drillwave {
+
+void ExponentialCourse::addHammer(const HammerTerms& hammer, double length) {
+    constexpr double pi = HammerTerms::pi;
+    const double decay = hammer.decay;
+    leastSlope += std::min(-decay, 0.0);
+    mostSlope += std::max(-decay, 0.0);
+    leastCurvature += std::min(decay, 0.0);
+    mostCurvature += std::max(decay, 0.0);
+    if (!hammer.hasSine()) return;
+    const HammerTerms wave{hammer.sine, hammer.cosine, 0, true};
+    const HammerTerms slope{-hammer.cosine, hammer.sine, 0, true};
+    if (!slope.allAtLeastZero(length)) leastSlope -= pi * wave.amplitude();
+    if (!slope.allAtMostZero(length)) mostSlope += pi * wave.amplitude();
+    if (!wave.allAtMostZero(length)) leastCurvature -= pi * pi * wave.amplitude();
+    if (!wave.allAtLeastZero(length)) mostCurvature += pi * pi * wave.amplitude();
+}
+
+double mostIntegralByEnds(const ExponentialSum& f) {
+    const double length = f.length;
+    const double bow = -std::min(ExponentialCourse(f).leastCurvature, 0.0) * length * length * length / 12;
+    const double start = f.startValue(), end = f.value(length);
+    const double rounding = 16 * std::numeric_limits<double>::epsilon() * f.magnitude() * length;
+    if (start <= 0) return std::max(bow, f.integral(length)) + rounding;
+    const double underChord = end >= 0 ? (start + end) / 2 : start * start / (2 * (start - end));
+    return underChord * length + bow + rounding;
+}
+
+}  // namespace drillwave
