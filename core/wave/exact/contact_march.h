@@ -83,7 +83,7 @@ void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& i
     m_force = 0;
     m_contactTime = 0;
     m_impulse = 0;
-    m_error = 0;
+    m_error = m_gapError = 0;
     m_growth = 1;
     m_waves.clear();
     m_incident = Piece::zero(0);

@@ -59,7 +59,7 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
         const Real impulse = arriving.integral(arriving.length);
         if (m_touching && !arriving.isZero()) separate();
         momentum += impulse;
-        if (!m_touching) drift(impulse);
+        if (!m_touching) drift(arriving, impulse);
         pass(arriving, nullptr, arriving.length);
     }
     return skipPeriods(momentum);
@@ -96,8 +96,8 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::skipPeriods(Real mom
     if (periods > 0) {
         m_error += periods * (m_everTouched ? uncertain : 0);
         const Real from = m_gap;
-        m_gap = std::fma(-periods, advance, m_gap);
-        m_error += std::numeric_limits<Real>::epsilon() * (m_everTouched ? from : m_gap);
+        m_gap = std::fma(-periods, advance, from);
+        m_error += std::numeric_limits<Real>::epsilon() * (m_everTouched ? from : Real(m_gap));
         passPeriods(periods);
     }
     return isOver() ? Progress::finished : Progress::goesOn;

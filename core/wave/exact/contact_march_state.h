@@ -11,6 +11,7 @@
 #include "core/contact/bilinear_law.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scenario.h"
+#include "core/numeric/compensated_sum.h"
 #include "core/wave/exact/input_move.h"
 #include "core/wave/exact/wave_queue.h"
 #include "core/wave/impact.h"
@@ -84,13 +85,13 @@ class ContactMarch {
     void changeBranch(Ending ending, Real length);
     bool hammerHasEnded() const { return m_hammerPiece >= m_pulse->segments.size(); }
     /// By how much the momentum of the rod may be wrong, on the safe side of a proof.
-    Real uncertainMomentum() const { return 4 * (m_error + m_basis.momentumNoise()); }
+    Real uncertainMomentum() const { return 4 * (m_error + m_gapError + m_basis.momentumNoise()); }
     bool staysAway();
     Progress flyFree();
     Progress skipPeriods(Real momentum);
     void passPeriods(Real periods);
     void closeGap(const Piece& arriving, Real length);
-    void drift(Real impulse);
+    void drift(const Piece& arriving, Real impulse);
     void separate();
     void rejoin();
     void pass(const Piece& incident, const Piece* force, Real length);
@@ -149,9 +150,9 @@ class ContactMarch {
 
     BilinearLaw<Real> m_law{1, 1};  ///< with the memory of the rock
     Real m_roundTrip = 0;
-    Real m_arrival = 0;                ///< global time of s = 0
-    typename Basis::Sum m_s;           ///< time at the front end
-    typename Basis::Sum m_hammerTime;  ///< how far the hammer force has been used
+    Real m_arrival = 0;                 ///< global time of s = 0
+    typename Basis::Sum m_s;            ///< time at the front end
+    CompensatedSum<Real> m_hammerTime;  ///< how far the hammer force has been used
     std::size_t m_hammerPiece = 0;
     bool m_everTouched = false;
     bool m_touching = false;  ///< apart, but by zero: forceless contact
@@ -159,7 +160,8 @@ class ContactMarch {
     int m_eventsOnTheSpot = 0;                ///< events in a row without progress in time
     ContactLine m_line = ContactLine::apart;  ///< apart, with a zero gap: also forceless contact
     Real m_periodsAhead = 0;                  ///< periods of free flight still to come before `m_gap` counts
-    Real m_gap = 0;                           ///< distance still to close, displacement unit I0/Z
+    CompensatedSum<Real> m_gap;               ///< distance still to close, displacement unit I0/Z
+    Real m_gapError = 0;                      ///< of it, in e, once it closes
     Real m_nextProof = never;                 ///< time of the next look whether the rod stays away
     Real m_opened = 0;                        ///< largest gap since the last separation
     double m_separatedBefore = 0;             ///< time of the separation before the last one

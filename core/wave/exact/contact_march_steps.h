@@ -64,6 +64,8 @@ typename ContactMarch<Basis>::Real ContactMarch<Basis>::hammerWork(const PulseSe
 template <class Basis>
 void ContactMarch<Basis>::closeGap(const Piece& arriving, Real length) {
     m_opened = std::max(m_opened, m_gap + 2 * arriving.magnitude() * length);
+    m_error += m_gapError;
+    m_gapError = 0;
     const bool wasClosed = m_everTouched && m_opened <= closedGap;
     m_gap = 0;
     m_force = 0;
@@ -83,11 +85,12 @@ void ContactMarch<Basis>::closeGap(const Piece& arriving, Real length) {
     m_everTouched = true;
 }
 
-/// The free front end has moved by twice the impulse of what arrived.
+/// The free front end has moved by twice the impulse of what arrived, to the rounding of that wave.
 template <class Basis>
-void ContactMarch<Basis>::drift(Real impulse) {
-    m_gap -= 2 * impulse;
-    m_opened = std::max(m_opened, m_gap);
+void ContactMarch<Basis>::drift(const Piece& arriving, Real impulse) {
+    m_gap += -2 * impulse;
+    m_gapError += 2 * std::numeric_limits<Real>::epsilon() * arriving.integralOfSizes();
+    m_opened = std::max(m_opened, Real(m_gap));
 }
 
 template <class Basis>
@@ -163,7 +166,7 @@ void ContactMarch<Basis>::advanceApart() {
     const auto contact = m_basis.gapClosure(m_incident, m_gap);
     if (!contact.found) {
         if (m_touching && !m_incident.isZero()) separate();
-        if (!m_touching) drift(m_incident.integral(m_incident.length));
+        if (!m_touching) drift(m_incident, m_incident.integral(m_incident.length));
         leaveFree(m_incident.length);
         m_incident.length = 0;
         return;

@@ -89,6 +89,16 @@ struct ExponentialSum {
         return isCurved ? most + mostIntegralOfCurve() : most;
     }
 
+    /// An upper bound of what the terms add up to over the length, whatever their signs: what the rounding of
+    /// ∫f is relative to.
+    double integralOfSizes() const {
+        constexpr double lasting = Coefficients::capacity;  // for so many 1/λ at most a decay is that large
+        double sum = std::abs(c0) * length;
+        if (primary.count) sum += primary.magnitude() * std::min(lasting / rates->primary, length);
+        if (elastic.count) sum += elastic.magnitude() * std::min(lasting / rates->elastic, length);
+        return isCurved ? sum + curveMagnitude() * length : sum;
+    }
+
     double primaryOver(double x) const { return decayOver(x, rates->primary, primaryDecay); }
     double elasticOver(double x) const { return decayOver(x, rates->elastic, elasticDecay); }
     double value(double x) const {

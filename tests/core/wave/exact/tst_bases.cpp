@@ -71,6 +71,25 @@ class TestBases : public QObject {
             }
     }
 
+    void aRodThatFliesThroughManyReflectionsHasTheDigitsThatItStates() {
+        // far from the rock, and very short: hundreds of pieces pass between the contacts
+        Scene piston{PulseShape::piston,
+                     {26.216271883836566, 0.2963206421811403, 0.0521557175795273, 1.8515142663604076}};
+        piston.impedanceRatio = 1.8442978359751079;
+        const std::vector<Scene> scenes{
+            {PulseShape::exponential, {738.1488807791279, 1, 0.07251842414085019, 1.0000000000000386}},
+            {PulseShape::exponential, {109.32463503258843, 1, 0.053945240121309336, 1.430522615380542}},
+            piston};
+        BasisComparison comparison;
+        for (const Scene& scene : scenes) {
+            const BasisFinding found = comparison.compare(scene, true, false);
+            for (const BasisResult& result : {found.closed, found.series}) {
+                QVERIFY2(result.isSolved() && found.extended.isSolved(), words(found).c_str());
+                QVERIFY2(result.differenceTo(found.extended) <= result.impact.corError, words(found).c_str());
+            }
+        }
+    }
+
     void energiesAndPeaksAgreeAsWell() {
         BasisScenes scenes(3);
         BasisComparison comparison;
