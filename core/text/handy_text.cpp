@@ -15,7 +15,10 @@ std::string inHandyUnit(double si, Quantity quantity, int digits) {
     const Unit* chosen = nullptr;
     for (const std::string_view name : handy) {
         const Unit* unit = findUnit(quantity, name);
-        if (unit && (!chosen || std::abs(unit->fromSi(si)) >= 1)) chosen = unit;
+        if (!unit) continue;
+        const bool fits =
+            si == 0 ? unit->fromSi(1) == 1 : std::abs(unit->fromSi(si)) >= 1;  // zero has no prefix
+        if (!chosen || fits) chosen = unit;
     }
     if (!chosen) chosen = &unitsOf(quantity).front();
     const std::string number = rounded(chosen->fromSi(si), digits);

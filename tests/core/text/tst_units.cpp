@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 
+#include "core/text/handy_text.h"
 #include "core/text/units.h"
 
 using namespace drillwave;
@@ -38,6 +39,16 @@ class TestUnits : public QObject {
     Q_OBJECT
 
   private slots:
+    void peopleReadTheUnitThatNeedsTheFewestZeros() {
+        QCOMPARE(inHandyUnit(71700, Quantity::force), "71.7 kN");
+        QCOMPARE(inHandyUnit(0.0032, Quantity::length), "3.2 mm");
+        QCOMPARE(inHandyUnit(2e-9, Quantity::length), "0.002 um");
+        QCOMPARE(inHandyUnit(0, Quantity::length), "0 m");
+        QCOMPARE(inHandyUnit(0, Quantity::time), "0 s");
+        QCOMPARE(inHandyUnit(0, Quantity::force), "0 N");
+        QCOMPARE(inHandyUnit(0.25, Quantity::ratio), "0.25");
+    }
+
     void typedTextIsTheNearestDoubleOfItsSiValue_data();
     void typedTextIsTheNearestDoubleOfItsSiValue();
     void factorsAgreeWithTheDefinitionOfTheUnits_data();
