@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/numeric/stride_search.h"
 #include "core/wave/field/recorded_time.h"
 
 namespace drillwave {
@@ -43,36 +44,12 @@ bool HistoryReader::holds(std::size_t index, double recorded) const {
            (index + 1 == pieces.size() || recorded < pieces[index + 1].start);
 }
 
-// Strides of 1, 2, 4 … pieces until the time is behind, then bisection of the last one: next to nothing for a
-// neighbour, and no more than a search however many pieces lie between.
 std::size_t HistoryReader::find(double recorded) {
     const auto pieces = m_impact.incident.pieces();
-    const auto begins = [&](std::size_t index) {
+    return strideSearch(m_index, pieces.size(), [&](std::size_t index) {
         ++m_steps;
         return pieces[index].start <= recorded;
-    };
-    std::size_t first = m_index, stride = 1;  // the piece begins in [first, end)
-    std::size_t end = pieces.size();
-    if (begins(m_index)) {
-        while (first + stride < pieces.size() && begins(first + stride)) {
-            first += stride;
-            stride *= 2;
-        }
-        end = std::min(end, first + stride);
-    } else {
-        end = first;
-        while (true) {
-            first = end > stride ? end - stride : 0;
-            if (first == 0 || begins(first)) break;
-            end = first;
-            stride *= 2;
-        }
-    }
-    while (end - first > 1) {
-        const std::size_t middle = first + (end - first) / 2;
-        (begins(middle) ? first : end) = middle;
-    }
-    return first;
+    });
 }
 
 }  // namespace drillwave
