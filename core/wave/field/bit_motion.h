@@ -2,6 +2,7 @@
 // Where the bit is: how deep in the rock, or how far from it.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "core/wave/field/wave_fronts.h"
@@ -22,5 +23,9 @@ struct BitState {
 /// At the global time t/t0; `contacts` are contactIntervals() of the impact, `delta` the first gap δ [d0].
 /// Accurate to some 1e-15 of the displacement so far. Needs an impact solved with Detail::histories.
 BitState bitState(const Impact& impact, std::span<const ContactInterval> contacts, double delta, double t);
+
+/// The same of a bit that has come so far towards the rock at each time.
+BitState bitState(const std::function<double(double)>& displacementAt,
+                  std::span<const ContactInterval> contacts, double delta, double t);
 
 }  // namespace drillwave

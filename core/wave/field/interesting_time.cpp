@@ -16,12 +16,15 @@ constexpr double mostRoundTrips = 12;
 
 TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse) {
     const RodDelays delays(impact);
-    const double roundTrip = delays.roundTrip();
-    const bool longFlight = impact.firstContactTime > mostFlightShown * roundTrip;
-    const double begin = longFlight ? impact.firstContactTime - 1.5 * roundTrip : 0;
-    const double end =
-        std::max({impact.separationTime, visibleWavesEnd(pulse), delays.arrival()}) + roundTrip;
-    return {begin, std::min(end, begin + mostRoundTrips * roundTrip)};
+    return interestingTime({impact.firstContactTime, impact.separationTime},
+                           std::max(visibleWavesEnd(pulse), delays.arrival()), delays.roundTrip());
+}
+
+TimeSpan interestingTime(const TimeSpan& contact, double arrival, double roundTrip) {
+    const bool longFlight = contact.begin > mostFlightShown * roundTrip;
+    const double begin = longFlight ? contact.begin - 1.5 * roundTrip : 0;
+    const double last = contact.end > arrival ? contact.end : arrival;  // there may be no contact at all
+    return {begin, std::min(last + roundTrip, begin + mostRoundTrips * roundTrip)};
 }
 
 }  // namespace drillwave

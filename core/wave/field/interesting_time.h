@@ -19,4 +19,8 @@ struct TimeSpan {
 /// solved with Detail::events or more.
 TimeSpan interestingTime(const Impact& impact, const PulseForce& pulse);
 
+/// The same from the first contact of bit and rock to their last separation (not a number where they never
+/// meet), at least to when the waves of the blow have arrived.
+TimeSpan interestingTime(const TimeSpan& contact, double arrival, double roundTrip);
+
 }  // namespace drillwave

@@ -15,17 +15,22 @@ namespace drillwave {
 /// end of a force that only fades away. The reference case has one, at its first contact.
 std::vector<double> pulseFronts(const PulseForce& pulse);
 
-/// One way of a front through the rod: a straight line in the x–t diagram.
+/// One way of a front through the rod, or through a section of a string: a straight line in the x–t diagram.
 struct FrontRun {
     long number = 0;  ///< of the wave that begins with it, as SectionWave::number
     Heading heading = Heading::toBit;
-    double timeAtBit = 0;    ///< global [t0]
-    double transitTime = 0;  ///< [t0]
+    double timeAtFront = 0;      ///< at the end towards the bit, global [t0]
+    double transitTime = 0;      ///< [t0]
+    double rear = 0, front = 1;  ///< where it begins and ends, x/L
 
-    /// When it passes the section ξ, and where it is at the global time t (beyond the rod before and after
+    /// When it passes the section ξ, and where it is at the global time t (beyond its ends before and after
     /// it).
-    double timeAt(double xi) const { return timeAtBit - direction() * (1 - xi) * transitTime; }
-    double sectionAt(double t) const { return 1 + direction() * (t - timeAtBit) / transitTime; }
+    double timeAt(double xi) const {
+        return timeAtFront - direction() * (front - xi) / (front - rear) * transitTime;
+    }
+    double sectionAt(double t) const {
+        return front + direction() * (t - timeAtFront) / transitTime * (front - rear);
+    }
 
   private:
     double direction() const { return heading == Heading::toBit ? 1 : -1; }

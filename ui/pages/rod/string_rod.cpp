@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/blow/blow_waves.h"
 #include "core/model/drill_string.h"
 #include "core/model/scales.h"
 #include "core/wave/network/string_envelope.h"
@@ -49,19 +50,14 @@ StringRod stringRod(const Blow& blow) {
     const Scales scales = scalesOf(blow.scenario);
     const std::vector<const Section*> sections = allSections(drill);
     const auto ofHammer = static_cast<int>(drill.hammer.sections.size());
-    double ahead = 0;
-    for (const Section& section : drill.hammer.sections) ahead += section.length;
+    const std::vector<double> joints = sectionJoints(drill);
     StringRod rod;
     rod.waves = blow.string->impact.waves;
-    double place = -ahead / scales.length;
     for (int j = 0; j < static_cast<int>(sections.size()); ++j) {
         const Section& section = *sections[static_cast<std::size_t>(j)];
-        if (j == ofHammer) place = 0;
         RodStretch stretch;
-        stretch.rear = place;
-        stretch.front = place += section.length / scales.length;
-        if (j + 1 == ofHammer) stretch.front = 0;
-        if (j + 1 == static_cast<int>(sections.size())) stretch.front = 1;
+        stretch.rear = joints[static_cast<std::size_t>(j)];
+        stretch.front = joints[static_cast<std::size_t>(j) + 1];
         stretch.toStress =
             networkForce * scales.force / propertiesOf(section, drill.material).area / scales.stress;
         stretch.number = j < ofHammer ? -(j + 1) : j - ofHammer + 1;

@@ -47,7 +47,7 @@ class TestWaveFronts : public QObject {
         QCOMPARE(runs.size(), std::size_t(4));  // two of them just begin or have just ended
         for (const FrontRun& run : {runs[0], runs[1]}) {
             QCOMPARE(run.number, run.heading == Heading::toBit ? 0L : 1L);
-            QCOMPARE(run.timeAtBit, tau);
+            QCOMPARE(run.timeAtFront, tau);
             for (const double xi : {0.1, 0.6}) {
                 const double t = run.timeAt(xi);
                 QVERIFY(std::abs(t - (run.heading == Heading::toBit ? xi : 2 - xi) * tau) < 1e-15 * 8);
@@ -65,13 +65,13 @@ class TestWaveFronts : public QObject {
         const std::vector<FrontRun> runs = frontRuns(impact, 1, 600.5, 606.5);
         QVERIFY(!runs.empty() && runs.size() <= 6);
         for (const FrontRun& run : runs) {
-            QVERIFY(run.timeAtBit >= 597.5 && run.timeAtBit <= 609.5);
-            QCOMPARE(run.timeAtBit, 4 + 6 * std::floor(double(run.number) / 2));
+            QVERIFY(run.timeAtFront >= 597.5 && run.timeAtFront <= 609.5);
+            QCOMPARE(run.timeAtFront, 4 + 6 * std::floor(double(run.number) / 2));
         }
         const Impact reference = solve({PulseShape::rigidBody, {0.5, 0.1, 3, 0}}, Detail::histories);
         const std::vector<FrontRun> fromTheBit = frontRuns(reference, 0, 0, 2);
         QCOMPARE(fromTheBit.front().number, 1L);  // nothing runs to the bit before
-        QCOMPARE(fromTheBit.front().timeAtBit, 0.0);
+        QCOMPARE(fromTheBit.front().timeAtFront, 0.0);
     }
 
     void theInterestingTimeEndsARoundTripAfterTheBlow() {

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/blow/blow_waves.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include "core/wave/field/wave_field.h"
+
+namespace drillwave {
+namespace {
+
+/// A force of 1 of the network, in F0.
+constexpr double unitForce = 2;
+
+const StringWaves& stringWaves(const Blow& blow) {
+    assert(blow.string && blow.string->impact.waves);
+    return *blow.string->impact.waves;
+}
+
+}  // namespace
+
+std::vector<double> sectionJoints(const DrillString& drillString) {
+    double hammer = 0, string = 0;
+    for (const Section& section : drillString.hammer.sections) hammer += section.length;
+    const std::vector<const Section*> sections = expandedSections(drillString);
+    for (const Section* section : sections) string += section->length;
+    std::vector<double> joints;
+    double place = -hammer;
+    for (const Section& section : drillString.hammer.sections) {
+        joints.push_back(place / string);
+        place += section.length;
+    }
+    place = 0;
+    for (const Section* section : sections) {
+        joints.push_back(place / string);
+        place += section->length;
+    }
+    joints.push_back(1);
+    return joints;
+}
+
+BlowWaves::BlowWaves(const Blow& blow) : m_blow(&blow) {
+    assert(areKept(blow));
+    if (blow.string) m_string.emplace(stringWaves(blow), sectionJoints(blow.scenario.drillString));
+}
+
+bool BlowWaves::areKept(const Blow& blow) {
+    return blow.string ? blow.string->impact.waves != nullptr : blow.impact.hasHistories();
+}
+
+double BlowWaves::end() const {
+    return m_string ? m_string->end() : std::numeric_limits<double>::infinity();
+}
+
+WaveRaster BlowWaves::raster(WaveQuantity quantity, const RasterGrid& grid) const {
+    return m_string ? m_string->raster(quantity, grid) : waveRaster(m_blow->impact, quantity, grid);
+}
+
+double BlowWaves::value(WaveQuantity quantity, double x, double t) const {
+    return m_string ? m_string->value(quantity, x, t) : waveValue(m_blow->impact, quantity, x, t);
+}
+
+TimeSpan BlowWaves::interesting() const {
+    if (!m_string) return interestingTime(m_blow->impact, m_blow->solved.hammer);
+    const Impact& impact = m_blow->impact;
+    TimeSpan span = interestingTime({impact.firstContactTime, impact.separationTime}, arrival(), roundTrip());
+    span.end = std::min(span.end, end());
+    return span.begin < span.end ? span : TimeSpan{0, end()};
+}
+
+double BlowWaves::arrival() const {
+    return m_string ? m_string->arrival() : WaveField(m_blow->impact).arrival();
+}
+
+double BlowWaves::roundTrip() const {
+    return m_string ? 2 * m_string->arrival() : WaveField(m_blow->impact).roundTrip();
+}
+
+std::vector<double> BlowWaves::fronts() const {
+    if (m_string) return {0, m_string->hammerRoundTrip()};
+    return pulseFronts(m_blow->solved.hammer);
+}
+
+std::vector<FrontRun> BlowWaves::frontRuns(double start, double begin, double end) const {
+    return m_string ? m_string->frontRuns(start, begin, end)
+                    : drillwave::frontRuns(m_blow->impact, start, begin, end);
+}
+
+std::vector<ContactInterval> BlowWaves::faceContacts() const {
+    if (!m_string) return {};
+    const PiecewisePolynomial& force = stringWaves(*m_blow).faceForce();
+    std::vector<ContactInterval> contacts;
+    for (const PiecewisePolynomial::Piece& piece : force.pieces()) {
+        if (piece.count == 0) continue;
+        const double begin = piece.start, until = piece.start + piece.length;
+        if (!contacts.empty() && begin <= contacts.back().end + stringWaves(*m_blow).rounding())
+            contacts.back().end = until;
+        else
+            contacts.push_back({begin, until});
+    }
+    return contacts;
+}
+
+BitState BlowWaves::bit(const std::vector<ContactInterval>& contacts, double t) const {
+    if (!m_string) return bitState(m_blow->impact, contacts, m_blow->solved.gap, t);
+    const StringWaves& waves = stringWaves(*m_blow);
+    const auto displacement = [&](double time) {
+        return waves.bitVelocity().integral(std::clamp(time, 0.0, waves.end()));
+    };
+    return bitState(displacement, contacts, m_blow->string->problem.gap, t);
+}
+
+double BlowWaves::impactForce(double t) const {
+    if (!m_string) return WaveField(m_blow->impact).impactForce(t);
+    return std::max(0.0, unitForce * stringWaves(*m_blow).bitForce()(t));
+}
+
+}  // namespace drillwave

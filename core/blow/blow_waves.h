@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a blow does over place and time, be it on a rod or on a drill string.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/blow/blow.h"
+#include "core/model/drill_string.h"
+#include "core/wave/field/bit_motion.h"
+#include "core/wave/field/interesting_time.h"
+#include "core/wave/field/string_field.h"
+#include "core/wave/field/wave_fronts.h"
+#include "core/wave/field/wave_raster.h"
+
+namespace drillwave {
+
+/// Where the sections of hammer and string begin and the last one ends, in lengths of the string from the
+/// shank: the hammer is below 0, the bit at 1.
+std::vector<double> sectionJoints(const DrillString& drillString);
+
+/// The one look at the waves of rods and strings for pictures of them. Places x/L, 0 at the struck end (of a
+/// string at the shank, the hammer is below it) and 1 at the bit; times in t0, forces in F0, velocities in
+/// F0/Z, lengths in d0. Of a rod known at all times, of a string to its end; NaN beyond.
+class BlowWaves {
+  public:
+    /// Of a solved blow with its histories, which must outlive it; of a string whose waves were kept.
+    explicit BlowWaves(const Blow& blow);
+
+    /// Whether there is anything to be read of a solved blow.
+    static bool areKept(const Blow& blow);
+
+    /// Where what is looked at begins: 0, or the rear of the hammer.
+    double rear() const { return m_string ? m_string->rear() : 0; }
+    /// Until when all is known; infinite for a rod.
+    double end() const;
+    WaveRaster raster(WaveQuantity quantity, const RasterGrid& grid) const;
+    double value(WaveQuantity quantity, double x, double t) const;
+
+    /// From the first touch of hammer and string, or the beginning of the pulse, to a round trip after bit
+    /// and rock last part; not more than a dozen round trips.
+    TimeSpan interesting() const;
+    /// When the first wave reaches the bit, and how long one takes from there to the struck end and back.
+    double arrival() const;
+    double roundTrip() const;
+    /// Times at which fronts start at the struck end; the way of one of them between two times.
+    std::vector<double> fronts() const;
+    std::vector<FrontRun> frontRuns(double start, double begin, double end) const;
+
+    /// When bit and rock touch, in order.
+    std::vector<ContactInterval> contacts() const { return contactIntervals(m_blow->impact); }
+    /// Likewise hammer and string; nothing for a rod.
+    std::vector<ContactInterval> faceContacts() const;
+    /// Of the bit; `contacts` as above.
+    BitState bit(const std::vector<ContactInterval>& contacts, double t) const;
+    double impactForce(double t) const;
+
+  private:
+    const Blow* m_blow;
+    std::optional<StringField> m_string;
+};
+
+}  // namespace drillwave
