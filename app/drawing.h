@@ -42,7 +42,7 @@ class Drawing {
     /// A figure of the paper in one of the pictureFormats; empty where it could not be drawn.
     virtual std::string figure(const Figure& figure, std::string_view format) const = 0;
 
-    /// blow.*, rock.* and rod.* of a blow solved with Detail::histories, in each format.
+    /// blow.*, rock.*, wave_picture.* and rod.* of a blow solved with Detail::histories, in each format.
     virtual std::vector<NamedFile> blow(const Blow& blow, const std::vector<std::string>& formats,
                                         const std::stop_token& stop) const = 0;
 

@@ -140,7 +140,7 @@ const Command& runCommand() {
         "With -o, DIR gets scenario.yaml, summary.json, histories.csv, "
         "events.csv and the plots: each of the\n"
         "first four can be run again. Of a drill string the histories hold the waves in the middle of its "
-        "longest\nsection, and the plots are blow.* and rock.*.";
+        "longest\nsection. The plots are blow.*, rock.*, wave_picture.* and rod.*.";
     static const Command command{
         .name = "run",
         .operands = "FILE",

@@ -83,7 +83,7 @@ std::vector<double> BlowWaves::fronts() const {
 }
 
 std::vector<FrontRun> BlowWaves::frontRuns(double start, double begin, double end) const {
-    return m_string ? m_string->frontRuns(start, begin, end)
+    return m_string ? m_string->frontRuns(start, begin, std::min(end, m_string->end()))
                     : drillwave::frontRuns(m_blow->impact, start, begin, end);
 }
 

@@ -66,7 +66,7 @@ std::string scenarioFile(const SolvedRun& run) {
 std::vector<std::string> runFileNames(const std::vector<std::string>& formats) {
     std::vector<std::string> names{scenarioName, summaryName, historiesName, eventsName};
     for (const std::string& format : formats) {
-        for (const char* plot : {"blow.", "rock.", "rod."}) names.push_back(plot + format);
+        for (const char* plot : {"blow.", "rock.", "wave_picture.", "rod."}) names.push_back(plot + format);
     }
     return names;
 }

@@ -261,7 +261,7 @@ void TestRun::plotsOfAnEarlierRunDoNotStay() {
     QCOMPARE(run(words + QStringList{"--plots", "png"}).exitCode, 0);
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files),
              QStringList({"blow.png", "events.csv", "histories.csv", "notes.txt", "rock.png", "rod.png",
-                          "scenario.yaml", "summary.json"}));
+                          "scenario.yaml", "summary.json", "wave_picture.png"}));
 
     // A folder that holds no run holds no plots of one.
     const QTemporaryDir other;
@@ -277,8 +277,9 @@ void TestRun::everyRunWritesTheSameBytes() {
     for (int round = 0; round < 5; ++round) {
         const QString out = folder.filePath(QString::number(round));
         QCOMPARE(run({"run", example("t38_medium_rock"), "-o", out, "--plots", "png,svg"}).exitCode, 0);
-        for (const char* name : {"scenario.yaml", "histories.csv", "events.csv", "blow.png", "blow.svg",
-                                 "rock.png", "rock.svg", "rod.png", "rod.svg"}) {
+        for (const char* name :
+             {"scenario.yaml", "histories.csv", "events.csv", "blow.png", "blow.svg", "rock.png", "rock.svg",
+              "rod.png", "rod.svg", "wave_picture.png", "wave_picture.svg"}) {
             const QByteArray bytes = read(out + "/" + name);
             if (round == 0) first[name] = bytes;
             QVERIFY2(bytes == first[name], name);
@@ -328,8 +329,8 @@ void TestRun::aDrillStringHasHistoriesAndPlots() {
     const QString out = folder.filePath("out");
     QCOMPARE(run({"run", "t38_string", "-o", out, "--plots", "svg"}).exitCode, 0);
     QCOMPARE(QDir(out).entryList(QDir::Files, QDir::Name),
-             QStringList(
-                 {"blow.svg", "events.csv", "histories.csv", "rock.svg", "scenario.yaml", "summary.json"}));
+             QStringList({"blow.svg", "events.csv", "histories.csv", "rock.svg", "rod.svg", "scenario.yaml",
+                          "summary.json", "wave_picture.svg"}));
     const QByteArray csv = read(out + "/histories.csv");
     QVERIFY(
         csv.contains("\ntime [s],impact_force [N],impulse [N s],momentum [N s],penetration [m],"

@@ -57,17 +57,19 @@ PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std
                               {180, 110});
 }
 
+PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop) {
+    return paperPlot<RodPlot>(rodCurves(blow, unitsFor(blow.scenario), stop), {180, 110});
+}
+
 PaperPlot wavePaperPlot(const Blow& blow) {
     // At 180 mm about 150 cells an inch.
-    constexpr WavePictureNeed need{
-        .field = WaveQuantity::force, .xiBegin = 0, .xiEnd = 1, .time = {}, .columns = 900, .rows = 450};
+    constexpr WavePictureNeed need{.field = WaveQuantity::force, .window = {}, .columns = 900, .rows = 450};
     auto solved = std::make_shared<SolvedBlow>();
     static_cast<Blow&>(*solved) = blow;
     solved->request.scenario = blow.scenario;
     solved->request.units = naturalUnits(blow.scenario);
     solved->units = unitsFor(blow.scenario);
-    solved->pages.push_back(
-        PageData::of(wavePicture(blow.impact, blow.solved.hammer, blow.scenario, solved->units, need)));
+    solved->pages.push_back(PageData::of(wavePicture(blow, solved->units, need)));
     return paperPlot<WavePicturePlot>(SolvedBlowPtr(std::move(solved)), {180, 110});
 }
 

@@ -43,7 +43,8 @@ PaperPlot blowPaperPlot(const Scenario& scenario, const Impact& impact);
 PaperPlot rockPaperPlot(const Scenario& scenario, const Impact& impact);
 /// The largest stresses over place, likewise.
 PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std::stop_token& stop);
-/// The force in the rod over place and time, of a blow solved likewise.
+PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop);
+/// The force in the rod, or in hammer and string, over place and time, of a blow solved likewise.
 PaperPlot wavePaperPlot(const Blow& blow);
 /// e over the gap and its distribution.
 PaperPlot gapPaperPlot(const GapReport& report);

@@ -38,19 +38,12 @@ Pictures render(const std::vector<Drawn>& all, const Scenario& scenario,
 
 Pictures drawBlowPlots(const Blow& blow, const std::vector<std::string>& formats,
                        const std::stop_token& stop) {
-    if (!blow.string) return drawBlowPlots(blow.scenario, blow.impact, formats, stop);
     if (const QString problem = obstacle(blow.impact); !problem.isEmpty()) return {{}, problem};
-    return render({{"blow", blowPaperPlot(blow)}, {"rock", rockPaperPlot(blow)}}, blow.scenario, formats,
-                  stop);
-}
-
-Pictures drawBlowPlots(const Scenario& scenario, const Impact& impact,
-                       const std::vector<std::string>& formats, const std::stop_token& stop) {
-    if (const QString problem = obstacle(impact); !problem.isEmpty()) return {{}, problem};
-    return render({{"blow", blowPaperPlot(scenario, impact)},
-                   {"rock", rockPaperPlot(scenario, impact)},
-                   {"rod", rodPaperPlot(scenario, impact, stop)}},
-                  scenario, formats, stop);
+    return render({{"blow", blowPaperPlot(blow)},
+                   {"rock", rockPaperPlot(blow)},
+                   {"wave_picture", wavePaperPlot(blow)},
+                   {"rod", rodPaperPlot(blow, stop)}},
+                  blow.scenario, formats, stop);
 }
 
 }  // namespace drillwave

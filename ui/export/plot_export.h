@@ -11,12 +11,11 @@
 
 namespace drillwave {
 
-/// Draws blow.* (waves, impact force, impulse, momentum; 180 × 240 mm) and rock.* (force–penetration; 120 ×
-/// 90 mm), of a rod rod.* too, once per format, in naturalUnits(); see renderPictures(). Requires an impact
-/// solved with Detail::histories. A stop ends it between two pictures.
+/// Draws blow.* (waves, impact force, impulse, momentum; 180 × 240 mm), rock.* (force–penetration; 120 × 90
+/// mm), wave_picture.* (force over place and time; 180 × 110 mm) and rod.* (largest stresses along rod or
+/// string; likewise), once per format, in naturalUnits(); see renderPictures(). Requires a blow solved with
+/// Detail::histories, of a string one whose waves were kept. A stop ends it between two pictures.
 Pictures drawBlowPlots(const Blow& blow, const std::vector<std::string>& formats,
                        const std::stop_token& stop = {});
-Pictures drawBlowPlots(const Scenario& scenario, const Impact& impact,
-                       const std::vector<std::string>& formats, const std::stop_token& stop = {});
 
 }  // namespace drillwave

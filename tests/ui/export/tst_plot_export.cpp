@@ -3,9 +3,9 @@
 #include <QImage>
 #include <QTest>
 
-#include "core/model/pulse_force.h"
-#include "core/model/scales.h"
-#include "core/wave/exact/exact_solver.h"
+#include "core/blow/blow.h"
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
 #include "tests/support/svg_texts.h"
 #include "ui/export/plot_export.h"
 #include "ui/plot/plot_rendering.h"
@@ -18,8 +18,8 @@ namespace {
 using Formats = std::vector<std::string>;
 const Formats allFormats(pictureFormats.begin(), pictureFormats.end());
 
-Impact solved(const Scenario& scenario, Detail detail = Detail::histories) {
-    return ExactSolver().solve(problemOf(scenario), detail);
+Blow solved(const Scenario& scenario, Detail detail = Detail::histories) {
+    return solveBlow(scenario, {}, detail);
 }
 
 // The one of that name; empty when there is none.
@@ -52,6 +52,7 @@ class TestPlotExport : public QObject {
     void everyFormatIsDrawn();
     void thePngShowsFourPlotsOnWhite();
     void theSvgNamesFourPlotsWithTheirUnits();
+    void aStringHasAllPictures();
     void pngAndSvgAreTheSameBytesEveryTime();
     void filesDoNotDependOnTheLocale();
     void aStopEndsTheDrawing();
@@ -59,16 +60,14 @@ class TestPlotExport : public QObject {
     void failuresAreToldInOneLine();
 
   private:
-    Pictures drawn(const Formats& formats) const {
-        return drawBlowPlots(m_scenario, solved(m_scenario), formats);
-    }
+    Pictures drawn(const Formats& formats) const { return drawBlowPlots(solved(m_scenario), formats); }
     Scenario m_scenario;
 };
 
 void TestPlotExport::everyFormatIsDrawn() {
     const Pictures pictures = drawn(allFormats);
     QCOMPARE(pictures.problem, QString());
-    QCOMPARE(pictures.files.size(), std::size_t{9});
+    QCOMPARE(pictures.files.size(), std::size_t{12});
     for (const NamedFile& file : pictures.files) QVERIFY2(file.bytes.size() > 2000, file.name.c_str());
     QVERIFY(picture(pictures, "blow.pdf").startsWith("%PDF-"));
 }
@@ -93,17 +92,29 @@ void TestPlotExport::theSvgNamesFourPlotsWithTheirUnits() {
         QVERIFY2(texts.contains(QString::fromUtf8(text)), text);
     Scenario scenario;
     scenario.form = ScenarioForm::dimensionless;
-    const QString dimensionless =
-        textsOf(picture(drawBlowPlots(scenario, solved(scenario), svg), "blow.svg"));
+    const QString dimensionless = textsOf(picture(drawBlowPlots(solved(scenario), svg), "blow.svg"));
     QVERIFY(dimensionless.contains(QStringLiteral("F / F0")));
     QVERIFY(dimensionless.contains(QStringLiteral("time t / t0")));
+}
+
+void TestPlotExport::aStringHasAllPictures() {
+    const Blow blow = solved(parseScenario(findExample("r32_string")->text, "r32_string").scenario);
+    const Pictures pictures = drawBlowPlots(blow, {"svg"});
+    QCOMPARE(pictures.problem, QString());
+    QCOMPARE(pictures.files.size(), std::size_t{4});
+    for (const char* name : {"wave_picture.svg", "rod.svg"})
+        QVERIFY2(textsOf(picture(pictures, name)).contains(QStringLiteral("hammer below 0")), name);
+    const QString texts = textsOf(picture(pictures, "wave_picture.svg"));
+    for (const char* text : {"force N (tension positive) [kN]", "hammer", "coupling", "rod"})
+        QVERIFY2(texts.contains(QString::fromUtf8(text)), text);
 }
 
 void TestPlotExport::pngAndSvgAreTheSameBytesEveryTime() {
     const Formats formats{"png", "svg"};
     const Pictures first = drawn(formats);
     const Pictures second = drawn(formats);
-    for (const char* name : {"blow.png", "blow.svg", "rock.png", "rock.svg", "rod.png", "rod.svg"}) {
+    for (const char* name : {"blow.png", "blow.svg", "rock.png", "rock.svg", "wave_picture.png",
+                             "wave_picture.svg", "rod.png", "rod.svg"}) {
         QVERIFY(!picture(first, name).isEmpty());
         QCOMPARE(picture(first, name), picture(second, name));
     }
@@ -120,7 +131,7 @@ void TestPlotExport::filesDoNotDependOnTheLocale() {
 void TestPlotExport::aStopEndsTheDrawing() {
     std::stop_source stop;
     stop.request_stop();
-    QVERIFY(drawBlowPlots(m_scenario, solved(m_scenario), allFormats, stop.get_token()).files.empty());
+    QVERIFY(drawBlowPlots(solved(m_scenario), allFormats, stop.get_token()).files.empty());
 }
 
 void TestPlotExport::failuresAreToldInOneLine_data() {
@@ -135,8 +146,8 @@ void TestPlotExport::failuresAreToldInOneLine() {
     QFETCH(QString, format);
     QFETCH(bool, histories);
     QFETCH(QString, says);
-    const Impact impact = solved(m_scenario, histories ? Detail::histories : Detail::ledger);
-    const Pictures pictures = drawBlowPlots(m_scenario, impact, {format.toStdString()});
+    const Blow blow = solved(m_scenario, histories ? Detail::histories : Detail::ledger);
+    const Pictures pictures = drawBlowPlots(blow, {format.toStdString()});
     QVERIFY(pictures.files.empty());
     QVERIFY2(pictures.problem.contains(says), qPrintable(pictures.problem));
     QVERIFY(!pictures.problem.contains(QLatin1Char('\n')));

@@ -13,20 +13,10 @@
 #include "ui/pages/place_field.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/runs/runs_like.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
-namespace {
-
-// Rods and strings have another axis.
-RunList runsLike(const Scenario& scenario, const RunList& runs) {
-    RunList alike;
-    for (const Run& run : runs)
-        if (isString(run.contents.scenario) == isString(scenario)) alike.push_back(run);
-    return alike;
-}
-
-}  // namespace
 
 RodPage::RodPage(Observation& observation, QWidget* parent)
     : PlotPage(parent),

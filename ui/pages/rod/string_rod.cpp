@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/rod/string_rod.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include "core/blow/blow_waves.h"
 #include "core/model/drill_string.h"
 #include "core/model/scales.h"
+#include "core/model/section_size.h"
 #include "core/wave/network/string_envelope.h"
 #include "core/wave/network/string_problem.h"
 
@@ -23,6 +25,18 @@ void takeLarger(RodForce& largest, const RodForce& force) {
 }
 
 }  // namespace
+
+QString sectionName(const RodStretch& section) {
+    const QString number = section.number < 0
+                               ? QCoreApplication::translate("drillwave::StringRod", "hammer section %1")
+                               : QCoreApplication::translate("drillwave::StringRod", "section %1");
+    const QString text = number.arg(std::abs(section.number));
+    return section.name.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(section.name, text);
+}
+
+double stressOf(const RodStretch& section, double force) {
+    return force / networkForce * section.toStress;
+}
 
 std::size_t StringRod::sectionAt(double place) const {
     const auto found = std::ranges::lower_bound(stretches, place, {}, &RodStretch::front);
@@ -60,6 +74,7 @@ StringRod stringRod(const Blow& blow) {
         stretch.front = joints[static_cast<std::size_t>(j) + 1];
         stretch.toStress =
             networkForce * scales.force / propertiesOf(section, drill.material).area / scales.stress;
+        stretch.diameter = outerDiameter(section);
         stretch.number = j < ofHammer ? -(j + 1) : j - ofHammer + 1;
         stretch.name = QString::fromStdString(section.name);
         stretch.yieldStrength = section.yieldStrength;

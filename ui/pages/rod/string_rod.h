@@ -17,6 +17,7 @@ namespace drillwave {
 struct RodStretch {
     double rear = 0, front = 0;
     double toStress = 0;  ///< from a force of the network to stresses as scales have them
+    double diameter = 0;  ///< outerDiameter() [m]
     int number = 0;       ///< in the string from 1, repeats written out; in the hammer likewise, below 0
     QString name;
     std::optional<double> yieldStrength, fatigueStrength;  ///< [Pa]
@@ -34,6 +35,12 @@ struct StringRod {
     /// The largest stresses at a place, of both sections where two meet. Requires waves.
     RodForces largestAt(double place) const;
 };
+
+/// In words: "rod (section 4)", "hammer section 1".
+QString sectionName(const RodStretch& section);
+
+/// From a force [F0] in a section to the stress there, as scales have it.
+double stressOf(const RodStretch& section, double force);
 
 /// Of a blow on a string.
 StringRod stringRod(const Blow& blow);

@@ -7,9 +7,9 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/model/scales.h"
+#include "core/model/section_size.h"
 #include "ui/text/number_text.h"
 #include "ui/text/typed_text.h"
 #include "ui/text/unit_choice.h"
@@ -22,11 +22,6 @@ constexpr double rockWidth = 16;    // [px]
 constexpr double leastHeight = 70;  // of the thickest section [px]
 constexpr double mostHeight = 190;  // likewise
 constexpr double reach = 4;         // of a click beside a section that is thinner than the pointer [px]
-
-// A section given by its area is drawn as a full bar.
-double diameterOf(const Section& section) {
-    return section.area ? 2 * std::sqrt(*section.area / std::numbers::pi) : section.diameter;
-}
 
 const Unit& lengthUnit() {
     const ChosenUnits& chosen = UnitChoice::shared().chosen();
@@ -81,7 +76,7 @@ double StringDrawing::totalLength() const {
 
 double StringDrawing::largestDiameter() const {
     double largest = 0;
-    for (const StringRow& row : m_model.rows()) largest = std::max(largest, diameterOf(row.section));
+    for (const StringRow& row : m_model.rows()) largest = std::max(largest, outerDiameter(row.section));
     return largest;
 }
 
@@ -102,7 +97,7 @@ QRectF StringDrawing::sectionRect(std::size_t section) const {
     const Section& it = m_model.rows()[at.row].section;
     const QRectF whole = area();
     const double scale = whole.width() / totalLength();
-    const double tall = whole.height() * diameterOf(it) / largestDiameter();
+    const double tall = whole.height() * outerDiameter(it) / largestDiameter();
     return {whole.left() + at.start * scale, whole.center().y() - tall / 2, it.length * scale, tall};
 }
 

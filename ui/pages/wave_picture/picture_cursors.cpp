@@ -95,15 +95,27 @@ void PictureCursors::place() {
     show(m_timeLine, {rect.left(), y}, {rect.right(), y}, y >= rect.top() && y <= rect.bottom() + 1);
     if (!shown) return;
     const QLocale locale = m_plot->locale();
-    m_sectionLine.label->setText(tr("x/L = %1").arg(locale.toString(m_section, 'g', 4)));
+    m_sectionLine.label->setText(sectionText(locale));
     const bool leftward = x > rect.center().x();
-    m_sectionLine.label->setPositionAlignment((leftward ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
-    m_sectionLine.label->position->setCoords(x + (leftward ? -4 : 4), rect.top() + 4);
+    // At the bottom where there are names of sections at the top.
+    const bool atBottom = m_picture->picture()->string.has_value();
+    m_sectionLine.label->setPositionAlignment((leftward ? Qt::AlignRight : Qt::AlignLeft) |
+                                              (atBottom ? Qt::AlignBottom : Qt::AlignTop));
+    m_sectionLine.label->position->setCoords(x + (leftward ? -4 : 4),
+                                             atBottom ? rect.bottom() - 4 : rect.top() + 4);
     m_timeLine.label->setText(tr("t = %1").arg(
         timeText(m_time, m_picture->timeInView(), m_picture->picture()->units.time, locale)));
     const bool below = y < rect.top() + 24;
     m_timeLine.label->setPositionAlignment(Qt::AlignRight | (below ? Qt::AlignTop : Qt::AlignBottom));
     m_timeLine.label->position->setCoords(rect.right() - 4, y + (below ? 4 : -4));
+}
+
+QString PictureCursors::sectionText(const QLocale& locale) const {
+    const QString place = tr("x/L = %1").arg(locale.toString(m_section, 'g', 4));
+    const std::optional<StringPicture>& string = m_picture->picture()->string;
+    if (!string) return place;
+    const RodStretch& section = string->rod.stretches[string->rod.sectionAt(m_section)];
+    return section.name.isEmpty() ? place : place + QStringLiteral(" · ") + section.name;
 }
 
 PictureCursors::Line PictureCursors::lineAt(const QPointF& pixel) const {

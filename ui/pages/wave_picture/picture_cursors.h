@@ -45,6 +45,7 @@ class PictureCursors : public QObject {
     DrawnLine addLine();
     void place();
     void redraw();
+    QString sectionText(const QLocale& locale) const;
     Line lineAt(const QPointF& pixel) const;
     void moveTo(const QPointF& pixel);
     bool press(const QMouseEvent& event);

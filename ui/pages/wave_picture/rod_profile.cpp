@@ -6,6 +6,7 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "ui/plot/run_pen.h"
 #include "ui/text/number_text.h"
@@ -47,7 +48,7 @@ void RodProfile::resizeEvent(QResizeEvent* event) {
 
 void RodProfile::setBlow(const SolvedBlowPtr& blow) {
     m_blow = blow;
-    setVisible(m_blow && !picture().runs.empty());
+    setVisible(m_blow && (picture().string || !picture().runs.empty()));
     if (m_blow)
         setAccessibleName(picture().raster.quantity == WaveQuantity::force
                               ? tr("Force along the rod at the time cursor, of this blow and of pinned runs")
@@ -74,6 +75,10 @@ QRectF RodProfile::area() const {
     return QRectF(m_left, margin, std::max(1, right - m_left), std::max(1, height() - 2 * margin));
 }
 
+double RodProfile::pixelOf(double xi) const {
+    return area().left() + (xi - picture().rear) / (1 - picture().rear) * area().width();
+}
+
 void RodProfile::compute() {
     m_lines.clear();
     if (m_blow && !isHidden()) {
@@ -97,13 +102,14 @@ void RodProfile::compute() {
     update();
 }
 
-// At every point of the screen, over the length of the rod on show.
+// At every point of the screen, over the length of the rod on show, or of hammer and string.
 RodProfile::Line RodProfile::lineOf(const SolvedBlow& blow, const PictureUnits& units, double time) const {
     const WaveQuantity field = picture().raster.quantity;
     const double length = picture().units.position.factor;
     const double end = length / units.position.factor;
-    const RasterGrid grid{0, end, std::max(1, static_cast<int>(area().width())), time, time, 1};
-    const WaveRaster raster = waveRaster(blow.impact, field, grid);
+    const RasterGrid grid{
+        picture().rear * end, end, std::max(1, static_cast<int>(area().width())), time, time, 1};
+    const WaveRaster raster = BlowWaves(blow).raster(field, grid);
     Line line;
     for (int i = 0; i < grid.columns; ++i) {
         const double value = double(raster.values[grid.index(i, 0)]);
@@ -116,7 +122,8 @@ RodProfile::Line RodProfile::lineOf(const SolvedBlow& blow, const PictureUnits& 
 QString RodProfile::readout(double xi) const {
     if (m_lines.isEmpty()) return {};
     const double x = xi * picture().units.position.factor;
-    const double step = picture().units.position.factor / std::max(1.0, area().width());
+    const double step =
+        picture().units.position.factor / std::max(1.0, area().width()) * (1 - picture().rear);
     QString text = tr("x = %1 · t = %2")
                        .arg(quantityText(xi, picture().units.position, locale()),
                             timeText(m_time, picture().interesting, picture().units.time, locale()));
@@ -144,12 +151,11 @@ void RodProfile::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipRect(area());
     const QRectF box = area();
-    const double length = picture().units.position.factor;
     // The blow itself last, over the others.
     for (qsizetype i = m_lines.size() - 1; i >= 0; --i) {
         QPolygonF pixels;
         for (const QPointF& point : m_lines[i].points)
-            pixels.append({box.left() + point.x() / length * box.width(),
+            pixels.append({pixelOf(point.x() / picture().units.position.factor),
                            box.center().y() - point.y() / (room * m_limit) * box.height() / 2});
         painter.setPen(penOf(m_lines[i], style));
         painter.drawPolyline(pixels);
@@ -162,6 +168,11 @@ void RodProfile::paintAxes(QPainter& painter, const PlotStyle& style) const {
     painter.drawRect(box.adjusted(-1, 0, 0, 0));
     painter.setPen(QPen(style.zeroLine, 1));
     painter.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
+    if (picture().string)
+        for (const RodStretch& section : picture().string->rod.stretches | std::views::drop(1)) {
+            const double x = pixelOf(section.rear);
+            painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
+        }
     painter.setPen(style.text);
     const QString end = numberText(m_limit, 3, locale());
     const QString name =
@@ -201,8 +212,10 @@ void RodProfile::paintNames(QPainter& painter, const PlotStyle& style) const {
 bool RodProfile::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip && !m_lines.isEmpty()) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        const double xi = (help->pos().x() - area().left()) / area().width();
-        QToolTip::showText(help->globalPos(), xi >= 0 && xi <= 1 ? readout(xi) : accessibleName(), this);
+        const double share = (help->pos().x() - area().left()) / area().width();
+        const double xi = std::lerp(picture().rear, 1, share);
+        QToolTip::showText(help->globalPos(), share >= 0 && share <= 1 ? readout(xi) : accessibleName(),
+                           this);
         return true;
     }
     if (event->type() == QEvent::PaletteChange) update();

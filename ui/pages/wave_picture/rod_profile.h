@@ -13,8 +13,9 @@
 namespace drillwave {
 
 /// Colours can be laid over each other no better than pictures; what the picture has along the line of its
-/// time cursor can, as curves. There while runs are laid over the page, and in line with the rod below. Place
-/// and time are those of the blow on show: a longer rod ends outside, a shorter one inside.
+/// time cursor can, as curves. There for a drill string, and while runs are laid over the page; in line
+/// with the rod below. Place and time are those of the blow on show: a longer rod ends outside, a shorter one
+/// inside.
 class RodProfile : public QWidget {
     Q_OBJECT
 
@@ -52,6 +53,7 @@ class RodProfile : public QWidget {
     const WavePicture& picture() const { return *m_blow->page<WavePicture>(); }
     const ShownUnit& unit() const { return picture().units.of(picture().raster.quantity); }
     QRectF area() const;
+    double pixelOf(double xi) const;
     void compute();
     Line lineOf(const SolvedBlow& blow, const PictureUnits& units, double time) const;
     void paintAxes(QPainter& painter, const PlotStyle& style) const;

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/wave/field/bit_motion.h"
-#include "core/wave/field/wave_field.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -17,7 +15,8 @@ namespace {
 constexpr int rodHeight = 20, margin = 4;
 constexpr int bitWidth = 10, rockWidth = 26, hammerWidth = 30;
 constexpr int mostGapShown = 14;  // [px]
-constexpr int enoughForOneLine = 640;
+constexpr int hammerAway = 4;     // from the string while they do not touch [px]
+constexpr int enoughForOneLine = 640, enoughOfString = 780;
 
 }  // namespace
 
@@ -28,7 +27,8 @@ RodStrip::RodStrip(QWidget* parent) : QWidget(parent) {
 }
 
 QSize RodStrip::sizeHint() const {
-    const int lines = width() < enoughForOneLine ? 2 : 1;
+    const int enough = m_blow && picture().string ? enoughOfString : enoughForOneLine;
+    const int lines = width() < enough ? 2 : 1;
     return {600, rodHeight + lines * fontMetrics().height() + 5 * margin};
 }
 
@@ -43,6 +43,7 @@ void RodStrip::setBlow(const SolvedBlowPtr& blow) {
     nameColours();
     compute();
     setAccessibleDescription(stateText());
+    updateGeometry();
 }
 
 void RodStrip::setTime(double t) {
@@ -60,7 +61,7 @@ void RodStrip::setRodEnds(int left, int right) {
 }
 
 void RodStrip::nameColours() {
-    const bool isForce = !m_blow || picture().raster.quantity == WaveQuantity::force;
+    const bool isForce = isStress();
     setAccessibleName(isForce ? tr("The rod at the time cursor, coloured by its stress")
                               : tr("The rod at the time cursor, coloured by its velocity"));
     setToolTip(
@@ -80,33 +81,53 @@ void RodStrip::compute() {
     if (m_blow) {
         const int columns =
             std::max(1, static_cast<int>(std::lround(rodRect().width() * devicePixelRatioF())));
-        m_values =
-            waveRaster(m_blow->impact, picture().raster.quantity, {0, 1, columns, m_time, m_time, 1}).values;
+        const RasterGrid grid{picture().rear, 1, columns, m_time, m_time, 1};
+        m_values = BlowWaves(*m_blow).raster(picture().raster.quantity, grid).values;
+        if (picture().string && isStress()) toStress(grid);
     }
     update();
+}
+
+void RodStrip::toStress(const RasterGrid& grid) {
+    const StringRod& rod = picture().string->rod;
+    for (int i = 0; i < grid.columns; ++i) {
+        float& value = m_values[static_cast<std::size_t>(i)];
+        value = static_cast<float>(stressOf(rod.stretches[rod.sectionAt(grid.xi(i))], double(value)));
+    }
+}
+
+bool RodStrip::hammerTouches() const {
+    return std::ranges::any_of(picture().string->faceContacts, [this](const ContactInterval& contact) {
+        return contact.begin <= m_time && m_time <= contact.end;
+    });
 }
 
 QString RodStrip::stateText() const {
     if (!m_blow) return {};
     const PictureUnits& units = picture().units;
     const ShownUnit& depth = m_blow->units.penetration;
-    const BitState bit = bitState(m_blow->impact, picture().contacts, m_blow->solved.gap, m_time);
+    const BlowWaves waves(*m_blow);
+    if (m_time > waves.end())
+        return tr("t = %1 · later than the blow was followed, which is to %2")
+            .arg(timeText(m_time, picture().interesting, units.time, locale()),
+                 timeText(waves.end(), picture().interesting, units.time, locale()));
+    const BitState bit = waves.bit(picture().contacts, m_time);
     const auto text = [this](double value, const ShownUnit& unit) {
         return quantityText(value, unit, locale());
     };
-    const double force = WaveField(m_blow->impact).impactForce(m_time);
-    const QString state = bit.touching ? tr("contact, penetration %1, impact force %2")
-                                             .arg(text(bit.penetration, depth), text(force, units.force))
-                          : bit.gap > 0 ? tr("apart, gap %1").arg(text(bit.gap, depth))
-                                        : tr("bit at the rock, no force");
+    const double force = waves.impactForce(m_time);
+    QString state = bit.touching ? tr("contact, penetration %1, impact force %2")
+                                       .arg(text(bit.penetration, depth), text(force, units.force))
+                    : bit.gap > 0 ? tr("apart, gap %1").arg(text(bit.gap, depth))
+                                  : tr("bit at the rock, no force");
+    if (picture().string) state += hammerTouches() ? tr(" · hammer pushes") : tr(" · hammer apart");
     float least = 0, most = 0;
     for (const float value : m_values) {
         least = std::min(least, value);
         most = std::max(most, value);
     }
-    const bool isForce = picture().raster.quantity == WaveQuantity::force;
-    const ShownUnit& unit = isForce ? units.stress : units.velocity;
-    return (isForce ? tr("t = %1 · %2 · stress %3 … %4") : tr("t = %1 · %2 · velocity %3 … %4"))
+    const ShownUnit& unit = isStress() ? units.stress : units.velocity;
+    return (isStress() ? tr("t = %1 · %2 · stress %3 … %4") : tr("t = %1 · %2 · velocity %3 … %4"))
         .arg(timeText(m_time, picture().interesting, units.time, locale()), state, text(double(least), unit),
              text(double(most), unit));
 }
@@ -115,9 +136,13 @@ void RodStrip::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), palette().color(QPalette::Base));
     const QRect rod = rodRect();
-    paintRod(painter, rod);
-    if (!m_blow) return;
-    paintHammer(painter, rod);
+    if (m_blow && picture().string) {
+        paintSections(painter, rod);
+    } else {
+        paintRod(painter, rod);
+        if (!m_blow) return;
+        paintHammer(painter, rod);
+    }
     paintRock(painter, rod);
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(
@@ -126,16 +151,39 @@ void RodStrip::paintEvent(QPaintEvent*) {
 }
 
 void RodStrip::paintRod(QPainter& painter, const QRect& rod) const {
-    if (!m_values.empty()) {
-        QImage line(static_cast<int>(m_values.size()), 1, QImage::Format_RGB32);
-        const double scale = 1 / picture().limit;
-        std::transform(m_values.begin(), m_values.end(), reinterpret_cast<QRgb*>(line.scanLine(0)),
-                       [&](float value) { return m_colours.colour(value * scale); });
-        painter.drawImage(rod, line);
-    }
+    if (!m_values.empty()) painter.drawImage(rod, colouredLine());
     painter.setPen(palette().color(QPalette::Text));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(rod.adjusted(-1, -1, 0, 0));
+}
+
+QImage RodStrip::colouredLine() const {
+    QImage line(static_cast<int>(m_values.size()), 1, QImage::Format_ARGB32_Premultiplied);
+    const double scale =
+        1 / (picture().string && isStress() ? picture().string->largestStress : picture().limit);
+    std::transform(m_values.begin(), m_values.end(), reinterpret_cast<QRgb*>(line.scanLine(0)),
+                   [&](float value) { return m_colours.colour(value * scale); });
+    return line;
+}
+
+// The hammer is moved away from the string while they do not touch.
+void RodStrip::paintSections(QPainter& painter, const QRect& rod) const {
+    const std::vector<RodStretch>& stretches = picture().string->rod.stretches;
+    const double rear = picture().rear;
+    const double largest = std::ranges::max(stretches, {}, &RodStretch::diameter).diameter;
+    const QImage line = colouredLine();
+    const int away = hammerTouches() ? 0 : hammerAway;
+    const auto share = [rear](double x) { return (x - rear) / (1 - rear); };
+    painter.setPen(palette().color(QPalette::Text));
+    painter.setBrush(Qt::NoBrush);
+    for (const RodStretch& stretch : stretches) {
+        const double from = share(stretch.rear), to = share(stretch.front);
+        const double height = std::max(3.0, rod.height() * stretch.diameter / largest);
+        const double left = rod.left() + from * rod.width() - (stretch.number < 0 ? away : 0);
+        const QRectF box(left, rod.center().y() + 0.5 - height / 2, (to - from) * rod.width(), height);
+        painter.drawImage(box, line, QRectF(from * line.width(), 0, (to - from) * line.width(), 1));
+        painter.drawRect(box);
+    }
 }
 
 // It touches the rod while it pushes.
@@ -152,12 +200,13 @@ void RodStrip::paintHammer(QPainter& painter, const QRect& rod) const {
 }
 
 void RodStrip::paintRock(QPainter& painter, const QRect& rod) const {
-    const BitState bit = bitState(m_blow->impact, picture().contacts, m_blow->solved.gap, m_time);
+    const BitState bit = BlowWaves(*m_blow).bit(picture().contacts, m_time);
     const QColor line = palette().color(QPalette::Text);
     painter.setPen(line);
     painter.setBrush(palette().color(QPalette::Mid));
-    const QRect head(rod.right() + 1, rod.top() - 4, bitWidth, rod.height() + 8);
-    painter.drawRect(head);
+    const bool hasBit = picture().string.has_value();  // among its sections
+    const QRect head(rod.right() + 1, rod.top() - 4, hasBit ? 0 : bitWidth, rod.height() + 8);
+    if (!hasBit) painter.drawRect(head);
     // Any gap can be seen, one of d0 or more at its widest.
     const int gap = bit.touching ? 0 : 1 + static_cast<int>((mostGapShown - 1) * std::min(1.0, bit.gap));
     const QRect rock(head.right() + 1 + gap, margin / 2, rockWidth, rod.bottom() + margin);

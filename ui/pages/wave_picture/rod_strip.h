@@ -11,7 +11,9 @@
 namespace drillwave {
 
 /// Hammer, rod, bit and rock from left to right, the rod in the colours of the picture above, and the state
-/// of the bit in words. Redrawn for every step of a playing blow: a fraction of a millisecond.
+/// of the bit in words. A drill string has all its sections, their heights as their diameters; where the
+/// picture shows forces each has the colour of its stress, of which the largest one of the blow has the
+/// colour of the end of the scale. Redrawn for every step of a playing blow: a fraction of a millisecond.
 class RodStrip : public QWidget {
     Q_OBJECT
 
@@ -42,7 +44,12 @@ class RodStrip : public QWidget {
     void nameColours();
     void compute();
     QRect rodRect() const;
+    bool isStress() const { return !m_blow || picture().raster.quantity == WaveQuantity::force; }
+    bool hammerTouches() const;
+    void toStress(const RasterGrid& grid);
     void paintRod(QPainter& painter, const QRect& rod) const;
+    void paintSections(QPainter& painter, const QRect& rod) const;
+    QImage colouredLine() const;
     void paintHammer(QPainter& painter, const QRect& rod) const;
     void paintRock(QPainter& painter, const QRect& rod) const;
 
@@ -50,7 +57,8 @@ class RodStrip : public QWidget {
     double m_time = 0;
     int m_left = 64, m_right = -1;
     ColourScale m_colours = ColourScale::onLight();
-    std::vector<float> m_values;  // of the field of the picture at the pixels of the rod
+    std::vector<float>
+        m_values;  // of the field of the picture, in a string of the stress, at the pixels of the rod
 };
 
 }  // namespace drillwave

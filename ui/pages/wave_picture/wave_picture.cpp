@@ -9,21 +9,50 @@
 namespace drillwave {
 namespace {
 
+/// The largest force in the sections while the blow lasts [F0], 0 where that was not asked for.
+double largestForce(const Blow& blow) {
+    if (blow.summary.rodForces)
+        return std::max(blow.summary.rodForces->compression.size, blow.summary.rodForces->tension.size);
+    constexpr double unitForce = 2;  // of a network in F0
+    double largest = 0;
+    if (blow.string)
+        for (const SectionForces& section : blow.string->impact.sections)
+            largest = std::max({largest, section.compression.force, section.tension.force});
+    return unitForce * largest;
+}
+
+/// What is known of the field without looking for it: the forces, and that the hammer of a string moves with
+/// v0, twice F0/Z.
+double knownMagnitude(const Blow& blow, WaveQuantity field) {
+    if (field == WaveQuantity::velocity) return blow.string ? 2 : 0;
+    return std::max(blow.impact.peakForce, largestForce(blow));
+}
+
 // Looked up on a grid of its own, so that the colours stay while one zooms; waves that meet only long after
 // the blow would make all others pale.
-double largestMagnitude(const Impact& impact, WaveQuantity field, const TimeSpan& time, double known) {
-    const WaveRaster overview = waveRaster(impact, field, {0, 1, 65, time.begin, time.end, 600});
-    double largest = field == WaveQuantity::force ? std::max(impact.peakForce, known) : 0;
-    for (const float value : overview.values) largest = std::max(largest, std::abs(double(value)));
+double largestMagnitude(const Blow& blow, const BlowWaves& waves, WaveQuantity field) {
+    const TimeSpan time = waves.interesting();
+    const WaveRaster overview = waves.raster(field, {waves.rear(), 1, 65, time.begin, time.end, 600});
+    double largest = knownMagnitude(blow, field);
+    for (const float value : overview.values)
+        if (std::isfinite(value)) largest = std::max(largest, std::abs(double(value)));
     return std::isfinite(largest) && largest > 0 ? largest : 1;
 }
 
-RasterGrid gridOf(const WavePictureNeed& need, const TimeSpan& time) {
+StringPicture stringPicture(const Blow& blow, const BlowWaves& waves) {
+    StringPicture picture{stringRod(blow), waves.end(), 1, waves.faceContacts()};
+    const double largest =
+        std::max(blow.summary.string->largestCompression, blow.summary.string->largestTension);
+    if (largest > 0) picture.largestStress = largest;
+    return picture;
+}
+
+RasterGrid gridOf(const WavePictureNeed& need, const PictureWindow& window) {
     double columns = std::max(1, need.columns), rows = std::max(1, need.rows);
     const double coarser = std::sqrt(std::max(1.0, columns * rows / mostPictureCells));
     columns = std::max(1.0, std::floor(columns / coarser));
     rows = std::max(1.0, std::floor(rows / coarser));
-    return {need.xiBegin, need.xiEnd, int(columns), time.begin, time.end, int(rows)};
+    return {window.xiBegin, window.xiEnd, int(columns), window.time.begin, window.time.end, int(rows)};
 }
 
 }  // namespace
@@ -31,12 +60,13 @@ RasterGrid gridOf(const WavePictureNeed& need, const TimeSpan& time) {
 PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units) {
     if (units.force.dimensionless) {
         // F0/Z is τ v0: the momentum I0 = m v0 is carried by a pulse of length t0 in a rod of length τ t0.
-        const double tau = groupsOf(scenario).tau;
+        // What a hammer of the same impedance sends into a string has half its velocity.
+        const double velocity = isString(scenario) ? 0.5 : groupsOf(scenario).tau;
         return {{1, QStringLiteral("L"), true},
                 units.time,
                 units.force,
-                {tau, QStringLiteral("v₀"), true},
-                units.force};
+                {velocity, QStringLiteral("v₀"), true},
+                isString(scenario) ? units.stress : units.force};
     }
     const Scales scales = scalesOf(scenario);
     ShownUnit velocity = units.of(UnitKind::speed, scales.particleVelocity);
@@ -65,16 +95,18 @@ QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QL
            QChar(QChar::Nbsp) + unit.unit;
 }
 
-WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,
-                        const ShownUnits& units, const WavePictureNeed& need, double largestForce) {
+WavePicture wavePicture(const Blow& blow, const ShownUnits& units, const WavePictureNeed& need) {
+    const BlowWaves waves(blow);
     WavePicture picture;
     picture.need = need;
-    picture.units = pictureUnits(scenario, units);
-    picture.interesting = interestingTime(impact, pulse);
-    picture.limit = largestMagnitude(impact, need.field, picture.interesting, largestForce);
-    picture.fronts = pulseFronts(pulse);
-    picture.contacts = contactIntervals(impact);
-    picture.raster = waveRaster(impact, need.field, gridOf(need, need.time.value_or(picture.interesting)));
+    picture.units = pictureUnits(blow.scenario, units);
+    picture.rear = waves.rear();
+    picture.interesting = waves.interesting();
+    picture.limit = largestMagnitude(blow, waves, need.field);
+    picture.fronts = waves.fronts();
+    picture.contacts = waves.contacts();
+    if (blow.string) picture.string = stringPicture(blow, waves);
+    picture.raster = waves.raster(need.field, gridOf(need, need.window.value_or(picture.whole())));
     for (const float value : picture.raster.values) {
         picture.least = std::min(picture.least, value);
         picture.largest = std::max(picture.largest, value);
@@ -82,10 +114,10 @@ WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Sce
     return picture;
 }
 
-RunWaves runWaves(const Impact& impact, const PulseForce& pulse, double largestForce) {
-    const TimeSpan time = interestingTime(impact, pulse);
-    return {largestMagnitude(impact, WaveQuantity::force, time, largestForce),
-            largestMagnitude(impact, WaveQuantity::velocity, time, 0)};
+RunWaves runWaves(const Blow& blow) {
+    const BlowWaves waves(blow);
+    return {largestMagnitude(blow, waves, WaveQuantity::force),
+            largestMagnitude(blow, waves, WaveQuantity::velocity)};
 }
 
 }  // namespace drillwave

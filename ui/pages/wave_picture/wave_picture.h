@@ -7,21 +7,25 @@
 #include <optional>
 #include <vector>
 
-#include "core/model/pulse_force.h"
-#include "core/wave/field/interesting_time.h"
-#include "core/wave/field/wave_fronts.h"
-#include "core/wave/field/wave_raster.h"
+#include "core/blow/blow_waves.h"
+#include "ui/pages/rod/string_rod.h"
 #include "ui/runs/run_overlay.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {
 
+/// A part of a picture: ξ = x/L and times t/t0.
+struct PictureWindow {
+    double xiBegin = 0, xiEnd = 1;
+    TimeSpan time;
+    bool operator==(const PictureWindow&) const = default;
+};
+
 /// What a picture is to show, at the pixels of its screen.
 struct WavePictureNeed {
     WaveQuantity field = WaveQuantity::force;
-    double xiBegin = 0, xiEnd = 1;  ///< x/L
-    std::optional<TimeSpan> time;   ///< all that is of interest when there is none
-    int columns = 0, rows = 0;      ///< device pixels
+    std::optional<PictureWindow> window;  ///< all that is of interest when there is none
+    int columns = 0, rows = 0;            ///< device pixels
     bool operator==(const WavePictureNeed&) const = default;
 };
 
@@ -51,20 +55,33 @@ struct RunWaves {
 };
 
 /// As wavePicture().
-RunWaves runWaves(const Impact& impact, const PulseForce& pulse, double largestForce = 0);
+RunWaves runWaves(const Blow& blow);
+
+/// What there is beside the picture of a drill string.
+struct StringPicture {
+    StringRod rod;                              ///< its sections
+    double end = 0;                             ///< until when it was followed [t0]
+    double largestStress = 1;                   ///< magnitude [F0/A of the rod]
+    std::vector<ContactInterval> faceContacts;  ///< of hammer and string
+};
 
 /// Never changed once made; dimensionless but for `units`.
 struct WavePicture {
     WavePictureNeed need;  ///< that it meets
     PictureUnits units;
     WaveRaster raster;
-    TimeSpan interesting;  ///< interestingTime()
+    double rear = 0;  ///< where the picture begins: the struck end, or the rear of the hammer of a string
+    TimeSpan interesting;  ///< BlowWaves::interesting()
     double limit = 1;      ///< largest magnitude of the field in that time; the colours end there
     float least = 0;       ///< of the field in the raster
     float largest = 0;
-    std::vector<double> fronts;  ///< pulseFronts()
+    std::vector<double> fronts;  ///< BlowWaves::fronts()
     std::vector<ContactInterval> contacts;
+    std::optional<StringPicture> string = {};     ///< of a drill string
     std::vector<RunOverlay<RunWaves>> runs = {};  ///< whose waves are drawn below it
+
+    /// All that is of interest.
+    PictureWindow whole() const { return {rear, 1, interesting}; }
 };
 
 /// Whether there are values in view beyond the colours, below or above: they look like those at the ends.
@@ -77,9 +94,8 @@ QString timeText(double t, const TimeSpan& span, const ShownUnit& unit, const QL
 /// A raster has no more cells than this: larger needs are met more coarsely.
 inline constexpr int mostPictureCells = 4'000'000;
 
-/// Requires an impact solved with Detail::histories. `largestForce` [F0]: one that is known to come up while
-/// the blow lasts, 0 where none is.
-WavePicture wavePicture(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,
-                        const ShownUnits& units, const WavePictureNeed& need, double largestForce = 0);
+/// Requires a blow whose waves can be read, see BlowWaves. The colours go as far as the forces that its
+/// summary has.
+WavePicture wavePicture(const Blow& blow, const ShownUnits& units, const WavePictureNeed& need);
 
 }  // namespace drillwave

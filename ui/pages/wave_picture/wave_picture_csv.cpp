@@ -33,16 +33,18 @@ std::string header(const QStringList& names, char separator) {
 QByteArray wavePictureCsv(const SolvedBlow& blow, WaveQuantity field, const PictureWindow& window,
                           const QStringList& names, char separator) {
     const PictureUnits& units = blow.page<WavePicture>()->units;
-    const double left = std::clamp(window.xiBegin, 0.0, 1.0);
+    const BlowWaves waves(blow);
+    const double left = std::clamp(window.xiBegin, waves.rear(), 1.0);
     const double right = std::clamp(window.xiEnd, left, 1.0);
+    const double last = std::min(window.time.end, waves.end());
     std::string text = header(names, separator);
     for (int row = 0; row < times; ++row) {
-        const double t = between(window.time.begin, window.time.end, row, times);
+        const double t = between(std::min(window.time.begin, last), last, row, times);
         for (int column = 0; column < places; ++column) {
             const double xi = between(left, right, column, places);
             text += formatNumber(xi * units.position.factor) + separator;
             text += formatNumber(t * units.time.factor) + separator;
-            text += formatNumber(waveValue(blow.impact, field, xi, t) * units.of(field).factor) + '\n';
+            text += formatNumber(waves.value(field, xi, t) * units.of(field).factor) + '\n';
         }
     }
     return QByteArray::fromStdString(text);

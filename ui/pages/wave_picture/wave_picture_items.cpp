@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/wave/field/wave_field.h"
-
 namespace drillwave {
 namespace {
 
@@ -88,13 +86,13 @@ void WaveFieldItem::drawForFile(QCPPainter& painter) const {
         std::min(1.0, std::sqrt(mostPictureCells / (scale * scale * grid.columns * grid.rows)));
     grid.columns = std::max(1, int(std::lround(grid.columns * scale * fewer)));
     grid.rows = std::max(1, int(std::lround(grid.rows * scale * fewer)));
-    const WaveRaster raster = waveRaster(m_blow->impact, picture().raster.quantity, grid);
+    const WaveRaster raster = BlowWaves(*m_blow).raster(picture().raster.quantity, grid);
     painter.drawImage(QRectF(parentPlot()->axisRect()->rect()), imageOf(raster));
 }
 
 void WaveFrontsItem::draw(QCPPainter* painter) {
     if (!m_blow) return;
-    const double spacing = std::abs(pixel(0, WaveField(m_blow->impact).roundTrip()).y() - pixel(0, 0).y());
+    const double spacing = std::abs(pixel(0, BlowWaves(*m_blow).roundTrip()).y() - pixel(0, 0).y());
     if (!(spacing >= leastSpacing)) return;
     painter->setBrush(Qt::NoBrush);
     QColor colour = m_style.text;
@@ -111,8 +109,9 @@ void WaveFrontsItem::draw(QCPPainter* painter) {
 // The front that the hammer sends off at `start`, to and fro.
 void WaveFrontsItem::drawFamily(QCPPainter& painter, double start, bool named) const {
     const RasterGrid range = view();
-    const bool hasNames = named && !m_blow->solved.hammer.isRigidBody();
-    for (const FrontRun& run : frontRuns(m_blow->impact, start, range.timeBegin, range.timeEnd)) {
+    // In a string every joint throws waves back: they have no numbers.
+    const bool hasNames = named && !picture().string && !m_blow->solved.hammer.isRigidBody();
+    for (const FrontRun& run : BlowWaves(*m_blow).frontRuns(start, range.timeBegin, range.timeEnd)) {
         drawLine(painter, run);
         if (hasNames && run.number < namedWaves) drawName(painter, run);
     }
@@ -121,8 +120,8 @@ void WaveFrontsItem::drawFamily(QCPPainter& painter, double start, bool named) c
 void WaveFrontsItem::drawLine(QCPPainter& painter, const FrontRun& run) const {
     const RasterGrid range = view();
     const double one = run.sectionAt(range.timeBegin), other = run.sectionAt(range.timeEnd);
-    const double from = std::max({0.0, range.xiBegin, std::min(one, other)});
-    const double to = std::min({1.0, range.xiEnd, std::max(one, other)});
+    const double from = std::max({run.rear, range.xiBegin, std::min(one, other)});
+    const double to = std::min({run.front, range.xiEnd, std::max(one, other)});
     if (!(from < to)) return;
     painter.drawLine(QLineF(pixel(from, run.timeAt(from)), pixel(to, run.timeAt(to))));
 }

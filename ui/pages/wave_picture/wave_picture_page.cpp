@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/wave/field/wave_field.h"
 #include "ui/pages/place_field.h"
 #include "ui/pages/wave_picture/picture_cursors.h"
 #include "ui/pages/wave_picture/play_bar.h"
@@ -19,6 +18,7 @@
 #include "ui/pages/wave_picture/rod_strip.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/runs/runs_like.h"
 #include "ui/text/settings.h"
 
 namespace drillwave {
@@ -28,10 +28,11 @@ const QString fieldKey = QStringLiteral("wavePicture/field");
 const QString frontsKey = QStringLiteral("wavePicture/fronts");
 const QString velocityName = QStringLiteral("velocity");
 
-// Of the result panel, while the blow lasts: the colours go as far.
-double largestForce(const SolvedBlow& blow) {
-    if (!blow.summary.rodForces) return 0;
-    return std::max(blow.summary.rodForces->compression.size, blow.summary.rodForces->tension.size);
+// Whose waves can be read.
+RunList runsToDraw(const Scenario& scenario, const RunList& runs) {
+    RunList drawn = runsLike(scenario, runs);
+    std::erase_if(drawn, [](const Run& run) { return run.isSolved() && !BlowWaves::areKept(*run.blow); });
+    return drawn;
 }
 
 }  // namespace
@@ -57,6 +58,7 @@ WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     layout->addLayout(makeBar());
+    layout->addWidget(m_readout);
     constexpr int profiles = 5;  // as high as the picture
     layout->addWidget(m_plot, profiles);
     layout->addWidget(m_profile, 1);
@@ -89,9 +91,10 @@ QHBoxLayout* WavePicturePage::makeBar() {
     label->setBuddy(m_section);
     m_readout->setObjectName(QStringLiteral("readout"));
     m_readout->setAccessibleName(tr("Value at the pointer"));
-    // Asks for no width: it is there when there is room.
-    m_readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_readout->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    // Asks for no width, and keeps its row while it is empty: nothing jumps.
+    m_readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_readout->setContentsMargins(8, 0, 8, 0);
+    m_readout->setText(QStringLiteral(" "));
     auto* fitButton = new QPushButton(tr("Fit"), this);
     fitButton->setToolTip(tr("Bring the whole blow into view (double-click in the picture)"));
     fitButton->setMinimumWidth(50);
@@ -103,7 +106,7 @@ QHBoxLayout* WavePicturePage::makeBar() {
     bar->addWidget(m_fronts);
     bar->addWidget(label);
     bar->addWidget(m_section);
-    bar->addWidget(m_readout, 1);
+    bar->addStretch(1);
     bar->addWidget(fitButton);
     return bar;
 }
@@ -146,11 +149,10 @@ PreparePage WavePicturePage::prepare() const {
     std::vector<RunOverlay<RunWaves>> made;
     if (const WavePicture* shown = m_picture->picture()) made = shown->runs;
     return [need = m_picture->need(), runs = m_runs, made = std::move(made)](const SolvedBlow& blow) {
-        WavePicture picture = wavePicture(blow.impact, blow.solved.hammer, blow.request.scenario, blow.units,
-                                          need, largestForce(blow));
-        picture.runs = runOverlays(*runs, blow, made, [](const SolvedBlow& run, const ShownUnits&) {
-            return runWaves(run.impact, run.solved.hammer, largestForce(run));
-        });
+        if (!BlowWaves::areKept(blow)) return PageData();
+        WavePicture picture = wavePicture(blow, blow.units, need);
+        picture.runs = runOverlays(runsToDraw(blow.scenario, *runs), blow, made,
+                                   [](const SolvedBlow& run, const ShownUnits&) { return runWaves(run); });
         return PageData::of(std::move(picture));
     };
 }
@@ -165,6 +167,8 @@ void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
         m_picture->present(blow);
     else if (!blow->problem.isEmpty())
         m_picture->showNothing(tr("Nothing to show: %1").arg(blow->problem));
+    else if (blow->string && !BlowWaves::areKept(*blow))
+        m_picture->showNothing(tr("Nothing to show: so many waves that they are not kept."));
     else
         return;  // the answer to an older request, before this page was there to ask
     m_profile->setBlow(m_picture->shown());
@@ -181,7 +185,7 @@ double WavePicturePage::timeShown() const {
     const WavePicture* picture = m_picture->picture();
     if (!picture) return 0;
     const double begin = picture->interesting.begin;
-    return begin > 0 ? begin : 0.7 * WaveField(m_picture->shown()->impact).arrival();
+    return begin > 0 ? begin : 0.7 * BlowWaves(*m_picture->shown()).arrival();
 }
 
 void WavePicturePage::showTime() {
@@ -205,8 +209,8 @@ void WavePicturePage::showReadout() {
     const QString place = m_pointer ? m_picture->readout(*m_pointer) : QString();
     const QString range = m_picture->rangeText();
     const bool fits = m_readout->fontMetrics().horizontalAdvance(range) < m_readout->width();
-    m_readout->setText(!place.isEmpty() ? place : fits ? range : QString());
-    m_readout->setToolTip(range);
+    m_readout->setText(!place.isEmpty() ? place : fits ? range : QStringLiteral(" "));
+    m_readout->setToolTip(place.isEmpty() ? range : place + u'\n' + range);
 }
 
 // The rod below lies in line with the picture above while the whole of it is in view.

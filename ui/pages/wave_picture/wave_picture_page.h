@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The waves over position and time in one picture, and the rod playing through it (paper, Fig. 2).
+// The waves over position and time in one picture, and the rod or drill string playing through it (paper,
+// Fig. 2).
 #pragma once
 
 #include <optional>
@@ -28,6 +29,7 @@ class WavePicturePage : public PlotPage {
     /// The observation must outlive the page.
     explicit WavePicturePage(Observation& observation, QWidget* parent = nullptr);
 
+    bool shows(const Scenario& /*scenario*/) const override { return true; }
     QString title() const override { return tr("Wave picture"); }
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;

@@ -42,6 +42,7 @@ WavePicturePlot::WavePicturePlot(QCustomPlot* plot)
 void WavePicturePlot::addItems() {
     m_waves = new WaveFieldItem(m_plot);
     m_waves->setLayer(QStringLiteral("background"));
+    m_joints = new JointMarksItem(m_plot);
     m_fronts = new WaveFrontsItem(m_plot);
     m_contacts = new ContactBarsItem(m_plot);
     m_marks = new ScaleMarksItem(m_plot, m_bar);
@@ -73,20 +74,24 @@ WavePictureNeed WavePicturePlot::need() const {
     const auto pixels = [ratio](int length) {
         return std::max(1, static_cast<int>(std::lround(length * ratio)));
     };
-    WavePictureNeed need{m_field, m_xiBegin, m_xiEnd, {}, pixels(size.width()), pixels(size.height())};
-    if (!m_view->isFitted()) need.time = m_time;
+    WavePictureNeed need{m_field, {}, pixels(size.width()), pixels(size.height())};
+    if (!m_view->isFitted()) need.window = m_window;
     return need;
 }
 
 void WavePicturePlot::present(const SolvedBlowPtr& blow) {
+    // Rods and strings have another axis: what was in view of the one is nothing of the other.
+    const bool isOther = m_blow && m_blow->string.has_value() != blow->string.has_value();
     m_blow = blow;
     m_view->setEmpty(false);
     if (blow->page<WavePicture>()->need == m_announced) m_announced.reset();
     for (WavePictureItem* item : items()) item->setBlow(blow);
     m_message->hide();
     m_bar->setVisible(true);
-    if (m_view->isFitted()) m_time = blow->page<WavePicture>()->interesting;
-    setRanges();
+    if (m_view->isFitted() || isOther)
+        fit();
+    else
+        setRanges();
     setLabels();
     summarize();
 }
@@ -104,19 +109,22 @@ void WavePicturePlot::showNothing(const QString& message) {
 void WavePicturePlot::setRanges() {
     const PictureUnits& units = picture()->units;
     m_view->adjust([&] {
-        m_plot->xAxis->setRange(m_xiBegin * units.position.factor, m_xiEnd * units.position.factor);
-        m_plot->yAxis->setRange(m_time.begin * units.time.factor, m_time.end * units.time.factor);
+        m_plot->xAxis->setRange(m_window.xiBegin * units.position.factor,
+                                m_window.xiEnd * units.position.factor);
+        m_plot->yAxis->setRange(m_window.time.begin * units.time.factor,
+                                m_window.time.end * units.time.factor);
     });
     emit viewChanged();
 }
 
 void WavePicturePlot::takeRanges() {
     const PictureUnits& units = picture()->units;
-    const QCPRange x = m_plot->xAxis->range().bounded(0, units.position.factor);
+    const double rear = picture()->rear;
+    const QCPRange x = m_plot->xAxis->range().bounded(rear * units.position.factor, units.position.factor);
     const QCPRange y = m_plot->yAxis->range();
-    m_xiBegin = std::max(0.0, x.lower / units.position.factor);
-    m_xiEnd = std::min(1.0, x.upper / units.position.factor);
-    m_time = {y.lower / units.time.factor, y.upper / units.time.factor};
+    m_window = {std::max(rear, x.lower / units.position.factor),
+                std::min(1.0, x.upper / units.position.factor),
+                {y.lower / units.time.factor, y.upper / units.time.factor}};
     setRanges();
 }
 
@@ -133,7 +141,9 @@ void WavePicturePlot::setFrontsShown(bool shown) {
 void WavePicturePlot::setLabels() {
     const WavePicture& picture = *this->picture();
     const ShownUnit& unit = picture.units.of(picture.raster.quantity);
-    m_plot->xAxis->setLabel(picture.units.position.axisLabel(tr("position x from the struck end")));
+    m_plot->xAxis->setLabel(
+        picture.units.position.axisLabel(picture.string ? tr("position x from the shank, hammer below 0")
+                                                        : tr("position x from the struck end")));
     m_plot->yAxis->setLabel(picture.units.time.axisLabel(tr("time t")));
     m_bar->setDataRange({-picture.limit * unit.factor, picture.limit * unit.factor});
     m_bar->setLabel(unit.axisLabel(fieldWords(picture.raster.quantity)));
@@ -141,7 +151,7 @@ void WavePicturePlot::setLabels() {
 
 QByteArray WavePicturePlot::csv(char separator) const {
     if (!m_blow) return {};
-    return wavePictureCsv(*m_blow, picture()->raster.quantity, {m_xiBegin, m_xiEnd, m_time},
+    return wavePictureCsv(*m_blow, picture()->raster.quantity, m_window,
                           {m_plot->xAxis->label(), m_plot->yAxis->label(), m_bar->label()}, separator);
 }
 
@@ -162,10 +172,8 @@ void WavePicturePlot::setStyle(const PlotStyle& style) {
 
 void WavePicturePlot::fit() {
     m_view->fit([this] {
-        m_xiBegin = 0;
-        m_xiEnd = 1;
         if (!m_blow) return;
-        m_time = picture()->interesting;
+        m_window = picture()->whole();
         setRanges();
     });
 }
@@ -176,12 +184,30 @@ QString WavePicturePlot::readout(const QPointF& pixel) const {
     const PictureUnits& units = picture.units;
     const double xi = m_plot->xAxis->pixelToCoord(pixel.x()) / units.position.factor;
     const double t = m_plot->yAxis->pixelToCoord(pixel.y()) / units.time.factor;
+    if (picture.string) return stringReadout(xi, t);
     const WaveQuantity field = picture.raster.quantity;
     const QLocale locale = m_plot->locale();
     return tr("x = %1 · t = %2 · %3 = %4")
-        .arg(quantityText(xi, units.position, locale), timeText(t, m_time, units.time, locale),
+        .arg(quantityText(xi, units.position, locale), timeText(t, m_window.time, units.time, locale),
              field == WaveQuantity::force ? QStringLiteral("N") : QStringLiteral("v"),
              quantityText(waveValue(m_blow->impact, field, xi, t), units.of(field), locale));
+}
+
+QString WavePicturePlot::stringReadout(double x, double t) const {
+    const PictureUnits& units = picture()->units;
+    const StringPicture& string = *picture()->string;
+    const QLocale locale = m_plot->locale();
+    const auto text = [&](double value, const ShownUnit& unit) { return quantityText(value, unit, locale); };
+    const RodStretch& section = string.rod.stretches[string.rod.sectionAt(x)];
+    const QString place = tr("%1 into %2 · t = %3")
+                              .arg(text(x - section.rear, units.position), sectionName(section),
+                                   timeText(t, m_window.time, units.time, locale));
+    const BlowWaves waves(*m_blow);
+    const double force = waves.value(WaveQuantity::force, x, t);
+    if (!std::isfinite(force)) return place + tr(" · later than the blow was followed");
+    return place + tr(" · N = %1 · σ = %2 · v = %3")
+                       .arg(text(force, units.force), text(stressOf(section, force), units.stress),
+                            text(waves.value(WaveQuantity::velocity, x, t), units.velocity));
 }
 
 QString WavePicturePlot::rangeText() const {
@@ -206,14 +232,15 @@ void WavePicturePlot::summarize() {
     for (const ContactInterval& contact : picture.contacts) {
         if (contacts.size() == 4) break;
         contacts.append(tr("from %1 to %2")
-                            .arg(timeText(contact.begin, m_time, time, locale),
-                                 timeText(contact.end, m_time, time, locale)));
+                            .arg(timeText(contact.begin, m_window.time, time, locale),
+                                 timeText(contact.end, m_window.time, time, locale)));
     }
     const auto count = static_cast<int>(picture.contacts.size());
     m_summary =
         tr("Picture of %1 over position and time from %2 to %3, up to %4. %5: %6%7.")
-            .arg(fieldWords(picture.raster.quantity), timeText(m_time.begin, m_time, time, locale),
-                 timeText(m_time.end, m_time, time, locale),
+            .arg(fieldWords(picture.raster.quantity),
+                 timeText(m_window.time.begin, m_window.time, time, locale),
+                 timeText(m_window.time.end, m_window.time, time, locale),
                  quantityText(picture.limit, picture.units.of(picture.raster.quantity), locale),
                  count == 1 ? tr("1 contact of bit and rock") : tr("%1 contacts of bit and rock").arg(count),
                  contacts.join(QStringLiteral(", ")), count > contacts.size() ? tr(" and so on") : QString());

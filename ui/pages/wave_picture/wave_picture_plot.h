@@ -6,6 +6,7 @@
 #include <QString>
 #include <optional>
 
+#include "ui/pages/wave_picture/joint_marks.h"
 #include "ui/pages/wave_picture/scale_marks.h"
 #include "ui/pages/wave_picture/wave_picture_items.h"
 #include "ui/plot/fitted_view.h"
@@ -35,20 +36,23 @@ class WavePicturePlot : public QObject {
     void setField(WaveQuantity field);
     WaveQuantity field() const { return m_field; }
     void setFrontsShown(bool shown);
+    /// The joints of a string, none of a rod.
+    const JointMarksItem& joints() const { return *m_joints; }
     bool frontsShown() const { return m_fronts->visible(); }
     void setStyle(const PlotStyle& style);
-    /// The whole rod over all the time of interest.
+    /// The whole rod, or hammer and string, over all the time of interest.
     void fit();
 
     /// The times in view, t/t0.
-    TimeSpan timeInView() const { return m_time; }
+    TimeSpan timeInView() const { return m_window.time; }
     /// The field over the part in view; see wavePictureCsv(). Empty while nothing is on show.
     QByteArray csv(char separator) const;
     /// What the picture shows, in words, for assistive tools.
     QString textSummary() const { return m_summary; }
     /// The extremes in view and where the colours end, in words; empty while nothing is on show.
     QString rangeText() const;
-    /// The place below a point of the plot and the field there, in words; empty outside of the picture.
+    /// The place below a point of the plot and the field there, in words; of a string the section and all
+    /// that there is. Empty outside of the picture.
     QString readout(const QPointF& pixel) const;
 
   signals:
@@ -58,25 +62,26 @@ class WavePicturePlot : public QObject {
 
   private:
     void addItems();
-    QList<WavePictureItem*> items() const { return {m_waves, m_fronts, m_contacts, m_marks}; }
+    QList<WavePictureItem*> items() const { return {m_waves, m_joints, m_fronts, m_contacts, m_marks}; }
     void followAxes();
     void takeRanges();
     void setRanges();
     void checkNeed();
     void setLabels();
     void summarize();
+    QString stringReadout(double x, double t) const;
 
     QCustomPlot* m_plot;
     QCPColorScale* m_bar;
     WaveFieldItem* m_waves;
+    JointMarksItem* m_joints;
     WaveFrontsItem* m_fronts;
     ContactBarsItem* m_contacts;
     ScaleMarksItem* m_marks;
     PlotMessage* m_message;
     SolvedBlowPtr m_blow;
     WaveQuantity m_field = WaveQuantity::force;
-    double m_xiBegin = 0, m_xiEnd = 1;
-    TimeSpan m_time;
+    PictureWindow m_window;
     std::optional<WavePictureNeed> m_announced;  // by needChanged(), not answered yet
     FittedView* m_view;
     bool m_checking = false;
