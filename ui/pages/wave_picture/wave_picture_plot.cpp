@@ -42,8 +42,8 @@ WavePicturePlot::WavePicturePlot(QCustomPlot* plot)
 void WavePicturePlot::addItems() {
     m_waves = new WaveFieldItem(m_plot);
     m_waves->setLayer(QStringLiteral("background"));
-    m_joints = new JointMarksItem(m_plot);
     m_fronts = new WaveFrontsItem(m_plot);
+    m_joints = new JointMarksItem(m_plot);  // names over the fronts
     m_contacts = new ContactBarsItem(m_plot);
     m_marks = new ScaleMarksItem(m_plot, m_bar);
     m_message = new PlotMessage(m_plot);

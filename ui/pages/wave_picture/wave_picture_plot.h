@@ -62,7 +62,7 @@ class WavePicturePlot : public QObject {
 
   private:
     void addItems();
-    QList<WavePictureItem*> items() const { return {m_waves, m_joints, m_fronts, m_contacts, m_marks}; }
+    QList<WavePictureItem*> items() const { return {m_waves, m_fronts, m_joints, m_contacts, m_marks}; }
     void followAxes();
     void takeRanges();
     void setRanges();
