@@ -6,12 +6,10 @@
 #include <limits>
 
 #include "core/wave/field/wave_field.h"
+#include "core/wave/network/string_problem.h"
 
 namespace drillwave {
 namespace {
-
-/// A force of 1 of the network, in F0.
-constexpr double unitForce = 2;
 
 const StringWaves& stringWaves(const Blow& blow) {
     assert(blow.string && blow.string->impact.waves);
@@ -113,7 +111,7 @@ BitState BlowWaves::bit(const std::vector<ContactInterval>& contacts, double t) 
 
 double BlowWaves::impactForce(double t) const {
     if (!m_string) return WaveField(m_blow->impact).impactForce(t);
-    return std::max(0.0, unitForce * stringWaves(*m_blow).bitForce()(t));
+    return std::max(0.0, networkForce * stringWaves(*m_blow).bitForce()(t));
 }
 
 }  // namespace drillwave

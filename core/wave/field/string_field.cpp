@@ -8,12 +8,10 @@
 #include <utility>
 
 #include "core/numeric/stride_search.h"
+#include "core/wave/network/string_problem.h"
 
 namespace drillwave {
 namespace {
-
-/// A force of 1 of the network, in F0; likewise a velocity, in F0/Z.
-constexpr double unitOfNetwork = 2;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -84,9 +82,10 @@ struct StringField::Column {
                 std::exp(-section->decay * (1 - share)),
                 near};
     }
+    // v0 has as many F0/Z as a force of 1 has F0.
     double valueOf(WaveQuantity quantity, double down, double up) const {
-        return quantity == WaveQuantity::force ? 0 - unitOfNetwork * (down + up)
-                                               : unitOfNetwork * (down - up) / section->impedance;
+        return quantity == WaveQuantity::force ? 0 - networkForce * (down + up)
+                                               : networkForce * (down - up) / section->impedance;
     }
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/model/scales.h"
+#include "core/wave/network/string_problem.h"
 
 namespace drillwave {
 namespace {
@@ -13,18 +14,17 @@ namespace {
 double largestForce(const Blow& blow) {
     if (blow.summary.rodForces)
         return std::max(blow.summary.rodForces->compression.size, blow.summary.rodForces->tension.size);
-    constexpr double unitForce = 2;  // of a network in F0
     double largest = 0;
     if (blow.string)
         for (const SectionForces& section : blow.string->impact.sections)
             largest = std::max({largest, section.compression.force, section.tension.force});
-    return unitForce * largest;
+    return networkForce * largest;
 }
 
 /// What is known of the field without looking for it: the forces, and that the hammer of a string moves with
 /// v0, twice F0/Z.
 double knownMagnitude(const Blow& blow, WaveQuantity field) {
-    if (field == WaveQuantity::velocity) return blow.string ? 2 : 0;
+    if (field == WaveQuantity::velocity) return blow.string ? networkForce : 0;
     return std::max(blow.impact.peakForce, largestForce(blow));
 }
 

@@ -14,12 +14,6 @@ using namespace drillwave::test;
 
 namespace {
 
-NetworkImpact solvedWithWaves(const NetworkProblem& problem) {
-    NetworkSettings settings;
-    settings.wants = {.events = true, .forces = true, .histories = true};
-    return solveNetwork(problem, settings);
-}
-
 /// A hammer of two sections, and a string of three whose speeds differ: by what their joints say.
 struct BentScene {
     NetworkProblem problem;
