@@ -11,6 +11,8 @@
 namespace drillwave {
 namespace {
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
 const StringWaves& stringWaves(const Blow& blow) {
     assert(blow.string && blow.string->impact.waves);
     return *blow.string->impact.waves;
@@ -61,8 +63,10 @@ double BlowWaves::value(WaveQuantity quantity, double x, double t) const {
 
 TimeSpan BlowWaves::interesting() const {
     if (!m_string) return interestingTime(m_blow->impact, m_blow->solved.hammer);
-    const Impact& impact = m_blow->impact;
-    TimeSpan span = interestingTime({impact.firstContactTime, impact.separationTime}, arrival(), roundTrip());
+    const std::vector<ContactInterval> touching = contacts();
+    const TimeSpan contact =
+        touching.empty() ? TimeSpan{unknown, unknown} : TimeSpan{touching.front().begin, touching.back().end};
+    TimeSpan span = interestingTime(contact, arrival(), roundTrip());
     span.end = std::min(span.end, end());
     return span.begin < span.end ? span : TimeSpan{0, end()};
 }
@@ -83,6 +87,14 @@ std::vector<double> BlowWaves::fronts() const {
 std::vector<FrontRun> BlowWaves::frontRuns(double start, double begin, double end) const {
     return m_string ? m_string->frontRuns(start, begin, std::min(end, m_string->end()))
                     : drillwave::frontRuns(m_blow->impact, start, begin, end);
+}
+
+std::vector<ContactInterval> BlowWaves::contacts() const {
+    std::vector<ContactInterval> contacts = contactIntervals(m_blow->impact);
+    // Of a string that was not followed to the separation that time is of an earlier contact, or none.
+    const bool isOpen = !contacts.empty() && !(contacts.back().end >= contacts.back().begin);
+    if (m_string && isOpen) contacts.back().end = end();
+    return contacts;
 }
 
 std::vector<ContactInterval> BlowWaves::faceContacts() const {

@@ -47,8 +47,8 @@ class BlowWaves {
     std::vector<double> fronts() const;
     std::vector<FrontRun> frontRuns(double start, double begin, double end) const;
 
-    /// When bit and rock touch, in order.
-    std::vector<ContactInterval> contacts() const { return contactIntervals(m_blow->impact); }
+    /// When bit and rock touch, in order; a contact that was not followed to its end lasts to end().
+    std::vector<ContactInterval> contacts() const;
     /// Likewise hammer and string; nothing for a rod.
     std::vector<ContactInterval> faceContacts() const;
     /// Of the bit; `contacts` as above.

@@ -117,6 +117,22 @@ class TestBlowWaves : public QObject {
         }
     }
 
+    // What was not followed to the separation has no time of it, or that of an earlier contact.
+    void aContactThatIsCutOffLastsToTheEnd() {
+        Scenario scenario = solvedExample("t38_string").scenario;
+        for (const auto& [milliseconds, contacts] : {std::pair(2.5, 1), std::pair(3.2, 2)}) {
+            scenario.drillString.endTime = milliseconds * 1e-3;
+            const Blow blow = solveBlow(scenario, {}, Detail::histories);
+            const BlowWaves waves(blow);
+            const std::vector<ContactInterval> touching = waves.contacts();
+            QCOMPARE(static_cast<int>(touching.size()), contacts);
+            QCOMPARE(touching.back().end, waves.end());
+            QVERIFY(waves.bit(touching, 0.999 * waves.end()).touching);
+            QVERIFY(waves.impactForce(0.999 * waves.end()) > 0.1);
+            QCOMPARE(waves.interesting().end, waves.end());
+        }
+    }
+
     void ofARodEverythingIsAsBefore() {
         const Blow blow = solvedExample("t38_medium_rock");
         const BlowWaves waves(blow);
