@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "ui/job/solved_again.h"
+
 namespace drillwave {
 namespace {
 
@@ -20,8 +22,18 @@ SolvedBlowPtr answered(const SolveJob::Solve& solve, const SolveRequest& request
 
 SolveJob::Solve exactly() {
     // One solver keeps its workspace from blow to blow: the job never runs two at a time.
-    auto solver = std::make_shared<MethodSolver>();
-    return [solver](const SolveRequest& request) { return solveBlow(request, *solver); };
+    struct Kept {
+        MethodSolver solver;
+        std::weak_ptr<const SolvedBlow> last;  // as long as somebody shows it
+    };
+    auto kept = std::make_shared<Kept>();
+    return [kept](const SolveRequest& request) {
+        const SolvedBlowPtr last = kept->last.lock();
+        const SolvedBlowPtr blow = last && answersAgain(*last, request) ? answerAgain(*last, request)
+                                                                        : solveBlow(request, kept->solver);
+        kept->last = blow;
+        return blow;
+    };
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "core/model/validation.h"
+#include "ui/job/solved_again.h"
 
 namespace drillwave {
 namespace {
@@ -25,16 +26,15 @@ void dropMeans(SolveRequest& request) {
     request.stop = {};
 }
 
-}  // namespace
-
-SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexcept {
+/// With the blow that `make` gives.
+template <class Make>
+SolvedBlowPtr answerWith(const SolveRequest& request, const Make& make) noexcept {
     auto blow = std::make_shared<SolvedBlow>();
     try {
         blow->request = request;
         const std::vector<InputProblem> problems = validate(request.scenario);
         if (!problems.empty()) return failedBlow(request, QString::fromStdString(problems.front().text));
-        static_cast<Blow&>(*blow) =
-            solveBlow(request.scenario, {}, Detail::histories, request.stop, Stresses::wanted, solver);
+        static_cast<Blow&>(*blow) = make();
         blow->units = shownUnits(request.units, blow->scales, request.chosenUnits);
         blow->problem = whyUnsolved(*blow);
         if (blow->isSolved()) preparePages(*blow);
@@ -43,6 +43,22 @@ SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexc
         return failedBlow(request, QString::fromUtf8(error.what()));
     }
     return blow;
+}
+
+}  // namespace
+
+SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexcept {
+    return answerWith(request, [&] {
+        return solveBlow(request.scenario, {}, Detail::histories, request.stop, Stresses::wanted, solver);
+    });
+}
+
+bool answersAgain(const SolvedBlow& before, const SolveRequest& request) {
+    return before.string && before.isSolved() && before.scenario == request.scenario;
+}
+
+SolvedBlowPtr answerAgain(const SolvedBlow& before, const SolveRequest& request) noexcept {
+    return answerWith(request, [&] { return static_cast<const Blow&>(before); });
 }
 
 SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem) {

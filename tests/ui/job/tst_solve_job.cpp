@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
 #include "tests/support/gap_watch.h"
 #include "ui/job/solve_job.h"
 
@@ -64,6 +66,7 @@ class TestSolveJob : public QObject {
     void aLongSolutionThatNobodyReplacesGetsItsAnswer();
     void aJobEndsInTheMiddleOfALongSolution();
     void answersAreThoseOfTheExactSolver();
+    void aStringIsSolvedOnceForAllThatLookAtIt();
     void aPageGetsItsDataAndNoOthers();
     void whatAPageThrowsBecomesTheProblem();
     void anAnswerKeepsNothingOfHowPagesAreMade();
@@ -255,6 +258,38 @@ void TestSolveJob::answersAreThoseOfTheExactSolver() {
     // Paper, Fig. 4 (a): β = 0.5, γ = 1, τ = 10, δ = 0; the value of the reference solver, to its 1e-13.
     QVERIFY(std::abs(blow->summary.cor - 1.4010824845070556) < 1e-13);
     QVERIFY(blow->pages.empty());
+}
+
+// The mechanism of a picture that lags behind a zoom: every look at it waited for the blow to be solved
+// again.
+void TestSolveJob::aStringIsSolvedOnceForAllThatLookAtIt() {
+    SolveJob job;
+    SolveRequest request;
+    request.scenario = parseScenario(findExample("r32_string")->text, "r32_string").scenario;
+    request.units = UnitSystem::si;
+    SolvedBlowPtr first = job.solveNow(request);
+    QVERIFY(first->string && first->string->impact.waves);
+    request.units = UnitSystem::dimensionless;
+    request.number = 7;
+    request.pages = {[](const SolvedBlow& blow) { return PageData::of(blow.summary.cor); }};
+    SolvedBlowPtr second = job.solveNow(request);
+    QCOMPARE(second->string->impact.waves.get(), first->string->impact.waves.get());
+    QCOMPARE(second->runTime, first->runTime);
+    QCOMPARE(second->request.number, 7U);
+    QVERIFY(second->units.force.dimensionless && !first->units.force.dimensionless);
+    QCOMPARE(*second->page<double>(), first->summary.cor);
+    // another string is another blow
+    request.scenario.bitRock.stiffness *= 2;
+    const SolvedBlowPtr third = job.solveNow(request);
+    QVERIFY(third->string->impact.waves != first->string->impact.waves);
+    QVERIFY(third->summary.cor != first->summary.cor);
+    // nor is anything kept that nobody shows
+    const std::weak_ptr<const StringWaves> gone = second->string->impact.waves;
+    QVERIFY(!gone.expired());
+    second.reset();
+    QVERIFY(!gone.expired());
+    first.reset();
+    QVERIFY(gone.expired());
 }
 
 void TestSolveJob::aPageGetsItsDataAndNoOthers() {
