@@ -121,7 +121,7 @@ void TestFolders::aSignalLeavesAllOrNothing() {
     timer.start();
     QCOMPARE(run(words + QStringList{"-o", place.filePath("whole")}).exitCode, 0);
     const QStringList all = contents(place.filePath("whole"));
-    QCOMPARE(all.size(), 13);
+    QCOMPARE(all.size(), 16);
     const qint64 whole = timer.nsecsElapsed();
 
     constexpr int moments = 24;

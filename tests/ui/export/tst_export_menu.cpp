@@ -110,6 +110,7 @@ void TestExportMenu::everythingIsWhatTheCommandLineWrites_data() {
     QTest::newRow("in SI units") << QStringLiteral("t38_medium_rock") << false;
     QTest::newRow("by groups") << QStringLiteral("paper_fig4b") << false;
     QTest::newRow("with unsaved edits") << QStringLiteral("t38_medium_rock") << true;
+    QTest::newRow("of a drill string") << QStringLiteral("r32_string") << false;
 }
 
 void TestExportMenu::everythingIsWhatTheCommandLineWrites() {
@@ -130,7 +131,7 @@ void TestExportMenu::everythingIsWhatTheCommandLineWrites() {
     const test::Finished finished = test::run(words);
     QVERIFY2(finished.exitCode == 0, finished.error);
     const QStringList names = QDir(path("command")).entryList(QDir::Files);
-    QCOMPARE(names.size(), 13);
+    QCOMPARE(names.size(), 16);
     QCOMPARE(QDir(path("window")).entryList(QDir::Files), names);
     for (const QString& name : names) {
         const QByteArray here = comparable(path("window/") + name);
