@@ -101,10 +101,6 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
     report.scenario = document.scenario;
     report.scenarioText = completeScenarioText(document);
     checkQuestion(report.scenario, axis, path);
-    if (isString(report.scenario) && plots.areWanted())
-        throw CommandError(
-            ExitCode::usage,
-            "--plots: " + path + ": pictures are drawn of uniform rods; leave it out for a drill string");
     if (csvPath) {
         checkOutputIsNoInput(*csvPath, path, document);
         checkOverwrite(*csvPath, overwrite);

@@ -161,6 +161,12 @@ std::string marginSentence(const ThrustNeeds& needs) {
            label(which) + "): " + signedPercent(*largest.margin) + ".";
 }
 
+std::string_view stringThrustSentence() {
+    return "I0 is the impulse of the hammer's face. The gaps of a drill string have no period over which a "
+           "share "
+           "of them or the worst one could be told.";
+}
+
 TextGrid needsGrid(const ThrustReport& report) {
     const bool judged = report.scenario.drill.thrust.has_value();
     TextGrid grid;
@@ -189,9 +195,7 @@ std::vector<std::string> verdictSentences(const ThrustReport& report) {
     if (isString(report.scenario)) {
         if (std::string margin = marginSentence(report.study.needs); !margin.empty())
             sentences.push_back(std::move(margin));
-        sentences.emplace_back(
-            "I0 is the impulse of the hammer's face in this blow. The gaps of a drill string have no period: "
-            "what 95 % of them and the worst one would need is not told.");
+        sentences.emplace_back(stringThrustSentence());
     }
     return sentences;
 }

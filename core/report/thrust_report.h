@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/model/scenario.h"
@@ -24,6 +25,9 @@ struct ThrustReport {
 /// The effective force over the largest of the needs, and which that is, in a sentence; empty where no thrust
 /// is installed.
 std::string marginSentence(const ThrustNeeds& needs);
+
+/// Which impulse the thrust of a drill string is by, and why what counts its gaps is not told.
+std::string_view stringThrustSentence();
 
 /// What each of the four cases needs, for people: a line of titles, then one for each case. A study must be
 /// there.

@@ -66,6 +66,9 @@ void TestStudyPlots::everyStudyIsDrawn_data() {
     QTest::newRow("gap") << QStringList{"gap", drill} << QStringList{"gap d [mm]", "COR e", "mean"};
     QTest::newRow("thrust") << QStringList{"thrust", drill, "--along", "drill.blow_frequency=20Hz:100Hz"}
                             << QStringList{"thrust [kN]", "bit back in time", "worst gap", "installed 8"};
+    QTest::newRow("thrust of a string")
+        << QStringList{"thrust", example("t38_string"), "--along", "drill.blow_frequency=20Hz:100Hz:21"}
+        << QStringList{"thrust [kN]", "this blow", "rigid rock", "installed"};
     QTest::newRow("gap, scattered") << QStringList{"gap", drill, "--gap-deviation", "0.3 mm"}
                                     << QStringList{"scattered gap", "thrust for 95 % of gaps"};
     QTest::newRow("sweep") << QStringList{"sweep",     drill,

@@ -72,11 +72,11 @@ ThrustPage::ThrustPage(Document& document, QWidget* parent)
 void ThrustPage::ask() {
     m_missing->present(scenario());
     // Without units nothing can be studied, and no parameter would be the one to begin with.
-    if (scenario().form == ScenarioForm::dimensional) {
+    if (hasUnits(scenario())) {
         const QSignalBlocker quiet(m_axis);  // what it chooses now is asked for right here
         m_axis->present(scenario());
     }
-    m_axis->setEnabled(scenario().form == ScenarioForm::dimensional);
+    m_axis->setEnabled(hasUnits(scenario()));
     m_study.ask({scenario(), m_axis->range()});
 }
 
@@ -105,7 +105,8 @@ void ThrustPage::showRuns(const ThrustAnswer& answer) {
     for (const Run& run : runs()) {
         if (!run.isShown || !run.isSolved() || !along.applies(run.contents.scenario)) continue;
         const std::optional<double> x = along.value(run.contents.scenario);
-        const std::optional<double> need = thrustNeeded(run.contents.scenario, run.blow->summary.cor);
+        const std::optional<double> need =
+            thrustNeeded(run.contents.scenario, run.blow->summary.cor, run.blow->summary.transferred());
         if (x && need)
             marks.append(
                 {run.number, run.title(), {*x * m_units.along.factor, *need * m_units.force.factor}});
@@ -130,6 +131,7 @@ void ThrustPage::draw(const ThrustAnswer& answer) {
         words += QLatin1Char(' ') + QString::fromStdString(gapAtBlowSentence(*gap));
     if (const std::string margin = marginSentence(answer.here.needs); !margin.empty())
         words += QLatin1Char(' ') + QString::fromStdString(margin);
+    if (isString(answer.scenario)) words += QLatin1Char(' ') + fromView(stringThrustSentence());
     say(words);
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -187,9 +189,7 @@ QByteArray ThrustPage::csv() const {
 
 QStringList ThrustPage::commandWords() const {
     if (!thrustProblem(scenario()).empty()) return {};
-    const StudyRange& range = m_axis->range();
-    return {QStringLiteral("thrust"), QStringLiteral("--along"),
-            QString::fromStdString(range.text() + range.tail())};
+    return {QStringLiteral("thrust"), QStringLiteral("--along"), fromView(axisText(m_axis->range()))};
 }
 
 }  // namespace drillwave

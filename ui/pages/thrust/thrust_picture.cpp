@@ -58,6 +58,8 @@ ThrustPicture thrustPicture(const ThrustAlong& along, const ThrustUnits& units) 
         if (!point.reason.empty()) continue;
         const double x = point.value * units.along.factor;
         for (std::size_t i = 0; i < thrustCaseCount; ++i) {
+            if (!point.needs[i].known) continue;
+            picture.needs[i].known = true;
             appendFinite(lower[i], x, point.needs[i].thrust * units.force.factor);
             appendFinite(upper[i], x, point.needs[i].thrustUndamped * units.force.factor);
         }
@@ -69,8 +71,10 @@ ThrustPicture thrustPicture(const ThrustAlong& along, const ThrustUnits& units) 
             picture.isWeighted |= force->weight.has_value();
         }
     }
-    for (std::size_t i = 0; i < thrustCaseCount; ++i)
-        picture.needs[i] = {graphData(lower[i]), graphData(upper[i])};
+    for (std::size_t i = 0; i < thrustCaseCount; ++i) {
+        picture.needs[i].fullRate = graphData(lower[i]);
+        picture.needs[i].returned = graphData(upper[i]);
+    }
     return picture;
 }
 

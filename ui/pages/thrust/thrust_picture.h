@@ -27,6 +27,7 @@ struct ThrustPicture {
     struct Need {
         GraphData fullRate;  ///< f I0 (1+e)
         GraphData returned;  ///< f I0 (1+2e)
+        bool known = false;  ///< it can be told: of a drill string not all can
     };
 
     ThrustUnits units;

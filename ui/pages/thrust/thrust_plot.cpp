@@ -64,6 +64,7 @@ void ThrustPlot::present(const ThrustPicture& picture) {
         m_lower[i]->setData(picture.needs[i].fullRate);
         m_upper[i]->setData(picture.needs[i].returned);
     }
+    listKnown();
     m_feed->setData(dataOf(picture.feed));
     m_feed->setName(picture.isWeighted ? tr("effective force, with weight along the hole")
                                        : tr("installed thrust"));
@@ -76,11 +77,28 @@ void ThrustPlot::present(const ThrustPicture& picture) {
     if (m_view->isFitted() || otherAxes) fit();
     m_bands->present(picture);
     nameFeed();
-    m_summary =
-        tr("Needs of the thrust over %1, for this blow, 95 % of all gaps, rigid rock and the worst gap "
-           "on elastic rock, each from full penetration to the bit back in time; behind them what the "
-           "feed does by the rebound of this blow.")
-            .arg(picture.along);
+    QStringList cases;
+    for (const ThrustCase which : thrustCases)
+        if (picture.needs[static_cast<std::size_t>(which)].known) cases << thrustCaseName(which);
+    m_summary = tr("Needs of the thrust over %1, for %2, each from full penetration to the bit back in time; "
+                   "behind them what the feed does by the rebound of this blow.")
+                    .arg(picture.along, cases.join(tr("; ")));
+}
+
+// The legend has the needs that can be told, and the feed behind them.
+void ThrustPlot::listKnown() {
+    const auto isKnown = [this](std::size_t i) { return m_picture.needs[i].known; };
+    const auto isListed = [this](const QCPGraph* graph) {
+        return m_plot->legend->hasItemWithPlottable(graph);
+    };
+    bool isRight = true;
+    for (std::size_t i = 0; i < thrustCaseCount; ++i) isRight &= isListed(m_lower[i]) == isKnown(i);
+    if (isRight) return;
+    for (QCPGraph* graph : m_lower) graph->removeFromLegend();
+    m_feed->removeFromLegend();
+    for (std::size_t i = 0; i < thrustCaseCount; ++i)
+        if (isKnown(i)) m_lower[i]->addToLegend();
+    m_feed->addToLegend();
 }
 
 void ThrustPlot::showNothing(const QString& message) {

@@ -53,6 +53,7 @@ class ThrustPlot : public QObject {
     QString textSummary() const { return m_summary; }
 
   private:
+    void listKnown();
     void followLegend();
     void nameFeed();
 

@@ -14,8 +14,16 @@ constexpr std::size_t pointsAtATime = 8;
 
 }  // namespace
 
+std::string axisText(const StudyRange& range) {
+    std::string text = range.text();
+    if (const std::uint64_t points = range.pointsWithin(customaryThrustPoints);
+        points != customaryThrustPoints)
+        text.append(":").append(std::to_string(points));
+    return text.append(range.tail());
+}
+
 SweepAxis axisOf(const StudyRange& range) {
-    const ParsedAxis parsed = parseAxis(range.text() + range.tail(), customaryThrustPoints);
+    const ParsedAxis parsed = parseAxis(axisText(range), customaryThrustPoints);
     assert(parsed.problem.empty());
     return parsed.axis;
 }

@@ -25,7 +25,9 @@ struct ThrustAnswer {
     bool isComplete() const { return problem.empty() && along.curve.points.size() == along.axis.count; }
 };
 
-/// The axis that the command line reads from the range: the same values, in the same unit.
+/// The range as the command takes it, with a number of points where the customary one will not do.
+std::string axisText(const StudyRange& range);
+/// The axis that the command line reads from that: the same values, in the same unit.
 SweepAxis axisOf(const StudyRange& range);
 
 /// Answers one question after another. What depends on the gap is remembered from one to the next, so that a

@@ -81,6 +81,7 @@ void ThrustTable::present(const ThrustNeeds& needs, const ThrustUnits& units) {
     const QLocale locale;
     for (const ThrustCase which : thrustCases) {
         const ThrustNeed& need = needs[static_cast<std::size_t>(which)];
+        setColumnHidden(static_cast<int>(which), !need.known);
         setText(bracket, which,
                 QStringLiteral("%1 … %2").arg(numberText(need.thrust * units.force.factor, 4, locale),
                                               quantityText(need.thrustUndamped, units.force, locale)),

@@ -15,7 +15,7 @@ class ThrustTable : public QTableWidget {
   public:
     explicit ThrustTable(QWidget* parent = nullptr);
 
-    /// Of the scenario as it is; cells are empty where nothing is known.
+    /// Of the scenario as it is; a need that cannot be told has no column.
     void present(const ThrustNeeds& needs, const ThrustUnits& units);
     void clearNumbers();
 

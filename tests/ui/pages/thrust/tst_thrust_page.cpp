@@ -49,8 +49,16 @@ class TestThrustPage : public QObject {
     void whatLacksIsSaidAndCanBeEntered();
     void aDimensionlessScenarioIsToldWhatItNeeds();
     void bandsEndAtTheAxes();
+    void aStringIsToldOfItsBlowAndRigidRock();
+    void aStringsExportIsWhatTheCopiedCommandWrites_data();
+    void aStringsExportIsWhatTheCopiedCommandWrites();
+    void theFeedOfAStringIsDragged();
+    void aRodAfterAStringHasAllItsNeedsAgain();
 
   private:
+    void openString();
+    void compareWithCommand() const;
+    QStringList legendNames() const;
     void showPage();
     bool isAnswered() const;
     QString words() const { return m_page->findChild<QLabel*>(QStringLiteral("words"))->text(); }
@@ -137,14 +145,21 @@ void TestThrustPage::theExportIsWhatTheCopiedCommandWrites() {
     m_page->show();
     chooseAxis(key, start, stop, logarithmic);
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    compareWithCommand();
+}
+
+void TestThrustPage::compareWithCommand() const {
     const QString command = m_page->command();
-    QVERIFY2(command.startsWith(QStringLiteral("drillwave thrust ") + path), qPrintable(command));
+    QVERIFY2(command.startsWith(QStringLiteral("drillwave thrust ") + m_document->path()),
+             qPrintable(command));
     QStringList typed = QProcess::splitCommand(QString(command).replace(QLatin1Char('\''), QLatin1Char('"')));
     typed.removeFirst();
     const Finished finished = run(typed);
-    QVERIFY(finished.exitCode == 0 || finished.exitCode == 6);
-    QCOMPARE(m_page->exports().first().csv(), finished.out);
-    QVERIFY(finished.out.count('\n') > 101);
+    QVERIFY2(finished.exitCode == 0 || finished.exitCode == 6, finished.error.constData());
+    const QByteArray shown = m_page->exports().first().csv();
+    QCOMPARE(shown, finished.out);
+    const qsizetype points = m_page->thrustPlot().need(ThrustCase::scenario)->data()->size();
+    QVERIFY(points > 2 && shown.count('\n') > points);
 }
 
 void TestThrustPage::theCurvesAreTheNeedsOfEachPoint() {
@@ -320,6 +335,88 @@ void TestThrustPage::bandsEndAtTheAxes() {
     }
     QVERIFY(bands >= 1);
     QVERIFY(!names().contains(QString::fromUtf8(feedWord(Feed::penetrationLost).data())));
+}
+
+void TestThrustPage::openString() {
+    QVERIFY(m_document->open(example(QStringLiteral("t38_string"))).isEmpty());
+}
+
+QStringList TestThrustPage::legendNames() const {
+    QStringList names;
+    const QCPLegend& legend = *m_page->plot()->legend;
+    for (int i = 0; i < legend.itemCount(); ++i)
+        if (auto* entry = qobject_cast<QCPPlottableLegendItem*>(legend.item(i)))
+            names << entry->plottable()->name();
+    return names;
+}
+
+// Its gaps have no period: what counts them is not there, and the page says why.
+void TestThrustPage::aStringIsToldOfItsBlowAndRigidRock() {
+    openString();
+    QVERIFY(m_page->shows(m_document->scenario()));
+    showPage();
+    const ThrustStudy study = studyThrust(m_document->scenario());
+    QVERIFY2(words().startsWith(QString::fromStdString(feedSentence(study.verdict))), qPrintable(words()));
+    QVERIFY2(words().contains(QString::fromStdString(marginSentence(study.needs))), qPrintable(words()));
+    QVERIFY2(words().contains(QStringLiteral("have no period")), qPrintable(words()));
+    const auto* table = m_page->findChild<QTableWidget*>(QStringLiteral("needs"));
+    for (const ThrustCase which : thrustCases) {
+        const ThrustNeed& need = study.need(which);
+        QCOMPARE(table->isColumnHidden(int(which)), !need.known);
+        const QCPGraphDataContainer& line = *m_page->thrustPlot().need(which)->data();
+        QCOMPARE(line.size(), need.known ? 101 : 0);
+        if (!need.known) continue;
+        const QString shown = table->item(0, int(which))->text().section(QLatin1Char(' '), 0, 0);
+        QVERIFY2(std::abs(QLocale().toDouble(shown) * 1000 / need.thrust - 1) < 1e-3, qPrintable(shown));
+    }
+    QCOMPARE(legendNames(), (QStringList{QStringLiteral("this blow"), QStringLiteral("rigid rock"),
+                                         QStringLiteral("installed thrust")}));
+    QVERIFY(!m_page->thrustPlot().textSummary().contains(QStringLiteral("95 %")));
+}
+
+void TestThrustPage::aStringsExportIsWhatTheCopiedCommandWrites_data() {
+    QTest::addColumn<QByteArray>("key");
+    QTest::addColumn<double>("start");
+    QTest::addColumn<double>("stop");
+    QTest::newRow("frequency") << QByteArray("drill.blow_frequency") << 31.7 << 97.3;
+    QTest::newRow("a length of sections") << QByteArray("string.rod.length") << 3.0 << 4.0;
+    QTest::newRow("how many rods") << QByteArray("string.repeat") << 1.0 << 5.0;
+}
+
+void TestThrustPage::aStringsExportIsWhatTheCopiedCommandWrites() {
+    QFETCH(QByteArray, key);
+    QFETCH(double, start);
+    QFETCH(double, stop);
+    openString();
+    QVERIFY(m_document->save(m_folder.filePath(QStringLiteral("string.yaml"))).isEmpty());
+    m_page->show();
+    chooseAxis(key, start, stop, false);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    compareWithCommand();
+    // Whole numbers alone have a string.
+    if (key == "string.repeat") QCOMPARE(m_page->thrustPlot().need(ThrustCase::scenario)->data()->size(), 5);
+}
+
+void TestThrustPage::theFeedOfAStringIsDragged() {
+    openString();
+    showPage();
+    const double before = *m_document->scenario().drill.thrust;
+    drag(feedPixel(), 60);
+    QVERIFY(*m_document->scenario().drill.thrust < before);
+    QCOMPARE(m_document->undoStack().count(), 1);
+}
+
+void TestThrustPage::aRodAfterAStringHasAllItsNeedsAgain() {
+    openString();
+    showPage();
+    chooseAxis("string.rod.length", 3, 4, false);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    QVERIFY(m_document->open(example(QStringLiteral("t38_medium_rock"))).isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    QCOMPARE(legendNames().size(), qsizetype(thrustCaseCount + 1));
+    const auto* table = m_page->findChild<QTableWidget*>(QStringLiteral("needs"));
+    for (const ThrustCase which : thrustCases) QVERIFY(!table->isColumnHidden(int(which)));
+    QVERIFY2(!words().contains(QStringLiteral("have no period")), qPrintable(words()));
 }
 
 QTEST_MAIN(TestThrustPage)
