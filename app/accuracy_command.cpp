@@ -55,28 +55,40 @@ Accuracy measure(const Scenario& scenario, const std::vector<int>& ladder, const
     return accuracy;
 }
 
-/// The same of a drill string.
-ExitCode runStringAccuracy(const Arguments& arguments, const std::string& path,
-                           const ScenarioDocument& document, const Interruption& interruption) {
-    const StringAccuracy accuracy = measureStringAccuracy(document.scenario, interruption.token());
+/// What is written of a study: the CSV in place of its words or into a folder, with pictures.
+struct AccuracyFiles {
+    std::string csv;
+    std::string words;  ///< the table, or JSON
+    std::vector<NamedFile> pictures;
+};
+
+AccuracyFiles filesOfRod(const Arguments& arguments, const std::string& path,
+                         const ScenarioDocument& document, const std::vector<int>& ladder,
+                         const StudyPlots& plots, const Drawing* drawing, const Interruption& interruption) {
+    const Accuracy accuracy = measure(document.scenario, ladder, interruption);
+    if (accuracy.exact.outcome != Outcome::rebounded)
+        throw CommandError(ExitCode::unsolvedOrFailed,
+                           path + ": could not be solved: " + accuracy.exact.reason);
+    return {accuracyCsv(accuracy),
+            arguments.has("json") ? accuracyJson(document.scenario, completeScenarioText(document), accuracy)
+                                  : accuracyText(document.scenario, accuracy),
+            plots.draw(&accuracy, drawing, interruption)};
+}
+
+AccuracyFiles filesOfString(const Arguments& arguments, const std::string& path,
+                            const ScenarioDocument& document, const StudyPlots& plots, const Drawing* drawing,
+                            const Interruption& interruption) {
+    ShareBar bar;
+    const StringAccuracy accuracy =
+        measureStringAccuracy(document.scenario, interruption.token(),
+                              [&](const StringAccuracy&, double done) { bar.progress()(done); });
     interruption.check();
     if (!accuracy.reason.empty())
         throw CommandError(ExitCode::unsolvedOrFailed, path + ": could not be solved: " + accuracy.reason);
-    const std::string scenario = completeScenarioText(document);
-    const std::string csv = scenarioHeader(scenario) + stringAccuracyCsv(accuracy);
-    const std::string directory = arguments.value("o").value_or(std::string());
-    if (directory == "-") {
-        writeFile("-", csv, Overwrite::allowed);
-        return ExitCode::done;
-    }
-    if (!directory.empty())
-        writeFolder(directory, {{{csvName, csv}}, {}},
-                    arguments.has("force") ? Overwrite::allowed : Overwrite::refused, interruption);
-    writeFile("-",
-              arguments.has("json") ? stringAccuracyJson(scenario, accuracy)
-                                    : stringAccuracyText(document.scenario, accuracy),
-              Overwrite::allowed);
-    return ExitCode::done;
+    return {stringAccuracyCsv(accuracy),
+            arguments.has("json") ? stringAccuracyJson(completeScenarioText(document), accuracy)
+                                  : stringAccuracyText(document.scenario, accuracy),
+            plots.draw(&accuracy, drawing, interruption)};
 }
 
 ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
@@ -95,35 +107,25 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
         plots.check(path, document, overwrite);
     }
 
-    if (isString(document.scenario)) {
-        for (const char* option : {"segments", "plots"})
-            if (arguments.has(option))
-                throw CommandError(ExitCode::usage,
-                                   std::string("--") + option + ": " + path +
-                                       ": is for uniform rods; leave it out for a drill string");
-    }
+    if (isString(document.scenario) && arguments.has("segments"))
+        throw CommandError(ExitCode::usage,
+                           "--segments: " + path + ": is for uniform rods; leave it out for a drill string");
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
-    if (isString(document.scenario)) return runStringAccuracy(arguments, path, document, interruption);
-    const Accuracy accuracy = measure(document.scenario, ladder, interruption);
-    if (accuracy.exact.outcome != Outcome::rebounded)
-        throw CommandError(ExitCode::unsolvedOrFailed,
-                           path + ": could not be solved: " + accuracy.exact.reason);
-    const std::string scenario = completeScenarioText(document);
-    const std::string csv = scenarioHeader(scenario) + accuracyCsv(accuracy);
+    AccuracyFiles files = isString(document.scenario)
+                              ? filesOfString(arguments, path, document, plots, drawing, interruption)
+                              : filesOfRod(arguments, path, document, ladder, plots, drawing, interruption);
+    files.csv.insert(0, scenarioHeader(completeScenarioText(document)));
     if (directory == "-") {
-        writeFile("-", csv, Overwrite::allowed);
+        writeFile("-", files.csv, Overwrite::allowed);
         return ExitCode::done;
     }
     if (inFolder) {
-        FolderFiles folder{plots.draw(&accuracy, drawing, interruption), {}};
-        folder.files.push_back({csvName, csv});
+        FolderFiles folder{std::move(files.pictures), {}};
+        folder.files.push_back({csvName, files.csv});
         writeFolder(directory, folder, overwrite, interruption);
     }
-    writeFile("-",
-              arguments.has("json") ? accuracyJson(document.scenario, scenario, accuracy)
-                                    : accuracyText(document.scenario, accuracy),
-              Overwrite::allowed);
+    writeFile("-", files.words, Overwrite::allowed);
     return ExitCode::done;
 }
 
@@ -136,7 +138,8 @@ const Command& accuracyCommand() {
         .summary = "error against run time, every method and resolution",
         .details =
             "Solves the blow exactly, in closed form where that applies, and with the paper's lattice of\n"
-            "100 to 20000 segments, and compares errors and run times. Takes some ten seconds.",
+            "100 to 20000 segments, and compares errors and run times. Takes some ten seconds. Of a drill\n"
+            "string: polynomial cells of several sizes beside a plain lattice.",
         .options = scenarioOptions(
             {{"segments", "A,B,C", "of the lattice, in place of 100 to 20000"},
              {"json", "", "print one JSON object in place of the table"},

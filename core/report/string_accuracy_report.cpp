@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/string_accuracy_report.h"
 
-#include <array>
 #include <cmath>
 
 #include "core/model/version.h"
 #include "core/report/report_text.h"
+#include "core/report/string_accuracy_columns.h"
 #include "core/text/csv.h"
 #include "core/text/json.h"
 #include "core/text/number_text.h"
@@ -14,26 +14,10 @@ namespace drillwave {
 
 namespace {
 
-/// A number of a row, named once for table, JSON and CSV.
-struct Column {
-    std::string_view key, title;
-    double (*value)(const StringAccuracyRow&);
-};
-
-constexpr auto columns = std::to_array<Column>({
-    {"cell_s", "cell", [](const StringAccuracyRow& r) { return r.cell; }},
-    {"error_efficiency", "error", [](const StringAccuracyRow& r) { return r.error; }},
-    {"efficiency_error", "stated", [](const StringAccuracyRow& r) { return r.stated; }},
-    {"error_impulse", "impulse", [](const StringAccuracyRow& r) { return r.impulseError; }},
-    {"cells", "cells x nodes", [](const StringAccuracyRow& r) { return static_cast<double>(r.cells); }},
-    {"median_s", "median", [](const StringAccuracyRow& r) { return r.time.median; }},
-    {"min_s", "minimum", [](const StringAccuracyRow& r) { return r.time.least; }},
-});
-
-std::string shown(const Column& column, double value) {
+std::string shown(const StringAccuracyColumn& column, double value) {
     if (std::isnan(value)) return "-";
-    if (column.key == "cells") return numberText(value, std::chars_format::fixed, 0);
-    if (column.key.ends_with("_s")) return inHandyUnit(value, Quantity::time, 3);
+    if (column.style == NumberStyle::count) return numberText(value, std::chars_format::fixed, 0);
+    if (column.style == NumberStyle::time) return inHandyUnit(value, Quantity::time, 3);
     return value == 0 ? "0" : numberText(value, std::chars_format::scientific, 1);
 }
 
@@ -42,11 +26,12 @@ std::string shown(const Column& column, double value) {
 std::string stringAccuracyText(const Scenario& scenario, const StringAccuracy& accuracy) {
     TextGrid grid;
     std::vector<std::string> titles{"method"};
-    for (const Column& column : columns) titles.emplace_back(column.title);
+    for (const StringAccuracyColumn& column : stringAccuracyColumns) titles.emplace_back(column.title);
     grid.add(titles);
     for (const StringAccuracyRow& row : accuracy.rows) {
         std::vector<std::string> cells{std::string(name(row.method))};
-        for (const Column& column : columns) cells.push_back(shown(column, column.value(row)));
+        for (const StringAccuracyColumn& column : stringAccuracyColumns)
+            cells.push_back(shown(column, column.value(row)));
         grid.add(std::move(cells));
     }
     return headingOf(scenario) + "\n" + grid.text() + "\n  error: of the efficiency, against " +
@@ -62,7 +47,7 @@ std::string stringAccuracyJson(const std::string& scenarioText, const StringAccu
     JsonArray rows;
     for (const StringAccuracyRow& row : accuracy.rows) {
         JsonObject object{{"method", name(row.method)}};
-        for (const Column& column : columns) {
+        for (const StringAccuracyColumn& column : stringAccuracyColumns) {
             const double value = column.value(row);
             object[column.key] = std::isnan(value) ? Json() : Json(value);
         }
@@ -78,11 +63,11 @@ std::string stringAccuracyJson(const std::string& scenarioText, const StringAccu
 
 std::string stringAccuracyCsv(const StringAccuracy& accuracy) {
     std::string text = "method";
-    for (const Column& column : columns) text += "," + std::string(column.key);
+    for (const StringAccuracyColumn& column : stringAccuracyColumns) text += "," + std::string(column.key);
     text += "\n";
     for (const StringAccuracyRow& row : accuracy.rows) {
         text += name(row.method);
-        for (const Column& column : columns) {
+        for (const StringAccuracyColumn& column : stringAccuracyColumns) {
             const double value = column.value(row);
             text += "," + (std::isnan(value) ? std::string() : formatNumber(value));
         }

@@ -51,6 +51,7 @@ class TestStudyPlots : public QObject {
     void aSweepNamesItsCurves();
     void figuresComeInTheFormatsOfChoice();
     void accuracyIsDrawnIntoItsFolder();
+    void accuracyOfAStringIsDrawnIntoItsFolder();
     void whatCannotBeDrawnIsRefused_data();
     void whatCannotBeDrawnIsRefused();
 
@@ -164,6 +165,17 @@ void TestStudyPlots::accuracyIsDrawnIntoItsFolder() {
     QCOMPARE(filesIn(folder), (QStringList{"accuracy.csv", "accuracy.pdf", "accuracy.png"}));
     QVERIFY(curvePixels(QImage(folder + "/accuracy.png")) > 200);
     QCOMPARE(run(words).exitCode, 4);
+}
+
+void TestStudyPlots::accuracyOfAStringIsDrawnIntoItsFolder() {
+    const QString folder = path("string");
+    const Finished finished =
+        run({"accuracy", example("t38_string"), "-o", folder, "--plots", "svg", "--force"});
+    QVERIFY2(finished.exitCode == 0, finished.error.constData());
+    QCOMPARE(filesIn(folder), (QStringList{"accuracy.csv", "accuracy.svg"}));
+    const QString texts = textsOf(read(folder + "/accuracy.svg"));
+    for (const char* text : {"error of the efficiency", "polynomial cells (studies)", "plain lattice"})
+        QVERIFY2(texts.contains(packed(QString::fromLatin1(text))), qPrintable(texts));
 }
 
 void TestStudyPlots::whatCannotBeDrawnIsRefused_data() {

@@ -60,6 +60,10 @@ Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order) {
     return drawn(paperPlot<ProofPlot>(accuracyPicture(accuracy, QLocale::c()), {160, 110}), {}, order);
 }
 
+Pictures drawStudy(const StringAccuracy& accuracy, const PictureOrder& order) {
+    return drawn(paperPlot<ProofPlot>(accuracyPicture(accuracy, QLocale::c()), {160, 110}), {}, order);
+}
+
 Pictures drawStudy(const StabilityReport& report, const PictureOrder& order) {
     return drawn(paperPlot<ProofPlot>(stabilityPicture(report, QLocale::c()), {180, 120}), {}, order);
 }

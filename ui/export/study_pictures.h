@@ -8,6 +8,7 @@
 #include "core/report/thrust_report.h"
 #include "core/study/proof/accuracy.h"
 #include "core/study/proof/stability.h"
+#include "core/study/proof/string_accuracy.h"
 #include "core/study/rows/sweep_rows.h"
 #include "ui/export/pictures.h"
 
@@ -20,6 +21,7 @@ Pictures drawStudy(const MapReport& report, const PictureOrder& order);
 /// Of a report along a parameter.
 Pictures drawStudy(const ThrustReport& report, const PictureOrder& order);
 Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order);
+Pictures drawStudy(const StringAccuracy& accuracy, const PictureOrder& order);
 Pictures drawStudy(const StabilityReport& report, const PictureOrder& order);
 /// Has no page: the rows as curves, see sweepPanels().
 Pictures drawStudy(const SweepRows& rows, const PictureOrder& order);

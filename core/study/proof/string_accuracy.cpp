@@ -15,6 +15,7 @@ namespace drillwave {
 namespace {
 
 constexpr int quickHalvings = 3, sureHalvings = 1, plainHalvings = 6;
+constexpr double wantedRows = quickHalvings + 1 + sureHalvings + 1 + plainHalvings + 1;
 
 RunTime timeOf(const auto& work, const std::stop_token& stop) {
     const double start = threadSeconds();
@@ -29,7 +30,8 @@ std::string_view name(StringMethod method) {
     return names[static_cast<std::size_t>(method)];
 }
 
-StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_token& stop) {
+StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_token& stop,
+                                     const StringAccuracyRows& onRow) {
     StringAccuracy accuracy;
     NetworkProblem problem = networkProblemOf(scenario);
     NetworkSettings finest;
@@ -37,6 +39,7 @@ StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_t
     NetworkImpact reference = solveNetwork(problem, finest, stop);
     if (reference.end == NetworkEnd::notSolved) {
         accuracy.reason = reference.reason;
+        accuracy.isStopped = stop.stop_requested();
         return accuracy;
     }
     if (!problem.endTime) {  // all methods to the same end
@@ -47,16 +50,21 @@ StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_t
     accuracy.reference = reference.efficiencyError;
     const double seconds = scalesOf(scenario).time, p0 = reference.hammerMomentum;
 
+    const auto add = [&](const StringAccuracyRow& row) {
+        accuracy.isStopped = stop.stop_requested();  // its time is no time
+        if (accuracy.isStopped) return;
+        accuracy.rows.push_back(row);
+        if (onRow) onRow(accuracy, static_cast<double>(accuracy.rows.size()) / wantedRows);
+    };
     const auto addCells = [&](StringMethod method, int halvings) {
         NetworkSettings settings;
         settings.accuracy = method == StringMethod::quick ? NetworkAccuracy::quick : NetworkAccuracy::sure;
         settings.halvings = halvings;
         const NetworkImpact impact = solveNetwork(problem, settings, stop);
         if (impact.end == NetworkEnd::notSolved) return;
-        accuracy.rows.push_back({method, impact.cell * seconds,
-                                 std::abs(impact.energy.rock - accuracy.efficiency), impact.efficiencyError,
-                                 std::abs(impact.rockImpulse - reference.rockImpulse) / p0, impact.cells,
-                                 timeOf([&] { solveNetwork(problem, settings, stop); }, stop)});
+        add({method, impact.cell * seconds, std::abs(impact.energy.rock - accuracy.efficiency),
+             impact.efficiencyError, std::abs(impact.rockImpulse - reference.rockImpulse) / p0, impact.cells,
+             timeOf([&] { solveNetwork(problem, settings, stop); }, stop)});
     };
     for (int i = 0; i <= quickHalvings; ++i) addCells(StringMethod::quick, i);
     for (int i = 0; i <= sureHalvings; ++i) addCells(StringMethod::sure, i);
@@ -64,12 +72,12 @@ StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_t
     std::optional<CellGrid> grid = usualGrid(problem);
     for (int i = 0; grid && i <= plainHalvings && !stop.stop_requested(); ++i, *grid = grid->halved()) {
         const PlainBlow blow = solvePlainLattice(problem, *grid, stop);
-        accuracy.rows.push_back({StringMethod::plain, grid->cell * seconds,
-                                 std::abs(blow.efficiency - accuracy.efficiency),
-                                 std::numeric_limits<double>::quiet_NaN(),
-                                 std::abs(blow.rockImpulse - reference.rockImpulse / p0), blow.cells,
-                                 timeOf([&] { solvePlainLattice(problem, *grid, stop); }, stop)});
+        add({StringMethod::plain, grid->cell * seconds, std::abs(blow.efficiency - accuracy.efficiency),
+             std::numeric_limits<double>::quiet_NaN(),
+             std::abs(blow.rockImpulse - reference.rockImpulse / p0), blow.cells,
+             timeOf([&] { solvePlainLattice(problem, *grid, stop); }, stop)});
     }
+    accuracy.isStopped = stop.stop_requested();
     return accuracy;
 }
 

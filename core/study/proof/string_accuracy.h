@@ -2,6 +2,7 @@
 // Error against run time for a drill string: polynomial cells of several sizes beside the plain lattice.
 #pragma once
 
+#include <functional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -37,9 +38,15 @@ struct StringAccuracy {
     double efficiency = 0;  ///< of the reference: cut at every corner, cells half as large as usual
     double reference = 0;   ///< stated error of that
     std::vector<StringAccuracyRow> rows;
+    bool isStopped = false;  ///< rows are missing
 };
 
-/// Solves a valid drill string whose lengths share a cell, and measures. Takes seconds.
-StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_token& stop = {});
+/// Told what there is whenever a row is done, and how much of the work that is, 0 … 1.
+using StringAccuracyRows = std::function<void(const StringAccuracy& soFar, double done)>;
+
+/// Solves a valid drill string, and measures; the plain lattice where all lengths share a cell. Takes
+/// seconds.
+StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_token& stop = {},
+                                     const StringAccuracyRows& onRow = {});
 
 }  // namespace drillwave

@@ -11,6 +11,7 @@
 #include "core/report/accuracy_json.h"
 #include "core/report/blow_csv.h"
 #include "core/report/stability_report.h"
+#include "core/report/string_accuracy_report.h"
 #include "ui/pages/accuracy/proof_picture.h"
 #include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/accuracy/proof_table.h"
@@ -99,15 +100,26 @@ void AccuracyPage::takeOver() {
     if (std::exchange(m_taken, answer) != answer) isWhole = false;
     if (m_study.job().state() == StudyState::finished && m_study.job().isCurrent()) isWhole = true;
     if (answer->stability) m_stability = answer->stability;
-    if (answer->accuracy && answer->accuracy != m_accuracy) {
+    if (answer->accuracy || answer->stringAccuracy) {
         m_accuracy = answer->accuracy;
+        m_stringAccuracy = answer->stringAccuracy;
         m_accuracyOf = answer->question.scenario;
     }
 }
 
+// What there is to be shown of the present scenario; nullptr for nothing.
+const void* AccuracyPage::accuracyOfThis() const {
+    if (m_accuracyOf != scenario()) return nullptr;
+    if (m_stringAccuracy && !m_stringAccuracy->rows.empty()) return m_stringAccuracy.get();
+    return m_accuracy && !m_accuracy->rows.empty() ? m_accuracy.get() : nullptr;
+}
+
 void AccuracyPage::present() {
     takeOver();
-    m_run->setText(isRunning() ? tr("Cancel") : proof() == Proof::accuracy ? tr("Run 10 s") : tr("Run 20 s"));
+    const QString lasts = isString(scenario()) ? tr("Run") : tr("Run 10 s");  // as long as the string is
+    m_run->setText(isRunning() ? tr("Cancel") : proof() == Proof::accuracy ? lasts : tr("Run 20 s"));
+    m_tabs->setTabText(1, isString(scenario()) ? tr("Stiff and extreme cases of uniform rods")
+                                               : tr("Stiff and extreme cases"));
     m_run->setToolTip(proof() == Proof::accuracy
                           ? tr("Solve this scenario with every method and measure errors and times")
                           : tr("Solve and check some thousand stiff and extreme cases"));
@@ -120,18 +132,23 @@ void AccuracyPage::present() {
 }
 
 void AccuracyPage::presentAccuracy() {
-    const bool isOfThis = m_accuracy && m_accuracyOf == scenario() && !m_accuracy->rows.empty();
-    const void* wanted = isOfThis ? m_accuracy.get() : nullptr;
+    const void* wanted = accuracyOfThis();
     if (wanted && wanted == m_shown) return;
     m_shown = wanted;
-    if (isOfThis) {
-        m_plot->present(accuracyPicture(*m_accuracy, QLocale()));
-        m_accuracyTable->present(m_accuracy);
+    const auto show = [this](const auto& accuracy) {
+        m_plot->present(accuracyPicture(*accuracy, QLocale()));
+        m_accuracyTable->present(accuracy);
         widenNames();
+    };
+    if (wanted && m_stringAccuracy) {
+        show(m_stringAccuracy);
+    } else if (wanted) {
+        show(m_accuracy);
     } else {
-        m_plot->showNothing(isRunning()
-                                ? tr("Solving exactly, and in long double …")
-                                : tr("Run compares all methods on this scenario: error against time."));
+        const QString first = isString(scenario()) ? tr("Solving with cells half as large …")
+                                                   : tr("Solving exactly, and in long double …");
+        m_plot->showNothing(
+            isRunning() ? first : tr("Run compares all methods on this scenario: error against time."));
         if (m_accuracyTable->rowCount() > 0) m_accuracyTable->clear();
     }
     plot()->replot(QCustomPlot::rpQueuedReplot);
@@ -165,6 +182,10 @@ QString AccuracyPage::sentence() const {
     if (proof() == Proof::stability)
         return tr(
             "Cases that break solvers, each with all its checks, the worst first. A click loads a case.");
+    if (blow() && blow()->isSolved() && blow()->summary.string)
+        return tr("The efficiency of %1 is right to %2, the error that the method states.")
+            .arg(numberText(blow()->summary.string->efficiency, 6, QLocale()),
+                 magnitudeText(blow()->summary.string->efficiencyError, QLocale()));
     if (!blow() || !blow()->isSolved()) return tr("How right the numbers are, and what other methods give.");
     const QLocale locale;
     return tr("e = %1 is right to %2, the bound that the exact solver states.")
@@ -177,6 +198,7 @@ QString AccuracyPage::nameOf(std::size_t row) const {
         return m_stability && row < m_stability->rows.size()
                    ? QString::fromStdString(m_stability->rows[row].stabilityCase.name)
                    : QString();
+    if (m_stringAccuracy && row < m_stringAccuracy->rows.size()) return rowName(m_stringAccuracy->rows[row]);
     return m_accuracy && row < m_accuracy->rows.size() ? rowName(m_accuracy->rows[row]) : QString();
 }
 
@@ -190,7 +212,7 @@ void AccuracyPage::loadCase(std::size_t row) {
 bool AccuracyPage::hasAll() const {
     if (isRunning()) return false;
     if (proof() == Proof::stability) return m_stabilityIsWhole && m_stability && !m_stability->rows.empty();
-    return m_accuracyIsWhole && m_accuracy && m_accuracyOf == scenario() && !m_accuracy->rows.empty();
+    return m_accuracyIsWhole && accuracyOfThis();
 }
 
 QString AccuracyPage::obstacle() const {
@@ -202,8 +224,9 @@ QString AccuracyPage::obstacle() const {
 
 QByteArray AccuracyPage::csv() const {
     if (proof() == Proof::stability) return QByteArray::fromStdString(stabilityCsv(*m_stability));
-    return QByteArray::fromStdString(scenarioHeader(completeScenarioText(document().contents())) +
-                                     accuracyCsv(*m_accuracy));
+    return QByteArray::fromStdString(
+        scenarioHeader(completeScenarioText(document().contents())) +
+        (m_stringAccuracy ? stringAccuracyCsv(*m_stringAccuracy) : accuracyCsv(*m_accuracy)));
 }
 
 QStringList AccuracyPage::commandWords() const {

@@ -23,6 +23,7 @@ class AccuracyPage : public StudyPage {
     explicit AccuracyPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Accuracy"); }
+    bool shows(const Scenario& /*scenario*/) const override { return true; }
     QString command() const override;
     /// How many studies were started.
     int studies() const { return m_study.started(); }
@@ -39,6 +40,7 @@ class AccuracyPage : public StudyPage {
     bool isRunning() const;
     void runOrCancel();
     void takeOver();
+    const void* accuracyOfThis() const;
     void presentAccuracy();
     void presentStability();
     QString nameOf(std::size_t row) const;
@@ -53,9 +55,11 @@ class AccuracyPage : public StudyPage {
     ProofTable* m_accuracyTable;
     ProofTable* m_stabilityTable;
     ProofPlot* m_plot = nullptr;
-    std::shared_ptr<const Accuracy> m_accuracy;  // of the present scenario
-    std::shared_ptr<const StabilityReport> m_stability;
+    // The one or the other, of that scenario.
+    std::shared_ptr<const Accuracy> m_accuracy;
+    std::shared_ptr<const StringAccuracy> m_stringAccuracy;
     Scenario m_accuracyOf;
+    std::shared_ptr<const StabilityReport> m_stability;
     const void* m_taken = nullptr;   // the answer taken over last
     bool m_accuracyIsWhole = false;  // no rows are missing
     bool m_stabilityIsWhole = false;

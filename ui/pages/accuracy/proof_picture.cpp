@@ -99,6 +99,60 @@ QString accuracySentence(const Accuracy& accuracy, const QLocale& locale) {
     return text;
 }
 
+QString rowName(const StringAccuracyRow& row) {
+    switch (row.method) {
+        case StringMethod::quick:
+            return tr("polynomial cells (studies)");
+        case StringMethod::sure:
+            return tr("cut cells (a blow)");
+        case StringMethod::plain:
+            break;
+    }
+    return tr("plain lattice");
+}
+
+ProofPicture accuracyPicture(const StringAccuracy& accuracy, const QLocale& locale) {
+    ProofPicture picture;
+    picture.xLabel = tr("processor time of a solve [s]");
+    picture.yLabel = tr("error of the efficiency");
+    picture.caption = accuracySentence(accuracy, locale);
+    for (std::size_t i = 0; i < accuracy.rows.size(); ++i) {
+        const StringAccuracyRow& row = accuracy.rows[i];
+        if (!(row.time.median > 0)) continue;
+        if (picture.series.empty() || picture.series.back().name != rowName(row))
+            picture.series.push_back({.name = rowName(row),
+                                      .points = ProofSeries::Points::joined,
+                                      .at = {},
+                                      .labels = {},
+                                      .rows = {}});
+        ProofSeries& series = picture.series.back();
+        series.at.append({row.time.median, std::max(row.error, leastError)});
+        series.labels.append(tr("cells of %1").arg(runTimeText(row.cell, locale)));
+        series.rows.append(static_cast<int>(i));
+    }
+    for (ProofSeries& series : picture.series)  // the finest: the table tells of the others
+        for (qsizetype i = 0; i + 1 < series.labels.size(); ++i) series.labels[i].clear();
+    return picture;
+}
+
+QString accuracySentence(const StringAccuracy& accuracy, const QLocale& locale) {
+    const auto numbers = [&](const StringAccuracyRow& row, const QString& words) {
+        return words.arg(magnitudeText(row.error, locale), runTimeText(row.time.median, locale));
+    };
+    const auto isOf = [](StringMethod method) {
+        return [method](const StringAccuracyRow& row) { return row.method == method; };
+    };
+    // The cells that are usual come first of their method, the finest lattice last.
+    const auto sure = std::ranges::find_if(accuracy.rows, isOf(StringMethod::sure));
+    const auto quick = std::ranges::find_if(accuracy.rows, isOf(StringMethod::quick));
+    if (sure == accuracy.rows.end()) return {};
+    QString text = numbers(*sure, tr("efficiency right to %1 in %2"));
+    if (quick != accuracy.rows.end()) text += numbers(*quick, tr(", in studies to %1 in %2"));
+    if (const StringAccuracyRow& last = accuracy.rows.back(); last.method == StringMethod::plain)
+        text += numbers(last, tr("; plain lattice %1 in %2"));
+    return text;
+}
+
 ProofPicture stabilityPicture(const StabilityReport& report, const QLocale& locale) {
     ProofPicture picture;
     picture.xLabel = tr("stiffness over elasticity β/γ, the stiffest rate [1/t₀]");

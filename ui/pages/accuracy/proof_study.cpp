@@ -10,20 +10,42 @@
 namespace drillwave {
 namespace {
 
+constexpr std::size_t parts = 1000;  // of the work
+
+StudyProgress partOf(double done) {
+    return {.done = static_cast<std::size_t>(done * parts), .wanted = parts};
+}
+
+std::runtime_error notSolved(const std::string& reason) {
+    return std::runtime_error(QCoreApplication::translate("drillwave::ProofStudy", "Not solved: %1")
+                                  .arg(QString::fromStdString(reason))
+                                  .toStdString());
+}
+
+ProofAnswer proveStringAccuracy(const ProofQuestion& question, const StudyFeed<ProofAnswer>& feed) {
+    const auto answer = [&](const StringAccuracy& accuracy) {
+        return ProofAnswer{question, nullptr, std::make_shared<const StringAccuracy>(accuracy), nullptr};
+    };
+    feed.show(answer({}));
+    const StringAccuracy accuracy =
+        measureStringAccuracy(question.scenario, feed.stop, [&](const StringAccuracy& soFar, double done) {
+            feed.tell(partOf(done));
+            feed.show(answer(soFar));
+        });
+    if (!accuracy.isStopped && !accuracy.reason.empty()) throw notSolved(accuracy.reason);
+    return answer(accuracy);
+}
+
 ProofAnswer proveAccuracy(const ProofQuestion& question, const StudyFeed<ProofAnswer>& feed) {
-    constexpr std::size_t parts = 1000;  // of the work
     const auto answer = [&](const Accuracy& accuracy) {
-        return ProofAnswer{question, std::make_shared<const Accuracy>(accuracy), nullptr};
+        return ProofAnswer{question, std::make_shared<const Accuracy>(accuracy), nullptr, nullptr};
     };
     feed.show(answer({}));
     Accuracy accuracy = measureAccuracy(
-        question.scenario, latticeLadder(), feed.stop,
-        [&](double done) { feed.tell({.done = static_cast<std::size_t>(done * parts), .wanted = parts}); },
+        question.scenario, latticeLadder(), feed.stop, [&](double done) { feed.tell(partOf(done)); },
         [&](const Accuracy& soFar) { feed.show(answer(soFar)); });
     if (!feed.stop.stop_requested() && accuracy.exact.outcome != Outcome::rebounded)
-        throw std::runtime_error(QCoreApplication::translate("drillwave::ProofStudy", "Not solved: %1")
-                                     .arg(QString::fromStdString(accuracy.exact.reason))
-                                     .toStdString());
+        throw notSolved(accuracy.exact.reason);
     return answer(accuracy);
 }
 
@@ -31,7 +53,7 @@ ProofAnswer proveStability(const ProofQuestion& question, const StudyFeed<ProofA
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::milliseconds between{500};  // of what is shown: all rows are copied
     const auto answer = [&](const StabilityReport& report) {
-        return ProofAnswer{question, nullptr, std::make_shared<const StabilityReport>(report)};
+        return ProofAnswer{question, nullptr, nullptr, std::make_shared<const StabilityReport>(report)};
     };
     feed.show(answer({}));
     const std::vector<StabilityCase> cases = stabilityCases();
@@ -48,7 +70,8 @@ ProofAnswer proveStability(const ProofQuestion& question, const StudyFeed<ProofA
 }  // namespace
 
 ProofAnswer prove(const ProofQuestion& question, const StudyFeed<ProofAnswer>& feed) {
-    return question.proof == Proof::accuracy ? proveAccuracy(question, feed) : proveStability(question, feed);
+    if (question.proof == Proof::stability) return proveStability(question, feed);
+    return isString(question.scenario) ? proveStringAccuracy(question, feed) : proveAccuracy(question, feed);
 }
 
 }  // namespace drillwave

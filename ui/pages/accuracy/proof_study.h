@@ -6,6 +6,7 @@
 
 #include "core/study/proof/accuracy.h"
 #include "core/study/proof/stability.h"
+#include "core/study/proof/string_accuracy.h"
 #include "ui/job/study_job.h"
 
 namespace drillwave {
@@ -24,6 +25,7 @@ struct ProofQuestion {
 struct ProofAnswer {
     ProofQuestion question;
     std::shared_ptr<const Accuracy> accuracy;
+    std::shared_ptr<const StringAccuracy> stringAccuracy;  ///< in its place of a drill string
     std::shared_ptr<const StabilityReport> stability;
 };
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/report/accuracy_columns.h"
+#include "core/report/string_accuracy_columns.h"
 #include "ui/pages/accuracy/proof_picture.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
@@ -100,6 +101,18 @@ void ProofTable::present(std::shared_ptr<const Accuracy> accuracy) {
         // What follows from all rows is there when they are.
         const bool isMissing = !accuracy->isRelated && (shown.key == "order" || shown.key == "speed");
         return isMissing ? QStringLiteral("–") : numberCell(shown.value(row), shown.style);
+    });
+}
+
+void ProofTable::present(std::shared_ptr<const StringAccuracy> accuracy) {
+    QStringList titles{tr("method")};
+    for (const StringAccuracyColumn& column : stringAccuracyColumns) titles << fromView(column.title);
+    const std::size_t rows = accuracy->rows.size();
+    take(titles, numbered(rows), [accuracy](std::size_t i, int column) {
+        const StringAccuracyRow& row = accuracy->rows[i];
+        if (column == 0) return rowName(row);
+        const StringAccuracyColumn& shown = stringAccuracyColumns[static_cast<std::size_t>(column - 1)];
+        return numberCell(shown.value(row), shown.style);
     });
 }
 

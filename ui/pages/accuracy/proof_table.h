@@ -10,6 +10,7 @@
 
 #include "core/study/proof/accuracy.h"
 #include "core/study/proof/stability.h"
+#include "core/study/proof/string_accuracy.h"
 
 namespace drillwave {
 
@@ -22,6 +23,7 @@ class ProofTable : public QAbstractTableModel {
 
     /// The columns of `drillwave accuracy`, in its order of rows.
     void present(std::shared_ptr<const Accuracy> accuracy);
+    void present(std::shared_ptr<const StringAccuracy> accuracy);
     /// The cases, the worst first.
     void present(std::shared_ptr<const StabilityReport> report);
     void clear();

@@ -2,9 +2,12 @@
 // Error against run time over a short ladder.
 #include <QtTest>
 
+#include "core/file/examples.h"
 #include "core/study/proof/accuracy.h"
 #include "core/study/proof/force_difference.h"
+#include "core/study/proof/string_accuracy.h"
 #include "tests/support/scenario.h"
+#include "tests/support/scenario_texts.h"
 #include "tests/support/scenes.h"
 
 using namespace drillwave;
@@ -21,6 +24,41 @@ class TestAccuracy : public QObject {
     Q_OBJECT
 
   private slots:
+    // A reference with cells half as large: what a method says of its error must hold against it, and
+    // constant cells are what they are.
+    void cellsOfAStringAreBetterThanAPlainLattice() {
+        const Scenario scenario = parsed(std::string(findExample("t38_string")->text)).scenario;
+        std::vector<std::size_t> told;
+        const StringAccuracy found =
+            measureStringAccuracy(scenario, {}, [&](const StringAccuracy& soFar, double done) {
+                told.push_back(soFar.rows.size());
+                QVERIFY(done > 0 && done <= 1);
+            });
+        QVERIFY(found.reason.empty() && !found.isStopped);
+        QCOMPARE(told.size(), found.rows.size());
+        QCOMPARE(told.back(), found.rows.size());
+        for (const StringAccuracyRow& row : found.rows) {
+            QVERIFY(row.time.least > 0 && row.time.median >= row.time.least && row.cells > 0);
+            if (row.method == StringMethod::plain) {
+                QVERIFY(row.error > 1e-6 && row.error < 1e-2);  // strings: 6.9e-6 at the finest
+            } else {
+                QVERIFY(row.error < 1e-9);
+                QVERIFY(row.error <= row.stated + found.reference);
+            }
+        }
+    }
+
+    void aStoppedMeasurementOfAStringHasNoRowWithoutATime() {
+        const Scenario scenario = parsed(std::string(findExample("t38_string")->text)).scenario;
+        std::stop_source stop;
+        const StringAccuracy found =
+            measureStringAccuracy(scenario, stop.get_token(), [&](const StringAccuracy& soFar, double) {
+                if (soFar.rows.size() == 2) stop.request_stop();
+            });
+        QVERIFY(found.isStopped);
+        QCOMPARE(found.rows.size(), std::size_t{2});
+    }
+
     void errorsAreThoseOfTheTwoPublishedBlows() {
         const std::vector<int> ladder{250, 500, 1000};
         const Accuracy found = measureAccuracy(elastic, ladder);

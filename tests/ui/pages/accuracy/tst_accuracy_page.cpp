@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/report/accuracy_columns.h"
+#include "core/report/string_accuracy_columns.h"
 #include "tests/support/program.h"
 #include "ui/pages/accuracy/accuracy_page.h"
 #include "ui/pages/accuracy/proof_picture.h"
@@ -33,8 +34,11 @@ class TestAccuracyPage : public QObject {
     void aClickLoadsACaseAsOneStep();
     void keysGoFromCaseToCase();
     void theCommandIsThatOfTheTab();
+    void aStringIsMeasuredByItsMethods();
+    void aRodTakesTheMeasurementOfAStringAway();
 
   private:
+    void measureString();
     QPushButton* button() const { return m_page->findChild<QPushButton*>("run"); }
     QTabWidget* tabs() const { return m_page->findChild<QTabWidget*>("proofs"); }
     QTableView* table(const char* name) const { return m_page->findChild<QTableView*>(name); }
@@ -215,6 +219,37 @@ void TestAccuracyPage::theCommandIsThatOfTheTab() {
     QVERIFY(m_page->command().startsWith(QStringLiteral("drillwave accuracy - -o - <<'END'\n")));
     tabs()->setCurrentIndex(1);
     QCOMPARE(m_page->command(), QStringLiteral("drillwave stability -o -"));
+}
+
+void TestAccuracyPage::measureString() {
+    QVERIFY(m_document->open(test::example(QStringLiteral("t38_string"))).isEmpty());
+    m_page->show();
+    QTest::mouseClick(button(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(m_page->activity()->state(), StudyState::finished, 60'000);
+}
+
+void TestAccuracyPage::aStringIsMeasuredByItsMethods() {
+    measureString();
+    const QAbstractItemModel* rows = table("accuracyTable")->model();
+    QCOMPARE(rows->columnCount(), int(stringAccuracyColumns.size()) + 1);
+    QCOMPARE(rows->rowCount(), points());
+    QCOMPARE(rows->index(0, 0).data().toString(), rowName(StringAccuracyRow()));
+    QCOMPARE(m_page->plot()->graphCount(), 3);
+    QVERIFY(m_page->exports().first().obstacle().isEmpty());
+    const QByteArray csv = m_page->exports().first().csv();
+    QVERIFY(csv.contains("\nmethod,cell_s,error_efficiency,") && csv.contains("\nplain,"));
+    QVERIFY(m_page->command().startsWith(QStringLiteral("drillwave accuracy ")));
+    // The cases of the other tab are rods, which it says.
+    QVERIFY2(tabs()->tabText(1).contains(QStringLiteral("uniform rods")), qPrintable(tabs()->tabText(1)));
+}
+
+void TestAccuracyPage::aRodTakesTheMeasurementOfAStringAway() {
+    measureString();
+    m_document->start();
+    QCOMPARE(table("accuracyTable")->model()->rowCount(), 0);
+    QCOMPARE(points(), 0);
+    QVERIFY(!m_page->exports().first().obstacle().isEmpty());
+    QVERIFY(!tabs()->tabText(1).contains(QStringLiteral("uniform rods")));
 }
 
 QTEST_MAIN(TestAccuracyPage)
