@@ -108,8 +108,14 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(m_rodPage, PageGroup::thisBlow);
     m_stringPage = new StringPage(m_document);
     m_pages->add(m_stringPage, PageGroup::thisBlow);
-    m_pages->add(new StiffnessPage(m_document), PageGroup::studies);
-    m_pages->add(new GapPage(m_document), PageGroup::studies);
+    auto* stiffness = new StiffnessPage(m_document);
+    m_pages->add(stiffness, PageGroup::studies);
+    auto* gap = new GapPage(m_document);
+    m_pages->add(gap, PageGroup::studies);
+    connect(gap, &GapPage::curveRequested, this, [this, stiffness] {
+        stiffness->varyGap();
+        m_pages->setCurrentWidget(stiffness);
+    });
     m_pages->add(new MapPage(m_document), PageGroup::studies);
     m_pages->add(new ThrustPage(m_document), PageGroup::studies);
     m_pages->add(new AccuracyPage(m_document), PageGroup::studies);

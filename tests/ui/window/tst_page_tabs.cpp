@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
@@ -15,6 +16,10 @@
 #include "ui/form/scenario_panel.h"
 #include "ui/job/study_status.h"
 #include "ui/pages/compare/compare_page.h"
+#include "ui/pages/gap/gap_page.h"
+#include "ui/pages/stiffness/stiffness_page.h"
+#include "ui/pages/stiffness/stiffness_plot.h"
+#include "ui/pages/study/axis_fields.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
 #include "ui/window/page_tabs.h"
@@ -63,6 +68,7 @@ class TestPageTabs : public QObject {
     void onlyTheStudyOfThePageOnShowIsFollowed();
     void theStudyMenuHasTheStudies();
     void noPageIsChosenThatShowsNothingOfAString();
+    void theGapOfAStringIsVariedByOneClick();
 
   private:
     void press(QWidget& window, Qt::Key key, Qt::KeyboardModifiers modifiers) {
@@ -276,10 +282,33 @@ void TestPageTabs::noPageIsChosenThatShowsNothingOfAString() {
         if (action->isSeparator()) break;
         if (action->isEnabled()) enabled << action->text();
     }
-    QCOMPARE(enabled, (QStringList{QStringLiteral("Efficiency–stiffness"), QStringLiteral("Map")}));
+    QCOMPARE(enabled,
+             (QStringList{QStringLiteral("Efficiency–stiffness"), QStringLiteral("COR–gap"),
+                          QStringLiteral("Map"), QStringLiteral("Thrust"), QStringLiteral("Accuracy")}));
     // A place of the rod's blow, which is on show until the string is solved.
     emit part<ResultPanel>(*window).placeChosen(0.5, 1);
     QCOMPARE(pages.currentWidget(), &compare);
+}
+
+void TestPageTabs::theGapOfAStringIsVariedByOneClick() {
+    const auto window = newWindow(m_answers);
+    window->show();
+    auto& pages = part<PageTabs>(*window);
+    const Example& example = *findExample("t38_string");
+    QCOMPARE(window->document().startFrom(example.text, QStringLiteral("t38")), QString());
+    auto& gap = part<GapPage>(*window);
+    pages.setCurrentWidget(&gap);
+    QTest::mouseClick(gap.findChild<QPushButton*>("curve"), Qt::LeftButton);
+    auto& stiffness = part<StiffnessPage>(*window);
+    QCOMPARE(pages.currentWidget(), &stiffness);
+    const StudyRange& range = stiffness.axis()->range();
+    QCOMPARE(range.parameter->key, std::string_view("bit_rock.gap"));
+    QCOMPARE(range.start, 0.0);
+    QCOMPARE(range.stop, 9e-3);  // 4 v0 t0 = 8.5 mm
+    QCOMPARE(stiffness.study().started(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(stiffness.activity()->state(), StudyState::finished, 60'000);
+    const QVector<QCPGraph*>& graphs = stiffness.stiffnessPlot()->graphs();
+    QTRY_VERIFY(!graphs.isEmpty() && graphs.first()->dataCount() > 100);
 }
 
 QTEST_MAIN(TestPageTabs)

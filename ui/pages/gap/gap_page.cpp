@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/gap/gap_page.h"
 
+#include <QPushButton>
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +22,11 @@ bool isDimensional(const Scenario& scenario) {
     return scenario.form == ScenarioForm::dimensional;
 }
 
+// A drill string has no curve to lay over others.
+bool isCompared(const Run& run) {
+    return run.isShown && run.isSolved() && !isString(run.contents.scenario);
+}
+
 // Its gap is where its mark is, and matters no further.
 Scenario withoutGap(const Run& run) {
     return gapQuestion(run.contents.scenario, {}).scenario;
@@ -32,9 +38,11 @@ GapPage::GapPage(Document& document, QWidget* parent)
     : StudyPage(document, parent),
       m_output(outputBox()),
       m_scatter(new ScatterFields(this)),
+      m_curve(curveButton()),
       m_study(&answer),
       m_runGaps(runGap) {
-    PlotWidget* plot = arrange(QList<QWidget*>{m_output, m_scatter} + m_scatter->fields());
+    PlotWidget* plot =
+        arrange(QList<QWidget*>{m_output, m_scatter} + m_scatter->fields() + QList<QWidget*>{m_curve});
     m_plot = new GapPlot(plot);
     plot->setAccessibleName(tr("Result over the gap, and how its values are distributed"));
     plot->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
@@ -60,11 +68,35 @@ ChoiceBox* GapPage::outputBox() {
     return box;
 }
 
+QPushButton* GapPage::curveButton() {
+    auto* button = new QPushButton(tr("Results over the gap"), this);
+    button->setObjectName(QStringLiteral("curve"));
+    button->setToolTip(tr("The page Efficiency–stiffness with the gap as what is varied"));
+    button->hide();
+    connect(button, &QPushButton::clicked, this, &GapPage::curveRequested);
+    return button;
+}
+
 GapOutput GapPage::output() const {
     return static_cast<GapOutput>(m_output->currentData().toInt());
 }
 
+// Its controls are of gaps that have a period.
+void GapPage::followForm() {
+    const bool ofString = isString(scenario());
+    m_curve->setVisible(ofString);
+    findChild<QPushButton*>(QStringLiteral("copyCommand"))->setVisible(!ofString);
+    m_output->setVisible(!ofString);
+    m_scatter->setVisible(!ofString);
+    for (QWidget* box : m_scatter->fields()) box->setVisible(!ofString && m_scatter->normal().has_value());
+}
+
 void GapPage::ask() {
+    followForm();
+    if (isString(scenario())) {
+        m_study.ask(gapQuestion(scenario(), {}));
+        return;
+    }
     m_scatter->present(scenario());
     m_study.ask(gapQuestion(scenario(), m_scatter->normal()));
 }
@@ -83,10 +115,14 @@ GapPage::Shown GapPage::wanted() const {
 void GapPage::present() {
     Shown shown = wanted();
     if (!shown.answer) return;
-    if (!(shown == m_shown)) {
-        m_shown = std::move(shown);
-        draw();
+    const bool isNew = !(shown == m_shown);
+    if (isNew) m_shown = std::move(shown);
+    if (const QString& why = m_shown.answer->problem; !why.isEmpty()) {
+        if (isNew) showNothing(why);
+        return;
     }
+    if (isNew) draw();
+    if (isString(scenario())) return;  // its answer is on the way
     placeHere();
     askRuns();
     showRuns();
@@ -95,7 +131,7 @@ void GapPage::present() {
 void GapPage::askRuns() {
     std::vector<Scenario> scenarios;
     for (const Run& run : runs())
-        if (run.isShown && run.isSolved()) scenarios.push_back(withoutGap(run));
+        if (isCompared(run)) scenarios.push_back(withoutGap(run));
     m_runGaps.ask(scenarios);
 }
 
@@ -107,7 +143,7 @@ void GapPage::showRuns() {
     QVector<RunCurve> curves;
     QVector<RunMark> marks;
     for (const Run& run : runs()) {
-        if (!run.isShown || !run.isSolved()) continue;
+        if (!isCompared(run)) continue;
         const auto units = unitsOf(*run.blow, m_shown.units, scalesOf(m_shown.answer->report.scenario));
         const GapCurve* found = m_runGaps.find(withoutGap(run));
         if (!units || !found) continue;
@@ -151,6 +187,21 @@ void GapPage::draw() {
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
+void GapPage::showNothing(const QString& why) {
+    m_plot->showNothing(why);
+    plot()->setAccessibleDescription(why);
+    say(
+        tr("A drill string has no curve of gaps that repeat. “Results over the gap” shows any result over "
+           "the gap "
+           "point by point, without a distribution."));
+    plot()->replot(QCustomPlot::rpQueuedReplot);
+}
+
+QString GapPage::obstacle() const {
+    if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
+    return m_shown.answer ? m_shown.answer->problem : QString();
+}
+
 // On the curve that is shown, and in its period: beyond it everything repeats.
 void GapPage::placeHere() {
     const GapCurve& curve = m_shown.answer->report.curve;
@@ -164,7 +215,7 @@ void GapPage::placeHere() {
 
 // A click in the plot.
 void GapPage::takeGap(double shownGap, Qt::KeyboardModifiers modifiers) {
-    if (!m_shown.answer) return;
+    if (!m_shown.answer || isString(scenario())) return;
     const double gap = std::max(0.0, shownGap / m_picture.gap.factor);
     if (isDimensional(scenario()))
         take({{findParameter("bit_rock.gap"), gap * scalesOf(scenario()).penetration}}, modifiers);
@@ -193,6 +244,7 @@ QByteArray GapPage::csv() const {
 }
 
 QStringList GapPage::commandWords() const {
+    if (isString(scenario())) return {};
     QStringList words{QStringLiteral("gap")};
     words << m_scatter->commandWords();
     if (isDimensional(scenario())) words << QStringLiteral("--si");

@@ -8,6 +8,8 @@
 #include "ui/pages/gap/run_gaps.h"
 #include "ui/pages/study/study_page.h"
 
+class QPushButton;
+
 namespace drillwave {
 
 class ChoiceBox;
@@ -21,6 +23,8 @@ class GapPage : public StudyPage {
     explicit GapPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("COR–gap"); }
+    /// Of a drill string it says why it has nothing to show, and where a curve over the gap is.
+    bool shows(const Scenario& /*scenario*/) const override { return true; }
     /// How many studies were started.
     int studies() const { return m_study.started(); }
 
@@ -28,9 +32,14 @@ class GapPage : public StudyPage {
     int runStudies() const { return m_runGaps.started(); }
     GapPlot* gapPlot() const { return m_plot; }
 
+  signals:
+    /// The user wants results over the gap of a drill string, which another page shows.
+    void curveRequested();
+
   protected:
     void ask() override;
     void present() override;
+    QString obstacle() const override;
     QByteArray csv() const override;
     QStringList commandWords() const override;
 
@@ -42,9 +51,12 @@ class GapPage : public StudyPage {
         bool operator==(const Shown&) const = default;
     };
     ChoiceBox* outputBox();
+    QPushButton* curveButton();
+    void followForm();
     GapOutput output() const;
     Shown wanted() const;
     void draw();
+    void showNothing(const QString& why);
     void placeHere();
     void askRuns();
     void showRuns();
@@ -53,6 +65,7 @@ class GapPage : public StudyPage {
 
     ChoiceBox* m_output;
     ScatterFields* m_scatter;
+    QPushButton* m_curve;
     GapPlot* m_plot = nullptr;
     Shown m_shown;
     GapPicture m_picture;

@@ -42,7 +42,8 @@ class Preview {
                                     .statistics = {},
                                     .runTime = 0,
                                     .scenarioText = {}},
-                         .samples = m_samples});
+                         .samples = m_samples,
+                         .problem = {}});
         }
     }
 
@@ -90,12 +91,22 @@ QString scatterProblem(const NormalGap& normal) {
 }
 
 GapQuestion gapQuestion(Scenario scenario, const std::optional<NormalGap>& normal) {
-    findParameter("delta")->assign(scenario, 0);
+    if (!isString(scenario)) findParameter("delta")->assign(scenario, 0);
     return {std::move(scenario), normal};
 }
 
 GapAnswer answer(const GapQuestion& question, const StudyFeed<GapAnswer>& feed) {
     constexpr std::size_t parts = 1000;  // of the work
+    if (isString(question.scenario)) {
+        GapAnswer none{};
+        none.report.scenario = question.scenario;
+        none.problem = tr(
+            "Results of a uniform rod repeat over the gap, with every round trip of its waves. Those of a "
+            "drill "
+            "string do not: there is no period over which values could be counted, and so no share of gaps, "
+            "no mean and no worst gap.");
+        return none;
+    }
     if (question.normal)
         if (const QString problem = scatterProblem(*question.normal); !problem.isEmpty())
             throw std::runtime_error(problem.toStdString());
@@ -104,7 +115,8 @@ GapAnswer answer(const GapQuestion& question, const StudyFeed<GapAnswer>& feed) 
         feed.tell({.done = static_cast<std::size_t>(done * parts), .wanted = parts});
     };
     GapAnswer found{.report = studyGap(question.scenario, question.normal, feed.stop, progress),
-                    .samples = {}};
+                    .samples = {},
+                    .problem = {}};
     if (!feed.stop.stop_requested() && !found.isComplete())
         throw std::runtime_error(tr("Not solved at all gaps: %1")
                                      .arg(QString::fromStdString(found.report.curve.reason))

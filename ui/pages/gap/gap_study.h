@@ -33,6 +33,7 @@ struct GapSample {
 struct GapAnswer {
     GapReport report;                ///< of the question's scenario
     std::vector<GapSample> samples;  ///< ascending, while there is no more: the report holds no curve then
+    QString problem;                 ///< why there is nothing at all, of a drill string; else empty
     bool isComplete() const { return report.curve.isComplete(); }
 };
 

@@ -108,6 +108,16 @@ QString StiffnessPage::title() const {
     return m_ofString ? tr("Efficiency–stiffness") : tr("COR–stiffness");
 }
 
+void StiffnessPage::varyGap() {
+    constexpr double blows = 4;  // d0: beyond, the bit hardly ever is
+    const std::string_view key = hasUnits(scenario()) ? "bit_rock.gap" : "delta";
+    const Parameter& gap = *findParameter(key);
+    const double d0 = hasUnits(scenario()) ? scalesOf(scenario()).penetration : 1;
+    m_axis->present(scenario());
+    m_axis->setRange(
+        {&gap, 0, readableNear(gap, std::max(blows * d0, 2 * gap.value(scenario()).value_or(0))), false});
+}
+
 // The paper's curves and its family of elasticities are of uniform rods.
 void StiffnessPage::followForm() {
     const bool ofString = isString(scenario());

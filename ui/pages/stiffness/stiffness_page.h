@@ -36,6 +36,8 @@ class StiffnessPage : public StudyPage {
     FamilyFields* family() const { return m_family; }
     OutputBox* output() const { return m_output; }
     const AskedStudy<StiffnessQuestion, StiffnessStudy>& study() const { return m_study; }
+    /// Varies the gap, from none to a few times what the bit moves in a blow.
+    void varyGap();
     const RunLines& runLines() const { return m_runLines; }
 
   protected:

@@ -14,17 +14,6 @@ std::string valueText(const Parameter& parameter, double si) {
     return formatQuantity(si, parameter.quantity, parameter.displayUnit());
 }
 
-// The nearest number with one significant digit, in the unit that the parameter is shown in.
-double readable(const Parameter& parameter, double si) {
-    const Unit& unit = parameter.displayUnit();
-    const double shown = unit.fromSi(si);
-    if (!(std::abs(shown) > 0) || !std::isfinite(shown)) return si;
-    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(shown))));
-    const double digit = std::round(shown / std::pow(10, exponent));
-    // Through text: 0.3, not 0.30000000000000004.
-    return unit.toSi(*parseNumber(formatNumber(digit) + "e" + std::to_string(exponent)));
-}
-
 bool isValidAt(const Parameter& parameter, Scenario scenario, double si) {
     if (!rangeProblem(parameter, si).empty()) return false;
     parameter.assign(scenario, si);
@@ -38,7 +27,7 @@ StudyRange rangeAroundSection(const Parameter& parameter, const Scenario& scenar
     if (!(value > 0)) return {&parameter, 0, parameter.plausible.high / 10, false};
     const auto end = [&](double sign) {
         for (const double share : {0.5, 0.4, 0.3, 0.2, 0.1}) {
-            const double si = readable(parameter, value * (1 + sign * share));
+            const double si = readableNear(parameter, value * (1 + sign * share));
             if (si * sign > value * sign && isValidAt(parameter, scenario, si)) return si;
         }
         return value * (1 + sign / 100);
@@ -47,6 +36,16 @@ StudyRange rangeAroundSection(const Parameter& parameter, const Scenario& scenar
 }
 
 }  // namespace
+
+double readableNear(const Parameter& parameter, double si) {
+    const Unit& unit = parameter.displayUnit();
+    const double shown = unit.fromSi(si);
+    if (!(std::abs(shown) > 0) || !std::isfinite(shown)) return si;
+    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(shown))));
+    const double digit = std::round(shown / std::pow(10, exponent));
+    // Through text: 0.3, not 0.30000000000000004.
+    return unit.toSi(*parseNumber(formatNumber(digit) + "e" + std::to_string(exponent)));
+}
 
 std::string StudyRange::text() const {
     return std::string(parameter->key) + "=" + valueText(*parameter, start) + ":" +
@@ -64,8 +63,8 @@ StudyRange rangeAround(const Parameter& parameter, const Scenario& scenario) {
         range.start = logarithmic ? value / 10 : std::min(usual.low, value);
         range.stop = logarithmic ? value * 10 : value * 2;
     }
-    range.start = readable(parameter, range.start);
-    range.stop = readable(parameter, range.stop);
+    range.start = readableNear(parameter, range.start);
+    range.stop = readableNear(parameter, range.stop);
     if (!hard.contains(range.stop)) range.stop = hard.contains(hard.high) ? hard.high : usual.high;
     if (!hard.contains(range.start)) range.start = hard.contains(hard.low) ? hard.low : usual.low;
     return range;

@@ -29,6 +29,9 @@ struct StudyRange {
     std::uint64_t pointsWithin(std::uint64_t most) const;
 };
 
+/// The nearest value with one significant digit in the unit that the parameter is shown in.
+double readableNear(const Parameter& parameter, double si);
+
 /// A range around the value that a parameter has in the scenario, with ends that are easily read and inside
 /// its hard range. Requires applies().
 StudyRange rangeAround(const Parameter& parameter, const Scenario& scenario);
