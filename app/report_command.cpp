@@ -84,7 +84,7 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const ReportPlace place = placeOf(arguments);
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
-    const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    const ScenarioDocument document = loadScenarioArgument(path, arguments, DrillStrings::taken);
     check(place, path, document, overwrite);
 
     const Interruption interruption;
@@ -112,7 +112,9 @@ const Command& reportCommand() {
             "FILE.html holds everything in one file, its pictures and the scenario too, and can be run\n"
             "again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on two to four pages of\n"
             "A4. DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has\n"
-            "units, and those of `run --json`; the source of a value is the comment behind it in the file.",
+            "units, and those of `run --json`; the source of a value is the comment behind it in the file. "
+            "Of a\n"
+            "drill string also its sections, drawn to scale, with their largest stresses.",
         .options = scenarioOptions({{"o", "DIR|FILE.html|FILE.pdf", "where to write; - prints the HTML"},
                                     {"force", "", "overwrite existing files"}}),
         .leastOperands = 1,

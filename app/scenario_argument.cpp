@@ -193,8 +193,9 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
     return input;
 }
 
-ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments) {
-    ScenarioInput input = loadScenarioInput(path, arguments);
+ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments,
+                                      DrillStrings drillStrings) {
+    ScenarioInput input = loadScenarioInput(path, arguments, drillStrings);
     if (input.method && input.method->method != Method::exact)
         std::fprintf(stderr, "%s: note: was solved by %s; this command solves exactly\n",
                      inputName(path).c_str(), describe(*input.method).c_str());

@@ -34,7 +34,8 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
                                 DrillStrings drillStrings = DrillStrings::refused);
 
 /// The same for a command that solves exactly, whatever a result was solved by: says so where it matters.
-ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments);
+ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments,
+                                      DrillStrings drillStrings = DrillStrings::refused);
 
 /// Throws CommandError (usage) if `output`, which the command writes, is one of the files that are read: the
 /// scenario file, its table of a pulse, or one of the `others`.

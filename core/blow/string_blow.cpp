@@ -135,6 +135,18 @@ std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Strin
     return stresses;
 }
 
+StringPeak largestCompression(const std::vector<SectionStress>& stresses) {
+    const auto found = std::ranges::max_element(stresses, {}, &SectionStress::compression);
+    return {static_cast<std::size_t>(found - stresses.begin()), found->compression, found->compressionPlace,
+            found->compressionTime};
+}
+
+StringPeak largestTension(const std::vector<SectionStress>& stresses) {
+    const auto found = std::ranges::max_element(stresses, {}, &SectionStress::tension);
+    return {static_cast<std::size_t>(found - stresses.begin()), found->tension, found->tensionPlace,
+            found->tensionTime};
+}
+
 namespace {
 
 /// The key of a strength of a section, for which a parameter is kept for ever.

@@ -41,6 +41,18 @@ struct SectionStress {
 /// Of every section of the hammer and then of the string, where the forces were asked for.
 std::vector<SectionStress> sectionStresses(const Scenario& scenario, const StringBlow& blow);
 
+/// A largest stress of a string, and where.
+struct StringPeak {
+    std::size_t section = 0;  ///< of sectionStresses()
+    double stress = 0;        ///< [Pa], ≥ 0
+    double place = 0;         ///< [m] from the rear end of the section
+    double time = 0;          ///< [s]
+};
+/// The largest compression and tension over all sections, of the first where several are as large. Requires
+/// sections.
+StringPeak largestCompression(const std::vector<SectionStress>& stresses);
+StringPeak largestTension(const std::vector<SectionStress>& stresses);
+
 /// What the result of a string gives reason to say: sections beyond their strength, lengths that were
 /// rounded, a blow that was not over. To be listed behind alertsFor(scenario).
 std::vector<Alert> stringAlerts(const Scenario& scenario, const StringBlow& blow);

@@ -52,7 +52,7 @@ void addThrust(BlowReport& report, const std::stop_token& stop, const GapProgres
     report.blow.thrustMargin = thrust.study.margin();
     // The frequency changes no blow, and nothing over the gap.
     GapReboundFinder finder;
-    finder.remember(report.blow.solved, thrust.study.rebounds);
+    if (!isString(scenario)) finder.remember(report.blow.solved, thrust.study.rebounds);
     if (const std::optional<SweepAxis> axis = frequencyAxis(scenario))
         thrust.along =
             ThrustAlong{*axis, thrustAlong(scenario, *axis->parameter, valuesOf(*axis), finder, stop)};
@@ -78,7 +78,7 @@ BlowReport studyReport(const Scenario& scenario, const std::stop_token& stop, co
     report.blow = solveBlow(scenario, {}, Detail::histories, stop, Stresses::wanted);
     if (!report.blow.isSolved()) return report;
     addThrust(report, stop, partOf(progress, 0, shareOfThrust));
-    addGap(report, stop, partOf(progress, shareOfThrust, 1));
+    if (!isString(scenario)) addGap(report, stop, partOf(progress, shareOfThrust, 1));
     return report;
 }
 

@@ -23,20 +23,32 @@ struct ReportInput {
     bool operator==(const ReportInput&) const = default;
 };
 
+/// A section of a hammer or a string as the file has it, once.
+struct ReportSection {
+    std::string key;                  ///< "hammer.1", "string.2": its first place
+    std::string place;                ///< "hammer 1", "2"
+    std::string name;                 ///< may be empty
+    int times = 1;                    ///< how often it comes
+    std::vector<ReportInput> values;  ///< that it gives, by the key of their SectionField
+    std::string source;               ///< where they are from, never empty
+    bool operator==(const ReportSection&) const = default;
+};
+
 /// What a report tells. It does not depend on when, where and how fast it was made.
 struct BlowReport {
-    Blow blow;                           ///< solved exactly with histories, stresses and margin of the thrust
-    std::string scenarioText;            ///< gives its scenario again
-    std::vector<ReportInput> inputs;     ///< in the order of a file
-    std::optional<GapReport> gap;        ///< where e depends on the gap and is known at all gaps
-    std::string gapProblem;              ///< why not, in a sentence, else empty
-    std::optional<ThrustReport> thrust;  ///< with study and curve, where blows have a frequency
-    std::string thrustProblem;           ///< why not, likewise
+    Blow blow;                        ///< solved exactly with histories, stresses and margin of the thrust
+    std::string scenarioText;         ///< gives its scenario again
+    std::vector<ReportInput> inputs;  ///< in the order of a file
+    std::vector<ReportSection> sections;  ///< of hammer and string, likewise; none of a uniform rod
+    std::optional<GapReport> gap;         ///< where e depends on the gap and is known at all gaps
+    std::string gapProblem;               ///< why not, in a sentence, else empty; empty of a string
+    std::optional<ThrustReport> thrust;   ///< with study and curve, where blows have a frequency
+    std::string thrustProblem;            ///< why not, likewise
 };
 
 /// Solves a valid scenario and, unless that takes more than mostPiecesInPassing, follows it over the gap and
-/// the blow frequency: all but scenarioText and inputs. Where the blow is not solved there is nothing else. A
-/// stop leaves it unsolved, or without studies.
+/// the blow frequency: all but scenarioText, inputs and sections. A string has no curve over the gap. Where
+/// the blow is not solved there is nothing else. A stop leaves it unsolved, or without studies.
 BlowReport studyReport(const Scenario& scenario, const std::stop_token& stop = {},
                        const GapProgress& progress = {});
 

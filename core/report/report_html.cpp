@@ -2,7 +2,9 @@
 #include "core/report/report_html.h"
 
 #include <algorithm>
+#include <ranges>
 
+#include "core/model/section_field.h"
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
 #include "core/report/feed_words.h"
@@ -10,6 +12,7 @@
 #include "core/report/html_text.h"
 #include "core/report/paper_text.h"
 #include "core/report/report_numbers.h"
+#include "core/report/string_text.h"
 #include "core/text/json.h"
 
 namespace drillwave {
@@ -61,6 +64,7 @@ std::string sentence(std::string text) {
 /// What paper shows of texts that may be of any length, so that they do not fill it: of a line of the
 /// scenario as many columns as 180 mm have of 6.5 pt; of a title, of a cell, and of a list of gaps.
 constexpr std::size_t paperColumns = 120;
+constexpr std::size_t mostSectionsOnPaper = 24;
 constexpr std::size_t mostTitleColumns = 160, mostCellColumns = 120, mostListColumns = 800;
 
 class Page {
@@ -70,8 +74,8 @@ class Page {
 
     std::string body(const std::vector<ReportPicture>& pictures) const {
         return htmlElement("h1", bounded(reportTitle(m_report), mostTitleColumns)) + "\n" +
-               paragraph(about()) + feed() + alerts() + inputs() + scales() + results() + thrust() + gap() +
-               scenario() + plots(pictures);
+               paragraph(about()) + feed() + alerts() + inputs() + sections(pictures) + scales() + results() +
+               energies() + stresses() + thrust() + gap() + scenario() + plots(pictures);
     }
 
   private:
@@ -87,9 +91,14 @@ class Page {
     }
 
     std::string about() const {
-        return std::string("Report on one blow of a percussive drill, written by Drillwave ") + versionText +
-               ", solved by " + describe(blow().method) +
-               ". Tension is positive. One uniform rod; joints and the mass of the bit are not modelled.";
+        const std::string begin =
+            std::string("Report on one blow of a percussive drill, written by Drillwave ") + versionText +
+            ", solved by " + (blow().string ? "polynomial cells" : describe(blow().method)) +
+            ". Tension is positive. ";
+        return begin + (blow().string
+                            ? "Hammer and string of uniform sections; bending, torsion and friction "
+                              "in threads beyond a loss factor are not modelled."
+                            : "One uniform rod; joints and the mass of the bit are not modelled.");
     }
 
     std::string feed() const {
@@ -144,6 +153,49 @@ class Page {
         return heading("Inputs") + table("inputs", {"key", "what", "value", "source"}, rows);
     }
 
+    /// Hammer and string as the file has them, and drawn.
+    std::string sections(const std::vector<ReportPicture>& pictures) const {
+        if (m_report.sections.empty()) return {};
+        std::vector<std::string> titles{"place", "section", "times"};
+        std::vector<const SectionField*> fields;
+        for (const SectionField& field : sectionFields()) {
+            const auto gives = [&](const ReportSection& section) { return valueOf(section, field); };
+            if (std::ranges::none_of(m_report.sections, gives)) continue;
+            fields.push_back(&field);
+            titles.emplace_back(field.label);
+        }
+        titles.emplace_back("source");
+        std::string rows;
+        const std::size_t shown = isScreen() ? m_report.sections.size() : mostSectionsOnPaper;
+        for (const ReportSection& section : m_report.sections | std::views::take(shown)) {
+            std::string cells = htmlElement("td", section.place) + htmlElement("td", bounded(section.name)) +
+                                htmlElement("td", std::to_string(section.times));
+            for (const SectionField* field : fields) {
+                const ReportInput* value = valueOf(section, *field);
+                cells += value ? cell(bounded(value->value), value->si) : htmlElement("td", "");
+            }
+            rows += row(section.key, cells + htmlElement("td", bounded(section.source)));
+        }
+        std::string html =
+            heading("Hammer and string") + table("sections", titles, rows) + rest(m_report.sections.size());
+        for (const ReportPicture& picture : pictures)
+            if (picture.name == stringPicture) html += isScreen() ? figure(picture) : printed(picture);
+        return html;
+    }
+
+    static const ReportInput* valueOf(const ReportSection& section, const SectionField& field) {
+        const auto found = std::ranges::find(section.values, field.key, &ReportInput::key);
+        return found == section.values.end() ? nullptr : &*found;
+    }
+
+    /// Where a table of so many sections is not all of them.
+    std::string rest(std::size_t sections) const {
+        return isScreen() || sections <= mostSectionsOnPaper
+                   ? std::string()
+                   : paragraph("The other " + std::to_string(sections - mostSectionsOnPaper) +
+                               " sections are in the report as HTML.");
+    }
+
     std::string numbers(const std::vector<ReportRow>& lines, bool tellsKey) const {
         std::string rows;
         for (const ReportRow& line : lines) {
@@ -176,10 +228,37 @@ class Page {
         if (hasUnits(blow().scenario)) titles.emplace_back("in SI");
         titles.emplace_back("where and when");
         return heading("Results") + table("results", titles, numbers(resultRows(blow()), false)) +
+               paragraph(std::string(blow().string ? "E₀ and p₀ are energy and momentum of the hammer. "
+                                                     "The error of the efficiency"
+                                                   : "W is the work of the hammer. The bound on e") +
+                         " and the errors of the balances are numerical; what is known of rock and " +
+                         (blow().string ? "string" : "rod") + " is far coarser.");
+    }
+
+    std::string energies() const {
+        if (!blow().string) return {};
+        return heading("Where the energy went") +
+               tableOf("energies", htmlRows(printedUnits(titled({"", "share of E₀", "energy"},
+                                                                stringEnergyGrid(blow()).rows()))));
+    }
+
+    static std::vector<std::vector<std::string>> titled(std::vector<std::string> titles,
+                                                        std::vector<std::vector<std::string>> rows) {
+        rows.insert(rows.begin(), std::move(titles));
+        return rows;
+    }
+
+    std::string stresses() const {
+        if (!blow().string || blow().string->impact.sections.empty()) return {};
+        std::vector<std::vector<std::string>> rows = stringSectionGrid(blow()).rows();
+        const std::size_t sections = rows.size() - 1;
+        if (!isScreen()) rows.resize(std::min(sections, mostSectionsOnPaper) + 1);
+        return heading("Largest stresses of every section") +
+               tableOf("stresses", htmlRows(printedUnits(std::move(rows)))) + rest(sections) +
                paragraph(
-                   "W is the work of the hammer. The bound on e and the errors of the balances are "
-                   "numerical; "
-                   "what is known of rock and rod is far coarser.");
+                   "Places are from the rear end of a section. What a joint reflects is the energy of the "
+                   "waves "
+                   "from the hammer that the far end of the section throws back, of that of the hammer.");
     }
 
     std::string thrust() const {
@@ -189,6 +268,7 @@ class Page {
     }
 
     std::string gap() const {
+        if (blow().string) return {};
         std::string html = heading("All gaps between bit and rock");
         if (!m_report.gap) return html + paragraph(sentence(m_report.gapProblem));
         if (const std::string remark = m_report.gap->periodRemark(); !remark.empty())
@@ -212,7 +292,8 @@ class Page {
 
     std::string plots(const std::vector<ReportPicture>& pictures) const {
         std::string html = heading("Plots");
-        for (const ReportPicture& picture : pictures) html += isScreen() ? figure(picture) : printed(picture);
+        for (const ReportPicture& picture : pictures)
+            if (picture.name != stringPicture) html += isScreen() ? figure(picture) : printed(picture);
         return html;
     }
 
@@ -235,11 +316,12 @@ class Page {
 
 /// Read as the JSON of a command is; nothing in it can end the <script>.
 std::string recordText(const BlowReport& report) {
-    const std::string json = Json(JsonObject{{"version", versionText},
-                                             {"method", name(report.blow.method.method)},
-                                             {"title", report.blow.scenario.title},
-                                             {"scenario", report.scenarioText}})
-                                 .text();
+    const std::string json =
+        Json(JsonObject{{"version", versionText},
+                        {"method", report.blow.string ? "polynomial_cells" : name(report.blow.method.method)},
+                        {"title", report.blow.scenario.title},
+                        {"scenario", report.scenarioText}})
+            .text();
     std::string safe;
     for (const char c : json) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
     return safe;

@@ -17,6 +17,9 @@ struct ReportPicture {
     std::string source;   ///< of <img>: a data: URI, or a name that the printer of the page knows
 };
 
+/// The name of the one that stands with the sections of a string, not with the other plots.
+inline constexpr std::string_view stringPicture = "string";
+
 /// What the page is for.
 enum class ReportMedium {
     screen,  ///< a file of its own, valid HTML 5, with the record from which it can be run again

@@ -7,6 +7,7 @@
 
 #include "core/blow/outputs.h"
 #include "core/report/blow_json.h"
+#include "core/report/string_text.h"
 #include "core/text/handy_text.h"
 
 namespace drillwave {
@@ -29,6 +30,9 @@ std::string labelOf(const Output& output) {
         {"cor_error", "bound on the error of e"},
         {"thrust", "thrust needed, f I₀ (1+e)"},
         {"thrust_margin", "margin over the largest need"},
+        {"efficiency_error", "bound on the error of the efficiency"},
+        {"string_momentum", "momentum of the string to the rock"},
+        {"end_time", "followed to"},
     });
     for (const auto& [name, label] : own)
         if (name == output.name) return std::string(label);
@@ -36,14 +40,14 @@ std::string labelOf(const Output& output) {
 }
 
 /// What an output is a multiple of.
-std::string_view measureText(Measure measure) {
+std::string_view measureText(Measure measure, bool ofString) {
     switch (measure) {
         case Measure::work:
-            return " W₀";
+            return ofString ? " E₀" : " W₀";
         case Measure::time:
             return " t₀";
         case Measure::impulse:
-            return " I₀";
+            return ofString ? " p₀" : " I₀";
         case Measure::force:
             return " F₀";
         case Measure::penetration:
@@ -56,17 +60,25 @@ std::string_view measureText(Measure measure) {
 }
 
 std::string multipleText(const Output& output, double value, const Blow& blow) {
+    const std::optional<StringSummary>& string = blow.summary.string;
     if (output.name == "cor") return rounded(value, 6) + " ± " + boundText(blow.summary.corError);
+    if (output.name == "efficiency" && string)
+        return rounded(100 * value, 6) + " ± " + boundText(100 * string->efficiencyError) + " % of E₀";
     if (output.measure == Measure::error) return boundText(std::abs(value));
     // Shares are known to 1e-12: what is smaller is rounding.
     if (output.measure == Measure::share)
-        return rounded(std::abs(value) < 1e-12 ? 0 : 100 * value, digits) + " % of W";
-    return rounded(value, digits) + std::string(measureText(output.measure));
+        return rounded(std::abs(value) < 1e-12 ? 0 : 100 * value, digits) + (string ? " % of E₀" : " % of W");
+    return rounded(value, digits) + std::string(measureText(output.measure, string.has_value()));
 }
 
 /// In joules.
 ReportCell energyCell(double ofW0, const Blow& blow) {
     return {inHandyUnit(ofW0 * blow.scales.energy, Quantity::energy, digits), {}};
+}
+
+/// What shares are of: of a string the energy of its hammer, of a rod the work of it, in W0.
+double shareUnit(const Blow& blow) {
+    return blow.string ? 1 : blow.summary.workRatio;
 }
 
 ReportCell siCell(const Output& output, double value, const Blow& blow) {
@@ -77,7 +89,7 @@ ReportCell siCell(const Output& output, double value, const Blow& blow) {
         case Measure::work:
             return energyCell(value, blow);
         case Measure::share:
-            return {energyCell(std::abs(value) < 1e-12 ? 0 : value * blow.summary.workRatio, blow).text,
+            return {energyCell(std::abs(value) < 1e-12 ? 0 : value * shareUnit(blow), blow).text,
                     inSi(output, value, blow)};
         default:
             break;
@@ -86,9 +98,46 @@ ReportCell siCell(const Output& output, double value, const Blow& blow) {
     return {inHandyUnit(si, output.quantity(), digits), si};
 }
 
+/// "in 7 rod, 1.2 m from its rear end, at 3.4 ms".
+std::string stringPlaceText(const StringPeak& peak, const Blow& blow) {
+    if (!(peak.stress > 0)) return {};
+    const std::string place = peak.place == 0 ? "at" : inHandyUnit(peak.place, Quantity::length, 4) + " from";
+    return "in " + sectionLabel(blow.scenario.drillString, peak.section) + ", " + place +
+           " its rear end, at " + inHandyUnit(peak.time, Quantity::time, 4);
+}
+
 ReportCell placeCell(const Output& output, const Blow& blow) {
+    if (blow.string && output.group == OutputGroup::stress) {
+        const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
+        if (stresses.empty()) return {};
+        return {stringPlaceText(
+                    output.name == "peak_tension" ? largestTension(stresses) : largestCompression(stresses),
+                    blow),
+                {}};
+    }
     if (!output.force || !blow.summary.rodForces) return {};
     return {placeText((*blow.summary.rodForces).*output.force, blow), {}};
+}
+
+template <class Add>
+void addStringScales(const Blow& blow, const Add& add) {
+    const DrillString& drill = blow.scenario.drillString;
+    const Scales& scales = blow.scales;
+    const ChainProperties hammer = hammerProperties(drill), string = stringProperties(drill);
+    add("β", "stiffness k t₀/Z", blow.groups.beta, Quantity::ratio);
+    add("γ", "elasticity of the rock", blow.groups.gamma, Quantity::ratio);
+    add("τ", "transit time of the string over t₀", blow.groups.tau, Quantity::ratio);
+    add("δ", "gap d/d₀", blow.groups.delta, Quantity::ratio);
+    add("t₀", "twice the transit time of the hammer", scales.time, Quantity::time);
+    add("p₀", "momentum of the hammer", scales.impulse, Quantity::impulse);
+    add("E₀", "energy of the hammer", scales.energy, Quantity::energy);
+    add("F₀", "force Z v₀/2, Z of the rod", scales.force, Quantity::force);
+    add("F₀/A", "its stress in the rod", scales.stress, Quantity::stress);
+    add("d₀", "displacement v₀ t₀", scales.penetration, Quantity::length);
+    add("m", "mass of the hammer", hammer.mass, Quantity::mass);
+    add("", "length of the hammer", hammer.length, Quantity::length);
+    add("", "mass of the string", string.mass, Quantity::mass);
+    add("", "length of the string", string.length, Quantity::length);
 }
 
 }  // namespace
@@ -123,6 +172,10 @@ std::vector<ReportRow> scaleRows(const Blow& blow) {
         rows.push_back({symbol, label, {{inHandyUnit(value, quantity, digits), value}}});
     };
     const Groups& groups = blow.groups;
+    if (blow.string) {
+        addStringScales(blow, add);
+        return rows;
+    }
     add("β", "stiffness k/k₀, k₀ = Z/t₀", groups.beta, Quantity::ratio);
     add("γ", "elasticity of the rock", groups.gamma, Quantity::ratio);
     add("τ", "transit time T/t₀", groups.tau, Quantity::ratio);

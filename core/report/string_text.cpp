@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/string_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "core/model/scales.h"
 #include "core/report/feed_words.h"
-#include "core/report/report_text.h"
 #include "core/text/handy_text.h"
 
 namespace drillwave {
@@ -59,8 +59,19 @@ std::string resultGrid(const Blow& blow) {
     return grid.text();
 }
 
-/// Where the energy of the hammer went.
-std::string energyGrid(const Blow& blow) {
+std::string stressCell(double stress, double place, double time) {
+    if (stress == 0) return "0";
+    return si(stress, Quantity::stress, 4) + " at " + (place == 0 ? "0 mm" : si(place, Quantity::length, 3)) +
+           ", " + si(time, Quantity::time, 4);
+}
+
+std::string shareOf(double stress, const std::optional<double>& strength) {
+    return strength ? rounded(100 * stress / *strength, 3) + " %" : std::string();
+}
+
+}  // namespace
+
+TextGrid stringEnergyGrid(const Blow& blow) {
     const ImpactSummary& summary = blow.summary;
     const StringSummary& string = *summary.string;
     TextGrid grid(CellAlignment::left);
@@ -78,53 +89,56 @@ std::string energyGrid(const Blow& blow) {
     if (string.faceEnergy > 0) add("  between the faces", string.faceEnergy);
     grid.add({"balance errors", rounded(summary.momentumResidual, 2) + " of the momentum, " +
                                     rounded(summary.energy.residual, 2) + " of the energy"});
-    return grid.text();
+    return grid;
 }
 
-std::string stressCell(double stress, double place, double time) {
-    if (stress == 0) return "0";
-    return si(stress, Quantity::stress, 4) + " at " + si(place, Quantity::length, 3) + ", " +
-           si(time, Quantity::time, 4);
+std::string sectionLabel(const DrillString& drillString, std::size_t section) {
+    const std::size_t ofHammer = drillString.hammer.sections.size();
+    const bool isHammer = section < ofHammer;
+    const std::string number = std::to_string(isHammer ? section + 1 : section + 1 - ofHammer);
+    const std::string& name = allSections(drillString)[section]->name;
+    return (isHammer ? "hammer " : "") + number + (name.empty() ? "" : " " + name);
 }
 
-/// Largest stresses of every section, from its rear end, and what its far joint throws back.
-std::string sectionGrid(const Blow& blow) {
+TextGrid stringSectionGrid(const Blow& blow) {
     const DrillString& drill = blow.scenario.drillString;
+    const std::vector<const Section*> sections = allSections(drill);
     const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
     const std::vector<double>& reflected = blow.string->impact.jointReflection;
+    const bool hasYield =
+        std::ranges::any_of(sections, [](const Section* s) { return s->yieldStrength.has_value(); });
+    const bool hasFatigue =
+        std::ranges::any_of(sections, [](const Section* s) { return s->fatigueStrength.has_value(); });
     TextGrid grid(CellAlignment::left);
-    grid.add({"section", "compression", "tension", "joint reflects"});
-    const auto add = [&](const std::string& label, std::size_t j, const double* reflection) {
+    std::vector<std::string> titles{"section", "compression", "tension"};
+    if (hasYield) titles.emplace_back("of yield");
+    if (hasFatigue) titles.emplace_back("of fatigue");
+    titles.emplace_back("joint reflects");
+    grid.add(titles);
+    const std::size_t ofHammer = drill.hammer.sections.size();
+    for (std::size_t j = 0; j < sections.size(); ++j) {
         const SectionStress& stress = stresses[j];
         std::vector<std::string> cells{
-            label, stressCell(stress.compression, stress.compressionPlace, stress.compressionTime),
+            sectionLabel(drill, j),
+            stressCell(stress.compression, stress.compressionPlace, stress.compressionTime),
             stressCell(stress.tension, stress.tensionPlace, stress.tensionTime)};
-        if (reflection) cells.push_back(percent(*reflection));
+        if (hasYield)
+            cells.push_back(
+                shareOf(std::max(stress.compression, stress.tension), sections[j]->yieldStrength));
+        if (hasFatigue) cells.push_back(shareOf(stress.tension, sections[j]->fatigueStrength));
+        if (j >= ofHammer && j - ofHammer < reflected.size())
+            cells.push_back(percent(reflected[j - ofHammer]));
         grid.add(std::move(cells));
-    };
-    const std::size_t ofHammer = drill.hammer.sections.size();
-    for (std::size_t j = 0; j < ofHammer; ++j) {
-        const std::string& name = drill.hammer.sections[j].name;
-        add("hammer " + std::to_string(j + 1) + (name.empty() ? "" : " " + name), j, nullptr);
     }
-    std::size_t place = 0;
-    for (const Section* section : expandedSections(drill)) {
-        const double* reflection = place < reflected.size() ? &reflected[place] : nullptr;
-        add(std::to_string(place + 1) + (section->name.empty() ? "" : " " + section->name), ofHammer + place,
-            reflection);
-        ++place;
-    }
-    return grid.text();
+    return grid;
 }
 
-}  // namespace
-
 std::string stringResultText(const Blow& blow) {
-    std::string text = resultGrid(blow) + "\n" + energyGrid(blow);
+    std::string text = resultGrid(blow) + "\n" + stringEnergyGrid(blow).text();
     // a thousand lines are for a file
     constexpr std::size_t mostLines = 60;
     if (!blow.string->impact.sections.empty() && blow.string->impact.sections.size() <= mostLines)
-        text += "\n" + sectionGrid(blow);
+        text += "\n" + stringSectionGrid(blow).text();
     return text;
 }
 

@@ -5,11 +5,22 @@
 #include <string>
 
 #include "core/blow/blow.h"
+#include "core/report/report_text.h"
 
 namespace drillwave {
 
 /// Results, where the energy of the hammer went, and the largest stresses of each section. Of a solved blow
 /// on a drill string.
 std::string stringResultText(const Blow& blow);
+
+/// Where the energy of the hammer went, in shares and in J.
+TextGrid stringEnergyGrid(const Blow& blow);
+
+/// Titles, then for every section its largest stresses with place and time, in shares of its strengths where
+/// sections have them, and what the joint at its far end throws back. Requires the forces.
+TextGrid stringSectionGrid(const Blow& blow);
+
+/// "hammer 2", "3 rod": the section of that number of those of hammer and string.
+std::string sectionLabel(const DrillString& drillString, std::size_t section);
 
 }  // namespace drillwave

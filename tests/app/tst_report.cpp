@@ -42,8 +42,9 @@ class TestReport : public QObject {
 
 void TestReport::everyExampleMakesAPageAndTwoToFourSheets_data() {
     QTest::addColumn<QString>("name");
-    for (const char* name : {"paper_fig4a", "paper_fig4b", "paper_fig8_minimum", "reference_case",
-                             "r32_hard_rock", "t38_medium_rock", "t51_soft_rock"})
+    for (const char* name :
+         {"paper_fig4a", "paper_fig4b", "paper_fig8_minimum", "reference_case", "r32_hard_rock",
+          "t38_medium_rock", "t51_soft_rock", "r32_string", "t38_string", "t51_string"})
         QTest::newRow(name) << name;
 }
 
@@ -78,6 +79,12 @@ void TestReport::textsOfAnyLengthMakeTwoToFourSheets_data() {
     QTest::newRow("a long source") << with("assumed", QByteArray("by drilling ").repeated(length / 12));
     QTest::newRow("sources without a blank") << with("assumed", word);
     QTest::newRow("sources on every line") << with("\n  ", " # " + word.left(5000) + "\n  ");
+    const QByteArray string = read(example(QStringLiteral("t38_string")));
+    const QByteArray section =
+        "  - {name: tube, length: 60 mm, diameter: 76 mm, yield_strength: 900 MPa}   # " + word.left(200) +
+        "\n";
+    QTest::newRow("a string of many sections")
+        << QByteArray(string).replace("bit_rock:", section.repeated(300) + "bit_rock:");
     QTest::newRow("a long title") << with("title: ", "title: " + word);
 }
 
@@ -92,20 +99,24 @@ void TestReport::textsOfAnyLengthMakeTwoToFourSheets() {
 
 void TestReport::thePageRunsAgainToTheSameNumbers() {
     const QTemporaryDir place;
-    const QString page = place.filePath("t38.html");
-    output({"report", "t38_medium_rock", "-o", page});
-    const QJsonObject before = json({"run", "t38_medium_rock"});
-    const QJsonObject again = json({"run", page});
-    for (const char* part : {"dimensionless", "si", "groups", "scenario"})
-        QCOMPARE(again[QLatin1String(part)], before[QLatin1String(part)]);
+    for (const char* name : {"t38_medium_rock", "t38_string"}) {
+        const QString page = place.filePath(QLatin1String(name) + QLatin1String(".html"));
+        output({"report", name, "-o", page});
+        const QJsonObject before = json({"run", name});
+        const QJsonObject again = json({"run", page});
+        for (const char* part : {"dimensionless", "si", "groups", "scenario", "sections"})
+            QCOMPARE(again[QLatin1String(part)], before[QLatin1String(part)]);
+    }
 }
 
 void TestReport::theSameReportIsTheSameBytes() {
     const QTemporaryDir place;
-    for (const char* name : {"a.html", "b.html", "a.pdf", "b.pdf"})
-        output({"report", "r32_hard_rock", "-o", place.filePath(name)});
-    QCOMPARE(read(place.filePath("b.html")), read(place.filePath("a.html")));
-    QCOMPARE(read(place.filePath("b.pdf")), read(place.filePath("a.pdf")));
+    for (const char* scenario : {"r32_hard_rock", "t38_string"}) {
+        for (const char* name : {"a.html", "b.html", "a.pdf", "b.pdf"})
+            output({"report", scenario, "-o", place.filePath(name), "--force"});
+        QCOMPARE(read(place.filePath("b.html")), read(place.filePath("a.html")));
+        QCOMPARE(read(place.filePath("b.pdf")), read(place.filePath("a.pdf")));
+    }
 }
 
 void TestReport::standardOutputGetsThePage() {

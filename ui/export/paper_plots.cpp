@@ -7,6 +7,7 @@
 #include "ui/pages/gap/gap_plot.h"
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/rod/rod_plot.h"
+#include "ui/pages/string/string_sketch.h"
 #include "ui/pages/thrust/thrust_plot.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
 
@@ -59,6 +60,10 @@ PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std
 
 PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop) {
     return paperPlot<RodPlot>(rodCurves(blow, unitsFor(blow.scenario), stop), {180, 110});
+}
+
+PaperPlot stringPaperPlot(const Scenario& scenario) {
+    return paperPlot<StringSketch>(scenario, {180, 44});
 }
 
 PaperPlot wavePaperPlot(const Blow& blow) {

@@ -43,8 +43,11 @@ PaperPlot blowPaperPlot(const Scenario& scenario, const Impact& impact);
 PaperPlot rockPaperPlot(const Scenario& scenario, const Impact& impact);
 /// The largest stresses over place, likewise.
 PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std::stop_token& stop);
+/// The same of a rod or a string that has its histories.
 PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop);
-/// The force in the rod, or in hammer and string, over place and time, of a blow solved likewise.
+/// Hammer and string to scale.
+PaperPlot stringPaperPlot(const Scenario& scenario);
+/// The force in the rod over place and time, of a blow solved likewise.
 PaperPlot wavePaperPlot(const Blow& blow);
 /// e over the gap and its distribution.
 PaperPlot gapPaperPlot(const GapReport& report);

@@ -12,14 +12,50 @@ ReportPlot placed(const char* name, const char* caption, PaperPlot paper, Millim
     return {{name, caption, name}, std::move(paper)};
 }
 
+constexpr const char* rockCaption = "Force over penetration: the area inside stays in the rock as energy.";
+
+void addThrust(std::vector<ReportPlot>& plots, const BlowReport& report) {
+    if (report.thrust && report.thrust->along)
+        plots.push_back(placed("thrust", "Needs of the thrust and the installed one over the blow frequency.",
+                               thrustPaperPlot(*report.thrust), {180, 68}));
+}
+
+// The string stands with its sections; curves are there where the waves were kept.
+std::vector<ReportPlot> stringPlots(const BlowReport& report, const std::stop_token& stop) {
+    const Blow& blow = report.blow;
+    std::vector<ReportPlot> plots;
+    plots.push_back(
+        placed(stringPicture.data(),
+               "Hammer (dark) and string to scale, lengths and diameters each to their own, with the "
+               "places of the sections; the bore is dashed, the rock at the right.",
+               stringPaperPlot(blow.scenario), {180, 44}));
+    if (blow.impact.force.empty()) {
+        addThrust(plots, report);
+        return plots;
+    }
+    plots.push_back(placed("rock", rockCaption, rockPaperPlot(blow), {120, 66}));
+    plots.push_back(
+        placed("blow",
+               "The force N in the middle of the longest section and its waves, the impact force, its "
+               "impulse and the momentum of the string over time.",
+               blowPaperPlot(blow), {180, 128}));
+    plots.push_back(
+        placed("rod",
+               "The largest tension and compression along hammer (below 0) and string while the blow "
+               "lasts, with the strengths of the sections.",
+               rodPaperPlot(blow, stop), {180, 84}));
+    addThrust(plots, report);
+    return plots;
+}
+
 }  // namespace
 
 std::vector<ReportPlot> reportPlots(const BlowReport& report, const std::stop_token& stop) {
+    if (report.blow.string) return stringPlots(report, stop);
     const Blow& blow = report.blow;
     std::vector<ReportPlot> plots;
     // On paper the first one fills the page of the words, the next two a page, the others the last one.
-    plots.push_back(placed("rock", "Force over penetration: the area inside stays in the rock as energy.",
-                           rockPaperPlot(blow.scenario, blow.impact), {120, 66}));
+    plots.push_back(placed("rock", rockCaption, rockPaperPlot(blow.scenario, blow.impact), {120, 66}));
     plots.push_back(
         placed("blow",
                "The force N at the middle of the rod and its waves, the impact force, its impulse "
@@ -39,9 +75,7 @@ std::vector<ReportPlot> reportPlots(const BlowReport& report, const std::stop_to
                                "Restitution over one period of the gap between bit and rock, and how it is "
                                "distributed when all gaps are alike.",
                                gapPaperPlot(*report.gap), {180, 72}));
-    if (report.thrust && report.thrust->along)
-        plots.push_back(placed("thrust", "Needs of the thrust and the installed one over the blow frequency.",
-                               thrustPaperPlot(*report.thrust), {180, 68}));
+    addThrust(plots, report);
     return plots;
 }
 

@@ -49,17 +49,6 @@ QAction* ReportWriter::newAction(const QString& name, const QString& text, const
     return action;
 }
 
-void ReportWriter::offer(bool offered) {
-    for (QAction* action : {m_action, m_printAction}) {
-        if (action->whatsThis().isEmpty()) action->setWhatsThis(action->toolTip());
-        action->setEnabled(offered);
-        action->setToolTip(
-            offered ? action->whatsThis()
-                    : tr("Reports are of uniform rods; of a drill string, `drillwave run -o` writes "
-                         "all numbers"));
-    }
-}
-
 QString ReportWriter::suggestion() const {
     return exportSuggestion(m_document, QStringLiteral("_report.html"));
 }

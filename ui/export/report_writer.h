@@ -30,9 +30,6 @@ class ReportWriter : public QObject {
     /// The same on paper, once the printer is chosen.
     void print();
 
-    /// Whether the scenario is one that reports are written of: a uniform rod.
-    void offer(bool offered);
-
   signals:
     void begun();
     /// Written, printed, failed or stopped.

@@ -382,20 +382,13 @@ void MainWindow::markResult(bool outOfDate) {
 }
 
 void MainWindow::presentState() {
-    offerFiles();
+    m_fileMenu->offerImport(!isString(m_document.scenario()));  // measured signals are of uniform rods
     const QString file = QFileInfo(m_document.path()).fileName();
     const QString name = m_document.displayName();
     setWindowTitle(file.isEmpty() || file == name ? tr("%1[*] — Drillwave").arg(name)
                                                   : tr("%1 – %2[*] — Drillwave").arg(name, file));
     setWindowModified(m_document.isModified());
     setWindowFilePath(m_document.path());
-}
-
-// What is written of uniform rods alone is offered for them alone.
-void MainWindow::offerFiles() {
-    const bool ofRod = !isString(m_document.scenario());
-    m_report->offer(ofRod);
-    m_fileMenu->offerImport(ofRod);
 }
 
 void MainWindow::saveChoices() const {

@@ -73,7 +73,6 @@ class MainWindow : public QMainWindow {
     void followPage();
     void goToPlace(double section, double time);
     void goToParameter(const QString& key);
-    void offerFiles();
     bool mayClose();
     void saveChoices() const;
     void endSession(QSessionManager& session);

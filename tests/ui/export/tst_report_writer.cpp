@@ -70,6 +70,7 @@ void TestReportWriter::theReportIsWhatTheCommandLineWrites_data() {
     QTest::addColumn<bool>("edited");
     QTest::newRow("in SI units") << QStringLiteral("t38_medium_rock") << false;
     QTest::newRow("by groups") << QStringLiteral("paper_fig4b") << false;
+    QTest::newRow("of a string") << QStringLiteral("t38_string") << false;
     QTest::newRow("with unsaved edits") << QStringLiteral("t38_medium_rock") << true;
 }
 

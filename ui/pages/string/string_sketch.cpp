@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/string/string_sketch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ui/text/number_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr double millimetres = 1000;    // in a metre
+constexpr double rockShare = 0.012;     // of the length
+constexpr double roomAround = 1.45;     // of the largest diameter: words stand above
+constexpr double letterShare = 0.0085;  // width of a letter, of that of the picture
+
+// A section given by its area is drawn as a full bar.
+double diameterOf(const Section& section) {
+    return section.area ? 2 * std::sqrt(*section.area / std::numbers::pi) : section.diameter;
+}
+
+}  // namespace
+
+StringSketch::StringSketch(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_style(PlotStyle::forPaper()) {
+    plot->axisRect()->setupFullAxesBox(true);
+    for (QCPAxis* far : {plot->xAxis2, plot->yAxis2}) far->setTicks(false);
+    plot->xAxis->setLabel(tr("position x from the shank, hammer below 0 [m]"));
+    plot->yAxis->setLabel(tr("diameter [mm]"));
+    for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) axis->grid()->setVisible(false);
+}
+
+void StringSketch::setStyle(const PlotStyle& style) {
+    m_style = style;
+    m_plot->setBackground(style.background);
+    style.applyTo(*m_plot->axisRect());
+}
+
+std::vector<StringSketch::Piece> StringSketch::piecesOf(const DrillString& drillString) {
+    double place = 0;
+    for (const Section& section : drillString.hammer.sections) place -= section.length;
+    std::vector<Piece> pieces;
+    const std::size_t ofHammer = drillString.hammer.sections.size();
+    for (const Section* section : allSections(drillString)) {
+        const std::size_t number = pieces.size();
+        Piece piece;
+        piece.isHammer = number < ofHammer;
+        piece.rear = place;
+        piece.front = place += section->length;
+        piece.diameter = millimetres * diameterOf(*section);
+        piece.bore = section->area ? 0 : millimetres * section->bore;
+        piece.place = static_cast<int>(piece.isHammer ? number + 1 : number + 1 - ofHammer);
+        piece.name = QString::fromStdString(section->name);
+        pieces.push_back(piece);
+    }
+    return pieces;
+}
+
+void StringSketch::present(const Scenario& scenario) {
+    m_plot->clearItems();
+    const std::vector<Piece> pieces = piecesOf(scenario.drillString);
+    const double largest = std::ranges::max(pieces, {}, &Piece::diameter).diameter;
+    const double rear = pieces.front().rear, front = pieces.back().front;
+    setScale(rear, front, largest);
+    const double rock = rockShare * (front - rear);
+    addBar(front, front + rock, largest * roomAround / 2, m_style.text);
+    for (const Piece& piece : pieces) addPiece(piece);
+    addLine({0, -largest / 2 * 1.1}, {0, largest / 2 * 1.1}, QPen(m_style.text, 2));
+    addWords(pieces);
+}
+
+// Diameters are read on both sides of the axis.
+void StringSketch::setScale(double rear, double front, double largest) {
+    const double whole = front - rear;
+    m_plot->xAxis->setRange(rear - rockShare * whole, front + 2 * rockShare * whole);
+    m_plot->yAxis->setRange(-roomAround * largest / 2, roomAround * largest / 2);
+    auto ticks = QSharedPointer<QCPAxisTickerText>::create();
+    const double decade = std::pow(10, std::floor(std::log10(largest)));
+    const double step = largest / decade >= 4 ? 2 * decade : largest / decade >= 2 ? decade : decade / 2;
+    for (int i = 0; i * step <= largest * roomAround; ++i)
+        for (const int side : {-1, 1})
+            ticks->addTick(side * i * step / 2, numberText(i * step, 3, m_plot->locale()));
+    m_plot->yAxis->setTicker(ticks);
+}
+
+void StringSketch::addBar(double left, double right, double half, const QBrush& brush) {
+    auto* bar = new QCPItemRect(m_plot);
+    bar->setSelectable(false);
+    bar->topLeft->setCoords(left, half);
+    bar->bottomRight->setCoords(right, -half);
+    bar->setPen(QPen(m_style.text, 0.8));
+    bar->setBrush(brush);
+}
+
+void StringSketch::addLine(QPointF from, QPointF to, const QPen& pen) {
+    auto* line = new QCPItemLine(m_plot);
+    line->setSelectable(false);
+    line->start->setCoords(from);
+    line->end->setCoords(to);
+    line->setPen(pen);
+}
+
+void StringSketch::addText(QPointF at, const QString& text) {
+    auto* words = new QCPItemText(m_plot);
+    words->setSelectable(false);
+    words->position->setCoords(at);
+    words->setText(text);
+    words->setFont(m_style.font);
+    words->setColor(m_style.text);
+}
+
+void StringSketch::addPiece(const Piece& piece) {
+    QColor shade = m_style.text;
+    shade.setAlpha(piece.isHammer ? 80 : 24);
+    addBar(piece.rear, piece.front, piece.diameter / 2, shade);
+    if (!(piece.bore > 0)) return;
+    QPen dashes(m_style.text, 0.6, Qt::DashLine);
+    for (const double side : {-0.5, 0.5})
+        addLine({piece.rear, side * piece.bore}, {piece.front, side * piece.bore}, dashes);
+}
+
+// Above the sections their places, from left to right as far as they keep clear of each other; in them names.
+void StringSketch::addWords(const std::vector<Piece>& pieces) {
+    const double letter = letterShare * m_plot->xAxis->range().size();
+    double clear = m_plot->xAxis->range().lower;
+    const double height = m_plot->yAxis->range().upper * 0.86;
+    for (const Piece& piece : pieces) {
+        const QString place = piece.isHammer ? tr("h%1").arg(piece.place) : QString::number(piece.place);
+        const double middle = (piece.rear + piece.front) / 2;
+        const double half = (double(place.size()) + 1) * letter / 2;
+        if (middle - half >= clear) {
+            addText({middle, height}, place);
+            clear = middle + half;
+        }
+        if (double(piece.name.size() + 2) * letter <= piece.front - piece.rear)
+            addText({middle, 0}, piece.name);
+    }
+}
+
+}  // namespace drillwave

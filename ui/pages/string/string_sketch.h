@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hammer and string to scale, for paper.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <QObject>
+#include <vector>
+
+#include "core/model/scenario.h"
+#include "ui/plot/plot_style.h"
+
+namespace drillwave {
+
+/// Draws the sections of a hammer and a string along their common axis: lengths and diameters each to a scale
+/// of its own, the bore dashed, the hammer darker and below 0, its face a thick line, the rock at the right.
+/// Sections carry their place and, where there is room, their name. Lives as a child of the plot.
+class StringSketch : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit StringSketch(QCustomPlot* plot);
+
+    /// The sections of a drill string.
+    void present(const Scenario& scenario);
+    void setStyle(const PlotStyle& style);
+
+  private:
+    struct Piece {
+        double rear = 0, front = 0;     ///< [m] from the face of the hammer
+        double diameter = 0, bore = 0;  ///< [mm]
+        int place = 1;                  ///< in the hammer or the string
+        QString name;
+        bool isHammer = false;
+    };
+    static std::vector<Piece> piecesOf(const DrillString& drillString);
+    void addBar(double left, double right, double half, const QBrush& brush);
+    void addLine(QPointF from, QPointF to, const QPen& pen);
+    void addText(QPointF at, const QString& text);
+    void addPiece(const Piece& piece);
+    void addWords(const std::vector<Piece>& pieces);
+    void setScale(double rear, double front, double largest);
+
+    QCustomPlot* m_plot;
+    PlotStyle m_style;
+};
+
+}  // namespace drillwave
