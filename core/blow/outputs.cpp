@@ -139,13 +139,16 @@ constexpr auto outputTable = std::to_array<Output>({
     {"peak_compression", "largest compression in the rod while the blow lasts", Measure::stress,
      Detail::histories, largestStress<&RodForces::compression, &StringSummary::largestCompression>,
      OutputGroup::stress, "compression, blow",
-     "Largest compressive stress of the uniform rod while the blow lasts: to the last separation plus one "
-     "transit time; couplings and threads raise it locally",
+     "Largest compressive stress of uniform sections while the blow lasts: of a rod to the last separation "
+     "plus "
+     "one transit time, of a string to the end that it is followed to; threads and shoulders raise it "
+     "locally",
      &RodForces::compression},
     {"peak_tension", "largest tension in the rod while the blow lasts", Measure::stress, Detail::histories,
      largestStress<&RodForces::tension, &StringSummary::largestTension>, OutputGroup::stress, "tension, blow",
-     "Largest tensile stress of the uniform rod while the blow lasts: to the last separation plus one "
-     "transit time; couplings and threads raise it locally",
+     "Largest tensile stress of uniform sections while the blow lasts: of a rod to the last separation plus "
+     "one transit time, of a string to the end that it is followed to; threads and shoulders raise it "
+     "locally",
      &RodForces::tension},
     {"peak_compression_after", "largest compression of the waves left, undamped", Measure::stress,
      Detail::histories, largest<&RodForces::compressionAfter>, OutputGroup::stress, "compression, after",

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/model/scales.h"
 #include "core/wave/network/string_problem.h"
 
 namespace drillwave {
@@ -33,26 +34,30 @@ StringInstant middleOf(const StringInstant& a, const StringInstant& b) {
 
 }  // namespace
 
+double hammerRear(const DrillString& drillString) {
+    return -hammerProperties(drillString).length / stringProperties(drillString).length;
+}
+
 StringPlace stringPlace(const DrillString& drillString, double share) {
-    const std::vector<const Section*> sections = expandedSections(drillString);
-    double length = 0;
-    for (const Section* section : sections) length += section->length;
-    double left = std::clamp(share, 0.0, 1.0) * length;
-    std::size_t i = 0;
-    for (; i + 1 < sections.size() && left > sections[i]->length; ++i) left -= sections[i]->length;
-    return {drillString.hammer.sections.size() + i, std::clamp(left / sections[i]->length, 0.0, 1.0)};
+    const std::vector<const Section*> sections = allSections(drillString);
+    const std::size_t ofHammer = drillString.hammer.sections.size();
+    // Where hammer and string meet, the string.
+    const bool inHammer = share < 0;
+    const std::size_t first = inHammer ? 0 : ofHammer, last = (inHammer ? ofHammer : sections.size()) - 1;
+    double left = std::min(share, 1.0) * stringProperties(drillString).length;
+    if (inHammer) left = std::max(0.0, left + hammerProperties(drillString).length);
+    std::size_t i = first;
+    for (; i < last && left > sections[i]->length; ++i) left -= sections[i]->length;
+    return {i, std::clamp(left / sections[i]->length, 0.0, 1.0)};
 }
 
 double shareOfString(const DrillString& drillString, const StringPlace& place) {
-    const std::vector<const Section*> sections = expandedSections(drillString);
-    const std::size_t number = place.section - drillString.hammer.sections.size();
-    assert(number < sections.size());
-    double length = 0, before = 0;
-    for (std::size_t i = 0; i < sections.size(); ++i) {
-        if (i < number) before += sections[i]->length;
-        length += sections[i]->length;
-    }
-    return (before + place.share * sections[number]->length) / length;
+    const std::vector<const Section*> sections = allSections(drillString);
+    assert(place.section < sections.size());
+    double from = -hammerProperties(drillString).length;
+    for (std::size_t i = 0; i < place.section; ++i) from += sections[i]->length;
+    if (place.section == drillString.hammer.sections.size()) from = 0;  // whatever the sum is rounded to
+    return (from + place.share * sections[place.section]->length) / stringProperties(drillString).length;
 }
 
 StringPlace middleOfLongest(const DrillString& drillString) {

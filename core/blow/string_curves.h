@@ -16,10 +16,13 @@ struct StringPlace {
     bool operator==(const StringPlace&) const = default;
 };
 
-/// The place at a share of the length of the string, 0 at the shank … 1 at the bit.
+/// Where the rear of the hammer is, in lengths of the string from the shank: below 0.
+double hammerRear(const DrillString& drillString);
+
+/// The place at a share of the length of the string, 0 at the shank … 1 at the bit, below 0 in the hammer.
 StringPlace stringPlace(const DrillString& drillString, double share);
 
-/// The other way round, of a place in the string.
+/// The other way round.
 double shareOfString(const DrillString& drillString, const StringPlace& place);
 
 /// The middle of the longest section of the string, of the first where several are as long.

@@ -9,8 +9,7 @@ namespace drillwave {
 
 SectionBox::SectionBox(const QString& title, QWidget* parent)
     : QWidget(parent), m_header(new QToolButton(this)), m_content(new QWidget(this)) {
-    m_header->setText(title);
-    m_header->setAccessibleName(title);
+    setTitle(title);
     m_header->setAutoRaise(true);
     m_header->setArrowType(Qt::DownArrow);
     m_header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -27,6 +26,11 @@ SectionBox::SectionBox(const QString& title, QWidget* parent)
         setOpen(!isOpen());
         if (!m_key.isEmpty()) Settings().setValue(m_key, isOpen());
     });
+}
+
+void SectionBox::setTitle(const QString& title) {
+    m_header->setText(title);
+    m_header->setAccessibleName(title);
 }
 
 void SectionBox::setOpen(bool open) {

@@ -16,6 +16,7 @@ class SectionBox : public QWidget {
     /// Where the content goes; give it a layout.
     QWidget* content() const { return m_content; }
     QString title() const { return m_header->text(); }
+    void setTitle(const QString& title);
     bool isOpen() const { return m_content->isVisibleTo(this); }
     void setOpen(bool open);
     enum class Begin { open, folded };

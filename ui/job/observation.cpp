@@ -6,10 +6,17 @@
 namespace drillwave {
 
 void Observation::setSection(double section) {
-    const double inside = std::clamp(section, 0.0, 1.0);
+    const double inside = std::clamp(section, m_rear, 1.0);
     if (m_section == inside) return;
     m_section = inside;
     emit sectionChanged(inside);
+}
+
+void Observation::setRear(double rear) {
+    if (m_rear == rear) return;
+    m_rear = rear;
+    emit rearChanged(rear);
+    setSection(m_section);
 }
 
 void Observation::setTime(std::optional<double> time) {

@@ -2,8 +2,10 @@
 #include "ui/result/output_text.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
 
+#include "core/blow/string_curves.h"
 #include "ui/result/output_unit.h"
 #include "ui/text/number_text.h"
 
@@ -22,6 +24,21 @@ QString shown(double value, const ShownUnit& unit) {
 QString percent(double fraction) {
     return numberText(std::abs(fraction) < 1e-12 ? 0 : 100 * fraction, 4, QLocale()) + QChar(QChar::Nbsp) +
            QLatin1Char('%');
+}
+
+/// Of the largest compression or tension over all sections.
+std::optional<RodForce> stringPlaceOf(const Output& output, const SolvedBlow& blow) {
+    const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
+    if (stresses.empty()) return std::nullopt;
+    const bool isTension = output.force == &RodForces::tension;
+    if (!isTension && output.force != &RodForces::compression) return std::nullopt;
+    const StringPeak peak = isTension ? largestTension(stresses) : largestCompression(stresses);
+    const DrillString& drill = blow.scenario.drillString;
+    const double length = allSections(drill)[peak.section]->length;
+    // Where sections meet, stresses differ: a little inside of the one that is meant.
+    constexpr double inside = 1e-9;
+    const double share = std::clamp(peak.place / length, inside, 1 - inside);
+    return RodForce{peak.stress, shareOfString(drill, {peak.section, share}), peak.time / blow.scales.time};
 }
 
 }  // namespace
@@ -56,11 +73,23 @@ QString corErrorText(const SolvedBlow& blow) {
     return words("Numerical error ± %1").arg(magnitudeText(blow.summary.corError, QLocale()));
 }
 
+std::optional<RodForce> placeOf(const Output& output, const SolvedBlow& blow) {
+    if (!output.force) return std::nullopt;
+    std::optional<RodForce> force;
+    if (blow.string)
+        force = stringPlaceOf(output, blow);
+    else if (blow.summary.rodForces)
+        force = (*blow.summary.rodForces).*output.force;
+    return force && force->size > 0 ? force : std::nullopt;
+}
+
 QString placeText(const Output& output, const SolvedBlow& blow) {
-    if (!output.force || !blow.summary.rodForces) return {};
-    const RodForce& force = (*blow.summary.rodForces).*output.force;
-    if (!(force.size > 0)) return {};
+    const std::optional<RodForce> found = placeOf(output, blow);
+    if (!found) return {};
+    const RodForce& force = *found;
     const QString time = shown(force.time, blow.units.time);
+    if (blow.string && force.section < 0) return words("in the hammer, %1").arg(time);
+    if (blow.string) return words("%1 from the shank, %2").arg(shown(force.section, blow.units.length), time);
     if (blow.request.units == UnitSystem::dimensionless)
         return words("at x/L = %1, t = %2").arg(numberText(force.section, 3, QLocale()), time);
     return words("%1 from the hammer, %2").arg(shown(force.section, blow.units.length), time);

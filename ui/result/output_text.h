@@ -20,5 +20,8 @@ QString corErrorText(const SolvedBlow& blow);
 
 /// Where in the rod a largest force is, and when. Empty where there is none.
 QString placeText(const Output& output, const SolvedBlow& blow);
+/// The place itself: x/L, below 0 in the hammer of a string, and t/t0; nothing where it is not known, or
+/// where there is no such stress.
+std::optional<RodForce> placeOf(const Output& output, const SolvedBlow& blow);
 
 }  // namespace drillwave

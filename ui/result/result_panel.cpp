@@ -109,9 +109,8 @@ QList<ResultPanel::Entry> ResultPanel::entriesOf(const std::function<bool(const 
         entries.append({{},
                         tr("Where in the rod it is first that large, and when: a click leads there"),
                         [&output](const SolvedBlow& blow) { return placeText(output, blow); }});
-        entries.last().place = output.force;
-        // Of a drill string the page String tells the places.
-        entries.last().concerns = isOfRod;
+        entries.last().place = &output;
+        entries.last().concerns = [&output](const Scenario& scenario) { return output.concerns(scenario); };
     }
     return entries;
 }
@@ -240,6 +239,7 @@ void ResultPanel::addRebound() {
 void ResultPanel::addStress() {
     addNumbers(tr("Stress in the rod"),
                entriesOf([](const Output& output) { return output.group == OutputGroup::stress; }));
+    m_stress = m_rows.last().section;
 }
 
 void ResultPanel::addTimes() {
@@ -299,7 +299,7 @@ void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const Entry& en
     name->setToolTip(entry.meaning);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     if (link)
-        connect(link, &PlaceLink::followed, this, [this, place = entry.place] { follow(place); });
+        connect(link, &PlaceLink::followed, this, [this, stress = entry.place] { follow(*stress); });
     else
         makeSelectable(*value);
     name->setBuddy(value);
@@ -400,8 +400,10 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
         row.section->setVisible(!solved || filled.contains(row.section));
     // The names of a string's numbers are longer than those of a rod's.
     if (const bool ofString = isString(blow->request.scenario);
-        std::exchange(m_ofString, ofString) != ofString)
+        std::exchange(m_ofString, ofString) != ofString) {
+        m_stress->setTitle(ofString ? tr("Stress in hammer and string") : tr("Stress in the rod"));
         updateGeometry();
+    }
     m_alerts->present(blow->problem, blow->alerts);
     if (solved)
         m_energy->present(blow->summary);
@@ -433,10 +435,10 @@ void ResultPanel::showRow(const Row& row) {
     showChange(row);
 }
 
-void ResultPanel::follow(RodForce RodForces::*place) {
-    if (!m_blow || !m_blow->problem.isEmpty() || !m_blow->summary.rodForces) return;
-    const RodForce& force = (*m_blow->summary.rodForces).*place;
-    if (force.size > 0) emit placeChosen(force.section, force.time);
+void ResultPanel::follow(const Output& stress) {
+    if (!m_blow || !m_blow->problem.isEmpty()) return;
+    if (const std::optional<RodForce> force = placeOf(stress, *m_blow))
+        emit placeChosen(force->section, force->time);
 }
 
 void ResultPanel::showChange(const Row& row) {

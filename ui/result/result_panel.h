@@ -93,8 +93,8 @@ class ResultPanel : public SteadyScrollArea {
         Weight weight = Weight::usual;
         QString objectName = {};
         Number number = nullptr;
-        RodForce RodForces::*place = nullptr;  ///< what the text leads to
-        Change changeText = nullptr;           ///< in percent where there is none
+        const Output* place = nullptr;  ///< the largest stress whose place the text leads to
+        Change changeText = nullptr;    ///< in percent where there is none
         Warning warning = nullptr;
         Concern concerns = nullptr;  ///< every one where there is none
     };
@@ -116,7 +116,7 @@ class ResultPanel : public SteadyScrollArea {
     void copy() const;
     void showRow(const Row& row);
     static void offerRow(const Row& row, const Scenario& scenario);
-    void follow(RodForce RodForces::*place);
+    void follow(const Output& stress);
     void showChange(const Row& row);
     void showWorst();
     std::optional<double> worstOf(const SolvedBlow& blow) const;
@@ -129,6 +129,7 @@ class ResultPanel : public SteadyScrollArea {
     WorstNeed m_worstOfReference;
     QList<Row> m_rows;
     QList<QGridLayout*> m_grids;
+    SectionBox* m_stress = nullptr;
     EnergyBar* m_energy = nullptr;
     EventTable* m_events = nullptr;
     AlertList* m_alerts = nullptr;

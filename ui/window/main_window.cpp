@@ -10,6 +10,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "core/blow/string_curves.h"
 #include "core/file/examples.h"
 #include "ui/document/recovery.h"
 #include "ui/export/export_menu.h"
@@ -96,6 +97,10 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     // Before any page hears of it: none is to ask for studies of what it cannot show.
     connect(&m_document, &Document::scenarioChanged, m_pages,
             [this] { m_pages->follow(m_document.scenario()); });
+    connect(&m_document, &Document::scenarioChanged, &m_observation, [this] {
+        const Scenario& scenario = m_document.scenario();
+        m_observation.setRear(isString(scenario) ? hammerRear(scenario.drillString) : 0);
+    });
     addTabs();
     addCenter();
     addDocks();
@@ -290,7 +295,8 @@ void MainWindow::wireImport() {
 // Pages of this blow show the place themselves; from the others the page Rod does. Places are of rods: while
 // a string is being solved they are of the blow before it.
 void MainWindow::goToPlace(double section, double time) {
-    if (isString(m_document.scenario())) return;
+    // The blow on show may still be of another form.
+    if (!m_shown || isString(m_document.scenario()) != isString(m_shown->request.scenario)) return;
     if (!m_pages->current().prepare()) m_pages->choose(m_pages->indexOf(m_rodPage));
     m_observation.setSection(section);
     m_observation.setTime(time);

@@ -83,6 +83,13 @@ class TestStringBlow : public QObject {
         const std::size_t last = allSections(drill).size() - 1;
         QCOMPARE(stringPlace(drill, 1).section, last);
         QVERIFY(std::abs(stringPlace(drill, 1).share - 1) < 1e-12);
+        // Below the shank is the hammer, of 300 and 250 mm.
+        QCOMPARE(stringPlace(drill, hammerRear(drill)), (StringPlace{0, 0}));
+        QCOMPARE(stringPlace(drill, -1), (StringPlace{0, 0}));
+        const double inFront = shareOfString(drill, {1, 0.25});
+        QVERIFY(std::abs(inFront * 12.13 + 0.75 * 0.25) < 1e-12);
+        QCOMPARE(stringPlace(drill, inFront).section, std::size_t{1});
+        QVERIFY(std::abs(stringPlace(drill, inFront).share - 0.25) < 1e-9);
         const StringPlace middle = middleOfLongest(drill);
         QCOMPARE(allSections(drill)[middle.section]->name, std::string("rod"));
         const StringPlace again = stringPlace(drill, shareOfString(drill, middle));

@@ -6,10 +6,13 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/blow/string_curves.h"
+#include "core/file/examples.h"
 #include "core/model/alerts.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/scenario_panel.h"
+#include "ui/form/section_box.h"
 #include "ui/job/observation.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/result/alert_link.h"
@@ -118,6 +121,43 @@ class TestResultWiring : public QObject {
         pages.setCurrentWidget(&part<MapPage>(window));
         emit tension->followed();
         QCOMPARE(pages.current().title(), QString("Rod"));
+    }
+
+    // A click leads to the place and the time, in the hammer too, and the stress there is that of the panel.
+    void aLargestStressOfAStringLeadsToItsPlace() {
+        MainWindow window;
+        window.setAttribute(Qt::WA_DontShowOnScreen);
+        window.show();
+        const auto titles = [&] {
+            QStringList all;
+            for (const SectionBox* box : part<ResultPanel>(window).findChildren<SectionBox*>())
+                all << box->title();
+            return all;
+        };
+        QVERIFY(titles().contains(QString("Stress in the rod")));
+        window.document().startFrom(findExample("t38_string")->text, QStringLiteral("t38_string"));
+        QTRY_VERIFY(window.shown()->string && window.shown()->isSolved());
+        QVERIFY(titles().contains(QString("Stress in hammer and string")));
+        const Blow& blow = *window.shown();
+        const Observation& observation = part<Observation>(window);
+        const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
+        const auto links = part<ResultPanel>(window).findChildren<PlaceLink*>();
+        emit links.at(1)->followed();
+        const StringPeak peak = largestTension(stresses);
+        QCOMPARE(observation.time(), std::optional(peak.time / blow.scales.time));
+        const StringPlace place = stringPlace(blow.scenario.drillString, observation.section());
+        QCOMPARE(place.section, peak.section);
+        QVERIFY(links.at(1)->text().contains(QStringLiteral("from the shank")));
+        // What is solved next is a blow whose hammer is loaded most.
+        window.document().assign(*findParameter("hammer.2.diameter"), 0.03, window.document().newGesture());
+        QTRY_COMPARE(window.shown()->scenario.drillString.hammer.sections[1].diameter, 0.03);
+        emit links.at(0)->followed();
+        QVERIFY2(observation.section() < 0, qPrintable(QString::number(observation.section())));
+        QVERIFY(links.at(0)->text().startsWith(QStringLiteral("in the hammer")));
+        // A rod has no place there.
+        window.document().startFrom(findExample("t38_medium_rock")->text, QStringLiteral("t38"));
+        QCOMPARE(observation.section(), 0.0);
+        QTRY_VERIFY(!window.shown()->string);
     }
 
     void theTimeCursorOfTheWindowMarksTheEvent() {

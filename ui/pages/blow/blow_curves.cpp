@@ -58,7 +58,9 @@ BlowCurves stringCurves(const Blow& blow, const ShownUnits& units, double sectio
     curves.place = stringPlace(blow.scenario.drillString, section);
     const DrillString& drill = blow.scenario.drillString;
     const Section& at = *allSections(drill)[curves.place->section];
-    curves.sectionNumber = static_cast<int>(curves.place->section - drill.hammer.sections.size()) + 1;
+    const auto number = static_cast<int>(curves.place->section) + 1;
+    const auto ofHammer = static_cast<int>(drill.hammer.sections.size());
+    curves.sectionNumber = number > ofHammer ? number - ofHammer : -number;
     curves.sectionName = QString::fromStdString(at.name);
     curves.fromRear = curves.place->share * at.length;
     for (GraphData* each : {&curves.sectionForce, &curves.force, &curves.faceForce, &curves.impulse,
@@ -92,7 +94,7 @@ BlowCurves stringCurves(const Blow& blow, const ShownUnits& units, double sectio
 
 BlowCurves blowCurves(const Blow& blow, const ShownUnits& units, double section, Tail tail) {
     return blow.string ? stringCurves(blow, units, section, tail)
-                       : blowCurves(blow.impact, blow.solved.hammer, units, section, tail);
+                       : blowCurves(blow.impact, blow.solved.hammer, units, std::max(0.0, section), tail);
 }
 
 BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const ShownUnits& units, double section,

@@ -28,7 +28,7 @@ struct BlowCurves {
     GraphData sectionForce;                  ///< N there: the sum of all waves, up to timeEnd
     std::optional<StringPlace> place;        ///< where in a drill string that is: then the first two
                                              ///< waves are Np and Nn, and there are no others
-    int sectionNumber = 0;                   ///< the same, from the shank on
+    int sectionNumber = 0;                   ///< from the shank on; of the hammer from its rear on, below 0
     QString sectionName;
     double fromRear = 0;                            ///< [m]
     GraphData force;                                ///< impact force

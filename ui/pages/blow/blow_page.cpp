@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "core/signal/alignment.h"
 #include "core/wave/field/rod_state.h"
@@ -120,14 +121,17 @@ void BlowPage::showPlace() {
     const bool ofString = isString(scenario);
     const double length = ofString ? stringProperties(scenario.drillString).length : scenario.rod.length;
     const double x = m_observation.section() * length;
-    const QString place = quantityText(x, m_blow->units.of(UnitKind::length, x), QLocale());
-    m_place->setText((ofString ? tr("%1 from the shank") : tr("%1 from the struck end")).arg(place));
+    const QString place = quantityText(std::abs(x), m_blow->units.of(UnitKind::length, x), QLocale());
+    m_place->setText((x < 0      ? tr("%1 behind the face of the hammer")
+                      : ofString ? tr("%1 from the shank")
+                                 : tr("%1 from the struck end"))
+                         .arg(place));
 }
 
 // Nothing where the waves of a string were not kept.
 std::optional<RodState> BlowPage::stateAt(double time) const {
     const double section = m_observation.section();
-    if (!m_blow->string) return rodState(m_blow->impact, m_blow->solved.hammer, section, time);
+    if (!m_blow->string) return rodState(m_blow->impact, m_blow->solved.hammer, std::max(0.0, section), time);
     if (!m_blow->string->impact.waves) return {};
     const StringPlace place = stringPlace(m_blow->request.scenario.drillString, section);
     const StringInstant now = StringHistory(*m_blow->string, place).at(time);

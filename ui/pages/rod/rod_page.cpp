@@ -127,7 +127,8 @@ void RodPage::showHere() {
 
 std::optional<double> RodPage::stressAt(double section, double time) const {
     const RodCurves& shown = *curves();
-    if (!shown.string) return WaveField(m_blow->impact).force(section, time) * shown.units.stress.factor;
+    if (!shown.string)
+        return WaveField(m_blow->impact).force(std::max(0.0, section), time) * shown.units.stress.factor;
     if (!shown.string->waves) return {};
     const StringPlace place = stringPlace(m_blow->scenario.drillString, section);
     const double force = -shown.string->waves->force(place.section, place.share,
@@ -163,8 +164,7 @@ void RodPage::showReadout() {
 void RodPage::goTo(QPointF coordinates) {
     const std::optional<RodForce> force = m_rod->forceAt(coordinates);
     if (!force) return;
-    // Of the hammer, where no page looks, the time.
-    if (force->section >= 0) m_observation.setSection(force->section);
+    m_observation.setSection(force->section);
     if (force->size > 0) m_observation.setTime(force->time);
 }
 
