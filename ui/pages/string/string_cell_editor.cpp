@@ -23,6 +23,11 @@ QString objection(const Document& document, const Parameter& parameter, double s
     }
 }
 
+// A cross-section is left by typing a diameter.
+bool mayBeMissing(const SectionField& field) {
+    return field.presence == Presence::optional && field.key != "area";
+}
+
 }  // namespace
 
 StringCellEditor::StringCellEditor(const Document& document, StringModel& model, QObject* parent)
@@ -45,6 +50,7 @@ QWidget* StringCellEditor::newField(QWidget* parent, const QModelIndex& index) c
     field->setToolTip(fromView(parameter.meaning));
     field->setAutoFillBackground(true);
     if (field->unitButton()) field->unitButton()->hide();
+    if (mayBeMissing(*parameter.address->field)) field->setOptional(tr("not given"));
     field->setTaker([this, &parameter](double si) { return objection(m_document, parameter, si); });
     auto* plate = new ProblemPlate(field);
     connect(field, &QObject::destroyed, plate, &QObject::deleteLater);
@@ -76,6 +82,9 @@ void StringCellEditor::setModelData(QWidget* editor, QAbstractItemModel* model,
     const bool isNew =
         parameter && field->value() && field->value() != parameter->value(m_document.scenario());
     if (isNew) model->setData(index, *field->value());
+    const bool isTakenAway = parameter && !field->value() && mayBeMissing(*parameter->address->field) &&
+                             parameter->value(m_document.scenario());
+    if (isTakenAway) model->setData(index, QVariant());
 }
 
 // Enter leaves a cell only with text that can be taken.

@@ -33,6 +33,16 @@ std::string_view fieldKey(int column) {
             return "mass_after";
         case StringModel::attenuation:
             return "attenuation";
+        case StringModel::area:
+            return "area";
+        case StringModel::youngsModulus:
+            return "youngs_modulus";
+        case StringModel::density:
+            return "density";
+        case StringModel::yieldStrength:
+            return "yield_strength";
+        case StringModel::fatigueStrength:
+            return "fatigue_strength";
         default:
             return {};
     }
@@ -52,7 +62,8 @@ const Unit& columnUnit(int column) {
 QString columnTitle(int column) {
     if (column == StringModel::massAfter) return StringModel::tr("mass\nbehind");
     if (column == StringModel::attenuation) return StringModel::tr("attenu-\nation");
-    return fromView(findSectionField(fieldKey(column))->label);
+    QString title = fromView(findSectionField(fieldKey(column))->label);
+    return title.replace(QLatin1Char(' '), QLatin1Char('\n'));
 }
 
 QString withUnit(const QString& words, const QString& unit) {
@@ -93,6 +104,13 @@ void StringModel::present(const SolvedBlowPtr& blow) {
     m_results = stringResults(*blow, m_rows, m_chain);
     emit headerDataChanged(Qt::Horizontal, compression, reflected);
     if (!m_rows.empty()) emit dataChanged(index(0, compression), index(rowCount() - 1, reflected));
+}
+
+bool StringModel::isUsed(int column) const {
+    const SectionField* field = findSectionField(fieldKey(column));
+    return field && std::ranges::any_of(m_rows, [field](const StringRow& row) {
+               return field->value(row.section).has_value();
+           });
 }
 
 const Parameter* StringModel::parameterAt(const QModelIndex& index) const {
@@ -274,11 +292,16 @@ bool StringModel::setData(const QModelIndex& index, const QVariant& value, int r
     if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
     const StringRow row = m_rows[static_cast<std::size_t>(index.row())];
     if (index.column() == sectionName) return rename(row, value.toString().trimmed());
+    const Parameter* parameter = parameterAt(index);
+    if (!value.isValid() && parameter && parameter->address->field->clear) {
+        m_document.clear(*parameter, m_document.newGesture());
+        return told({});
+    }
     bool isNumber = false;
     const double number = value.toDouble(&isNumber);
     if (!isNumber) return false;
     if (index.column() == repeat) return setTimes(row, number);
-    return told(m_document.assign(*parameterAt(index), number, m_document.newGesture()));
+    return told(m_document.assign(*parameter, number, m_document.newGesture()));
 }
 
 bool StringModel::rename(const StringRow& row, const QString& name) {

@@ -26,6 +26,11 @@ class StringModel : public QAbstractTableModel {
         loss,
         massAfter,
         attenuation,
+        area,  // from here on what few sections have
+        youngsModulus,
+        density,
+        yieldStrength,
+        fatigueStrength,
         compression,
         tension,
         reflected,
@@ -34,6 +39,10 @@ class StringModel : public QAbstractTableModel {
 
     /// The document must outlive the model.
     explicit StringModel(Document& document, QObject* parent = nullptr);
+
+    /// Whether it is a column of numbers that few sections have, and whether one of these has it.
+    static bool isOccasional(int column) { return column >= area && column <= fatigueStrength; }
+    bool isUsed(int column) const;
 
     /// What the last columns show; nullptr before the first.
     void present(const SolvedBlowPtr& blow);
@@ -54,7 +63,7 @@ class StringModel : public QAbstractTableModel {
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
-    /// Takes a number in SI, or a name.
+    /// Takes a number in SI, or a name; nothing takes a number away that may be missing.
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
   signals:

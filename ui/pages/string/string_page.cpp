@@ -17,8 +17,14 @@
 #include "ui/pages/string/string_model.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/text/number_text.h"
+#include "ui/text/settings.h"
 
 namespace drillwave {
+namespace {
+
+const QString allColumnsKey = QStringLiteral("string/allColumns");
+
+}  // namespace
 
 StringPage::StringPage(Document& document, QWidget* parent)
     : Page(parent),
@@ -52,6 +58,9 @@ StringPage::StringPage(Document& document, QWidget* parent)
             &StringPage::followSelection);
     connect(m_edits, &StringEdits::refused, this, &StringPage::say);
     connect(m_model, &StringModel::refused, this, &StringPage::say);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &StringPage::showColumns);
+    connect(m_model, &QAbstractItemModel::dataChanged, this, &StringPage::showColumns);
+    showColumns();
     connect(&document, &Document::scenarioChanged, this, [this] { say({}); });
 }
 
@@ -87,7 +96,26 @@ QWidget* StringPage::makeBar() {
         if (action->menu()) button->setPopupMode(QToolButton::InstantPopup);
         row->addWidget(button);
     }
+    m_allColumns = new QToolButton(bar);
+    m_allColumns->setObjectName(QStringLiteral("allColumns"));
+    m_allColumns->setText(tr("All columns"));
+    m_allColumns->setCheckable(true);
+    m_allColumns->setFocusPolicy(Qt::TabFocus);
+    m_allColumns->setToolTip(tr(
+        "Also cross-section, Young's modulus, density and strengths where no section has them of its own"));
+    m_allColumns->setChecked(Settings().value(allColumnsKey, false).toBool());
+    connect(m_allColumns, &QToolButton::toggled, this, [this](bool all) {
+        Settings().setValue(allColumnsKey, all);
+        showColumns();
+    });
+    row->addWidget(m_allColumns);
     return bar;
+}
+
+void StringPage::showColumns() {
+    for (int column = 0; column < StringModel::columns; ++column)
+        if (StringModel::isOccasional(column))
+            m_table->setColumnHidden(column, !m_allColumns->isChecked() && !m_model->isUsed(column));
 }
 
 void StringPage::followSelection() {

@@ -8,6 +8,7 @@
 
 class QLabel;
 class QTableView;
+class QToolButton;
 
 namespace drillwave {
 
@@ -43,6 +44,7 @@ class StringPage : public Page {
     QWidget* makeBar();
     void fillTable();
     void followSelection();
+    void showColumns();
     void say(const QString& refusal);
     QString sentence() const;
     QByteArray csv() const;
@@ -51,6 +53,7 @@ class StringPage : public Page {
     StringModel* m_model;
     StringDrawing* m_drawing;
     QTableView* m_table;
+    QToolButton* m_allColumns = nullptr;  // also those that no section uses
     StringEdits* m_edits;
     QLabel* m_words;
     QString m_refusal;

@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QTableView>
 #include <QTest>
+#include <QToolButton>
 
 #include "core/blow/string_curves.h"
 #include "core/file/examples.h"
@@ -54,6 +55,7 @@ class TestStringPage : public QObject, private WindowFixture {
     void wrongTextStaysOutWithItsReason();
     void anOpenCellDoesNotReachAnotherFile();
     void unitsOfAllKindsAreTaken();
+    void columnsThatFewSectionsHaveAreShownWhereTheyAreUsed();
     void numbersFollowTheLocale();
     void aNewcomerBuildsTheStringFromOneSection();
     void aNewcomerBuildsTheStringFromPresets();
@@ -341,6 +343,48 @@ void TestStringPage::unitsOfAllKindsAreTaken() {
     QCOMPARE(window().shown()->problem, QString());
     QVERIFY(window().shown()->summary.string->jointLoss > 0);
     QVERIFY(isRowThere(QStringLiteral("lost in joints")));
+}
+
+void TestStringPage::columnsThatFewSectionsHaveAreShownWhereTheyAreUsed() {
+    const QTableView& table = *page().table();
+    constexpr int few[] = {StringModel::area, StringModel::youngsModulus, StringModel::density,
+                           StringModel::yieldStrength, StringModel::fatigueStrength};
+    for (const int column : few) QVERIFY(table.isColumnHidden(column));
+    auto& all = *page().findChild<QToolButton*>(QStringLiteral("allColumns"));
+    QTest::mouseClick(&all, Qt::LeftButton);
+    for (const int column : few) QVERIFY(!table.isColumnHidden(column));
+    typeIntoCell(4, StringModel::yieldStrength, QStringLiteral("300 MPa"));
+    typeIntoCell(4, StringModel::youngsModulus, QStringLiteral("205"));
+    typeIntoCell(3, StringModel::area, QStringLiteral("2300 mm^2"));
+    const DrillString& drill = document().scenario().drillString;
+    const Section& rod = drill.parts[1].sections[1];
+    QCOMPARE(rod.yieldStrength, std::optional(300e6));
+    QCOMPARE(rod.youngsModulus, std::optional(205e9));
+    QCOMPARE(drill.parts[1].sections[0].area, std::optional(2300e-6));
+    settle();
+    // What the strength is for.
+    const auto isTold = [](const Alert& alert) { return alert.code == AlertCode::stressAboveYield; };
+    QVERIFY(std::ranges::any_of(window().shown()->alerts, isTold));
+    // What is used stays, and goes with the last number, whose emptied cell takes it away.
+    QTest::mouseClick(&all, Qt::LeftButton);
+    QVERIFY(!table.isColumnHidden(StringModel::yieldStrength));
+    QVERIFY(!table.isColumnHidden(StringModel::area));
+    QVERIFY(table.isColumnHidden(StringModel::density));
+    const QModelIndex cell = model().index(4, StringModel::yieldStrength);
+    page().table()->setCurrentIndex(cell);
+    page().table()->edit(cell);
+    QWidget* editor = page().table()->indexWidget(cell);
+    QVERIFY(editor);
+    QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(editor, Qt::Key_Backspace);
+    QTest::keyClick(editor, Qt::Key_Return);
+    QCoreApplication::processEvents();
+    QVERIFY(!document().scenario().drillString.parts[1].sections[1].yieldStrength);
+    QVERIFY(table.isColumnHidden(StringModel::yieldStrength));
+    // A diameter takes the place of a cross-section.
+    typeIntoCell(3, StringModel::diameter, QStringLiteral("56 mm"));
+    QVERIFY(!document().scenario().drillString.parts[1].sections[0].area);
+    QVERIFY(table.isColumnHidden(StringModel::area));
 }
 
 void TestStringPage::numbersFollowTheLocale() {
