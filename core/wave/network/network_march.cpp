@@ -18,6 +18,9 @@ constexpr double mostRoundTrips = 40;
 /// What a piece of a cell with events takes, and a cell with its largest forces, in cells.
 constexpr long workOfPiece = 60, workOfForces = 8;
 
+/// What it takes to see whether a block of cells may hold the largest force of a section that loses.
+constexpr long workOfLook = 8;
+
 /// And what every node takes for every block of cells.
 constexpr long workOfBlock = 4;
 
@@ -342,7 +345,10 @@ NetworkImpact NetworkMarch::notSolved(std::string reason) const {
 }
 
 long NetworkMarch::work() const {
-    return m_cells * (m_wants.forces ? workOfForces : 1) + workOfPiece * (m_bit.pieces() + m_face.pieces());
+    long looked = 0;
+    for (const SectionWatch& watch : m_watches) looked += watch.looked();
+    return m_cells * (m_wants.forces ? workOfForces : 1) + workOfPiece * (m_bit.pieces() + m_face.pieces()) +
+           workOfLook * looked;
 }
 
 NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {

@@ -8,12 +8,8 @@ namespace drillwave {
 
 namespace {
 
-/// Of waves that lose, so many cells are looked at together before each of them is.
-constexpr long stepsOfBlock = 64;
-
-long blockOf(long step) {
-    return step >= 0 ? step / stepsOfBlock : -((stepsOfBlock - 1 - step) / stepsOfBlock);
-}
+/// How many blocks of cells a pair of cells is worth that is looked at closely.
+constexpr long blocksOfPair = 6;
 
 }  // namespace
 
@@ -28,18 +24,9 @@ struct SectionWatch::Meeting {
     long oldest() const { return step - static_cast<long>(window.size()); }
 };
 
-void SectionWatch::pushBlock(Side& side, double value, long step) const {
-    const long block = blockOf(step);
-    if (side.blocks.empty()) side.firstBlock = block;
-    if (side.firstBlock + static_cast<long>(side.blocks.size()) <= block)
-        side.blocks.push_back(value);
-    else
-        side.blocks.back() = std::max(side.blocks.back(), value);
-}
-
 void SectionWatch::push(Side& side, const WaveCell& cell, long step, const CellCuts& cuts) const {
     const WaveCell::Peak peak = (side.sign * cell).peak();
-    if (m_section.decay > 0) pushBlock(side, peak.value, step);
+    if (m_section.decay > 0) side.maxima.push(step, peak.value);
     while (!side.largest.empty() && side.largest.back().value <= peak.value) side.largest.pop_back();
     side.largest.push_back({step, cuts.clock(step) + peak.place * cuts.width(step), peak.value});
 }
@@ -86,9 +73,20 @@ void SectionWatch::watch(Side& side, const Meeting& meeting) const {
     pair(side.sign * meeting.up, 0, false);
 }
 
+/// The most that waves of these values at their ends come to where they meet: `share` is how much of its way
+/// b has gone by then, between two limits. The sum is a convex function of it.
+double SectionWatch::mostOf(double down, double up, double earliestShare, double latestShare) const {
+    const double f = std::max(down, 0.0), b = std::max(up, 0.0);
+    const auto sum = [&](double share) {
+        const double way = std::clamp(share, 0.0, 1.0);
+        return f * std::exp(-m_section.decay * (1 - way)) + b * std::exp(-m_section.decay * way);
+    };
+    return std::max(sum(earliestShare), sum(latestShare));
+}
+
 /// Where waves lose on their way it matters where they meet: all that may come into question is tried, with
 /// each cell's ends and its top.
-void SectionWatch::watchDecaying(Side& side, const Meeting& meeting) const {
+void SectionWatch::watchDecaying(Side& side, const Meeting& meeting) {
     const WaveCell f = side.sign * meeting.down;
     const WaveCell::Peak top = f.peak();
     const double most = side.largest.empty() ? 0 : side.largest.front().value;
@@ -98,26 +96,19 @@ void SectionWatch::watchDecaying(Side& side, const Meeting& meeting) const {
     const CellCuts& cuts = meeting.cuts;
     const double clock = cuts.clock(meeting.step), end = clock + cuts.width(meeting.step);
     const double roundTrip = 2 * m_section.transitTime;
-    const auto weakest = [&](double share) {
-        return std::exp(-m_section.decay * std::clamp(share, 0.0, 1.0));
-    };
     meet(side, meeting, f, 0);
-    for (std::size_t k = 0; k < side.blocks.size(); ++k) {
-        const long block = side.firstBlock + static_cast<long>(k);
-        const long first = std::max(block * stepsOfBlock, meeting.oldest());
-        const long behind = std::min((block + 1) * stepsOfBlock, meeting.step);
-        if (first >= behind) continue;
-        const double earliest = m_section.startTime + (clock + cuts.clock(first)) / 2 + m_section.transitTime;
-        if (earliest > meeting.lastTime) break;
-        // Neither is more than where it has come the shortest way.
-        const double bound =
-            std::max(top.value, 0.0) * weakest(1 - (end - cuts.clock(first)) / roundTrip) +
-            std::max(side.blocks[k], 0.0) * weakest((clock - cuts.clock(behind)) / roundTrip);
-        if (bound <= side.peak.force) continue;
-        for (long step = std::max(first, meeting.oldest() + 1); step < behind; ++step)
-            meet(side, meeting, f, static_cast<std::size_t>(step - meeting.oldest()));
-    }
     meet(side, meeting, f, meeting.window.size());
+    const auto mayHold = [&](double largest, long first, long behind) {
+        const double from = cuts.clock(first), to = cuts.clock(behind);
+        const double earliest = m_section.startTime + (clock + from) / 2 + m_section.transitTime;
+        if (earliest > meeting.lastTime || top.value + largest <= side.peak.force) return false;
+        return mostOf(top.value, largest, (clock - to) / roundTrip, (end - from) / roundTrip) >
+               side.peak.force;
+    };
+    m_looked += side.maxima.search(meeting.oldest() + 1, meeting.step, mayHold, [&](long step) {
+        m_looked += blocksOfPair;
+        meet(side, meeting, f, static_cast<std::size_t>(step - meeting.oldest()));
+    });
 }
 
 /// f with cell number `number` of the window; the one behind the last is the present one.
@@ -129,13 +120,15 @@ void SectionWatch::meet(Side& side, const Meeting& meeting, const WaveCell& f, s
     const double clock = meeting.cuts.clock(meeting.step), width = meeting.cuts.width(meeting.step);
     const double roundTrip = 2 * m_section.transitTime;
     const long step = meeting.oldest() + static_cast<long>(number);
+    const double upStart = present ? clock : oldest ? clock - roundTrip : meeting.cuts.clock(step);
+    const double upWidth = present || oldest ? width : meeting.cuts.width(step);
+    if (mostOf(top.value, other.value, (clock - upStart - upWidth) / roundTrip,
+               (clock + width - upStart) / roundTrip) <= side.peak.force)
+        return;
     for (const double u : {0.0, top.place, 1.0})
         for (const double v : {0.0, other.place, 1.0}) {
             if ((present && v > u) || (oldest && v < u)) continue;
-            const double downClock = clock + u * width;
-            const double upClock = present  ? clock + v * width
-                                   : oldest ? clock - roundTrip + v * width
-                                            : meeting.cuts.clock(step) + v * meeting.cuts.width(step);
+            const double downClock = clock + u * width, upClock = upStart + v * upWidth;
             const double share = (downClock - upClock) / roundTrip;  // of its way that b has gone
             const double force = f.value(u) * std::exp(-m_section.decay * (1 - share)) +
                                  b.value(v) * std::exp(-m_section.decay * share);
@@ -149,10 +142,7 @@ void SectionWatch::add(const WaveCell& down, const WaveCell& up, std::span<const
     for (Side* side : {&m_compression, &m_tension}) {
         while (!side->largest.empty() && side->largest.front().step <= meeting.oldest())
             side->largest.pop_front();
-        while (!side->blocks.empty() && side->firstBlock < blockOf(meeting.oldest())) {
-            side->blocks.pop_front();
-            ++side->firstBlock;
-        }
+        side->maxima.dropBefore(meeting.oldest());
         m_section.decay > 0 ? watchDecaying(*side, meeting) : watch(*side, meeting);
         push(*side, up, step, cuts);
     }
@@ -161,7 +151,7 @@ void SectionWatch::add(const WaveCell& down, const WaveCell& up, std::span<const
 void SectionWatch::restart(std::span<const WaveCell> window, long step, const CellCuts& cuts) {
     for (Side* side : {&m_compression, &m_tension}) {
         side->largest.clear();
-        side->blocks.clear();
+        side->maxima.clear();
         long at = step - static_cast<long>(window.size());
         for (const WaveCell& cell : window) push(*side, cell, at++, cuts);
     }

@@ -9,6 +9,7 @@
 #include "core/wave/network/cell_cuts.h"
 #include "core/wave/network/network_impact.h"
 #include "core/wave/network/wave_cell.h"
+#include "core/wave/network/window_maxima.h"
 
 namespace drillwave {
 
@@ -35,6 +36,8 @@ class SectionWatch {
     void restart(std::span<const WaveCell> window, long step, const CellCuts& cuts);
 
     SectionForces forces() const { return {m_compression.peak, m_tension.peak}; }
+    /// Blocks and pairs of cells that were looked at where waves lose on their way.
+    long looked() const { return m_looked; }
 
   private:
     /// The largest value of a cell that is on its way.
@@ -48,22 +51,22 @@ class SectionWatch {
         double sign;
         SectionPeak peak;
         std::deque<Entry> largest;
-        std::deque<double> blocks;  ///< where waves lose: the largest value of so many steps each
-        long firstBlock = 0;        ///< its number: steps over stepsOfBlock
+        WindowMaxima maxima;  ///< where waves lose: of the cells on their way
     };
     /// One cell and what it meets.
     struct Meeting;
 
     void watch(Side& side, const Meeting& meeting) const;
-    void watchDecaying(Side& side, const Meeting& meeting) const;
+    void watchDecaying(Side& side, const Meeting& meeting);
     void meet(Side& side, const Meeting& meeting, const WaveCell& f, std::size_t number) const;
-    void pushBlock(Side& side, double value, long step) const;
+    double mostOf(double down, double up, double earliestShare, double latestShare) const;
     void note(SectionPeak& peak, double force, double downClock, double upClock, double lastTime) const;
     void push(Side& side, const WaveCell& cell, long step, const CellCuts& cuts) const;
 
     WatchedSection m_section;
     Side m_compression{1};
     Side m_tension{-1};
+    long m_looked = 0;
 };
 
 }  // namespace drillwave

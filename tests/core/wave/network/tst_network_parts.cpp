@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the solver of drill strings is made of: cells, relaxations, grids, and a lattice to compare with.
 #include <QtTest>
+#include <algorithm>
+#include <vector>
 
 #include "core/wave/network/cell_cuts.h"
 #include "core/wave/network/cell_grid.h"
 #include "core/wave/network/network_solver.h"
 #include "core/wave/network/plain_lattice.h"
 #include "core/wave/network/relaxation.h"
+#include "core/wave/network/section_watch.h"
 #include "core/wave/network/wave_cell.h"
+#include "core/wave/network/window_maxima.h"
 #include "tests/support/network_scenes.h"
 
 using namespace drillwave;
@@ -81,6 +85,58 @@ class TestNetworkParts : public QObject {
     }
 
     /// It shares nothing with the solver but the problem: both must come to the same.
+    void theLargestOfAWindowIsFoundWithFewLooks() {
+        Chance chance(21);
+        WindowMaxima maxima;
+        std::vector<double> values;
+        constexpr long window = 50'000, steps = 60'000;
+        long looked = 0, told = 0;
+        for (long step = 0; step < steps; ++step) {
+            const long oldest = std::max(0L, step - window);
+            maxima.dropBefore(oldest);
+            values.push_back(chance.fraction());
+            maxima.push(step - 100, values.back());  // steps below zero are those before the blow
+            if (step % 1000) continue;
+            double largest = 0;
+            looked += maxima.search(
+                oldest - 100, step - 99, [&](double most, long, long) { return most > largest; },
+                [&](long at) {
+                    ++told;
+                    largest = std::max(largest, values[std::size_t(at + 100)]);
+                });
+            QCOMPARE(largest, *std::max_element(values.begin() + oldest, values.end()));
+        }
+        QVERIFY2(looked < 60 * 200 && told < 60 * 200, QByteArray::number(double(looked + told)));
+    }
+
+    /// The largest force of a section that loses on its way is among all pairs of cells that meet in it.
+    void theLargestForceOfALongLossySectionTakesFewLooks() {
+        constexpr long cells = 20'000, steps = 25'000;
+        const double width = 1.0 / cells, decay = 0.7;
+        Chance chance(23);
+        const CellCuts cuts(width, {}, {0.3, 1.5, 24});
+        std::vector<WaveCell> ups(cells, WaveCell::constant(0)), downs;
+        SectionWatch watch({.transitTime = 0.5, .decay = decay, .startTime = 0});
+        watch.restart(ups, 0, cuts);
+        for (long step = 0; step < steps; ++step) {
+            const double slow = std::sin(0.001 * double(step)) + 0.1 * chance.fraction();
+            downs.push_back(WaveCell::constant(slow));
+            ups.push_back(WaveCell::constant(0.8 * slow - 0.3));
+            watch.add(downs.back(), ups.back(), {ups.data() + step, std::size_t(cells)}, step, cuts, 1e9);
+        }
+        double most = 0;
+        for (long step = 0; step < steps; step += 7)
+            for (long back = 0; back <= cells; back += 3) {
+                const double share = double(back) / cells;
+                most = std::max(most,
+                                downs[std::size_t(step)].mean() * std::exp(-decay * (1 - share)) +
+                                    ups[std::size_t(cells + step - back)].mean() * std::exp(-decay * share));
+            }
+        const double told = watch.forces().compression.force;
+        QVERIFY2(told >= most && told < most * 1.01, QByteArray::number(told / most, 'g', 12));
+        QVERIFY2(watch.looked() < 100 * steps, QByteArray::number(double(watch.looked()) / steps));
+    }
+
     void thePlainLatticeComesToTheReferenceToo() {
         int compared = 0;
         for (const NetworkCase& scene : networkCases()) {
