@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace drillwave {
 
@@ -43,20 +44,25 @@ BitNode::BitNode(double impedance, double mass, const BitRockLaw& law, double ga
     : m_impedance(impedance), m_mass(mass), m_now(BilinearLaw<double>(law), gap) {}
 
 void BitNode::setWidths(const std::vector<double>& widths) {
-    m_maps.clear();
+    const std::vector<CellMaps> before = std::exchange(m_maps, {});
     for (const double width : widths) {
-        CellMaps maps;
-        maps.width = width;
-        if (m_mass == 0) {
-            maps.primary = Relaxation(rateOn(ContactLine::primary) * width);
-            maps.elastic = Relaxation(rateOn(ContactLine::elastic) * width);
-        } else {
-            maps.apart = Relaxation(m_impedance / m_mass * width);
-            maps.primaryMass = Oscillation({m_impedance, m_mass, m_now.law.slopes().primary}, width);
-            maps.elasticMass = Oscillation({m_impedance, m_mass, m_now.law.slopes().elastic}, width);
-        }
-        m_maps.push_back(maps);
+        const auto known = std::ranges::find(before, width, &CellMaps::width);
+        m_maps.push_back(known != before.end() ? *known : mapsOf(width));
     }
+}
+
+BitNode::CellMaps BitNode::mapsOf(double width) const {
+    CellMaps maps;
+    maps.width = width;
+    if (m_mass == 0) {
+        maps.primary = Relaxation(rateOn(ContactLine::primary) * width);
+        maps.elastic = Relaxation(rateOn(ContactLine::elastic) * width);
+    } else {
+        maps.apart = Relaxation(m_impedance / m_mass * width);
+        maps.primaryMass = Oscillation({m_impedance, m_mass, m_now.law.slopes().primary}, width);
+        maps.elasticMass = Oscillation({m_impedance, m_mass, m_now.law.slopes().elastic}, width);
+    }
+    return maps;
 }
 
 double BitNode::fastestRate() const {
@@ -93,8 +99,7 @@ bool BitNode::quietStep(const WaveCell& g, const CellMaps& maps, double time, Wa
         speeds = (2 / m_impedance) * g;
         if (m_mass > 0) speeds = maps.apart.follow(speeds, velocity);
         const bool leaves = speeds.most() < -quietMargin * speeds.spread();
-        if (!leaves && m_now.distance <= maps.width * (std::abs(speeds.mean()) + speeds.spread()))
-            return false;
+        if (!leaves && m_now.distance <= maps.width * speeds.largest()) return false;
         m_now.distance -= maps.width * speeds.mean();
         m_now.velocity = velocity;
         b = m_mass > 0 ? g - m_impedance * speeds : -1.0 * g;

@@ -91,6 +91,7 @@ class BitNode {
         ContactLine line;
     };
 
+    CellMaps mapsOf(double width) const;
     WaveCell follow(const WaveCell& g, double width, double share, double time, CutAt cutAt, CellJump& jump);
     bool quietStep(const WaveCell& g, const CellMaps& maps, double time, WaveCell& b);
     EventPiece nextPiece(const WaveCell::Powers& g, double width, double from, double end) const;

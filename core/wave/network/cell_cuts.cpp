@@ -63,8 +63,12 @@ void CellCuts::measure() {
         m_widths.push_back(m_cell * ((i + 1 < m_places.size() ? m_places[i + 1] : 1) - m_places[i]));
 }
 
+bool CellCuts::isFull() const {
+    return m_jumps == m_grading.mostCuts || count() > mostParts;
+}
+
 bool CellCuts::cutAt(double place) {
-    if (m_jumps == m_grading.mostCuts || count() > mostParts || !add(place)) return false;
+    if (isFull() || !add(place)) return false;
     ++m_jumps;
     addGraded(place);
     measure();
@@ -77,21 +81,35 @@ void CellCuts::endPartAt(double place) {
 
 std::vector<WaveCell> CellCuts::recut(const WaveCell* cells, std::size_t cellCount, const CellCuts& coarse,
                                       std::size_t first) const {
-    std::vector<WaveCell> parts;
-    for (std::size_t i = 0; i < cellCount; ++i) {
-        const std::size_t part = (first + i) % coarse.count();
+    // where the parts of each part of the coarse cuts begin, in it; it itself where it stays whole
+    std::vector<std::vector<double>> shares(coarse.count());
+    for (std::size_t part = 0; part < coarse.count(); ++part) {
         const double start = coarse.m_places[part];
         const double end = part + 1 < coarse.count() ? coarse.m_places[part + 1] : 1;
         auto at = std::lower_bound(m_places.begin(), m_places.end(), start);
-        for (; at != m_places.end() && *at < end; ++at) {
-            const double next = at + 1 != m_places.end() ? *(at + 1) : 1;
-            if (*at == start && next == end)
-                parts.push_back(cells[i]);
-            else
-                parts.push_back(cells[i].part((*at - start) / (end - start), (next - start) / (end - start)));
+        for (; at != m_places.end() && *at < end; ++at) shares[part].push_back((*at - start) / (end - start));
+    }
+    std::vector<WaveCell> parts;
+    parts.reserve(cellCount / coarse.count() * count() + count());
+    std::size_t part = first;
+    for (std::size_t i = 0; i < cellCount; ++i, part = part + 1 == coarse.count() ? 0 : part + 1) {
+        const std::vector<double>& from = shares[part];
+        if (from.size() == 1 || cells[i].spread() == 0) {
+            parts.insert(parts.end(), from.size(), cells[i]);
+            continue;
         }
+        for (std::size_t k = 0; k < from.size(); ++k)
+            parts.push_back(cells[i].part(from[k], k + 1 < from.size() ? from[k + 1] : 1));
     }
     return parts;
+}
+
+std::vector<double> CellCuts::meansOfCells(std::span<const WaveCell> parts, long step) const {
+    std::vector<double> means(parts.size() / count(), 0.0);
+    Walk at(*this, step);
+    for (std::size_t i = 0; i < parts.size(); ++i, at.next())
+        means[i / count()] += at.width() / m_cell * parts[i].mean();
+    return means;
 }
 
 }  // namespace drillwave

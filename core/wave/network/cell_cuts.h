@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/wave/network/wave_cell.h"
@@ -59,6 +60,8 @@ class CellCuts {
         std::size_t m_part;
     };
 
+    /// Whether there are enough cuts.
+    bool isFull() const;
     /// Also cut at this place, and behind it as finely as behind a front. False where that is cut already, or
     /// there are enough cuts.
     bool cutAt(double place);
@@ -69,6 +72,9 @@ class CellCuts {
     /// Cells in parts that follow each other from part number `first` of `coarse` on, as parts of this.
     std::vector<WaveCell> recut(const WaveCell* cells, std::size_t cellCount, const CellCuts& coarse,
                                 std::size_t first) const;
+
+    /// Means over whole cells of parts that follow each other from `step` on.
+    std::vector<double> meansOfCells(std::span<const WaveCell> parts, long step) const;
 
   private:
     bool add(double place);

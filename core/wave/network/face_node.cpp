@@ -23,7 +23,7 @@ constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
 constexpr double leastJump = 1e-6;
 
 bool isStill(const WaveCell& w) {
-    return std::abs(w.mean()) + w.spread() <= stillSpeed;
+    return w.largest() <= stillSpeed;
 }
 
 }  // namespace
@@ -46,8 +46,7 @@ void FaceNode::setWidths(const std::vector<double>& widths) {
 
 WaveCell FaceNode::closingSpeed(const WaveCell& f1, const WaveCell& b2) const {
     WaveCell w;
-    const double size =
-        m_of1 * (std::abs(f1.mean()) + f1.spread()) + m_of2 * (std::abs(b2.mean()) + b2.spread());
+    const double size = m_of1 * f1.largest() + m_of2 * b2.largest();
     for (int k = 0; k < WaveCell::count; ++k) w.c[k] = m_of1 * f1.c[k] + m_of2 * b2.c[k];
     dropRounding(w.c.data(), WaveCell::count, rounding * size);
     return w;
@@ -55,6 +54,11 @@ WaveCell FaceNode::closingSpeed(const WaveCell& f1, const WaveCell& b2) const {
 
 void FaceNode::step(WaveCell& f1ToF2, WaveCell& b2ToB1, int index, double time, CutAt cutAt, CellJump& jump) {
     const WaveCell f1 = f1ToF2, b2 = b2ToB1;
+    if (m_now.apart && m_now.record.firstSeparation >= 0 && staysApart(f1, b2, m_widths[index])) {
+        b2ToB1 = -1.0 * f1;
+        f1ToF2 = -1.0 * b2;
+        return;
+    }
     WaveCell force;
     const WaveCell w = closingSpeed(f1, b2);
     noteOpening(w, m_widths[index], time);
@@ -66,6 +70,16 @@ void FaceNode::step(WaveCell& f1ToF2, WaveCell& b2ToB1, int index, double time, 
     }
     b2ToB1 = force - f1;
     f1ToF2 = force - b2;
+}
+
+/// Whether the gap is wider than the faces can move over a cell, whatever the waves do in it: then it
+/// changes.
+bool FaceNode::staysApart(const WaveCell& f1, const WaveCell& b2, double width) {
+    if (m_now.released) return true;
+    const double most = m_of1 * f1.largest() + m_of2 * b2.largest();
+    if (m_now.gap <= width * most) return false;
+    m_now.gap -= width * (m_of1 * f1.mean() + m_of2 * b2.mean());
+    return true;
 }
 
 FaceNodeState FaceNode::stateWithin(const WaveCell& f1, const WaveCell& b2, int index, double share,
@@ -84,9 +98,7 @@ bool FaceNode::quietForce(const WaveCell& w, int index, WaveCell& force) {
     const double width = m_widths[index];
     if (m_now.apart) {
         const bool leaves = w.most() < -quietMargin * w.spread();
-        if (!leaves && m_now.gap <= width * (std::abs(w.mean()) + w.spread()) &&
-            !(isStill(w) && m_now.gap == 0))
-            return false;
+        if (!leaves && m_now.gap <= width * w.largest() && !(isStill(w) && m_now.gap == 0)) return false;
         if (!isStill(w) || m_now.gap > 0) m_now.gap -= width * w.mean();
         return true;
     }

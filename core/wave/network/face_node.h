@@ -57,6 +57,7 @@ class FaceNode {
     struct EventPiece;
 
     WaveCell closingSpeed(const WaveCell& f1, const WaveCell& b2) const;
+    bool staysApart(const WaveCell& f1, const WaveCell& b2, double width);
     bool quietForce(const WaveCell& w, int index, WaveCell& force);
     EventPiece nextPiece(const WaveCell::Powers& w, double width, double from, double end) const;
     EventPiece stretch(const WaveCell::Powers& w, double width, double from, double end) const;

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/wave/network/census_impact.h"
+#include "core/wave/network/free_flight.h"
+
 namespace drillwave {
 
 namespace {
@@ -17,6 +20,9 @@ constexpr double mostRoundTrips = 40;
 
 /// What a piece of a cell with events takes, and a cell with its largest forces, in cells.
 constexpr long workOfPiece = 60, workOfForces = 8;
+
+/// So many means of cells that fly free take what one cell does.
+constexpr double flownOfCell = 8;
 
 /// What it takes to see whether a block of cells may hold the largest force of a section that loses.
 constexpr long workOfLook = 8;
@@ -134,6 +140,7 @@ NetworkMarch::NetworkMarch(const NetworkProblem& problem, const CellGrid& grid, 
         m_bitForces.resize(mostBlock);
     }
     setWidths();
+    planTurns();
 }
 
 void NetworkMarch::setWidths() {
@@ -159,51 +166,58 @@ void NetworkMarch::setNodes(const Nodes& nodes) {
     m_events.resize(nodes.events);
 }
 
-std::size_t NetworkMarch::nextBlock() const {
-    std::size_t block = mostBlock;
-    for (const DelayLine& line : m_lines) block = std::min(block, line.delay());
-    return block;
-}
-
-/// Whether a contact may begin within a cell.
-bool NetworkMarch::mayJump() const {
-    if (m_wants.cutAt != CutAt::jumps) return m_wants.cutAt == CutAt::corners;
-    return (m_face.state().apart && !m_face.state().released) || m_bit.state().isApart();
+void NetworkMarch::planTurns() {
+    std::vector<std::size_t> delays;
+    for (const DelayLine<WaveCell>& line : m_lines) delays.push_back(line.delay());
+    m_turns = nodeTurns(delays, mostBlock);
 }
 
 double NetworkMarch::jumpPlace(std::size_t part, double place) const {
     return m_cuts.places()[part] + place * m_cuts.widths()[part] / m_grid.cell;
 }
 
-CellJump NetworkMarch::stepBlock(std::size_t count, CutAt cutAt) {
-    const std::size_t last = m_problem.sections.size() - 1;
-    const std::size_t parts = m_cuts.count(), part = static_cast<std::size_t>(m_step) % parts;
-    for (std::size_t i = 0; i < count; ++i) m_downs[0][i] = -m_passing[0] * m_lines[0].arriving()[i];
-    for (std::size_t j = 1; j <= last; ++j) {
-        if (m_passing[j - 1] != 1)
-            for (std::size_t i = 0; i < count; ++i) m_downs[j][i] = m_passing[j - 1] * m_downs[j - 1][i];
-        if (j == m_problem.hammerSections) {
-            const CellJump jump = stepFace(count, cutAt);
-            if (jump.found) return jump;
-            continue;
-        }
-        const WaveCell* f1 = m_passing[j - 1] == 1 ? m_downs[j - 1].data() : m_downs[j].data();
-        const WaveCell* b2 = m_lines[j].arriving();
-        if (m_passing[j] != 1) {
-            for (std::size_t i = 0; i < count; ++i) m_weakened[i] = m_passing[j] * b2[i];
-            b2 = m_weakened.data();
-        }
-        if (m_joints[j - 1].mass() > 0 && m_census) takeMassVelocity(j - 1, f1, b2, count);
-        m_joints[j - 1].step(f1, b2, m_lines[j - 1].leaving(), m_downs[j].data(), count, part, parts);
+/// One block of turn. Where a jump was found it is to be taken again.
+NetworkMarch::NodeJump NetworkMarch::stepBlock() {
+    for (const NodeTurn& turn : m_turns) {
+        const NodeJump jump = turn.node == 0                          ? stepRear(turn)
+                              : turn.node == m_lines.size()           ? stepBit(turn)
+                              : turn.node == m_problem.hammerSections ? stepFace(turn)
+                                                                      : stepJoint(turn.node, turn);
+        if (jump.found) return jump;
     }
-    return stepBit(count, cutAt);
+    return {};
 }
 
-CellJump NetworkMarch::stepFace(std::size_t count, CutAt cutAt) {
+NetworkMarch::NodeJump NetworkMarch::stepRear(const NodeTurn& turn) {
+    const WaveCell* back = m_lines[0].arriving();
+    for (std::size_t i = turn.from; i < turn.behind(); ++i) m_downs[0][i] = -m_passing[0] * back[i];
+    return {};
+}
+
+NetworkMarch::NodeJump NetworkMarch::stepJoint(std::size_t j, const NodeTurn& turn) {
+    const std::size_t parts = m_cuts.count();
+    const std::size_t part = (static_cast<std::size_t>(m_step) + turn.from) % parts;
+    const WaveCell* f1 = m_downs[j - 1].data() + turn.from;
+    const WaveCell* b2 = m_lines[j].arriving() + turn.from;
+    WaveCell* f2 = m_downs[j].data() + turn.from;
+    if (m_passing[j - 1] != 1) {
+        for (std::size_t i = 0; i < turn.count; ++i) f2[i] = m_passing[j - 1] * f1[i];
+        f1 = f2;
+    }
+    if (m_passing[j] != 1) {
+        for (std::size_t i = 0; i < turn.count; ++i) m_weakened[i] = m_passing[j] * b2[i];
+        b2 = m_weakened.data();
+    }
+    if (m_joints[j - 1].mass() > 0 && m_census) takeMassVelocity(j - 1, f1, b2, turn);
+    m_joints[j - 1].step(f1, b2, m_lines[j - 1].leaving() + turn.from, f2, turn.count, part, parts);
+    return {};
+}
+
+NetworkMarch::NodeJump NetworkMarch::stepFace(const NodeTurn& turn) {
     const std::size_t j = m_problem.hammerSections;
-    CellCuts::Walk at(m_cuts, m_step);
+    CellCuts::Walk at(m_cuts, m_step + static_cast<long>(turn.from));
     CellJump jump;
-    for (std::size_t i = 0; i < count; ++i, at.next()) {
+    for (std::size_t i = turn.from; i < turn.behind(); ++i, at.next()) {
         WaveCell f = m_downs[j - 1][i];
         WaveCell b = m_passing[j] == 1 ? m_lines[j].arriving()[i] : m_passing[j] * m_lines[j].arriving()[i];
         const int part = static_cast<int>(at.part());
@@ -212,20 +226,20 @@ CellJump NetworkMarch::stepFace(std::size_t count, CutAt cutAt) {
             const double share = std::min(1.0, (m_census->time() - time) / at.width());
             m_census->setFace(m_face.stateWithin(f, b, part, share, time));
         }
-        m_face.step(f, b, part, time, cutAt, jump);
-        if (jump.found) return {true, jumpPlace(at.part(), jump.place)};
+        m_face.step(f, b, part, time, i < m_faceTaken ? CutAt::nothing : m_cutAt, jump);
+        if (jump.found) return {true, j, i, jumpPlace(at.part(), jump.place)};
         m_downs[j][i] = f;
         m_lines[j - 1].leaving()[i] = b;
     }
     return {};
 }
 
-CellJump NetworkMarch::stepBit(std::size_t count, CutAt cutAt) {
+NetworkMarch::NodeJump NetworkMarch::stepBit(const NodeTurn& turn) {
     const std::size_t j = m_problem.sections.size() - 1;
-    CellCuts::Walk at(m_cuts, m_step);
+    CellCuts::Walk at(m_cuts, m_step + static_cast<long>(turn.from));
     CellJump jump;
     const double censusClock = m_census ? m_census->clockOf(j + 1) : -1;
-    for (std::size_t i = 0; i < count; ++i, at.next()) {
+    for (std::size_t i = turn.from; i < turn.behind(); ++i, at.next()) {
         const WaveCell g = m_passing[j] == 1 ? m_downs[j][i] : m_passing[j] * m_downs[j][i];
         const int part = static_cast<int>(at.part());
         const double clock = at.clock(), time = clock + m_clocks.bit();
@@ -233,21 +247,22 @@ CellJump NetworkMarch::stepBit(std::size_t count, CutAt cutAt) {
             const double share = std::min(1.0, (censusClock - clock) / at.width());
             m_census->setBit(m_bit.stateWithin(g, part, share, time));
         }
-        m_lines[j].leaving()[i] = m_bit.step(g, part, time, cutAt, jump);
-        if (jump.found) return {true, jumpPlace(at.part(), jump.place)};
+        m_lines[j].leaving()[i] = m_bit.step(g, part, time, i < m_bitTaken ? CutAt::nothing : m_cutAt, jump);
+        if (jump.found) return {true, j + 1, i, jumpPlace(at.part(), jump.place)};
         if (m_waves) m_bitForces[i] = m_bit.cellForce();
     }
     return {};
 }
 
-/// The velocity of the mass of a joint at the time of the census, where that lies in this block.
+/// The velocity of the mass of a joint at the time of the census, where that lies in these turn.
 void NetworkMarch::takeMassVelocity(std::size_t joint, const WaveCell* f1, const WaveCell* b2,
-                                    std::size_t count) {
+                                    const NodeTurn& turn) {
     const double wanted = m_census->clockOf(joint + 1);
-    if (wanted < clock() || wanted >= m_cuts.clock(m_step + static_cast<long>(count))) return;
+    const long from = m_step + static_cast<long>(turn.from);
+    if (wanted < m_cuts.clock(from) || wanted >= m_cuts.clock(from + static_cast<long>(turn.count))) return;
     Joint copy = m_joints[joint];
-    for (std::size_t i = 0; i < count; ++i) {
-        const long step = m_step + static_cast<long>(i);
+    for (std::size_t i = 0; i < turn.count; ++i) {
+        const long step = from + static_cast<long>(i);
         const double start = m_cuts.clock(step), width = m_cuts.width(step);
         if (wanted < m_cuts.clock(step + 1)) {
             m_census->setMassVelocity(
@@ -260,6 +275,23 @@ void NetworkMarch::takeMassVelocity(std::size_t joint, const WaveCell* f1, const
     }
 }
 
+/// One block of steps, cut where waves jump.
+void NetworkMarch::takeBlock() {
+    const Nodes before = nodes();
+    m_faceTaken = m_bitTaken = 0;
+    while (true) {
+        m_cutAt = m_cuts.isFull() ? CutAt::nothing : m_wants.cutAt;
+        const NodeJump jump = stepBlock();
+        if (!jump.found) return;
+        setNodes(before);
+        if (cut(jump.place)) {
+            m_faceTaken = m_bitTaken = 0;  // steps have other numbers now
+        } else {
+            (jump.node == m_lines.size() ? m_bitTaken : m_faceTaken) = jump.step + 1;
+        }
+    }
+}
+
 /// Cuts all cells at a place. False where that is not to be done.
 bool NetworkMarch::cut(double place) {
     const CellCuts coarse = m_cuts;
@@ -268,10 +300,12 @@ bool NetworkMarch::cut(double place) {
     const std::size_t part = static_cast<std::size_t>(m_step % parts);
     const auto at = std::lower_bound(m_cuts.places().begin(), m_cuts.places().end(), coarse.places()[part]);
     m_step = m_step / parts * static_cast<long>(m_cuts.count()) + (at - m_cuts.places().begin());
-    for (DelayLine& line : m_lines) line.replace(m_cuts.recut(line.arriving(), line.delay(), coarse, part));
+    for (DelayLine<WaveCell>& line : m_lines)
+        line.replace(m_cuts.recut(line.arriving(), line.delay(), coarse, part));
     for (std::size_t j = 0; j < m_watches.size(); ++j)
         m_watches[j].restart(m_lines[j].content(), m_step, m_cuts);
     setWidths();
+    planTurns();
     return true;
 }
 
@@ -330,11 +364,9 @@ void NetworkMarch::scheduleCensus() {
     for (std::size_t j = 0; j < m_lines.size(); ++j)
         ahead = std::max(ahead, m_clocks.delays[j + 1] + m_clocks.transitTimes[j]);
     const double time = clock() + ahead;
-    if (m_bit.state().isApart() && m_bit.state().record.contacts > 0 && m_face.state().apart) {
+    const bool isFree = m_bit.state().isApart() && m_bit.state().record.contacts > 0 && m_face.state().apart;
+    if (isFree ? !m_free && clock() >= m_landing : time >= limitTime())
         m_census.emplace(m_problem, m_clocks, time);
-    } else if (time >= limitTime()) {
-        m_census.emplace(m_problem, m_clocks, time);
-    }
 }
 
 NetworkImpact NetworkMarch::notSolved(std::string reason) const {
@@ -347,90 +379,92 @@ NetworkImpact NetworkMarch::notSolved(std::string reason) const {
 long NetworkMarch::work() const {
     long looked = 0;
     for (const SectionWatch& watch : m_watches) looked += watch.looked();
-    return m_cells * (m_wants.forces ? workOfForces : 1) + workOfPiece * (m_bit.pieces() + m_face.pieces()) +
-           workOfLook * looked;
+    return static_cast<long>(m_flown / flownOfCell) + m_cells * (m_wants.forces ? workOfForces : 1) +
+           workOfPiece * (m_bit.pieces() + m_face.pieces()) + workOfLook * looked;
 }
 
 NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
     const std::size_t nodeCount = m_problem.sections.size() + 1;
-    bool cuts = true;
+    constexpr std::size_t count = mostBlock;
     while (true) {
         if (stop.stop_requested()) return notSolved("stopped");
         if (work() > mostCells) return notSolved("it takes more wave cells than permitted");
         if (!m_census) scheduleCensus();
-        const std::size_t count = nextBlock();
-        if (mayJump() && cuts) {
-            const Nodes before = nodes();
-            const CellJump jump = stepBlock(count, m_wants.cutAt);
-            if (jump.found) {
-                setNodes(before);
-                cuts = cut(jump.place);  // else this block is taken as it is
-                continue;
-            }
-        } else {
-            stepBlock(count, CutAt::nothing);
-        }
-        cuts = true;
+        takeBlock();
         if (!m_bit.trouble().empty()) return notSolved(std::string(m_bit.trouble()));
         if (!m_face.trouble().empty()) return notSolved(std::string(m_face.trouble()));
         m_cells += static_cast<long>(count * nodeCount);
         observe(count);
         if (m_waves) keepWaves(count);
-        for (DelayLine& line : m_lines) line.advance(count);
+        for (DelayLine<WaveCell>& line : m_lines) line.advance(count);
         m_step += static_cast<long>(count);
-        if (!m_census || clock() <= m_census->lastClock()) continue;
-        const CensusResult census = m_census->finish();
-        if (m_problem.endTime) return result(census, NetworkEnd::endTime);
-        if (!m_lossy && nothingFollows(m_problem, census)) return result(census, NetworkEnd::proven);
-        if (census.time >= limitTime()) return result(census, NetworkEnd::nextBlow);
-        m_census.reset();
+        if (std::optional<NetworkImpact> impact = endOfBlow(stop)) return *std::move(impact);
     }
 }
 
+std::optional<NetworkImpact> NetworkMarch::endOfBlow(const std::stop_token& stop) {
+    const auto restOf = [&](const CensusResult& census) {
+        return restTime(m_problem, census).value_or(std::numeric_limits<double>::infinity());
+    };
+    if (m_census && clock() > m_census->lastClock()) {
+        const CensusResult census = m_census->finish();
+        m_census.reset();
+        if (m_problem.endTime) return result(census, NetworkEnd::endTime);
+        if (census.time >= limitTime()) {
+            const bool proven = !m_lossy && restOf(census) <= census.time;
+            return result(census, proven ? NetworkEnd::proven : NetworkEnd::nextBlow);
+        }
+        if (census.bit.isApart() && census.face.apart) m_free = census;
+    }
+    if (!m_free) return {};
+    if (!isUntouchedSince(*m_free)) {
+        m_free.reset();
+        return {};
+    }
+    // what is counted stays as it is until something touches again
+    const double rest = restOf(*m_free), last = std::min(rest, limitTime());
+    if (clock() < last - m_clocks.earliest() && !fliesUntil(last, stop)) return {};
+    m_free->time = std::max(last, m_free->time);
+    return result(*m_free, rest <= limitTime() ? NetworkEnd::proven : NetworkEnd::nextBlow);
+}
+
+bool NetworkMarch::isUntouchedSince(const CensusResult& census) const {
+    const BitNodeState& bit = m_bit.state();
+    const FaceNodeState& face = m_face.state();
+    return bit.isApart() && bit.record.contacts == census.bit.record.contacts && face.apart &&
+           face.record.impulse == census.face.record.impulse;
+}
+
+/// Whether nothing touches until then, told by the means of the waves where those are all that is wanted.
+bool NetworkMarch::fliesUntil(double time, const std::stop_token& stop) {
+    if (m_wants.forces || m_wants.histories || clock() < m_landing || !FreeFlight::suits(m_problem))
+        return false;
+    FlightStart start{.waves = {},
+                      .faceGap = m_face.state().gap,
+                      .bitDistance = m_bit.state().distance,
+                      .hammerEnergy = m_free->hammerEnergy,
+                      .stringEnergy = m_free->stringEnergy,
+                      .released = m_face.state().released};
+    if (!FreeFlight::isClear(m_problem, m_grid.cell, start)) return false;
+    for (const DelayLine<WaveCell>& line : m_lines)
+        start.waves.push_back(m_cuts.meansOfCells(line.content(), m_step));
+    FreeFlight flight(m_problem, m_grid.cell, start);
+    const bool stays = flight.staysClear((time - clock()) / m_grid.cell, stop);
+    m_flown += flight.gone() * static_cast<double>(m_lines.size() + 1);
+    m_landing = clock() + flight.gone() * m_grid.cell;
+    return stays;
+}
+
 NetworkImpact NetworkMarch::result(const CensusResult& census, NetworkEnd end) {
-    NetworkImpact impact;
+    NetworkImpact impact = impactOf(m_problem, census);
     impact.end = end;
-    impact.endTime = census.time;
-    for (std::size_t j = 0; j < m_problem.hammerSections; ++j)
-        impact.hammerMass += m_problem.sections[j].mass() + m_problem.sections[j].massAfter;
-    impact.hammerMomentum = impact.hammerMass;
-    impact.hammerEnergy = impact.hammerMass / 2;
-    const double e0 = impact.hammerEnergy;
-
-    BilinearLaw<double> law = census.bit.law;
-    law.remember(census.bit.force);
-    const double force = census.bit.isApart() ? 0 : census.bit.force;
-    impact.energy = {law.worked(force) / e0, census.hammerEnergy / e0, census.stringEnergy / e0,
-                     census.jointLoss / e0,  census.rodLoss / e0,      census.faceEnergy / e0};
-    const NetworkLedger& energy = impact.energy;
-    impact.energyResidual =
-        1 - energy.rock - energy.hammer - energy.string - energy.joints - energy.rods - energy.face;
-    const BitRecord& rock = census.bit.record;
-    impact.rockImpulse = rock.impulse;
-    impact.pistonMomentum = census.hammerMomentum;
-    impact.stringMomentum = census.stringMomentum;
-    impact.externalMomentum = census.externalMomentum;
-    impact.momentumResidual = (impact.hammerMomentum - rock.impulse - census.hammerMomentum -
-                               census.stringMomentum - census.externalMomentum) /
-                              impact.hammerMomentum;
-    impact.peakForce = rock.peakForce;
-    impact.peakTime = rock.peakTime;
-    impact.largestPenetration = law.largestPenetration();
-    impact.residualPenetration = law.residualPenetration();
-    impact.firstContact = rock.firstContact;
-    impact.lastSeparation = rock.lastSeparation;
-    impact.contactDuration = rock.contactDuration;
-    impact.contacts = rock.contacts;
-    const FaceRecord& face = census.face.record;
-    impact.faceImpulse = face.impulse;
-    impact.faceSeparation = face.firstSeparation;
-
     std::copy_if(m_events.begin(), m_events.end(), std::back_inserter(impact.events),
                  [&](const ImpactEvent& event) { return event.time <= census.time; });
     for (const SectionWatch& watch : m_watches) impact.sections.push_back(watch.forces());
     if (m_wants.forces)
         for (std::size_t j = m_problem.hammerSections; j < m_joints.size(); ++j)
-            impact.jointReflection.push_back(m_reflected[j] / m_problem.sections[j].impedance / e0);
+            impact.jointReflection.push_back(m_reflected[j] / m_problem.sections[j].impedance /
+                                             impact.hammerEnergy);
     if (m_waves) m_waves->finish(census.time);
     impact.waves = m_waves;
     impact.cells = m_cells;

@@ -16,6 +16,7 @@
 #include "core/wave/network/joint.h"
 #include "core/wave/network/network_impact.h"
 #include "core/wave/network/network_problem.h"
+#include "core/wave/network/node_turns.h"
 #include "core/wave/network/section_watch.h"
 #include "core/wave/network/string_census.h"
 #include "core/wave/network/string_waves.h"
@@ -59,18 +60,29 @@ class NetworkMarch {
     Nodes nodes() const;
     void setNodes(const Nodes& nodes);
 
+    /// A jump of a wave that a node makes within a step of the block.
+    struct NodeJump {
+        bool found = false;
+        std::size_t node = 0, step = 0;
+        double place = 0;  ///< in the cell, 0 … 1
+    };
+
     void setWidths();
-    std::size_t nextBlock() const;
-    bool mayJump() const;
-    /// One block of steps; where it found a jump it is to be taken again.
-    CellJump stepBlock(std::size_t count, CutAt cutAt);
-    CellJump stepFace(std::size_t count, CutAt cutAt);
-    CellJump stepBit(std::size_t count, CutAt cutAt);
-    void takeMassVelocity(std::size_t joint, const WaveCell* f1, const WaveCell* b2, std::size_t count);
+    void planTurns();
+    void takeBlock();
+    NodeJump stepBlock();
+    NodeJump stepRear(const NodeTurn& turn);
+    NodeJump stepJoint(std::size_t j, const NodeTurn& turn);
+    NodeJump stepFace(const NodeTurn& turn);
+    NodeJump stepBit(const NodeTurn& turn);
+    void takeMassVelocity(std::size_t joint, const WaveCell* f1, const WaveCell* b2, const NodeTurn& turn);
     bool cut(double place);
     void observe(std::size_t count);
     void keepWaves(std::size_t count);
     void scheduleCensus();
+    std::optional<NetworkImpact> endOfBlow(const std::stop_token& stop);
+    bool isUntouchedSince(const CensusResult& census) const;
+    bool fliesUntil(double time, const std::stop_token& stop);
     NetworkImpact result(const CensusResult& census, NetworkEnd end);
     NetworkImpact notSolved(std::string reason) const;
     double jumpPlace(std::size_t part, double place) const;
@@ -88,12 +100,18 @@ class NetworkMarch {
     std::vector<Joint> m_joints;  ///< in front of section j + 1 at [j]; that of the face is not used
     FaceNode m_face;
     BitNode m_bit;
-    std::vector<DelayLine> m_lines;              ///< waves back, of each section
+    std::vector<DelayLine<WaveCell>> m_lines;    ///< waves back, of each section
     std::vector<std::vector<WaveCell>> m_downs;  ///< waves down over the present block, of each section
-    long m_step = 0;                             ///< parts of cells that every clock has gone
+    std::vector<NodeTurn> m_turns;               ///< who takes which steps of a block, in order
+    CutAt m_cutAt = CutAt::nothing;
+    std::size_t m_faceTaken = 0, m_bitTaken = 0;  ///< steps of the block whose jumps are taken as they are
+    long m_step = 0;                              ///< parts of cells that every clock has gone
     long m_cells = 0;
     std::vector<ImpactEvent> m_events;
     std::optional<StringCensus> m_census;
+    std::optional<CensusResult> m_free;  ///< when hammer, string and rock were apart, as they are since then
+    double m_landing = 0;                ///< clock before which they are known to stay so, but no longer
+    double m_flown = 0;                  ///< cells times nodes of free flights
     std::vector<SectionWatch> m_watches;
     std::vector<Joint> m_alone;        ///< the joints, met by waves down only
     std::vector<double> m_reflected;   ///< ∫b1² of those

@@ -103,10 +103,18 @@ double deviation(double energy, double momentum, double mass, double compliance)
     return std::sqrt(2 * internal * compliance);
 }
 
+/// How long it takes until a way has shrunk to nothing at this speed; nothing where it does not.
+std::optional<double> timeToLose(double way, double speed) {
+    if (speed < 0) return {};
+    if (way <= 0) return 0.0;
+    if (speed == 0) return {};
+    return way / speed;
+}
+
 }  // namespace
 
-bool nothingFollows(const NetworkProblem& problem, const CensusResult& census) {
-    if (!census.bit.isApart() || !census.face.apart) return false;
+std::optional<double> restTime(const NetworkProblem& problem, const CensusResult& census) {
+    if (!census.bit.isApart() || !census.face.apart) return {};
     const FreeBody string = freeBody(problem, problem.hammerSections, problem.sections.size());
     const FreeBody hammer = freeBody(problem, 0, problem.hammerSections);
     const double stringSpeed = census.stringMomentum / string.mass;
@@ -120,14 +128,16 @@ bool nothingFollows(const NetworkProblem& problem, const CensusResult& census) {
     const double hammerWay = census.time - pushed / hammer.mass;
     const double front =
         deviation(census.stringEnergy, census.stringMomentum, string.mass, string.frontCompliance);
-    if (stringSpeed > 0 || stringWay + front > problem.gap + census.bit.law.residualPenetration())
-        return false;
-    if (census.face.released) return true;
+    const auto rockRest =
+        timeToLose(stringWay + front - problem.gap - census.bit.law.residualPenetration(), -stringSpeed);
+    if (!rockRest || census.face.released) return rockRest ? census.time + *rockRest : rockRest;
     const double rear =
         deviation(census.stringEnergy, census.stringMomentum, string.mass, string.rearCompliance);
     const double hammerFront =
         deviation(census.hammerEnergy, census.hammerMomentum, hammer.mass, hammer.frontCompliance);
-    return stringSpeed >= hammerSpeed && stringWay - hammerWay >= rear + hammerFront;
+    const auto faceRest = timeToLose(rear + hammerFront - stringWay + hammerWay, stringSpeed - hammerSpeed);
+    if (!faceRest) return {};
+    return census.time + std::max(*rockRest, *faceRest);
 }
 
 }  // namespace drillwave

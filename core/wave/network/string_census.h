@@ -2,6 +2,7 @@
 // The census of hammer and string at one time, taken while the march goes by.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/wave/network/census.h"
@@ -50,7 +51,8 @@ class StringCensus {
     CensusResult m_result;
 };
 
-/// Whether neither the rock nor the hammer can be met again by a string that loses nothing (strings §8).
-bool nothingFollows(const NetworkProblem& problem, const CensusResult& census);
+/// The time from which on neither the rock nor the hammer can be met again by a string that loses nothing,
+/// provided that neither is met between the census and then (strings §8). Nothing where that cannot be told.
+std::optional<double> restTime(const NetworkProblem& problem, const CensusResult& census);
 
 }  // namespace drillwave

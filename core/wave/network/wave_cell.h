@@ -43,6 +43,8 @@ struct WaveCell {
     double firstMoment() const { return c[0] / 2 + c[1] / 6; }
     /// How far f moves away from its mean, at most.
     double spread() const { return std::abs(c[1]) + std::abs(c[2]) + std::abs(c[3]); }
+    /// More than |f| can be.
+    double largest() const { return std::abs(c[0]) + spread(); }
     /// Lower and upper bound.
     double least() const { return c[0] - spread(); }
     double most() const { return c[0] + spread(); }

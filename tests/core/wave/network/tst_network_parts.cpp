@@ -7,6 +7,7 @@
 #include "core/wave/network/cell_cuts.h"
 #include "core/wave/network/cell_grid.h"
 #include "core/wave/network/network_solver.h"
+#include "core/wave/network/node_turns.h"
 #include "core/wave/network/plain_lattice.h"
 #include "core/wave/network/relaxation.h"
 #include "core/wave/network/section_watch.h"
@@ -85,6 +86,32 @@ class TestNetworkParts : public QObject {
     }
 
     /// It shares nothing with the solver but the problem: both must come to the same.
+    /// A node may take a step when the next one has taken that of a round trip before, and the one behind it
+    /// the same step.
+    void nodesTakeEveryStepOnceAndNoneTooEarly() {
+        Chance chance(17);
+        for (int scene = 0; scene < 200; ++scene) {
+            std::vector<std::size_t> delays(1 + chance.below(12));
+            for (std::size_t& delay : delays) delay = 1 + chance.below(scene % 2 ? 8 : 200);
+            constexpr std::size_t block = 64;
+            std::vector<std::size_t> taken(delays.size() + 1, 0);
+            for (const NodeTurn& turn : nodeTurns(delays, block)) {
+                QCOMPARE(turn.from, taken[turn.node]);
+                taken[turn.node] = turn.behind();
+                if (turn.node > 0) QVERIFY(taken[turn.node - 1] >= turn.behind());
+                if (turn.node < delays.size())
+                    QVERIFY(turn.behind() <= taken[turn.node + 1] + delays[turn.node]);
+            }
+            for (const std::size_t steps : taken) QCOMPARE(steps, block);
+        }
+    }
+
+    void longSectionsLetNodesTakeWholeBlocks() {
+        QCOMPARE(nodeTurns(std::vector<std::size_t>{64, 100, 365}, 64).size(), std::size_t(4));
+        // the bit and its neighbour take turns, the others do not wait for them
+        QCOMPARE(nodeTurns(std::vector<std::size_t>{365, 365, 32}, 64).size(), std::size_t(2 + 2 * 2));
+    }
+
     void theLargestOfAWindowIsFoundWithFewLooks() {
         Chance chance(21);
         WindowMaxima maxima;

@@ -197,6 +197,59 @@ class TestNetworkSolver : public QObject {
         QVERIFY(std::abs(later.pistonMomentum - proven.pistonMomentum) < 1e-9);
     }
 
+    /// Where only sums are wanted, the flight at the end is told by means of cells: it ends at the same time
+    /// with the same sums, for far less work.
+    void aFreeFlightEndsLikeAFullMarch() {
+        Chance chance(31);
+        int flown = 0, proven = 0;
+        constexpr int scenes = 60;
+        for (int i = 0; i < scenes; ++i) {
+            NetworkProblem problem = randomNetwork(chance);
+            problem.endTime.reset();
+            for (NetworkSection& section : problem.sections)
+                section.loss = section.decay = section.massAfter = 0;
+            NetworkSettings settings{.accuracy = NetworkAccuracy::quick, .wants = {}};
+            const NetworkImpact quick = solveNetwork(problem, settings);
+            settings.wants.forces = true;  // these are found wherever the waves go
+            const NetworkImpact full = solveNetwork(problem, settings);
+            const QByteArray number = QByteArray::number(i);
+            QVERIFY2(quick.end != NetworkEnd::notSolved, number + quick.reason.c_str());
+            QCOMPARE(quick.end, full.end);
+            QVERIFY2(std::abs(quick.endTime - full.endTime) <= 1e-9 * full.endTime, number);
+            QVERIFY2(std::abs(quick.energy.rock - full.energy.rock) < 1e-13, number);
+            QVERIFY2(std::abs(quick.pistonMomentum - full.pistonMomentum) < 1e-13, number);
+            QCOMPARE(quick.contacts, full.contacts);
+            flown += quick.cells < full.cells;
+            proven += quick.end == NetworkEnd::proven;
+        }
+        QVERIFY2(flown > scenes / 2, QByteArray::number(flown));
+        QVERIFY2(proven > scenes / 2, QByteArray::number(proven));
+    }
+
+    /// Half of the T38 blow is the proof that nothing follows.
+    void theT38StringTakesAsManyCellsAsItIsInContact() {
+        NetworkProblem problem = networkCases().at(7).problem;
+        problem.endTime.reset();
+        const NetworkImpact impact = solveNetwork(problem, {.accuracy = NetworkAccuracy::quick, .wants = {}});
+        const double steps = (impact.lastSeparation + 5) / impact.cell;
+        const double nodes = double(problem.sections.size() + 1);
+        QVERIFY2(double(impact.cells) < steps * nodes, QByteArray::number(double(impact.cells)));
+    }
+
+    /// What was counted while the bit was on the rock says nothing of a bit that has left it since.
+    void aBlowDoesNotEndWithTheCountOfAContact() {
+        Chance chance(1);
+        NetworkProblem problem;
+        for (int i = 0; i < 15; ++i) problem = randomNetwork(chance);
+        problem.endTime.reset();
+        for (NetworkSection& section : problem.sections) section.loss = section.decay = 0;
+        NetworkSettings settings{.accuracy = NetworkAccuracy::quick, .wants = {}};
+        settings.wants.events = true;
+        const NetworkImpact impact = solveNetwork(problem, settings);
+        QCOMPARE(impact.end, NetworkEnd::proven);
+        QCOMPARE(impact.events.back().time, impact.lastSeparation);
+    }
+
     void lossesInsideTheHammerAreRefused() {
         NetworkProblem problem = networkCases().at(7).problem;
         problem.sections[0].loss = 0.01;

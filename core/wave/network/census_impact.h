@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a census tells of a blow: balances, rock and face.
+#pragma once
+
+#include "core/wave/network/census.h"
+#include "core/wave/network/network_impact.h"
+#include "core/wave/network/network_problem.h"
+
+namespace drillwave {
+
+/// Energies, momenta and records at the time of the census; the rest is left as it is.
+NetworkImpact impactOf(const NetworkProblem& problem, const CensusResult& census);
+
+}  // namespace drillwave

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hammer and string while nothing touches them: whether they stay away from each other and from the rock.
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "core/wave/network/delay_line.h"
+#include "core/wave/network/network_problem.h"
+#include "core/wave/network/node_turns.h"
+
+namespace drillwave {
+
+/// What flies, and from where.
+struct FlightStart {
+    std::vector<std::vector<double>> waves;  ///< means of the cells of each section on their way back
+    double faceGap = 0;                      ///< between hammer and string
+    double bitDistance = 0;                  ///< between bit and rock
+    double hammerEnergy = 0, stringEnergy = 0;
+    bool released = false;  ///< whether the hammer does not matter any more
+};
+
+/// Sections that end in steps of impedance alone pass the means of their waves over a cell on as they pass
+/// the waves: those tell exactly where the ends are after each cell. Within a cell neither end gets nearer
+/// than at its ends by more than √(Δ E/Z), by the inequality of Cauchy and Schwarz, E the energy of its body.
+class FreeFlight {
+  public:
+    /// Whether that can be told of a string: it needs joints without mass or loss.
+    static bool suits(const NetworkProblem& problem);
+
+    /// Whether everything is so far apart that it can be told; the waves are not looked at.
+    static bool isClear(const NetworkProblem& problem, double cell, const FlightStart& start);
+
+    FreeFlight(const NetworkProblem& problem, double cell, const FlightStart& start);
+
+    /// Goes on for at least so many cells. False as soon as something may have touched, or it was stopped.
+    bool staysClear(double cells, const std::stop_token& stop);
+    /// Cells that it went.
+    double gone() const { return m_gone; }
+
+  private:
+    struct Margins {
+        double face, bit;
+    };
+    static Margins margins(const NetworkProblem& problem, double cell, const FlightStart& start);
+    bool step(const NodeTurn& turn);
+    bool stepFace(const NodeTurn& turn);
+    bool stepBit(const NodeTurn& turn);
+
+    std::size_t m_face;  ///< number of the node
+    double m_cell;
+    bool m_released;
+    std::vector<double> m_impedances;
+    std::vector<double> m_reflections;  ///< of the node in front of section j
+    std::vector<DelayLine<double>> m_lines;
+    std::vector<std::vector<double>> m_downs;
+    std::vector<NodeTurn> m_turns;
+    double m_faceGap, m_bitDistance;
+    Margins m_margins;
+    double m_gone = 0;
+};
+
+}  // namespace drillwave
