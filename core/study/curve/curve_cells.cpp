@@ -22,6 +22,12 @@ constexpr std::uint64_t mostFailuresOfCell = 200;
 constexpr long mostBlowsAtLimit = 3;
 /// What outputs that are no ratio are known to where they vanish, of the unit that they have.
 constexpr double smallOfUnit = 1e-4;
+/// Of drill strings, whose blows take longer: all blows of a cell for one output together as much as so many
+/// at the work limit, but at least some.
+constexpr long blowsOfStringCell = 40;
+constexpr long leastStringBlows = 150;
+/// A kink is bracketed by half of so many.
+constexpr std::uint64_t blowsOfKink = 80;
 constexpr std::string_view notSmooth = "not smooth within the work permitted";
 constexpr std::string_view isRounding = "an error, which has no smooth course";
 
@@ -84,11 +90,17 @@ CellOutput CellFitter::fit(CurveSampler& sampler, const CellTask& task, std::siz
     if (measure == Measure::error) return {{openPiece(cuts[0], cuts[1])}, {}};
     const double unit = sampler.unitAt(cuts[0], output);
     const bool grows = !isRatio(measure) || measure == Measure::work;
-    const FitSettings settings{.scale = {isRatio(measure) ? unit : unit * smallOfUnit, 0, 0},
-                               .scaleGrows = {grows, false, false},
-                               .failuresOfCell = mostFailuresOfCell,
-                               .mostFailedEffort = mostBlowsAtLimit * m_question.workLimit,
-                               .ends = FitSettings::Ends::bracketed};
+    FitSettings settings{.scale = {isRatio(measure) ? unit : unit * smallOfUnit, 0, 0},
+                         .scaleGrows = {grows, false, false},
+                         .failuresOfCell = mostFailuresOfCell,
+                         .mostFailedEffort = mostBlowsAtLimit * m_question.workLimit,
+                         .ends = FitSettings::Ends::bracketed};
+    if (isString(m_question.base)) {
+        const long most = blowsOfStringCell * m_question.workLimit / std::max(1L, sampler.effortAt(cuts[0]));
+        const auto solves = static_cast<std::uint64_t>(std::max(leastStringBlows, most));
+        settings.solvesOfCell = std::min(settings.solvesOfCell, solves);
+        settings.kinksOfCell = std::min(settings.kinksOfCell, solves / blowsOfKink);
+    }
     PiecewiseFit fitted = fitPiecewise(
         settings, cuts, [&](double share) { return sampler(share, output); }, stop);
     return {openRoughPieces(std::move(fitted.pieces)), sampler.reason()};

@@ -29,6 +29,8 @@ class CurveSampler {
     /// The size that numbers of an output have in its unit, at a share of the way: d0 of a penetration and
     /// so on; 1 of what is a ratio.
     double unitAt(double share, std::size_t output);
+    /// What the blow at a share of the way takes: wave pieces, or cells of a drill string.
+    long effortAt(double share) { return blowAt(share).pieces; }
     std::uint64_t solves() const { return m_blows.size(); }
 
   private:

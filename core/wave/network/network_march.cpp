@@ -376,10 +376,14 @@ NetworkImpact NetworkMarch::notSolved(std::string reason) const {
     return impact;
 }
 
+long NetworkMarch::flownCells() const {
+    return static_cast<long>(m_flown / flownOfCell);
+}
+
 long NetworkMarch::work() const {
     long looked = 0;
     for (const SectionWatch& watch : m_watches) looked += watch.looked();
-    return static_cast<long>(m_flown / flownOfCell) + m_cells * (m_wants.forces ? workOfForces : 1) +
+    return flownCells() + m_cells * (m_wants.forces ? workOfForces : 1) +
            workOfPiece * (m_bit.pieces() + m_face.pieces()) + workOfLook * looked;
 }
 
@@ -467,7 +471,7 @@ NetworkImpact NetworkMarch::result(const CensusResult& census, NetworkEnd end) {
                                              impact.hammerEnergy);
     if (m_waves) m_waves->finish(census.time);
     impact.waves = m_waves;
-    impact.cells = m_cells;
+    impact.cells = m_cells + flownCells();
     impact.cell = m_grid.cell;
     impact.rounding = m_grid.rounding;
     return impact;

@@ -86,6 +86,7 @@ class NetworkMarch {
     NetworkImpact result(const CensusResult& census, NetworkEnd end);
     NetworkImpact notSolved(std::string reason) const;
     double jumpPlace(std::size_t part, double place) const;
+    long flownCells() const;
     long work() const;
     double limitTime() const;
     double clock() const { return m_cuts.clock(m_step); }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
 #include "core/report/curve_csv.h"
 #include "core/study/curve/curve.h"
 #include "core/study/curve/curve_sampler.h"
@@ -77,6 +79,7 @@ class TestCurve : public QObject {
     void siIsTheScaledNumber();
     void errorsAreKnownByPointsAlone();
     void whatIsRoughIsKnownByPointsAlone();
+    void curvesOfStringsTakeBoundedWork();
     void whereThereIsNoAnswerIsToldWithTheReason();
     void workIsCountedAndBounded();
     void aStopEndsTheWork();
@@ -337,6 +340,26 @@ void TestCurve::errorsAreKnownByPointsAlone() {
     CurveSampler sampler(asked, axes, 0, {});
     for (const std::size_t i : {0u, 17u, 250u})
         QVERIFY(isNear(line.values[0][i], sampler(line.range.shareOf(line.points[i]), 0).values[0], 1e-16));
+}
+
+/// Hammer and string touch faintly and often where couplings are thin: every contact more or less counts as a
+/// kink, and a blow takes some milliseconds.
+void TestCurve::curvesOfStringsTakeBoundedWork() {
+    const Scenario base = parseScenario(findExample("t38_string")->text, "t38_string").scenario;
+    CurveQuestion asked = question(base, "string.coupling.diameter=39mm:39.2mm", "efficiency");
+    asked.workLimit = 10'000;
+    const CurveStudy study = studyCurve(asked, 2);
+    const CurveOutput& output = onlyLine(study).outputs[0];
+    QVERIFY(!output.grid.empty() && output.unsolved.empty());
+    QVERIFY2(study.solves < 16 * 200, QByteArray::number(double(study.solves)));  // 16 cells
+    const std::vector<SweepAxis> axes = asked.axes();
+    CurveSampler sampler(asked, axes, 0, {});
+    const double largest = sampler(0.1, 0).values[0];
+    const std::vector<CurveFeature> features = ofKind(output, Kind::maximum);
+    const auto above = [&](const CurveFeature& feature) {
+        return feature.value.value + feature.value.error >= largest;
+    };
+    QVERIFY(std::ranges::any_of(features, above));
 }
 
 /// Short rods in chattering contact, and contacts that change with every round trip.
