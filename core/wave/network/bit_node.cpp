@@ -271,7 +271,7 @@ void BitNode::restAt(double wave, double time) {
 /// From event to event.
 WaveCell BitNode::follow(const WaveCell& g, double width, double share, double time, CutAt cutAt,
                          CellJump& jump) {
-    constexpr int mostPieces = 100'000;
+    constexpr int mostPieces = 30'000;
     const Powers powers = g.powers();
     CellProjection leaving, forces;
     double from = 0;

@@ -19,7 +19,11 @@ constexpr std::size_t mostBlock = 64;
 constexpr double mostRoundTrips = 40;
 
 /// What a piece of a cell with events takes, and a cell with its largest forces, in cells.
-constexpr long workOfPiece = 60, workOfForces = 8;
+constexpr long workOfPiece = 150, workOfForces = 8;
+
+/// Of the work that is permitted, what may go into cutting cells that are on their way: in very long strings
+/// each cut is as much as some millions of steps. Jumps that are not cut any more show in the balance.
+constexpr double shareOfCuts = 0.1;
 
 /// So many means of cells that fly free take what one cell does.
 constexpr double flownOfCell = 8;
@@ -179,6 +183,7 @@ double NetworkMarch::jumpPlace(std::size_t part, double place) const {
 /// One block of turn. Where a jump was found it is to be taken again.
 NetworkMarch::NodeJump NetworkMarch::stepBlock() {
     for (const NodeTurn& turn : m_turns) {
+        if (m_stop.stop_requested()) return {};
         const NodeJump jump = turn.node == 0                          ? stepRear(turn)
                               : turn.node == m_lines.size()           ? stepBit(turn)
                               : turn.node == m_problem.hammerSections ? stepFace(turn)
@@ -239,6 +244,7 @@ NetworkMarch::NodeJump NetworkMarch::stepBit(const NodeTurn& turn) {
     CellCuts::Walk at(m_cuts, m_step + static_cast<long>(turn.from));
     CellJump jump;
     const double censusClock = m_census ? m_census->clockOf(j + 1) : -1;
+    const long pieces = m_bit.pieces();
     for (std::size_t i = turn.from; i < turn.behind(); ++i, at.next()) {
         const WaveCell g = m_passing[j] == 1 ? m_downs[j][i] : m_passing[j] * m_downs[j][i];
         const int part = static_cast<int>(at.part());
@@ -247,6 +253,8 @@ NetworkMarch::NodeJump NetworkMarch::stepBit(const NodeTurn& turn) {
             const double share = std::min(1.0, (censusClock - clock) / at.width());
             m_census->setBit(m_bit.stateWithin(g, part, share, time));
         }
+        constexpr long fewPieces = 1000;  // many of them may take as long as blocks do
+        if (m_bit.pieces() - pieces > fewPieces && m_stop.stop_requested()) return {};
         m_lines[j].leaving()[i] = m_bit.step(g, part, time, i < m_bitTaken ? CutAt::nothing : m_cutAt, jump);
         if (jump.found) return {true, j + 1, i, jumpPlace(at.part(), jump.place)};
         if (m_waves) m_bitForces[i] = m_bit.cellForce();
@@ -280,7 +288,7 @@ void NetworkMarch::takeBlock() {
     const Nodes before = nodes();
     m_faceTaken = m_bitTaken = 0;
     while (true) {
-        m_cutAt = m_cuts.isFull() ? CutAt::nothing : m_wants.cutAt;
+        m_cutAt = m_cuts.isFull() || m_recut > m_mostRecut ? CutAt::nothing : m_wants.cutAt;
         const NodeJump jump = stepBlock();
         if (!jump.found) return;
         setNodes(before);
@@ -296,6 +304,7 @@ void NetworkMarch::takeBlock() {
 bool NetworkMarch::cut(double place) {
     const CellCuts coarse = m_cuts;
     if (!m_cuts.cutAt(place)) return false;
+    for (const DelayLine<WaveCell>& line : m_lines) m_recut += static_cast<long>(line.delay());
     const long parts = static_cast<long>(coarse.count());
     const std::size_t part = static_cast<std::size_t>(m_step % parts);
     const auto at = std::lower_bound(m_cuts.places().begin(), m_cuts.places().end(), coarse.places()[part]);
@@ -313,7 +322,7 @@ void NetworkMarch::observe(std::size_t count) {
     if (!m_census && !m_wants.forces) return;
     const double start = clock(), end = m_cuts.clock(m_step + static_cast<long>(count));
     const double lastTime = m_problem.endTime.value_or(std::numeric_limits<double>::infinity());
-    for (std::size_t j = 0; j < m_lines.size(); ++j) {
+    for (std::size_t j = 0; j < m_lines.size() && !m_stop.stop_requested(); ++j) {
         if (m_census) {
             for (const bool down : {true, false}) {
                 LineCensus& line = down ? m_census->down(j) : m_census->up(j);
@@ -383,15 +392,16 @@ long NetworkMarch::flownCells() const {
 long NetworkMarch::work() const {
     long looked = 0;
     for (const SectionWatch& watch : m_watches) looked += watch.looked();
-    return flownCells() + m_cells * (m_wants.forces ? workOfForces : 1) +
+    return flownCells() + m_recut + m_cells * (m_wants.forces ? workOfForces : 1) +
            workOfPiece * (m_bit.pieces() + m_face.pieces()) + workOfLook * looked;
 }
 
 NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
     const std::size_t nodeCount = m_problem.sections.size() + 1;
     constexpr std::size_t count = mostBlock;
+    m_stop = stop;
+    m_mostRecut = static_cast<long>(shareOfCuts * static_cast<double>(mostCells));
     while (true) {
-        if (stop.stop_requested()) return notSolved("stopped");
         if (work() > mostCells) return notSolved("it takes more wave cells than permitted");
         if (!m_census) scheduleCensus();
         takeBlock();
@@ -400,13 +410,14 @@ NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
         m_cells += static_cast<long>(count * nodeCount);
         observe(count);
         if (m_waves) keepWaves(count);
+        if (m_stop.stop_requested()) return notSolved("stopped");  // a block may be left unfinished
         for (DelayLine<WaveCell>& line : m_lines) line.advance(count);
         m_step += static_cast<long>(count);
-        if (std::optional<NetworkImpact> impact = endOfBlow(stop)) return *std::move(impact);
+        if (std::optional<NetworkImpact> impact = endOfBlow()) return *std::move(impact);
     }
 }
 
-std::optional<NetworkImpact> NetworkMarch::endOfBlow(const std::stop_token& stop) {
+std::optional<NetworkImpact> NetworkMarch::endOfBlow() {
     const auto restOf = [&](const CensusResult& census) {
         return restTime(m_problem, census).value_or(std::numeric_limits<double>::infinity());
     };
@@ -427,7 +438,7 @@ std::optional<NetworkImpact> NetworkMarch::endOfBlow(const std::stop_token& stop
     }
     // what is counted stays as it is until something touches again
     const double rest = restOf(*m_free), last = std::min(rest, limitTime());
-    if (clock() < last - m_clocks.earliest() && !fliesUntil(last, stop)) return {};
+    if (clock() < last - m_clocks.earliest() && !fliesUntil(last)) return {};
     m_free->time = std::max(last, m_free->time);
     return result(*m_free, rest <= limitTime() ? NetworkEnd::proven : NetworkEnd::nextBlow);
 }
@@ -440,7 +451,7 @@ bool NetworkMarch::isUntouchedSince(const CensusResult& census) const {
 }
 
 /// Whether nothing touches until then, told by the means of the waves where those are all that is wanted.
-bool NetworkMarch::fliesUntil(double time, const std::stop_token& stop) {
+bool NetworkMarch::fliesUntil(double time) {
     if (m_wants.forces || m_wants.histories || clock() < m_landing || !FreeFlight::suits(m_problem))
         return false;
     FlightStart start{.waves = {},
@@ -453,7 +464,7 @@ bool NetworkMarch::fliesUntil(double time, const std::stop_token& stop) {
     for (const DelayLine<WaveCell>& line : m_lines)
         start.waves.push_back(m_cuts.meansOfCells(line.content(), m_step));
     FreeFlight flight(m_problem, m_grid.cell, start);
-    const bool stays = flight.staysClear((time - clock()) / m_grid.cell, stop);
+    const bool stays = flight.staysClear((time - clock()) / m_grid.cell, m_stop);
     m_flown += flight.gone() * static_cast<double>(m_lines.size() + 1);
     m_landing = clock() + flight.gone() * m_grid.cell;
     return stays;

@@ -80,9 +80,9 @@ class NetworkMarch {
     void observe(std::size_t count);
     void keepWaves(std::size_t count);
     void scheduleCensus();
-    std::optional<NetworkImpact> endOfBlow(const std::stop_token& stop);
+    std::optional<NetworkImpact> endOfBlow();
     bool isUntouchedSince(const CensusResult& census) const;
-    bool fliesUntil(double time, const std::stop_token& stop);
+    bool fliesUntil(double time);
     NetworkImpact result(const CensusResult& census, NetworkEnd end);
     NetworkImpact notSolved(std::string reason) const;
     double jumpPlace(std::size_t part, double place) const;
@@ -112,7 +112,9 @@ class NetworkMarch {
     std::optional<StringCensus> m_census;
     std::optional<CensusResult> m_free;  ///< when hammer, string and rock were apart, as they are since then
     double m_landing = 0;                ///< clock before which they are known to stay so, but no longer
-    double m_flown = 0;                  ///< cells times nodes of free flights
+    std::stop_token m_stop;
+    long m_recut = 0, m_mostRecut = 0;  ///< cells that were cut again on their way
+    double m_flown = 0;                 ///< cells times nodes of free flights
     std::vector<SectionWatch> m_watches;
     std::vector<Joint> m_alone;        ///< the joints, met by waves down only
     std::vector<double> m_reflected;   ///< ∫b1² of those

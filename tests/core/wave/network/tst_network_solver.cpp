@@ -231,7 +231,7 @@ class TestNetworkSolver : public QObject {
         NetworkProblem problem = networkCases().at(7).problem;
         problem.endTime.reset();
         const NetworkImpact impact = solveNetwork(problem, {.accuracy = NetworkAccuracy::quick, .wants = {}});
-        const double steps = (impact.lastSeparation + 5) / impact.cell;
+        const double steps = (impact.lastSeparation + 10) / impact.cell;
         const double nodes = double(problem.sections.size() + 1);
         QVERIFY2(double(impact.cells) < steps * nodes, QByteArray::number(double(impact.cells)));
     }
@@ -248,6 +248,20 @@ class TestNetworkSolver : public QObject {
         const NetworkImpact impact = solveNetwork(problem, settings);
         QCOMPARE(impact.end, NetworkEnd::proven);
         QCOMPARE(impact.events.back().time, impact.lastSeparation);
+    }
+
+    void whatIsStoppedTakesNoStep() {
+        std::stop_source source;
+        source.request_stop();
+        for (const bool forces : {false, true}) {
+            NetworkSettings settings;
+            settings.wants.forces = forces;
+            const NetworkImpact impact =
+                solveNetwork(networkCases().at(7).problem, settings, source.get_token());
+            QCOMPARE(impact.end, NetworkEnd::notSolved);
+            QCOMPARE(impact.reason, std::string("stopped"));
+            QVERIFY(impact.cells <= 64 * 12);
+        }
     }
 
     void lossesInsideTheHammerAreRefused() {
