@@ -147,7 +147,7 @@ std::string alertText(const Alert& alert) {
                    "): rigid rock, e = 1, would underestimate the thrust.";
         case AlertCode::severalContacts:
             return "The bit hits the rock " + whole(alert, "contacts") +
-                   " times in this blow: the waves in the rod bring it back.";
+                   " times in this blow: the waves on their way bring it back.";
         case AlertCode::closedFormInvalid:
             return closedFormInvalid(alert);
         case AlertCode::inputDecides:

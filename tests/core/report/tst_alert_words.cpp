@@ -63,7 +63,7 @@ const std::vector<Example>& examples() {
          "The rod leaves with more momentum than it came with (e = 1.25): rigid rock, e = 1, would "
          "underestimate the thrust."},
         {{note, AlertCode::severalContacts, "", {{"contacts", 3}}},
-         "The bit hits the rock 3 times in this blow: the waves in the rod bring it back."},
+         "The bit hits the rock 3 times in this blow: the waves on their way bring it back."},
         {{note,
           AlertCode::closedFormInvalid,
           "tau",
