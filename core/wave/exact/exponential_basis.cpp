@@ -117,8 +117,9 @@ bool neverComesBack(const ExponentialSum& g) {
 }
 
 /// Whether a force that is positive at the end has been so all the way: once it has vanished, which takes
-/// g < 0, F' = a(2g − F) keeps it below zero until g comes back.
+/// g < 0, F' = a(2g − F) keeps it below zero until g comes back. Of sines it costs more than it saves.
 bool cannotVanish(const ExponentialBasis::Response& r) {
+    if (r.incident->hasSine()) return false;
     const double rounding = 16 * epsilon * r.force.magnitude();
     return neverComesBack(*r.incident) && r.force.value(r.length) > rounding;
 }

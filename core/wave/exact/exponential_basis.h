@@ -76,7 +76,7 @@ class ExponentialBasis {
     /// An upper bound of that, and of 0; one that is `enough` is not made narrower.
     double mostIntegral(const Piece& g, double enough) const {
         const double most = g.mostIntegral();
-        return most <= enough ? most : std::min(most, mostIntegralByEnds(g));
+        return most <= enough || g.hasSine() ? most : std::min(most, mostIntegralByEnds(g));
     }
     void tidy(Piece& piece) const {
         piece.rates = &m_rates;

@@ -56,6 +56,7 @@ struct ExponentialSum {
     bool hasPrimary() const { return primary.count || (isCurved && curve.primary.count); }
     bool hasElastic() const { return elastic.count || (isCurved && curve.elastic.count); }
     bool hasHammer() const { return isCurved && curve.hammer.present; }
+    bool hasSine() const { return hasHammer() && curve.hammer.hasSine(); }
 
     double startValue() const {
         const double steps = c0 + primary[0] + elastic[0];
