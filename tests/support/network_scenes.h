@@ -122,6 +122,18 @@ inline const NetworkCase& caseCalled(const std::string& id) {
     return *std::find_if(cases.begin(), cases.end(), [&](const NetworkCase& each) { return each.id == id; });
 }
 
+/// The uniform rod of the groups, struck as by a rectangular pulse: by a hammer of its impedance, as long as
+/// half the pulse, that strikes once. Followed until `endTime`.
+inline NetworkProblem rodAsString(const Groups& groups, double endTime) {
+    NetworkProblem problem;
+    problem.sections = {{.impedance = 1, .transitTime = 0.5}, {.impedance = 1, .transitTime = groups.tau}};
+    problem.face.restrike = false;
+    problem.law = {groups.beta, groups.gamma};
+    problem.gap = groups.delta;
+    problem.endTime = endTime;
+    return problem;
+}
+
 inline NetworkImpact solvedWithWaves(const NetworkProblem& problem) {
     NetworkSettings settings;
     settings.wants = {.events = true, .forces = true, .histories = true};

@@ -30,9 +30,8 @@ struct ExponentialCourse {
 double mostIntegralByEnds(const ExponentialSum& f);
 
 inline ExponentialCourse::ExponentialCourse(const ExponentialSum& f) {
-    static const Coefficients none;
-    if (f.hasPrimary()) addTerms(f.primary, f.isCurved ? f.curve.primary : none, f.rates->primary);
-    if (f.hasElastic()) addTerms(f.elastic, f.isCurved ? f.curve.elastic : none, f.rates->elastic);
+    if (f.hasPrimary()) addTerms(f.primary, f.isCurved ? f.curve.primary : noTerms, f.rates->primary);
+    if (f.hasElastic()) addTerms(f.elastic, f.isCurved ? f.curve.elastic : noTerms, f.rates->elastic);
     if (!f.isCurved) return;
     leastSlope += f.curve.c1;
     mostSlope += f.curve.c1;

@@ -106,8 +106,6 @@ struct SearchedSum {
     ExponentialSample at(double x) const;
 };
 
-inline const Coefficients noTerms;
-
 inline ExponentialSample SearchedSum::at(double x) const {
     ExponentialSample s;
     s.value = f.c0;

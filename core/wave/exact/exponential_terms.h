@@ -96,6 +96,8 @@ struct Coefficients {
     }
 };
 
+inline const Coefficients noTerms;
+
 /// s sin πx + k cos πx + d e^{−x}, x in t0: what a half sine and an exponential blow leave in every wave.
 /// None of the three grows by reflection, unless a rate of the contact is near that of e^{−x}.
 struct HammerTerms {

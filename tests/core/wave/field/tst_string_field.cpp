@@ -66,13 +66,9 @@ class TestStringField : public QObject {
         QFETCH(double, gamma);
         QFETCH(double, tau);
         QFETCH(double, delta);
-        const Impact exact = solve({PulseShape::rectangular, {beta, gamma, tau, delta}}, Detail::histories);
-        NetworkProblem problem;
-        problem.sections = {{.impedance = 1, .transitTime = 0.5}, {.impedance = 1, .transitTime = tau}};
-        problem.face.restrike = false;
-        problem.law = {beta, gamma};
-        problem.gap = delta;
-        problem.endTime = exact.separationTime + tau;
+        const Groups groups{beta, gamma, tau, delta};
+        const Impact exact = solve({PulseShape::rectangular, groups}, Detail::histories);
+        const NetworkProblem problem = rodAsString(groups, exact.separationTime + tau);
         const NetworkImpact impact = solvedWithWaves(problem);
         QVERIFY(impact.waves);
         const StringField field(*impact.waves, {-0.5 / tau, 0, 1});

@@ -11,8 +11,6 @@
 using namespace drillwave;
 using namespace drillwave::test;
 
-namespace {}  // namespace
-
 class TestStringWaves : public QObject {
     Q_OBJECT
 
@@ -34,12 +32,7 @@ class TestStringWaves : public QObject {
         QFETCH(double, delta);
         const Groups groups{beta, gamma, tau, delta};
         const Impact exact = solve({PulseShape::rectangular, groups}, Detail::histories);
-        NetworkProblem problem;
-        problem.sections = {{.impedance = 1, .transitTime = 0.5}, {.impedance = 1, .transitTime = tau}};
-        problem.face.restrike = false;
-        problem.law = {beta, gamma};
-        problem.gap = delta;
-        problem.endTime = exact.separationTime + tau;
+        const NetworkProblem problem = rodAsString(groups, exact.separationTime + tau);
         const NetworkImpact impact = solvedWithWaves(problem);
         QVERIFY(impact.waves);
         const StringWaves& waves = *impact.waves;
