@@ -80,15 +80,17 @@ WaveCell BitNode::step(const WaveCell& g, int index, double time, CutAt cutAt, C
     const CellMaps& maps = m_maps[index];
     WaveCell b;
     if (quietStep(g, maps, time, b)) return b;
-    return follow(g, maps.width, 1, time, cutAt, jump);
+    return follow(g, maps.width, time, cutAt, jump);
 }
 
-BitNodeState BitNode::stateWithin(const WaveCell& g, int index, double share, double time) const {
+BitNode::Part BitNode::partOfStep(const WaveCell& g, int index, double share, double time) const {
+    if (share <= 0) return {m_now, {}};
     BitNode copy(m_impedance, m_mass, {}, 0);
     copy.m_now = m_now;
     CellJump none;
-    copy.follow(g, m_maps[index].width, share, time, CutAt::nothing, none);
-    return copy.m_now;
+    const WaveCell leaving =
+        copy.follow(g.part(0, share), m_maps[index].width * share, time, CutAt::nothing, none);
+    return {copy.m_now, leaving};
 }
 
 /// A whole cell in which nothing happens. False, and nothing done, where something may.
@@ -269,23 +271,22 @@ void BitNode::restAt(double wave, double time) {
 }
 
 /// From event to event.
-WaveCell BitNode::follow(const WaveCell& g, double width, double share, double time, CutAt cutAt,
-                         CellJump& jump) {
+WaveCell BitNode::follow(const WaveCell& g, double width, double time, CutAt cutAt, CellJump& jump) {
     constexpr int mostPieces = 30'000;
     const Powers powers = g.powers();
     CellProjection leaving, forces;
     double from = 0;
     int standing = 0;  // events at one point
-    for (int pieces = 0; from < share; ++pieces, ++m_pieces) {
+    for (int pieces = 0; from < 1; ++pieces, ++m_pieces) {
         if (pieces == mostPieces) {
             m_trouble = "bit and rock meet and part, or a small bit mass swings, faster than can be followed";
             break;
         }
-        const EventPiece piece = nextPiece(powers, width, from, share);
+        const EventPiece piece = nextPiece(powers, width, from, 1);
         const LineEvent event = standing > mostStanding ? LineEvent{{}, m_now.line} : nextEvent(piece);
         const bool found = event.zero.found;
         const double end = found ? event.zero.u : 1;
-        const double to = found || from + piece.width < share ? from + end * piece.width : share;
+        const double to = found || from + piece.width < 1 ? from + end * piece.width : 1;
         const double eventTime = time + to * width;
         const auto local = [&](double u) { return (u - piece.from) / piece.width; };
         if (to > from && m_mass > 0)

@@ -62,8 +62,12 @@ class BitNode {
     /// One cell of width number `index` that begins at `time` [t0]: from the wave g that arrives to the wave
     /// b that leaves. Where it found a place to cut, it is to be taken again in parts.
     WaveCell step(const WaveCell& g, int index, double time, CutAt cutAt, CellJump& jump);
-    /// Where it would be after the first `share` of that cell.
-    BitNodeState stateWithin(const WaveCell& g, int index, double share, double time) const;
+    /// After the first `share` of that cell: where it would be, and the wave that has left over that share.
+    struct Part {
+        BitNodeState state;
+        WaveCell leaving;
+    };
+    Part partOfStep(const WaveCell& g, int index, double share, double time) const;
 
     /// F over the cell that was stepped last.
     const WaveCell& cellForce() const { return m_cellForce; }
@@ -92,7 +96,7 @@ class BitNode {
     };
 
     CellMaps mapsOf(double width) const;
-    WaveCell follow(const WaveCell& g, double width, double share, double time, CutAt cutAt, CellJump& jump);
+    WaveCell follow(const WaveCell& g, double width, double time, CutAt cutAt, CellJump& jump);
     bool quietStep(const WaveCell& g, const CellMaps& maps, double time, WaveCell& b);
     EventPiece nextPiece(const WaveCell::Powers& g, double width, double from, double end) const;
     LineEvent nextEvent(const EventPiece& piece);

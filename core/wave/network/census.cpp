@@ -28,11 +28,21 @@ void LineCensus::addAcross(const WaveCell& cell, double start, double width) {
     const WaveCell part = from > 0 || to < 1 ? cell.part(from, to) : cell;
     m_sums.entered += inside * part.mean();
     m_sums.enteredSquare += inside * part.meanSquare();
+    double more = 0, moreSquare = 0;  // than this part of the cell tells
+    if (m_entered && m_entered->start == start) {
+        const WaveCell told = cell.part(0, to);
+        more = to * width * (m_entered->part.mean() - told.mean());
+        moreSquare = to * width * (m_entered->part.meanSquare() - told.meanSquare());
+    }
+    m_sums.entered += more;
+    m_sums.enteredSquare += moreSquare;
     if (m_decay == 0) {
         m_sums.present = m_sums.entered;
         m_sums.presentSquare = m_sums.enteredSquare;
         return;
     }
+    m_sums.present += more;
+    m_sums.presentSquare += moreSquare;
     const double rate = m_decay / (m_to - m_from);
     const GaussRule& rule = gaussRule();
     for (std::size_t i = 0; i < GaussRule::count; ++i) {

@@ -2,6 +2,7 @@
 // All that moves at one time: momentum, energy, penetration, gap.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,6 +46,9 @@ class LineCensus {
             addAcross(cell, start, width);
         }
     }
+    /// What of the cell that begins at clock `start` has entered at `to`. A cell has the moments of its wave
+    /// as a whole only: a part of it has others.
+    void setEntered(const WaveCell& part, double start) { m_entered = {part, start}; }
     const LineSums& sums() const { return m_sums; }
 
   private:
@@ -52,6 +56,11 @@ class LineCensus {
 
     double m_from, m_to, m_decay;
     LineSums m_sums;
+    struct Entered {
+        WaveCell part;
+        double start;
+    };
+    std::optional<Entered> m_entered;
 };
 
 /// What moves at one time, all over the string. Units of NetworkProblem.

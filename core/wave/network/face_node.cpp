@@ -66,7 +66,7 @@ void FaceNode::step(WaveCell& f1ToF2, WaveCell& b2ToB1, int index, double time, 
         if (quietForce(w, index, force))
             add(force, m_widths[index], time);
         else
-            force = follow(w, m_widths[index], 1, time, cutAt, jump);
+            force = follow(w, m_widths[index], time, cutAt, jump);
     }
     b2ToB1 = force - f1;
     f1ToF2 = force - b2;
@@ -82,14 +82,18 @@ bool FaceNode::staysApart(const WaveCell& f1, const WaveCell& b2, double width) 
     return true;
 }
 
-FaceNodeState FaceNode::stateWithin(const WaveCell& f1, const WaveCell& b2, int index, double share,
+FaceNode::Part FaceNode::partOfStep(const WaveCell& f1, const WaveCell& b2, int index, double share,
                                     double time) const {
-    if (m_now.released) return m_now;
+    if (share <= 0) return {m_now, {}, {}};
     FaceNode copy(m_impedance1, m_impedance2, {m_stiffness, m_restrike});
     copy.m_now = m_now;
+    const WaveCell first1 = f1.part(0, share), first2 = b2.part(0, share);
+    WaveCell force;
     CellJump none;
-    copy.follow(closingSpeed(f1, b2), m_widths[index], share, time, CutAt::nothing, none);
-    return copy.m_now;
+    if (!m_now.released)
+        force =
+            copy.follow(closingSpeed(first1, first2), m_widths[index] * share, time, CutAt::nothing, none);
+    return {copy.m_now, force - first2, force - first1};
 }
 
 /// The force over a whole cell in which the faces neither part nor meet. False, and nothing done, where they
@@ -185,8 +189,7 @@ FaceNode::EventPiece FaceNode::stretch(const Powers& w, double width, double fro
 }
 
 /// From contact to contact.
-WaveCell FaceNode::follow(const WaveCell& w, double width, double share, double time, CutAt cutAt,
-                          CellJump& jump) {
+WaveCell FaceNode::follow(const WaveCell& w, double width, double time, CutAt cutAt, CellJump& jump) {
     constexpr int mostPieces = 10'000;
     const Powers powers = w.powers();
     WaveCell total;
@@ -194,17 +197,17 @@ WaveCell FaceNode::follow(const WaveCell& w, double width, double share, double 
     double from = 0;
     int standing = 0;  // events at one point
     if (!m_now.apart && !m_stiffness && isStill(w)) separate(time);
-    for (int pieces = 0; from < share && !m_now.released; ++pieces, ++m_pieces) {
+    for (int pieces = 0; from < 1 && !m_now.released; ++pieces, ++m_pieces) {
         if (pieces == mostPieces) {
             m_trouble = "the faces of hammer and string meet and part without end";
             break;
         }
-        const EventPiece piece = nextPiece(powers, width, from, share);
+        const EventPiece piece = nextPiece(powers, width, from, 1);
         Zero<double> event;
         if (standing <= mostStanding) event = firstZero(piece.c.data(), piece.count, 1.0, uncounted);
         if (event.undecided) m_trouble = "a contact of hammer and string cannot be placed";
         const double end = event.found ? event.u : 1;
-        const double to = event.found || from + piece.width < share ? from + end * piece.width : share;
+        const double to = event.found || from + piece.width < 1 ? from + end * piece.width : 1;
         if (m_now.apart) {
             m_now.gap = event.found ? 0 : piece.value(1);
         } else if (to > from) {

@@ -40,9 +40,13 @@ class FaceNode {
 
     /// One cell: the waves f1 and b2 that arrive become those that leave, b1 and f2.
     void step(WaveCell& f1ToF2, WaveCell& b2ToB1, int index, double time, CutAt cutAt, CellJump& jump);
-    /// Where they would be after the first `share` of that cell.
-    FaceNodeState stateWithin(const WaveCell& f1, const WaveCell& b2, int index, double share,
-                              double time) const;
+    /// After the first `share` of that cell: where they would be, and the waves that have left over that
+    /// share.
+    struct Part {
+        FaceNodeState state;
+        WaveCell f2, b1;
+    };
+    Part partOfStep(const WaveCell& f1, const WaveCell& b2, int index, double share, double time) const;
 
     const FaceNodeState& state() const { return m_now; }
     void setState(const FaceNodeState& state) { m_now = state; }
@@ -61,7 +65,7 @@ class FaceNode {
     bool quietForce(const WaveCell& w, int index, WaveCell& force);
     EventPiece nextPiece(const WaveCell::Powers& w, double width, double from, double end) const;
     EventPiece stretch(const WaveCell::Powers& w, double width, double from, double end) const;
-    WaveCell follow(const WaveCell& w, double width, double share, double time, CutAt cutAt, CellJump& jump);
+    WaveCell follow(const WaveCell& w, double width, double time, CutAt cutAt, CellJump& jump);
     void add(const WaveCell& force, double width, double time);
     void noteOpening(const WaveCell& w, double width, double time);
     void separate(double time);

@@ -38,11 +38,9 @@ void Joint::step(const WaveCell* f1, const WaveCell* b2, WaveCell* b1, WaveCell*
     }
 }
 
-double Joint::velocityWithin(const WaveCell& f1, const WaveCell& b2, double width, double share) const {
-    const WaveCell target = (2 / (m_impedance1 + m_impedance2)) * (f1 - m_passing * b2);
-    double velocity = m_velocity;
-    if (share > 0) Relaxation(rate() * width * share).follow(target.part(0, share), velocity);
-    return velocity;
+void Joint::stepAlone(const WaveCell& f1, const WaveCell& b2, double width, WaveCell& b1, WaveCell& f2) {
+    setWidths({width});
+    step(&f1, &b2, &b1, &f2, 1, 0, 1);
 }
 
 }  // namespace drillwave

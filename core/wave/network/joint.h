@@ -45,8 +45,8 @@ class Joint {
     double rate() const { return (m_impedance1 + m_impedance2) / m_mass; }
     double velocity() const { return m_velocity; }  ///< of the mass
     void setVelocity(double velocity) { m_velocity = velocity; }
-    /// The velocity of the mass after the first `share` of a cell.
-    double velocityWithin(const WaveCell& f1, const WaveCell& b2, double width, double share) const;
+    /// A cell, or a part of one, of this width alone.
+    void stepAlone(const WaveCell& f1, const WaveCell& b2, double width, WaveCell& b1, WaveCell& f2);
 
   private:
     double m_impedance1 = 1, m_impedance2 = 1;

@@ -213,7 +213,7 @@ NetworkMarch::NodeJump NetworkMarch::stepJoint(std::size_t j, const NodeTurn& tu
         for (std::size_t i = 0; i < turn.count; ++i) m_weakened[i] = m_passing[j] * b2[i];
         b2 = m_weakened.data();
     }
-    if (m_joints[j - 1].mass() > 0 && m_census) takeMassVelocity(j - 1, f1, b2, turn);
+    if (m_joints[j - 1].mass() > 0 && m_census) countMass(j - 1, f1, b2, turn);
     m_joints[j - 1].step(f1, b2, m_lines[j - 1].leaving() + turn.from, f2, turn.count, part, parts);
     return {};
 }
@@ -227,10 +227,7 @@ NetworkMarch::NodeJump NetworkMarch::stepFace(const NodeTurn& turn) {
         WaveCell b = m_passing[j] == 1 ? m_lines[j].arriving()[i] : m_passing[j] * m_lines[j].arriving()[i];
         const int part = static_cast<int>(at.part());
         const double time = at.clock();
-        if (m_census && m_census->time() >= time && m_census->time() < endOf(at)) {
-            const double share = std::min(1.0, (m_census->time() - time) / at.width());
-            m_census->setFace(m_face.stateWithin(f, b, part, share, time));
-        }
+        if (m_census && m_census->time() >= time && m_census->time() < endOf(at)) countFace(f, b, at);
         m_face.step(f, b, part, time, i < m_faceTaken ? CutAt::nothing : m_cutAt, jump);
         if (jump.found) return {true, j, i, jumpPlace(at.part(), jump.place)};
         m_downs[j][i] = f;
@@ -249,10 +246,7 @@ NetworkMarch::NodeJump NetworkMarch::stepBit(const NodeTurn& turn) {
         const WaveCell g = m_passing[j] == 1 ? m_downs[j][i] : m_passing[j] * m_downs[j][i];
         const int part = static_cast<int>(at.part());
         const double clock = at.clock(), time = clock + m_clocks.bit();
-        if (m_census && censusClock >= clock && censusClock < endOf(at)) {
-            const double share = std::min(1.0, (censusClock - clock) / at.width());
-            m_census->setBit(m_bit.stateWithin(g, part, share, time));
-        }
+        if (censusClock >= clock && censusClock < endOf(at)) countBit(g, at);
         constexpr long fewPieces = 1000;  // many of them may take as long as blocks do
         if (m_bit.pieces() - pieces > fewPieces && m_stop.stop_requested()) return {};
         m_lines[j].leaving()[i] = m_bit.step(g, part, time, i < m_bitTaken ? CutAt::nothing : m_cutAt, jump);
@@ -262,24 +256,48 @@ NetworkMarch::NodeJump NetworkMarch::stepBit(const NodeTurn& turn) {
     return {};
 }
 
-/// The velocity of the mass of a joint at the time of the census, where that lies in these turn.
-void NetworkMarch::takeMassVelocity(std::size_t joint, const WaveCell* f1, const WaveCell* b2,
-                                    const NodeTurn& turn) {
+/// For the census, whose time lies in this cell.
+void NetworkMarch::countFace(const WaveCell& f1, const WaveCell& b2, const CellCuts::Walk& at) {
+    const std::size_t j = m_problem.hammerSections;
+    const double share = std::min(1.0, (m_census->time() - at.clock()) / at.width());
+    const FaceNode::Part first = m_face.partOfStep(f1, b2, static_cast<int>(at.part()), share, at.clock());
+    m_census->setFace(first.state);
+    m_census->down(j).setEntered(first.f2, at.clock());
+    m_census->up(j - 1).setEntered(first.b1, at.clock());
+}
+
+/// For the census, whose time lies in this cell.
+void NetworkMarch::countBit(const WaveCell& g, const CellCuts::Walk& at) {
+    const std::size_t j = m_problem.sections.size() - 1;
+    const double share = std::min(1.0, (m_census->clockOf(j + 1) - at.clock()) / at.width());
+    const BitNode::Part first =
+        m_bit.partOfStep(g, static_cast<int>(at.part()), share, at.clock() + m_clocks.bit());
+    m_census->setBit(first.state);
+    m_census->up(j).setEntered(first.leaving, at.clock());
+}
+
+/// For the census, where its time lies in these turns.
+void NetworkMarch::countMass(std::size_t joint, const WaveCell* f1, const WaveCell* b2,
+                             const NodeTurn& turn) {
     const double wanted = m_census->clockOf(joint + 1);
     const long from = m_step + static_cast<long>(turn.from);
     if (wanted < m_cuts.clock(from) || wanted >= m_cuts.clock(from + static_cast<long>(turn.count))) return;
     Joint copy = m_joints[joint];
+    WaveCell f2, b1;
     for (std::size_t i = 0; i < turn.count; ++i) {
         const long step = from + static_cast<long>(i);
         const double start = m_cuts.clock(step), width = m_cuts.width(step);
-        if (wanted < m_cuts.clock(step + 1)) {
-            m_census->setMassVelocity(
-                joint, copy.velocityWithin(f1[i], b2[i], width, std::min(1.0, (wanted - start) / width)));
-            return;
+        if (wanted >= m_cuts.clock(step + 1)) {
+            copy.step(f1 + i, b2 + i, &b1, &f2, 1, static_cast<std::size_t>(step) % m_cuts.count(),
+                      m_cuts.count());
+            continue;
         }
-        WaveCell f2, b1;
-        copy.step(f1 + i, b2 + i, &b1, &f2, 1, static_cast<std::size_t>(step) % m_cuts.count(),
-                  m_cuts.count());
+        const double share = std::min(1.0, (wanted - start) / width);
+        if (share > 0) copy.stepAlone(f1[i].part(0, share), b2[i].part(0, share), share * width, b1, f2);
+        m_census->setMassVelocity(joint, copy.velocity());
+        m_census->down(joint + 1).setEntered(f2, start);
+        m_census->up(joint).setEntered(b1, start);
+        return;
     }
 }
 

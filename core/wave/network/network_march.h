@@ -75,7 +75,9 @@ class NetworkMarch {
     NodeJump stepJoint(std::size_t j, const NodeTurn& turn);
     NodeJump stepFace(const NodeTurn& turn);
     NodeJump stepBit(const NodeTurn& turn);
-    void takeMassVelocity(std::size_t joint, const WaveCell* f1, const WaveCell* b2, const NodeTurn& turn);
+    void countFace(const WaveCell& f1, const WaveCell& b2, const CellCuts::Walk& at);
+    void countBit(const WaveCell& g, const CellCuts::Walk& at);
+    void countMass(std::size_t joint, const WaveCell* f1, const WaveCell* b2, const NodeTurn& turn);
     bool cut(double place);
     void observe(std::size_t count);
     void keepWaves(std::size_t count);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blows on drill strings against reference solutions, the uniform rod and their own balances.
 #include <QtTest>
+#include <array>
+#include <utility>
 
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/network/network_solver.h"
@@ -24,6 +26,21 @@ NetworkProblem uniformRod(const Groups& groups) {
 
 double perHammerMomentum(double momentum, const NetworkImpact& impact) {
     return momentum / impact.hammerMomentum;
+}
+
+double leastOf(const PiecewisePolynomial& force) {
+    constexpr int steps = 8;
+    double least = 0;
+    for (const PiecewisePolynomial::Piece& piece : force.pieces())
+        for (int k = 0; k <= steps; ++k)
+            least = std::min(least, force.value(piece, piece.length * k / steps));
+    return least;
+}
+
+/// How often random strings are tried: as many as asked for, else `usual`.
+int scenesOr(int usual) {
+    const int asked = qEnvironmentVariableIntValue("DRILLWAVE_NETWORK_SCENES");
+    return asked > 0 ? asked : usual;
 }
 
 }  // namespace
@@ -160,8 +177,7 @@ class TestNetworkSolver : public QObject {
 
     void balancesCloseAndErrorsCoverInRandomStrings() {
         Chance chance(11);
-        const int asked = qEnvironmentVariableIntValue("DRILLWAVE_NETWORK_SCENES");
-        const int scenes = asked > 0 ? asked : 80;
+        const int scenes = scenesOr(80);
         int uncovered = 0, inexact = 0;
         for (int i = 0; i < scenes; ++i) {
             const NetworkProblem problem = randomNetwork(chance);
@@ -183,6 +199,57 @@ class TestNetworkSolver : public QObject {
         }
         QVERIFY2(inexact <= scenes / 50, QByteArray::number(inexact));
         QVERIFY2(uncovered <= scenes / 100, QByteArray::number(uncovered));
+    }
+
+    /// All is counted at a time that lies within cells of most waves.
+    void balancesCloseWhereverABlowEnds() {
+        Chance chance(5);
+        const int scenes = scenesOr(120);
+        std::array<int, 3> ends{};
+        for (int i = 0; i < scenes; ++i) {
+            NetworkProblem problem = randomNetwork(chance);
+            if (chance.below(3) != 0) problem.nextBlow = std::exchange(problem.endTime, {});
+            for (const NetworkAccuracy accuracy : {NetworkAccuracy::quick, NetworkAccuracy::sure}) {
+                if (accuracy == NetworkAccuracy::sure && i % 4 != 0) continue;
+                const NetworkImpact impact = solveNetwork(problem, {.accuracy = accuracy, .wants = {}});
+                const QByteArray number = "scene " + QByteArray::number(i);
+                QVERIFY2(impact.end != NetworkEnd::notSolved, number + ": " + impact.reason.c_str());
+                ++ends[std::size_t(impact.end)];
+                constexpr double closed = 1e-11;
+                QVERIFY2(std::abs(impact.momentumResidual) < closed,
+                         number + " misses " + QByteArray::number(impact.momentumResidual));
+                const double given = impact.hammerMomentum - impact.pistonMomentum - impact.faceImpulse;
+                QVERIFY2(std::abs(given) < closed * impact.hammerMomentum,
+                         number + ": of the hammer " + QByteArray::number(given));
+                // what cells do not resolve is lost, none is made, and the stated error knows
+                QVERIFY2(impact.energyResidual > -closed, number + QByteArray::number(impact.energyResidual));
+                QVERIFY2(impact.efficiencyError >= std::abs(impact.energyResidual), number);
+                QVERIFY2(impact.peakForce >= 0 && impact.energy.rock >= 0, number);
+            }
+        }
+        for (const int count : ends) QVERIFY2(count > scenes / 10, QByteArray::number(count));
+    }
+
+    void rockAndHammerPushAndNeverPull() {
+        Chance chance(6);
+        int looked = 0;
+        for (int i = 0; i < 20; ++i) {
+            NetworkProblem problem = randomNetwork(chance);
+            problem.endTime = 10;  // most are short enough for all cells of a sure run to be kept
+            NetworkSettings settings;
+            settings.wants.histories = true;
+            const NetworkImpact impact = solveNetwork(problem, settings);
+            QCOMPARE(impact.end, NetworkEnd::endTime);
+            if (!impact.waves) continue;
+            settings.accuracy = NetworkAccuracy::quick;
+            const NetworkImpact quick = solveNetwork(problem, settings);
+            if (impact.waves->clocks().size() <= quick.waves->clocks().size()) continue;  // they are the same
+            ++looked;
+            for (const PiecewisePolynomial* force : {&impact.waves->bitForce(), &impact.waves->faceForce()})
+                QVERIFY2(leastOf(*force) > -1e-6,
+                         QByteArray::number(i) + QByteArray::number(leastOf(*force)));
+        }
+        QVERIFY2(looked > 8, QByteArray::number(looked));
     }
 
     void nothingFollowsWhatIsProvenToBeOver() {
