@@ -217,6 +217,8 @@ std::vector<Alert> stringAlerts(const Scenario& scenario, const StringBlow& blow
                           AlertCode::blowNotOver,
                           "",
                           {{"time", blow.impact.endTime * scales.time, Quantity::time}}});
+    if (blow.impact.leftOutForces)
+        alerts.push_back({AlertLevel::warning, AlertCode::stressesLeftOut, "", {}});
     return alerts;
 }
 

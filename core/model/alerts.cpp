@@ -122,6 +122,7 @@ std::string_view name(AlertCode code) {
         "reduced_accuracy",        "stress_above_yield",
         "stress_above_fatigue",    "residual_waves",
         "lengths_rounded",         "blow_not_over",
+        "stresses_left_out",
     };
     return alertNames[static_cast<std::size_t>(code)];
 }

@@ -31,9 +31,10 @@ enum class AlertCode {
     residualWaves,
     lengthsRounded,
     blowNotOver,
+    stressesLeftOut,
 };
 
-inline constexpr int alertCodeCount = 16;
+inline constexpr int alertCodeCount = 17;
 
 /// "outside_plausible_range", "pulse_longer_than_round_trip", …
 std::string_view name(AlertCode code);

@@ -169,6 +169,10 @@ std::string alertText(const Alert& alert) {
             return "After " + inUnit(alert, "time") +
                    " bit or hammer may still meet again: these are the numbers at the next blow, not final "
                    "ones.";
+        case AlertCode::stressesLeftOut:
+            return "The largest stresses of the sections take more work than is permitted: they were left "
+                   "out "
+                   "and no strength was checked. A shorter end_time may leave room for them.";
     }
     return {};
 }

@@ -71,7 +71,8 @@ struct NetworkImpact {
     double faceSeparation = -1;  ///< the first; negative: never
 
     std::vector<ImpactEvent> events;           ///< at the rock
-    std::vector<SectionForces> sections;       ///< where wanted
+    std::vector<SectionForces> sections;       ///< where wanted, and not too much work
+    bool leftOutForces = false;                ///< they were wanted and too much work
     std::vector<double> jointReflection;       ///< [E0] per joint of two sections, where wanted
     std::shared_ptr<const StringWaves> waves;  ///< where wanted, and not more than can be kept
 

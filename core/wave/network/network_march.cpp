@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/wave/network/census_impact.h"
 #include "core/wave/network/free_flight.h"
@@ -306,7 +307,8 @@ void NetworkMarch::takeBlock() {
     const Nodes before = nodes();
     m_faceTaken = m_bitTaken = 0;
     while (true) {
-        m_cutAt = m_cuts.isFull() || m_recut > m_mostRecut ? CutAt::nothing : m_wants.cutAt;
+        const bool mayCut = m_mayCut && !m_cuts.isFull() && m_recut <= m_mostRecut;
+        m_cutAt = mayCut ? m_wants.cutAt : CutAt::nothing;
         const NodeJump jump = stepBlock();
         if (!jump.found) return;
         setNodes(before);
@@ -320,8 +322,11 @@ void NetworkMarch::takeBlock() {
 
 /// Cuts all cells at a place. False where that is not to be done.
 bool NetworkMarch::cut(double place) {
-    const CellCuts coarse = m_cuts;
-    if (!m_cuts.cutAt(place)) return false;
+    CellCuts finer = m_cuts;
+    if (!finer.cutAt(place)) return false;
+    m_mayCut = isAffordable(finer);
+    if (!m_mayCut) return false;
+    const CellCuts coarse = std::exchange(m_cuts, std::move(finer));
     for (const DelayLine<WaveCell>& line : m_lines) m_recut += static_cast<long>(line.delay());
     const long parts = static_cast<long>(coarse.count());
     const std::size_t part = static_cast<std::size_t>(m_step % parts);
@@ -334,6 +339,13 @@ bool NetworkMarch::cut(double place) {
     setWidths();
     planTurns();
     return true;
+}
+
+/// Whether the way that is left at most is no more work with these parts of cells than is permitted.
+bool NetworkMarch::isAffordable(const CellCuts& cuts) const {
+    const double cells = (limitTime() - clock()) / m_grid.cell * static_cast<double>(cuts.count());
+    const double nodes = static_cast<double>(m_lines.size() + 1);
+    return cells * nodes <= static_cast<double>(m_mostWork - work());
 }
 
 void NetworkMarch::observe(std::size_t count) {
@@ -408,19 +420,32 @@ long NetworkMarch::flownCells() const {
 }
 
 long NetworkMarch::work() const {
+    return flownCells() + m_recut + m_cells + workOfPiece * (m_bit.pieces() + m_face.pieces());
+}
+
+/// What is looked at beside that for the largest forces.
+long NetworkMarch::workForForces() const {
+    if (!m_wants.forces) return 0;
     long looked = 0;
     for (const SectionWatch& watch : m_watches) looked += watch.looked();
-    return flownCells() + m_recut + m_cells * (m_wants.forces ? workOfForces : 1) +
-           workOfPiece * (m_bit.pieces() + m_face.pieces()) + workOfLook * looked;
+    return m_cells * (workOfForces - 1) + workOfLook * looked;
+}
+
+void NetworkMarch::leaveOutForces() {
+    m_wants.forces = false;
+    m_watches.clear();
+    m_leftOutForces = true;
 }
 
 NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
     const std::size_t nodeCount = m_problem.sections.size() + 1;
     constexpr std::size_t count = mostBlock;
     m_stop = stop;
+    m_mostWork = mostCells;
     m_mostRecut = static_cast<long>(shareOfCuts * static_cast<double>(mostCells));
     while (true) {
-        if (work() > mostCells) return notSolved("it takes more wave cells than permitted");
+        if (m_wants.forcesIfTheyFit && work() + workForForces() > mostCells) leaveOutForces();
+        if (work() + workForForces() > mostCells) return notSolved("it takes more wave cells than permitted");
         if (!m_census) scheduleCensus();
         takeBlock();
         if (!m_bit.trouble().empty()) return notSolved(std::string(m_bit.trouble()));
@@ -499,6 +524,7 @@ NetworkImpact NetworkMarch::result(const CensusResult& census, NetworkEnd end) {
             impact.jointReflection.push_back(m_reflected[j] / m_problem.sections[j].impedance /
                                              impact.hammerEnergy);
     if (m_waves) m_waves->finish(census.time);
+    impact.leftOutForces = m_leftOutForces;
     impact.waves = m_waves;
     impact.cells = m_cells + flownCells();
     impact.cell = m_grid.cell;

@@ -26,8 +26,9 @@ namespace drillwave {
 /// What is wanted of a blow beside its sums.
 struct NetworkWants {
     bool events = false;
-    bool forces = false;     ///< of every section, and what joints reflect
-    bool histories = false;  ///< the waves of every section
+    bool forces = false;           ///< of every section, and what joints reflect
+    bool forcesIfTheyFit = false;  ///< a result without them rather than none
+    bool histories = false;        ///< the waves of every section
     CutAt cutAt = CutAt::jumps;
     Grading grading{0.3, 1.5, 24};
 };
@@ -79,6 +80,7 @@ class NetworkMarch {
     void countBit(const WaveCell& g, const CellCuts::Walk& at);
     void countMass(std::size_t joint, const WaveCell* f1, const WaveCell* b2, const NodeTurn& turn);
     bool cut(double place);
+    bool isAffordable(const CellCuts& cuts) const;
     void observe(std::size_t count);
     void keepWaves(std::size_t count);
     void scheduleCensus();
@@ -90,6 +92,8 @@ class NetworkMarch {
     double jumpPlace(std::size_t part, double place) const;
     long flownCells() const;
     long work() const;
+    long workForForces() const;
+    void leaveOutForces();
     double limitTime() const;
     double clock() const { return m_cuts.clock(m_step); }
 
@@ -115,9 +119,12 @@ class NetworkMarch {
     std::optional<CensusResult> m_free;  ///< when hammer, string and rock were apart, as they are since then
     double m_landing = 0;                ///< clock before which they are known to stay so, but no longer
     std::stop_token m_stop;
+    long m_mostWork = 0;
     long m_recut = 0, m_mostRecut = 0;  ///< cells that were cut again on their way
+    bool m_mayCut = true;               ///< with more parts the way that is left would be too much work
     double m_flown = 0;                 ///< cells times nodes of free flights
     std::vector<SectionWatch> m_watches;
+    bool m_leftOutForces = false;
     std::vector<Joint> m_alone;        ///< the joints, met by waves down only
     std::vector<double> m_reflected;   ///< ∫b1² of those
     std::vector<WaveCell> m_weakened;  ///< waves back over the present block, as they arrive

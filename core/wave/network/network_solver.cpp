@@ -61,6 +61,7 @@ NetworkWants wantsOf(const NetworkSettings& settings, const Smoothness& smoothne
     NetworkWants wants = settings.wants;
     wants.cutAt = smoothness.cutAt;
     wants.grading = smoothness.grading;
+    wants.forcesIfTheyFit = smoothness.cutAt == CutAt::jumps;  // else there is a quick run that has them
     return wants;
 }
 

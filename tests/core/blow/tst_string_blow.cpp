@@ -162,6 +162,18 @@ class TestStringBlow : public QObject {
         QCOMPARE(told, 1);
     }
 
+    void stressesThatWereLeftOutAreRemarkedOn() {
+        Blow blow = solved(t38());
+        const auto remarks = [&blow] {
+            return std::ranges::count(stringAlerts(blow.scenario, *blow.string), AlertCode::stressesLeftOut,
+                                      &Alert::code);
+        };
+        QCOMPARE(remarks(), 0);
+        blow.string->impact.sections.clear();
+        blow.string->impact.leftOutForces = true;
+        QCOMPARE(remarks(), 1);
+    }
+
     void lengthsThatShareNoCellAreRemarkedOn() {
         Scenario scenario = t38();
         scenario.drillString.hammer.sections[0].length = 0.3 * M_SQRT2 / 1.4;

@@ -134,6 +134,9 @@ const std::vector<Example>& examples() {
          "After 16.7 ms bit or hammer may still meet again: these are the numbers at the next blow, not "
          "final "
          "ones."},
+        {{warning, AlertCode::stressesLeftOut, "", {}},
+         "The largest stresses of the sections take more work than is permitted: they were left out and no "
+         "strength was checked. A shorter end_time may leave room for them."},
     };
     return all;
 }

@@ -331,6 +331,37 @@ class TestNetworkSolver : public QObject {
         }
     }
 
+    void cutsThatCannotBeFollowedToTheEndAreNotMade() {
+        const NetworkProblem problem = networkCases().at(7).problem;
+        NetworkWants wants;
+        wants.cutAt = CutAt::corners;
+        wants.grading = {0.15, 1.25, 100};
+        const CellGrid grid = *usualGrid(problem);
+        const NetworkImpact all = NetworkMarch(problem, grid, wants).run(mostNetworkCells, {});
+        const long permitted = all.cells / 2;
+        const NetworkImpact some = NetworkMarch(problem, grid, wants).run(permitted, {});
+        QCOMPARE(some.end, NetworkEnd::endTime);
+        QVERIFY(some.cells <= permitted);
+        QVERIFY(std::abs(some.energy.rock - all.energy.rock) < 1e-9);
+    }
+
+    void theLargestForcesAreLeftOutRatherThanTheBlow() {
+        const NetworkProblem problem = networkCases().at(7).problem;
+        const CellGrid grid = *usualGrid(problem);
+        NetworkWants wants;
+        const NetworkImpact sums = NetworkMarch(problem, grid, wants).run(mostNetworkCells, {});
+        const long permitted = 2 * sums.cells;
+        wants.forces = true;
+        QCOMPARE(NetworkMarch(problem, grid, wants).run(permitted, {}).end, NetworkEnd::notSolved);
+        wants.forcesIfTheyFit = true;
+        const NetworkImpact without = NetworkMarch(problem, grid, wants).run(permitted, {});
+        QCOMPARE(without.end, NetworkEnd::endTime);
+        QVERIFY(without.leftOutForces && without.sections.empty() && without.jointReflection.empty());
+        QCOMPARE(without.energy.rock, sums.energy.rock);
+        const NetworkImpact with = NetworkMarch(problem, grid, wants).run(mostNetworkCells, {});
+        QVERIFY(!with.leftOutForces && with.sections.size() == problem.sections.size());
+    }
+
     void lossesInsideTheHammerAreRefused() {
         NetworkProblem problem = networkCases().at(7).problem;
         problem.sections[0].loss = 0.01;
