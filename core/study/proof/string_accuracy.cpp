@@ -36,7 +36,8 @@ StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_t
     NetworkProblem problem = networkProblemOf(scenario);
     NetworkSettings finest;
     finest.halvings = sureHalvings + 1;
-    NetworkImpact reference = solveNetwork(problem, finest, stop);
+    NetworkSolver solver;
+    NetworkImpact reference = solver.solve(problem, finest, stop);
     if (reference.end == NetworkEnd::notSolved) {
         accuracy.reason = reference.reason;
         accuracy.isStopped = stop.stop_requested();
@@ -44,7 +45,7 @@ StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_t
     }
     if (!problem.endTime) {  // all methods to the same end
         problem.endTime = reference.endTime;
-        reference = solveNetwork(problem, finest, stop);
+        reference = solver.solve(problem, finest, stop);
     }
     accuracy.efficiency = reference.energy.rock;
     accuracy.reference = reference.efficiencyError;
@@ -60,22 +61,23 @@ StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_t
         NetworkSettings settings;
         settings.accuracy = method == StringMethod::quick ? NetworkAccuracy::quick : NetworkAccuracy::sure;
         settings.halvings = halvings;
-        const NetworkImpact impact = solveNetwork(problem, settings, stop);
+        const NetworkImpact impact = solver.solve(problem, settings, stop);
         if (impact.end == NetworkEnd::notSolved) return;
         add({method, impact.cell * seconds, std::abs(impact.energy.rock - accuracy.efficiency),
              impact.efficiencyError, std::abs(impact.rockImpulse - reference.rockImpulse) / p0, impact.cells,
-             timeOf([&] { solveNetwork(problem, settings, stop); }, stop)});
+             timeOf([&] { solver.solve(problem, settings, stop); }, stop)});
     };
     for (int i = 0; i <= quickHalvings; ++i) addCells(StringMethod::quick, i);
     for (int i = 0; i <= sureHalvings; ++i) addCells(StringMethod::sure, i);
 
-    std::optional<CellGrid> grid = usualGrid(problem);
-    for (int i = 0; grid && i <= plainHalvings && !stop.stop_requested(); ++i, *grid = grid->halved()) {
-        const PlainBlow blow = solvePlainLattice(problem, *grid, stop);
-        add({StringMethod::plain, grid->cell * seconds, std::abs(blow.efficiency - accuracy.efficiency),
+    CellGrid grid;
+    const bool isShared = usualGrid(problem, grid);
+    for (int i = 0; isShared && i <= plainHalvings && !stop.stop_requested(); ++i, grid.halve()) {
+        const PlainBlow blow = solvePlainLattice(problem, grid, stop);
+        add({StringMethod::plain, grid.cell * seconds, std::abs(blow.efficiency - accuracy.efficiency),
              std::numeric_limits<double>::quiet_NaN(),
              std::abs(blow.rockImpulse - reference.rockImpulse / p0), blow.cells,
-             timeOf([&] { solvePlainLattice(problem, *grid, stop); }, stop)});
+             timeOf([&] { solvePlainLattice(problem, grid, stop); }, stop)});
     }
     accuracy.isStopped = stop.stop_requested();
     return accuracy;

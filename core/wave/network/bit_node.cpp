@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace drillwave {
 
@@ -44,10 +43,12 @@ BitNode::BitNode(double impedance, double mass, const BitRockLaw& law, double ga
     : m_impedance(impedance), m_mass(mass), m_now(BilinearLaw<double>(law), gap) {}
 
 void BitNode::setWidths(const std::vector<double>& widths) {
-    const std::vector<CellMaps> before = std::exchange(m_maps, {});
+    m_mapsBefore.swap(m_maps);
+    m_maps.clear();
+    for (std::vector<CellMaps>* maps : {&m_maps, &m_mapsBefore}) maps->reserve(widths.size());
     for (const double width : widths) {
-        const auto known = std::ranges::find(before, width, &CellMaps::width);
-        m_maps.push_back(known != before.end() ? *known : mapsOf(width));
+        const auto known = std::ranges::find(m_mapsBefore, width, &CellMaps::width);
+        m_maps.push_back(known != m_mapsBefore.end() ? *known : mapsOf(width));
     }
 }
 
@@ -70,10 +71,14 @@ double BitNode::fastestRate() const {
     return OscillationRates{m_impedance, m_mass, m_now.law.slopes().elastic}.fastest();
 }
 
-std::vector<double> BitNode::rates() const {
-    if (m_mass == 0) return {rateOn(ContactLine::primary), rateOn(ContactLine::elastic)};
-    return {m_impedance / m_mass, OscillationRates{m_impedance, m_mass, m_now.law.slopes().primary}.fastest(),
-            fastestRate()};
+void BitNode::addRates(std::vector<double>& rates) const {
+    if (m_mass == 0) {
+        rates.push_back(rateOn(ContactLine::primary));
+    } else {
+        rates.push_back(m_impedance / m_mass);
+        rates.push_back(OscillationRates{m_impedance, m_mass, m_now.law.slopes().primary}.fastest());
+    }
+    rates.push_back(fastestRate());
 }
 
 WaveCell BitNode::step(const WaveCell& g, int index, double time, CutAt cutAt, CellJump& jump) {

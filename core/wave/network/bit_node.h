@@ -30,6 +30,7 @@ struct BitRecord {
 
 /// Where bit and rock are, and how they came there.
 struct BitNodeState {
+    BitNodeState() : BitNodeState(BilinearLaw<double>(BitRockLaw{}), 0) {}
     BitNodeState(const BilinearLaw<double>& untouched, double gap) : law(untouched), distance(gap) {}
 
     BilinearLaw<double> law;  ///< with what the rock remembers
@@ -54,6 +55,7 @@ struct BitNodeState {
 /// event to event and projected.
 class BitNode {
   public:
+    BitNode() : BitNode(1, 0, {}, 0) {}
     BitNode(double impedance, double mass, const BitRockLaw& law, double gap);
 
     /// The cells that follow have these widths [t0], in turn.
@@ -79,8 +81,8 @@ class BitNode {
     double mass() const { return m_mass; }
     /// How fast it follows on the elastic line [1/t0].
     double fastestRate() const;
-    /// All rates at which it follows [1/t0].
-    std::vector<double> rates() const;
+    /// Adds all rates at which it follows [1/t0].
+    void addRates(std::vector<double>& rates) const;
     /// Pieces that cells with events took.
     long pieces() const { return m_pieces; }
     /// Why the node could not go on; empty when it could.
@@ -117,6 +119,7 @@ class BitNode {
     double m_impedance;
     double m_mass;
     std::vector<CellMaps> m_maps;
+    std::vector<CellMaps> m_mapsBefore;  ///< only for its memory
     BitNodeState m_now;
     WaveCell m_cellForce;
     std::vector<ImpactEvent>* m_events = nullptr;

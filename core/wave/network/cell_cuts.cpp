@@ -25,10 +25,14 @@ constexpr double nearestCut = 1e-9;
 
 }  // namespace
 
-CellCuts::CellCuts(double cell, const std::vector<double>& rates, const Grading& grading)
-    : m_cell(cell), m_grading(grading) {
+void CellCuts::begin(double cell, const std::vector<double>& rates, const Grading& grading) {
+    m_cell = cell;
+    m_grading = grading;
+    m_rates.clear();
     for (const double rate : rates)
         if (rate * cell > grading.first && rate * cell <= wallRate) m_rates.push_back(rate * cell);
+    m_jumps = 0;
+    m_places.assign(1, 0);
     addGraded(0);
     measure();
 }
@@ -79,37 +83,37 @@ void CellCuts::endPartAt(double place) {
     if (place > 0 && add(place)) measure();
 }
 
-std::vector<WaveCell> CellCuts::recut(const WaveCell* cells, std::size_t cellCount, const CellCuts& coarse,
-                                      std::size_t first) const {
-    // where the parts of each part of the coarse cuts begin, in it; it itself where it stays whole
-    std::vector<std::vector<double>> shares(coarse.count());
-    for (std::size_t part = 0; part < coarse.count(); ++part) {
+void CellCuts::recut(std::span<const WaveCell> cells, const CellCuts& coarse, std::size_t first,
+                     std::vector<WaveCell>& parts) const {
+    parts.clear();
+    parts.reserve(cells.size() / coarse.count() * count() + count());
+    std::size_t part = first;
+    auto at = std::lower_bound(m_places.begin(), m_places.end(), coarse.m_places[first]);
+    for (const WaveCell& cell : cells) {
         const double start = coarse.m_places[part];
         const double end = part + 1 < coarse.count() ? coarse.m_places[part + 1] : 1;
-        auto at = std::lower_bound(m_places.begin(), m_places.end(), start);
-        for (; at != m_places.end() && *at < end; ++at) shares[part].push_back((*at - start) / (end - start));
-    }
-    std::vector<WaveCell> parts;
-    parts.reserve(cellCount / coarse.count() * count() + count());
-    std::size_t part = first;
-    for (std::size_t i = 0; i < cellCount; ++i, part = part + 1 == coarse.count() ? 0 : part + 1) {
-        const std::vector<double>& from = shares[part];
-        if (from.size() == 1 || cells[i].spread() == 0) {
-            parts.insert(parts.end(), from.size(), cells[i]);
-            continue;
+        auto behind = at + 1;
+        while (behind != m_places.end() && *behind < end) ++behind;
+        if (behind - at == 1 || cell.spread() == 0) {
+            parts.insert(parts.end(), static_cast<std::size_t>(behind - at), cell);
+        } else {
+            const auto share = [&](auto place) {
+                return place == behind ? 1 : (*place - start) / (end - start);
+            };
+            for (; at != behind; ++at) parts.push_back(cell.part(share(at), share(at + 1)));
         }
-        for (std::size_t k = 0; k < from.size(); ++k)
-            parts.push_back(cells[i].part(from[k], k + 1 < from.size() ? from[k + 1] : 1));
+        part = part + 1 == coarse.count() ? 0 : part + 1;
+        at = behind == m_places.end() ? m_places.begin() : behind;
     }
-    return parts;
 }
 
-std::vector<double> CellCuts::meansOfCells(std::span<const WaveCell> parts, long step) const {
-    std::vector<double> means(parts.size() / count(), 0.0);
+void CellCuts::meansOfCells(std::span<const WaveCell> parts, long step, std::span<double> means) const {
     Walk at(*this, step);
-    for (std::size_t i = 0; i < parts.size(); ++i, at.next())
-        means[i / count()] += at.width() / m_cell * parts[i].mean();
-    return means;
+    const WaveCell* part = parts.data();
+    for (double& mean : means) {
+        mean = 0;
+        for (std::size_t i = 0; i < count(); ++i, at.next()) mean += at.width() / m_cell * (part++)->mean();
+    }
 }
 
 }  // namespace drillwave

@@ -21,8 +21,12 @@ struct Grading {
 /// The parts of a cell: in a string whose round trips share a cell a jump stays at its place in every cell.
 class CellCuts {
   public:
+    CellCuts() = default;
+    CellCuts(double cell, const std::vector<double>& rates, const Grading& grading) {
+        begin(cell, rates, grading);
+    }
     /// Cells of this size [t0] on which quantities follow each other at these rates [1/t0].
-    CellCuts(double cell, const std::vector<double>& rates, const Grading& grading);
+    void begin(double cell, const std::vector<double>& rates, const Grading& grading);
 
     std::size_t count() const { return m_places.size(); }
     /// Where part number i begins, in cells: 0 = places()[0] < … < 1.
@@ -69,12 +73,13 @@ class CellCuts {
     /// Also end a part at this place, where no wave bends.
     void endPartAt(double place);
 
-    /// Cells in parts that follow each other from part number `first` of `coarse` on, as parts of this.
-    std::vector<WaveCell> recut(const WaveCell* cells, std::size_t cellCount, const CellCuts& coarse,
-                                std::size_t first) const;
+    /// Cells in parts that follow each other from part number `first` of `coarse` on, as `parts` of this,
+    /// which has all places of those.
+    void recut(std::span<const WaveCell> cells, const CellCuts& coarse, std::size_t first,
+               std::vector<WaveCell>& parts) const;
 
-    /// Means over whole cells of parts that follow each other from `step` on.
-    std::vector<double> meansOfCells(std::span<const WaveCell> parts, long step) const;
+    /// Means over whole cells of parts that follow each other from `step` on, one for each count() of them.
+    void meansOfCells(std::span<const WaveCell> parts, long step, std::span<double> means) const;
 
   private:
     bool add(double place);
@@ -82,11 +87,11 @@ class CellCuts {
     double stepBehind(double distance) const;
     void measure();
 
-    double m_cell;
+    double m_cell = 1;
     std::vector<double> m_rates;  ///< times cell
-    Grading m_grading;
+    Grading m_grading{};
     int m_jumps = 0;
-    std::vector<double> m_places{0};
+    std::vector<double> m_places;
     std::vector<double> m_widths;
 };
 

@@ -32,20 +32,18 @@ double largestRounding(const std::vector<NetworkSection>& sections, const CellGr
 
 }  // namespace
 
-CellGrid CellGrid::halved() const {
-    CellGrid half = *this;
-    half.cell /= 2;
-    for (long& count : half.roundTrips) count *= 2;
-    return half;
+void CellGrid::halve() {
+    cell /= 2;
+    for (long& count : roundTrips) count *= 2;
 }
 
-std::optional<CellGrid> sharedGrid(const std::vector<NetworkSection>& sections, double leastCell) {
+bool shareGrid(const std::vector<NetworkSection>& sections, double leastCell, CellGrid& grid) {
     double longest = 0;
     for (const NetworkSection& section : sections) longest = std::max(longest, 2 * section.transitTime);
     double cell = longest;
     for (const NetworkSection& section : sections) {
         cell = sharedMeasure(cell, 2 * section.transitTime, longest * sameLength);
-        if (cell < leastCell) return {};
+        if (cell < leastCell) return false;
     }
     // one measure was carried from section to section: now the one that fits all of them best
     double product = 0, square = 0;
@@ -54,18 +52,16 @@ std::optional<CellGrid> sharedGrid(const std::vector<NetworkSection>& sections, 
         product += 2 * section.transitTime * count;
         square += count * count;
     }
-    CellGrid grid = roundedGrid(sections, product / square);
-    if (grid.rounding > longest * sameLength) return {};
-    return grid;
+    roundGrid(sections, product / square, grid);
+    return grid.rounding <= longest * sameLength;
 }
 
-CellGrid roundedGrid(const std::vector<NetworkSection>& sections, double cell) {
-    CellGrid grid;
+void roundGrid(const std::vector<NetworkSection>& sections, double cell, CellGrid& grid) {
     grid.cell = cell;
+    grid.roundTrips.clear();
     for (const NetworkSection& section : sections)
         grid.roundTrips.push_back(std::max(1L, std::lround(2 * section.transitTime / cell)));
     grid.rounding = largestRounding(sections, grid);
-    return grid;
 }
 
 }  // namespace drillwave

@@ -2,7 +2,6 @@
 // The cells of time that all round trips share (strings §11).
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "core/wave/network/network_problem.h"
@@ -15,15 +14,17 @@ struct CellGrid {
     std::vector<long> roundTrips;  ///< of each section: 2 T = roundTrips · Δ
     double rounding = 0;           ///< largest |2 T − roundTrips Δ| [t0]
 
-    /// The same with cells of half the size.
-    CellGrid halved() const;
+    /// To cells of half the size.
+    void halve();
 };
 
-/// The largest cell that divides all round trips to 1e-9 of the longest; nothing where there is none of at
-/// least `leastCell` [t0].
-std::optional<CellGrid> sharedGrid(const std::vector<NetworkSection>& sections, double leastCell);
+// Both write into a grid that is there, whose memory they use again.
+
+/// The largest cell that divides all round trips to 1e-9 of the longest. False where there is none of at
+/// least `leastCell` [t0]: `grid` then is of no use.
+bool shareGrid(const std::vector<NetworkSection>& sections, double leastCell, CellGrid& grid);
 
 /// Round trips rounded to whole cells of that size, at least one each.
-CellGrid roundedGrid(const std::vector<NetworkSection>& sections, double cell);
+void roundGrid(const std::vector<NetworkSection>& sections, double cell, CellGrid& grid);
 
 }  // namespace drillwave

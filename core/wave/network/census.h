@@ -66,7 +66,7 @@ class LineCensus {
 /// What moves at one time, all over the string. Units of NetworkProblem.
 struct CensusResult {
     double time = 0;
-    BitNodeState bit;
+    BitNodeState bit = {};
     FaceNodeState face = {};
     double hammerMomentum = 0, hammerEnergy = 0;
     double stringMomentum = 0, stringEnergy = 0;

@@ -14,9 +14,12 @@ namespace drillwave {
 template <class Cell>
 class DelayLine {
   public:
-    /// Filled with `initial`; at most `mostBlock` cells are put in before advance().
-    DelayLine(std::size_t delay, std::size_t mostBlock, const Cell& initial)
-        : m_delay(delay), m_mostBlock(mostBlock), m_cells(3 * delay + 2 * mostBlock, initial) {}
+    /// Begins anew in the memory that it has: as long as `delay`, to be filled by content(); at most
+    /// `mostBlock` cells are put in before advance().
+    void restart(std::size_t delay, std::size_t mostBlock) {
+        m_mostBlock = mostBlock;
+        makeRoom(delay);
+    }
 
     /// The next cells to come out.
     const Cell* arriving() const { return m_cells.data() + m_at; }
@@ -26,24 +29,33 @@ class DelayLine {
     std::size_t delay() const { return m_delay; }
     /// All that is on its way, the oldest first.
     std::span<const Cell> content() const { return {arriving(), m_delay}; }
+    std::span<Cell> content() { return {m_cells.data() + m_at, m_delay}; }
 
     void advance(std::size_t block) {
         m_at += block;
-        if (m_at + m_delay + m_mostBlock <= m_cells.size()) return;
+        if (m_at + m_delay + m_mostBlock <= roomFor(m_delay)) return;
         std::copy_n(m_cells.begin() + static_cast<std::ptrdiff_t>(m_at), m_delay, m_cells.begin());
         m_at = 0;
     }
     /// Other cells in place of those on their way.
-    void replace(const std::vector<Cell>& content) {
-        m_delay = content.size();
-        m_cells.resize(3 * m_delay + 2 * m_mostBlock);
+    void replace(std::span<const Cell> content) {
+        makeRoom(content.size());
         std::copy(content.begin(), content.end(), m_cells.begin());
-        m_at = 0;
     }
 
   private:
-    std::size_t m_delay;
-    std::size_t m_mostBlock;
+    /// The more room, the less often all that is on its way is moved back to the beginning.
+    std::size_t roomFor(std::size_t delay) const { return 3 * delay + 2 * m_mostBlock; }
+    void makeRoom(std::size_t delay) {
+        m_delay = delay;
+        m_at = 0;
+        if (m_cells.size() >= roomFor(delay)) return;
+        m_cells.clear();  // nothing in it is wanted, nor to be copied
+        m_cells.resize(roomFor(delay));
+    }
+
+    std::size_t m_delay = 0;
+    std::size_t m_mostBlock = 0;
     std::size_t m_at = 0;
     std::vector<Cell> m_cells;
 };

@@ -34,6 +34,7 @@ struct FaceNodeState {
 /// nothing held them. Rigid: P = Z* w where they touch. With a stiffness: P' = kc (w − P/Z*). Apart: h' = −w.
 class FaceNode {
   public:
+    FaceNode() : FaceNode(1, 1, {}) {}
     FaceNode(double impedance1, double impedance2, const NetworkFace& face);
 
     void setWidths(const std::vector<double>& widths);

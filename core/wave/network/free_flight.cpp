@@ -34,24 +34,32 @@ bool FreeFlight::isClear(const NetworkProblem& problem, double cell, const Fligh
     return start.bitDistance > needed.bit && (start.released || start.faceGap > needed.face);
 }
 
-FreeFlight::FreeFlight(const NetworkProblem& problem, double cell, const FlightStart& start)
-    : m_face(problem.hammerSections),
-      m_cell(cell),
-      m_released(start.released),
-      m_faceGap(start.faceGap),
-      m_bitDistance(start.bitDistance),
-      m_margins(margins(problem, cell, start)) {
-    std::vector<std::size_t> delays;
-    for (std::size_t j = 0; j < problem.sections.size(); ++j) {
+void FreeFlight::begin(const NetworkProblem& problem, const CellGrid& grid, const FlightStart& start) {
+    m_face = problem.hammerSections;
+    m_count = problem.sections.size();
+    m_cell = grid.cell;
+    m_released = start.released;
+    m_faceGap = start.faceGap;
+    m_bitDistance = start.bitDistance;
+    m_margins = margins(problem, grid.cell, start);
+    m_gone = 0;
+    m_impedances.clear();
+    m_reflections.clear();
+    m_delays.clear();
+    if (m_lines.size() < m_count) m_lines.resize(m_count);
+    for (std::size_t j = 0; j < m_count; ++j) {
         m_impedances.push_back(problem.sections[j].impedance);
         const double before = m_impedances[j == 0 ? 0 : j - 1], z = m_impedances[j];
         m_reflections.push_back((z - before) / (z + before));
-        delays.push_back(start.waves[j].size());
-        m_lines.emplace_back(delays.back(), block, 0.0);
-        m_lines.back().replace(start.waves[j]);
+        m_delays.push_back(static_cast<std::size_t>(grid.roundTrips[j]));
+        m_lines[j].restart(m_delays[j], block);
     }
-    m_downs.assign(m_lines.size(), std::vector<double>(block));
-    m_turns = nodeTurns(delays, block);
+    m_downs.resize(m_count * block);
+    planTurns(m_delays, block, m_turns);
+}
+
+double* FreeFlight::down(std::size_t section) {
+    return m_downs.data() + section * block;
 }
 
 bool FreeFlight::staysClear(double cells, const std::stop_token& stop) {
@@ -59,7 +67,7 @@ bool FreeFlight::staysClear(double cells, const std::stop_token& stop) {
         if (stop.stop_requested()) return false;
         for (const NodeTurn& turn : m_turns)
             if (!step(turn)) return false;
-        for (DelayLine<double>& line : m_lines) line.advance(block);
+        for (std::size_t j = 0; j < m_count; ++j) m_lines[j].advance(block);
         m_gone += static_cast<double>(block);
     }
     return true;
@@ -67,16 +75,18 @@ bool FreeFlight::staysClear(double cells, const std::stop_token& stop) {
 
 bool FreeFlight::step(const NodeTurn& turn) {
     if (turn.node == m_face) return stepFace(turn);
-    if (turn.node == m_lines.size()) return stepBit(turn);
+    if (turn.node == m_count) return stepBit(turn);
     if (turn.node == 0) {
-        for (std::size_t i = turn.from; i < turn.behind(); ++i) m_downs[0][i] = -m_lines[0].arriving()[i];
+        const double* back = m_lines[0].arriving();
+        double* f = down(0);
+        for (std::size_t i = turn.from; i < turn.behind(); ++i) f[i] = -back[i];
         return true;
     }
     const double r = m_reflections[turn.node];
-    const double* f1 = m_downs[turn.node - 1].data() + turn.from;
+    const double* f1 = down(turn.node - 1) + turn.from;
     const double* b2 = m_lines[turn.node].arriving() + turn.from;
     double* b1 = m_lines[turn.node - 1].leaving() + turn.from;
-    double* f2 = m_downs[turn.node].data() + turn.from;
+    double* f2 = down(turn.node) + turn.from;
     for (std::size_t i = 0; i < turn.count; ++i) {
         const double f = f1[i], b = b2[i], turned = r * (f - b);
         b1[i] = b + turned;
@@ -88,27 +98,35 @@ bool FreeFlight::step(const NodeTurn& turn) {
 bool FreeFlight::stepFace(const NodeTurn& turn) {
     const std::size_t j = m_face;
     const double of1 = 2 * m_cell / m_impedances[j - 1], of2 = 2 * m_cell / m_impedances[j];
-    double least = m_faceGap;
+    const double* f1 = down(j - 1);
+    const double* b2 = m_lines[j].arriving();
+    double* b1 = m_lines[j - 1].leaving();
+    double* f2 = down(j);
+    double gap = m_faceGap, least = gap;
     for (std::size_t i = turn.from; i < turn.behind(); ++i) {
-        const double f = m_downs[j - 1][i], b = m_lines[j].arriving()[i];
-        m_lines[j - 1].leaving()[i] = -f;
-        m_downs[j][i] = -b;
-        m_faceGap -= of1 * f + of2 * b;
-        least = std::min(least, m_faceGap);
+        const double f = f1[i], b = b2[i];
+        b1[i] = -f;
+        f2[i] = -b;
+        gap -= of1 * f + of2 * b;
+        least = std::min(least, gap);
     }
+    m_faceGap = gap;
     return m_released || least > m_margins.face;
 }
 
 bool FreeFlight::stepBit(const NodeTurn& turn) {
-    const std::size_t j = m_lines.size() - 1;
+    const std::size_t j = m_count - 1;
     const double ofWave = 2 * m_cell / m_impedances[j];
-    double least = m_bitDistance;
+    const double* arriving = down(j);
+    double* leaving = m_lines[j].leaving();
+    double distance = m_bitDistance, least = distance;
     for (std::size_t i = turn.from; i < turn.behind(); ++i) {
-        const double g = m_downs[j][i];
-        m_lines[j].leaving()[i] = -g;
-        m_bitDistance -= ofWave * g;
-        least = std::min(least, m_bitDistance);
+        const double g = arriving[i];
+        leaving[i] = -g;
+        distance -= ofWave * g;
+        least = std::min(least, distance);
     }
+    m_bitDistance = distance;
     return least > m_margins.bit;
 }
 

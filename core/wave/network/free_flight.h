@@ -2,9 +2,11 @@
 // Hammer and string while nothing touches them: whether they stay away from each other and from the rock.
 #pragma once
 
+#include <span>
 #include <stop_token>
 #include <vector>
 
+#include "core/wave/network/cell_grid.h"
 #include "core/wave/network/delay_line.h"
 #include "core/wave/network/network_problem.h"
 #include "core/wave/network/node_turns.h"
@@ -13,9 +15,8 @@ namespace drillwave {
 
 /// What flies, and from where.
 struct FlightStart {
-    std::vector<std::vector<double>> waves;  ///< means of the cells of each section on their way back
-    double faceGap = 0;                      ///< between hammer and string
-    double bitDistance = 0;                  ///< between bit and rock
+    double faceGap = 0;      ///< between hammer and string
+    double bitDistance = 0;  ///< between bit and rock
     double hammerEnergy = 0, stringEnergy = 0;
     bool released = false;  ///< whether the hammer does not matter any more
 };
@@ -31,7 +32,10 @@ class FreeFlight {
     /// Whether everything is so far apart that it can be told; the waves are not looked at.
     static bool isClear(const NetworkProblem& problem, double cell, const FlightStart& start);
 
-    FreeFlight(const NetworkProblem& problem, double cell, const FlightStart& start);
+    /// Begins a flight in the memory that it has. Its waves are to be written before it goes on.
+    void begin(const NetworkProblem& problem, const CellGrid& grid, const FlightStart& start);
+    /// Means of the cells of a section on their way back, the oldest first, as many as its round trip has.
+    std::span<double> waves(std::size_t section) { return m_lines[section].content(); }
 
     /// Goes on for at least so many cells. False as soon as something may have touched, or it was stopped.
     bool staysClear(double cells, const std::stop_token& stop);
@@ -40,22 +44,26 @@ class FreeFlight {
 
   private:
     struct Margins {
-        double face, bit;
+        double face = 0, bit = 0;
     };
     static Margins margins(const NetworkProblem& problem, double cell, const FlightStart& start);
     bool step(const NodeTurn& turn);
     bool stepFace(const NodeTurn& turn);
     bool stepBit(const NodeTurn& turn);
 
-    std::size_t m_face;  ///< number of the node
-    double m_cell;
-    bool m_released;
+    double* down(std::size_t section);
+
+    std::size_t m_face = 0;   ///< number of the node
+    std::size_t m_count = 0;  ///< of sections
+    double m_cell = 0;
+    bool m_released = false;
     std::vector<double> m_impedances;
-    std::vector<double> m_reflections;  ///< of the node in front of section j
-    std::vector<DelayLine<double>> m_lines;
-    std::vector<std::vector<double>> m_downs;
+    std::vector<double> m_reflections;       ///< of the node in front of section j
+    std::vector<DelayLine<double>> m_lines;  ///< of sections; there may be more than are used
+    std::vector<double> m_downs;             ///< waves down over a block, of one section after the other
+    std::vector<std::size_t> m_delays;
     std::vector<NodeTurn> m_turns;
-    double m_faceGap, m_bitDistance;
+    double m_faceGap = 0, m_bitDistance = 0;
     Margins m_margins;
     double m_gone = 0;
 };

@@ -3,16 +3,19 @@
 
 namespace drillwave {
 
+void Joint::stepMass(const Relaxation& map, const WaveCell& f1, const WaveCell& b2, WaveCell& b1,
+                     WaveCell& f2) {
+    const WaveCell f = f1, b = m_passing * b2;
+    const WaveCell v = map.follow(m_toVelocity * (f - b), m_velocity);
+    b1 = f - m_impedance1 * v;
+    f2 = m_passing * (b + m_impedance2 * v);
+}
+
 void Joint::step(const WaveCell* f1, const WaveCell* b2, WaveCell* b1, WaveCell* f2, std::size_t count,
                  std::size_t part, std::size_t parts) {
     if (m_mass > 0) {
-        const double toVelocity = 2 / (m_impedance1 + m_impedance2);
-        for (std::size_t i = 0; i < count; ++i, part = part + 1 == parts ? 0 : part + 1) {
-            const WaveCell f = f1[i], b = m_passing * b2[i];
-            const WaveCell v = m_maps[part].follow(toVelocity * (f - b), m_velocity);
-            b1[i] = f - m_impedance1 * v;
-            f2[i] = m_passing * (b + m_impedance2 * v);
-        }
+        for (std::size_t i = 0; i < count; ++i, part = part + 1 == parts ? 0 : part + 1)
+            stepMass(m_maps[part], f1[i], b2[i], b1[i], f2[i]);
         return;
     }
     const double r = reflection(), passing = m_passing;
@@ -39,8 +42,7 @@ void Joint::step(const WaveCell* f1, const WaveCell* b2, WaveCell* b1, WaveCell*
 }
 
 void Joint::stepAlone(const WaveCell& f1, const WaveCell& b2, double width, WaveCell& b1, WaveCell& f2) {
-    setWidths({width});
-    step(&f1, &b2, &b1, &f2, 1, 0, 1);
+    stepMass(Relaxation(rate() * width), f1, b2, b1, f2);
 }
 
 }  // namespace drillwave

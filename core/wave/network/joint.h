@@ -24,10 +24,12 @@ class Joint {
     Joint(const NetworkSection& near, const NetworkSection& far, double velocity)
         : m_impedance1(near.impedance),
           m_impedance2(far.impedance),
+          m_toVelocity(2 / (near.impedance + far.impedance)),
           m_mass(near.massAfter),
           m_passing(std::sqrt(1 - near.loss)),
           m_velocity(velocity) {}
 
+    /// The cells that follow have these widths [t0], in turn.
     void setWidths(const std::vector<double>& widths) {
         m_maps.clear();
         if (m_mass > 0)
@@ -45,11 +47,14 @@ class Joint {
     double rate() const { return (m_impedance1 + m_impedance2) / m_mass; }
     double velocity() const { return m_velocity; }  ///< of the mass
     void setVelocity(double velocity) { m_velocity = velocity; }
-    /// A cell, or a part of one, of this width alone.
+    /// A cell, or a part of one, of this width alone; only with a mass.
     void stepAlone(const WaveCell& f1, const WaveCell& b2, double width, WaveCell& b1, WaveCell& f2);
 
   private:
+    void stepMass(const Relaxation& map, const WaveCell& f1, const WaveCell& b2, WaveCell& b1, WaveCell& f2);
+
     double m_impedance1 = 1, m_impedance2 = 1;
+    double m_toVelocity = 1;  ///< 2/(Z1 + Z2)
     double m_mass = 0;
     double m_passing = 1;
     double m_velocity = 0;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/wave/network/network_march.h"
+
 namespace drillwave {
 
 namespace {
@@ -31,6 +33,9 @@ constexpr double mostSwings = 1e6;
 /// Cells on their way at once: some hundreds of megabytes.
 constexpr double mostHeld = 4e6;
 
+/// A workspace of that many cells, some tens of megabytes, is not kept.
+constexpr double mostKept = 3e5;
+
 /// What rounding in double precision is worth, in E0.
 constexpr double leastError = 1e-13;
 
@@ -48,26 +53,19 @@ double roundTripOf(const NetworkProblem& problem) {
 }
 
 /// Halves cells until the waves that the rock makes are smooth in them, as far as that is worth the work.
-CellGrid fineEnough(CellGrid grid, const NetworkProblem& problem, double mostChange) {
+void makeFine(CellGrid& grid, const NetworkProblem& problem, double mostChange) {
     constexpr double enoughCells = 4000;  // to all round trips: beyond it the parts behind fronts must do
     const NetworkSection& last = problem.sections.back();
     const double rate = problem.law.beta / problem.law.gamma / last.impedance;
     const double roundTrip = roundTripOf(problem);
-    while (rate * grid.cell > mostChange && roundTrip / grid.cell < enoughCells) grid = grid.halved();
-    return grid;
+    while (rate * grid.cell > mostChange && roundTrip / grid.cell < enoughCells) grid.halve();
 }
 
-NetworkWants wantsOf(const NetworkSettings& settings, const Smoothness& smoothness) {
-    NetworkWants wants = settings.wants;
+NetworkWants wantsOf(NetworkWants wants, const Smoothness& smoothness) {
     wants.cutAt = smoothness.cutAt;
     wants.grading = smoothness.grading;
     wants.forcesIfTheyFit = smoothness.cutAt == CutAt::jumps;  // else there is a quick run that has them
     return wants;
-}
-
-NetworkImpact solveOn(const NetworkProblem& problem, const CellGrid& grid, const NetworkSettings& settings,
-                      const Smoothness& smoothness, const std::stop_token& stop) {
-    return NetworkMarch(problem, grid, wantsOf(settings, smoothness)).run(settings.mostCells, stop);
 }
 
 double restitution(const NetworkImpact& impact) {
@@ -91,27 +89,6 @@ void stateError(NetworkImpact& impact, const NetworkImpact& other) {
     widen(impact.corError, restitution(impact) - restitution(other));
 }
 
-/// Round trips that share no cell: rounded, and rounded otherwise.
-NetworkImpact solveRounded(const NetworkProblem& problem, const NetworkSettings& settings,
-                           const std::stop_token& stop) {
-    double cell = roundTripOf(problem) / roundedCells;
-    const CellGrid finest = roundedGrid(problem.sections, cell);
-    const double foreseen = foreseeWork(problem, finest, wantsOf(settings, quickSmoothness)).work;
-    cell *= std::max(1.0, foreseen / roundedShare / static_cast<double>(settings.mostCells));
-    NetworkImpact impact =
-        solveOn(problem, roundedGrid(problem.sections, cell), settings, quickSmoothness, stop);
-    NetworkSettings sums = settings;
-    sums.wants = {};
-    for (const double other : {0.83, 1.19}) {
-        if (impact.end == NetworkEnd::notSolved) return impact;
-        const NetworkImpact compared =
-            solveOn(problem, roundedGrid(problem.sections, other * cell), sums, quickSmoothness, stop);
-        if (compared.end == NetworkEnd::notSolved) return compared;
-        stateError(impact, compared);
-    }
-    return impact;
-}
-
 }  // namespace
 
 std::string_view networkRefusal(const NetworkProblem& problem) {
@@ -130,40 +107,122 @@ std::string_view networkRefusal(const NetworkProblem& problem) {
     return {};
 }
 
-std::optional<CellGrid> usualGrid(const NetworkProblem& problem) {
-    return sharedGrid(problem.sections, roundTripOf(problem) / mostSharedCells);
+bool usualGrid(const NetworkProblem& problem, CellGrid& grid) {
+    return shareGrid(problem.sections, roundTripOf(problem) / mostSharedCells, grid);
 }
 
-NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings& settings,
-                           const std::stop_token& stop) {
+/// One blow is all that its functions are about: problem, settings and stop stay the same.
+class NetworkSolver::Workspace {
+  public:
+    NetworkImpact solve(const NetworkProblem& problem, const NetworkSettings& settings,
+                        const std::stop_token& stop);
+    /// Cells that it has room for.
+    double held() const { return m_held; }
+
+  private:
+    NetworkImpact solveShared(const NetworkProblem& problem, const NetworkSettings& settings,
+                              const std::stop_token& stop);
+    NetworkImpact solveRounded(const NetworkProblem& problem, const NetworkSettings& settings,
+                               const std::stop_token& stop);
+    const ForeseenWork& planFine(const NetworkProblem& problem, const NetworkSettings& settings,
+                                 const Smoothness& smoothness);
+    const ForeseenWork& planRounded(const NetworkProblem& problem, double cell, const NetworkWants& wants);
+    NetworkImpact run(const NetworkSettings& settings, const std::stop_token& stop);
+
+    NetworkMarch m_march;
+    CellGrid m_usual, m_grid;
+    double m_held = 0;
+};
+
+NetworkImpact NetworkSolver::Workspace::solve(const NetworkProblem& problem, const NetworkSettings& settings,
+                                              const std::stop_token& stop) {
     if (const std::string_view refusal = networkRefusal(problem); !refusal.empty()) {
         NetworkImpact refused;
         refused.reason = refusal;
         return refused;
     }
-    std::optional<CellGrid> grid = usualGrid(problem);
-    if (!grid) return solveRounded(problem, settings, stop);
-    const auto gridFor = [&](const Smoothness& smoothness) {
-        CellGrid fitting = fineEnough(*grid, problem, smoothness.mostChange);
-        for (int i = 0; i < settings.halvings; ++i) fitting = fitting.halved();
-        return fitting;
-    };
-    const CellGrid quickGrid = gridFor(quickSmoothness);
-    const ForeseenWork foreseen = foreseeWork(problem, quickGrid, wantsOf(settings, quickSmoothness));
+    if (!usualGrid(problem, m_usual)) return solveRounded(problem, settings, stop);
+    return solveShared(problem, settings, stop);
+}
+
+/// Round trips that share a cell.
+NetworkImpact NetworkSolver::Workspace::solveShared(const NetworkProblem& problem,
+                                                    const NetworkSettings& settings,
+                                                    const std::stop_token& stop) {
+    const ForeseenWork& foreseen = planFine(problem, settings, quickSmoothness);
     if (foreseen.work > sharedShare * static_cast<double>(settings.mostCells) || foreseen.held > mostHeld)
         return solveRounded(problem, settings, stop);
-    NetworkImpact quick = solveOn(problem, quickGrid, settings, quickSmoothness, stop);
+    NetworkImpact quick = run(settings, stop);
     if (quick.end == NetworkEnd::notSolved) return quick;
     stateError(quick, coveringResidual);
     if (settings.accuracy == NetworkAccuracy::quick) return quick;
-    const CellGrid sureGrid = gridFor(sureSmoothness);
-    if (foreseeWork(problem, sureGrid, wantsOf(settings, sureSmoothness)).held > mostHeld) return quick;
-    NetworkImpact sure = solveOn(problem, sureGrid, settings, sureSmoothness, stop);
+    if (planFine(problem, settings, sureSmoothness).held > mostHeld) return quick;
+    NetworkImpact sure = run(settings, stop);
     if (sure.end == NetworkEnd::notSolved) return stop.stop_requested() ? sure : quick;
     if (!sure.waves) sure.waves = quick.waves;
     stateError(sure, quick);
     sure.cells += quick.cells;
     return sure;
+}
+
+/// Round trips that share no cell: rounded, and rounded otherwise.
+NetworkImpact NetworkSolver::Workspace::solveRounded(const NetworkProblem& problem,
+                                                     const NetworkSettings& settings,
+                                                     const std::stop_token& stop) {
+    const NetworkWants wants = wantsOf(settings.wants, quickSmoothness);
+    double cell = roundTripOf(problem) / roundedCells;
+    const double foreseen = planRounded(problem, cell, wants).work;
+    cell *= std::max(1.0, foreseen / roundedShare / static_cast<double>(settings.mostCells));
+    planRounded(problem, cell, wants);
+    NetworkImpact impact = run(settings, stop);
+    for (const double other : {0.83, 1.19}) {
+        if (impact.end == NetworkEnd::notSolved) return impact;
+        planRounded(problem, other * cell, wantsOf({}, quickSmoothness));
+        const NetworkImpact compared = run(settings, stop);
+        if (compared.end == NetworkEnd::notSolved) return compared;
+        stateError(impact, compared);
+    }
+    return impact;
+}
+
+/// On cells that all round trips share, as fine as is wanted.
+const ForeseenWork& NetworkSolver::Workspace::planFine(const NetworkProblem& problem,
+                                                       const NetworkSettings& settings,
+                                                       const Smoothness& smoothness) {
+    m_grid = m_usual;
+    makeFine(m_grid, problem, smoothness.mostChange);
+    for (int i = 0; i < settings.halvings; ++i) m_grid.halve();
+    return m_march.plan(problem, m_grid, wantsOf(settings.wants, smoothness));
+}
+
+const ForeseenWork& NetworkSolver::Workspace::planRounded(const NetworkProblem& problem, double cell,
+                                                          const NetworkWants& wants) {
+    roundGrid(problem.sections, cell, m_grid);
+    return m_march.plan(problem, m_grid, wants);
+}
+
+NetworkImpact NetworkSolver::Workspace::run(const NetworkSettings& settings, const std::stop_token& stop) {
+    NetworkImpact impact = m_march.run(settings.mostCells, stop);
+    m_held = std::max(m_held, m_march.held());
+    return impact;
+}
+
+NetworkSolver::NetworkSolver() = default;
+NetworkSolver::~NetworkSolver() = default;
+NetworkSolver::NetworkSolver(NetworkSolver&&) noexcept = default;
+NetworkSolver& NetworkSolver::operator=(NetworkSolver&&) noexcept = default;
+
+NetworkImpact NetworkSolver::solve(const NetworkProblem& problem, const NetworkSettings& settings,
+                                   const std::stop_token& stop) {
+    if (!m_workspace) m_workspace = std::make_unique<Workspace>();
+    NetworkImpact impact = m_workspace->solve(problem, settings, stop);
+    if (m_workspace->held() > mostKept) m_workspace.reset();
+    return impact;
+}
+
+NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings& settings,
+                           const std::stop_token& stop) {
+    return NetworkSolver().solve(problem, settings, stop);
 }
 
 }  // namespace drillwave

@@ -2,12 +2,13 @@
 // Blows on drill strings with a stated error (strings §11).
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <stop_token>
 #include <string_view>
 
+#include "core/wave/network/cell_grid.h"
+#include "core/wave/network/march_plan.h"
 #include "core/wave/network/network_impact.h"
-#include "core/wave/network/network_march.h"
 #include "core/wave/network/network_problem.h"
 
 namespace drillwave {
@@ -33,13 +34,34 @@ struct NetworkSettings {
 /// it is one.
 std::string_view networkRefusal(const NetworkProblem& problem);
 
-/// The cell that all round trips share; nothing where they share none.
-std::optional<CellGrid> usualGrid(const NetworkProblem& problem);
+/// Writes the cell that all round trips share into `grid`. False where they share none.
+bool usualGrid(const NetworkProblem& problem, CellGrid& grid);
 
-/// Solves one blow. Where the waves of a sure run are more than can be kept, they are those of a quick one:
-/// values to some 1e-3 where a wave bends within a cell. Round trips that share no cell are rounded:
-/// `rounding` tells by how much, and the error then is what other cells make of it. A blow that takes more
-/// work than permitted is not solved.
+/// Solves one blow after another, keeping its workspace: once warm, a blow of which nothing is wanted but
+/// sums, and which is no larger than those before, allocates nothing. What a very long string took is given
+/// back. One solver per thread.
+///
+/// Where the waves of a sure run are more than can be kept, they are those of a quick one: values to some
+/// 1e-3 where a wave bends within a cell. Round trips that share no cell are rounded: `rounding` tells by how
+/// much, and the error then is what other cells make of it. A blow that takes more work than permitted is not
+/// solved.
+class NetworkSolver {
+  public:
+    NetworkSolver();
+    ~NetworkSolver();
+    NetworkSolver(NetworkSolver&&) noexcept;
+    NetworkSolver& operator=(NetworkSolver&&) noexcept;
+
+    /// A stop ends it within milliseconds as not solved.
+    NetworkImpact solve(const NetworkProblem& problem, const NetworkSettings& settings,
+                        const std::stop_token& stop = {});
+
+  private:
+    class Workspace;
+    std::unique_ptr<Workspace> m_workspace;  ///< from the first blow on
+};
+
+/// One blow by a solver of its own.
 NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings& settings,
                            const std::stop_token& stop = {});
 

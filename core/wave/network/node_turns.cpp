@@ -26,10 +26,9 @@ void addTurns(std::vector<NodeTurn>& turns, std::span<const std::size_t> delays,
 
 }  // namespace
 
-std::vector<NodeTurn> nodeTurns(std::span<const std::size_t> delays, std::size_t block) {
-    std::vector<NodeTurn> turns;
+void planTurns(std::span<const std::size_t> delays, std::size_t block, std::vector<NodeTurn>& turns) {
+    turns.clear();
     addTurns(turns, delays, 0, delays.size(), 0, block);
-    return turns;
 }
 
 }  // namespace drillwave

@@ -17,7 +17,7 @@ struct NodeTurn {
 };
 
 /// A node waits for the waves that the next one made a round trip before, `delays` steps for each section,
-/// all > 0. Where that is less than a block, the nodes at both ends take turns.
-std::vector<NodeTurn> nodeTurns(std::span<const std::size_t> delays, std::size_t block);
+/// all > 0. Where that is less than a block, the nodes at both ends take turns. Written into `turns`.
+void planTurns(std::span<const std::size_t> delays, std::size_t block, std::vector<NodeTurn>& turns);
 
 }  // namespace drillwave

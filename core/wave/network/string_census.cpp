@@ -6,22 +6,27 @@
 
 namespace drillwave {
 
-StringClocks::StringClocks(const NetworkProblem& problem, const std::vector<double>& times)
-    : transitTimes(times) {
+void StringClocks::begin(std::size_t hammerSections, const std::vector<double>& times) {
+    transitTimes = times;
+    delays.clear();
     double delay = 0;
-    for (std::size_t j = 0; j < problem.hammerSections; ++j) delay -= times[j];
+    for (std::size_t j = 0; j < hammerSections; ++j) delay -= times[j];
     delays.push_back(delay);
     for (std::size_t j = 0; j < times.size(); ++j) {
         // the face is the origin: no rounding of the hammer goes on into the string
-        delay = j + 1 == problem.hammerSections ? 0 : delay + times[j];
+        delay = j + 1 == hammerSections ? 0 : delay + times[j];
         delays.push_back(delay);
     }
 }
 
-StringCensus::StringCensus(const NetworkProblem& problem, const StringClocks& clocks, double time)
-    : m_problem(&problem),
-      m_clocks(&clocks),
-      m_result{.time = time, .bit = BitNodeState(BilinearLaw<double>(problem.law), problem.gap)} {
+void StringCensus::begin(const NetworkProblem& problem, const StringClocks& clocks, double time) {
+    m_problem = &problem;
+    m_clocks = &clocks;
+    m_isUnderWay = true;
+    m_result = {.time = time, .bit = BitNodeState(BilinearLaw<double>(problem.law), problem.gap)};
+    m_down.clear();
+    m_up.clear();
+    m_massVelocities.clear();
     for (std::size_t j = 0; j < problem.sections.size(); ++j) {
         const NetworkSection& section = problem.sections[j];
         const bool hammer = j < problem.hammerSections;
@@ -32,7 +37,8 @@ StringCensus::StringCensus(const NetworkProblem& problem, const StringClocks& cl
     }
 }
 
-CensusResult StringCensus::finish() const {
+CensusResult StringCensus::finish() {
+    m_isUnderWay = false;
     CensusResult result = m_result;
     for (std::size_t j = 0; j < m_down.size(); ++j) {
         const NetworkSection& section = m_problem->sections[j];

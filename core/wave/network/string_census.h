@@ -13,7 +13,8 @@ namespace drillwave {
 
 /// A place of the string whose clock is that of the face less the way to it.
 struct StringClocks {
-    explicit StringClocks(const NetworkProblem& problem, const std::vector<double>& transitTimes);
+    /// Of a string whose sections take these times one way [t0].
+    void begin(std::size_t hammerSections, const std::vector<double>& transitTimes);
 
     std::vector<double> delays;  ///< of node i: time = clock + delays[i]; below 0 in the hammer
     std::vector<double> transitTimes;
@@ -21,10 +22,15 @@ struct StringClocks {
     double bit() const { return delays.back(); }
 };
 
-/// Momentum and energy of everything at `time`, complete when every node has passed it.
+/// Momentum and energy of everything at `time`, complete when every node has passed it. One after another, in
+/// the same memory.
 class StringCensus {
   public:
-    StringCensus(const NetworkProblem& problem, const StringClocks& clocks, double time);
+    /// `problem` and `clocks` must outlive it.
+    void begin(const NetworkProblem& problem, const StringClocks& clocks, double time);
+    /// From begin() to finish(). The rest only then.
+    bool isUnderWay() const { return m_isUnderWay; }
+    void abandon() { m_isUnderWay = false; }
 
     double time() const { return m_result.time; }
     /// The clock at which the last node has passed.
@@ -41,11 +47,12 @@ class StringCensus {
     void setMassVelocity(std::size_t j, double velocity) { m_massVelocities[j] = velocity; }
 
     /// The sums, once lastClock() is passed.
-    CensusResult finish() const;
+    CensusResult finish();
 
   private:
-    const NetworkProblem* m_problem;
-    const StringClocks* m_clocks;
+    const NetworkProblem* m_problem = nullptr;
+    const StringClocks* m_clocks = nullptr;
+    bool m_isUnderWay = false;
     std::vector<LineCensus> m_down, m_up;
     std::vector<double> m_massVelocities;
     CensusResult m_result;

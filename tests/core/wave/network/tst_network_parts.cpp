@@ -2,6 +2,7 @@
 // What the solver of drill strings is made of: cells, relaxations, grids, and a lattice to compare with.
 #include <QtTest>
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "core/wave/network/cell_cuts.h"
@@ -17,6 +18,18 @@
 
 using namespace drillwave;
 using namespace drillwave::test;
+
+namespace {
+
+constexpr std::size_t block = 64;
+
+std::vector<NodeTurn> turnsOf(const std::vector<std::size_t>& delays) {
+    std::vector<NodeTurn> turns;
+    planTurns(delays, block, turns);
+    return turns;
+}
+
+}  // namespace
 
 class TestNetworkParts : public QObject {
     Q_OBJECT
@@ -63,7 +76,8 @@ class TestNetworkParts : public QObject {
         const auto grid = [](std::vector<double> lengths) {
             std::vector<NetworkSection> sections;
             for (const double length : lengths) sections.push_back({.impedance = 1, .transitTime = length});
-            return sharedGrid(sections, 1e-6);
+            CellGrid shared;
+            return shareGrid(sections, 1e-6, shared) ? std::optional(shared) : std::nullopt;
         };
         const auto millimetres = grid({0.300, 0.250, 0.450, 0.190, 3.660, 0.070, 0.060});
         QVERIFY(millimetres && std::abs(millimetres->cell - 0.020) < 1e-12);
@@ -93,9 +107,8 @@ class TestNetworkParts : public QObject {
         for (int scene = 0; scene < 200; ++scene) {
             std::vector<std::size_t> delays(1 + chance.below(12));
             for (std::size_t& delay : delays) delay = 1 + chance.below(scene % 2 ? 8 : 200);
-            constexpr std::size_t block = 64;
             std::vector<std::size_t> taken(delays.size() + 1, 0);
-            for (const NodeTurn& turn : nodeTurns(delays, block)) {
+            for (const NodeTurn& turn : turnsOf(delays)) {
                 QCOMPARE(turn.from, taken[turn.node]);
                 taken[turn.node] = turn.behind();
                 if (turn.node > 0) QVERIFY(taken[turn.node - 1] >= turn.behind());
@@ -107,9 +120,9 @@ class TestNetworkParts : public QObject {
     }
 
     void longSectionsLetNodesTakeWholeBlocks() {
-        QCOMPARE(nodeTurns(std::vector<std::size_t>{64, 100, 365}, 64).size(), std::size_t(4));
+        QCOMPARE(turnsOf({64, 100, 365}).size(), std::size_t(4));
         // the bit and its neighbour take turns, the others do not wait for them
-        QCOMPARE(nodeTurns(std::vector<std::size_t>{365, 365, 32}, 64).size(), std::size_t(2 + 2 * 2));
+        QCOMPARE(turnsOf({365, 365, 32}).size(), std::size_t(2 + 2 * 2));
     }
 
     void theLargestOfAWindowIsFoundWithFewLooks() {
@@ -168,10 +181,10 @@ class TestNetworkParts : public QObject {
         int compared = 0;
         for (const NetworkCase& scene : networkCases()) {
             if (scene.id.find("stiff") != std::string::npos) continue;  // needs cells that no lattice has
-            std::optional<CellGrid> grid = usualGrid(scene.problem);
-            QVERIFY(grid);
-            while (*scene.problem.endTime / grid->cell < 30'000) *grid = grid->halved();
-            const PlainBlow blow = solvePlainLattice(scene.problem, *grid);
+            CellGrid grid;
+            QVERIFY(usualGrid(scene.problem, grid));
+            while (*scene.problem.endTime / grid.cell < 30'000) grid.halve();
+            const PlainBlow blow = solvePlainLattice(scene.problem, grid);
             QVERIFY(blow.isSolved);
             const double expected = scene.reference["efficiency"].toObject()["value"].toDouble();
             QVERIFY2(std::abs(blow.efficiency - expected) < 3e-3,

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hammer, string and rock on a lattice of polynomial cells (strings §11).
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <stop_token>
+#include <string_view>
+#include <vector>
+
+#include "core/wave/network/bit_node.h"
+#include "core/wave/network/cell_cuts.h"
+#include "core/wave/network/delay_line.h"
+#include "core/wave/network/face_node.h"
+#include "core/wave/network/joint.h"
+#include "core/wave/network/march_plan.h"
+#include "core/wave/network/node_turns.h"
+#include "core/wave/network/string_census.h"
+
+namespace drillwave {
+
+/// Only round trips matter: every node has a clock of its own, the waves down arrive at once and those back a
+/// round trip later. A jump that a contact makes inside a cell cuts every cell of every line there from then
+/// on. Takes blow after blow in the same memory.
+class CellLattice {
+  public:
+    /// At the first touch of hammer and string. The plan must outlive the blow; at most about `mostRecut`
+    /// cells are cut while they are on their way.
+    void begin(const MarchPlan& plan, long mostRecut);
+
+    /// The waves of the next block of `stepsOfBlock` steps, with what the census is to know of the nodes
+    /// where its time lies in them. Cells are cut where waves jump, unless the way that is left at most would
+    /// take more than `spareWork` cells times nodes. After a stop the block is left unfinished.
+    void takeBlock(StringCensus& census, double spareWork, const std::stop_token& stop);
+    /// On to the block behind it.
+    void advance();
+
+    // The block that was taken last
+
+    const CellCuts& cuts() const { return m_cuts; }
+    long step() const { return m_step; }  ///< parts of cells that every clock has gone before it
+    double clock() const { return m_cuts.clock(m_step); }
+    const WaveCell* down(std::size_t section) const { return m_downs.data() + section * stepsOfBlock; }
+    const DelayLine<WaveCell>& line(std::size_t section) const { return m_lines[section]; }  ///< waves back
+    const WaveCell* bitForces() const { return m_bitForces.data(); }
+
+    // Behind it
+
+    const FaceNodeState& face() const { return m_face.state(); }
+    const BitNodeState& bit() const { return m_bit.state(); }
+    const std::vector<ImpactEvent>& events() const { return m_events; }  ///< where they are wanted
+
+    double passing(std::size_t section) const { return m_passing[section]; }  ///< e^−αL
+    double held() const;                                                      ///< cells on their way
+    /// What cells that were cut on their way, and those with events, took beside the others, in cells.
+    long work() const;
+    /// Why it cannot go on; empty when it can.
+    std::string_view trouble() const { return m_bit.trouble().empty() ? m_face.trouble() : m_bit.trouble(); }
+
+  private:
+    /// All that a block of steps changes beside the lines.
+    struct Nodes {
+        FaceNodeState face;
+        BitNodeState bit;
+        std::vector<double> massVelocities;
+        std::size_t events = 0;
+    };
+    void keepNodes();
+    void restoreNodes();
+
+    /// A jump of a wave that a node makes within a step of the block.
+    struct NodeJump {
+        bool found = false;
+        std::size_t node = 0, step = 0;
+        double place = 0;  ///< in the cell, 0 … 1
+    };
+
+    void setWidths();
+    void orderTurns();
+    NodeJump stepBlock(StringCensus& census, const std::stop_token& stop);
+    NodeJump stepRear(const NodeTurn& turn);
+    NodeJump stepJoint(const NodeTurn& turn, StringCensus& census);
+    NodeJump stepFace(const NodeTurn& turn, StringCensus& census);
+    NodeJump stepBit(const NodeTurn& turn, StringCensus& census, const std::stop_token& stop);
+    void countFace(const WaveCell& f1, const WaveCell& b2, const CellCuts::Walk& at,
+                   StringCensus& census) const;
+    void countBit(const WaveCell& g, const CellCuts::Walk& at, StringCensus& census) const;
+    void countMass(std::size_t joint, const WaveCell* f1, const WaveCell* b2, const NodeTurn& turn,
+                   StringCensus& census);
+    bool cut(double place, double spareWork);
+    bool isAffordable(double time, double spareWork) const;
+    double jumpPlace(std::size_t part, double place) const;
+    WaveCell* toDown(std::size_t section) { return m_downs.data() + section * stepsOfBlock; }
+    std::size_t faceSection() const { return m_plan->problem().hammerSections; }
+
+    const MarchPlan* m_plan = nullptr;
+    std::size_t m_count = 0;        ///< of sections; lines and joints may be kept of more
+    std::vector<double> m_passing;  ///< e^−αL of each section
+    CellCuts m_cuts;
+    std::vector<Joint> m_joints;  ///< in front of section j + 1 at [j]; that of the face is not used
+    FaceNode m_face;
+    BitNode m_bit;
+    std::vector<DelayLine<WaveCell>> m_lines;  ///< waves back, of each section
+    std::vector<WaveCell> m_downs;             ///< waves down over the block, of one section after the other
+    std::vector<NodeTurn> m_turns;             ///< who takes which steps of a block, in order
+    CutAt m_cutAt = CutAt::nothing;
+    std::size_t m_faceTaken = 0, m_bitTaken = 0;  ///< steps of the block whose jumps are taken as they are
+    long m_step = 0;
+    std::vector<ImpactEvent> m_events;
+    long m_recut = 0, m_mostRecut = 0;
+    bool m_mayCut = true;               ///< with more parts the way that is left would be too much work
+    std::vector<WaveCell> m_weakened;   ///< waves back over the block, as they arrive
+    std::vector<WaveCell> m_bitForces;  ///< over the block
+
+    // Only for their memory
+    Nodes m_before;
+    CellCuts m_coarse;
+    std::vector<WaveCell> m_parts;
+    std::vector<std::size_t> m_delays;
+};
+
+}  // namespace drillwave

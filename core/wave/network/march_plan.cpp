@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/network/march_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/wave/network/bit_node.h"
+#include "core/wave/network/face_node.h"
+#include "core/wave/network/joint.h"
+
+namespace drillwave {
+
+namespace {
+
+/// Without another limit a blow is followed for so many round trips of the string.
+constexpr double mostRoundTrips = 40;
+
+/// What every node takes for every block of cells, in cells.
+constexpr long workOfBlock = 4;
+
+bool losesEnergy(const NetworkProblem& problem) {
+    return std::any_of(problem.sections.begin(), problem.sections.end(),
+                       [](const NetworkSection& section) { return section.loss > 0 || section.decay > 0; });
+}
+
+}  // namespace
+
+void MarchPlan::begin(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants) {
+    m_problem = problem;
+    m_grid = grid;
+    m_wants = wants;
+    m_transitTimes.clear();
+    for (std::size_t j = 0; j < sections(); ++j) {
+        m_transitTimes.push_back(static_cast<double>(grid.roundTrips[j]) * grid.cell / 2);
+        m_problem.sections[j].transitTime = m_transitTimes[j];
+    }
+    m_problem.sections[m_problem.hammerSections - 1].loss = 0;
+    m_problem.sections.back().loss = 0;
+    m_lossy = losesEnergy(m_problem);
+    m_clocks.begin(m_problem.hammerSections, m_transitTimes);
+    takeRates();
+    m_cuts.begin(grid.cell, m_rates, wants.grading);
+    foresee();
+    // what is counted at the end shall not depend on how a wave runs within a part
+    if (problem.endTime && wants.cutAt == CutAt::corners)
+        for (const double delay : m_clocks.delays) {
+            const double cells = (*problem.endTime - delay) / grid.cell;
+            m_cuts.endPartAt(cells - std::floor(cells));
+        }
+}
+
+void MarchPlan::takeRates() {
+    const std::vector<NetworkSection>& all = m_problem.sections;
+    m_rates.clear();
+    BitNode(all.back().impedance, all.back().massAfter, m_problem.law, m_problem.gap).addRates(m_rates);
+    const std::size_t h = m_problem.hammerSections;
+    const FaceNode face(all[h - 1].impedance, all[h].impedance, m_problem.face);
+    if (face.rate() > 0) m_rates.push_back(face.rate());
+    for (std::size_t j = 0; j + 1 < all.size(); ++j)
+        if (all[j].massAfter > 0) m_rates.push_back(Joint(all[j], all[j + 1], 0).rate());
+}
+
+void MarchPlan::foresee() {
+    const auto parts = static_cast<double>(m_cuts.count());
+    double held = 0, shortest = stepsOfBlock;
+    for (const long count : m_grid.roundTrips) {
+        held += static_cast<double>(count) * parts;
+        shortest = std::min(shortest, static_cast<double>(count) * parts);
+    }
+    const double steps = limitTime() / m_grid.cell * parts;
+    const double ofNode = (m_wants.forces ? workOfForces : 1) + static_cast<double>(workOfBlock) / shortest;
+    m_foreseen = {steps * static_cast<double>(sections() + 1) * ofNode, held};
+}
+
+double MarchPlan::limitTime() const {
+    if (m_problem.endTime) return *m_problem.endTime;
+    return m_problem.nextBlow.value_or(mostRoundTrips * 2 * m_clocks.bit());
+}
+
+}  // namespace drillwave

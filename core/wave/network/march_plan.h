@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is known of a blow before it is followed: the string on its cells, its clocks, its cuts, its work.
+// work.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/wave/network/cell_cuts.h"
+#include "core/wave/network/cell_event.h"
+#include "core/wave/network/cell_grid.h"
+#include "core/wave/network/network_problem.h"
+#include "core/wave/network/string_census.h"
+
+namespace drillwave {
+
+/// What is wanted of a blow beside its sums.
+struct NetworkWants {
+    bool events = false;
+    bool forces = false;           ///< of every section, and what joints reflect
+    bool forcesIfTheyFit = false;  ///< a result without them rather than none
+    bool histories = false;        ///< the waves of every section
+    CutAt cutAt = CutAt::jumps;
+    Grading grading{0.3, 1.5, 24};
+};
+
+/// What a run takes that is followed to its end and in which nothing happens.
+struct ForeseenWork {
+    double work = 0;  ///< in cells times nodes
+    double held = 0;  ///< cells that are on their way at once
+};
+
+/// Steps taken by one node before the next one follows: what a first-level cache holds.
+inline constexpr std::size_t stepsOfBlock = 64;
+
+/// What a cell takes with its largest forces, in cells.
+inline constexpr long workOfForces = 8;
+
+/// Plans one blow after another in the same memory, and takes none for waves.
+class MarchPlan {
+  public:
+    void begin(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants);
+
+    /// The string as its cells have it: round trips are whole cells, and behind the last section of hammer or
+    /// string there is no joint.
+    const NetworkProblem& problem() const { return m_problem; }
+    std::size_t sections() const { return m_problem.sections.size(); }
+    const CellGrid& grid() const { return m_grid; }
+    const NetworkWants& wants() const { return m_wants; }
+    const StringClocks& clocks() const { return m_clocks; }
+    const CellCuts& cuts() const { return m_cuts; }  ///< at the beginning
+    bool isLossy() const { return m_lossy; }         ///< joints or sections lose energy
+    /// How long the blow is followed at most [t0].
+    double limitTime() const;
+    const ForeseenWork& foreseen() const { return m_foreseen; }
+
+  private:
+    void takeRates();
+    void foresee();
+
+    NetworkProblem m_problem;
+    CellGrid m_grid;
+    NetworkWants m_wants;
+    bool m_lossy = false;
+    std::vector<double> m_transitTimes;
+    StringClocks m_clocks;
+    std::vector<double> m_rates;  ///< at which something follows in this string [1/t0]
+    CellCuts m_cuts;
+    ForeseenWork m_foreseen;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/network/wave_recorder.h"
+
+#include <limits>
+
+namespace drillwave {
+
+namespace {
+
+/// What it takes to see whether a block of cells may hold the largest force of a section that loses, in
+/// cells.
+constexpr long workOfLook = 8;
+
+}  // namespace
+
+void WaveRecorder::begin(const MarchPlan& plan, const CellLattice& lattice) {
+    m_plan = &plan;
+    m_lattice = &lattice;
+    m_watches.clear();
+    m_alone.clear();
+    m_reflected.clear();
+    m_waves.reset();
+    m_hasForces = plan.wants().forces;
+    m_leftOutForces = false;
+    m_cells = 0;
+    const NetworkProblem& problem = plan.problem();
+    if (plan.wants().histories) m_waves = std::make_shared<StringWaves>(problem, plan.clocks().delays);
+    if (!m_hasForces) return;
+    for (std::size_t j = 0; j < plan.sections(); ++j) {
+        const NetworkSection& section = problem.sections[j];
+        m_watches.emplace_back(WatchedSection{section.transitTime, section.decay, plan.clocks().delays[j]});
+        if (j + 1 < plan.sections()) m_alone.emplace_back(section, problem.sections[j + 1], 0);
+    }
+    m_reflected.assign(m_alone.size(), 0);
+    restartWatches();
+}
+
+void WaveRecorder::restartWatches() {
+    m_parts = m_lattice->cuts().count();
+    for (std::size_t j = 0; j < m_watches.size(); ++j)
+        m_watches[j].restart(m_lattice->line(j).content(), m_lattice->step(), m_lattice->cuts());
+    for (Joint& joint : m_alone) joint.setWidths(m_lattice->cuts().widths());
+}
+
+void WaveRecorder::add(const std::stop_token& stop) {
+    m_cells += static_cast<long>(stepsOfBlock * (m_plan->sections() + 1));
+    if (m_hasForces) addForces(stop);
+    if (m_waves) addWaves();
+}
+
+void WaveRecorder::addForces(const std::stop_token& stop) {
+    if (m_parts != m_lattice->cuts().count()) restartWatches();
+    const NetworkProblem& problem = m_plan->problem();
+    const double lastTime = problem.endTime.value_or(std::numeric_limits<double>::infinity());
+    for (std::size_t j = 0; j < m_watches.size() && !stop.stop_requested(); ++j) {
+        const WaveCell* down = m_lattice->down(j);
+        const DelayLine<WaveCell>& line = m_lattice->line(j);
+        for (std::size_t i = 0; i < stepsOfBlock; ++i)
+            m_watches[j].add(down[i], line.leaving()[i], {line.arriving() + i, line.delay()},
+                             m_lattice->step() + static_cast<long>(i), m_lattice->cuts(), lastTime);
+        if (j >= problem.hammerSections && j < m_alone.size()) addReflection(j);
+    }
+}
+
+void WaveRecorder::addReflection(std::size_t section) {
+    const CellCuts& cuts = m_lattice->cuts();
+    CellCuts::Walk at(cuts, m_lattice->step());
+    for (std::size_t i = 0; i < stepsOfBlock; ++i, at.next()) {
+        const WaveCell f1 = m_lattice->passing(section) * m_lattice->down(section)[i], none;
+        WaveCell b1, f2;
+        m_alone[section].step(&f1, &none, &b1, &f2, 1, at.part(), cuts.count());
+        m_reflected[section] += at.width() * b1.meanSquare();
+    }
+}
+
+/// Where they are too many, none is kept.
+void WaveRecorder::addWaves() {
+    if (m_waves->isFull()) return m_waves.reset();
+    CellCuts::Walk at(m_lattice->cuts(), m_lattice->step());
+    for (std::size_t i = 0; i < stepsOfBlock; ++i, at.next())
+        m_waves->addStep(at.clock(), at.width(), m_lattice->bitForces()[i]);
+    for (std::size_t j = 0; j < m_plan->sections(); ++j)
+        for (std::size_t i = 0; i < stepsOfBlock; ++i)
+            m_waves->add(j, m_lattice->down(j)[i], m_lattice->line(j).leaving()[i]);
+}
+
+long WaveRecorder::workForForces() const {
+    if (!m_hasForces) return 0;
+    long looked = 0;
+    for (const SectionWatch& watch : m_watches) looked += watch.looked();
+    return m_cells * (workOfForces - 1) + workOfLook * looked;
+}
+
+void WaveRecorder::leaveOutForces() {
+    m_hasForces = false;
+    m_leftOutForces = true;
+    m_watches.clear();
+    m_alone.clear();
+}
+
+void WaveRecorder::finish(double time, NetworkImpact& impact) {
+    const NetworkProblem& problem = m_plan->problem();
+    for (const SectionWatch& watch : m_watches) impact.sections.push_back(watch.forces());
+    for (std::size_t j = problem.hammerSections; j < m_alone.size(); ++j)
+        impact.jointReflection.push_back(m_reflected[j] / problem.sections[j].impedance /
+                                         impact.hammerEnergy);
+    impact.leftOutForces = m_leftOutForces;
+    if (m_waves) m_waves->finish(time);
+    impact.waves = std::move(m_waves);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One blow after another on drill strings: no memory is asked for, and nothing of a blow is left to the next.
+#include <QtTest>
+#include <cstdlib>
+#include <new>
+
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
+#include "core/wave/network/network_solver.h"
+#include "core/wave/network/string_problem.h"
+#include "tests/support/network_scenes.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+namespace {
+
+long allocations = 0;
+
+NetworkProblem t38() {
+    return networkProblemOf(parseScenario(findExample("t38_string")->text, "t38_string").scenario);
+}
+
+/// As t38(), with couplings that are lumped masses, a mass at the bit, and faces with a stiffness.
+NetworkProblem withMasses() {
+    NetworkProblem problem = t38();
+    for (std::size_t j = problem.hammerSections; j < problem.sections.size(); ++j)
+        problem.sections[j].massAfter = 0.2;
+    problem.face.stiffness = 5;
+    return problem;
+}
+
+NetworkProblem withLosses() {
+    NetworkProblem problem = t38();
+    for (std::size_t j = problem.hammerSections; j < problem.sections.size(); ++j) {
+        problem.sections[j].decay = 0.01;
+        if (j + 1 < problem.sections.size()) problem.sections[j].loss = 0.02;
+    }
+    return problem;
+}
+
+/// Only the hammer, a rod and the bit of it.
+NetworkProblem withFewSections() {
+    NetworkProblem problem = t38();
+    problem.sections.resize(problem.hammerSections + 2);
+    return problem;
+}
+
+/// Lengths of which none is a multiple of the same.
+NetworkProblem withOddLengths() {
+    NetworkProblem problem = t38();
+    for (std::size_t j = 0; j < problem.sections.size(); ++j)
+        problem.sections[j].transitTime *= 1 + 1e-5 * std::sqrt(static_cast<double>(2 + j));
+    return problem;
+}
+
+NetworkSettings settingsOf(NetworkAccuracy accuracy) {
+    return {.accuracy = accuracy, .wants = {}};
+}
+
+void compareSums(const NetworkImpact& impact, const NetworkImpact& expected) {
+    QCOMPARE(impact.end, expected.end);
+    QCOMPARE(impact.cells, expected.cells);
+    const auto numbers = [](const NetworkImpact& from) {
+        return std::vector<double>{from.endTime,        from.energy.rock,     from.energy.hammer,
+                                   from.energy.string,  from.energy.joints,   from.energy.rods,
+                                   from.energy.face,    from.efficiencyError, from.corError,
+                                   from.rockImpulse,    from.pistonMomentum,  from.stringMomentum,
+                                   from.peakForce,      from.peakTime,        from.lastSeparation,
+                                   from.faceSeparation, from.faceImpulse,     from.largestPenetration};
+    };
+    QCOMPARE(numbers(impact), numbers(expected));
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+class TestNetworkWorkspace : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aBlowOnTheSameStringAllocatesNothing_data() { strings(); }
+    void aBlowOnTheSameStringAllocatesNothing() {
+        QFETCH(int, string);
+        QFETCH(int, accuracy);
+        const NetworkProblem problem = problems().at(std::size_t(string));
+        NetworkSolver solver;
+        const NetworkSettings settings = settingsOf(NetworkAccuracy(accuracy));
+        const NetworkImpact first = solver.solve(problem, settings);
+        QVERIFY(first.end != NetworkEnd::notSolved);
+        const long before = allocations;
+        const NetworkImpact second = solver.solve(problem, settings);
+        QCOMPARE(allocations - before, 0);
+        compareSums(second, first);
+    }
+
+    /// Nor do strings that were met before, whatever came between.
+    void stringsThatTakeTurnsAllocateNothing() {
+        const NetworkSettings settings = settingsOf(NetworkAccuracy::quick);
+        NetworkSolver solver;
+        for (const NetworkProblem& problem : problems()) solver.solve(problem, settings);
+        const std::vector<NetworkProblem> again = problems();
+        const long before = allocations;
+        for (const NetworkProblem& problem : again) solver.solve(problem, settings);
+        QCOMPARE(allocations - before, 0);
+    }
+
+    void nothingOfABlowIsLeftToTheNext() {
+        NetworkSolver solver;
+        NetworkSettings everything;
+        everything.accuracy = NetworkAccuracy::quick;
+        everything.wants.events = everything.wants.forces = everything.wants.histories = true;
+        const NetworkSettings settings = settingsOf(NetworkAccuracy::quick);
+        NetworkSettings few = settings;
+        few.mostCells = 5000;  // other cells
+        std::stop_source stopped;
+        stopped.request_stop();
+        for (const NetworkProblem& problem : problems()) {
+            const NetworkImpact alone = solveNetwork(problem, settings);
+            compareSums(solver.solve(problem, settings), alone);
+            solver.solve(problem, few);
+            QCOMPARE(solver.solve(problem, settings, stopped.get_token()).reason, std::string("stopped"));
+            const NetworkImpact told = solver.solve(problem, everything);
+            QVERIFY(!told.events.empty() && !told.sections.empty());
+            const NetworkImpact sums = solver.solve(problem, settings);
+            compareSums(sums, alone);
+            QVERIFY(sums.events.empty() && sums.sections.empty() && !sums.waves);
+        }
+    }
+
+  private:
+    static std::vector<NetworkProblem> problems() {
+        return {t38(), withMasses(), withLosses(), withFewSections(), withOddLengths()};
+    }
+    static void strings() {
+        QTest::addColumn<int>("string");
+        QTest::addColumn<int>("accuracy");
+        int number = 0;
+        for (const char* name : {"t38", "lumped masses", "losses", "few sections", "odd lengths"})
+            QTest::newRow(name) << number++ << int(NetworkAccuracy::quick);
+        QTest::newRow("t38, sure") << 0 << int(NetworkAccuracy::sure);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestNetworkWorkspace)
+#include "tst_network_workspace.moc"
