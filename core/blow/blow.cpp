@@ -23,14 +23,14 @@ void solveTimed(Blow& blow, Detail detail, const std::stop_token& stop, MethodSo
 }
 
 /// A drill string, for sure, with the forces in every section.
-void solveStringBlow(Blow& blow, Detail detail, const std::stop_token& stop) {
+void solveStringBlow(Blow& blow, Detail detail, const std::stop_token& stop, NetworkSolver& solver) {
     NetworkSettings settings;
     settings.wants.events = true;
     settings.wants.forces = true;
     settings.wants.histories = detail == Detail::histories;
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    blow.string = solveString(blow.scenario, settings, stop);
+    blow.string = solveString(blow.scenario, settings, solver, stop);
     blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();
     blow.impact = impactOf(*blow.string);
     if (!blow.isSolved()) return;
@@ -66,7 +66,7 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
     blow.scales = scalesOf(scenario);
     blow.alerts = alertsFor(scenario);
     if (isString(scenario)) {
-        solveStringBlow(blow, detail, stop);
+        solveStringBlow(blow, detail, stop, solver.strings());
         return blow;
     }
     blow.solved = problemOf(scenario);

@@ -11,6 +11,7 @@
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/impact.h"
 #include "core/wave/lattice/lattice_solver.h"
+#include "core/wave/network/network_solver.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
@@ -53,9 +54,13 @@ class MethodSolver {
     Impact solve(const Problem& problem, Detail detail, const MethodChoice& choice = {},
                  const std::stop_token& stop = {});
 
+    /// For drill strings, which have one method.
+    NetworkSolver& strings() { return m_strings; }
+
   private:
     ExactSolver m_exact;
     std::optional<LatticeSolver> m_lattice;
+    NetworkSolver m_strings;
 };
 
 }  // namespace drillwave

@@ -29,10 +29,10 @@ PiecewisePolynomial scaled(const PiecewisePolynomial& force) {
 
 }  // namespace
 
-StringBlow solveString(const Scenario& scenario, const NetworkSettings& settings,
+StringBlow solveString(const Scenario& scenario, const NetworkSettings& settings, NetworkSolver& solver,
                        const std::stop_token& stop) {
     StringBlow blow{networkProblemOf(scenario), {}};
-    blow.impact = solveNetwork(blow.problem, settings, stop);
+    blow.impact = solver.solve(blow.problem, settings, stop);
     return blow;
 }
 

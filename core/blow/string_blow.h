@@ -20,8 +20,8 @@ struct StringBlow {
     NetworkImpact impact;
 };
 
-/// Solves the blow of a valid drill string.
-StringBlow solveString(const Scenario& scenario, const NetworkSettings& settings,
+/// Solves the blow of a valid drill string with a solver that keeps its workspace from blow to blow.
+StringBlow solveString(const Scenario& scenario, const NetworkSettings& settings, NetworkSolver& solver,
                        const std::stop_token& stop = {});
 
 /// The events, numbers and histories that a uniform rod has too, in its units: forces in F0, impulses in p0;

@@ -49,7 +49,7 @@ std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<dou
     NetworkSettings settings{
         .accuracy = NetworkAccuracy::quick, .wants = {}, .mostCells = cellsOfPiece * m_workLimit};
     settings.wants.forces = m_detail == Detail::histories;
-    const StringBlow blow = solveString(scenario, settings, stop);
+    const StringBlow blow = solveString(scenario, settings, m_solver.strings(), stop);
     m_impact = impactOf(blow);
     if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
     const ImpactSummary summary = summarize(scenario, blow);

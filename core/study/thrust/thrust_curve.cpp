@@ -42,16 +42,10 @@ bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const
     return first && first == blowAt(values.back());
 }
 
-ThrustPoint pointAt(const Scenario& base, const Parameter& parameter, double value, GapReboundFinder& finder,
-                    const std::stop_token& stop) {
-    const Scenario scenario = scenarioAt(base, parameter, value);
-    if (std::string problem = obstacle(scenario, parameter, value); !problem.empty())
-        return {.value = value, .needs = {}, .verdict = {}, .reason = std::move(problem)};
-    return thrustPoint(scenario, value, finder, stop);
-}
-
-ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, const std::stop_token& stop) {
-    const StringBlow blow = solveString(scenario, {.accuracy = NetworkAccuracy::quick, .wants = {}}, stop);
+ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, NetworkSolver& solver,
+                        const std::stop_token& stop) {
+    const StringBlow blow =
+        solveString(scenario, {.accuracy = NetworkAccuracy::quick, .wants = {}}, solver, stop);
     point.reason = stop.stop_requested() ? "stopped" : blow.impact.reason;
     if (!point.reason.empty()) return point;
     const ImpactSummary summary = summarize(scenario, blow);
@@ -59,6 +53,41 @@ ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, const std::
     point.verdict = *judgeFeed(scenario, summary.cor, summary.transferred());
     point.roundTrips = *roundTripsBetweenBlows(scenario);
     return point;
+}
+
+/// For rods and for strings, with what they keep from point to point.
+struct PointSolvers {
+    GapReboundFinder& finder;
+    NetworkSolver& strings;
+};
+
+ThrustPoint solvedPoint(const Scenario& scenario, double value, const PointSolvers& solvers,
+                        const std::stop_token& stop) {
+    assert(thrustProblem(scenario).empty());
+    ThrustPoint point{.value = value, .needs = {}, .verdict = {}, .reason = {}};
+    if (isString(scenario)) return stringPoint(scenario, std::move(point), solvers.strings, stop);
+    const Problem problem = problemOf(scenario);
+    const Impact impact = ExactSolver().solve(problem, Detail::cor, stop);
+    if (impact.outcome != Outcome::rebounded) {
+        point.reason = impact.reason;
+        return point;
+    }
+    const GapRebounds rebounds = solvers.finder.of(problem, stop);
+    for (const GapRebound* rebound : {&rebounds.quantile, &rebounds.worst})
+        if (!rebound->known()) point.reason = rebound->stopped ? "stopped" : rebound->reason;
+    if (!point.reason.empty()) return point;
+    point.needs = thrustNeeds(scenario, {impact.cor, impact.corError}, rebounds);
+    point.verdict = *judgeFeed(scenario, impact.cor);
+    point.roundTrips = *roundTripsBetweenBlows(scenario);
+    return point;
+}
+
+ThrustPoint pointAt(const Scenario& base, const Parameter& parameter, double value,
+                    const PointSolvers& solvers, const std::stop_token& stop) {
+    const Scenario scenario = scenarioAt(base, parameter, value);
+    if (std::string problem = obstacle(scenario, parameter, value); !problem.empty())
+        return {.value = value, .needs = {}, .verdict = {}, .reason = std::move(problem)};
+    return solvedPoint(scenario, value, solvers, stop);
 }
 
 struct Chunk {
@@ -81,8 +110,9 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
         return true;
     };
     const auto makeWorker = [&] {
-        return [&, finder = GapReboundFinder()](Chunk& chunk, const std::stop_token& ending) mutable {
-            chunk.point = pointAt(base, parameter, chunk.value, finder, ending);
+        return [&, finder = GapReboundFinder(), strings = NetworkSolver()](
+                   Chunk& chunk, const std::stop_token& ending) mutable {
+            chunk.point = pointAt(base, parameter, chunk.value, {finder, strings}, ending);
         };
     };
     const auto deliver = [&](Chunk& chunk) {
@@ -99,8 +129,9 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
                         const ThrustCurveProgress& progress) {
     assert(parameter.applies(base));
     ThrustCurve curve;
+    NetworkSolver strings;
     for (const double value : values) {
-        ThrustPoint point = pointAt(base, parameter, value, finder, stop);
+        ThrustPoint point = pointAt(base, parameter, value, {finder, strings}, stop);
         curve.stopped = stop.stop_requested();
         if (curve.stopped) return curve;
         curve.points.push_back(std::move(point));
@@ -111,23 +142,8 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
 
 ThrustPoint thrustPoint(const Scenario& scenario, double value, GapReboundFinder& finder,
                         const std::stop_token& stop) {
-    assert(thrustProblem(scenario).empty());
-    ThrustPoint point{.value = value, .needs = {}, .verdict = {}, .reason = {}};
-    if (isString(scenario)) return stringPoint(scenario, std::move(point), stop);
-    const Problem problem = problemOf(scenario);
-    const Impact impact = ExactSolver().solve(problem, Detail::cor, stop);
-    if (impact.outcome != Outcome::rebounded) {
-        point.reason = impact.reason;
-        return point;
-    }
-    const GapRebounds rebounds = finder.of(problem, stop);
-    for (const GapRebound* rebound : {&rebounds.quantile, &rebounds.worst})
-        if (!rebound->known()) point.reason = rebound->stopped ? "stopped" : rebound->reason;
-    if (!point.reason.empty()) return point;
-    point.needs = thrustNeeds(scenario, {impact.cor, impact.corError}, rebounds);
-    point.verdict = *judgeFeed(scenario, impact.cor);
-    point.roundTrips = *roundTripsBetweenBlows(scenario);
-    return point;
+    NetworkSolver strings;
+    return solvedPoint(scenario, value, {finder, strings}, stop);
 }
 
 }  // namespace drillwave

@@ -29,7 +29,8 @@ class HalfProgress {
 /// One blow, and no gaps.
 ThrustStudy studyStringThrust(const Scenario& scenario, const std::stop_token& stop) {
     ThrustStudy study;
-    const StringBlow blow = solveString(scenario, {}, stop);
+    NetworkSolver solver;
+    const StringBlow blow = solveString(scenario, {}, solver, stop);
     study.stopped = stop.stop_requested();
     study.reason = blow.impact.reason;
     if (study.stopped || !study.reason.empty()) return study;

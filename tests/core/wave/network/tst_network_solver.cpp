@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/wave/exact/exact_solver.h"
+#include "core/wave/network/network_march.h"
 #include "core/wave/network/network_solver.h"
 #include "tests/support/network_scenes.h"
 #include "tests/support/scenes.h"
@@ -35,6 +36,13 @@ double leastOf(const PiecewisePolynomial& force) {
         for (int k = 0; k <= steps; ++k)
             least = std::min(least, force.value(piece, piece.length * k / steps));
     return least;
+}
+
+NetworkImpact march(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants,
+                    long mostCells) {
+    NetworkMarch march;
+    march.plan(problem, grid, wants);
+    return march.run(mostCells, {});
 }
 
 /// How often random strings are tried: as many as asked for, else `usual`.
@@ -336,10 +344,11 @@ class TestNetworkSolver : public QObject {
         NetworkWants wants;
         wants.cutAt = CutAt::corners;
         wants.grading = {0.15, 1.25, 100};
-        const CellGrid grid = *usualGrid(problem);
-        const NetworkImpact all = NetworkMarch(problem, grid, wants).run(mostNetworkCells, {});
+        CellGrid grid;
+        QVERIFY(usualGrid(problem, grid));
+        const NetworkImpact all = march(problem, grid, wants, mostNetworkCells);
         const long permitted = all.cells / 2;
-        const NetworkImpact some = NetworkMarch(problem, grid, wants).run(permitted, {});
+        const NetworkImpact some = march(problem, grid, wants, permitted);
         QCOMPARE(some.end, NetworkEnd::endTime);
         QVERIFY(some.cells <= permitted);
         QVERIFY(std::abs(some.energy.rock - all.energy.rock) < 1e-9);
@@ -347,18 +356,19 @@ class TestNetworkSolver : public QObject {
 
     void theLargestForcesAreLeftOutRatherThanTheBlow() {
         const NetworkProblem problem = networkCases().at(7).problem;
-        const CellGrid grid = *usualGrid(problem);
+        CellGrid grid;
+        QVERIFY(usualGrid(problem, grid));
         NetworkWants wants;
-        const NetworkImpact sums = NetworkMarch(problem, grid, wants).run(mostNetworkCells, {});
+        const NetworkImpact sums = march(problem, grid, wants, mostNetworkCells);
         const long permitted = 2 * sums.cells;
         wants.forces = true;
-        QCOMPARE(NetworkMarch(problem, grid, wants).run(permitted, {}).end, NetworkEnd::notSolved);
+        QCOMPARE(march(problem, grid, wants, permitted).end, NetworkEnd::notSolved);
         wants.forcesIfTheyFit = true;
-        const NetworkImpact without = NetworkMarch(problem, grid, wants).run(permitted, {});
+        const NetworkImpact without = march(problem, grid, wants, permitted);
         QCOMPARE(without.end, NetworkEnd::endTime);
         QVERIFY(without.leftOutForces && without.sections.empty() && without.jointReflection.empty());
         QCOMPARE(without.energy.rock, sums.energy.rock);
-        const NetworkImpact with = NetworkMarch(problem, grid, wants).run(mostNetworkCells, {});
+        const NetworkImpact with = march(problem, grid, wants, mostNetworkCells);
         QVERIFY(!with.leftOutForces && with.sections.size() == problem.sections.size());
     }
 
