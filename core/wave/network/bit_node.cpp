@@ -81,11 +81,9 @@ void BitNode::addRates(std::vector<double>& rates) const {
     rates.push_back(fastestRate());
 }
 
-WaveCell BitNode::step(const WaveCell& g, int index, double time, CutAt cutAt, CellJump& jump) {
+void BitNode::step(const WaveCell& g, WaveCell& b, int index, double time, CutAt cutAt, CellJump& jump) {
     const CellMaps& maps = m_maps[index];
-    WaveCell b;
-    if (quietStep(g, maps, time, b)) return b;
-    return follow(g, maps.width, time, cutAt, jump);
+    if (!quietStep(g, maps, time, b)) b = follow(g, maps.width, time, cutAt, jump);
 }
 
 BitNode::Part BitNode::partOfStep(const WaveCell& g, int index, double share, double time) const {

@@ -63,7 +63,7 @@ class BitNode {
 
     /// One cell of width number `index` that begins at `time` [t0]: from the wave g that arrives to the wave
     /// b that leaves. Where it found a place to cut, it is to be taken again in parts.
-    WaveCell step(const WaveCell& g, int index, double time, CutAt cutAt, CellJump& jump);
+    void step(const WaveCell& g, WaveCell& b, int index, double time, CutAt cutAt, CellJump& jump);
     /// After the first `share` of that cell: where it would be, and the wave that has left over that share.
     struct Part {
         BitNodeState state;

@@ -2,6 +2,7 @@
 #include "core/wave/network/cell_cuts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace drillwave {
@@ -84,9 +85,9 @@ void CellCuts::endPartAt(double place) {
 }
 
 void CellCuts::recut(std::span<const WaveCell> cells, const CellCuts& coarse, std::size_t first,
-                     std::vector<WaveCell>& parts) const {
-    parts.clear();
-    parts.reserve(cells.size() / coarse.count() * count() + count());
+                     std::span<WaveCell> parts) const {
+    assert(parts.size() * coarse.count() == cells.size() * count());
+    WaveCell* out = parts.data();
     std::size_t part = first;
     auto at = std::lower_bound(m_places.begin(), m_places.end(), coarse.m_places[first]);
     for (const WaveCell& cell : cells) {
@@ -95,24 +96,25 @@ void CellCuts::recut(std::span<const WaveCell> cells, const CellCuts& coarse, st
         auto behind = at + 1;
         while (behind != m_places.end() && *behind < end) ++behind;
         if (behind - at == 1 || cell.spread() == 0) {
-            parts.insert(parts.end(), static_cast<std::size_t>(behind - at), cell);
+            for (; at != behind; ++at) *out++ = cell;
         } else {
             const auto share = [&](auto place) {
                 return place == behind ? 1 : (*place - start) / (end - start);
             };
-            for (; at != behind; ++at) parts.push_back(cell.part(share(at), share(at + 1)));
+            for (; at != behind; ++at) *out++ = cell.part(share(at), share(at + 1));
         }
         part = part + 1 == coarse.count() ? 0 : part + 1;
-        at = behind == m_places.end() ? m_places.begin() : behind;
+        if (at == m_places.end()) at = m_places.begin();
     }
 }
 
 void CellCuts::meansOfCells(std::span<const WaveCell> parts, long step, std::span<double> means) const {
-    Walk at(*this, step);
     const WaveCell* part = parts.data();
+    std::size_t number = Walk(*this, step).part();
     for (double& mean : means) {
         mean = 0;
-        for (std::size_t i = 0; i < count(); ++i, at.next()) mean += at.width() / m_cell * (part++)->mean();
+        for (std::size_t i = 0; i < count(); ++i, number = number + 1 == count() ? 0 : number + 1)
+            mean += m_widths[number] / m_cell * (part++)->mean();
     }
 }
 

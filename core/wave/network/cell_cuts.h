@@ -73,10 +73,10 @@ class CellCuts {
     /// Also end a part at this place, where no wave bends.
     void endPartAt(double place);
 
-    /// Cells in parts that follow each other from part number `first` of `coarse` on, as `parts` of this,
-    /// which has all places of those.
+    /// Whole cells in parts that follow each other from part number `first` of `coarse` on, as `parts` of
+    /// this, which has all places of those, and count() for every coarse.count() of them.
     void recut(std::span<const WaveCell> cells, const CellCuts& coarse, std::size_t first,
-               std::vector<WaveCell>& parts) const;
+               std::span<WaveCell> parts) const;
 
     /// Means over whole cells of parts that follow each other from `step` on, one for each count() of them.
     void meansOfCells(std::span<const WaveCell> parts, long step, std::span<double> means) const;

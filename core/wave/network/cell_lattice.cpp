@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drillwave {
 
@@ -10,6 +11,9 @@ namespace {
 
 /// What a piece of a cell with events takes, in cells.
 constexpr long workOfPiece = 150;
+
+/// A clock before all others.
+constexpr double never = -std::numeric_limits<double>::infinity();
 
 /// Where the next part begins.
 double endOf(CellCuts::Walk at) {
@@ -107,20 +111,24 @@ CellLattice::NodeJump CellLattice::stepRear(const NodeTurn& turn) {
     return {};
 }
 
+/// The waves back over these steps of the block, as they arrive at its rear end.
+const WaveCell* CellLattice::arriving(std::size_t section, const NodeTurn& turn) {
+    const WaveCell* b = m_lines[section].arriving();
+    if (m_passing[section] == 1) return b;
+    for (std::size_t i = turn.from; i < turn.behind(); ++i) m_weakened[i] = m_passing[section] * b[i];
+    return m_weakened.data();
+}
+
 CellLattice::NodeJump CellLattice::stepJoint(const NodeTurn& turn, StringCensus& census) {
     const std::size_t j = turn.node;
     const std::size_t parts = m_cuts.count();
     const std::size_t part = (static_cast<std::size_t>(m_step) + turn.from) % parts;
     const WaveCell* f1 = down(j - 1) + turn.from;
-    const WaveCell* b2 = m_lines[j].arriving() + turn.from;
+    const WaveCell* b2 = arriving(j, turn) + turn.from;
     WaveCell* f2 = toDown(j) + turn.from;
     if (m_passing[j - 1] != 1) {
         for (std::size_t i = 0; i < turn.count; ++i) f2[i] = m_passing[j - 1] * f1[i];
         f1 = f2;
-    }
-    if (m_passing[j] != 1) {
-        for (std::size_t i = 0; i < turn.count; ++i) m_weakened[i] = m_passing[j] * b2[i];
-        b2 = m_weakened.data();
     }
     if (m_joints[j - 1].mass() > 0 && census.isUnderWay()) countMass(j - 1, f1, b2, turn, census);
     m_joints[j - 1].step(f1, b2, m_lines[j - 1].leaving() + turn.from, f2, turn.count, part, parts);
@@ -130,18 +138,16 @@ CellLattice::NodeJump CellLattice::stepJoint(const NodeTurn& turn, StringCensus&
 CellLattice::NodeJump CellLattice::stepFace(const NodeTurn& turn, StringCensus& census) {
     const std::size_t j = faceSection();
     CellCuts::Walk at(m_cuts, m_step + static_cast<long>(turn.from));
+    const WaveCell *f1 = down(j - 1), *b2 = arriving(j, turn);
+    WaveCell *b1 = m_lines[j - 1].leaving(), *f2 = toDown(j);
+    const double censusClock = census.isUnderWay() ? census.time() : never;
     CellJump jump;
     for (std::size_t i = turn.from; i < turn.behind(); ++i, at.next()) {
-        WaveCell f = down(j - 1)[i];
-        WaveCell b = m_passing[j] == 1 ? m_lines[j].arriving()[i] : m_passing[j] * m_lines[j].arriving()[i];
-        const int part = static_cast<int>(at.part());
         const double time = at.clock();
-        if (census.isUnderWay() && census.time() >= time && census.time() < endOf(at))
-            countFace(f, b, at, census);
-        m_face.step(f, b, part, time, i < m_faceTaken ? CutAt::nothing : m_cutAt, jump);
+        if (censusClock >= time && censusClock < endOf(at)) countFace(f1[i], b2[i], at, census);
+        m_face.step({f1[i], b2[i], b1[i], f2[i]}, static_cast<int>(at.part()), time,
+                    i < m_faceTaken ? CutAt::nothing : m_cutAt, jump);
         if (jump.found) return {true, j, i, jumpPlace(at.part(), jump.place)};
-        toDown(j)[i] = f;
-        m_lines[j - 1].leaving()[i] = b;
     }
     return {};
 }
@@ -150,19 +156,23 @@ CellLattice::NodeJump CellLattice::stepBit(const NodeTurn& turn, StringCensus& c
                                            const std::stop_token& stop) {
     const std::size_t j = m_count - 1;
     CellCuts::Walk at(m_cuts, m_step + static_cast<long>(turn.from));
-    CellJump jump;
-    const double censusClock = census.isUnderWay() ? census.clockOf(j + 1) : -1;
+    const bool keepsForces = m_plan->wants().histories, weakens = m_passing[j] != 1;
+    const double censusClock = census.isUnderWay() ? census.clockOf(j + 1) : never;
     const long pieces = m_bit.pieces();
+    const WaveCell* entered = down(j);
+    WaveCell *leaving = m_lines[j].leaving(), weakened;
+    CellJump jump;
     for (std::size_t i = turn.from; i < turn.behind(); ++i, at.next()) {
-        const WaveCell g = m_passing[j] == 1 ? down(j)[i] : m_passing[j] * down(j)[i];
-        const int part = static_cast<int>(at.part());
+        if (weakens) weakened = m_passing[j] * entered[i];
+        const WaveCell& g = weakens ? weakened : entered[i];
         const double clock = at.clock(), time = clock + m_plan->clocks().bit();
         if (censusClock >= clock && censusClock < endOf(at)) countBit(g, at, census);
         constexpr long fewPieces = 1000;  // many of them may take as long as blocks do
         if (m_bit.pieces() - pieces > fewPieces && stop.stop_requested()) return {};
-        m_lines[j].leaving()[i] = m_bit.step(g, part, time, i < m_bitTaken ? CutAt::nothing : m_cutAt, jump);
+        m_bit.step(g, leaving[i], static_cast<int>(at.part()), time,
+                   i < m_bitTaken ? CutAt::nothing : m_cutAt, jump);
         if (jump.found) return {true, j + 1, i, jumpPlace(at.part(), jump.place)};
-        m_bitForces[i] = m_bit.cellForce();
+        if (keepsForces) m_bitForces[i] = m_bit.cellForce();
     }
     return {};
 }
@@ -249,8 +259,10 @@ bool CellLattice::cut(double place, double spareWork) {
     const auto at = std::lower_bound(m_cuts.places().begin(), m_cuts.places().end(), start);
     m_step = m_step / parts * static_cast<long>(m_cuts.count()) + (at - m_cuts.places().begin());
     for (std::size_t j = 0; j < m_count; ++j) {
-        m_cuts.recut(m_lines[j].content(), m_coarse, part, m_parts);
-        m_lines[j].replace(m_parts);
+        const std::span<const WaveCell> whole = m_lines[j].content();
+        m_whole.assign(whole.begin(), whole.end());
+        m_lines[j].restart(whole.size() / m_coarse.count() * m_cuts.count(), stepsOfBlock);
+        m_cuts.recut(m_whole, m_coarse, part, m_lines[j].content());
     }
     setWidths();
     orderTurns();

@@ -42,7 +42,7 @@ class CellLattice {
     double clock() const { return m_cuts.clock(m_step); }
     const WaveCell* down(std::size_t section) const { return m_downs.data() + section * stepsOfBlock; }
     const DelayLine<WaveCell>& line(std::size_t section) const { return m_lines[section]; }  ///< waves back
-    const WaveCell* bitForces() const { return m_bitForces.data(); }
+    const WaveCell* bitForces() const { return m_bitForces.data(); }  ///< where histories are wanted
 
     // Behind it
 
@@ -78,6 +78,7 @@ class CellLattice {
     void setWidths();
     void orderTurns();
     NodeJump stepBlock(StringCensus& census, const std::stop_token& stop);
+    const WaveCell* arriving(std::size_t section, const NodeTurn& turn);
     NodeJump stepRear(const NodeTurn& turn);
     NodeJump stepJoint(const NodeTurn& turn, StringCensus& census);
     NodeJump stepFace(const NodeTurn& turn, StringCensus& census);
@@ -115,7 +116,7 @@ class CellLattice {
     // Only for their memory
     Nodes m_before;
     CellCuts m_coarse;
-    std::vector<WaveCell> m_parts;
+    std::vector<WaveCell> m_whole;
     std::vector<std::size_t> m_delays;
 };
 

@@ -18,7 +18,11 @@ class DelayLine {
     /// `mostBlock` cells are put in before advance().
     void restart(std::size_t delay, std::size_t mostBlock) {
         m_mostBlock = mostBlock;
-        makeRoom(delay);
+        m_delay = delay;
+        m_at = 0;
+        if (m_cells.size() >= room()) return;
+        m_cells.clear();  // nothing in it is wanted, nor to be copied
+        m_cells.resize(room());
     }
 
     /// The next cells to come out.
@@ -33,26 +37,14 @@ class DelayLine {
 
     void advance(std::size_t block) {
         m_at += block;
-        if (m_at + m_delay + m_mostBlock <= roomFor(m_delay)) return;
+        if (m_at + m_delay + m_mostBlock <= room()) return;
         std::copy_n(m_cells.begin() + static_cast<std::ptrdiff_t>(m_at), m_delay, m_cells.begin());
         m_at = 0;
-    }
-    /// Other cells in place of those on their way.
-    void replace(std::span<const Cell> content) {
-        makeRoom(content.size());
-        std::copy(content.begin(), content.end(), m_cells.begin());
     }
 
   private:
     /// The more room, the less often all that is on its way is moved back to the beginning.
-    std::size_t roomFor(std::size_t delay) const { return 3 * delay + 2 * m_mostBlock; }
-    void makeRoom(std::size_t delay) {
-        m_delay = delay;
-        m_at = 0;
-        if (m_cells.size() >= roomFor(delay)) return;
-        m_cells.clear();  // nothing in it is wanted, nor to be copied
-        m_cells.resize(roomFor(delay));
-    }
+    std::size_t room() const { return 3 * m_delay + 2 * m_mostBlock; }
 
     std::size_t m_delay = 0;
     std::size_t m_mostBlock = 0;

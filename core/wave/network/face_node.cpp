@@ -52,11 +52,11 @@ WaveCell FaceNode::closingSpeed(const WaveCell& f1, const WaveCell& b2) const {
     return w;
 }
 
-void FaceNode::step(WaveCell& f1ToF2, WaveCell& b2ToB1, int index, double time, CutAt cutAt, CellJump& jump) {
-    const WaveCell f1 = f1ToF2, b2 = b2ToB1;
+void FaceNode::step(const Waves& waves, int index, double time, CutAt cutAt, CellJump& jump) {
+    const auto& [f1, b2, b1, f2] = waves;
     if (m_now.apart && m_now.record.firstSeparation >= 0 && staysApart(f1, b2, m_widths[index])) {
-        b2ToB1 = -1.0 * f1;
-        f1ToF2 = -1.0 * b2;
+        b1 = -1.0 * f1;
+        f2 = -1.0 * b2;
         return;
     }
     WaveCell force;
@@ -68,8 +68,8 @@ void FaceNode::step(WaveCell& f1ToF2, WaveCell& b2ToB1, int index, double time, 
         else
             force = follow(w, m_widths[index], time, cutAt, jump);
     }
-    b2ToB1 = force - f1;
-    f1ToF2 = force - b2;
+    b1 = force - f1;
+    f2 = force - b2;
 }
 
 /// Whether the gap is wider than the faces can move over a cell, whatever the waves do in it: then it

@@ -39,8 +39,14 @@ class FaceNode {
 
     void setWidths(const std::vector<double>& widths);
 
-    /// One cell: the waves f1 and b2 that arrive become those that leave, b1 and f2.
-    void step(WaveCell& f1ToF2, WaveCell& b2ToB1, int index, double time, CutAt cutAt, CellJump& jump);
+    /// The waves of one cell that arrive, and those that leave.
+    struct Waves {
+        const WaveCell &f1, &b2;
+        WaveCell &b1, &f2;
+    };
+    /// One cell of width number `index` that begins at `time` [t0]. Where it found a place to cut, it is to
+    /// be taken again in parts.
+    void step(const Waves& waves, int index, double time, CutAt cutAt, CellJump& jump);
     /// After the first `share` of that cell: where they would be, and the waves that have left over that
     /// share.
     struct Part {

@@ -6,13 +6,6 @@
 
 namespace drillwave {
 
-namespace {
-
-/// Cells taken by one node before the next one follows.
-constexpr std::size_t block = 128;
-
-}  // namespace
-
 bool FreeFlight::suits(const NetworkProblem& problem) {
     return std::none_of(problem.sections.begin(), problem.sections.end(), [](const NetworkSection& section) {
         return section.massAfter > 0 || section.loss > 0 || section.decay > 0;
@@ -56,10 +49,6 @@ void FreeFlight::begin(const NetworkProblem& problem, const CellGrid& grid, cons
     }
     m_downs.resize(m_count * block);
     planTurns(m_delays, block, m_turns);
-}
-
-double* FreeFlight::down(std::size_t section) {
-    return m_downs.data() + section * block;
 }
 
 bool FreeFlight::staysClear(double cells, const std::stop_token& stop) {

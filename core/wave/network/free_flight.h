@@ -47,11 +47,14 @@ class FreeFlight {
         double face = 0, bit = 0;
     };
     static Margins margins(const NetworkProblem& problem, double cell, const FlightStart& start);
+    /// Cells taken by one node before the next one follows.
+    static constexpr std::size_t block = 128;
+
     bool step(const NodeTurn& turn);
     bool stepFace(const NodeTurn& turn);
     bool stepBit(const NodeTurn& turn);
 
-    double* down(std::size_t section);
+    double* down(std::size_t section) { return m_downs.data() + section * block; }
 
     std::size_t m_face = 0;   ///< number of the node
     std::size_t m_count = 0;  ///< of sections
