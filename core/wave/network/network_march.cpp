@@ -153,7 +153,8 @@ NetworkImpact NetworkMarch::result(const CensusResult& census, NetworkEnd end) {
     return impact;
 }
 
-NetworkImpact NetworkMarch::notSolved(std::string reason) const {
+NetworkImpact NetworkMarch::notSolved(std::string reason) {
+    m_recorder.abandon();
     NetworkImpact impact;
     impact.reason = std::move(reason);
     impact.cells = m_cells;

@@ -39,7 +39,7 @@ class NetworkMarch {
     bool isUntouchedSince(const CensusResult& census) const;
     bool fliesUntil(double time, const std::stop_token& stop);
     NetworkImpact result(const CensusResult& census, NetworkEnd end);
-    NetworkImpact notSolved(std::string reason) const;
+    NetworkImpact notSolved(std::string reason);
     long flownCells() const;
     long work() const;
 

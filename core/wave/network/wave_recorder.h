@@ -23,6 +23,8 @@ class WaveRecorder {
 
     /// The block that the lattice has taken last. Waves are no longer recorded where they are too many.
     void add(const std::stop_token& stop);
+    /// The blow is not solved: its waves are of no use.
+    void abandon() { m_waves.reset(); }
     /// What there is when all that counts has happened until `time` [t0].
     void finish(double time, NetworkImpact& impact);
 

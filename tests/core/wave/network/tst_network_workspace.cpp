@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One blow after another on drill strings: no memory is asked for, and nothing of a blow is left to the next.
 #include <QtTest>
+#include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 
 #include "core/file/examples.h"
@@ -16,6 +18,8 @@ using namespace drillwave::test;
 namespace {
 
 long allocations = 0;
+std::size_t bytesHeld = 0;
+constexpr std::size_t sizeOfSize = alignof(std::max_align_t);  ///< in front of what is given away
 
 NetworkProblem t38() {
     return networkProblemOf(parseScenario(findExample("t38_string")->text, "t38_string").scenario);
@@ -76,14 +80,22 @@ void compareSums(const NetworkImpact& impact, const NetworkImpact& expected) {
 
 void* operator new(std::size_t size) {
     ++allocations;
-    if (void* memory = std::malloc(size)) return memory;
-    throw std::bad_alloc();
+    bytesHeld += size;
+    auto* memory = static_cast<char*>(std::malloc(size + sizeOfSize));
+    if (!memory) throw std::bad_alloc();
+    std::memcpy(memory, &size, sizeof size);
+    return memory + sizeOfSize;
 }
 void operator delete(void* memory) noexcept {
-    std::free(memory);
+    if (!memory) return;
+    char* start = static_cast<char*>(memory) - sizeOfSize;
+    std::size_t size = 0;
+    std::memcpy(&size, start, sizeof size);
+    bytesHeld -= size;
+    std::free(start);
 }
 void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
+    operator delete(memory);
 }
 
 class TestNetworkWorkspace : public QObject {
@@ -137,6 +149,30 @@ class TestNetworkWorkspace : public QObject {
             compareSums(sums, alone);
             QVERIFY(sums.events.empty() && sums.sections.empty() && !sums.waves);
         }
+    }
+
+    void whatAVeryLongStringTookIsGivenBack() {
+        NetworkProblem problem = t38();
+        problem.sections.back().transitTime *= 100'000;
+        problem.law.beta = 1e-3;  // cells in one part
+        problem.endTime = 1;
+        NetworkSolver solver;
+        const std::size_t before = bytesHeld;
+        const NetworkImpact impact = solver.solve(problem, settingsOf(NetworkAccuracy::quick));
+        QCOMPARE(impact.end, NetworkEnd::endTime);
+        QCOMPARE(bytesHeld, before);
+    }
+
+    void wavesAreNotKeptOfABlowThatIsNotSolved() {
+        NetworkSettings settings = settingsOf(NetworkAccuracy::quick);
+        NetworkSolver solver;
+        solver.solve(t38(), settings);
+        const std::size_t before = bytesHeld;
+        settings.wants.histories = true;
+        std::stop_source stopped;
+        stopped.request_stop();
+        QVERIFY(!solver.solve(t38(), settings, stopped.get_token()).waves);
+        QVERIFY2(bytesHeld < before + 1000, QByteArray::number(qulonglong(bytesHeld - before)));
     }
 
   private:
