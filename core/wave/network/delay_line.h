@@ -20,9 +20,7 @@ class DelayLine {
         m_mostBlock = mostBlock;
         m_delay = delay;
         m_at = 0;
-        if (m_cells.size() >= room()) return;
-        m_cells.clear();  // nothing in it is wanted, nor to be copied
-        m_cells.resize(room());
+        if (m_cells.size() < room()) grow();
     }
 
     /// The next cells to come out.
@@ -45,6 +43,16 @@ class DelayLine {
   private:
     /// The more room, the less often all that is on its way is moved back to the beginning.
     std::size_t room() const { return 3 * m_delay + 2 * m_mostBlock; }
+
+    /// To more than is needed: it becomes longer with every cut of the cells.
+    void grow() {
+        if (m_cells.capacity() < room()) {
+            const std::size_t more = std::max(room(), 2 * m_cells.capacity());
+            m_cells.clear();  // nothing in it is wanted, nor to be copied
+            m_cells.reserve(more);
+        }
+        m_cells.resize(room());
+    }
 
     std::size_t m_delay = 0;
     std::size_t m_mostBlock = 0;
