@@ -22,9 +22,11 @@ void solveTimed(Blow& blow, Detail detail, const std::stop_token& stop, MethodSo
     blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A drill string, for sure, with the forces in every section.
-void solveStringBlow(Blow& blow, Detail detail, const std::stop_token& stop, NetworkSolver& solver) {
+/// A drill string, with the forces in every section.
+void solveStringBlow(Blow& blow, Detail detail, NetworkAccuracy accuracy, const std::stop_token& stop,
+                     NetworkSolver& solver) {
     NetworkSettings settings;
+    settings.accuracy = accuracy;
     settings.wants.events = true;
     settings.wants.forces = true;
     settings.wants.histories = detail == Detail::histories;
@@ -57,7 +59,8 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
 }
 
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
-               const std::stop_token& stop, Stresses stresses, MethodSolver& solver) {
+               const std::stop_token& stop, Stresses stresses, MethodSolver& solver,
+               NetworkAccuracy ofString) {
     assert(validate(scenario).empty());
     Blow blow;
     blow.scenario = scenario;
@@ -66,7 +69,7 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
     blow.scales = scalesOf(scenario);
     blow.alerts = alertsFor(scenario);
     if (isString(scenario)) {
-        solveStringBlow(blow, detail, stop, solver.strings());
+        solveStringBlow(blow, detail, ofString, stop, solver.strings());
         return blow;
     }
     blow.solved = problemOf(scenario);

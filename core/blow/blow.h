@@ -50,8 +50,9 @@ enum class Stresses {
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
                const std::stop_token& stop = {}, Stresses stresses = Stresses::asNeeded);
 
-/// The same with a solver that keeps its workspace from blow to blow.
+/// The same with a solver that keeps its workspace from blow to blow, and a drill string as exact as wanted.
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
-               const std::stop_token& stop, Stresses stresses, MethodSolver& solver);
+               const std::stop_token& stop, Stresses stresses, MethodSolver& solver,
+               NetworkAccuracy ofString = NetworkAccuracy::sure);
 
 }  // namespace drillwave

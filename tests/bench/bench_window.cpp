@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Milliseconds from a keystroke in a field to the new pixels of the whole window, page by page, and from a
-// step of a slider to those of a new map, coarse and whole: bench_window [REPEATS], 50 by default. Not run by
-// ctest but for a trial: times depend on the machine.
+// Milliseconds from a keystroke in a field to the new pixels of the whole window, page by page, of a rod and
+// of a drill string, and from a step of a slider to those of a new map, coarse and whole:
+// bench_window [REPEATS], 50 by default. Not run by ctest but for a trial: times depend on the machine.
 #include <QLabel>
 #include <QLineEdit>
 #include <QTest>
@@ -9,11 +9,13 @@
 #include <chrono>
 #include <cstdio>
 
+#include "core/file/examples.h"
 #include "tests/bench/bench_program.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/quantity_field.h"
 #include "ui/form/scenario_panel.h"
 #include "ui/job/solve_job.h"
+#include "ui/pages/gap/gap_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/map/map_plot.h"
 #include "ui/pages/plot_page.h"
@@ -74,6 +76,8 @@ void printTimes(const QString& name, std::vector<double> times) {
 void measurePage(MainWindow& window, const QString& name, int repeats) {
     auto* page = qobject_cast<PlotPage*>(window.findChild<PageTabs*>()->currentWidget());
     if (!page) return;  // a table
+    // of a string it tells in words that there is nothing to draw
+    if (qobject_cast<GapPage*>(page) && isString(window.document().scenario())) return;
     PaintWatch watch(window);
     page->plot()->installEventFilter(&watch);
     // Where the plot does not depend on the field, as a map does not on its own parameters, words do.
@@ -146,16 +150,22 @@ void measureDragOnMap(MainWindow& window, PulseShape shape, int repeats) {
     printTimes(name, std::move(times));
 }
 
-void measure(MainWindow& window, int repeats) {
-    std::printf("%-22s %8s %8s %8s  ms from keystroke to pixels\n", "page", "median", "minimum", "maximum");
+void measurePages(MainWindow& window, const QString& what, int repeats) {
     auto* pages = window.findChild<PageTabs*>();
     for (int page = 0; page < pages->count(); ++page) {
         pages->setCurrentIndex(page);
         settle(window);
-        measurePage(window, pages->page(page).title(), repeats);
+        measurePage(window, pages->page(page).title() + what, repeats);
     }
+}
+
+void measure(MainWindow& window, int repeats) {
+    std::printf("%-22s %8s %8s %8s  ms from keystroke to pixels\n", "page", "median", "minimum", "maximum");
+    measurePages(window, QString(), repeats);
     for (const PulseShape shape : {PulseShape::rectangular, PulseShape::halfSine})
         measureDragOnMap(window, shape, repeats);
+    window.openExample(*findExample("t38_string"));  // a hammer of three sections, eleven of the string
+    measurePages(window, QStringLiteral(", string"), repeats);
 }
 
 }  // namespace

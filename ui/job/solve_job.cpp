@@ -43,15 +43,31 @@ SolveJob::SolveJob(QObject* parent) : SolveJob(exactly(), parent) {}
 SolveJob::SolveJob(Solve solve, QObject* parent) : QObject(parent), m_solve(std::move(solve)) {}
 
 void SolveJob::submit(const SolveRequest& request) {
-    m_worker.submit([this, request](const std::stop_token& stop) -> Worker::Delivery {
+    if (m_refining) cancel();  // a better answer to the last question holds up no new one
+    start(request);
+}
+
+void SolveJob::start(const SolveRequest& request) {
+    m_worker.submit([this, request, number = ++m_started](const std::stop_token& stop) -> Worker::Delivery {
         SolveRequest stoppable = request;
         stoppable.stop = stop;
         const SolvedBlowPtr blow = answered(m_solve, stoppable);
-        return [this, blow, stop] {
+        return [this, blow, stop, request, number] {
             const bool cutShort = stop.stop_requested() && !blow->problem.isEmpty();
+            if (number == m_started) m_refining = false;
             if (!cutShort) emit solved(blow);
+            if (!blow->request.quick || !blow->problem.isEmpty() || number != m_started) return;
+            SolveRequest sure = request;
+            sure.quick = false;
+            start(sure);
+            m_refining = true;
         };
     });
+}
+
+void SolveJob::cancel() {
+    m_refining = false;
+    m_worker.cancel();
 }
 
 SolvedBlowPtr SolveJob::solveNow(const SolveRequest& request) {

@@ -11,6 +11,7 @@ namespace drillwave {
 
 /// Turns requests into answers on a thread of its own: long work elsewhere must not keep a blow waiting.
 /// Requests replace each other as the tasks of a Worker do. Answers arrive in the order of their requests.
+/// One that was quick is followed by the sure one, unless something else has been asked meanwhile.
 class SolveJob : public QObject {
     Q_OBJECT
 
@@ -28,15 +29,19 @@ class SolveJob : public QObject {
     /// Answers on the spot, after whatever is in flight: for the first picture of a window.
     SolvedBlowPtr solveNow(const SolveRequest& request);
     /// Forgets what is waiting, and stops what is in flight.
-    void cancel() { m_worker.cancel(); }
+    void cancel();
     bool isBusy() const { return m_worker.isBusy(); }
 
   signals:
     void solved(const drillwave::SolvedBlowPtr& blow);
 
   private:
+    void start(const SolveRequest& request);
+
     Solve m_solve;
-    Worker m_worker;  // goes first: its thread solves
+    std::uint64_t m_started = 0;  ///< counts start(): what is asked meanwhile
+    bool m_refining = false;      ///< the sure answer is on its way behind a quick one
+    Worker m_worker;              // goes first: its thread solves
 };
 
 }  // namespace drillwave

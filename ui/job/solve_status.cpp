@@ -32,7 +32,7 @@ SolveStatus::SolveStatus(QWidget* parent)
 }
 
 void SolveStatus::asked() {
-    if (m_state == State::current) m_late.start();
+    if (m_state == State::current || m_state == State::quick) m_late.start();
     setState(State::solving);
 }
 
@@ -42,6 +42,13 @@ void SolveStatus::answered(const QString& summary) {
     setState(State::current);
     setMarked(false);
     if (const auto then = std::exchange(m_waiting, {})) then();
+}
+
+void SolveStatus::answeredQuickly(const QString& summary) {
+    m_summary = summary;
+    m_late.stop();
+    setState(State::quick);
+    setMarked(isWaiting());
 }
 
 void SolveStatus::answeredEarlier() {

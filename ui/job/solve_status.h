@@ -27,10 +27,13 @@ class SolveStatus : public QWidget {
     void asked();
     /// The answer to the present input is shown; its summary in a line. What waited is done.
     void answered(const QString& summary);
+    /// A quick answer to the present input is shown, and the sure one is on its way: nothing is out of date,
+    /// but what waits is for the sure one.
+    void answeredQuickly(const QString& summary);
     /// An answer to an earlier input is shown.
     void answeredEarlier();
 
-    /// Whether what is shown is the answer to the present input.
+    /// Whether what is shown is the sure answer to the present input.
     bool isCurrent() const { return m_state == State::current; }
     /// Whether what is shown is marked as out of date.
     bool isMarked() const { return m_marked; }
@@ -57,7 +60,12 @@ class SolveStatus : public QWidget {
     void calledOff(const QString& message);
 
   private:
-    enum class State { current, solving, stopped };
+    enum class State {
+        current,
+        quick,  ///< of the present input, and the sure answer is on its way
+        solving,
+        stopped
+    };
 
     void setState(State state);
     void setMarked(bool outOfDate);

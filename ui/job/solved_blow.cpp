@@ -49,16 +49,20 @@ SolvedBlowPtr answerWith(const SolveRequest& request, const Make& make) noexcept
 
 SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexcept {
     return answerWith(request, [&] {
-        return solveBlow(request.scenario, {}, Detail::histories, request.stop, Stresses::wanted, solver);
+        return solveBlow(request.scenario, {}, Detail::histories, request.stop, Stresses::wanted, solver,
+                         request.quick ? NetworkAccuracy::quick : NetworkAccuracy::sure);
     });
 }
 
 bool answersAgain(const SolvedBlow& before, const SolveRequest& request) {
-    return before.string && before.isSolved() && before.scenario == request.scenario;
+    return before.string && before.isSolved() && before.scenario == request.scenario &&
+           (request.quick || !before.request.quick);
 }
 
 SolvedBlowPtr answerAgain(const SolvedBlow& before, const SolveRequest& request) noexcept {
-    return answerWith(request, [&] { return static_cast<const Blow&>(before); });
+    SolveRequest asked = request;
+    asked.quick = before.request.quick;
+    return answerWith(asked, [&] { return static_cast<const Blow&>(before); });
 }
 
 SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem) {

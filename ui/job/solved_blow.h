@@ -23,6 +23,8 @@ struct SolveRequest {
     std::vector<PreparePage> pages;
     std::uint64_t number = 0;   ///< counts what was asked: tells the answer to the last question
     std::stop_token stop = {};  ///< ends the work early, with a problem for an answer
+    /// Of a drill string, whose sure answer takes a tenth of a second or more: one with a larger error.
+    bool quick = false;
 };
 
 /// The answer, never changed once made: the blow, and what the pages asked for. `problem` is empty when the

@@ -364,7 +364,9 @@ SolveRequest MainWindow::request() {
 
 void MainWindow::solve() {
     m_solveStatus->asked();
-    m_job->submit(request());
+    SolveRequest asked = request();
+    asked.quick = isString(asked.scenario);
+    m_job->submit(asked);
 }
 
 void MainWindow::present(const SolvedBlowPtr& blow) {
@@ -374,10 +376,12 @@ void MainWindow::present(const SolvedBlowPtr& blow) {
     // The answer to an earlier question may be of another form of scenario.
     if (m_pages->current().shows(blow->request.scenario)) m_pages->current().setResult(blow);
     m_units->present(m_document.scenario());
-    if (blow->request.number == m_asked)
-        m_solveStatus->answered(statusText(*blow));
-    else
+    if (blow->request.number != m_asked)
         m_solveStatus->answeredEarlier();
+    else if (blow->request.quick && blow->problem.isEmpty())
+        m_solveStatus->answeredQuickly(statusText(*blow));
+    else
+        m_solveStatus->answered(statusText(*blow));
 }
 
 void MainWindow::markResult(bool outOfDate) {

@@ -67,6 +67,8 @@ class TestSolveJob : public QObject {
     void aJobEndsInTheMiddleOfALongSolution();
     void answersAreThoseOfTheExactSolver();
     void aStringIsSolvedOnceForAllThatLookAtIt();
+    void aQuickAnswerIsFollowedByTheSureOne();
+    void aNewQuestionWaitsForNoSureAnswer();
     void aPageGetsItsDataAndNoOthers();
     void whatAPageThrowsBecomesTheProblem();
     void anAnswerKeepsNothingOfHowPagesAreMade();
@@ -258,6 +260,58 @@ void TestSolveJob::answersAreThoseOfTheExactSolver() {
     // Paper, Fig. 4 (a): β = 0.5, γ = 1, τ = 10, δ = 0; the value of the reference solver, to its 1e-13.
     QVERIFY(std::abs(blow->summary.cor - 1.4010824845070556) < 1e-13);
     QVERIFY(blow->pages.empty());
+}
+
+void TestSolveJob::aQuickAnswerIsFollowedByTheSureOne() {
+    SolveJob job;
+    QList<SolvedBlowPtr> answers;
+    connect(&job, &SolveJob::solved, this, [&](const SolvedBlowPtr& blow) { answers << blow; });
+    SolveRequest request;
+    request.scenario = parseScenario(findExample("r32_string")->text, "r32_string").scenario;
+    request.number = 3;
+    request.quick = true;
+    job.submit(request);
+    QTRY_VERIFY(!job.isBusy());
+    QCOMPARE(answers.size(), 2);
+    const NetworkImpact &quick = answers[0]->string->impact, &sure = answers[1]->string->impact;
+    QVERIFY(answers[0]->request.quick && !answers[1]->request.quick);
+    QCOMPARE(answers[1]->request.number, 3U);
+    QVERIFY(sure.efficiencyError < quick.efficiencyError);
+    QVERIFY(std::abs(quick.energy.rock - sure.energy.rock) <= quick.efficiencyError);
+    // what is known for sure is not asked quickly
+    job.submit(request);
+    QTRY_VERIFY(!job.isBusy());
+    QCOMPARE(answers.size(), 3);
+    QVERIFY(!answers[2]->request.quick);
+    QCOMPARE(answers[2]->summary.cor, answers[1]->summary.cor);
+}
+
+void TestSolveJob::aNewQuestionWaitsForNoSureAnswer() {
+    std::atomic<int> begun = 0, stopped = 0;
+    SolveJob job([&](const SolveRequest& request) {
+        auto blow = std::make_shared<SolvedBlow>();
+        blow->request = request;
+        if (request.quick) return blow;
+        ++begun;
+        while (!request.stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        ++stopped;
+        blow->problem = QStringLiteral("stopped");
+        return blow;
+    });
+    QList<double> answers;
+    connect(&job, &SolveJob::solved, this, [&](const SolvedBlowPtr& blow) { answers << betaOf(blow); });
+    SolveRequest request = requestFor(1);
+    request.quick = true;
+    job.submit(request);
+    QTRY_COMPARE(begun.load(), 1);
+    request.scenario.groups.beta = 2;
+    job.submit(request);
+    QTRY_COMPARE(begun.load(), 2);
+    QCOMPARE(stopped.load(), 1);
+    QCOMPARE(answers, (QList<double>{1, 2}));
+    job.cancel();
+    QTRY_VERIFY(!job.isBusy());
+    QCOMPARE(answers.size(), 2);
 }
 
 // The mechanism of a picture that lags behind a zoom: every look at it waited for the blow to be solved

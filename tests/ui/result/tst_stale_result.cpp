@@ -12,6 +12,7 @@
 #include <atomic>
 #include <semaphore>
 
+#include "core/file/examples.h"
 #include "core/file/result_scenario.h"
 #include "tests/support/themes.h"
 #include "tests/support/window.h"
@@ -34,6 +35,7 @@ namespace {
 /// Solves at once while the gate is open, else one request for every pass that is given.
 struct Gate {
     std::atomic<bool> open = true;
+    std::atomic<bool> letsQuickPass = false;
     std::counting_semaphore<> passes{0};
 
     void wait(const std::stop_token& stop) {
@@ -59,7 +61,7 @@ class TestStaleResult : public QObject {
         m_window = std::make_unique<MainWindow>(
             std::make_unique<ScriptedQuestions>(m_answers),
             [gate = m_gate, solver = std::make_shared<MethodSolver>()](const SolveRequest& request) {
-                gate->wait(request.stop);
+                if (!request.quick || !gate->letsQuickPass) gate->wait(request.stop);
                 return solveBlow(request, *solver);
             });
         m_window->resize(1440, 900);  // room for the result beside the scenario
@@ -175,6 +177,27 @@ class TestStaleResult : public QObject {
         QTRY_VERIFY(QFile::exists(m_answers.exportTo));
         QCOMPARE(loadResultScenario(m_answers.exportTo.toStdString()).scenario.rod.length, 4.0);
         QCOMPARE(m_answers.told, QStringList());
+    }
+
+    void aQuickAnswerIsShownAndNoneIsExported() {
+        m_window->openExample(*findExample("r32_string"));
+        QTRY_VERIFY(status().isCurrent());
+        QVERIFY(!m_window->shown()->request.quick);
+        m_gate->letsQuickPass = true;
+        m_gate->open = false;
+        m_window->document().assign(*findParameter("bit_rock.gamma"), 0.3, ++m_gesture);
+        QTRY_VERIFY(m_window->shown()->request.scenario == m_window->document().scenario());
+        QVERIFY(m_window->shown()->request.quick);
+        QVERIFY(!status().isMarked() && !status().isCurrent());
+        QVERIFY(status().text().contains(QStringLiteral("efficiency")));
+        m_answers.exportTo = m_folder.filePath(QStringLiteral("sure.csv"));
+        part<ExportMenu>(*m_window).saveEvents();
+        QVERIFY(status().isWaiting() && status().isMarked());
+        QVERIFY(!QFile::exists(m_answers.exportTo));
+        m_gate->open = true;
+        QTRY_VERIFY(status().isCurrent());
+        QVERIFY(!m_window->shown()->request.quick);
+        QVERIFY(QFile::exists(m_answers.exportTo));
     }
 
     void everyExportWaits_data() {
