@@ -17,7 +17,8 @@ class CompensatedSum {
     }
     CompensatedSum& operator+=(Real term) {
         const Real sum = m_sum + term;
-        m_lost += std::abs(m_sum) >= std::abs(term) ? (m_sum - sum) + term : (term - sum) + m_sum;
+        const Real added = sum - m_sum;  // no branch for the larger of the two: it would be guessed wrong
+        m_lost += (m_sum - (sum - added)) + (term - added);
         m_sum = sum;
         return *this;
     }

@@ -10,12 +10,66 @@
 
 namespace drillwave {
 
+/// Σ c_k u^k with c_k = coefficient(k), by two Horner schemes in u², of the even and of the odd powers: they
+/// do not wait for each other.
+template <class Real, class Coefficient>
+Real polynomialOf(int count, Real u, Coefficient coefficient) {
+    const Real square = u * u;
+    Real even = 0, odd = 0;
+    int k = count - 1;
+    if (k >= 0 && k % 2 == 0) even = coefficient(k--);
+    for (; k > 0; k -= 2) {
+        odd = odd * square + coefficient(k);
+        even = even * square + coefficient(k - 1);
+    }
+    return even + u * odd;
+}
+
 /// Σ c_k u^k.
 template <class Real>
 Real polynomialValue(const Real* c, int count, Real u) {
-    Real sum = 0;
-    for (int k = count - 1; k >= 0; --k) sum = sum * u + c[k];
-    return sum;
+    return polynomialOf(count, u, [c](int k) { return c[k]; });
+}
+
+/// Σ term(k) over first ≤ k < count, in two sums that do not wait for each other.
+template <class Real, class Term>
+Real sumOf(int first, int count, Term term) {
+    Real sum = 0, other = 0;
+    int k = first;
+    for (; k + 1 < count; k += 2) {
+        sum += term(k);
+        other += term(k + 1);
+    }
+    if (k < count) sum += term(k);
+    return sum + other;
+}
+
+/// The next `passes` of the synthetic divisions of moveBy(), from the coefficient `first` on, in one go: each
+/// waits for the one before it only, not for its whole run.
+template <int passes, class Real>
+void divide(Real* c, int count, int first, Real u) {
+    std::array<Real, passes> s;
+    s.fill(c[count - 1]);
+    int k = count - 2;
+    for (; k >= first + passes - 1; --k) {
+        s[0] = c[k] + u * s[0];
+        for (int m = 1; m < passes; ++m) s[m] = s[m - 1] + u * s[m];
+        c[k] = s[passes - 1];
+    }
+    for (; k >= first; --k) {  // the last divisions have ended
+        s[0] = c[k] + u * s[0];
+        for (int m = 1; m <= k - first; ++m) s[m] = s[m - 1] + u * s[m];
+        c[k] = s[k - first];
+    }
+}
+
+/// The coefficients of the same polynomial seen from u (Taylor shift).
+template <class Real>
+void moveBy(Real* c, int count, Real u) {
+    constexpr int atOnce = 4;
+    int first = 0;
+    for (; first + atOnce < count; first += atOnce) divide<atOnce>(c, count, first, u);
+    for (; first + 1 < count; ++first) divide<1>(c, count, first, u);
 }
 
 /// f(x) = Σ c_k u^k, u = x/scale, on 0 ≤ x ≤ length ≤ scale. No coefficients: exactly zero.
@@ -30,12 +84,15 @@ struct PowerSeries {
 
     PowerSeries() {}
     PowerSeries(const PowerSeries& other) { *this = other; }
-    /// Copies the coefficients in use only: most pieces are short.
+    /// Copies the coefficients in use only, most pieces are short, in blocks: copies of unknown length are
+    /// calls.
     PowerSeries& operator=(const PowerSeries& other) {
         length = other.length;
         scale = other.scale;
         count = other.count;
-        std::copy_n(other.c.begin(), count, c.begin());
+        constexpr int block = 6;
+        static_assert(capacity % block == 0);
+        for (int k = 0; k < count; k += block) std::copy_n(other.c.begin() + k, block, c.begin() + k);
         return *this;
     }
 
@@ -63,24 +120,18 @@ struct PowerSeries {
 
     /// ∫ from 0 to x.
     Real integral(Real x) const {
-        const Real u = x / scale;
-        Real sum = 0;
-        for (int k = count - 1; k >= 0; --k) sum = sum * u + c[k] * inverse(k + 1);
-        return sum * x;
+        return polynomialOf(count, x / scale, [this](int k) { return c[k] * inverse(k + 1); }) * x;
     }
 
     /// An upper bound of ∫f over [0, x] for every x up to the length, and 0.
     Real mostIntegral() const {
-        Real most = 0;
-        for (int k = 0; k < count; ++k) most += std::max(c[k], Real(0)) * inverse(k + 1);
-        return most * length;
+        return sumOf<Real>(0, count, [this](int k) { return std::max(c[k], Real(0)) * inverse(k + 1); }) *
+               length;
     }
 
     /// Σ|c_k| ≥ max|f|, the size that rounding errors are relative to.
     Real magnitude() const {
-        Real sum = 0;
-        for (int k = 0; k < count; ++k) sum += std::abs(c[k]);
-        return sum;
+        return sumOf<Real>(0, count, [this](int k) { return std::abs(c[k]); });
     }
 
     /// ≥ ∫|f|, the size that the rounding of the integral is relative to.
@@ -88,9 +139,7 @@ struct PowerSeries {
 
     /// An upper bound of f.
     Real mostValue() const {
-        Real most = startValue();
-        for (int k = 1; k < count; ++k) most += std::max(c[k], Real(0));
-        return most;
+        return startValue() + sumOf<Real>(1, count, [this](int k) { return std::max(c[k], Real(0)); });
     }
 
     /// Drops trailing coefficients of at most `negligible`.
@@ -106,11 +155,9 @@ struct PowerSeries {
         scale = newScale;
     }
 
-    /// The same function seen from x: Taylor shift, then the interval [x, length].
+    /// The same function seen from x, on the interval [x, length].
     void dropFront(Real x) {
-        const Real u = x / scale;
-        for (int i = 0; i + 1 < count; ++i)
-            for (int k = count - 2; k >= i; --k) c[k] += u * c[k + 1];
+        moveBy(c.data(), count, x / scale);
         length -= x;
     }
 

@@ -33,6 +33,23 @@ class TestPowerSeries : public QObject {
         for (const double x : {0.0, 0.4, 1.3}) QVERIFY(std::abs(rest.value(x) - f.value(x + 0.7)) < 1e-15);
     }
 
+    void manyTermsMoveAsOneTermAfterTheOther() {
+        for (int count = 1; count <= PowerSeries<double>::capacity; ++count) {
+            std::vector<double> c, moved;
+            for (int k = 0; k < count; ++k) c.push_back(std::cos(1.0 + k));
+            // Σ c_k (u + v)^k: the coefficient of v^j is Σ_k C(k, j) u^(k − j) c_k
+            const double u = 0.375;
+            for (int j = 0; j < count; ++j) {
+                double sum = 0, term = 1;
+                for (int k = j; k < count; term *= u * (k + 1) / (k + 1 - j), ++k) sum += term * c[k];
+                moved.push_back(sum);
+            }
+            moveBy(c.data(), count, u);
+            for (int j = 0; j < count; ++j)
+                QVERIFY(std::abs(c[j] - moved[j]) < 1e-13 * (1 + std::abs(moved[j])));
+        }
+    }
+
     void rescalingKeepsTheFunction() {
         auto f = series(2, {1, -3, 2, 0.5});
         const double before = f.value(0.9);
