@@ -34,10 +34,7 @@ struct LocalPolynomial {
     int count = 0;
     std::array<Real, capacity> c;
 
-    void moveBy(Real u) {
-        for (int i = 0; i + 1 < count; ++i)
-            for (int k = count - 2; k >= i; --k) c[k] += u * c[k + 1];
-    }
+    void moveBy(Real u) { drillwave::moveBy(c.data(), count, u); }
     /// The same over [0, 1] in place of [0, width].
     LocalPolynomial over(Real width) const {
         LocalPolynomial p;
@@ -81,23 +78,33 @@ std::array<Real, 2> valueAndSlope(const Real* c, int count, Real u) {
 /// Where a march along a polynomial ended.
 enum class MarchEnd { zero, passed, exhausted };
 
-/// Marches from u towards `end` with steps that the curvature bound `curvature` on the way allows: no zero is
+/// The largest h with value + slope h − bend h²/2 ≥ 0, or somewhat less where that is cheap: where a zero is
+/// near, 1 + √(1 + q) ≤ 2 + q/2 spares the root.
+template <class Real>
+Real stepOver(Real value, Real slope, Real bend) {
+    constexpr Real tiny = std::numeric_limits<Real>::min();
+    const Real square = slope * slope, bent = bend * value;
+    if (slope < 0 && bent < square) return -value * slope / (square + bent / 2);
+    const Real root = std::sqrt(square + 2 * bent);
+    return slope > 0 ? (slope + root) / (bend + tiny) : 2 * value / (root - slope + tiny);
+}
+
+/// Marches from u towards `end` with steps that −bend ≤ p'' ≤ rise, both ≥ 0, on the way allow: no zero is
 /// stepped over, and a zero is approached quadratically. p(u) must not be negative. Counts its steps in
 /// `step`. Of each search: a call costs 1.5 % of a solve.
 template <class Real>
-[[gnu::always_inline]] inline MarchEnd marchToZero(const Real* c, int count, Real end, Real curvature,
+[[gnu::always_inline]] inline MarchEnd marchToZero(const Real* c, int count, Real end, Real bend, Real rise,
                                                    Real noise, Real& u, int& step) {
     constexpr int mostSteps = 24;
-    const Real tiny = std::numeric_limits<Real>::min();
     for (step = 0; step < mostSteps; ++step) {
         auto [value, slope] = valueAndSlope(c, count, u);
         if (step > 0 && value <= noise && slope <= 0) return MarchEnd::zero;
         value = std::max(value, Real(0));
-        // largest h with value + slope h − curvature h²/2 ≥ 0
-        const Real root = std::sqrt(slope * slope + 2 * curvature * value);
-        const Real h = slope > 0 ? (slope + root) / (curvature + tiny) : 2 * value / (root - slope + tiny);
+        const Real h = stepOver(value, slope, bend);
         u += std::max(h, 8 * std::numeric_limits<Real>::epsilon());
         if (!(u <= end)) return MarchEnd::passed;
+        // p is left at (bend + rise) h²/2 at most, and falling
+        if ((bend + rise) * h * h <= noise && slope + rise * h <= 0) return MarchEnd::zero;
     }
     return MarchEnd::exhausted;
 }
@@ -151,20 +158,25 @@ Zero<Real> firstZero(const Real* c, int count, Real end, SearchCount& tally, Rea
         while (count > 0 && c[0] == 0) ++c, --count;
     if (count == 0) return {};
     if (start == 0 && c[0] < 0) return Zero<Real>::at(0);
-    // Lower bounds of p and p'' over [0, 1] by Horner's scheme: c_k + u r(u) ≥ c_k + min(least r, 0). They
-    // see how coefficients of alternating signs cancel.
-    Real size = 0, least = 0, bend = 0;
+    // Bounds over [0, 1] by Horner's scheme: c_k + u r(u) ≥ c_k + min(least r, 0). They see how coefficients
+    // of alternating signs cancel.
+    Real size = 0, least = 0;
     for (int k = count - 1; k >= 0; --k) {
         size += std::abs(c[k]);
         least = c[k] + std::min(least, Real(0));
-        if (k > 1) bend = Real(k * (k - 1)) * c[k] + std::min(bend, Real(0));
     }
     const Real noise = 4 * std::numeric_limits<Real>::epsilon() * size;
     if (start == 0 && least > noise) return {};
-    const Real curvature = -std::min(bend, Real(0));
+    Real leastBend = 0, mostBend = 0;  // of p''
+    for (int k = count - 1; k > 1; --k) {
+        const Real bend = Real(k * (k - 1)) * c[k];
+        leastBend = bend + std::min(leastBend, Real(0));
+        mostBend = bend + std::max(mostBend, Real(0));
+    }
     Real u = start;
     int steps = 0;
-    const MarchEnd ended = marchToZero(c, count, end, curvature, noise, u, steps);
+    const MarchEnd ended = marchToZero(c, count, end, std::max(-leastBend, Real(0)),
+                                       std::max(mostBend, Real(0)), noise, u, steps);
     ++tally.searches;
     tally.samples += steps + (ended != MarchEnd::exhausted);
     switch (ended) {

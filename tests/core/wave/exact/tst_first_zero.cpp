@@ -36,6 +36,7 @@ class TestFirstZero : public QObject {
     void aDecayCrossesItsLevel();
     void rootsAtTheStartAreDividedOut();
     void theSearchGoesOnBehindAZero();
+    void aSearchEndsWithTheStepThatIsExact();
 };
 
 // Products of linear factors and of dips that stay above zero: the roots are known.
@@ -106,6 +107,17 @@ void TestFirstZero::theSearchGoesOnBehindAZero() {
     const Zero<double> zero = firstZeroOf(c, 0.25);
     QVERIFY(zero.found && std::abs(zero.u - 0.75) < 1e-14);
     QVERIFY(!firstZeroOf({0.1875, -1, 1}, 0.75).found);
+}
+
+// A zero needs no further look once the bounds say that the last step has left nothing.
+void TestFirstZero::aSearchEndsWithTheStepThatIsExact() {
+    SearchCount line, parabola;
+    const std::vector<double> falling{0.5, -1}, bent{0.5, -1, 0.01};
+    QCOMPARE(firstZero(falling.data(), 2, 1.0, line).u, 0.5);
+    QCOMPARE(line.samples, 1L);
+    const double zero = 1 / (1 + std::sqrt(1 - 4 * 0.5 * 0.01));
+    QVERIFY(std::abs(firstZero(bent.data(), 3, 1.0, parabola).u - zero) < 1e-15);
+    QVERIFY(parabola.samples <= 4);
 }
 
 QTEST_GUILESS_MAIN(TestFirstZero)
