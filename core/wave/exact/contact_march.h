@@ -28,7 +28,7 @@ bool ContactMarch<Basis>::solve(const Problem& problem, Detail detail, Impact& i
 template <class Basis>
 bool ContactMarch<Basis>::march() {
     for (;;) {
-        if (m_line == ContactLine::apart && m_incident.length <= 0) {
+        if (m_line == ContactLine::apart && incident().length <= 0) {
             if (hammerHasEnded()) {
                 if (m_detail < Detail::ledger && m_everTouched && staysAway()) {
                     finish();
@@ -42,7 +42,7 @@ bool ContactMarch<Basis>::march() {
                 return true;
             }
         }
-        if (m_incident.length <= 0) nextArrival();
+        if (incident().length <= 0) nextArrival();
         if (m_line == ContactLine::apart)
             advanceApart();
         else
@@ -86,7 +86,7 @@ void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& i
     m_error = m_gapError = 0;
     m_growth = 1;
     m_waves.clear();
-    m_incident = Piece::zero(0);
+    incident() = Piece::zero(0);
     m_basis.begin(problem, m_law.slopes());
     if (problem.hammer.isRigidBody())
         m_waves.pushBack(m_basis.constant(m_roundTrip, 1 / m_roundTrip));

@@ -28,10 +28,11 @@ bool ContactMarch<Basis>::staysAway() {
     Real reached = 0;
     for (std::size_t i = 0; i < m_waves.size(); ++i) {
         const Piece& piece = m_waves[i];
-        if (reached + m_basis.mostIntegral(piece, free - reached) > free) {
+        const Real impulse = m_basis.impulse(piece);
+        if (reached + m_basis.mostIntegral(piece, impulse, free - reached) > free) {
             if (!isLong || reached + m_basis.largestIntegral(piece) > free) return false;
         }
-        reached += piece.integral(piece.length);
+        reached += impulse;
     }
     return !m_basis.failed();
 }
@@ -49,14 +50,13 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::flyFree() {
         if (contact.found) {
             if (m_touching && contact.u > 0) separate();
             m_waves.rotate(i);
-            m_incident = m_waves.front();
-            m_waves.popFront();
+            m_waves.take();
             if (contact.u > 0) leaveFree(contact.u);
-            closeGap(m_incident, contact.u);
-            if (contact.u > 0) m_incident.dropFront(contact.u);
+            closeGap(incident(), contact.u);
+            if (contact.u > 0) incident().dropFront(contact.u);
             return Progress::goesOn;
         }
-        const Real impulse = arriving.integral(arriving.length);
+        const Real impulse = m_basis.impulse(arriving);
         if (m_touching && !arriving.isZero()) separate();
         momentum += impulse;
         if (!m_touching) drift(arriving, impulse);
@@ -90,7 +90,7 @@ typename ContactMarch<Basis>::Progress ContactMarch<Basis>::skipPeriods(Real mom
         const Piece& piece = m_waves[i];
         const Real most = reached + 2 * m_basis.largestIntegral(piece);
         fewest = std::min(fewest, std::ceil((m_gap - most) / advance));
-        reached += 2 * piece.integral(piece.length);
+        reached += 2 * m_basis.impulse(piece);
     }
     const Real periods = std::max(fewest - 1, Real(0));  // one less: rounding must not jump past the contact
     if (periods > 0) {
@@ -137,7 +137,7 @@ void ContactMarch<Basis>::summarise() {
     Real momentum = 0, energy = 0;
     for (std::size_t i = 0; i < m_waves.size(); ++i) {
         const Piece& piece = m_waves[i];
-        momentum += piece.integral(piece.length);
+        momentum += m_basis.impulse(piece);
         energy += m_basis.productIntegral(piece, piece, piece.length);
     }
     impact.finalMomentum = double(momentum);

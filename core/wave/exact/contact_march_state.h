@@ -74,6 +74,7 @@ class ContactMarch {
 
     void begin(const Problem& problem, Detail detail, Impact& impact);
     bool march();
+    Piece& incident() { return m_waves.taken(); }  ///< g now arriving
     bool isSliver(const Piece& piece);
     void nextArrival();
     Real hammerWork(const PulseSegment& segment, Real into, Real length);
@@ -96,7 +97,7 @@ class ContactMarch {
     void rejoin();
     void pass(const Piece& incident, const Piece* force, Real length);
     void leaveFree(Real length);
-    bool joins(const Piece& wave, Real length);
+    void joinLast();
     [[gnu::always_inline]] inline void leaveContact(Response& response, Real length);
     void finish();
     void summarise();
@@ -140,7 +141,6 @@ class ContactMarch {
 
     Basis m_basis;
     WaveQueue<Piece> m_waves;  ///< g of the next round trip without Fa
-    Piece m_incident;          ///< g now arriving
     const PulseForce* m_pulse = nullptr;
     Impact* m_impact = nullptr;
     MarchLimits m_limits;

@@ -26,24 +26,25 @@ bool ContactMarch<Basis>::isSliver(const Piece& piece) {
 template <class Basis>
 void ContactMarch<Basis>::nextArrival() {
     while (m_waves.size() > 1 && isSliver(m_waves.front())) m_waves.popFront();
-    m_incident = m_waves.front();
     if (hammerHasEnded()) {
-        m_waves.popFront();
+        m_waves.take();
         return;
     }
     const Real coincident = 4 * std::numeric_limits<Real>::epsilon() * (1 + m_hammerTime);
     const PulseSegment& segment = m_pulse->segments[m_hammerPiece];
     const Real into = m_hammerTime - Real(segment.start);
     const Real left = std::max(Real(segment.length) - into, coincident);
-    const Real length = std::min(m_basis.hammerPieceLength(segment, left), m_incident.length);
-    if (m_incident.length > length) {
-        m_waves.front().dropFront(length);
-        m_incident.shorten(length);
+    Piece& front = m_waves.front();
+    const Real length = std::min(m_basis.hammerPieceLength(segment, left), front.length);
+    if (front.length > length) {
+        incident() = front;
+        front.dropFront(length);
+        incident().shorten(length);
     } else {
-        m_waves.popFront();
+        m_waves.take();
     }
     if (m_detail != Detail::cor) m_impact->hammerWork += double(hammerWork(segment, into, length));
-    m_basis.addHammer(segment, into, length, m_incident);
+    m_basis.addHammer(segment, into, length, incident());
     m_hammerTime += length;
     if (left - length <= coincident) {
         ++m_hammerPiece;
@@ -57,7 +58,7 @@ template <class Basis>
 typename ContactMarch<Basis>::Real ContactMarch<Basis>::hammerWork(const PulseSegment& segment, Real into,
                                                                    Real length) {
     const Real alone = Real(segment.energyOf(double(into), double(length)));
-    return m_incident.isZero() ? alone : alone + 2 * m_basis.hammerProduct(segment, into, m_incident, length);
+    return incident().isZero() ? alone : alone + 2 * m_basis.hammerProduct(segment, into, incident(), length);
 }
 
 /// The gap is closed where `length` of `arriving` has passed.
@@ -89,7 +90,7 @@ void ContactMarch<Basis>::closeGap(const Piece& arriving, Real length) {
 template <class Basis>
 void ContactMarch<Basis>::drift(const Piece& arriving, Real impulse) {
     m_gap += -2 * impulse;
-    m_gapError += 2 * std::numeric_limits<Real>::epsilon() * arriving.integralOfSizes();
+    m_gapError += 2 * std::numeric_limits<Real>::epsilon() * m_basis.impulseSize(arriving);
     m_opened = std::max(m_opened, Real(m_gap));
 }
 
@@ -127,14 +128,13 @@ void ContactMarch<Basis>::pass(const Piece& incident, const Piece* force, Real l
 /// The first `length` of what arrives goes back into the rod as it came.
 template <class Basis>
 void ContactMarch<Basis>::leaveFree(Real length) {
-    pass(m_incident, nullptr, length);
+    pass(incident(), nullptr, length);
     if (length <= 0) return;
-    if constexpr (Basis::joinsPieces)
-        if (joins(m_incident, length)) return;
     Piece& back = m_waves.pushBack();
-    back = m_incident;
+    back = incident();
     back.shorten(length);
     m_basis.tidy(back);
+    joinLast();
 }
 
 /// The reflected wave of a stretch of contact goes back into the rod.
@@ -142,41 +142,40 @@ template <class Basis>
 void ContactMarch<Basis>::leaveContact(Response& response, Real length) {
     pass(m_basis.incidentOf(response), &response.force, length);
     if (length <= 0) return;
-    if constexpr (Basis::joinsPieces)
-        if (joins(response.reflected, length)) return;
     Piece& back = m_waves.pushBack();
     m_basis.reflect(response, back);
     back.shorten(length);
     m_basis.tidy(back);
+    joinLast();
 }
 
-/// Whether the wave has become part of the one before it.
+/// Makes the last wave part of the one before it, where that is worth it and exact enough.
 template <class Basis>
-bool ContactMarch<Basis>::joins(const Piece& wave, Real length) {
-    if (m_waves.size() <= Basis::manyPieces) return false;
-    Piece next = wave;
-    next.shorten(length);
-    m_basis.tidy(next);
-    return m_basis.join(m_waves.back(), next, m_error);
+void ContactMarch<Basis>::joinLast() {
+    if constexpr (Basis::joinsPieces) {
+        const std::size_t size = m_waves.size();
+        if (size > Basis::manyPieces + 1 && m_basis.join(m_waves[size - 2], m_waves.back(), m_error))
+            m_waves.popBack();
+    }
 }
 
 /// While the hammer still pushes: the front end is free until the gap is closed.
 template <class Basis>
 void ContactMarch<Basis>::advanceApart() {
-    const auto contact = m_basis.gapClosure(m_incident, m_gap);
+    const auto contact = m_basis.gapClosure(incident(), m_gap);
     if (!contact.found) {
-        if (m_touching && !m_incident.isZero()) separate();
-        if (!m_touching) drift(m_incident, m_incident.integral(m_incident.length));
-        leaveFree(m_incident.length);
-        m_incident.length = 0;
+        if (m_touching && !incident().isZero()) separate();
+        if (!m_touching) drift(incident(), m_basis.impulse(incident()));
+        leaveFree(incident().length);
+        incident().length = 0;
         return;
     }
     if (contact.u > 0) {
         if (m_touching) separate();
         leaveFree(contact.u);
     }
-    closeGap(m_incident, contact.u);
-    if (contact.u > 0) m_incident.dropFront(contact.u);
+    closeGap(incident(), contact.u);
+    if (contact.u > 0) incident().dropFront(contact.u);
 }
 
 /// Where the solved stretch ends: at its first event, or at its end.
@@ -235,21 +234,21 @@ void ContactMarch<Basis>::countJoining(const Response& response, Real length, En
         const ContactEvent event = ending == Ending::separation  ? ContactEvent::separation
                                    : ending == Ending::unloading ? ContactEvent::unloading
                                                                  : ContactEvent::primaryLoading;
-        m_basis.passEvent(event, response, length, m_incident.length);
+        m_basis.passEvent(event, response, length, incident().length);
     }
 }
 
 /// Contact over the piece now arriving, up to the first event or its end.
 template <class Basis>
 void ContactMarch<Basis>::advanceContact() {
-    if (m_incident.isZero() && m_force <= m_basis.negligibleForce()) {
+    if (incident().isZero() && m_force <= m_basis.negligibleForce()) {
         m_force = 0;  // forceless contact: what is left of an exponential is rounding
         m_line = ContactLine::apart;
         m_touching = true;
         m_gap = 0;
         return;
     }
-    Response& response = m_basis.respond(m_incident, m_law.slope(m_line), m_force);
+    Response& response = m_basis.respond(incident(), m_law.slope(m_line), m_force);
     if (m_basis.failed()) return;
     const auto [length, ending] = firstEvent(response);
     if (m_basis.failed()) return;
@@ -265,10 +264,10 @@ void ContactMarch<Basis>::advanceContact() {
     }
     m_contactForce = std::max(m_contactForce, m_force);
     leaveContact(response, length);
-    if (length < m_incident.length)
-        m_basis.dropFront(m_incident, response);
+    if (length < incident().length)
+        m_basis.dropFront(incident(), response);
     else
-        m_incident.length = 0;
+        incident().length = 0;
     changeBranch(ending, length);
 }
 

@@ -290,7 +290,7 @@ void ExponentialBasis::shorten(Response& r, double length) const {
 
 Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
     if (g.isAtMostZero()) return gap < 0 ? Zero<double>::at(0) : Zero<double>{};
-    if (gap > 2 * mostIntegral(g, gap / 2)) return {};
+    if (gap > 2 * g.mostIntegral() || gap > 2 * mostIntegral(g, impulse(g), gap / 2)) return {};
     if (g.isConstant()) {
         const double x = gap / (2 * g.c0);
         return x <= g.length ? Zero<double>::at(x) : Zero<double>{};

@@ -73,11 +73,16 @@ class ExponentialBasis {
     Zero<double> driveVanishes(Response& r);
     Zero<double> forceReaches(Response& r, double peak, bool tangential);
     double largestIntegral(const Piece& g);
-    /// An upper bound of that, and of 0; one that is `enough` is not made narrower.
-    double mostIntegral(const Piece& g, double enough) const {
+    /// An upper bound of that, and of 0, where that over the whole of g is known; one that is `enough` is not
+    /// made narrower.
+    double mostIntegral(const Piece& g, double whole, double enough) const {
         const double most = g.mostIntegral();
-        return most <= enough || g.hasSine() ? most : std::min(most, mostIntegralByEnds(g));
+        return most <= enough || g.hasSine() ? most : std::min(most, mostIntegralByEnds(g, whole));
     }
+    /// ∫g over the piece.
+    static double impulse(const Piece& g) { return g.integral(g.length); }
+    /// What the rounding of that is relative to.
+    static double impulseSize(const Piece& g) { return g.integralOfSizes(); }
     void tidy(Piece& piece) const {
         piece.rates = &m_rates;
         piece.trim(m_negligible);

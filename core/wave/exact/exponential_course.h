@@ -25,9 +25,10 @@ struct ExponentialCourse {
     void addHammer(const HammerTerms& hammer, double length);
 };
 
-/// An upper bound of ∫f over [0, x] for every x up to the length, and 0, from the values at the ends: a
-/// convex function lies below its chord, and others above it by no more than their curvature bends them.
-double mostIntegralByEnds(const ExponentialSum& f);
+/// An upper bound of ∫f over [0, x] for every x up to the length, and 0, from the values at the ends and that
+/// over the `whole`: a convex function lies below its chord, and others above it by no more than their
+/// curvature bends them.
+double mostIntegralByEnds(const ExponentialSum& f, double whole);
 
 inline ExponentialCourse::ExponentialCourse(const ExponentialSum& f) {
     if (f.hasPrimary()) addTerms(f.primary, f.isCurved ? f.curve.primary : noTerms, f.rates->primary);

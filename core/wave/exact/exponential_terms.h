@@ -55,6 +55,7 @@ struct Coefficients {
         return smallest;
     }
     void trim(double negligible) {
+        if (count == 0 || std::abs(c[count - 1]) > negligible) return;
         if (magnitude() <= negligible)
             count = 0;
         else

@@ -28,10 +28,13 @@ class SeriesBasis {
     static constexpr Real roundingOfSums = 0;  ///< they are compensated
     static constexpr bool joinsPieces = true;
 
-    /// One solved stretch of contact: F, the drive 2g − F = U' = F'/a and the reflected g − F, on one scale.
+    /// One solved stretch of contact: g and F on one scale.
     struct Response {
         Real length = 0;
-        Piece incident, force, drive, reflected;
+        const Piece* incident = nullptr;  ///< the arriving wave, which must outlive the response, or `cut`
+        Piece cut;                        ///< a part of it, on its own scale
+        Piece force;
+        Real alpha = 0;       ///< aℓ
         bool isSlow = false;  ///< F = 2g − F'/a without a layer: F' does not start from 2g − F
         Real size = 0;        ///< Σ|coefficients|: what rounding is relative to
     };
@@ -120,6 +123,7 @@ class SeriesBasis {
         for (int k = g.count; k < hammer.count; ++k) g.c[k] = 0;
         g.count = std::max(g.count, hammer.count);
         for (int k = 0; k < hammer.count; ++k) g.c[k] += hammer.c[k];
+        g.forgetWay();
     }
 
     /// ∫Fa g over that length.
@@ -134,8 +138,7 @@ class SeriesBasis {
     /// Once for every piece of contact: a call costs 3 %.
     [[gnu::always_inline]] Response& respond(const Piece& g, Real rate, Real force) {
         Response& r = m_response;
-        r.incident = g;
-        r.reflected.displaceLike(g);
+        r.incident = &g;
         r.isSlow = false;
         const Real alpha = rate * g.length;
         Real length = g.length;
@@ -144,23 +147,46 @@ class SeriesBasis {
             length = layerLength(g, rate, alpha);
         }
         for (;;) {
-            if (r.incident.scale != length) {
-                r.incident.rescale(length);
-                r.incident.trim(m_negligible);
-            }
-            r.incident.length = length;
+            takeFront(r, length);
             if (sumSeries(r, rate * length, force)) return r;
             length /= 2;
         }
     }
 
-    const Piece& incidentOf(const Response& r) const { return r.incident; }
-    void reflect(const Response& r, Piece& reflected) const { reflected = r.reflected; }
-    const Piece& drive(const Response& r) const { return r.drive; }
+    const Piece& incidentOf(const Response& r) const { return *r.incident; }
+    /// The wave g − F that goes back, to be cut at the end of the stretch.
+    void reflect(const Response& r, Piece& reflected) const {
+        const Piece &g = *r.incident, &force = r.force;
+        reflected.length = force.length;
+        reflected.scale = force.scale;
+        reflected.count = force.count;
+        const int common = std::min(g.count, force.count);
+        for (int k = 0; k < common; ++k) reflected.c[k] = g.c[k] - force.c[k];
+        for (int k = common; k < force.count; ++k) reflected.c[k] = -force.c[k];
+        reflected.displaceLike(g);
+        reflected.forgetWay();
+    }
+    /// The drive 2g − F = U' = F'/a of a response, until the next.
+    const Piece& drive(const Response& r) {
+        const Piece &g = *r.incident, &force = r.force;
+        Piece& d = m_drive;
+        d.length = force.length;
+        d.scale = force.scale;
+        if (r.isSlow) {  // 2g and F nearly cancel
+            d.count = std::max(force.count - 1, 0);
+            for (int k = 0; k < d.count; ++k) d.c[k] = Real(k + 1) / r.alpha * force.c[k + 1];
+            return d;
+        }
+        d.count = force.count;
+        const int common = std::min(g.count, force.count);
+        for (int k = 0; k < common; ++k) d.c[k] = 2 * g.c[k] - force.c[k];
+        for (int k = common; k < force.count; ++k) d.c[k] = -force.c[k];
+        return d;
+    }
     /// The stretch ends at `length`, by an event or at its end.
     StretchEnd<Real> endAt(Response& r, Real length) const {
         r.length = length;
-        const Real size = r.size + r.incident.magnitude();
+        const Real size = r.size + r.incident->magnitude();
         return {r.force.value(length), r.force.integral(length),
                 4 * (std::numeric_limits<Real>::epsilon() * size + m_negligible) * length};
     }
@@ -170,7 +196,7 @@ class SeriesBasis {
     /// When ∫2g closes the gap.
     Zero<Real> gapClosure(const Piece& g, Real gap) {
         if (g.isZero()) return gap < 0 ? Zero<Real>::at(0) : Zero<Real>{};
-        if (gap > 2 * g.mostIntegral()) return {};
+        if (gap > 2 * g.way().most) return {};
         Real c[Piece::capacity + 1];
         c[0] = gap;
         for (int k = 0; k < g.count; ++k) c[k + 1] = -2 * g.scale * g.c[k] * Piece::inverse(k + 1);
@@ -178,12 +204,12 @@ class SeriesBasis {
     }
     /// F is a positive mean of 2g and of what it was: a compressive wave cannot pull the rod off.
     Zero<Real> forceVanishes(const Response& r) {
-        if (r.incident.isZero()) return {};
-        const Real start = r.incident.startValue();
-        if (start + start >= r.incident.magnitude()) return {};
+        if (r.incident->isZero()) return {};
+        const Real start = r.incident->startValue();
+        if (start + start >= r.incident->magnitude()) return {};
         return zeroOf(r.force, r);
     }
-    Zero<Real> driveVanishes(const Response& r) { return zeroOf(r.drive, r); }
+    Zero<Real> driveVanishes(const Response& r) { return zeroOf(drive(r), r); }
     /// When F rises to `peak`; `tangential` at the start of unloading, where F = peak and F' = 0 by
     /// construction.
     Zero<Real> forceReaches(const Response& r, Real peak, bool tangential) {
@@ -206,10 +232,10 @@ class SeriesBasis {
     /// Largest F over [0, length], or the largest before if that is not exceeded; F at the ends must be among
     /// those before.
     Real largest(const Response& r, Real length, Real before) {
-        if (2 * r.incident.mostValue() <= before) return before;  // F ≤ max(F(0), 2 max g)
+        if (2 * r.incident->mostValue() <= before) return before;  // F ≤ max(F(0), 2 max g)
         Real most = before;
         m_undecided |=
-            !forEachMaximum(r.drive, length, [&](Real x) { most = std::max(most, r.force.value(x)); });
+            !forEachMaximum(drive(r), length, [&](Real x) { most = std::max(most, r.force.value(x)); });
         return most;
     }
     /// Largest ∫0..x g over the piece, at least 0.
@@ -220,7 +246,11 @@ class SeriesBasis {
     }
 
     /// An upper bound of that.
-    Real mostIntegral(const Piece& g, Real) const { return g.mostIntegral(); }
+    Real mostIntegral(const Piece& g, Real, Real) const { return g.way().most; }
+    /// ∫g over the piece.
+    static Real impulse(const Piece& g) { return g.way().whole; }
+    /// What the rounding of that is relative to.
+    static Real impulseSize(const Piece& g) { return g.way().size; }
 
     void tidy(Piece& piece) const { piece.trim(m_negligible); }
 
@@ -229,7 +259,8 @@ class SeriesBasis {
     void passElastic(Real length) { m_joiningError.passElastic(length); }
     /// An event ends the stretch at `length`; so much of the wave `arriving` has not passed.
     void passEvent(ContactEvent event, const Response& r, Real length, Real arriving) {
-        m_joiningError.pass(event, length > 0 ? r.incident.displaced : r.incident.displacedAtStart, arriving);
+        m_joiningError.pass(event, length > 0 ? r.incident->displaced : r.incident->displacedAtStart,
+                            arriving);
     }
 
     static Real productIntegral(const Piece& f, const Piece& g, Real length) {
@@ -275,10 +306,20 @@ class SeriesBasis {
         return scaled(firstZero(f.c.data(), f.count, r.length / f.scale, m_count), f.scale, r.length);
     }
 
+    /// The first `length` of the incident wave, on a scale of that.
+    void takeFront(Response& r, Real length) const {
+        if (r.incident->scale == length) return;
+        if (r.incident != &r.cut) r.cut = *r.incident;
+        r.incident = &r.cut;
+        r.cut.rescale(length);
+        r.cut.trim(m_negligible);
+        r.cut.length = length;
+    }
+
     /// F = 2g − F'/a as the exact polynomial; false while the layer in front of it still matters.
     bool slowSolution(Response& r, Real alpha, Real force) {
-        const Piece& g = r.incident;
-        if (r.incident.scale != g.length) r.incident.rescale(g.length);
+        takeFront(r, r.incident->length);
+        const Piece& g = *r.incident;
         r.force.scale = g.scale;
         r.force.count = g.count;
         Real next = 0;
@@ -290,16 +331,9 @@ class SeriesBasis {
         const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * (std::abs(force) + g.magnitude());
         if (m_layer > 16 * m_negligible + rounding) return false;
         r.isSlow = true;
-        r.drive.scale = r.reflected.scale = g.scale;
-        r.drive.count = std::max(g.count - 1, 0);
-        r.reflected.count = g.count;
-        r.size = 0;
-        for (int k = 0; k < g.count; ++k) {
-            if (k + 1 < g.count) r.drive.c[k] = Real(k + 1) / alpha * r.force.c[k + 1];
-            r.reflected.c[k] = g.c[k] - r.force.c[k];
-            r.size += std::abs(g.c[k]) + std::abs(r.force.c[k]);
-        }
-        r.length = r.force.length = r.drive.length = r.reflected.length = g.length;
+        r.alpha = alpha;
+        r.size = g.magnitude() + r.force.magnitude();
+        r.length = r.force.length = g.length;
         return true;
     }
 
@@ -315,32 +349,24 @@ class SeriesBasis {
     /// The recurrence F_{k+1} = α (2g_k − F_k)/(k+1). False where the series does not converge in its
     /// capacity.
     bool sumSeries(Response& r, Real alpha, Real force) {
-        const Piece& g = r.incident;
-        r.length = r.force.length = r.drive.length = r.reflected.length = g.length;
-        r.force.scale = r.drive.scale = r.reflected.scale = g.length;
+        const Piece& g = *r.incident;
+        r.length = r.force.length = r.force.scale = g.length;
         auto& f = r.force.c;
-        auto& d = r.drive.c;
-        auto& out = r.reflected.c;
         f[0] = force;
         Real size = std::abs(force);
         int k = 0;
         for (; k < g.count; ++k) {
             if (k + 1 >= Piece::capacity) break;
-            d[k] = 2 * g.c[k] - f[k];
-            out[k] = g.c[k] - f[k];
-            f[k + 1] = alpha * Piece::inverse(k + 1) * d[k];
+            f[k + 1] = alpha * Piece::inverse(k + 1) * (2 * g.c[k] - f[k]);
             size += std::abs(f[k + 1]);
         }
         for (; std::abs(f[k]) > m_negligible && k + 1 < Piece::capacity; ++k) {
-            d[k] = out[k] = -f[k];
-            f[k + 1] = alpha * Piece::inverse(k + 1) * d[k];
+            f[k + 1] = -alpha * Piece::inverse(k + 1) * f[k];
             size += std::abs(f[k + 1]);
         }
         const bool full = k + 1 >= Piece::capacity;
         const Real gLast = k < g.count ? g.c[k] : Real(0);
-        d[k] = 2 * gLast - f[k];
-        out[k] = gLast - f[k];
-        r.force.count = r.drive.count = r.reflected.count = k + 1;
+        r.force.count = k + 1;
         r.size = size;
         const Real unresolved = seenByRounding * m_negligible;
         const bool converged = !full || (std::abs(f[k]) <= unresolved && std::abs(gLast) <= unresolved);
@@ -354,7 +380,7 @@ class SeriesBasis {
     Real m_layer = 0;       ///< distance of F from the slow solution
     SeriesJoiner<Real> m_joiner;
     JoiningError<Real> m_joiningError;
-    Piece m_hammer;
+    Piece m_hammer, m_drive;
     Response m_response;
 };
 

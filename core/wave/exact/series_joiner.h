@@ -59,6 +59,7 @@ class SeriesJoiner {
         addMoments(joined, deviation, forward ? last.length / whole : Real(0), shorter.length / whole);
         if (joined.magnitude() > 2 * (last.magnitude() + next.magnitude())) return false;  // would cancel
         static_cast<Series&>(last) = joined;
+        last.forgetWay();
         last.displace(next, displaced);
         error += effect;
         return true;

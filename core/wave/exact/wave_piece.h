@@ -20,10 +20,32 @@ struct WavePiece : PowerSeries<Real> {
     WavePiece() = default;
     WavePiece(const PowerSeries<Real>& exact) : PowerSeries<Real>(exact) {}
 
+    /// What free flight asks of every piece in every round trip: computed once.
+    struct Way {
+        Real whole;  ///< ∫ over the length
+        Real most;   ///< an upper bound of ∫ over [0, x] for every x up to the length, and 0
+        Real size;   ///< ≥ ∫|·|, what the rounding of the first is relative to
+    };
+    const Way& way() const {
+        if (m_hasWay) return m_way;
+        m_way = {this->integral(this->length), this->mostIntegral(), this->integralOfSizes()};
+        m_hasWay = true;
+        return m_way;
+    }
+    /// To be called when coefficients have been changed from outside.
+    void forgetWay() { m_hasWay = false; }
+
     /// The interval [x, length]: it begins inside what was joined.
     void dropFront(Real x) {
         PowerSeries<Real>::dropFront(x);
         displacedAtStart = displaced;
+        forgetWay();
+    }
+    /// Ends the interval at x.
+    void shorten(Real x) {
+        if (x == this->length) return;
+        this->length = x;
+        forgetWay();
     }
     /// Displaced like `other`, from which it is made.
     void displaceLike(const WavePiece& other) {
@@ -36,6 +58,10 @@ struct WavePiece : PowerSeries<Real> {
         const Real before = std::max(displaced, next.displaced);
         displaced = std::sqrt(before * before + more * more);
     }
+
+  private:
+    mutable Way m_way{};
+    mutable bool m_hasWay = false;
 };
 
 }  // namespace drillwave
