@@ -23,6 +23,7 @@ class SectionCheck {
         checkHammer();
         checkParts();
         each([this](const std::string& key, const Section& section) { checkSection(key, section); });
+        if (m_problems.empty()) checkHammerLosses();
         if (m_problems.empty())
             each([this](const std::string& key, const Section& section) { checkDerived(key, section); });
         return std::move(m_problems);
@@ -83,6 +84,22 @@ class SectionCheck {
                    "must be less than the diameter of " + text(bore, section.diameter));
         const std::string reason = sectionNameProblem(section.name);
         if (!reason.empty()) report(key + ".name", section.name, reason);
+    }
+
+    /// A hammer that flies loses nothing: waves that decay while it does would slow it down.
+    void checkHammerLosses() {
+        const std::vector<Section>& sections = m_string.hammer.sections;
+        const auto refuse = [this](std::size_t i, const char* field, double value) {
+            const SectionField& losing = *findSectionField(field);
+            report(sectionKey(Chain::hammer, i + 1) + "." + field,
+                   formatQuantity(value, losing.quantity, losing.displayUnit()),
+                   "losses inside the hammer are not part of the model: give them to sections of the string");
+        };
+        for (std::size_t i = 0; i < sections.size() && goesOn(); ++i) {
+            if (sections[i].attenuation > 0) refuse(i, "attenuation", sections[i].attenuation);
+            // behind the last section there is no joint
+            if (sections[i].loss > 0 && i + 1 < sections.size()) refuse(i, "loss", sections[i].loss);
+        }
     }
 
     void checkDerived(const std::string& key, const Section& section) {

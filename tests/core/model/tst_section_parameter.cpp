@@ -367,6 +367,12 @@ void TestSectionParameter::whatAStringMustHaveIsMissed() {
     scenario.drillString.parts[0].sections[0].diameter = 1e200;
     QVERIFY(keys(scenario).contains("string.1"));
     scenario = threeRods();
+    scenario.drillString.hammer.sections[0].attenuation = 0.01;
+    scenario.drillString.hammer.sections[0].loss = 0.02;
+    QCOMPARE(keys(scenario), QStringList({"hammer.1.attenuation", "hammer.1.loss"}));
+    scenario.drillString.hammer.sections = {scenario.drillString.hammer.sections[0]};
+    QCOMPARE(keys(scenario), QStringList("hammer.1.attenuation"));  // its loss has no joint
+    scenario = threeRods();
     scenario.drillString.parts[0].group = true;
     scenario.drillString.parts[0].sections.clear();
     QVERIFY(keys(scenario).contains("string"));
