@@ -103,7 +103,7 @@ std::string readRange(ParsedAxis& parsed, const std::vector<std::string_view>& p
     SweepAxis& axis = parsed.axis;
     if (assumedCount && (parts.size() == 2 || (parts.size() == 3 && parts[2] == "log"))) {
         if (std::string problem = readEnds(parsed, parts, 1, "end"); !problem.empty()) return problem;
-        axis.count = *assumedCount;
+        axis.count = countWithin(*axis.parameter, axis.start, axis.stop, *assumedCount);
         return spacingProblem(axis);
     }
     if (parts.size() < 3 || parts.size() > 4)
@@ -266,6 +266,15 @@ std::string followProblem(const SweepAxis& axis) {
     if (axis.stop - axis.start < narrowest * std::max(std::abs(axis.start), std::abs(axis.stop)))
         return "the range of " + key + " is too narrow: it must be at least 1e-4 of its end";
     return logarithmProblem(axis);
+}
+
+std::uint64_t countWithin(const Parameter& parameter, double start, double stop, std::uint64_t most) {
+    const double span = std::abs(stop - start);
+    if (!parameter.rules.wholeNumber || !(span >= 1) || span != std::floor(span)) return most;
+    const auto steps = static_cast<std::uint64_t>(span);
+    for (std::uint64_t points = std::min(most, steps + 1); points > 2; --points)
+        if (steps % (points - 1) == 0) return points;
+    return 2;
 }
 
 ParsedAxis parseAxis(std::string_view text, std::optional<std::uint64_t> assumedCount) {

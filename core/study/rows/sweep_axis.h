@@ -60,9 +60,13 @@ ParsedAxis parseRange(std::string_view text);
 /// an axis whose ends are values of its parameter. Empty when one can.
 std::string followProblem(const SweepAxis& axis);
 
+/// How many even steps from `start` to `stop` give values of a parameter where `most` (≥ 2) are wanted: so
+/// many, but of whole numbers as many as meet whole numbers alone.
+std::uint64_t countWithin(const Parameter& parameter, double start, double stop, std::uint64_t most);
+
 /// Reads "KEY=START:STOP:COUNT", "KEY=START:STOP:COUNT:log" or "KEY=A,B,C"; units on the values where the
 /// parameter has one ("rod.length=3m:6m:4"). Every value is inside the hard range of the parameter.
-/// Where `assumedCount` is given, the COUNT of a range may be left out.
+/// Where `assumedCount` is given, the COUNT of a range may be left out: it is countWithin() that.
 ParsedAxis parseAxis(std::string_view text, std::optional<std::uint64_t> assumedCount = {});
 
 }  // namespace drillwave

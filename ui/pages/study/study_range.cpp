@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/model/validation.h"
+#include "core/study/rows/sweep_axis.h"
 
 namespace drillwave {
 namespace {
@@ -71,12 +72,7 @@ StudyRange rangeAround(const Parameter& parameter, const Scenario& scenario) {
 }
 
 std::uint64_t StudyRange::pointsWithin(std::uint64_t most) const {
-    const double span = std::abs(stop - start);
-    if (!parameter || !parameter->rules.wholeNumber || !(span >= 1) || span != std::floor(span)) return most;
-    const auto steps = static_cast<std::uint64_t>(span);
-    for (std::uint64_t points = std::min(most, steps + 1); points > 2; --points)
-        if (steps % (points - 1) == 0) return points;
-    return 2;
+    return parameter ? countWithin(*parameter, start, stop, most) : most;
 }
 
 std::string StudyFamily::text() const {

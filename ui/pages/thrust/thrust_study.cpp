@@ -15,11 +15,7 @@ constexpr std::size_t pointsAtATime = 8;
 }  // namespace
 
 std::string axisText(const StudyRange& range) {
-    std::string text = range.text();
-    if (const std::uint64_t points = range.pointsWithin(customaryThrustPoints);
-        points != customaryThrustPoints)
-        text.append(":").append(std::to_string(points));
-    return text.append(range.tail());
+    return range.text() + range.tail();
 }
 
 SweepAxis axisOf(const StudyRange& range) {

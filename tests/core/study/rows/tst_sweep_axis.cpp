@@ -173,6 +173,10 @@ void TestSweepAxis::theCountMayBeLeftOutWhereOneIsAssumed() {
     QVERIFY(!parseAxis("beta=1:2").problem.empty());
     for (const auto& [text, count, kind] : {std::tuple("beta=1:2", 101, SweepAxis::Kind::linear),
                                             std::tuple("beta=1:2:log", 101, SweepAxis::Kind::logarithmic),
+                                            std::tuple("string.repeat=1:5", 5, SweepAxis::Kind::linear),
+                                            std::tuple("string.repeat=9:1", 9, SweepAxis::Kind::linear),
+                                            std::tuple("string.repeat=1:301", 101, SweepAxis::Kind::linear),
+                                            std::tuple("string.repeat=1:104", 2, SweepAxis::Kind::linear),
                                             std::tuple("beta=1:2:7", 7, SweepAxis::Kind::linear),
                                             std::tuple("beta=1:2:7:log", 7, SweepAxis::Kind::logarithmic),
                                             std::tuple("beta=1,2,4", 3, SweepAxis::Kind::list)}) {
