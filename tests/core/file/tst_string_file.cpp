@@ -117,6 +117,7 @@ Scenario randomString(Random& random) {
     DrillString& drillString = scenario.drillString;
     drillString.hammer.restrike = random() % 2 == 0;
     drillString.hammer.sections = randomSections(random);
+    for (Section& section : drillString.hammer.sections) section.loss = section.attenuation = 0;
     for (std::size_t n = 1 + random() % 4; n > 0; --n) {
         if (random() % 2 == 0)
             drillString.parts.push_back({static_cast<int>(1 + random() % 5), true, randomSections(random)});
