@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace drillwave {
 namespace {
@@ -34,6 +35,61 @@ class Column {
   private:
     std::array<qsizetype, 4> m_kept{};  // first, lowest, highest, last
 };
+
+// Of a device pixel: how far a line may pass by a point of it.
+constexpr double sameLine = 0.05;
+
+// Leaves out the points of a line that run straight on, as far as a line through the last that stays passes
+// all of them within `tolerance`: a stroke costs with its points.
+class Straightener {
+  public:
+    Straightener(double tolerance, QVector<QPointF>& straight)
+        : m_tolerance(tolerance), m_straight(straight) {}
+
+    void add(QPointF point) {
+        if (!isFinite(point) || m_straight.isEmpty() || !isFinite(m_last)) return keep(point);
+        const double slope = (point.y() - m_straight.last().y()) / (point.x() - m_straight.last().x());
+        if (point.x() <= m_last.x() || slope < m_lowest || slope > m_highest) restart();
+        follow(point);
+    }
+    void finish() { restart(); }
+
+  private:
+    void keep(QPointF point) {
+        restart();
+        m_straight.append(point);
+        m_last = point;
+    }
+    // From the last point on, which stays.
+    void restart() {
+        if (!m_straight.isEmpty() && isFinite(m_last) && m_straight.last() != m_last)
+            m_straight.append(m_last);
+        m_lowest = -std::numeric_limits<double>::infinity();
+        m_highest = std::numeric_limits<double>::infinity();
+    }
+    void follow(QPointF point) {
+        const QPointF from = m_straight.last();
+        const double way = point.x() - from.x();
+        m_last = point;
+        if (way <= 0) return m_straight.append(point);
+        m_lowest = std::max(m_lowest, (point.y() - m_tolerance - from.y()) / way);
+        m_highest = std::min(m_highest, (point.y() + m_tolerance - from.y()) / way);
+    }
+
+    double m_tolerance;
+    QVector<QPointF>& m_straight;
+    QPointF m_last{std::nan(""), 0};
+    double m_lowest = 0, m_highest = 0;  // slopes from the last point that stays
+};
+
+QVector<QPointF> straightened(const QVector<QPointF>& line, double tolerance) {
+    QVector<QPointF> straight;
+    straight.reserve(line.size());
+    Straightener straightener(tolerance, straight);
+    for (const QPointF& point : line) straightener.add(point);
+    straightener.finish();
+    return straight;
+}
 
 // As one path a line costs with its length: that of a noisy record is drawn piece by piece, in a small part
 // of the time. In so dense a band neither the ends of the pieces nor dashes could be seen.
@@ -93,7 +149,7 @@ QVector<QPointF> thinnedLine(const QVector<QPointF>& line, double pixel) {
         column.begin(i);
     }
     if (open) column.flush(line, thinned);
-    return thinned;
+    return straightened(thinned, sameLine * pixel);
 }
 
 void CurveGraph::drawLinePlot(QCPPainter* painter, const QVector<QPointF>& lines) const {

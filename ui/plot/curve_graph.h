@@ -34,8 +34,8 @@ class CurvePath : public QCPCurve {
 CurveGraph* addCurve(QCPAxis* keyAxis, QCPAxis* valueAxis);
 
 /// Points that no device pixel of that size tells apart from the line through the others are left out: of
-/// those within one column the first, the extremes and the last stay. A point that is not finite divides the
-/// line.
+/// those within one column the first, the extremes and the last stay, and of those in a row the ends. A point
+/// that is not finite divides the line.
 QVector<QPointF> thinnedLine(const QVector<QPointF>& line, double pixel);
 
 }  // namespace drillwave

@@ -37,6 +37,7 @@ class TestCurveReading : public QObject {
     void theMeanIsOverWhatThereIsOfTheCurve();
     void extremesAreThoseOfThePartInView();
     void crowdedPointsAreThinnedToTheirExtremes();
+    void pointsInARowAreLeftOut();
     void linesAreCutAtTheEdges();
     void linesAreCutOnLogarithmicAxes();
     void rangesStayUsable_data();
@@ -145,6 +146,28 @@ void TestCurveReading::crowdedPointsAreThinnedToTheirExtremes() {
     QCOMPARE(thinnedLine(apart, 1).size(), apart.size());
     QVERIFY(std::isnan(thinnedLine(apart, 1)[2].y()));
     QVERIFY(thinnedLine({}, 1).isEmpty());
+}
+
+void TestCurveReading::pointsInARowAreLeftOut() {
+    QVector<QPointF> steps;
+    for (int i = 0; i <= 1000; ++i) steps.append({double(i), 2});
+    for (int i = 1000; i <= 2000; ++i) steps.append({double(i), 5 + 0.1 * (i - 1000)});
+    QCOMPARE(thinnedLine(steps, 1), (QVector<QPointF>{{0, 2}, {1000, 2}, {1000, 5}, {2000, 105}}));
+    // A line that bends slowly stays where it is.
+    QVector<QPointF> bent;
+    for (int i = 0; i <= 2000; ++i) bent.append({double(i), 200 * std::sin(i / 300.0)});
+    const QVector<QPointF> thinned = thinnedLine(bent, 1);
+    QVERIFY2(thinned.size() < 250, QByteArray::number(thinned.size()));
+    QCOMPARE(thinned.last(), bent.last());
+    for (qsizetype i = 0, k = 1; i < bent.size(); ++i) {
+        while (thinned[k].x() < bent[i].x()) ++k;
+        const QPointF from = thinned[k - 1], to = thinned[k];
+        const double share = (bent[i].x() - from.x()) / (to.x() - from.x());
+        QVERIFY(std::abs(from.y() + share * (to.y() - from.y()) - bent[i].y()) < 0.051);
+    }
+    // One that turns back keeps where it turns.
+    const QVector<QPointF> loop{{0, 0}, {5, 5}, {10, 10}, {5, 10}, {0, 10}};
+    QCOMPARE(thinnedLine(loop, 1), (QVector<QPointF>{{0, 0}, {10, 10}, {5, 10}, {0, 10}}));
 }
 
 void TestCurveReading::linesAreCutAtTheEdges() {
