@@ -161,9 +161,6 @@ struct PowerSeries {
         length -= x;
     }
 
-    /// Ends the interval at x.
-    void shorten(Real x) { length = x; }
-
     /// ∫ f·g over [0, x]; both must have the same scale.
     static Real productIntegral(const PowerSeries& f, const PowerSeries& g, Real x) {
         assert(f.scale == g.scale);
