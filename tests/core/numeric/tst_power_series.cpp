@@ -3,16 +3,12 @@
 #include <QtTest>
 
 #include "core/wave/exact/first_zero.h"
+#include "tests/support/series.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
-
-PowerSeries<double> series(double length, std::initializer_list<double> coefficients) {
-    auto f = PowerSeries<double>::zero(length);
-    for (const double c : coefficients) f.c[f.count++] = c;
-    return f;
-}
 
 Zero<double> zeroOf(std::initializer_list<double> c, double end = 1) {
     SearchCount count;

@@ -7,6 +7,7 @@
 #include "core/wave/exact/series_basis.h"
 #include "core/wave/exact/series_joiner.h"
 #include "tests/support/scenes.h"
+#include "tests/support/series.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -46,12 +47,6 @@ class SoftScenes {
 int blowsToTry() {
     const int asked = qEnvironmentVariableIntValue("DRILLWAVE_SOFT_BLOWS");
     return asked > 0 ? asked : 40;
-}
-
-PowerSeries<double> series(double length, std::initializer_list<double> coefficients) {
-    auto f = PowerSeries<double>::zero(length);
-    for (const double c : coefficients) f.c[f.count++] = c;
-    return f;
 }
 
 }  // namespace

@@ -4,20 +4,17 @@
 #include "core/wave/exact/wave_queue.h"
 
 #include <QTest>
+#include <algorithm>
 #include <deque>
 #include <random>
 
 #include "core/wave/exact/wave_piece.h"
+#include "tests/support/series.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
-
-WavePiece<double> piece(double length, std::initializer_list<double> coefficients) {
-    auto f = PowerSeries<double>::zero(length);
-    for (const double c : coefficients) f.c[f.count++] = c;
-    return f;
-}
 
 bool waysAreRight(const WavePiece<double>& f) {
     const auto& way = f.way();
@@ -69,7 +66,7 @@ class TestWaveQueue : public QObject {
     }
 
     void theWayOfAPieceFollowsItsChanges() {
-        WavePiece<double> f = piece(2, {1, -3, 2, 0.5});
+        WavePiece<double> f = series(2, {1, -3, 2, 0.5});
         QVERIFY(waysAreRight(f));
         f.shorten(1.5);
         QVERIFY(waysAreRight(f));
