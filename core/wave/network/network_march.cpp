@@ -166,7 +166,7 @@ long NetworkMarch::flownCells() const {
 }
 
 long NetworkMarch::work() const {
-    return flownCells() + m_cells + m_lattice.work() + m_recorder.workForForces();
+    return flownCells() + m_cells + m_lattice.work() + m_recorder.workForForces(m_cells);
 }
 
 }  // namespace drillwave

@@ -22,7 +22,6 @@ void WaveRecorder::begin(const MarchPlan& plan, const CellLattice& lattice) {
     m_waves.reset();
     m_hasForces = plan.wants().forces;
     m_leftOutForces = false;
-    m_cells = 0;
     const NetworkProblem& problem = plan.problem();
     if (plan.wants().histories) m_waves = std::make_shared<StringWaves>(problem, plan.clocks().delays);
     if (!m_hasForces) return;
@@ -43,7 +42,6 @@ void WaveRecorder::restartWatches() {
 }
 
 void WaveRecorder::add(const std::stop_token& stop) {
-    m_cells += static_cast<long>(stepsOfBlock * (m_plan->sections() + 1));
     if (m_hasForces) addForces(stop);
     if (m_waves) addWaves();
 }
@@ -84,11 +82,11 @@ void WaveRecorder::addWaves() {
             m_waves->add(j, m_lattice->down(j)[i], m_lattice->line(j).leaving()[i]);
 }
 
-long WaveRecorder::workForForces() const {
+long WaveRecorder::workForForces(long cells) const {
     if (!m_hasForces) return 0;
     long looked = 0;
     for (const SectionWatch& watch : m_watches) looked += watch.looked();
-    return m_cells * (workOfForces - 1) + workOfLook * looked;
+    return cells * (workOfForces - 1) + workOfLook * looked;
 }
 
 void WaveRecorder::leaveOutForces() {

@@ -28,8 +28,8 @@ class WaveRecorder {
     /// What there is when all that counts has happened until `time` [t0].
     void finish(double time, NetworkImpact& impact);
 
-    /// What is looked at for the largest forces, in cells.
-    long workForForces() const;
+    /// What the largest forces have taken beside the `cells` times nodes that have gone by, in cells.
+    long workForForces(long cells) const;
     /// They take too much.
     void leaveOutForces();
     bool hasForces() const { return m_hasForces; }  ///< that are wanted, and not left out
@@ -43,7 +43,6 @@ class WaveRecorder {
     const MarchPlan* m_plan = nullptr;
     const CellLattice* m_lattice = nullptr;
     bool m_hasForces = false, m_leftOutForces = false;
-    long m_cells = 0;         ///< cells times nodes that have gone by
     std::size_t m_parts = 0;  ///< of a cell: more after it was cut
     std::vector<SectionWatch> m_watches;
     std::vector<Joint> m_alone;       ///< the joints, met by waves down only
