@@ -171,8 +171,7 @@ std::string alertText(const Alert& alert) {
                    "ones.";
         case AlertCode::stressesLeftOut:
             return "The largest stresses of the sections take more work than is permitted: they were left "
-                   "out "
-                   "and no strength was checked. A shorter end_time may leave room for them.";
+                   "out and no strength was checked. A shorter end_time may leave room for them.";
     }
     return {};
 }

@@ -192,8 +192,7 @@ void GapPage::showNothing(const QString& why) {
     plot()->setAccessibleDescription(why);
     say(
         tr("A drill string has no curve of gaps that repeat. “Results over the gap” shows any result over "
-           "the gap "
-           "point by point, without a distribution."));
+           "the gap point by point, without a distribution."));
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
