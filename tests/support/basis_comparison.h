@@ -42,7 +42,7 @@ struct BasisFinding {
         return closed.excessOver(series) > 1 || closed.excessOver(extended) > 1 ||
                series.excessOver(extended) > 1;
     }
-    /// The larger Impact::growth: above coveredGrowth, bounds hold in 99 of 100 blows.
+    /// The larger Impact::growth: above coveredGrowth, bounds hold in 999 of 1000 blows.
     double growth() const { return std::max(closed.impact.growth, series.impact.growth); }
 };
 
@@ -85,7 +85,7 @@ class BasisComparison {
         return timed([&] {
             Impact impact;
             march.solve(problem, detail, impact, limits);
-            widenByMovedInput(impact, [&](const InputMove& move) {
+            coverGrowth(impact, [&](const InputMove& move) {
                 Impact moved;
                 limits.move = move;
                 march.solve(problem, Detail::cor, moved, limits);

@@ -16,7 +16,7 @@ struct ExactSolver::Workspace {
     ContactMarch<SeriesBasis<double>> series;
 
     void march(const Problem& problem, Detail detail, const MarchLimits& limits, Impact& impact);
-    [[gnu::cold]] void widen(const Problem& problem, MarchLimits limits, Impact& impact);
+    [[gnu::cold]] void coverGrowthOf(Impact& impact, const Problem& problem, MarchLimits limits);
 };
 
 namespace {
@@ -50,8 +50,8 @@ void ExactSolver::Workspace::march(const Problem& problem, Detail detail, const 
     series.solve(problem, detail, impact, limits);
 }
 
-void ExactSolver::Workspace::widen(const Problem& problem, MarchLimits limits, Impact& impact) {
-    widenByMovedInput(impact, [&](const InputMove& move) {
+void ExactSolver::Workspace::coverGrowthOf(Impact& impact, const Problem& problem, MarchLimits limits) {
+    coverGrowth(impact, [&](const InputMove& move) {
         limits.move = move;
         Impact moved;
         march(problem, Detail::cor, limits, moved);
@@ -73,7 +73,7 @@ Impact ExactSolver::solve(const Problem& problem, Detail detail, const std::stop
     }
     m_workspace->march(problem, detail, {.pieces = m_mostPieces, .stop = &stop}, impact);
     if (!isSolved(impact)) return impact;
-    if (mayOutgrowItsError(impact)) m_workspace->widen(problem, {m_mostPieces, &stop}, impact);
+    if (impact.growth > 1) m_workspace->coverGrowthOf(impact, problem, {m_mostPieces, &stop});
     if (!std::isfinite(impact.cor + impact.corError)) {
         impact.outcome = Outcome::notSolved;
         impact.reason = "its numbers are beyond the range of double precision";

@@ -16,7 +16,7 @@ Impact solveInExtendedPrecision(const Problem& problem, Detail detail, const std
         return impact;
     };
     Impact impact = solve(detail, {});
-    widenByMovedInput(impact, [&](const InputMove& move) { return solve(Detail::cor, move); });
+    coverGrowth(impact, [&](const InputMove& move) { return solve(Detail::cor, move); });
     return impact;
 }
 
