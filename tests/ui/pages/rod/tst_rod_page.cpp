@@ -9,11 +9,13 @@
 #include "core/file/scenario_file.h"
 #include "core/model/drill_string.h"
 #include "core/wave/field/wave_field.h"
+#include "tests/support/pinned_run.h"
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/plot/plot_widget.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 class TestRodPage : public QObject {
     Q_OBJECT
@@ -427,15 +429,8 @@ void TestRodPage::aStringWhoseWavesAreNotKeptSaysSo() {
 }
 
 void TestRodPage::runsAreLaidOverTheirOwnKind() {
-    const auto runOf = [](int number, const SolvedBlowPtr& blow) {
-        Run run;
-        run.number = number;
-        run.contents.scenario = blow->scenario;
-        run.blow = blow;
-        return run;
-    };
     const SolvedBlowPtr rod = solved(), string = solvedString();
-    m_page->setRuns(std::make_shared<const RunList>(RunList{runOf(1, rod), runOf(2, string)}));
+    m_page->setRuns(std::make_shared<const RunList>(RunList{pinnedRun(1, rod), pinnedRun(2, string)}));
     for (const SolvedBlowPtr& now : {solvedString(), solved(), solvedString()}) {
         m_page->setResult(now);
         const RodCurves& curves = *now->page<RodCurves>();

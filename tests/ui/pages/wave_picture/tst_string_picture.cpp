@@ -8,6 +8,7 @@
 #include "core/blow/string_curves.h"
 #include "core/file/examples.h"
 #include "core/file/scenario_file.h"
+#include "tests/support/pinned_run.h"
 #include "ui/pages/wave_picture/joint_marks.h"
 #include "ui/pages/wave_picture/picture_cursors.h"
 #include "ui/pages/wave_picture/play_bar.h"
@@ -20,6 +21,7 @@
 #include "ui/text/settings.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 class TestStringPicture : public QObject {
     Q_OBJECT
@@ -309,18 +311,11 @@ void TestStringPicture::theProfileIsThereWithoutRuns() {
 }
 
 void TestStringPicture::runsOfStringsLieOverStrings() {
-    const auto runOf = [](int number, const SolvedBlowPtr& blow) {
-        Run run;
-        run.number = number;
-        run.contents.scenario = blow->scenario;
-        run.blow = blow;
-        return run;
-    };
     const SolvedBlowPtr rod = solved("t38_medium_rock"), string = solved("t38_string");
     auto unkept = std::make_shared<SolvedBlow>(*string);
     unkept->string->impact.waves.reset();
-    m_page->setRuns(
-        std::make_shared<const RunList>(RunList{runOf(0, rod), runOf(1, string), runOf(2, unkept)}));
+    m_page->setRuns(std::make_shared<const RunList>(
+        RunList{pinnedRun(0, rod), pinnedRun(1, string), pinnedRun(2, unkept)}));
     for (const char* example : {"r32_string", "t38_medium_rock", "r32_string"}) {
         const SolvedBlowPtr now = solved(example);
         present(now);
