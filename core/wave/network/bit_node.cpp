@@ -280,7 +280,7 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double time, CutAt cut
     CellProjection leaving, forces;
     double from = 0;
     int standing = 0;  // events at one point
-    for (int pieces = 0; from < 1; ++pieces, ++m_pieces) {
+    for (int pieces = 0; from < 1 && m_trouble.empty(); ++pieces, ++m_pieces) {
         if (pieces == mostPieces) {
             m_trouble = "bit and rock meet and part, or a small bit mass swings, faster than can be followed";
             break;

@@ -275,8 +275,8 @@ bool CellLattice::isAffordable(double time, double spareWork) const {
     return cells * static_cast<double>(m_count + 1) <= spareWork - static_cast<double>(work());
 }
 
-long CellLattice::work() const {
-    return m_recut + workOfPiece * (m_bit.pieces() + m_face.pieces());
+long CellLattice::workOfEvents() const {
+    return workOfPiece * (m_bit.pieces() + m_face.pieces());
 }
 
 double CellLattice::held() const {

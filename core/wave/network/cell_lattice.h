@@ -53,7 +53,8 @@ class CellLattice {
     double passing(std::size_t section) const { return m_passing[section]; }  ///< e^−αL
     double held() const;                                                      ///< cells on their way
     /// What cells that were cut on their way, and those with events, took beside the others, in cells.
-    long work() const;
+    long work() const { return m_recut + workOfEvents(); }
+    long workOfEvents() const;
     /// Why it cannot go on; empty when it can.
     std::string_view trouble() const { return m_bit.trouble().empty() ? m_face.trouble() : m_bit.trouble(); }
 

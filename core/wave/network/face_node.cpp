@@ -197,7 +197,7 @@ WaveCell FaceNode::follow(const WaveCell& w, double width, double time, CutAt cu
     double from = 0;
     int standing = 0;  // events at one point
     if (!m_now.apart && !m_stiffness && isStill(w)) separate(time);
-    for (int pieces = 0; from < 1 && !m_now.released; ++pieces, ++m_pieces) {
+    for (int pieces = 0; from < 1 && !m_now.released && m_trouble.empty(); ++pieces, ++m_pieces) {
         if (pieces == mostPieces) {
             m_trouble = "the faces of hammer and string meet and part without end";
             break;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is known of a blow before it is followed: the string on its cells, its clocks, its cuts, its work.
-// work.
 #pragma once
 
 #include <cstddef>

@@ -39,7 +39,7 @@ NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
     begin(mostCells);
     while (true) {
         if (m_plan.wants().forcesIfTheyFit && work() > mostCells) m_recorder.leaveOutForces();
-        if (work() > mostCells) return notSolved("it takes more wave cells than permitted");
+        if (work() > mostCells) return notSolved(overspent());
         if (!m_census.isUnderWay()) scheduleCensus();
         m_lattice.takeBlock(m_census, static_cast<double>(mostCells - flownCells() - m_cells), stop);
         if (!m_lattice.trouble().empty()) return notSolved(std::string(m_lattice.trouble()));
@@ -159,6 +159,16 @@ NetworkImpact NetworkMarch::notSolved(std::string reason) {
     impact.reason = std::move(reason);
     impact.cells = m_cells;
     return impact;
+}
+
+/// What took most of the work, and what takes less.
+std::string NetworkMarch::overspent() const {
+    if (m_lattice.workOfEvents() > work() / 2)
+        return "bit and rock, or hammer and string, meet and part too often, or a bit mass swings too fast, "
+               "to "
+               "be followed: a softer rock, a larger gamma, no bit mass or an earlier end_time needs less";
+    return "it takes more wave cells than permitted: fewer sections, lengths that share a unit or an earlier "
+           "end_time need fewer";
 }
 
 long NetworkMarch::flownCells() const {

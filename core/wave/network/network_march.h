@@ -40,6 +40,7 @@ class NetworkMarch {
     bool fliesUntil(double time, const std::stop_token& stop);
     NetworkImpact result(const CensusResult& census, NetworkEnd end);
     NetworkImpact notSolved(std::string reason);
+    std::string overspent() const;
     long flownCells() const;
     long work() const;
 

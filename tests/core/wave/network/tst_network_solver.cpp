@@ -354,6 +354,20 @@ class TestNetworkSolver : public QObject {
         QVERIFY(std::abs(some.energy.rock - all.energy.rock) < 1e-9);
     }
 
+    void whatTakesTooMuchWorkSaysWhatTookIt() {
+        NetworkProblem problem = networkCases().at(7).problem;
+        CellGrid grid;
+        QVERIFY(usualGrid(problem, grid));
+        const NetworkImpact whole = march(problem, grid, {}, mostNetworkCells);
+        const NetworkImpact half = march(problem, grid, {}, whole.cells / 2);
+        QCOMPARE(half.end, NetworkEnd::notSolved);
+        QVERIFY(half.reason.starts_with("it takes more wave cells than permitted"));
+        problem.sections.back().massAfter = 1e-6;  // which swings through many thousand pieces
+        const NetworkImpact swinging = march(problem, grid, {}, 2 * whole.cells);
+        QCOMPARE(swinging.end, NetworkEnd::notSolved);
+        QVERIFY2(swinging.reason.find("swings too fast") != std::string::npos, swinging.reason.c_str());
+    }
+
     void theLargestForcesAreLeftOutRatherThanTheBlow() {
         const NetworkProblem problem = networkCases().at(7).problem;
         CellGrid grid;
