@@ -180,6 +180,7 @@ void GapPlot::present(const GapPicture& picture) {
     const bool otherAxes = !m_picture.curve || !sameAxes(m_picture, picture);
     m_picture = picture;
     m_message->hide();
+    setFramesVisible(true);
     m_graph->setData(picture.curve);
     m_graph->setName(gapOutputName(picture.output));
     m_rect->axis(QCPAxis::atLeft)
@@ -208,7 +209,15 @@ void GapPlot::showNothing(const QString& message) {
     m_caption->setText({});
     m_summary = message;
     m_message->show(message);
+    setFramesVisible(false);
     showSpread();
+}
+
+// Axes of nothing would only be behind the message.
+void GapPlot::setFramesVisible(bool visible) {
+    for (const QCPAxisRect* rect : {m_rect, m_beside})
+        for (QCPAxis* axis : rect->axes()) axis->setVisible(visible);
+    m_legend->setVisible(visible);
 }
 
 void GapPlot::setHere(const std::optional<QPointF>& place) {

@@ -53,6 +53,7 @@ class GapPlot : public QObject {
     void placeBands();
     void breakCaption();
     void showSpread();
+    void setFramesVisible(bool visible);
     QString summary() const;
 
     QCustomPlot* m_plot;

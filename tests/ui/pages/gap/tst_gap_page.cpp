@@ -274,6 +274,7 @@ void TestGapPage::aStringIsToldWhyThereIsNoPeriod() {
     m_page->show();
     QTRY_VERIFY(isDone());
     QCOMPARE(graph()->dataCount(), 0);
+    QVERIFY(!graph()->keyAxis()->realVisibility());
     QVERIFY(m_page->gapPlot()->textSummary().contains(QStringLiteral("no period")));
     QVERIFY(!m_page->exports().first().obstacle().isEmpty());
     QCOMPARE(m_page->command(), QString());
@@ -290,6 +291,7 @@ void TestGapPage::aRodAfterAStringHasItsCurveAgain() {
     QVERIFY(m_document->open(test::example(QStringLiteral("t38_medium_rock"))).isEmpty());
     QTRY_VERIFY(isDone() && m_page->activity()->isCurrent());
     QVERIFY(graph()->dataCount() > 100);
+    QVERIFY(graph()->keyAxis()->realVisibility());
     QVERIFY(m_page->findChild<QPushButton*>("curve")->isHidden());
     QVERIFY(!m_page->findChild<QComboBox*>("output")->isHidden());
     QVERIFY(m_page->exports().first().obstacle().isEmpty());
