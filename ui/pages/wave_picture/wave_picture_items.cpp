@@ -154,7 +154,8 @@ void ContactBarsItem::draw(QCPPainter* painter) {
     const double left = axes.right() + barGap;
     double drawnFrom = axes.bottom() + 2;  // upward; bars of less than a pixel are drawn once
     painter->setFont(m_style.font);
-    const QFontMetricsF metrics(m_style.font);
+    const double digits = QFontMetricsF(m_style.font).capHeight();
+    double numberedFrom = axes.bottom() + digits;
     for (auto contact = first; contact != contacts.end() && contact->begin <= range.timeEnd; ++contact) {
         const double bottom = std::min(pixel(1, contact->begin).y(), axes.bottom());
         const double top = std::max(pixel(1, contact->end).y(), axes.top());
@@ -164,10 +165,12 @@ void ContactBarsItem::draw(QCPPainter* painter) {
         painter->setPen(Qt::NoPen);
         painter->setBrush(m_style.text);
         painter->drawRect(bar);
-        if (bar.height() < metrics.height() && contacts.size() > 12) continue;
+        const double baseline = bar.center().y() + digits / 2;
+        if (baseline > numberedFrom) continue;
+        numberedFrom = baseline - 1.5 * digits;
         painter->setPen(m_style.text);
         const QString number = QString::number(contact - contacts.begin() + 1);
-        painter->drawText(QPointF(bar.right() + 3, bar.center().y() + metrics.capHeight() / 2), number);
+        painter->drawText(QPointF(bar.right() + 3, baseline), number);
     }
     drawEvents(*painter, range);
 }

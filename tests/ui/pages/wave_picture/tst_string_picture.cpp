@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The x–t picture of hammer and string: its sections, readouts, numbers, and rods in turn.
+#include <QBuffer>
 #include <QLabel>
+#include <QSvgGenerator>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
@@ -9,6 +11,7 @@
 #include "core/file/examples.h"
 #include "core/file/scenario_file.h"
 #include "tests/support/pinned_run.h"
+#include "tests/support/svg_texts.h"
 #include "ui/pages/wave_picture/joint_marks.h"
 #include "ui/pages/wave_picture/picture_cursors.h"
 #include "ui/pages/wave_picture/play_bar.h"
@@ -33,6 +36,7 @@ class TestStringPicture : public QObject {
     void everyPixelHasTheForceThere();
     void jointsAreMarkedAndNamed();
     void namesThatHaveNoRoomComeWithAZoom();
+    void numbersOfContactsDoNotOverlap();
     void theReadoutNamesTheSection();
     void theReadoutTellsOfTheHammer();
     void laterThanTheBlowWasFollowedNothingIsTold();
@@ -187,6 +191,26 @@ void TestStringPicture::namesThatHaveNoRoomComeWithAZoom() {
     m_page->plot()->xAxis->setRange(length - 0.3, length);
     QVERIFY(has("bit skirt") && has("bit head"));
     QVERIFY(!has("hammer"));
+}
+
+// Of four contacts the first three are close together.
+void TestStringPicture::numbersOfContactsDoNotOverlap() {
+    present(solved("t38_string"));
+    const auto numbers = [&](int height) {
+        QBuffer file;
+        QSvgGenerator svg;
+        svg.setOutputDevice(&file);
+        QCPPainter painter(&svg);
+        m_page->plot()->toPainter(&painter, 600, height);
+        painter.end();
+        QStringList found;
+        for (const QString& text : svgTexts(file.data()))
+            if (QStringLiteral("1234").contains(text)) found << text;
+        return found.join(QString());
+    };
+    QCOMPARE(numbers(900), QStringLiteral("1234"));
+    const QString low = numbers(300);
+    QVERIFY2(low.startsWith(u'1') && low.endsWith(u'4') && low.size() == 3, qPrintable(low));
 }
 
 void TestStringPicture::theReadoutNamesTheSection() {
