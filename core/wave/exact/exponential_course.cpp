@@ -21,9 +21,34 @@ void ExponentialCourse::addHammer(const HammerTerms& hammer, double length) {
     if (!wave.allAtLeastZero(length)) mostCurvature += pi * pi * wave.amplitude();
 }
 
+namespace {
+
+/// A lower bound of the curvature of Σ c_m φ_m(λx), and of 0: λ² Σ (c_{m+2} − 2c_{m+1} + c_m) φ_m. Whoever
+/// wants no more of a sum of steps saves a third beside ExponentialCourse.
+double leastCurvature(const Coefficients& decays, double rate) {
+    double next = 0, afterNext = 0, least = 0;
+    for (int m = decays.count - 1; m >= 0; --m) {
+        const double c = decays.c[m];
+        least = std::min(least, (afterNext - next) - (next - c));
+        afterNext = next;
+        next = c;
+    }
+    return rate * rate * least;
+}
+
+double leastCurvature(const ExponentialSum& f) {
+    if (f.isCurved) return ExponentialCourse(f).leastCurvature;
+    double least = 0;
+    if (f.primary.count) least += leastCurvature(f.primary, f.rates->primary);
+    if (f.elastic.count) least += leastCurvature(f.elastic, f.rates->elastic);
+    return least;
+}
+
+}  // namespace
+
 double mostIntegralByEnds(const ExponentialSum& f, double whole) {
     const double length = f.length;
-    const double bow = -std::min(ExponentialCourse(f).leastCurvature, 0.0) * length * length * length / 12;
+    const double bow = -std::min(leastCurvature(f), 0.0) * length * length * length / 12;
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * f.magnitude() * length;
     const double start = f.startValue();
     if (start <= 0) return std::max(bow, whole) + rounding;
