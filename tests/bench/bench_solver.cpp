@@ -11,6 +11,7 @@
 #include "core/wave/exact/contact_march.h"
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/exact/exponential_basis.h"
+#include "core/wave/exact/exponential_domain.h"
 #include "core/wave/lattice/lattice_solver.h"
 #include "tests/bench/bench_table.h"
 #include "tests/support/bench_scenes.h"
@@ -128,7 +129,7 @@ Sample sampleOf(RandomBench::Domain domain, PulseShape shape, int count) {
         const Problem problem = problemOf(scenes.next());
         sample.seconds.push_back(secondsOf(solver, problem, sample));
         Impact closed;
-        if (ExponentialBasis::suits(problem)) march.solve(problem, Detail::cor, closed, {.pieces = 2000});
+        if (suitsExponentials(problem)) march.solve(problem, Detail::cor, closed, {.pieces = 2000});
         sample.closed += closed.outcome == Outcome::rebounded;
     }
     return sample;

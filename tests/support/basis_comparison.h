@@ -8,6 +8,7 @@
 #include "core/numeric/run_time.h"
 #include "core/wave/exact/contact_march.h"
 #include "core/wave/exact/exponential_basis.h"
+#include "core/wave/exact/exponential_domain.h"
 #include "core/wave/exact/series_basis.h"
 #include "core/wave/lattice/lattice_solver.h"
 #include "tests/support/scene.h"
@@ -57,7 +58,7 @@ class BasisComparison {
     /// `withLattice` by the lattice of 1000 segments, where the closed basis solves.
     BasisFinding compare(const Scene& scene, bool withTruth, bool withLattice) {
         const Problem problem = problemOf(scene);
-        BasisFinding finding{.scene = scene, .isSuited = ExponentialBasis::suits(problem)};
+        BasisFinding finding{.scene = scene, .isSuited = suitsExponentials(problem)};
         if (finding.isSuited || triesUnsuited)
             finding.closed = solve(m_closed, problem, {.pieces = mostClosedPieces});
         finding.series = solve(m_series, problem, {.pieces = mostSeriesPieces});

@@ -6,6 +6,7 @@
 
 #include "core/wave/exact/contact_march.h"
 #include "core/wave/exact/exponential_basis.h"
+#include "core/wave/exact/exponential_domain.h"
 #include "core/wave/exact/series_basis.h"
 #include "core/wave/exact/soft_reference.h"
 
@@ -36,7 +37,7 @@ bool isSolved(const Impact& impact) {
 /// One march into a new `impact`: in closed form where that suits and comes to its end, else in series.
 void ExactSolver::Workspace::march(const Problem& problem, Detail detail, const MarchLimits& limits,
                                    Impact& impact) {
-    if (ExponentialBasis::suits(problem)) {
+    if (suitsExponentials(problem)) {
         MarchLimits few = limits;
         few.pieces = std::min(limits.pieces, mostClosedPieces);
         few.error = mostClosedError;

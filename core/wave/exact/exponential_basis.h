@@ -38,9 +38,6 @@ class ExponentialBasis {
         bool hasDrive = false;  ///< drive() has been asked for
     };
 
-    /// Whether it is worth trying: few reflections, rates apart, and a rock that is not too soft.
-    static bool suits(const Problem& problem);
-
     void begin(const Problem& problem, ContactRates<double> rates);
     bool failed() const { return m_failed; }
     /// The searches for events since begin().

@@ -6,6 +6,7 @@
 #include "core/study/proof/equation_residuals.h"
 #include "core/wave/exact/contact_march.h"
 #include "core/wave/exact/exponential_basis.h"
+#include "core/wave/exact/exponential_domain.h"
 #include "core/wave/exact/series_basis.h"
 #include "tests/support/scenes.h"
 
@@ -31,7 +32,7 @@ class ShortRods {
             g.gamma = m_random() % 3 == 0 ? 1 : logarithmic(0.01, 0.7);
             g.delta = gap();
             if (scene.shape == PulseShape::rigidBody) g.delta = 0;
-            if (ExponentialBasis::suits(problemOf(scene))) return scene;
+            if (suitsExponentials(problemOf(scene))) return scene;
         }
     }
 

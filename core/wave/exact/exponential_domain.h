@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which blows are tried in closed form, and which are left to power series from the start.
+#pragma once
+
+#include "core/wave/problem.h"
+
+namespace drillwave {
+
+/// Whether ExponentialBasis is worth trying: few reflections, rates apart, and a rock that is not too soft.
+bool suitsExponentials(const Problem& problem);
+
+}  // namespace drillwave
