@@ -128,7 +128,7 @@ void TestLayout::everythingCanBeReadAndReached() {
     for (int page = 0; page < pages->count(); ++page) {
         if (!pages->isOffered(page)) continue;
         pages->setCurrentIndex(page);
-        QTRY_VERIFY(!part<SolveJob>(window).isBusy());
+        QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(window).isBusy(), 60000);
         QCoreApplication::processEvents();
         QCoreApplication::processEvents();  // what the last event has asked for
         const QStringList found = clippedTexts(window) + overlaps(window) + docksOverThePage(window) +
