@@ -35,9 +35,10 @@ inline bool mayOutgrowItsError(const Impact& impact) {
 /// real, but a second one with moved input makes the same experience: solve(InputMove) marches again for e
 /// alone. Where a moved blow cannot be solved, neither is the impact.
 ///
-/// β and τ are moved together, 16 ε up and down, since moves that keep βτ may hardly be felt; the second only
-/// if the first changes more than is stated anyway, for a small change may be luck. Eight times the larger
-/// one beside what is summed up covers the error of more than 999 in 1000 chattering blows (tst_chatter).
+/// β and τ are moved together, 16 ε up and down, since moves that keep βτ may hardly be felt; the second
+/// unless the first changes far less than is stated anyway, for a small change may be luck. Eight times the
+/// larger one beside what is summed up covers the error of more than 999 in 1000 chattering blows
+/// (tst_chatter).
 template <class Solve>
 void coverGrowth(Impact& impact, const Solve& solve) {
     if (impact.outcome != Outcome::rebounded) return;
