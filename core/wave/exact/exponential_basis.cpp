@@ -105,6 +105,7 @@ ExponentialSum ExponentialBasis::constant(double length, double value) const {
 
 void ExponentialBasis::addHammer(const PulseSegment& segment, double into, double length, Piece& g) const {
     g.shorten(length);
+    if (g.isCurved) g.curve.impulse = CurvedTerms::unknown;
     switch (segment.kind) {
         case PulseSegment::Kind::linear:
             g.c0 += segment.value + segment.slope * into;
@@ -201,6 +202,8 @@ void ExponentialBasis::reflect(const Response& r, Piece& reflected) const {
     reflected.length = r.length;
     reflected.primaryDecay = r.force.primaryDecay;
     reflected.elasticDecay = r.force.elasticDecay;
+    if (reflected.isCurved) [[unlikely]]
+        reflected.curve.impulse = r.left;
 }
 
 /// 2g − F; where both nearly cancel on stiff rock, term by term as F'/a.
@@ -344,6 +347,8 @@ StretchEnd<double> ExponentialBasis::endAt(Response& r, double length) const {
         size += curve;
         end.force = force.value(length);
         end.impulse = force.integral(length);
+        r.arrived = (end.impulse + (end.force - r.start) / r.rate) / 2;  // F' = a(2g − F)
+        r.left = r.arrived - end.impulse;
     }
     // an event at a force that is given has been found by the sum
     if (isSlow && isCut && r.rate == m_rates.elastic) size += 2 * constant;

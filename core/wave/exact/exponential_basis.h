@@ -34,6 +34,8 @@ class ExponentialBasis {
         const Piece* incident = nullptr;  ///< the arriving wave, which must outlive the response
         Piece force;
         double start = 0;       ///< the force at the start
+        double arrived = 0;     ///< ∫g up to its end, by endAt() of curved forces
+        double left = 0;        ///< ∫(g − F), likewise
         double dropped = 0;     ///< what has been left out of it as rounding
         bool hasDrive = false;  ///< drive() has been asked for
     };
@@ -63,7 +65,10 @@ class ExponentialBasis {
     StretchEnd<double> endAt(Response& r, double length) const;
     void dropFront(Piece& g, const Response& r) const {
         g.rates = &m_rates;
+        const double rest = g.isCurved ? g.curve.impulse - r.arrived : 0;
         g.dropFront(r.length, r.force.primaryDecay, r.force.elasticDecay);
+        if (g.isCurved) [[unlikely]]
+            g.curve.impulse = rest;
     }
     Zero<double> gapClosure(const Piece& g, double gap);
     Zero<double> forceVanishes(Response& r);
@@ -77,7 +82,7 @@ class ExponentialBasis {
         return most <= enough || g.hasSine() ? most : std::min(most, mostIntegralByEnds(g, whole));
     }
     /// ∫g over the piece.
-    static double impulse(const Piece& g) { return g.integral(g.length); }
+    static double impulse(const Piece& g) { return g.impulse(); }
     /// What the rounding of that is relative to.
     static double impulseSize(const Piece& g) { return g.integralOfSizes(); }
     void tidy(Piece& piece) const {

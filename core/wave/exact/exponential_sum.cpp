@@ -83,6 +83,11 @@ double ExponentialSum::integralOfCurved(double x) const {
 }
 
 /// What has risen until then becomes a constant.
+double ExponentialSum::impulseOfCurved() const {
+    if (std::isnan(curve.impulse)) curve.impulse = integralOfCurved(length);
+    return curve.impulse;
+}
+
 void ExponentialSum::dropFrontOfCurve(double x, double primaryTo, double elasticTo) {
     c0 += curve.c1 * x;
     if (curve.primary.count) {
@@ -94,6 +99,7 @@ void ExponentialSum::dropFrontOfCurve(double x, double primaryTo, double elastic
         curve.elastic.shift(rates->elastic * x, elasticTo);
     }
     if (curve.hammer.present) curve.hammer.dropFront(x);
+    curve.impulse = CurvedTerms::unknown;
 }
 
 void ExponentialSum::trimCurve(double negligible) {

@@ -49,6 +49,7 @@ struct ExponentialSum {
     CurvedTerms& makeCurved() {
         if (!isCurved) curve = {};
         isCurved = true;
+        curve.impulse = CurvedTerms::unknown;
         return curve;
     }
     bool isConstant() const { return !isCurved && primary.count == 0 && elastic.count == 0; }
@@ -118,6 +119,12 @@ struct ExponentialSum {
         if (elastic.count) f += elastic.rises(rates->elastic * x, elasticOver(x)) / rates->elastic;
         return f;
     }
+    /// ∫f over the length. Free flight asks for it in every round trip: what is curved keeps it.
+    double impulse() const {
+        if (isCurved) [[unlikely]]
+            return impulseOfCurved();
+        return integral(length);
+    }
     /// The function seen from x on, with the decays up to there given.
     void dropFront(double x, double primaryTo, double elasticTo) {
         if (isCurved) [[unlikely]]
@@ -134,6 +141,8 @@ struct ExponentialSum {
         if (x == length) return;
         length = x;
         primaryDecay = elasticDecay = -1;
+        if (isCurved) [[unlikely]]
+            curve.impulse = CurvedTerms::unknown;
     }
     /// Drops what is at most that.
     void trim(double negligible) {
@@ -160,6 +169,7 @@ struct ExponentialSum {
     double mostIntegralOfCurve() const;
     double valueOfCurved(double x) const;
     double integralOfCurved(double x) const;
+    double impulseOfCurved() const;
     void dropFrontOfCurve(double x, double primaryTo, double elasticTo);
     void trimCurve(double negligible);
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace drillwave {
 
@@ -153,9 +154,13 @@ struct HammerTerms {
 /// Ramps leave rises: x − ω_0(λx)/λ and what follows from it would be differences of large constants and
 /// decays where λx is small.
 struct CurvedTerms {
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
     double c1 = 0;
     Coefficients primary, elastic;  ///< rises
     HammerTerms hammer;
+    /// ∫ of the whole sum over its length, or unknown: whoever sets coefficients from outside makes it so.
+    mutable double impulse = unknown;
 
     bool isZero() const { return c1 == 0 && primary.count == 0 && elastic.count == 0 && !hammer.present; }
 };
