@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
     const bool isChild = qEnvironmentVariableIsSet("QT_SCALE_FACTOR");
     const QApplication application(argc, argv);
     const QStringList words = QCoreApplication::arguments();
-    if (words.size() != 2 && words.size() != 3) {
+    if ((words.size() != 2 && words.size() != 3) || words.at(1).startsWith(QLatin1Char('-'))) {
         std::fprintf(stderr, "usage: screenshots FOLDER [PAGE]\n");
         return 2;
     }
