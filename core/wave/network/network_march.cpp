@@ -165,8 +165,7 @@ NetworkImpact NetworkMarch::notSolved(std::string reason) {
 std::string NetworkMarch::overspent() const {
     if (m_lattice.workOfEvents() > work() / 2)
         return "bit and rock, or hammer and string, meet and part too often, or a bit mass swings too fast, "
-               "to "
-               "be followed: a softer rock, a larger gamma, no bit mass or an earlier end_time needs less";
+               "to be followed: a softer rock, a larger gamma, no bit mass or an earlier end_time needs less";
     return "it takes more wave cells than permitted: fewer sections, lengths that share a unit or an earlier "
            "end_time need fewer";
 }
