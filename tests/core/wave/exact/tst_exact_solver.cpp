@@ -284,7 +284,7 @@ class TestExactSolver : public QObject {
         const Impact impact = solve(scene);
         QCOMPARE(impact.outcome, Outcome::rebounded);
         QVERIFY(close(impact.cor, 3.9e-14, impact.corError));  // in long double
-        QVERIFY(impact.corError < 5e-12);
+        QVERIFY(impact.corError < 3e-12);
     }
 
     void theSoftestReferenceCaseIsAMassOnASpring() {
