@@ -59,8 +59,7 @@ const Command& presetsCommand() {
             "NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. "
             "Pistons,\n"
             "adapters, couplings and bits are pieces of drill strings, to be put in on the page String of "
-            "the "
-            "window.",
+            "the window.",
         .options = {},
         .leastOperands = 0,
         .mostOperands = 1,

@@ -140,8 +140,7 @@ constexpr auto outputTable = std::to_array<Output>({
      Detail::histories, largestStress<&RodForces::compression, &StringSummary::largestCompression>,
      OutputGroup::stress, "compression, blow",
      "Largest compressive stress of uniform sections while the blow lasts: of a rod to the last separation "
-     "plus "
-     "one transit time, of a string to the end that it is followed to; threads and shoulders raise it "
+     "plus one transit time, of a string to the end that it is followed to; threads and shoulders raise it "
      "locally",
      &RodForces::compression},
     {"peak_tension", "largest tension in the rod while the blow lasts", Measure::stress, Detail::histories,

@@ -340,8 +340,7 @@ std::string readBackProblem(const Parameter& parameter, const Scenario& scenario
     const double kept = parameter.value(scenario).value_or(std::nan(""));
     if (std::abs(kept - wanted) <= rounding * std::abs(wanted)) return {};
     return "cannot be kept: the values that it follows from are at the end of double precision, it reads "
-           "back "
-           "as " +
+           "back as " +
            formatNumber(kept);
 }
 

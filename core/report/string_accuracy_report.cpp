@@ -39,8 +39,7 @@ std::string stringAccuracyText(const Scenario& scenario, const StringAccuracy& a
            boundText(accuracy.reference) +
            ")\n  stated: what the method says of it; impulse: error of the impulse on the rock, of the "
            "hammer's\n  cells: polynomial cells, cut at jumps (sweep, map); cells_cut: cut at every corner "
-           "of "
-           "a wave (run);\n  plain: a lattice of constant cells, as others have it\n";
+           "of a wave (run);\n  plain: a lattice of constant cells, as others have it\n";
 }
 
 std::string stringAccuracyJson(const std::string& scenarioText, const StringAccuracy& accuracy) {

@@ -163,8 +163,7 @@ std::string marginSentence(const ThrustNeeds& needs) {
 
 std::string_view stringThrustSentence() {
     return "I0 is the impulse of the hammer's face. The gaps of a drill string have no period over which a "
-           "share "
-           "of them or the worst one could be told.";
+           "share of them or the worst one could be told.";
 }
 
 TextGrid needsGrid(const ThrustReport& report) {

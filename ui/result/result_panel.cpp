@@ -147,8 +147,7 @@ void ResultPanel::addThrust() {
           }},
          {tr("worst of 4 needs"),
           tr("The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid rock, "
-             "and "
-             "of the worst gap on elastic rock"),
+             "and of the worst gap on elastic rock"),
           [this](const SolvedBlow& blow) { return worstNeedText(m_worst, blow); },
           {},
           [this](const SolvedBlow&) { return m_worst.problem(); },

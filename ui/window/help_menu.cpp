@@ -26,8 +26,7 @@ void HelpMenu::showMouseAndKeys() {
            "Double-click or Home: fit; Backspace or Alt+Left: zoom back\n"
            "Click on a legend entry: hide or show the curve\n"
            "A, B: cursors at the pointer, on the curve there; T: time cursor; Ctrl+Left, Ctrl+Right: move "
-           "the "
-           "last one\n"
+           "the last one\n"
            "Arrows: move; + and −: zoom; right click or Shift+F10: menu\n"
            "Studies: a click takes over the point there, with Shift it pins it\n"
            "Studies and Rod: Enter puts a point into the plot, which keys move, and Enter again is a click "
@@ -48,8 +47,7 @@ void HelpMenu::showMouseAndKeys() {
            "Type a number with any unit: 38 mm, 1.5 in; Up, Down or the wheel: step; Alt+Down: unit\n"
            "Arithmetic: 2*3.05 m, 12 ft + 3 in, 12' 6\", 1/2 in\n"
            "Sliders: a click in the groove jumps there; Shift+drag: ten times finer; double-click: the "
-           "file's "
-           "value"));
+           "file's value"));
 }
 
 void HelpMenu::showAbout() {

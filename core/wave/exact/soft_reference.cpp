@@ -20,8 +20,7 @@ Impact softReference(const Problem& problem, Detail detail) {
         impact.hindrance = Hindrance::histories;
         impact.reason =
             "its histories need more than 4 million wave pieces: the rock is so soft that the waves pass the "
-            "rod "
-            "millions of times in one contact; a stiffer rock needs fewer";
+            "rod millions of times in one contact; a stiffer rock needs fewer";
         return impact;
     }
     const double softness = problem.law.beta * problem.transitTime;
