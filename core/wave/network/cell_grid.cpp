@@ -22,6 +22,24 @@ double sharedMeasure(double a, double b, double tolerance) {
     return a;
 }
 
+/// The cell of which round trips are whole numbers: by least squares.
+class CellFit {
+  public:
+    void add(double roundTrip, double count) {
+        m_product += roundTrip * count;
+        m_square += count * count;
+    }
+    /// To a cell so many times smaller.
+    void refine(double times) {
+        m_product *= times;
+        m_square *= times * times;
+    }
+    double cell() const { return m_product / m_square; }
+
+  private:
+    double m_product = 0, m_square = 0;
+};
+
 double largestRounding(const std::vector<NetworkSection>& sections, const CellGrid& grid) {
     double largest = 0;
     for (std::size_t j = 0; j < sections.size(); ++j)
@@ -40,19 +58,20 @@ void CellGrid::halve() {
 bool shareGrid(const std::vector<NetworkSection>& sections, double leastCell, CellGrid& grid) {
     double longest = 0;
     for (const NetworkSection& section : sections) longest = std::max(longest, 2 * section.transitTime);
-    double cell = longest;
+    // Euclid's rounding grows from division to division: what fits all round trips so far has none of it
+    CellFit fit;
+    fit.add(longest, 1);
     for (const NetworkSection& section : sections) {
-        cell = sharedMeasure(cell, 2 * section.transitTime, longest * sameLength);
+        const double roundTrip = 2 * section.transitTime;
+        const double cell = sharedMeasure(fit.cell(), roundTrip, longest * sameLength);
         if (cell < leastCell) return false;
+        fit.refine(std::round(fit.cell() / cell));
+        fit.add(roundTrip, std::round(roundTrip / cell));
     }
-    // one measure was carried from section to section: now the one that fits all of them best
-    double product = 0, square = 0;
-    for (const NetworkSection& section : sections) {
-        const double count = std::round(2 * section.transitTime / cell);
-        product += 2 * section.transitTime * count;
-        square += count * count;
-    }
-    roundGrid(sections, product / square, grid);
+    CellFit ofSections;
+    for (const NetworkSection& section : sections)
+        ofSections.add(2 * section.transitTime, std::round(2 * section.transitTime / fit.cell()));
+    roundGrid(sections, ofSections.cell(), grid);
     return grid.rounding <= longest * sameLength;
 }
 

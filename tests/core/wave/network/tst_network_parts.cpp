@@ -2,6 +2,8 @@
 // What the solver of drill strings is made of: cells, relaxations, grids, and a lattice to compare with.
 #include <QtTest>
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -27,6 +29,13 @@ std::vector<NodeTurn> turnsOf(const std::vector<std::size_t>& delays) {
     std::vector<NodeTurn> turns;
     planTurns(delays, block, turns);
     return turns;
+}
+
+std::optional<CellGrid> grid(const std::vector<double>& lengths) {
+    std::vector<NetworkSection> sections;
+    for (const double length : lengths) sections.push_back({.impedance = 1, .transitTime = length});
+    CellGrid shared;
+    return shareGrid(sections, 1e-6, shared) ? std::optional(shared) : std::nullopt;
 }
 
 }  // namespace
@@ -73,16 +82,39 @@ class TestNetworkParts : public QObject {
     }
 
     void theCellIsTheLargestThatAllRoundTripsShare() {
-        const auto grid = [](std::vector<double> lengths) {
-            std::vector<NetworkSection> sections;
-            for (const double length : lengths) sections.push_back({.impedance = 1, .transitTime = length});
-            CellGrid shared;
-            return shareGrid(sections, 1e-6, shared) ? std::optional(shared) : std::nullopt;
-        };
         const auto millimetres = grid({0.300, 0.250, 0.450, 0.190, 3.660, 0.070, 0.060});
         QVERIFY(millimetres && std::abs(millimetres->cell - 0.020) < 1e-12);
         QCOMPARE(millimetres->roundTrips, (std::vector<long>{30, 25, 45, 19, 366, 7, 6}));
         QVERIFY(!grid({1, std::sqrt(2.0) / 1.3, M_PI / 3}));
+    }
+
+    /// What Euclid rounds off must not be carried from section to section: after two of them 4 mm would be
+    /// 3.99999999998.
+    void stringsOfWholeMillimetresShareACell() {
+        const double steel = std::sqrt(210e9 / 7850);
+        const auto share = [&](const std::vector<long>& millimetres) {
+            std::vector<double> transits;
+            const double hammer = 2e-3 * double(millimetres[0] + millimetres[1]) / steel;  // t0
+            for (const long length : millimetres) transits.push_back(1e-3 * double(length) / steel / hammer);
+            return grid(transits);
+        };
+        const auto held = share({364, 56, 334, 78, 5372, 78, 5372, 30, 64});
+        QVERIFY(held);
+        QCOMPARE(held->roundTrips, (std::vector<long>{182, 28, 167, 39, 2686, 39, 2686, 15, 32}));
+
+        Chance chance(31);
+        for (int i = 0; i < 9000; ++i) {
+            const long unit = std::array{1, 2, 5, 10}[chance.below(4)];
+            std::vector<long> lengths(4 + chance.below(9));
+            for (long& length : lengths)
+                length = unit * (1 + chance.below(chance.oneIn(3) ? 6000 : 600) / unit);
+            long divisor = 0;
+            for (const long length : lengths) divisor = std::gcd(divisor, length);
+            const auto grid = share(lengths);
+            QVERIFY2(grid, QByteArray::number(i));
+            for (std::size_t j = 0; j < lengths.size(); ++j)
+                QCOMPARE(grid->roundTrips[j], lengths[j] / divisor);
+        }
     }
 
     void cutsStayInOrderAndGradedPartsFollowAFront() {
