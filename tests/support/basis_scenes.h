@@ -5,8 +5,7 @@
 
 #include <optional>
 
-#include "core/wave/exact/contact_march.h"
-#include "core/wave/exact/series_basis.h"
+#include "tests/support/event_change.h"
 #include "tests/support/scene.h"
 
 namespace drillwave::test {
@@ -85,34 +84,17 @@ class BasisScenes {
         }
     }
 
-    /// Moves one group to where the number of events changes, within 1e-16 to 1e-3 of it.
+    /// Moves one group to where the events change, within 1e-16 to 1e-3 of it.
     void graze(Chance& chance, Scene& scene) {
-        double* const groups[] = {&scene.groups.delta, &scene.groups.beta, &scene.groups.tau};
-        double& value = *groups[scene.shape == PulseShape::rigidBody ? 1 + chance.below(2) : chance.below(3)];
-        const bool isGap = &value == &scene.groups.delta;
-        double here = value, there = isGap ? 3 * chance.fraction() : value * (1 + chance.fraction());
-        const std::size_t eventsHere = eventsAt(scene, value, here);
-        if (eventsAt(scene, value, there) == eventsHere) {
-            value = here;
-            return;
-        }
-        for (int step = 0; step < 60 && here != there; ++step) {
-            const double middle = (here + there) / 2;
-            (eventsAt(scene, value, middle) == eventsHere ? here : there) = middle;
-        }
-        value = chance.oneIn(4) ? here : here * near(chance, 1);
-    }
-
-    std::size_t eventsAt(const Scene& scene, double& value, double wanted) {
-        value = wanted;
-        Impact impact;
-        m_march.solve(problemOf(scene), Detail::summary, impact, {.pieces = 3000});
-        return impact.outcome == Outcome::rebounded ? impact.events.size() : 0;
+        const std::optional<EventChange> change = m_changes.find(scene, chance);
+        if (!change) return;
+        const double here = change->before;
+        scene.groups.*change->group = chance.oneIn(4) ? here : here * near(chance, 1);
     }
 
     unsigned m_seed;
     std::optional<PulseShape> m_only;
-    ContactMarch<SeriesBasis<double>> m_march;
+    EventChanges m_changes;
 };
 
 }  // namespace drillwave::test
