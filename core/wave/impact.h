@@ -2,6 +2,7 @@
 // One blow, solved: the common result of every solver, all quantities dimensionless.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -95,6 +96,12 @@ struct Impact {
     long samples = 0;    ///< points at which these searches looked
     long abandoned = 0;  ///< pieces solved in a representation that did not come to its end, besides `pieces`
 
+    /// What the balance of the energies leaves, of W, or of 1e-3 I0²/(Z t0) where that is larger: a hammer
+    /// that pushes a rod against rigid rock does next to no work, and the sums round at I0²/(Z t0). Not a
+    /// number without Detail::ledger.
+    double energyResidual() const {
+        return (hammerWork - rockWork - finalEnergy) / std::max(hammerWork, 1e-3);
+    }
     bool hasEvents() const { return contacts == 0 || !events.empty(); }  ///< of Detail::events or above
     bool hasHistories() const { return !incident.pieces().empty(); }     ///< of Detail::histories
 };

@@ -30,9 +30,7 @@ void require(StabilityRow& row, bool holds, const char* what, double value) {
 void checkBalances(StabilityRow& row, const Impact& impact) {
     row.momentumResidual = 1 - impact.impulse - impact.finalMomentum;
     require(row, std::abs(row.momentumResidual) <= marks.momentum, "momentum residual", row.momentumResidual);
-    // a hammer that pushes a rod against rigid rock does next to no work: the sums round at F0² t0/Z
-    const double energy = std::max(impact.hammerWork, 1e-3);
-    row.energyResidual = (impact.hammerWork - impact.rockWork - impact.finalEnergy) / energy;
+    row.energyResidual = impact.energyResidual();
     require(row, std::abs(row.energyResidual) <= marks.energy, "energy residual", row.energyResidual);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/proof/stability_cases.h"
 
+#include <cmath>
 #include <functional>
 
 #include "core/contact/bilinear_law.h"
@@ -58,6 +59,16 @@ void addTraps(const Add& add) {
     add("hammer pushes a rod against rigid rock", PulseShape::triangular, {2e6, 1e-3, 0.125, 0});
     add("contact lost and found within a layer", PulseShape::triangular,
         {1139756.7339493404, 1, 0.10451841308422448, 6.34e-05});
+    // the force turns in the last digit of time before a front raises it again, or after that
+    const auto turns = [&add](PulseShape shape, Groups groups) {
+        add("force that turns as a front arrives", shape, groups);
+    };
+    turns(PulseShape::exponential, {4.98325, 0.680524, 0.63574, 0.5803234527990637});
+    turns(PulseShape::exponential, {1.10626, 0.1, 0.35849, 0.43879244594666483});
+    turns(PulseShape::exponential, {4.2106, 0.665556, 0.282805, 0.111163186073214});
+    turns(PulseShape::exponential, {2, 0.05, std::nextafter(std::log(2.0) / 2, 0), 0});
+    turns(PulseShape::rectangular,
+          {3.9130558362526533, 0.42134946895830505, 0.13141871184587572, 0.14458317395972925});
     add("slow drift before a late second contact", PulseShape::rectangular, {0.01, 0.01, 10, 0.9});
     add("gap of a million periods", PulseShape::rectangular, {0.5, 0.1, 10, 1e6 + 0.5});
 }

@@ -25,8 +25,8 @@ Scenario scenarioOf(const StabilityCase& stabilityCase);
 Problem problemOf(const StabilityCase& stabilityCase);
 
 /// The published cases; the known traps (forceless contact, tangential events, equal and nearly equal rates,
-/// many reflections, stiff layers, gaps that close with a front, a hammer that pushes during several
-/// reflections, slow drift); short rods under every shape; chattering bits; each parameter through its whole
+/// many reflections, stiff layers, gaps that close with a front, forces that turn with one, a hammer that
+/// pushes during several reflections, slow drift); short rods under every shape; chattering bits; each parameter through its whole
 /// range (β 1e-9 … 1e12, γ 1e-9 … 1, τ 0.01 … 1e4, δ … 1e6) from a soft, a middle and a stiff case; and a
 /// product grid of extremes for every pulse shape.
 ///

@@ -121,6 +121,7 @@ void ContactMarch<Basis>::pass(const Piece& incident, const Piece* force, Real l
     ++m_impact->pieces;
     m_s += length;
     if (force || m_touching) m_contactTime += length;
+    if (!force && length > 0) m_eventsOnTheSpot = 0;
     if (m_detail == Detail::histories && length > 0) [[unlikely]]
         m_basis.record(incident, force, length, *m_impact);
 }
@@ -245,6 +246,7 @@ void ContactMarch<Basis>::advanceContact() {
         m_force = 0;  // forceless contact: what is left of an exponential is rounding
         m_line = ContactLine::apart;
         m_touching = true;
+        m_justUnloaded = false;
         m_gap = 0;
         return;
     }
@@ -273,7 +275,8 @@ void ContactMarch<Basis>::advanceContact() {
 
 template <class Basis>
 void ContactMarch<Basis>::changeBranch(Ending ending, Real length) {
-    if (length > 0) m_justUnloaded = false;
+    // only of the same piece of wave: the front of the next one may raise the force at once
+    m_justUnloaded = ending == Ending::unloading && length > 0 && incident().length > 0;
     switch (ending) {
         case Ending::none:
             break;
@@ -287,7 +290,6 @@ void ContactMarch<Basis>::changeBranch(Ending ending, Real length) {
             m_law.remember(m_force);
             m_force = std::max(m_force, m_law.largestForce());
             m_line = ContactLine::elastic;
-            m_justUnloaded = length > 0;  // at a jump of g, F' is negative at once
             note(ContactEvent::unloading);
             break;
         case Ending::primaryLoading:
