@@ -122,7 +122,7 @@ void ContactMarch<Basis>::finish() {
 }
 
 /// Peak, end and the work on the rock; the sums over the last period, which balance momentum and energy
-/// independently.
+/// independently. Where energy is missing, the force has not followed the law: that is no result.
 template <class Basis>
 void ContactMarch<Basis>::summarise() {
     Impact& impact = *m_impact;
@@ -142,6 +142,8 @@ void ContactMarch<Basis>::summarise() {
     }
     impact.finalMomentum = double(momentum);
     impact.finalEnergy = double(energy);
+    if (!(std::abs(impact.energyResidual()) <= mostMissingEnergy))
+        fail("its energies do not balance, so that its numbers are wrong");
 }
 
 }  // namespace drillwave

@@ -2,9 +2,11 @@
 // Where an event appears or vanishes, or falls on the arrival of a front, e is right on either side.
 #include <QtTest>
 
+#include "core/wave/exact/contact_march.h"
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/exact/extended_solver.h"
 #include "core/wave/exact/input_move.h"
+#include "core/wave/exact/series_basis.h"
 #include "tests/support/basis_scenes.h"
 #include "tests/support/event_change.h"
 
@@ -70,6 +72,14 @@ class Study {
 
 const Scene raisedByAFront{PulseShape::exponential, {4.98325, 0.680524, 0.63574, 0.5803234527990637}};
 
+/// Takes every force on the unloading line for one that has just turned: some then reach the primary line
+/// from above.
+struct MistakenBasis : SeriesBasis<double> {
+    Zero<double> forceReaches(const Response& r, double peak, bool) {
+        return SeriesBasis<double>::forceReaches(r, peak, true);
+    }
+};
+
 }  // namespace
 
 class TestEventChanges : public QObject {
@@ -111,6 +121,23 @@ class TestEventChanges : public QObject {
             QVERIFY2(std::abs(impact.cor - truth.cor) <= impact.corError,
                      words(scene, impact, truth).c_str());
         }
+    }
+
+    void whatLosesEnergyIsNoResult() {
+        const Problem problem = problemOf(raisedByAFront);
+        const auto solve = [&problem](auto basis) {
+            ContactMarch<decltype(basis)> march;
+            Impact impact;
+            march.solve(problem, Detail::ledger, impact);
+            return impact;
+        };
+        const Impact right = solve(SeriesBasis<double>());
+        QCOMPARE(right.outcome, Outcome::rebounded);
+        QVERIFY(std::abs(right.energyResidual()) < balanced);
+        const Impact wrong = solve(MistakenBasis());
+        QVERIFY(std::abs(wrong.energyResidual()) > 1e-3);
+        QCOMPARE(wrong.outcome, Outcome::notSolved);
+        QVERIFY(wrong.reason.find("energies") != std::string::npos);
     }
 
     void onEitherSideOfAChangeOfEventsNothingIsWrong_data() {
