@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/model/scales.h"
@@ -68,6 +69,15 @@ void appendTable(PulseForce& force, const TablePoints& points) {
     };
     for (std::size_t i = 1; i < points.size(); ++i)
         appendLine(force, time(i - 1), points[i - 1].force / largest, time(i), points[i].force / largest);
+}
+
+/// A time from the first point on in units of the last is wrong by two roundings and the slope to it by as
+/// much more, of the change of force there; a force in units of the largest and the impulse by six of itself.
+double roundingOfPoints(const PulseForce& force) {
+    double moved = 0;
+    for (const PulseSegment& segment : force.segments)
+        moved += (segment.start + segment.length) * std::abs(segment.slope) * segment.length;
+    return std::numeric_limits<double>::epsilon() * (3 + 2 * moved);
 }
 
 }  // namespace
@@ -152,6 +162,7 @@ PulseForce pulseForceOf(const Scenario& scenario) {
             break;
     }
     finish(force);
+    if (pulse.shape == PulseShape::table) force.rounding = roundingOfPoints(force);
     return force;
 }
 

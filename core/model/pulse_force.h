@@ -34,6 +34,8 @@ struct PulseForce {
     std::vector<PulseSegment> segments;
     double end = 0;  ///< the force is zero from here on; beyond it less than 1e-20 of the impulse was cut off
     double peak = 0;  ///< largest value
+    /// ∫|δFa| that the rounding of given points may be worth, those of a table; 0 for other shapes.
+    double rounding = 0;
     bool operator==(const PulseForce&) const = default;
 
     bool isRigidBody() const { return shape == PulseShape::rigidBody; }

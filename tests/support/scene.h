@@ -34,7 +34,7 @@ struct TableShape {
     unsigned seed = 1;
 };
 
-inline PulseForce pulseForceOf(const TableShape& table) {
+inline std::vector<TablePoint> tablePoints(const TableShape& table) {
     Chance chance(table.seed);
     const double ripples = 2 + 10 * chance.fraction(), rise = 0.05 + 0.3 * chance.fraction();
     std::vector<TablePoint> points;
@@ -47,10 +47,14 @@ inline PulseForce pulseForceOf(const TableShape& table) {
         point.force = std::max(0.0, bell * ripple + 0.02 * (chance.fraction() - 0.5));
     }
     if (points.size() == 2) points.front().force = 1;
+    return points;
+}
+
+inline PulseForce pulseForceOf(const TableShape& table) {
     Scenario scenario;
     scenario.form = ScenarioForm::dimensionless;
     scenario.pulse.shape = PulseShape::table;
-    scenario.pulse.tablePoints = TablePoints(std::move(points));
+    scenario.pulse.tablePoints = TablePoints(tablePoints(table));
     return drillwave::pulseForceOf(scenario);
 }
 

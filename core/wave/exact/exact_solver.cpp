@@ -74,6 +74,7 @@ Impact ExactSolver::solve(const Problem& problem, Detail detail, const std::stop
     }
     m_workspace->march(problem, detail, {.pieces = m_mostPieces, .stop = &stop}, impact);
     if (!isSolved(impact)) return impact;
+    impact.corError += roundingOfHammer(problem.hammer);
     if (impact.growth > 1) m_workspace->coverGrowthOf(impact, problem, {m_mostPieces, &stop});
     if (!std::isfinite(impact.cor + impact.corError)) {
         impact.outcome = Outcome::notSolved;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/model/pulse_force.h"
 #include "core/wave/impact.h"
 
 namespace drillwave {
@@ -27,6 +28,11 @@ inline constexpr double ordinaryRounding = 1e-13;
 /// Whether the rounding of a solved blow may have grown beyond what is stated for it.
 inline bool mayOutgrowItsError(const Impact& impact) {
     return impact.growth > coveredGrowth && impact.growth * ordinaryRounding > impact.corError;
+}
+
+/// What the rounding of a given hammer force is worth in e: it arrives once, and the rock may send it back.
+inline double roundingOfHammer(const PulseForce& hammer) {
+    return 2 * hammer.rounding;
 }
 
 /// Makes the error that a march has summed up, impact.corError, cover what contacts have made of it.
