@@ -209,6 +209,47 @@ class TestNetworkSolver : public QObject {
         QVERIFY2(uncovered <= scenes / 100, QByteArray::number(uncovered));
     }
 
+    /// As a uniform rod, whose e and work on the rock are known to all digits.
+    void statedErrorsCoverUniformRods() {
+        Chance chance(23);
+        const int scenes = scenesOr(300);
+        int compared = 0;
+        for (int i = 0; i < scenes; ++i) {
+            Groups groups{chance.logarithmic(0.05, 100), 1,
+                          std::array{0.5, 1.0, 2.5, 5.0, 7.25}[chance.below(5)],
+                          chance.oneIn(2) ? 0 : chance.fraction()};
+            if (chance.oneIn(2)) groups.gamma = chance.logarithmic(0.05, 1);
+            const Scene scene{PulseShape::rectangular, groups};
+            const Impact rod = solve(scene, Detail::ledger);
+            QCOMPARE(rod.outcome, Outcome::rebounded);
+            for (const NetworkAccuracy accuracy : {NetworkAccuracy::quick, NetworkAccuracy::sure}) {
+                const NetworkImpact impact =
+                    solveNetwork(uniformRod(groups), {.accuracy = accuracy, .wants = {}});
+                QCOMPARE(impact.end, NetworkEnd::proven);
+                const std::string words = describe(scene) + ": ";
+                const double ofCor = std::abs(-impact.stringMomentum / impact.faceImpulse - rod.cor);
+                QVERIFY2(ofCor <= impact.corError + rod.corError,
+                         (words + formatNumber(ofCor) + " of " + formatNumber(impact.corError)).c_str());
+                const double kept = rod.rockWork / rod.hammerWork;
+                const double ofEfficiency = std::abs(impact.energy.rock - kept);
+                QVERIFY2(ofEfficiency <= impact.efficiencyError,
+                         (words + formatNumber(ofEfficiency) + " of efficiency").c_str());
+                ++compared;
+            }
+        }
+        QCOMPARE(compared, 2 * scenes);
+    }
+
+    void energyThatIsMadeOrGoneIsNoResult() {
+        const NetworkImpact right = solveNetwork(uniformRod({0.5, 0.3, 5, 0}), {});
+        QVERIFY(right.balances());
+        for (const double missing : {-1e-5, 0.06, double(NAN)}) {
+            NetworkImpact wrong = right;
+            wrong.energyResidual = missing;
+            QVERIFY(!wrong.balances());
+        }
+    }
+
     /// All is counted at a time that lies within cells of most waves.
     void balancesCloseWhereverABlowEnds() {
         Chance chance(5);
