@@ -206,12 +206,19 @@ std::vector<Alert> stringAlerts(const Scenario& scenario, const StringBlow& blow
     const Scales scales = scalesOf(scenario);
     // what a shared cell leaves is below what lengths are given to
     constexpr double noticedRounding = 1e-7;
-    if (blow.impact.rounding > noticedRounding)
-        alerts.push_back({AlertLevel::warning,
-                          AlertCode::lengthsRounded,
-                          "",
-                          {{"time", blow.impact.rounding * scales.time, Quantity::time},
-                           {"efficiency_error", blow.impact.efficiencyError}}});
+    if (blow.impact.rounding > noticedRounding) {
+        Alert alert{AlertLevel::warning,
+                    AlertCode::lengthsRounded,
+                    "",
+                    {{"time", blow.impact.rounding * scales.time, Quantity::time}}};
+        if (blow.problem.law.gamma < 1)
+            alert.arguments.push_back({"efficiency_error", blow.impact.efficiencyError});
+        else  // elastic rock keeps nothing, whatever the lengths are
+            alert.arguments.push_back({"cor_error", blow.impact.corError});
+        if (blow.impact.sharedCell > 0)
+            alert.arguments.push_back({"shared_cell", blow.impact.sharedCell * scales.time, Quantity::time});
+        alerts.push_back(alert);
+    }
     if (blow.impact.end == NetworkEnd::nextBlow)
         alerts.push_back({AlertLevel::warning,
                           AlertCode::blowNotOver,

@@ -86,6 +86,22 @@ std::string residualWaves(const Alert& alert) {
            "): penetration may swing by 10 % up or down; another blow frequency or length tells.";
 }
 
+std::string lengthsRounded(const Alert& alert) {
+    const bool isShared = alert.has("shared_cell");
+    const std::string cell = isShared ? "share but a cell of time of " + inUnit(alert, "shared_cell") +
+                                            ", which would take more work than is permitted"
+                                      : "share no cell of time";
+    // what elastic rock keeps is 0 by law; its force and the rebound are what rounding moves
+    const std::string off =
+        alert.has("cor_error")
+            ? "the force on the rock and the rebound are off: e by up to " + bound(alert, "cor_error")
+            : "the efficiency may be off by " + bound(alert, "efficiency_error");
+    return "The transit times of the sections " + cell + ": they were rounded by up to " +
+           inUnit(alert, "time") + ", and " + off +
+           (isShared ? ". Lengths with a larger common divisor share a longer one."
+                     : ". Lengths in whole millimetres of one steel share one and are exact.");
+}
+
 /// Why the closed form is not for the blow: the group to blame says it.
 std::string closedFormObstacle(const Alert& alert) {
     if (alert.parameter == "tau")
@@ -161,10 +177,7 @@ std::string alertText(const Alert& alert) {
         case AlertCode::residualWaves:
             return residualWaves(alert);
         case AlertCode::lengthsRounded:
-            return "The transit times of the sections share no cell of time: they were rounded by up to " +
-                   inUnit(alert, "time") + ", and the efficiency may be off by " +
-                   bound(alert, "efficiency_error") +
-                   ". Lengths in whole millimetres of one steel are exact.";
+            return lengthsRounded(alert);
         case AlertCode::blowNotOver:
             return "After " + inUnit(alert, "time") +
                    " bit or hammer may still meet again: these are the numbers at the next blow, not final "

@@ -79,6 +79,7 @@ struct NetworkImpact {
     long cells = 0;         ///< cells times nodes: the work
     double cell = 0;        ///< Δ [t0]
     double rounding = 0;    ///< of the round trips, largest [t0]
+    double sharedCell = 0;  ///< where they were rounded although they share one: it takes too much work [t0]
 
     /// Whether it can be a result at all. Cells lose energy where they do not resolve a wave, 0.015 at most
     /// of 3000 strings with a hundredth of the work that is permitted; they make none, 1e-12 at most by

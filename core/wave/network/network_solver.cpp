@@ -176,8 +176,11 @@ NetworkImpact NetworkSolver::Workspace::solveShared(const NetworkProblem& proble
                                                     const NetworkSettings& settings,
                                                     const std::stop_token& stop) {
     const ForeseenWork& foreseen = planFine(problem, settings, quickSmoothness);
-    if (foreseen.work > sharedShare * static_cast<double>(settings.mostCells) || foreseen.held > mostHeld)
-        return solveRounded(problem, settings, stop);
+    if (foreseen.work > sharedShare * static_cast<double>(settings.mostCells) || foreseen.held > mostHeld) {
+        NetworkImpact rounded = solveRounded(problem, settings, stop);
+        rounded.sharedCell = m_usual.cell;
+        return rounded;
+    }
     NetworkImpact quick = run(settings, stop);
     if (quick.end == NetworkEnd::notSolved) return quick;
     stateErrorOfQuickRun(quick, problem);

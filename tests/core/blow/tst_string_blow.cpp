@@ -177,10 +177,34 @@ class TestStringBlow : public QObject {
     void lengthsThatShareNoCellAreRemarkedOn() {
         Scenario scenario = t38();
         scenario.drillString.hammer.sections[0].length = 0.3 * M_SQRT2 / 1.4;
-        const Blow blow = solved(scenario);
-        QVERIFY(blow.isSolved());
-        QVERIFY(std::any_of(blow.alerts.begin(), blow.alerts.end(),
-                            [](const Alert& alert) { return alert.code == AlertCode::lengthsRounded; }));
+        const auto remark = [](const Blow& blow) {
+            const auto found = std::ranges::find(blow.alerts, AlertCode::lengthsRounded, &Alert::code);
+            return found == blow.alerts.end() ? Alert{} : *found;
+        };
+        const Alert ofEfficiency = remark(solved(scenario));
+        QVERIFY(ofEfficiency.has("efficiency_error") && !ofEfficiency.has("shared_cell"));
+
+        // elastic rock keeps nothing, whatever the lengths are: what is off is the rebound
+        findParameter("bit_rock.gamma")->assign(scenario, 1);
+        const Blow elastic = solved(scenario);
+        const Alert ofRebound = remark(elastic);
+        QVERIFY(ofRebound.has("cor_error") && !ofRebound.has("efficiency_error"));
+        QCOMPARE(ofRebound.argument("cor_error").value, elastic.summary.corError);
+    }
+
+    void aCellThatIsTooMuchWorkIsNotCalledMissing() {
+        const Scenario scenario = t38();
+        NetworkSolver solver;
+        const StringBlow whole = solveString(scenario, {}, solver, {});
+        QCOMPARE(whole.impact.sharedCell, 0.0);
+        NetworkSettings settings;
+        settings.mostCells = whole.impact.cells / 50;
+        const StringBlow rounded = solveString(scenario, settings, solver, {});
+        QVERIFY(rounded.impact.end != NetworkEnd::notSolved);
+        QVERIFY(rounded.impact.rounding > 0 && rounded.impact.sharedCell > 0);
+        const std::vector<Alert> alerts = stringAlerts(scenario, rounded);
+        const auto found = std::ranges::find(alerts, AlertCode::lengthsRounded, &Alert::code);
+        QVERIFY(found != alerts.end() && found->has("shared_cell"));
     }
 };
 

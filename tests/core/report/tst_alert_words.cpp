@@ -129,7 +129,21 @@ const std::vector<Example>& examples() {
           "",
           {{"time", 2e-7, Quantity::time}, {"efficiency_error", 1e-3}}},
          "The transit times of the sections share no cell of time: they were rounded by up to 0.2 us, and "
-         "the efficiency may be off by 0.0011. Lengths in whole millimetres of one steel are exact."},
+         "the efficiency may be off by 0.0011. Lengths in whole millimetres of one steel share one and are "
+         "exact."},
+        {{warning, AlertCode::lengthsRounded, "", {{"time", 2e-7, Quantity::time}, {"cor_error", 5e-3}}},
+         "The transit times of the sections share no cell of time: they were rounded by up to 0.2 us, and "
+         "the force on the rock and the rebound are off: e by up to 0.0053. Lengths in whole millimetres of "
+         "one steel share one and are exact."},
+        {{warning,
+          AlertCode::lengthsRounded,
+          "",
+          {{"time", 2e-7, Quantity::time},
+           {"efficiency_error", 1e-3},
+           {"shared_cell", 4e-7, Quantity::time}}},
+         "The transit times of the sections share but a cell of time of 0.4 us, which would take more work "
+         "than is permitted: they were rounded by up to 0.2 us, and the efficiency may be off by 0.0011. "
+         "Lengths with a larger common divisor share a longer one."},
         {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}}},
          "After 16.7 ms bit or hammer may still meet again: these are the numbers at the next blow, not "
          "final "
