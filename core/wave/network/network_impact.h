@@ -82,7 +82,7 @@ struct NetworkImpact {
     double sharedCell = 0;  ///< where they were rounded although they share one: it takes too much work [t0]
 
     /// Whether it can be a result at all. Cells lose energy where they do not resolve a wave, 0.015 at most
-    /// of 3000 strings with a hundredth of the work that is permitted; they make none, 1e-12 at most by
+    /// of 3000 strings with a hundredth of the work that is permitted; they make none, 3e-12 at most by
     /// rounding.
     bool balances() const {
         constexpr double mostMade = 1e-6, mostLost = 0.05;
