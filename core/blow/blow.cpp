@@ -28,7 +28,7 @@ void solveStringBlow(Blow& blow, Detail detail, NetworkAccuracy accuracy, const 
     NetworkSettings settings;
     settings.accuracy = accuracy;
     settings.wants.events = true;
-    settings.wants.forces = true;
+    settings.wants.forces = settings.wants.reflections = true;
     settings.wants.histories = detail == Detail::histories;
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();

@@ -16,7 +16,8 @@ namespace drillwave {
 /// What is wanted of a blow beside its sums.
 struct NetworkWants {
     bool events = false;
-    bool forces = false;           ///< of every section, and what joints reflect
+    bool forces = false;           ///< the largest of every section
+    bool reflections = false;      ///< with the forces: what joints reflect
     bool forcesIfTheyFit = false;  ///< a result without them rather than none
     bool histories = false;        ///< the waves of every section
     CutAt cutAt = CutAt::jumps;

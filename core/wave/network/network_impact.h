@@ -76,9 +76,10 @@ struct NetworkImpact {
     std::vector<double> jointReflection;       ///< [E0] per joint of two sections, where wanted
     std::shared_ptr<const StringWaves> waves;  ///< where wanted, and not more than can be kept
 
-    long cells = 0;         ///< cells times nodes: the work
-    double cell = 0;        ///< Δ [t0]
-    double rounding = 0;    ///< of the round trips, largest [t0]
+    long cells = 0;            ///< cells times nodes: the work
+    long cellsLookedInto = 0;  ///< for the largest forces: those that bounds did not rule out
+    double cell = 0;           ///< Δ [t0]
+    double rounding = 0;       ///< of the round trips, largest [t0]
     double sharedCell = 0;  ///< where they were rounded although they share one: it takes too much work [t0]
 
     /// Whether it can be a result at all. Cells lose energy where they do not resolve a wave, 0.015 at most

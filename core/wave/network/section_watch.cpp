@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drillwave {
 
@@ -11,25 +12,65 @@ namespace {
 /// How many blocks of cells a pair of cells is worth that is looked at closely.
 constexpr long blocksOfPair = 6;
 
+/// What cells, pushing and pulling, are at most.
+struct CellBounds {
+    double push = -std::numeric_limits<double>::infinity();
+    double pull = push;
+
+    double of(double sign) const { return sign > 0 ? push : pull; }
+};
+
+/// Never less than WaveCell::peak() says of any of the cells, nor than their values: Legendre polynomials are
+/// at most 1. What the sums in those lose by rounding is a few units of the last place of the coefficients,
+/// and nothing for constant cells, of which there are many that are equal.
+CellBounds boundsOf(std::span<const WaveCell> cells) {
+    constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
+    CellBounds bounds;
+    double moving = 0;
+    for (const WaveCell& cell : cells) {
+        const double spread = cell.spread();
+        bounds.push = std::max(bounds.push, spread + cell.c[0]);
+        bounds.pull = std::max(bounds.pull, spread - cell.c[0]);
+        moving = std::max(moving, spread);
+    }
+    if (moving > 0) {
+        const double margin = rounding * (std::abs(bounds.push) + std::abs(bounds.pull) + moving);
+        bounds.push += margin;
+        bounds.pull += margin;
+    }
+    return bounds;
+}
+
+double mostOfCell(const WaveCell& cell, double sign) {
+    return boundsOf({&cell, 1}).of(sign);
+}
+
+/// Calls `use(first, count)` for the parts of `count` steps from `step` on that lie in one block each.
+template <class Use>
+void forEachBlock(long step, std::size_t count, Use use) {
+    for (std::size_t first = 0; first < count;) {
+        const long from = step + static_cast<long>(first);
+        const long left = WindowMaxima::blockStart(from) + WindowMaxima::smallest - from;
+        const std::size_t part = std::min(count - first, static_cast<std::size_t>(left));
+        use(first, part);
+        first += part;
+    }
+}
+
 }  // namespace
 
 struct SectionWatch::Meeting {
     const WaveCell& down;
     const WaveCell& up;
-    std::span<const WaveCell> window;
+    std::span<const WaveCell> window;  ///< entered before, over a round trip, the oldest first
     long step;
     const CellCuts& cuts;
     double lastTime;
+    double mostUp;  ///< no cell of the window, nor `up`, is more
 
     long oldest() const { return step - static_cast<long>(window.size()); }
+    const WaveCell& cell(long ofStep) const { return window[static_cast<std::size_t>(ofStep - oldest())]; }
 };
-
-void SectionWatch::push(Side& side, const WaveCell& cell, long step, const CellCuts& cuts) const {
-    const WaveCell::Peak peak = (side.sign * cell).peak();
-    if (m_section.decay > 0) side.maxima.push(step, peak.value);
-    while (!side.largest.empty() && side.largest.back().value <= peak.value) side.largest.pop_back();
-    side.largest.push_back({step, cuts.clock(step) + peak.place * cuts.width(step), peak.value});
-}
 
 void SectionWatch::note(SectionPeak& peak, double force, double downClock, double upClock,
                         double lastTime) const {
@@ -44,20 +85,46 @@ void SectionWatch::note(SectionPeak& peak, double force, double downClock, doubl
     peak = {force, place < atEnd ? 0 : place > 1 - atEnd ? 1 : place, time};
 }
 
-void SectionWatch::watch(Side& side, const Meeting& meeting) const {
+void SectionWatch::watch(Side& side, const Meeting& meeting) {
+    if (mostOfCell(meeting.down, side.sign) + meeting.mostUp <= side.peak.force) return;
+    ++m_cells;
     const WaveCell f = side.sign * meeting.down;
     const WaveCell::Peak top = f.peak();
+    if (top.value + meeting.mostUp <= side.peak.force) return;
+    m_section.decay > 0 ? watchDecaying(side, meeting, f, top) : watchLossless(side, meeting, f, top);
+}
+
+void SectionWatch::watchLossless(Side& side, const Meeting& meeting, const WaveCell& f,
+                                 const WaveCell::Peak& top) {
     const double clock = meeting.cuts.clock(meeting.step), width = meeting.cuts.width(meeting.step);
     const auto at = [&](double place) { return clock + place * width; };
     const auto tell = [&](double force, double downClock, double upClock) {
         note(side.peak, force, downClock, upClock, meeting.lastTime);
     };
-    if (!side.largest.empty())
-        tell(top.value + side.largest.front().value, at(top.place), side.largest.front().clock);
+
+    // the largest value on its way, the latest of several: any other makes no larger force
+    WaveCell::Peak most{0, -std::numeric_limits<double>::infinity()};
+    long ofMost = 0;
+    const auto mayHold = [&](double largest) {
+        return largest > most.value && top.value + largest > side.peak.force;
+    };
+    side.maxima.search(
+        meeting.oldest() + 1, meeting.step, [&](double largest, long, long) { return mayHold(largest); },
+        [&](long step) {
+            const WaveCell& cell = meeting.cell(step);
+            if (!mayHold(mostOfCell(cell, side.sign))) return;
+            const WaveCell::Peak peak = (side.sign * cell).peak();
+            if (peak.value > most.value) most = peak, ofMost = step;
+        });
+    if (mayHold(std::numeric_limits<double>::infinity()) && top.value + most.value > side.peak.force)
+        tell(top.value + most.value, at(top.place),
+             meeting.cuts.clock(ofMost) + most.place * meeting.cuts.width(ofMost));
 
     // of the cell of a round trip ago f meets only what left later in it, of the present one what left
     // earlier
-    const auto pair = [&](const WaveCell& b, double shift, bool later) {
+    const auto pair = [&](const WaveCell& up, double shift, bool later) {
+        if (top.value + mostOfCell(up, side.sign) <= side.peak.force) return;
+        const WaveCell b = side.sign * up;
         const WaveCell::Peak other = b.peak();
         if (top.value + other.value <= side.peak.force) return;
         const auto candidate = [&](double force, double u, double v) { tell(force, at(u), at(v) - shift); };
@@ -69,8 +136,8 @@ void SectionWatch::watch(Side& side, const Meeting& meeting) const {
         const WaveCell::Peak sum = (f + b).peak();
         candidate(sum.value, sum.place, sum.place);
     };
-    pair(side.sign * meeting.window.front(), 2 * m_section.transitTime, true);
-    pair(side.sign * meeting.up, 0, false);
+    pair(meeting.window.front(), 2 * m_section.transitTime, true);
+    pair(meeting.up, 0, false);
 }
 
 /// The most that waves of these values at their ends come to where they meet: `share` is how much of its way
@@ -86,18 +153,13 @@ double SectionWatch::mostOf(double down, double up, double earliestShare, double
 
 /// Where waves lose on their way it matters where they meet: all that may come into question is tried, with
 /// each cell's ends and its top.
-void SectionWatch::watchDecaying(Side& side, const Meeting& meeting) {
-    const WaveCell f = side.sign * meeting.down;
-    const WaveCell::Peak top = f.peak();
-    const double most = side.largest.empty() ? 0 : side.largest.front().value;
-    const double edge =
-        std::max((side.sign * meeting.window.front()).peak().value, (side.sign * meeting.up).peak().value);
-    if (top.value + std::max(most, edge) <= side.peak.force) return;
+void SectionWatch::watchDecaying(Side& side, const Meeting& meeting, const WaveCell& f,
+                                 const WaveCell::Peak& top) {
     const CellCuts& cuts = meeting.cuts;
     const double clock = cuts.clock(meeting.step), end = clock + cuts.width(meeting.step);
     const double roundTrip = 2 * m_section.transitTime;
-    meet(side, meeting, f, 0);
-    meet(side, meeting, f, meeting.window.size());
+    meet(side, meeting, f, top, 0);
+    meet(side, meeting, f, top, meeting.window.size());
     const auto mayHold = [&](double largest, long first, long behind) {
         const double from = cuts.clock(first), to = cuts.clock(behind);
         const double earliest = m_section.startTime + (clock + from) / 2 + m_section.transitTime;
@@ -106,16 +168,18 @@ void SectionWatch::watchDecaying(Side& side, const Meeting& meeting) {
                side.peak.force;
     };
     m_looked += side.maxima.search(meeting.oldest() + 1, meeting.step, mayHold, [&](long step) {
+        if (top.value + mostOfCell(meeting.cell(step), side.sign) <= side.peak.force) return;
         m_looked += blocksOfPair;
-        meet(side, meeting, f, static_cast<std::size_t>(step - meeting.oldest()));
+        meet(side, meeting, f, top, static_cast<std::size_t>(step - meeting.oldest()));
     });
 }
 
 /// f with cell number `number` of the window; the one behind the last is the present one.
-void SectionWatch::meet(Side& side, const Meeting& meeting, const WaveCell& f, std::size_t number) const {
+void SectionWatch::meet(Side& side, const Meeting& meeting, const WaveCell& f, const WaveCell::Peak& top,
+                        std::size_t number) const {
     const bool present = number == meeting.window.size(), oldest = number == 0;
     const WaveCell b = side.sign * (present ? meeting.up : meeting.window[number]);
-    const WaveCell::Peak top = f.peak(), other = b.peak();
+    const WaveCell::Peak other = b.peak();
     if (top.value + other.value <= side.peak.force) return;
     const double clock = meeting.cuts.clock(meeting.step), width = meeting.cuts.width(meeting.step);
     const double roundTrip = 2 * m_section.transitTime;
@@ -136,25 +200,54 @@ void SectionWatch::meet(Side& side, const Meeting& meeting, const WaveCell& f, s
         }
 }
 
-void SectionWatch::add(const WaveCell& down, const WaveCell& up, std::span<const WaveCell> window, long step,
-                       const CellCuts& cuts, double lastTime) {
-    const Meeting meeting{down, up, window, step, cuts, lastTime};
-    for (Side* side : {&m_compression, &m_tension}) {
-        while (!side->largest.empty() && side->largest.front().step <= meeting.oldest())
-            side->largest.pop_front();
-        side->maxima.dropBefore(meeting.oldest());
-        m_section.decay > 0 ? watchDecaying(*side, meeting) : watch(*side, meeting);
-        push(*side, up, step, cuts);
-    }
+/// What the cells on their way from step `first` to before `behind` are at most; less only where none of them
+/// comes to a larger force with a wave of at most `down`.
+double SectionWatch::mostOnTheWay(const Side& side, double down, long first, long behind) {
+    double most = -std::numeric_limits<double>::infinity();
+    side.maxima.search(
+        first, behind,
+        [&](double largest, long from, long to) {
+            if (largest <= most || down + largest <= side.peak.force) return false;
+            if (to - from > WindowMaxima::smallest) return true;  // its parts may be less
+            most = largest;
+            return false;
+        },
+        [](long) {});
+    return most;
 }
 
-void SectionWatch::restart(std::span<const WaveCell> window, long step, const CellCuts& cuts) {
-    for (Side* side : {&m_compression, &m_tension}) {
-        side->largest.clear();
-        side->maxima.clear();
-        long at = step - static_cast<long>(window.size());
-        for (const WaveCell& cell : window) push(*side, cell, at++, cuts);
-    }
+void SectionWatch::add(std::span<const WaveCell> downs, std::span<const WaveCell> ups, long step,
+                       const CellCuts& cuts, double lastTime) {
+    const std::size_t window = ups.size() - downs.size();
+    forEachBlock(step, downs.size(), [&](std::size_t first, std::size_t count) {
+        const long from = step + static_cast<long>(first), oldest = from - static_cast<long>(window);
+        const CellBounds down = boundsOf(downs.subspan(first, count));
+        push(ups.subspan(window + first, count), from);
+        for (Side* side : {&m_compression, &m_tension}) {
+            side->maxima.dropBefore(oldest);
+            const double mostDown = down.of(side->sign);
+            const double mostUp = mostOnTheWay(*side, mostDown, oldest, from + static_cast<long>(count));
+            if (mostDown + mostUp <= side->peak.force) continue;
+            for (std::size_t i = first; i < first + count; ++i)
+                watch(*side, {downs[i], ups[window + i], ups.subspan(i, window), step + static_cast<long>(i),
+                              cuts, lastTime, mostUp});
+        }
+    });
+}
+
+/// Of cells from `step` on, what they are at most.
+void SectionWatch::push(std::span<const WaveCell> cells, long step) {
+    const CellBounds bounds = boundsOf(cells);
+    m_compression.maxima.push(step, bounds.push);
+    m_tension.maxima.push(step, bounds.pull);
+}
+
+void SectionWatch::restart(std::span<const WaveCell> window, long step) {
+    const long oldest = step - static_cast<long>(window.size());
+    for (Side* side : {&m_compression, &m_tension}) side->maxima.begin(static_cast<long>(window.size()) + 1);
+    forEachBlock(oldest, window.size(), [&](std::size_t first, std::size_t count) {
+        push(window.subspan(first, count), oldest + static_cast<long>(first));
+    });
 }
 
 }  // namespace drillwave

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <span>
 
 #include "core/wave/network/cell_cuts.h"
@@ -23,50 +22,53 @@ struct WatchedSection {
 /// Two waves meet in a section exactly when they left its ends at times less than a transit apart, on the
 /// clocks of the ends: when the one that runs back left no later, and at most a round trip before. So the
 /// largest force is a largest sum over a window that moves.
+///
+/// Hardly any cell holds it. What blocks of cells can come to at most is known from their coefficients, and
+/// only those are looked into that may be above the largest force so far.
 class SectionWatch {
   public:
     explicit SectionWatch(const WatchedSection& section) : m_section(section) {}
 
-    /// Waves of step number `step` on both clocks: `down` enters at the rear, `up` at the front end;
-    /// `window` entered there before, over a round trip, the oldest first, which now leaves. What would meet
-    /// after `lastTime` does not count.
-    void add(const WaveCell& down, const WaveCell& up, std::span<const WaveCell> window, long step,
-             const CellCuts& cuts, double lastTime);
-    /// After cells were cut: `window` is on its way before `step`.
-    void restart(std::span<const WaveCell> window, long step, const CellCuts& cuts);
+    /// Waves of the steps from `step` on, on both clocks: `downs` enter at the rear end. `ups` are those that
+    /// have entered at the front end for a round trip before, the oldest first, and behind them those that
+    /// enter there now, as many as `downs`. What would meet after `lastTime` does not count.
+    void add(std::span<const WaveCell> downs, std::span<const WaveCell> ups, long step, const CellCuts& cuts,
+             double lastTime);
+    /// At the beginning, or after cells were cut: `window` is on its way before `step`.
+    void restart(std::span<const WaveCell> window, long step);
 
     SectionForces forces() const { return {m_compression.peak, m_tension.peak}; }
-    /// Blocks and pairs of cells that were looked at where waves lose on their way.
+    /// Blocks and pairs of cells that were looked at closely where waves lose on their way.
     long looked() const { return m_looked; }
+    /// Cells down that were looked at closely, for either sign.
+    long cellsLookedInto() const { return m_cells; }
 
   private:
-    /// The largest value of a cell that is on its way.
-    struct Entry {
-        long step;
-        double clock;  ///< of the value
-        double value;
-    };
+    /// Compression or tension.
     struct Side {
         explicit Side(double ofSign) : sign(ofSign) {}
         double sign;
         SectionPeak peak;
-        std::deque<Entry> largest;
-        WindowMaxima maxima;  ///< where waves lose: of the cells on their way
+        WindowMaxima maxima;  ///< what the cells on their way are at most
     };
     /// One cell and what it meets.
     struct Meeting;
 
-    void watch(Side& side, const Meeting& meeting) const;
-    void watchDecaying(Side& side, const Meeting& meeting);
-    void meet(Side& side, const Meeting& meeting, const WaveCell& f, std::size_t number) const;
+    void watch(Side& side, const Meeting& meeting);
+    void watchLossless(Side& side, const Meeting& meeting, const WaveCell& f, const WaveCell::Peak& top);
+    void watchDecaying(Side& side, const Meeting& meeting, const WaveCell& f, const WaveCell::Peak& top);
+    void meet(Side& side, const Meeting& meeting, const WaveCell& f, const WaveCell::Peak& top,
+              std::size_t number) const;
     double mostOf(double down, double up, double earliestShare, double latestShare) const;
     void note(SectionPeak& peak, double force, double downClock, double upClock, double lastTime) const;
-    void push(Side& side, const WaveCell& cell, long step, const CellCuts& cuts) const;
+    static double mostOnTheWay(const Side& side, double down, long first, long behind);
+    void push(std::span<const WaveCell> cells, long step);
 
     WatchedSection m_section;
     Side m_compression{1};
     Side m_tension{-1};
     long m_looked = 0;
+    long m_cells = 0;
 };
 
 }  // namespace drillwave

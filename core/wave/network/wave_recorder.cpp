@@ -28,7 +28,8 @@ void WaveRecorder::begin(const MarchPlan& plan, const CellLattice& lattice) {
     for (std::size_t j = 0; j < plan.sections(); ++j) {
         const NetworkSection& section = problem.sections[j];
         m_watches.emplace_back(WatchedSection{section.transitTime, section.decay, plan.clocks().delays[j]});
-        if (j + 1 < plan.sections()) m_alone.emplace_back(section, problem.sections[j + 1], 0);
+        if (plan.wants().reflections && j + 1 < plan.sections())
+            m_alone.emplace_back(section, problem.sections[j + 1], 0);
     }
     m_reflected.assign(m_alone.size(), 0);
     restartWatches();
@@ -37,7 +38,7 @@ void WaveRecorder::begin(const MarchPlan& plan, const CellLattice& lattice) {
 void WaveRecorder::restartWatches() {
     m_parts = m_lattice->cuts().count();
     for (std::size_t j = 0; j < m_watches.size(); ++j)
-        m_watches[j].restart(m_lattice->line(j).content(), m_lattice->step(), m_lattice->cuts());
+        m_watches[j].restart(m_lattice->line(j).content(), m_lattice->step());
     for (Joint& joint : m_alone) joint.setWidths(m_lattice->cuts().widths());
 }
 
@@ -51,11 +52,9 @@ void WaveRecorder::addForces(const std::stop_token& stop) {
     const NetworkProblem& problem = m_plan->problem();
     const double lastTime = problem.endTime.value_or(std::numeric_limits<double>::infinity());
     for (std::size_t j = 0; j < m_watches.size() && !stop.stop_requested(); ++j) {
-        const WaveCell* down = m_lattice->down(j);
         const DelayLine<WaveCell>& line = m_lattice->line(j);
-        for (std::size_t i = 0; i < stepsOfBlock; ++i)
-            m_watches[j].add(down[i], line.leaving()[i], {line.arriving() + i, line.delay()},
-                             m_lattice->step() + static_cast<long>(i), m_lattice->cuts(), lastTime);
+        m_watches[j].add({m_lattice->down(j), stepsOfBlock}, {line.arriving(), line.delay() + stepsOfBlock},
+                         m_lattice->step(), m_lattice->cuts(), lastTime);
         if (j >= problem.hammerSections && j < m_alone.size()) addReflection(j);
     }
 }
@@ -98,7 +97,10 @@ void WaveRecorder::leaveOutForces() {
 
 void WaveRecorder::finish(double time, NetworkImpact& impact) {
     const NetworkProblem& problem = m_plan->problem();
-    for (const SectionWatch& watch : m_watches) impact.sections.push_back(watch.forces());
+    for (const SectionWatch& watch : m_watches) {
+        impact.sections.push_back(watch.forces());
+        impact.cellsLookedInto += watch.cellsLookedInto();
+    }
     for (std::size_t j = problem.hammerSections; j < m_alone.size(); ++j)
         impact.jointReflection.push_back(m_reflected[j] / problem.sections[j].impedance /
                                          impact.hammerEnergy);

@@ -3,27 +3,18 @@
 
 namespace drillwave {
 
-namespace {
-
-/// Sizes of blocks: a window of millions of steps is a dozen of the largest.
-constexpr std::size_t levels = 6;
-
-long blockOf(long step, long size) {
-    return step >= 0 ? step / size : -((size - 1 - step) / size);
+void WindowMaxima::begin(long window) {
+    m_levels.clear();
+    for (long size = smallest;; size *= growth) {
+        m_levels.push_back({.size = size, .first = 0, .largest = {}});
+        if (size >= window) return;  // a block of the largest size holds a window, or two do
+    }
 }
 
-}  // namespace
-
 void WindowMaxima::push(long step, double value) {
-    if (m_levels.empty()) {
-        m_levels.resize(levels);
-        for (std::size_t i = 0; i < levels; ++i) {
-            if (i > 0) m_levels[i].size = growth * m_levels[i - 1].size;
-            m_levels[i].first = blockOf(step, m_levels[i].size);
-        }
-    }
     for (Level& level : m_levels) {
         const long block = blockOf(step, level.size);
+        if (level.largest.empty()) level.first = block;
         if (level.first + static_cast<long>(level.largest.size()) <= block)
             level.largest.push_back(value);
         else

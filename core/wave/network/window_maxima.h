@@ -9,14 +9,20 @@
 
 namespace drillwave {
 
-/// Steps are whole numbers that follow each other; a value for each of them is pushed, and the oldest are
-/// dropped. What no larger block can hold is not looked for in the smaller ones.
+/// Steps are whole numbers that follow each other; what their values are at most is pushed, and the oldest
+/// are dropped. What no larger block can hold is not looked for in the smaller ones.
 class WindowMaxima {
   public:
-    /// So many steps, or blocks, make a block of the next size.
-    static constexpr long growth = 8;
+    /// So many steps make the smallest block, and so many blocks one of the next size.
+    static constexpr long smallest = 32, growth = 8;
 
-    void clear() { m_levels.clear(); }
+    /// The first step of the smallest block that holds `step`.
+    static long blockStart(long step) { return smallest * blockOf(step, smallest); }
+
+    /// Empty, for windows of so many steps.
+    void begin(long window);
+    /// `value` counts for all steps of the smallest block that holds `step`: one call for each of them will
+    /// do.
     void push(long step, double value);
     /// Forgets blocks that end before `oldest`.
     void dropBefore(long oldest);
@@ -35,9 +41,13 @@ class WindowMaxima {
     }
 
   private:
+    static long blockOf(long step, long size) {
+        return step >= 0 ? step / size : -((size - 1 - step) / size);
+    }
+
     /// Blocks of one size; number n has the steps from n · size on.
     struct Level {
-        long size = growth;
+        long size = smallest;
         long first = 0;  ///< number of the oldest block
         std::deque<double> largest;
     };
