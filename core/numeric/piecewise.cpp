@@ -14,6 +14,12 @@ void PiecewisePolynomial::clear(double origin) {
 }
 
 void PiecewisePolynomial::append(double length, double scale, std::span<const double> coefficients) {
+    if (m_pieces.capacity() == 0) {  // most histories need no more than that
+        constexpr std::size_t usualPieces = 128, usualTerms = 24;
+        m_pieces.reserve(usualPieces);
+        m_integrals.reserve(usualPieces);
+        m_coefficients.reserve(usualPieces * usualTerms);
+    }
     const double before =
         m_pieces.empty() ? 0.0 : m_integrals.back() + integral(m_pieces.back(), m_pieces.back().length);
     m_pieces.push_back({m_end, length, scale, static_cast<std::uint32_t>(m_coefficients.size()),

@@ -394,9 +394,16 @@ double ExponentialBasis::largest(Response& r, double length, double before) {
 
 double ExponentialBasis::productIntegral(const Piece& f, const Piece& g, double length) const {
     double sum = 0;
-    ExponentialStretches(std::array{&f, &g}, length, m_negligible).forEach([&](double, const auto& series) {
-        sum += PowerSeries<double>::productIntegral(series[0], series[1], series[0].length);
-    });
+    const auto add = [&](const PowerSeries<double>& a, const PowerSeries<double>& b) {
+        sum += PowerSeries<double>::productIntegral(a, b, a.length);
+    };
+    if (&f == &g)  // a square
+        ExponentialStretches(std::array{&f}, length, m_negligible).forEach([&](double, const auto& series) {
+            add(series[0], series[0]);
+        });
+    else
+        ExponentialStretches(std::array{&f, &g}, length, m_negligible)
+            .forEach([&](double, const auto& series) { add(series[0], series[1]); });
     return sum;
 }
 

@@ -66,18 +66,26 @@ class ExponentialStretches {
     /// Σ c_m φ_m(y), φ_m(y) = e^{−y} y^m/m!, with y = reach·u: the coefficient of u^j is
     /// reach^j Σ_m c_m/m! (−1)^(j−m)/(j−m)!.
     static Series seriesOf(const Coefficients& terms, double reach) {
-        Series decay;  // of e^{−y}
-        decay[0] = 1;
-        for (std::size_t j = 1; j < decay.size(); ++j) decay[j] = -decay[j - 1] / double(j);
-        Series series;
+        static constexpr Series decay = [] {  // of e^{−y}
+            Series c{};
+            c[0] = 1;
+            for (std::size_t j = 1; j < c.size(); ++j) c[j] = -c[j - 1] / double(j);
+            return c;
+        }();
+        std::array<double, Coefficients::capacity> amplitudes;  // c_m/m!
+        double factorial = 1;
+        for (int m = 0; m < terms.count; ++m) {
+            amplitudes[m] = terms.c[m] / factorial;
+            factorial *= m + 1;
+        }
+        // all sums at once, each in the order of its terms
+        Series series{};
+        for (int m = 0; m < terms.count; ++m)
+            for (int j = m; j < PowerSeries<double>::capacity; ++j) series[j] += amplitudes[m] * decay[j - m];
         double power = 1;
-        for (int j = 0; j < PowerSeries<double>::capacity; ++j, power *= reach) {
-            double sum = 0, factorial = 1;
-            for (int m = 0; m < terms.count && m <= j; ++m) {
-                sum += terms.c[m] / factorial * decay[j - m];
-                factorial *= m + 1;
-            }
-            series[j] = sum * power;
+        for (double& coefficient : series) {
+            coefficient *= power;
+            power *= reach;
         }
         return series;
     }
