@@ -27,11 +27,11 @@ ImpactSummary summarize(const Impact& impact, const Problem& problem) {
             .rodForces = {}};
 }
 
-ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem) {
+ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem, const WaveNumbers& wanted) {
     ImpactSummary summary = summarize(impact, problem);
     if (impact.incident.empty()) return summary;
-    summary.forcePeaks = forcePeaks(impact);
-    summary.rodForces = largestRodForces(impact, problem.hammer);
+    if (wanted.forcePeaks) summary.forcePeaks = forcePeaks(impact);
+    summary.rodForces = largestRodForces(impact, problem.hammer, wanted.forces);
     return summary;
 }
 

@@ -41,8 +41,15 @@ struct ImpactSummary {
 /// anything.
 ImpactSummary summarize(const Impact& impact, const Problem& problem);
 
-/// The same with the peaks of the impact force and the largest forces in the rod where the impact was solved
-/// with Detail::histories.
-ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem);
+/// Which numbers of the waves are wanted: each takes some time.
+struct WaveNumbers {
+    bool forcePeaks = true;
+    RodForceChoice forces = {};
+};
+
+/// The same with the peaks of the impact force and the largest forces in the rod that are wanted where the
+/// impact was solved with Detail::histories.
+ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem,
+                                 const WaveNumbers& wanted = {});
 
 }  // namespace drillwave

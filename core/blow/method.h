@@ -54,6 +54,9 @@ class MethodSolver {
     Impact solve(const Problem& problem, Detail detail, const MethodChoice& choice = {},
                  const std::stop_token& stop = {});
 
+    /// The exact solver from now on: as ExactSolver::leaveOutLedger().
+    void leaveOutLedger() { m_exact.leaveOutLedger(); }
+
     /// For drill strings, which have one method.
     NetworkSolver& strings() { return m_strings; }
 

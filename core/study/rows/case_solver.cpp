@@ -19,9 +19,13 @@ CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice
       m_inSi(std::ranges::any_of(columns, [](const OutputColumn& c) { return c.units == OutputUnits::si; })),
       m_needsMargin(
           std::ranges::any_of(columns, [](const OutputColumn& c) { return c.output->needsThrustStudy(); })),
+      m_waveNumbers(waveNumbersFor(columns)),
       m_method(method),
       m_workLimit(workLimit),
-      m_solver(workLimit) {}
+      m_solver(workLimit) {
+    const auto takesLedger = [](const OutputColumn& column) { return column.detail() == Detail::ledger; };
+    if (least < Detail::ledger && std::ranges::none_of(columns, takesLedger)) m_solver.leaveOutLedger();
+}
 
 std::string CaseSolver::solve(const Scenario& scenario, std::span<double> outputs,
                               const std::stop_token& stop) {
@@ -32,7 +36,7 @@ std::string CaseSolver::solve(const Scenario& scenario, std::span<double> output
     if (m_impact.hindrance == Hindrance::histories && m_needsLess)
         m_impact = m_solver.solve(m_problem, Detail::ledger, m_method, stop);
     if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
-    const ImpactSummary summary = summarizeWithWaves(m_impact, m_problem);
+    const ImpactSummary summary = summarizeWithWaves(m_impact, m_problem, m_waveNumbers);
     OutputSource source{summary, scenario};
     if (m_needsMargin)
         source.thrustMargin = m_margins.of(scenario, m_problem, {m_impact.cor, m_impact.corError}, stop);

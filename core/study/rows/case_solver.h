@@ -44,6 +44,7 @@ class CaseSolver {
     bool m_needsLess;  ///< some column can be filled without histories
     bool m_inSi;
     bool m_needsMargin;  ///< of the thrust: a study of all gaps
+    WaveNumbers m_waveNumbers;
     MethodChoice m_method;
     long m_workLimit;
     MethodSolver m_solver;

@@ -70,6 +70,19 @@ Detail detailFor(std::span<const OutputColumn> columns) {
     return detail;
 }
 
+WaveNumbers waveNumbersFor(std::span<const OutputColumn> columns) {
+    WaveNumbers wanted{.forcePeaks = false, .forces = {false, false, false}};
+    for (const OutputColumn& column : columns) {
+        const auto force = column.output->force;
+        wanted.forces.compression |= force == &RodForces::compression;
+        wanted.forces.tension |= force == &RodForces::tension;
+        wanted.forces.after |= force == &RodForces::compressionAfter || force == &RodForces::tensionAfter;
+        // what else takes the waves
+        wanted.forcePeaks |= !force && column.detail() == Detail::histories;
+    }
+    return wanted;
+}
+
 std::string columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario) {
     const bool dimensional = hasUnits(scenario);
     for (const OutputColumn& column : columns) {

@@ -46,6 +46,9 @@ std::vector<OutputColumn> allOutputsOf(const Scenario& scenario, OutputUnits uni
 /// What the solver must be asked for.
 Detail detailFor(std::span<const OutputColumn> columns);
 
+/// What must be found in the waves.
+WaveNumbers waveNumbersFor(std::span<const OutputColumn> columns);
+
 /// Why a column would be empty for every such scenario and what to do; empty when none would.
 std::string columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario);
 

@@ -130,7 +130,7 @@ void ContactMarch<Basis>::summarise() {
     impact.contactDuration = double(m_contactTime);
     if (m_touching) impact.separationTime = double(m_arrival + m_s);
     impact.rockWork = double(m_law.kept());
-    if (m_detail < Detail::ledger) {
+    if (m_detail < Detail::ledger || !m_limits.ledger) {
         impact.finalMomentum = impact.finalEnergy = std::numeric_limits<double>::quiet_NaN();
         return;
     }

@@ -24,6 +24,7 @@ struct MarchLimits {
     long pieces = 30'000'000;               ///< smooth pieces
     const std::stop_token* stop = nullptr;  ///< none: to the end
     InputMove move = {};
+    bool ledger = true;  ///< the sums of Detail::ledger, where as much detail is asked for
     /// Of e: a march whose error has become larger is not wanted.
     double error = std::numeric_limits<double>::infinity();
 };

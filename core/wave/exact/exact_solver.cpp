@@ -72,7 +72,7 @@ Impact ExactSolver::solve(const Problem& problem, Detail detail, const std::stop
         impact = softReference(problem, detail);
         return impact;
     }
-    m_workspace->march(problem, detail, {.pieces = m_mostPieces, .stop = &stop}, impact);
+    m_workspace->march(problem, detail, {.pieces = m_mostPieces, .stop = &stop, .ledger = m_ledger}, impact);
     if (!isSolved(impact)) return impact;
     impact.corError += roundingOfHammer(problem.hammer);
     if (impact.growth > 1) m_workspace->coverGrowthOf(impact, problem, {m_mostPieces, &stop});

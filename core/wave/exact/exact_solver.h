@@ -40,10 +40,14 @@ class ExactSolver {
     /// ends it within milliseconds as notSolved.
     Impact solve(const Problem& problem, Detail detail = Detail::cor, const std::stop_token& stop = {});
 
+    /// From now on Detail::histories come without the sums of Detail::ledger, which take as long as they.
+    void leaveOutLedger() { m_ledger = false; }
+
   private:
     struct Workspace;
     std::unique_ptr<Workspace> m_workspace;
     long m_mostPieces;
+    bool m_ledger = true;
 };
 
 }  // namespace drillwave

@@ -2,9 +2,12 @@
 #include "core/wave/field/force_peaks.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <span>
-#include <vector>
+
+#include "core/numeric/power_series.h"
 
 namespace drillwave {
 
@@ -35,15 +38,39 @@ class PeakCounter {
     int m_peaks = 0;
 };
 
-using Bernstein = std::vector<double>;
+/// Bernstein coefficients, no more than a piece has terms.
+struct Bernstein {
+    static constexpr std::size_t capacity = PowerSeries<double>::capacity;
 
-/// The slope of a piece over its share v of the length, 0 ≤ v ≤ 1, as Bernstein coefficients: their signs
-/// change at least as often as the slope does.
+    std::size_t count = 0;
+    std::array<double, capacity> b;
+
+    double& operator[](std::size_t j) { return b[j]; }
+    std::span<const double> values() const { return {b.data(), count}; }
+};
+
+/// The slope of a piece over its share v of the length, 0 ≤ v ≤ 1, as powers of v.
 Bernstein slopeOf(std::span<const double> c, double end) {
-    const std::size_t count = c.size() - 1;  // of degree count − 1
-    Bernstein slope(count);
+    assert(c.size() <= Bernstein::capacity);
+    Bernstein slope;
+    slope.count = c.size() - 1;
     double power = end;
-    for (std::size_t k = 0; k < count; ++k, power *= end) slope[k] = double(k + 1) * c[k + 1] * power;
+    for (std::size_t k = 0; k < slope.count; ++k, power *= end) slope[k] = double(k + 1) * c[k + 1] * power;
+    return slope;
+}
+
+/// Whether a slope, given as powers, has one sign or does not count: enough for it, not needed. No Bernstein
+/// coefficient is further from the first power than all others add up to.
+bool hardlyTurns(const Bernstein& powers, double negligible) {
+    double rest = 0;
+    for (std::size_t k = 1; k < powers.count; ++k) rest += std::abs(powers.b[k]);
+    const double first = std::abs(powers.b[0]);
+    return first >= rest || first + rest <= negligible;
+}
+
+/// Powers as Bernstein coefficients: their signs change at least as often as the slope does.
+Bernstein fromPowers(Bernstein slope) {
+    const std::size_t count = slope.count;  // of degree count − 1
     // a_k / C(n, k), then summed binomially by differences run backwards.
     double binomial = 1;
     for (std::size_t k = 1; k < count; ++k) {
@@ -56,31 +83,32 @@ Bernstein slopeOf(std::span<const double> c, double end) {
 }
 
 bool keepsItsSign(const Bernstein& slope) {
-    const auto [least, most] = std::ranges::minmax_element(slope);
+    const auto [least, most] = std::ranges::minmax_element(slope.values());
     return *least >= 0 || *most <= 0;
 }
 
-/// Halves at v = 1/2, by de Casteljau.
-std::pair<Bernstein, Bernstein> halves(Bernstein slope) {
-    Bernstein left(slope.size());
-    for (std::size_t round = 0; round < slope.size(); ++round) {
-        left[round] = slope.front();
-        for (std::size_t j = 0; j + 1 < slope.size() - round; ++j) slope[j] = (slope[j] + slope[j + 1]) / 2;
+/// Halves at v = 1/2, by de Casteljau: the left one; the right one takes the place of `slope`.
+Bernstein halve(Bernstein& slope) {
+    Bernstein left;
+    left.count = slope.count;
+    for (std::size_t round = 0; round < slope.count; ++round) {
+        left[round] = slope[0];
+        for (std::size_t j = 0; j + 1 < slope.count - round; ++j) slope[j] = (slope[j] + slope[j + 1]) / 2;
         // What falls out on the right stays where it is, as the right half.
     }
-    return {std::move(left), std::move(slope)};
+    return left;
 }
 
 /// Passes the ends of the stretches over which a piece only rises or only falls, but for what is too small to
 /// count: the stretch from v to v + width has that slope.
 template <class Pass>
-void passTurns(const Bernstein& slope, double v, double width, double negligible, const Pass& pass) {
+void passTurns(Bernstein slope, double v, double width, double negligible, const Pass& pass) {
     double steepest = 0;
-    for (const double b : slope) steepest = std::max(steepest, std::abs(b));
+    for (const double b : slope.values()) steepest = std::max(steepest, std::abs(b));
     if (keepsItsSign(slope) || steepest * width <= negligible) return pass(v + width);
-    const auto [left, right] = halves(slope);
+    const Bernstein left = halve(slope);
     passTurns(left, v, width / 2, negligible, pass);
-    passTurns(right, v + width / 2, width / 2, negligible, pass);
+    passTurns(slope, v + width / 2, width / 2, negligible, pass);
 }
 
 }  // namespace
@@ -92,10 +120,15 @@ int forcePeaks(const Impact& impact) {
         const std::span<const double> c = impact.force.coefficients(piece);
         const auto pass = [&](double v) { counter.pass(impact.force.value(piece, v * piece.length)); };
         pass(0);
-        if (c.size() > 1)
-            passTurns(slopeOf(c, piece.length / piece.scale), 0, 1, negligible, pass);
-        else
+        if (c.size() <= 1) {
             pass(1);
+            continue;
+        }
+        const Bernstein slope = slopeOf(c, piece.length / piece.scale);
+        if (hardlyTurns(slope, negligible))
+            pass(1);
+        else
+            passTurns(fromPowers(slope), 0, 1, negligible, pass);
     }
     counter.pass(0);
     return counter.peaks();

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
+#include <limits>
 #include <vector>
 
 #include "core/wave/field/rod_instants.h"
 #include "core/wave/field/rod_meeting.h"
+#include "core/wave/field/wave_spans.h"
 
 namespace drillwave {
 
@@ -43,50 +44,202 @@ struct Meeting {
 class SlidingMaximum {
   public:
     SlidingMaximum(double sign, double roundTrip, Meeting& most)
-        : m_sign(sign), m_roundTrip(roundTrip), m_most(most) {}
+        : m_sign(sign), m_roundTrip(roundTrip), m_most(most) {
+        m_back.reserve(256);
+    }
 
     void pass(const Instant& now) {
-        while (!m_back.empty() && m_sign * m_back.back().reflected <= m_sign * now.reflected)
+        while (m_back.size() > m_first && m_sign * m_back.back().reflected <= m_sign * now.reflected)
             m_back.pop_back();
         m_back.push_back(now);
-        while (m_back.size() > 1 && !areInRod(now, m_back.front(), m_roundTrip)) m_back.pop_front();
-        m_most.offer(m_sign * (now.incident + m_back.front().reflected), now, m_back.front());
+        while (m_back.size() - m_first > 1 && !areInRod(now, m_back[m_first], m_roundTrip)) ++m_first;
+        m_most.offer(m_sign * (now.incident + m_back[m_first].reflected), now, m_back[m_first]);
     }
 
   private:
     double m_sign;
     double m_roundTrip;
     Meeting& m_most;
-    std::deque<Instant> m_back;  ///< falling values of the reflected wave
+    std::vector<Instant> m_back;  ///< from m_first on falling values of the reflected wave
+    std::size_t m_first = 0;
 };
 
 /// Waves that come in later than `end` meet those that left before 2·end − a only: a window that grows at
 /// both of its ends as a goes back from end + τ to `end`.
 void addLastMeetings(const std::vector<Instant>& instants, double end, double roundTrip, double sign,
                      Meeting& most) {
+    const auto oldest = std::ranges::lower_bound(instants, end - roundTrip, {}, &Instant::time);
     const auto first = std::ranges::lower_bound(instants, end - roundTrip / 2, {}, &Instant::time);
+    const auto last = std::ranges::upper_bound(instants, end + roundTrip / 2, {}, &Instant::time);
     auto low = first, high = first;  // [low, high) is in the window
     const Instant* largest = nullptr;
     const auto take = [&](const Instant& back) {
         if (!largest || sign * back.reflected > sign * largest->reflected) largest = &back;
     };
-    for (auto now = instants.rbegin(); now != instants.rend() && now->time > end; ++now) {
-        while (high != instants.end() && high->time <= 2 * end - now->time &&
-               areInRod(*now, *high, roundTrip))
+    for (auto now = std::make_reverse_iterator(last); now != instants.rend() && now->time > end; ++now) {
+        while (high != last && high->time <= 2 * end - now->time && areInRod(*now, *high, roundTrip))
             take(*high++);
-        while (low != instants.begin() && areInRod(*now, *(low - 1), roundTrip)) take(*--low);
+        while (low != oldest && areInRod(*now, *(low - 1), roundTrip)) take(*--low);
         if (largest) most.offer(sign * (now->incident + largest->reflected), *now, *largest);
     }
+}
+
+/// The largest sum of one sign while the blow lasts. Almost all of both waves cannot be part of it: from
+/// whole pieces to halves of halves of them, what cannot come to the largest sum that was seen so far with
+/// anything that it meets is left out. What is left is looked at in every part.
+class LargestMeeting {
+  public:
+    LargestMeeting(const Impact& impact, double sign)
+        : m_impact(impact), m_sign(sign), m_end(recordedEndOfBlow(impact)) {}
+
+    /// `pieces` are whole, `ends` those of them.
+    Meeting find(const std::vector<WaveSpan>& pieces, const std::vector<Instant>& ends) {
+        std::vector<WaveSpan> spans = kept(pieces, sumsOf(ends).size);
+        while (!std::ranges::all_of(spans, &WaveSpan::isOnePart)) {
+            halve(m_impact, spans);
+            spans = kept(spans, sumsOf(endsOf(spans)).size);
+        }
+        return sumsOf(instantsOf(spans));
+    }
+    /// Spans so far.
+    long looked() const { return m_looked; }
+
+  private:
+    /// Of instants in order of time, all of which are instants of the blow.
+    Meeting sumsOf(const std::vector<Instant>& instants) const {
+        Meeting most;
+        SlidingMaximum sliding(m_sign, m_impact.roundTrip, most);
+        sliding.pass(instantBeforeFront(m_impact, 0));
+        for (const Instant& now : instants)
+            if (now.time <= m_end) sliding.pass(now);
+        addLastMeetings(instants, m_end, m_impact.roundTrip, m_sign, most);
+        return most;
+    }
+
+    /// With the counterparts of what meets them at the end of the blow.
+    std::vector<Instant> instantsOf(const std::vector<WaveSpan>& spans) const {
+        const double half = m_impact.roundTrip / 2;
+        std::vector<Instant> instants;
+        const WaveSpan* before = nullptr;
+        for (const WaveSpan& span : spans) {
+            if (!before || before->piece != span.piece || before->last != span.first)
+                instants.push_back(span.begin);
+            before = &span;
+            if (span.end.time >= m_end - half && span.begin.time <= m_end + half)
+                addCounterparts(span, instants);
+            instants.push_back(span.end);
+        }
+        return instants;
+    }
+
+    void addCounterparts(const WaveSpan& span, std::vector<Instant>& instants) const {
+        const double start = m_impact.incident.pieces()[span.piece].start;
+        const double from = endOfPart(m_impact, span.piece, span.first, span.bends.parts);
+        const double until = endOfPart(m_impact, span.piece, span.last, span.bends.parts);
+        for (const double time : counterparts(m_impact, m_end, span.begin.time, span.end.time)) {
+            const double x = time - start;
+            if (time > start && x >= from && x < until)
+                instants.push_back(instantIn(m_impact, span.piece, x, Side::inside));
+        }
+    }
+
+    /// Without what cannot be part of a sum of `least` or more: neither as the incoming wave, with the
+    /// largest of what that meets, nor as the reflected one.
+    std::vector<WaveSpan> kept(const std::vector<WaveSpan>& spans, double least) {
+        m_looked += static_cast<long>(spans.size());
+        std::vector<double> incident, reflected;
+        incident.reserve(spans.size());
+        reflected.reserve(spans.size());
+        for (const WaveSpan& span : spans) {
+            const SpanBound bound = boundOf(span, m_sign);
+            incident.push_back(bound.incident);
+            reflected.push_back(bound.reflected);
+        }
+        const RangeMaximum mostIncident(incident), mostReflected(reflected);
+        // what was in the rod before the first front
+        const double atFirst = m_sign * instantBeforeFront(m_impact, 0).reflected;
+        const double mostIn = mostIncident.overAll(), mostBack = std::max(atFirst, mostReflected.overAll());
+        const auto suffices = [least](double sum) { return sum > 0 && sum >= least; };
+        std::vector<WaveSpan> left;
+        for (std::size_t i = 0; i < spans.size(); ++i) {
+            const bool mayComeIn = suffices(incident[i] + mostBack) && [&] {
+                const double oldest = spans[i].begin.time - m_impact.roundTrip - rounding(spans[i]);
+                const double met = mostReflected.over(firstEndingAt(spans, oldest), behindMet(spans, i));
+                return suffices(incident[i] + (oldest <= 0 ? std::max(met, atFirst) : met));
+            }();
+            const bool mayBeMet =
+                suffices(reflected[i] + mostIn) &&
+                suffices(reflected[i] +
+                         mostIncident.over(i, firstBeginningAfter(spans, lastToMeet(spans[i]))));
+            if (mayComeIn || mayBeMet) left.push_back(spans[i]);
+        }
+        return left;
+    }
+
+    double rounding(const WaveSpan& span) const {
+        return 2 * roundingOfTrip(std::max(span.end.time, m_end), m_impact.roundTrip);
+    }
+    static std::size_t firstEndingAt(const std::vector<WaveSpan>& spans, double time) {
+        const auto found = std::ranges::partition_point(
+            spans, [time](const WaveSpan& span) { return span.end.time < time; });
+        return static_cast<std::size_t>(found - spans.begin());
+    }
+    static std::size_t firstBeginningAfter(const std::vector<WaveSpan>& spans, double time) {
+        const auto found = std::ranges::partition_point(
+            spans, [time](const WaveSpan& span) { return span.begin.time <= time; });
+        return static_cast<std::size_t>(found - spans.begin());
+    }
+    /// Behind the last span of which span number i may meet anything.
+    std::size_t behindMet(const std::vector<WaveSpan>& spans, std::size_t i) const {
+        if (spans[i].begin.time <= m_end) return i + 1;
+        const double last = 2 * m_end - spans[i].begin.time + rounding(spans[i]);
+        return std::min(i + 1, firstBeginningAfter(spans, last));
+    }
+    /// Until when something comes in that meets some of this span.
+    double lastToMeet(const WaveSpan& span) const {
+        const double last = span.end.time + m_impact.roundTrip + rounding(span);
+        if (last <= m_end) return last;
+        return std::max(m_end, std::min(last, 2 * m_end - span.begin.time + rounding(span)));
+    }
+
+    const Impact& m_impact;
+    double m_sign;
+    double m_end;
+    long m_looked = 0;
+};
+
+/// The first instant of the last period, whose pieces these are, at which the incident wave, times `sign`, is
+/// largest.
+Instant largestOfLastPeriod(const Impact& impact, double sign, std::vector<WaveSpan> spans) {
+    const double from = impact.incident.end() - impact.roundTrip;
+    Instant most{};
+    double size = -std::numeric_limits<double>::infinity();
+    const auto offer = [&](const Instant& now) {
+        if (now.time >= from && sign * now.incident > size) most = now, size = sign * now.incident;
+    };
+    for (;; halve(impact, spans)) {
+        for (const WaveSpan& span : spans) offer(span.begin), offer(span.end);
+        std::erase_if(spans, [&](const WaveSpan& each) { return boundOf(each, sign).incident < size; });
+        if (std::ranges::all_of(spans, &WaveSpan::isOnePart)) break;
+    }
+    size = -std::numeric_limits<double>::infinity();
+    for (const WaveSpan& span : spans) {
+        offer(span.begin);
+        const double x = from - impact.incident.pieces()[span.piece].start;
+        if (span.begin.time < from && from < span.end.time)
+            offer(instantIn(impact, span.piece, x, Side::inside));
+        offer(span.end);
+    }
+    return most;
 }
 
 /// After the blow the waves run to and fro: each point of them meets every other, the first time after
 /// `begin`.
 void addWavesThatRemain(const Impact& impact, double begin, RodForces& forces) {
-    const std::vector<Instant> period = lastPeriod(impact);
-    if (period.empty()) return;
-    // The first of the least and of the largest.
-    const Instant least = *std::ranges::min_element(period, {}, &Instant::incident);
-    const Instant most = *std::ranges::max_element(period, {}, &Instant::incident);
+    const std::vector<WaveSpan> period =
+        wholePieces(impact, impact.incident.end() - impact.roundTrip, impact.incident.end());
+    const Instant least = largestOfLastPeriod(impact, -1, period);
+    const Instant most = largestOfLastPeriod(impact, 1, period);
     const double size = most.incident - least.incident;
     if (!(size > 0)) return;
     const auto meeting = [&](const Instant& incoming, const Instant& reflected) {
@@ -99,26 +252,24 @@ void addWavesThatRemain(const Impact& impact, double begin, RodForces& forces) {
 
 }  // namespace
 
-RodForces largestRodForces(const Impact& impact, const PulseForce& pulse) {
-    Meeting pushed, pulled;
-    SlidingMaximum compression(1, impact.roundTrip, pushed), tension(-1, impact.roundTrip, pulled);
-    const Instant quiet = instantBeforeFront(impact, 0);
-    compression.pass(quiet);
-    tension.pass(quiet);
-    const double end = recordedEndOfBlow(impact);
-    std::vector<Instant> last;  // of one round trip before the end, and of half of one after it
-    forEachInstant(impact, 0, counterparts(impact, end), [&](const Instant& now) {
-        if (now.time <= end) {
-            compression.pass(now);
-            tension.pass(now);
-        }
-        if (now.time >= end - impact.roundTrip && now.time <= end + impact.roundTrip / 2) last.push_back(now);
-    });
-    addLastMeetings(last, end, impact.roundTrip, 1, pushed);
-    addLastMeetings(last, end, impact.roundTrip, -1, pulled);
-    RodForces forces{pushed.found(impact), pulled.found(impact), {}, {}};
-    addWavesThatRemain(impact, startOfWavesLeft(impact, pulse), forces);
-    if (pulse.peak > forces.compression.size) forces.compression = hammerPeak(pulse);
+RodForces largestRodForces(const Impact& impact, const PulseForce& pulse, const RodForceChoice& choice,
+                           long* looked) {
+    RodForces forces;
+    if (choice.compression || choice.tension) {
+        const std::vector<WaveSpan> pieces =
+            wholePieces(impact, 0, recordedEndOfBlow(impact) + impact.roundTrip / 2);
+        const std::vector<Instant> ends = endsOf(pieces);
+        const auto find = [&](double sign) {
+            LargestMeeting search(impact, sign);
+            const RodForce found = search.find(pieces, ends).found(impact);
+            if (looked) *looked += search.looked();
+            return found;
+        };
+        if (choice.compression) forces.compression = find(1);
+        if (choice.tension) forces.tension = find(-1);
+    }
+    if (choice.after) addWavesThatRemain(impact, startOfWavesLeft(impact, pulse), forces);
+    if (choice.compression && pulse.peak > forces.compression.size) forces.compression = hammerPeak(pulse);
     return forces;
 }
 

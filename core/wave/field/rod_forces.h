@@ -24,12 +24,19 @@ struct RodForces {
     bool operator==(const RodForces&) const = default;
 };
 
+/// Which of them are wanted; the others stay 0.
+struct RodForceChoice {
+    bool compression = true, tension = true, after = true;
+};
+
 /// The largest of −N and of N = Np + Nn over the whole rod, during the blow and of the waves that run on
 /// after it. Of an impact solved with Detail::histories.
 ///
 /// N(ξ, t) = −g(a) − r(b) with r = F − g, a = t − ξτ and b = t − (2 − ξ)τ: every pair of times 0 ≤ a − b ≤ 2τ
 /// meets at some section at t = (a + b)/2 + τ, so it is a sliding maximum of r that is added to g. Exact at
-/// breakpoints and jumps; a maximum inside a smooth piece may be missed by 2e-4 of the peak force.
-RodForces largestRodForces(const Impact& impact, const PulseForce& pulse);
+/// breakpoints and jumps; a maximum inside a smooth piece may be missed by 2e-4 of the peak force. Where the
+/// waves cannot be large enough they are not looked at: `looked` is raised by the stretches that were.
+RodForces largestRodForces(const Impact& impact, const PulseForce& pulse, const RodForceChoice& choice = {},
+                           long* looked = nullptr);
 
 }  // namespace drillwave

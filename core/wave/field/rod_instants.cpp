@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/field/rod_instants.h"
 
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -14,20 +16,60 @@ namespace {
 /// How far a wave may bend off the chord between two instants, as a share of the peak force.
 constexpr double tolerance = 1e-4;
 
+/// What the second derivative over u of a piece is at most, and what its values are at most.
+struct Sizes {
+    double bend = 0, value = 0;
+
+    void add(std::span<const double> c, std::size_t k) {
+        static constexpr auto factors = [] {  // k(k − 1)
+            std::array<double, 256> f{};
+            for (std::size_t i = 2; i < f.size(); ++i) f[i] = double(i * (i - 1));
+            return f;
+        }();
+        assert(k < factors.size());
+        const double size = std::abs(c[k]);
+        value += size;
+        bend += factors[k] * size;
+    }
+};
+
 /// Into how many parts a piece is cut so that no extremum between them is missed by more than `tolerance`.
-int partsOf(std::span<const double> c, double peak) {
+int partsOf(double bend, double peak) {
     constexpr double most = 64;
-    double bend = 0;
-    for (std::size_t k = 2; k < c.size(); ++k) bend += double(k * (k - 1)) * std::abs(c[k]);
     return static_cast<int>(std::clamp(std::ceil(std::sqrt(bend / (8 * tolerance * peak))), 1.0, most));
 }
 
 }  // namespace
 
-int partsOfPiece(const Impact& impact, std::size_t index) {
+PieceBends bendsOfPiece(const Impact& impact, std::size_t index) {
     const double peak = std::max(impact.peakForce, std::numeric_limits<double>::min());
-    return std::max(partsOf(impact.incident.coefficients(impact.incident.pieces()[index]), peak),
-                    partsOf(impact.force.coefficients(impact.force.pieces()[index]), peak));
+    const std::span<const double> g = impact.incident.coefficients(impact.incident.pieces()[index]);
+    const std::span<const double> F = impact.force.coefficients(impact.force.pieces()[index]);
+    // sums that do not wait for each other; what is constant neither bends nor has any rounding
+    if (g.size() <= 1 && F.size() <= 1) return {};
+    Sizes incident, force;
+    const std::size_t common = std::min(g.size(), F.size());
+    for (std::size_t k = 0; k < common; ++k) incident.add(g, k), force.add(F, k);
+    for (std::size_t k = common; k < g.size(); ++k) incident.add(g, k);
+    for (std::size_t k = common; k < F.size(); ++k) force.add(F, k);
+    constexpr double ofValue = 64 * std::numeric_limits<double>::epsilon();  // of a sum of 30 terms
+    return {incident.bend / 8, (incident.bend + force.bend) / 8, ofValue * (incident.value + force.value),
+            std::max(partsOf(incident.bend, peak), partsOf(force.bend, peak))};
+}
+
+Instant instantIn(const Impact& impact, std::size_t index, double x, Side side) {
+    const PiecewisePolynomial::Piece& piece = impact.incident.pieces()[index];
+    const PiecewisePolynomial::Piece& force = impact.force.pieces()[index];
+    const double g = impact.incident.value(piece, x);
+    const double F = force.count > 0 ? impact.force.value(force, x) : 0;
+    return {piece.start + x, side, g, F - g};
+}
+
+std::size_t firstPieceUntil(const Impact& impact, double from) {
+    const auto pieces = impact.incident.pieces();
+    const auto found = std::ranges::partition_point(
+        pieces, [from](const auto& piece) { return piece.start + piece.length < from; });
+    return static_cast<std::size_t>(found - pieces.begin());
 }
 
 double recordedEndOfBlow(const Impact& impact) {
@@ -35,15 +77,25 @@ double recordedEndOfBlow(const Impact& impact) {
     return blowEnd - impact.frontArrival - unrecordedBefore(impact, impact.incident.end());
 }
 
-std::vector<double> counterparts(const Impact& impact, double end) {
+std::vector<double> counterparts(const Impact& impact, double end, double first, double last) {
     const double half = impact.roundTrip / 2;
+    // a little more than is asked for: what lies at a limit but for rounding is among it
+    const double rounding = roundingOfTrip(end, impact.roundTrip);
+    const double from = std::max(end - half, 2 * end - last - rounding);
+    const double until = std::min(end + half, 2 * end - first + rounding);
     std::vector<double> times;
-    forEachInstant(impact, end - half, {}, [&](const Instant& now) {
-        if (now.time >= end - half && now.time <= end + half) times.push_back(2 * end - now.time);
+    forEachPoint(impact, from, until, {}, [&](std::size_t piece, double x, Side) {
+        const double time = impact.incident.pieces()[piece].start + x;
+        if (time >= from && time <= until) times.push_back(2 * end - time);
     });
     std::ranges::sort(times);
     times.erase(std::ranges::unique(times).begin(), times.end());
     return times;
+}
+
+std::vector<double> counterparts(const Impact& impact, double end) {
+    const double half = impact.roundTrip / 2;
+    return counterparts(impact, end, end - half, end + half);
 }
 
 Instant instantBeforeFront(const Impact& impact, double time) {

@@ -25,46 +25,66 @@ struct Instant {
     double reflected;  ///< r = F − g
 };
 
-/// Into how many parts piece `index` of both waves is cut, so that chords miss them by no more than 1e-4 of
-/// the peak force.
-int partsOfPiece(const Impact& impact, std::size_t index);
+/// How a piece of both waves bends, and into how many parts it is cut for that.
+struct PieceBends {
+    /// Between two points of the piece no wave is further above the higher of them than this times the square
+    /// of their distance over its length, but for `rounding`.
+    double incident = 0, reflected = 0;
+    double rounding = 0;  ///< of their values; none where both are constant
+    int parts = 1;        ///< of equal length: chords miss the waves by no more than 1e-4 of the peak force
+};
+PieceBends bendsOfPiece(const Impact& impact, std::size_t index);
 
-/// Calls pass(instant) in order of time for both ends of every piece that ends behind `from`, for points
-/// between where a wave is curved, and for the times of `also` within it, which must rise.
+/// Both waves in piece `index` at the distance x from its start.
+Instant instantIn(const Impact& impact, std::size_t index, double x, Side side);
+
+/// The end of part number `part` of `parts` of piece `index`; the start of the piece is that of part 0.
+inline double endOfPart(const Impact& impact, std::size_t index, int part, int parts) {
+    const double length = impact.incident.pieces()[index].length;
+    return part == parts ? length : length * part / parts;
+}
+inline Side sideOfPart(int part, int parts) {
+    return part == 0 ? Side::start : part == parts ? Side::end : Side::inside;
+}
+
+/// The first piece that ends at `from` or later.
+std::size_t firstPieceUntil(const Impact& impact, double from);
+
+/// Calls pass(piece, x, side) in order of time for both ends of every piece that ends behind `from` and
+/// begins until `until`, for points between where a wave is curved, and for the times of `also` within it,
+/// which must rise.
+template <class Pass>
+void forEachPoint(const Impact& impact, double from, double until, const std::vector<double>& also,
+                  Pass pass) {
+    const auto pieces = impact.incident.pieces();
+    for (std::size_t i = firstPieceUntil(impact, from); i < pieces.size() && pieces[i].start <= until; ++i) {
+        const PiecewisePolynomial::Piece& piece = pieces[i];
+        auto extra = std::ranges::upper_bound(also, piece.start);
+        const int parts = bendsOfPiece(impact, i).parts;
+        pass(i, 0.0, Side::start);
+        for (int part = 1; part <= parts; ++part) {
+            const double x = endOfPart(impact, i, part, parts);
+            for (; extra != also.end() && *extra - piece.start < x; ++extra)
+                pass(i, *extra - piece.start, Side::inside);
+            pass(i, x, sideOfPart(part, parts));
+        }
+    }
+}
+
+/// Calls pass(instant) for the same points from `from` on.
 template <class Pass>
 void forEachInstant(const Impact& impact, double from, const std::vector<double>& also, Pass pass) {
-    const auto incident = impact.incident.pieces();
-    const auto force = impact.force.pieces();
-    for (std::size_t i = 0; i < incident.size(); ++i) {
-        const PiecewisePolynomial::Piece& piece = incident[i];
-        if (piece.start + piece.length < from) continue;
-        const auto at = [&](double x, Side side) {
-            const double g = impact.incident.value(piece, x);
-            const double F = force[i].count > 0 ? impact.force.value(force[i], x) : 0;
-            pass(Instant{piece.start + x, side, g, F - g});
-        };
-        auto extra = std::ranges::upper_bound(also, piece.start);
-        const auto passExtras = [&](double until) {
-            for (; extra != also.end() && *extra - piece.start < until; ++extra)
-                at(*extra - piece.start, Side::inside);
-        };
-        const int parts = partsOfPiece(impact, i);
-        at(0, Side::start);
-        for (int part = 1; part < parts; ++part) {
-            const double x = piece.length * part / parts;
-            passExtras(x);
-            at(x, Side::inside);
-        }
-        passExtras(piece.length);
-        at(piece.length, Side::end);
-    }
+    forEachPoint(impact, from, impact.incident.end(), also,
+                 [&](std::size_t piece, double x, Side side) { pass(instantIn(impact, piece, x, side)); });
 }
 
 /// The recorded time of the front end at which the blow is over: one transit after the last separation.
 double recordedEndOfBlow(const Impact& impact);
 
 /// When waves meet at the recorded time `end`, one comes in as much later as the other has left before:
-/// the counterparts of all instants within half a round trip of `end`.
+/// the counterparts, from `first` to `last`, of all instants within half a round trip of `end`.
+std::vector<double> counterparts(const Impact& impact, double end, double first, double last);
+/// All of them.
 std::vector<double> counterparts(const Impact& impact, double end);
 
 /// What the rod does before the first front arrives, at a time ≤ 0: nothing, or a uniform motion.

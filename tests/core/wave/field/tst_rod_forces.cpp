@@ -4,6 +4,7 @@
 
 #include "core/wave/field/bit_history.h"
 #include "core/wave/field/rod_forces.h"
+#include "core/wave/field/rod_instants.h"
 #include "core/wave/field/wave_field.h"
 #include "tests/support/scenes.h"
 
@@ -29,6 +30,25 @@ double nearby(const Impact& impact, double sign, const RodForce& at) {
         for (const double dt : {-3e-7, -1e-7, 0.0, 1e-7, 3e-7})
             most = std::max(most, sign * compressionAt(impact, std::clamp(at.section + dx, 0.0, 1.0),
                                                        at.time + dt * tau));
+    return most;
+}
+
+/// The largest sum of one sign while the blow lasts, of all pairs of instants that are in the rod together.
+double largestOfAllPairs(const Impact& impact, double sign) {
+    const double end = recordedEndOfBlow(impact), roundTrip = impact.roundTrip;
+    std::vector<Instant> all{instantBeforeFront(impact, 0)};
+    forEachInstant(impact, 0, counterparts(impact, end), [&](const Instant& now) { all.push_back(now); });
+    double most = 0;
+    for (std::size_t i = 0; i < all.size() && all[i].time <= end + roundTrip / 2; ++i)
+        for (std::size_t j = i + 1; j-- > 0;) {
+            const double late = all[i].time - all[j].time - roundTrip;
+            const double rounding = roundingOfTrip(all[i].time, roundTrip);
+            if (late > rounding) break;
+            if (std::abs(late) <= rounding && (all[i].side != Side::end || all[j].side != Side::start))
+                continue;
+            if (all[i].time > end && all[j].time > 2 * end - all[i].time) continue;
+            most = std::max(most, sign * (all[i].incident + all[j].reflected));
+        }
     return most;
 }
 
@@ -76,6 +96,45 @@ class TestRodForces : public QObject {
             most = std::max(most, g);
         }
         QVERIFY(std::abs(forces.tensionAfter.size - (most - least)) < 2e-3);
+    }
+
+    void whatIsLeftOutIsNeverTheLargest_data() { addRodScenes(); }
+
+    void whatIsLeftOutIsNeverTheLargest() {
+        QFETCH(Scene, scene);
+        const Impact impact = solve(scene, Detail::histories);
+        const PulseForce hammer = problemOf(scene).hammer;
+        const RodForces found = largestRodForces(impact, hammer);
+        const double pushed = std::max(hammer.peak, largestOfAllPairs(impact, 1));
+        // to the last digit: the same instants
+        QVERIFY2(found.compression.size == pushed, QByteArray::number(found.compression.size - pushed));
+        const double pulled = largestOfAllPairs(impact, -1);
+        QVERIFY2(found.tension.size == pulled, QByteArray::number(found.tension.size - pulled));
+    }
+
+    void onlyWhatIsWantedIsLookedFor() {
+        const Scene scene{PulseShape::halfSine, {0.5, 0.2, 3, 0.3}};
+        const Impact impact = solve(scene, Detail::histories);
+        const PulseForce hammer = problemOf(scene).hammer;
+        const RodForces all = largestRodForces(impact, hammer);
+        RodForces some = largestRodForces(impact, hammer, {false, true, false});
+        QCOMPARE(some.tension, all.tension);
+        QCOMPARE(some.compression, RodForce());
+        QCOMPARE(some.compressionAfter, RodForce());
+        some = largestRodForces(impact, hammer, {false, false, true});
+        QCOMPARE(some.compressionAfter, all.compressionAfter);
+        QCOMPARE(some.tensionAfter, all.tensionAfter);
+        QCOMPARE(some.tension, RodForce());
+    }
+
+    /// Most of a wave is ruled out by what its pieces come to at most.
+    void fewOfAllInstantsAreLookedAt() {
+        const Scene scene{PulseShape::rectangular, {0.5, 0.1, 5, 0.3}};
+        const Impact impact = solve(scene, Detail::histories);
+        long looked = 0, instants = 0;
+        largestRodForces(impact, problemOf(scene).hammer, {true, true, false}, &looked);
+        forEachInstant(impact, 0, {}, [&](const Instant&) { ++instants; });
+        QVERIFY2(looked > 0 && 3 * looked < instants, QByteArray::number(double(looked) / double(instants)));
     }
 
     void everySectionAndTimeStaysBelow_data() { addRodScenes(); }
