@@ -68,6 +68,12 @@ bool hardlyTurns(const Bernstein& powers, double negligible) {
     return first >= rest || first + rest <= negligible;
 }
 
+/// Without the last powers, which together come to nothing beside what counts.
+void trim(Bernstein& powers, double negligible) {
+    double rest = 0;
+    while (powers.count > 1 && (rest += std::abs(powers.b[powers.count - 1])) <= negligible) --powers.count;
+}
+
 /// Powers as Bernstein coefficients: their signs change at least as often as the slope does.
 Bernstein fromPowers(Bernstein slope) {
     const std::size_t count = slope.count;  // of degree count − 1
@@ -124,7 +130,8 @@ int forcePeaks(const Impact& impact) {
             pass(1);
             continue;
         }
-        const Bernstein slope = slopeOf(c, piece.length / piece.scale);
+        Bernstein slope = slopeOf(c, piece.length / piece.scale);
+        trim(slope, negligible / 1024);
         if (hardlyTurns(slope, negligible))
             pass(1);
         else

@@ -147,52 +147,61 @@ class LargestMeeting {
     /// largest of what that meets, nor as the reflected one.
     std::vector<WaveSpan> kept(const std::vector<WaveSpan>& spans, double least) {
         m_looked += static_cast<long>(spans.size());
-        std::vector<double> incident, reflected;
-        incident.reserve(spans.size());
-        reflected.reserve(spans.size());
-        for (const WaveSpan& span : spans) {
-            const SpanBound bound = boundOf(span, m_sign);
-            incident.push_back(bound.incident);
-            reflected.push_back(bound.reflected);
-        }
-        const RangeMaximum mostIncident(incident), mostReflected(reflected);
+        const auto suffices = [least](double sum) { return sum > 0 && sum >= least; };
         // what was in the rod before the first front
         const double atFirst = m_sign * instantBeforeFront(m_impact, 0).reflected;
-        const double mostIn = mostIncident.overAll(), mostBack = std::max(atFirst, mostReflected.overAll());
-        const auto suffices = [least](double sum) { return sum > 0 && sum >= least; };
-        std::vector<WaveSpan> left;
+
+        // at first with the largest of all, wherever that is: what is left out here meets nothing else
+        std::vector<SpanBound> bounds;
+        bounds.reserve(spans.size());
+        SpanBound most{-std::numeric_limits<double>::infinity(), atFirst};
+        for (const WaveSpan& span : spans) {
+            const SpanBound& bound = bounds.emplace_back(boundOf(span, m_sign));
+            most = {std::max(most.incident, bound.incident), std::max(most.reflected, bound.reflected)};
+        }
+        std::vector<const WaveSpan*> some;
+        std::vector<double> incident, reflected;
         for (std::size_t i = 0; i < spans.size(); ++i) {
-            const bool mayComeIn = suffices(incident[i] + mostBack) && [&] {
-                const double oldest = spans[i].begin.time - m_impact.roundTrip - rounding(spans[i]);
-                const double met = mostReflected.over(firstEndingAt(spans, oldest), behindMet(spans, i));
-                return suffices(incident[i] + (oldest <= 0 ? std::max(met, atFirst) : met));
-            }();
-            const bool mayBeMet =
-                suffices(reflected[i] + mostIn) &&
+            if (!suffices(bounds[i].incident + most.reflected) &&
+                !suffices(bounds[i].reflected + most.incident))
+                continue;
+            some.push_back(&spans[i]);
+            incident.push_back(bounds[i].incident);
+            reflected.push_back(bounds[i].reflected);
+        }
+
+        // then with the largest of what it meets
+        const RangeMaximum mostIncident(incident), mostReflected(reflected);
+        std::vector<WaveSpan> left;
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            const double oldest = some[i]->begin.time - m_impact.roundTrip - rounding(*some[i]);
+            const double met = mostReflected.over(firstEndingAt(some, oldest), behindMet(some, i));
+            if (suffices(incident[i] + (oldest <= 0 ? std::max(met, atFirst) : met)) ||
                 suffices(reflected[i] +
-                         mostIncident.over(i, firstBeginningAfter(spans, lastToMeet(spans[i]))));
-            if (mayComeIn || mayBeMet) left.push_back(spans[i]);
+                         mostIncident.over(i, firstBeginningAfter(some, lastToMeet(*some[i])))))
+                left.push_back(*some[i]);
         }
         return left;
     }
 
+    using Spans = std::vector<const WaveSpan*>;
     double rounding(const WaveSpan& span) const {
         return 2 * roundingOfTrip(std::max(span.end.time, m_end), m_impact.roundTrip);
     }
-    static std::size_t firstEndingAt(const std::vector<WaveSpan>& spans, double time) {
+    static std::size_t firstEndingAt(const Spans& spans, double time) {
         const auto found = std::ranges::partition_point(
-            spans, [time](const WaveSpan& span) { return span.end.time < time; });
+            spans, [time](const WaveSpan* span) { return span->end.time < time; });
         return static_cast<std::size_t>(found - spans.begin());
     }
-    static std::size_t firstBeginningAfter(const std::vector<WaveSpan>& spans, double time) {
+    static std::size_t firstBeginningAfter(const Spans& spans, double time) {
         const auto found = std::ranges::partition_point(
-            spans, [time](const WaveSpan& span) { return span.begin.time <= time; });
+            spans, [time](const WaveSpan* span) { return span->begin.time <= time; });
         return static_cast<std::size_t>(found - spans.begin());
     }
     /// Behind the last span of which span number i may meet anything.
-    std::size_t behindMet(const std::vector<WaveSpan>& spans, std::size_t i) const {
-        if (spans[i].begin.time <= m_end) return i + 1;
-        const double last = 2 * m_end - spans[i].begin.time + rounding(spans[i]);
+    std::size_t behindMet(const Spans& spans, std::size_t i) const {
+        if (spans[i]->begin.time <= m_end) return i + 1;
+        const double last = 2 * m_end - spans[i]->begin.time + rounding(*spans[i]);
         return std::min(i + 1, firstBeginningAfter(spans, last));
     }
     /// Until when something comes in that meets some of this span.
@@ -235,9 +244,8 @@ Instant largestOfLastPeriod(const Impact& impact, double sign, std::vector<WaveS
 
 /// After the blow the waves run to and fro: each point of them meets every other, the first time after
 /// `begin`.
-void addWavesThatRemain(const Impact& impact, double begin, RodForces& forces) {
-    const std::vector<WaveSpan> period =
-        wholePieces(impact, impact.incident.end() - impact.roundTrip, impact.incident.end());
+void addWavesThatRemain(const Impact& impact, const std::vector<WaveSpan>& period, double begin,
+                        RodForces& forces) {
     const Instant least = largestOfLastPeriod(impact, -1, period);
     const Instant most = largestOfLastPeriod(impact, 1, period);
     const double size = most.incident - least.incident;
@@ -255,9 +263,20 @@ void addWavesThatRemain(const Impact& impact, double begin, RodForces& forces) {
 RodForces largestRodForces(const Impact& impact, const PulseForce& pulse, const RodForceChoice& choice,
                            long* looked) {
     RodForces forces;
-    if (choice.compression || choice.tension) {
-        const std::vector<WaveSpan> pieces =
-            wholePieces(impact, 0, recordedEndOfBlow(impact) + impact.roundTrip / 2);
+    const double period = impact.incident.end() - impact.roundTrip;
+    const double lastMeeting = recordedEndOfBlow(impact) + impact.roundTrip / 2;
+    const bool during = choice.compression || choice.tension;
+    std::vector<WaveSpan> pieces =
+        wholePieces(impact, during ? 0 : period, choice.after ? impact.incident.end() : lastMeeting);
+    if (choice.after) {
+        const auto first = std::ranges::partition_point(
+            pieces, [period](const WaveSpan& each) { return each.end.time < period; });
+        addWavesThatRemain(impact, {first, pieces.end()}, startOfWavesLeft(impact, pulse), forces);
+    }
+    if (during) {
+        const auto behind = std::ranges::partition_point(
+            pieces, [lastMeeting](const WaveSpan& each) { return each.begin.time <= lastMeeting; });
+        pieces.erase(behind, pieces.end());
         const std::vector<Instant> ends = endsOf(pieces);
         const auto find = [&](double sign) {
             LargestMeeting search(impact, sign);
@@ -268,7 +287,6 @@ RodForces largestRodForces(const Impact& impact, const PulseForce& pulse, const 
         if (choice.compression) forces.compression = find(1);
         if (choice.tension) forces.tension = find(-1);
     }
-    if (choice.after) addWavesThatRemain(impact, startOfWavesLeft(impact, pulse), forces);
     if (choice.compression && pulse.peak > forces.compression.size) forces.compression = hammerPeak(pulse);
     return forces;
 }
