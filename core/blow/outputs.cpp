@@ -178,9 +178,9 @@ constexpr auto outputTable = std::to_array<Output>({
      nullptr,
      notAString},
     {"hammer_rebound_velocity",
-     "velocity of the hammer after the blow, away from the rock, over that of impact", Measure::number,
+     "velocity of the hammer after the blow, away from the rock, over that of impact", Measure::velocity,
      Detail::summary, ofString<&StringSummary::hammerReboundVelocity>, OutputGroup::energy, "hammer rebound",
-     "Velocity of the hammer after the blow, away from the rock, over that of impact", nullptr, notAString},
+     "Velocity of the hammer after the blow, away from the rock", nullptr, notAString},
     {"hammer_rebound_energy", "energy of the hammer moving back as a whole, fraction of that of impact",
      Measure::share, Detail::summary, ofString<&StringSummary::hammerReboundEnergy>, OutputGroup::energy,
      "into the hammer", "Share of its energy with which the hammer moves after the blow", nullptr,
@@ -190,7 +190,7 @@ constexpr auto outputTable = std::to_array<Output>({
      "Share of its energy that runs to and fro in the hammer", nullptr, notAString},
     {"string_momentum",
      "momentum of the string after the blow, towards the rock, over that of the hammer",
-     Measure::number,
+     Measure::impulse,
      Detail::summary,
      ofString<&StringSummary::stringMomentum>,
      OutputGroup::none,
@@ -259,6 +259,7 @@ Quantity Output::quantity() const {
         case Measure::watt:
             return Quantity::power;
         case Measure::speed:
+        case Measure::velocity:
             return Quantity::velocity;
         case Measure::penetration:
             return Quantity::length;
@@ -288,6 +289,8 @@ double Output::scale(const Scales& scales) const {
             return scales.penetration;
         case Measure::stress:
             return scales.stress;
+        case Measure::velocity:
+            return scales.velocity;
     }
     return 1;
 }

@@ -28,6 +28,7 @@ enum class Measure {
     force,        ///< F0
     penetration,  ///< d0
     stress,       ///< F0/A
+    velocity,     ///< v0
     newton,       ///< N: there is no dimensionless number, nor for those that follow
     watt,         ///< W
     speed,        ///< m/s

@@ -54,6 +54,8 @@ std::string_view measureText(Measure measure, bool ofString) {
             return " d₀";
         case Measure::stress:
             return " F₀/A";
+        case Measure::velocity:
+            return " v₀";
         default:
             return "";
     }

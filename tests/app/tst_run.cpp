@@ -64,6 +64,7 @@ class TestRun : public QObject {
     void aTableOfPointsIsCompleteInTheHistories();
     void aDrillStringHasHistoriesAndPlots();
     void energiesInSiAreInJoules();
+    void velocityAndMomentumOfAStringHaveTheirUnits();
     void plotsAreWrittenWithoutADisplay();
     void theLocaleDoesNotMatter();
 };
@@ -357,6 +358,20 @@ void TestRun::energiesInSiAreInJoules() {
     const double hammer = 342.5;  // J, to as many digits as here
     QVERIFY(std::abs(string["si"].toObject()["rock_work"].toDouble() / hammer -
                      string["dimensionless"].toObject()["rock_work"].toDouble()) < 1e-4);
+}
+
+void TestRun::velocityAndMomentumOfAStringHaveTheirUnits() {
+    const QJsonObject string = blow({"t38_string"});
+    const QJsonObject si = string["si"].toObject(), units = string["units"].toObject();
+    QCOMPARE(units["hammer_rebound_velocity"].toString(), QString("m/s"));
+    QCOMPARE(units["string_momentum"].toString(), QString("N s"));
+    const Finished row = run({"sweep", "t38_string", "--vary", "bit_rock.gamma=0.1", "--si", "--outputs",
+                              "hammer_rebound_velocity,string_momentum"});
+    const QList<QList<QByteArray>> rows = rowsOf(row.out);
+    QCOMPARE(rows[0].mid(1), QList<QByteArray>({"hammer_rebound_velocity [m/s]", "string_momentum [N s]"}));
+    // Swept strings are solved to fewer digits.
+    QVERIFY(std::abs(rows[1][1].toDouble() / si["hammer_rebound_velocity"].toDouble() - 1) < 1e-6);
+    QVERIFY(std::abs(rows[1][2].toDouble() / si["string_momentum"].toDouble() - 1) < 1e-6);
 }
 
 void TestRun::plotsAreWrittenWithoutADisplay() {

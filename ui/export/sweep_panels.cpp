@@ -34,6 +34,8 @@ QString outputLabel(const OutputColumn& column) {
             return name + QStringLiteral(" / d₀");
         case Measure::stress:
             return name + QStringLiteral(" / (F₀/A)");
+        case Measure::velocity:
+            return name + QStringLiteral(" / v₀");
         default:
             return name;
     }

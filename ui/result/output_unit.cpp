@@ -22,6 +22,8 @@ ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size)
             return units.penetration;
         case Measure::stress:
             return units.stress;
+        case Measure::velocity:
+            return units.velocity;
         case Measure::newton:
             return units.of(UnitKind::force, size);
         case Measure::watt:

@@ -67,6 +67,7 @@ ShownUnits shownUnits(UnitSystem units, const Scales& scales, const ChosenUnits&
     shown.energy = unit(UnitKind::energy, scales.energy, "W₀");
     shown.stress = unit(UnitKind::stress, scales.stress, "F₀");
     shown.length = unit(UnitKind::length, scales.length, "L");
+    shown.velocity = unit(UnitKind::speed, scales.velocity, "v₀");
     return shown;
 }
 

@@ -51,6 +51,7 @@ struct ShownUnits {
     ShownUnit energy;       ///< in W0; that of Impact is 2τ W0
     ShownUnit stress;       ///< in F0/A; forces stand for it where all is dimensionless
     ShownUnit length;       ///< places in the rod, in L
+    ShownUnit velocity;     ///< of hammer or rod as a whole, in v0
     UnitSystem system = UnitSystem::dimensionless;
     ChosenUnits chosen = {};
     bool operator==(const ShownUnits&) const = default;

@@ -7,6 +7,9 @@
 #include "core/blow/blow.h"
 #include "core/blow/outputs.h"
 #include "core/blow/thrust.h"
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
+#include "core/model/drill_string.h"
 #include "core/wave/exact/exact_solver.h"
 
 using namespace drillwave;
@@ -46,6 +49,7 @@ class TestOutputs : public QObject {
     void everyOutputHasANumberWhereTheScenarioHasIt();
     void anOutputNeedsNoMoreThanItsDetail();
     void siValuesDoNotDependOnTheUnitsOfTheScenario();
+    void velocityAndMomentumOfAStringAreInUnitsOfSi();
     void stressIsTheForceInTheRodOverItsArea();
     void thrustIsFrequencyTimesTheImpulseThatComesBack();
     void powerAndRateAreThoseOfOneBlowTimesTheFrequency();
@@ -110,6 +114,24 @@ void TestOutputs::siValuesDoNotDependOnTheUnitsOfTheScenario() {
         const double first = siOf(x, output.name), second = siOf(y, output.name);
         QVERIFY2(std::abs(first - second) <= 1e-12 * std::abs(second), std::string(output.name).c_str());
     }
+}
+
+// Times a mass of its own, a number in SI is the other kind of number: the hammer's velocity over that of
+// impact is no velocity.
+void TestOutputs::velocityAndMomentumOfAStringAreInUnitsOfSi() {
+    const Scenario scenario = parseScenario(findExample("t38_string")->text, "t38_string").scenario;
+    const Blow blow = solveBlow(scenario, {}, Detail::ledger);
+    QVERIFY(blow.isSolved());
+    const double mass = hammerProperties(scenario.drillString).mass;
+    const double velocity = scenario.drillString.hammer.velocity;
+    QCOMPARE(findOutput("hammer_rebound_velocity")->quantity(), Quantity::velocity);
+    QCOMPARE(findOutput("string_momentum")->quantity(), Quantity::impulse);
+    const double rebound = siOf(blow, "hammer_rebound_velocity");
+    QCOMPARE(rebound, *valueOf(blow, "hammer_rebound_velocity") * velocity);
+    // The energy of the hammer moving back as a whole is that of its mass at this velocity.
+    const double energy = *valueOf(blow, "hammer_rebound_energy") * mass * velocity * velocity / 2;
+    QVERIFY(std::abs(mass * rebound * rebound / 2 - energy) <= 1e-12 * energy);
+    QCOMPARE(siOf(blow, "string_momentum"), *valueOf(blow, "string_momentum") * mass * velocity);
 }
 
 void TestOutputs::stressIsTheForceInTheRodOverItsArea() {

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
@@ -552,6 +553,9 @@ void TestStringPage::theResultPanelShowsWhatAStringHas() {
     for (const char* ofRod : {"worst of 4 needs", "force peaks", "tension, after"})
         QVERIFY2(!isRowThere(QLatin1String(ofRod)), ofRod);
     QVERIFY(isRowThere(QStringLiteral("margin")));
+    // A velocity has a unit.
+    QVERIFY(part<ResultPanel>(window()).text().contains(
+        QRegularExpression(QStringLiteral("hammer rebound\t[0-9.]+.m/s"))));
     // All of the energy is in the bar.
     double sum = 0;
     for (const EnergyPart part : energyParts) sum += energyShare(window().shown()->summary, part);
