@@ -9,6 +9,13 @@ is_installed() {
     dpkg -s "$1" 2>/dev/null | grep -q '^Status: install ok installed'
 }
 
+# In a plain chroot nothing is mounted; programs, tests and bash look there for themselves.
+require_proc() {
+    mountpoint -q /proc && return 0
+    echo "$0: /proc is not mounted here; run this as root, then try again: mount -t proc proc /proc" >&2
+    exit 1
+}
+
 # Those of the packages that are not installed.
 missing_of() {
     local package
@@ -22,6 +29,7 @@ missing_of() {
 # command needs, the packages given, needs no network.
 require_packages() {
     local needed missing as_root=()
+    require_proc
     mapfile -t needed < <(missing_of "$@")
     [ ${#needed[@]} -gt 0 ] || return 0
     mapfile -t missing < <(missing_of "${build_packages[@]}" "${test_packages[@]}")
@@ -83,7 +91,7 @@ progress_line() {
 # the work elsewhere. What the compiler says of an error is shown in full.
 build() {
     local log status=0
-    cmake --preset "$1" >/dev/null
+    cmake --preset "$1" >/dev/null || return 1
     if [ -t 1 ]; then
         NINJA_STATUS="  [%f/%t, %es] " cmake --build --preset "$@"
         return

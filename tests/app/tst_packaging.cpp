@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// packaging/run on a bare system, whose commands are stood in for: what it asks for, shows and leaves behind.
+// packaging/run and packaging/test on a bare system, whose commands are stood in for: what they ask for, show
+// and leave behind.
 #include <QtTest>
 
 #include <QDir>
@@ -40,18 +41,12 @@ class BareSystem {
             "done\n");
     }
 
-    Finished packagingRun(const QProcessEnvironment& more = {}) const {
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) environment.remove(name);
-        environment.insert(more);
-        environment.insert("PATH", m_folder.filePath("bin") + ":" + environment.value("PATH"));
-        environment.insert("TMPDIR", m_folder.filePath("tmp"));
-        environment.insert("BARE", m_folder.path());
-        QProcess process;
-        process.setProcessEnvironment(environment);
-        process.start(m_folder.filePath("repo/packaging/run"), QStringList());
-        if (!process.waitForFinished(60000)) return {};
-        return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+    Finished packagingRun(const QProcessEnvironment& more = {}) const { return packaging("run", more); }
+    Finished packagingTest(const QProcessEnvironment& more = {}) const { return packaging("test", more); }
+
+    /// In place of a command, a script of bash.
+    void standIn(const char* command, const QByteArray& script) const {
+        put(QStringLiteral("bin/") + command, "#!/bin/bash\n" + script);
     }
 
     QByteArray calls() const { return read(m_folder.filePath("calls")); }
@@ -60,6 +55,20 @@ class BareSystem {
     }
 
   private:
+    Finished packaging(const QString& command, const QProcessEnvironment& more) const {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) environment.remove(name);
+        environment.insert(more);
+        environment.insert("PATH", m_folder.filePath("bin") + ":" + environment.value("PATH"));
+        environment.insert("TMPDIR", m_folder.filePath("tmp"));
+        environment.insert("BARE", m_folder.path());
+        QProcess process;
+        process.setProcessEnvironment(environment);
+        process.start(m_folder.filePath("repo/packaging/") + command, QStringList());
+        if (!process.waitForFinished(60000)) return {};
+        return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+    }
+
     void put(const QString& path, const QByteArray& bytes) const {
         const QString absolute = m_folder.filePath(path);
         write(absolute, bytes);
@@ -104,6 +113,41 @@ class TestPackaging : public QObject {
         QVERIFY2(finished.error.contains("error: first\n") && finished.error.contains("error: last\n"),
                  finished.error);
         QCOMPARE(system.leftBehind(), QStringList());
+    }
+
+    void roundsInOtherLocalesFollowTestsThatFail() {
+        const BareSystem system;
+        system.standIn("localedef", "");
+        system.standIn("locale", "echo ,\n");
+        system.standIn("ctest",
+                       "echo \"ctest ${LOCPATH:+$LC_ALL} $*\" >> $BARE/calls\n[ -n \"$LOCPATH\" ]\n");
+        const Finished finished = system.packagingTest();
+        const QByteArray calls = system.calls();
+        for (const char* round : {"ctest  --preset release", "ctest de_DE.UTF-8 ", "ctest sv_SE.UTF-8 "})
+            QVERIFY2(calls.contains(round), calls);
+        QCOMPARE(finished.exitCode, 1);
+        QVERIFY2(finished.error.endsWith("packaging/test: failed: the tests\n"), finished.error);
+    }
+
+    void testsOfABuildThatFailsAreNotRun() {
+        const BareSystem system;
+        system.standIn("ctest", "echo ctest >> $BARE/calls\n");
+        QProcessEnvironment broken;
+        broken.insert("BROKEN", "1");
+        const Finished finished = system.packagingTest(broken);
+        QCOMPARE(finished.exitCode, 1);
+        QVERIFY2(!system.calls().contains("ctest"), system.calls());
+        QVERIFY2(finished.error.endsWith("packaging/test: failed: the build\n"), finished.error);
+    }
+
+    void whatIsMissingIsNamedWhereNothingIsMounted() {
+        const BareSystem system;
+        system.standIn("mountpoint", "exit 1\n");
+        for (const Finished& finished : {system.packagingRun(), system.packagingTest()}) {
+            QCOMPARE(finished.exitCode, 1);
+            QVERIFY2(finished.error.contains("/proc is not mounted here"), finished.error);
+            QCOMPARE(finished.error.count('\n'), 1);
+        }
     }
 };
 
