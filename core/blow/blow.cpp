@@ -24,15 +24,16 @@ void solveTimed(Blow& blow, Detail detail, const std::stop_token& stop, MethodSo
 
 /// A drill string, with the forces in every section.
 void solveStringBlow(Blow& blow, Detail detail, NetworkAccuracy accuracy, const std::stop_token& stop,
-                     NetworkSolver& solver) {
+                     MethodSolver& solver) {
     NetworkSettings settings;
+    settings.mostCells = solver.mostCells();
     settings.accuracy = accuracy;
     settings.wants.events = true;
     settings.wants.forces = settings.wants.reflections = true;
     settings.wants.histories = detail == Detail::histories;
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    blow.string = solveString(blow.scenario, settings, solver, stop);
+    blow.string = solveString(blow.scenario, settings, solver.strings(), stop);
     blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();
     blow.impact = impactOf(*blow.string);
     if (!blow.isSolved()) return;
@@ -69,7 +70,7 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
     blow.scales = scalesOf(scenario);
     blow.alerts = alertsFor(scenario);
     if (isString(scenario)) {
-        solveStringBlow(blow, detail, ofString, stop, solver.strings());
+        solveStringBlow(blow, detail, ofString, stop, solver);
         return blow;
     }
     blow.solved = problemOf(scenario);

@@ -42,11 +42,15 @@ std::string describe(const MethodChoice& choice);
 /// Why a method says nothing about a blow that others can solve; empty when it does.
 std::string methodRefusal(Method method, const Problem& problem);
 
+/// A wave piece of the exact solver is worth so many cells of a string.
+inline constexpr long cellsOfPiece = 30;
+
 /// Solves one blow after another by any method, keeping the workspace. One solver per thread.
 class MethodSolver {
   public:
-    /// `mostPieces` bounds the work of the exact solver.
-    explicit MethodSolver(long mostPieces = defaultMostPieces) : m_exact(mostPieces) {}
+    /// `mostPieces` bounds the work of the exact solver, `mostCells` that of a string.
+    explicit MethodSolver(long mostPieces = defaultMostPieces, long mostCells = mostNetworkCells)
+        : m_exact(mostPieces), m_mostCells(mostCells) {}
     static constexpr long defaultMostPieces = 30'000'000;
 
     /// The problem is as for ExactSolver::solve(). A blow that the method refuses is not solved, with the
@@ -59,11 +63,13 @@ class MethodSolver {
 
     /// For drill strings, which have one method.
     NetworkSolver& strings() { return m_strings; }
+    long mostCells() const { return m_mostCells; }
 
   private:
     ExactSolver m_exact;
     std::optional<LatticeSolver> m_lattice;
     NetworkSolver m_strings;
+    long m_mostCells;
 };
 
 }  // namespace drillwave

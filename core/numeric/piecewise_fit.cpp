@@ -52,6 +52,7 @@ class Builder {
     void lookForValues(const FitSample& a, const FitSample& b);
     void accept(std::span<const FitSample> nodes, const Errors& errors);
     void acceptAsIs(std::span<const FitSample> nodes);
+    void acceptUnlooked(const FitSample& a, const FitSample& b);
     void acceptUnsolved(double from, double to);
 
     double allowed(std::size_t i) const { return m_settings.tolerance * m_scale[i] + 8 * m_fit.largestError; }
@@ -60,7 +61,8 @@ class Builder {
     bool isHopeless() const {
         return m_failures >= m_settings.failuresOfCell || m_failedEffort >= m_settings.mostFailedEffort;
     }
-    bool mayWork() const { return m_fit.solves < m_solveLimit; }
+    bool mayWork() const { return m_fit.solves < m_solveLimit && !isSpent(); }
+    bool isSpent() const { return m_effort >= m_settings.mostEffort; }
 
     const FitSettings& m_settings;
     const FitFunction& m_function;
@@ -71,6 +73,7 @@ class Builder {
     std::uint64_t m_solveLimit = 0;
     std::uint64_t m_kinksLeft = 0;
     std::uint64_t m_failures = 0;
+    long m_effort = 0;
     long m_failedEffort = 0;
 };
 
@@ -80,6 +83,7 @@ FitSample Builder::solve(double x) {
     FitSample sample = m_function(x);
     sample.x = x;
     ++m_fit.solves;
+    m_effort += sample.effort;
     if (!sample.solved) {
         ++m_failures;
         m_failedEffort += sample.effort;
@@ -159,6 +163,7 @@ Builder::Finding Builder::probe(Nodes& nodes) {
 void Builder::refine(const FitSample& a, const FitSample& b) {
     if (m_stop.stop_requested() || !(b.x > a.x)) return;
     if (isHopeless()) return acceptUnsolved(a.x, b.x);
+    if (isSpent()) return acceptUnlooked(a, b);
     if (b.x - a.x <= m_settings.leastWidth) return acceptAsIs(std::array{a, b});
     if (ordersCount() && a.solved && b.solved && a.order != b.order) return bracketKink(a, b);
     if (m_settings.ends == FitSettings::Ends::bracketed && !(a.solved && b.solved))
@@ -180,6 +185,7 @@ void Builder::bracketKink(const FitSample& first, const FitSample& last) {
     --m_kinksLeft;
     FitSample a = first, b = last;
     while (b.x - a.x > m_settings.kinkWidth) {
+        if (isSpent()) return acceptUnlooked(first, last);
         const FitSample middle = solve(a.x + (b.x - a.x) / 2);
         if (!middle.solved) {
             refine(first, a);
@@ -198,7 +204,7 @@ void Builder::bracketKink(const FitSample& first, const FitSample& last) {
 /// There are values at one end alone: finds one place where they end.
 void Builder::bracketEnd(const FitSample& first, const FitSample& last) {
     FitSample a = first, b = last;
-    while (b.x - a.x > m_settings.leastWidth && !isHopeless()) {
+    while (b.x - a.x > m_settings.leastWidth && !isHopeless() && !isSpent()) {
         const FitSample middle = solve(a.x + (b.x - a.x) / 2);
         if (m_stop.stop_requested()) return;
         (middle.solved == first.solved ? a : b) = middle;
@@ -244,6 +250,12 @@ void Builder::acceptAsIs(std::span<const FitSample> nodes) {
         errors[i] = value(largest) - value(least) + m_fit.largestError;
     }
     accept(nodes, errors);
+}
+
+/// All work is spent: equal values at both ends tell nothing of what is between them.
+void Builder::acceptUnlooked(const FitSample& a, const FitSample& b) {
+    acceptAsIs(std::array{a, b});
+    m_fit.pieces.back().resolved = false;
 }
 
 void Builder::acceptUnsolved(double from, double to) {

@@ -26,7 +26,7 @@ struct FitSample {
     std::uint64_t order = 0;  ///< while it stays the same, the functions are smooth
     int label = 0;            ///< whatever pieces are to be told by
     bool solved = false;      ///< false: there are no values here
-    long effort = 0;          ///< what a place without values has cost, in the units of mostFailedEffort
+    long effort = 0;          ///< what it has cost, in the units of mostEffort and mostFailedEffort
 };
 
 /// A stretch over which all functions are smooth.
@@ -56,7 +56,9 @@ struct FitSettings {
     std::uint64_t solvesOfCell = 2'000;
     std::uint64_t kinksOfCell = 100;
     std::uint64_t failuresOfCell = 20;  ///< places without values, not left over to later cells
-    long mostFailedEffort = std::numeric_limits<long>::max();  ///< in all
+    /// In all. Beyond, nothing is halved or bracketed any more: what is left is not resolved.
+    long mostEffort = std::numeric_limits<long>::max();
+    long mostFailedEffort = std::numeric_limits<long>::max();  ///< in all, of places without values
     /// Where values end: halved towards, as any rough place, or bracketed as a kink is.
     enum class Ends { halved, bracketed } ends = Ends::halved;
 };

@@ -89,6 +89,7 @@ struct CurveStudy {
     CurveQuestion question;
     std::vector<CurveLine> lines;  ///< one for each value of the family, one without
     std::uint64_t solves = 0;      ///< blows solved
+    long effort = 0;               ///< their wave pieces, or cells of drill strings
     bool stopped = false;          ///< on the stop token: there are no lines
 
     /// Whether every output has an answer all along every line.
@@ -99,8 +100,10 @@ struct CurveStudy {
 using CurveProgress = std::function<void(double)>;
 
 /// Fits every output on its own, in the parameter or its logarithm, to 1e-10 of its size and the error of the
-/// solver: which others are asked for changes nothing. Work is bounded, and the lines do not depend on `jobs`
-/// (≥ 1). Requires problemsOf() to be empty.
+/// solver: which others are asked for changes nothing. Work is bounded: all blows of a cell for one output
+/// have as many wave pieces together as five at the work limit; beyond, the output is known by points alone,
+/// each of which may take a sixth of the limit. The lines do not depend on `jobs` (≥ 1). Requires
+/// problemsOf() to be empty.
 CurveStudy studyCurve(const CurveQuestion& question, int jobs, std::stop_token stop = {},
                       const CurveProgress& progress = {});
 

@@ -20,6 +20,8 @@ constexpr double cellsOfPeriod = 8;
 constexpr std::uint64_t mostFailuresOfCell = 200;
 /// Of blows at the work limit, for each output of a cell.
 constexpr long mostBlowsAtLimit = 3;
+/// Of all blows, likewise. Nearly all cells take less than a hundredth.
+constexpr long mostEffortAtLimit = 5;
 /// What outputs that are no ratio are known to where they vanish, of the unit that they have.
 constexpr double smallOfUnit = 1e-4;
 /// Of drill strings, whose blows take longer: all blows of a cell for one output together as much as so many
@@ -81,6 +83,7 @@ void CellFitter::operator()(CellTask& task, const std::stop_token& stop) const {
     for (std::size_t i = 0; i < m_question.columns.size(); ++i)
         task.outputs.push_back(fit(sampler, task, i, stop));
     task.solves = sampler.solves();
+    task.effort = sampler.effort();
 }
 
 CellOutput CellFitter::fit(CurveSampler& sampler, const CellTask& task, std::size_t output,
@@ -95,7 +98,9 @@ CellOutput CellFitter::fit(CurveSampler& sampler, const CellTask& task, std::siz
                          .failuresOfCell = mostFailuresOfCell,
                          .mostFailedEffort = mostBlowsAtLimit * m_question.workLimit,
                          .ends = FitSettings::Ends::bracketed};
-    if (isString(m_question.base)) {
+    if (!isString(m_question.base)) {
+        settings.mostEffort = mostEffortAtLimit * m_question.workLimit;
+    } else {
         const long most = blowsOfStringCell * m_question.workLimit / std::max(1L, sampler.effortAt(cuts[0]));
         const auto solves = static_cast<std::uint64_t>(std::max(leastStringBlows, most));
         settings.solvesOfCell = std::min(settings.solvesOfCell, solves);

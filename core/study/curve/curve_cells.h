@@ -27,6 +27,7 @@ struct CellTask {
     double end = 1;
     std::vector<CellOutput> outputs;
     std::uint64_t solves = 0;
+    long effort = 0;  ///< of these
 };
 
 /// A piece to be filled from points: it has an answer, but no function yet.

@@ -42,6 +42,7 @@ class Study {
         CurveStudy study{.question = m_question, .lines = {}};
         study.stopped = !(fitCells() && fillGrids());
         study.solves = m_solves;
+        study.effort = m_effort;
         if (study.stopped) return study;
         for (std::size_t line = 0; line < m_lines.size(); ++line) finish(line);
         study.lines = std::move(m_lines);
@@ -71,6 +72,7 @@ class Study {
         const auto deliver = [&](CellTask& task) {
             addCell(m_lines[task.line], m_question, task);
             m_solves += task.solves;
+            m_effort += task.effort;
             tell(0, shareOfFits, ++done, count);
             return true;
         };
@@ -100,6 +102,7 @@ class Study {
         const auto deliver = [&](PointTask& task) {
             std::ranges::move(task.points, std::back_inserter(m_solved[task.line]));
             m_solves += task.solves;
+            m_effort += task.effort;
             tell(shareOfFits, 1, ++done, tasks.size());
             return true;
         };
@@ -132,6 +135,7 @@ class Study {
     std::vector<std::vector<double>> m_points;      // of each line, as shares
     std::vector<std::vector<CurvePoint>> m_solved;  // of each line, ascending
     std::uint64_t m_solves = 0;
+    long m_effort = 0;
 };
 
 }  // namespace

@@ -15,6 +15,9 @@ namespace {
 constexpr double farthestPoints = 1.0 / 500;
 constexpr double nearestPoints = 1e-9;
 constexpr int leastPartsOfGrid = 16;
+/// There are hundreds of points: the blow of each may take such a part of the work permitted. Whether one has
+/// an answer must not hang on how many there are, which other outputs decide, too.
+constexpr long partOfLimit = 6;
 
 /// Where a piece is rough in detail: closer than other points where it is narrow.
 void addGrid(std::vector<double>& places, const FitPiece& piece) {
@@ -81,7 +84,7 @@ std::vector<double> openPointsOf(const CurveLine& line, std::span<const double> 
 }
 
 void PointSolver::operator()(PointTask& task, const std::stop_token& stop) const {
-    CurveSampler sampler(m_question, m_axes, task.line, stop);
+    CurveSampler sampler(m_question, m_axes, task.line, stop, isString(m_question.base) ? 1 : partOfLimit);
     task.points.clear();
     for (const double share : task.shares) {
         CurvePoint& point = task.points.emplace_back();
@@ -92,6 +95,7 @@ void PointSolver::operator()(PointTask& task, const std::stop_token& stop) const
         }
     }
     task.solves = sampler.solves();
+    task.effort = sampler.effort();
 }
 
 void fillPieces(CurveLine& line, std::size_t i, std::span<const double> points,

@@ -32,6 +32,7 @@ struct PointTask {
     std::vector<double> shares;
     std::vector<CurvePoint> points;
     std::uint64_t solves = 0;
+    long effort = 0;  ///< of these
 };
 
 /// Solves the points of one task after another. One for each thread.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/curve/curve_sampler.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -32,12 +33,13 @@ double unitPerSecond(Measure measure, const Scenario& scenario) {
 }  // namespace
 
 CurveSampler::CurveSampler(const CurveQuestion& question, const std::vector<SweepAxis>& axes,
-                           std::size_t line, std::stop_token stop)
+                           std::size_t line, std::stop_token stop, long partOfLimit)
     : m_question(question),
       m_range(question.range()),
       m_stop(std::move(stop)),
       m_scenario(question.base, axes),
-      m_solver(question.columns, question.method, question.workLimit, Detail::events),
+      m_solver(question.columns, question.method, std::max(1L, question.workLimit / partOfLimit),
+               Detail::events),
       m_values(axes.size()),
       m_pulseMoves(m_scenario.movesPulse(axes.size() - 1)) {
     if (question.family) m_values.front() = question.family->value(line);
@@ -66,6 +68,7 @@ const CurveSampler::Blow& CurveSampler::blowAt(double share) {
     blow.reason = m_solver.solve(scenario, blow.values, m_stop);
     const Impact& impact = m_solver.impact();
     blow.pieces = impact.pieces;
+    m_effort += impact.pieces;
     if (!blow.reason.empty()) {
         blow.values.clear();
         return blow;

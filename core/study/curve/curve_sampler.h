@@ -18,9 +18,10 @@ namespace drillwave {
 /// Solves the blows of one line. One for each thread.
 class CurveSampler {
   public:
-    /// `axes` are those of the question, `line` the number of the line; all must outlive this.
+    /// `axes` are those of the question, `line` the number of the line; all must outlive this. A blow may
+    /// take one such part of the work limit.
     CurveSampler(const CurveQuestion& question, const std::vector<SweepAxis>& axes, std::size_t line,
-                 std::stop_token stop);
+                 std::stop_token stop, long partOfLimit = 1);
 
     /// An output at a share of the way, its error as that of e.
     FitSample operator()(double share, std::size_t output);
@@ -32,6 +33,8 @@ class CurveSampler {
     /// What the blow at a share of the way takes: wave pieces, or cells of a drill string.
     long effortAt(double share) { return blowAt(share).pieces; }
     std::uint64_t solves() const { return m_blows.size(); }
+    /// What all blows so far have taken.
+    long effort() const { return m_effort; }
 
   private:
     struct Blow {
@@ -54,6 +57,7 @@ class CurveSampler {
     bool m_pulseMoves;             // with the parameter
     bool m_hasPulse = false;
     std::unordered_map<double, Blow> m_blows;  // by share
+    long m_effort = 0;
     std::string m_reason;
 };
 

@@ -21,8 +21,7 @@ CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice
           std::ranges::any_of(columns, [](const OutputColumn& c) { return c.output->needsThrustStudy(); })),
       m_waveNumbers(waveNumbersFor(columns)),
       m_method(method),
-      m_workLimit(workLimit),
-      m_solver(workLimit) {
+      m_solver(workLimit, cellsOfPiece * workLimit) {
     const auto takesLedger = [](const OutputColumn& column) { return column.detail() == Detail::ledger; };
     if (least < Detail::ledger && std::ranges::none_of(columns, takesLedger)) m_solver.leaveOutLedger();
 }
@@ -44,14 +43,11 @@ std::string CaseSolver::solve(const Scenario& scenario, std::span<double> output
     return {};
 }
 
-/// A wave piece of the exact solver is worth so many cells of a string.
-constexpr long cellsOfPiece = 30;
-
 /// By one run: `efficiency_error` says how good it is.
 std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<double> outputs,
                                          const std::stop_token& stop) {
     NetworkSettings settings{
-        .accuracy = NetworkAccuracy::quick, .wants = {}, .mostCells = cellsOfPiece * m_workLimit};
+        .accuracy = NetworkAccuracy::quick, .wants = {}, .mostCells = m_solver.mostCells()};
     settings.wants.forces = m_detail == Detail::histories;
     const StringBlow blow = solveString(scenario, settings, m_solver.strings(), stop);
     m_impact = impactOf(blow);

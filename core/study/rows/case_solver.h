@@ -46,7 +46,6 @@ class CaseSolver {
     bool m_needsMargin;  ///< of the thrust: a study of all gaps
     WaveNumbers m_waveNumbers;
     MethodChoice m_method;
-    long m_workLimit;
     MethodSolver m_solver;
     ThrustMargins m_margins;
     Problem m_problem;

@@ -49,6 +49,7 @@ class TestPiecewiseFit : public QObject {
     void aJumpStaysWithinItsSliver();
     void whereValuesEndIsBracketed();
     void aFunctionThatNeverGetsSmoothCostsWhatIsPermitted();
+    void whatCostsMuchIsLookedAtLess();
     void failuresEndTheWork();
     void aConstantIsOneSample();
     void extremesAndCrossingsOfASineAreWhereTheyAre();
@@ -145,6 +146,31 @@ void TestPiecewiseFit::aFunctionThatNeverGetsSmoothCostsWhatIsPermitted() {
     QVERIFY2(fit.solves < 500 + 17 * 40, QByteArray::number(fit.solves));
     QCOMPARE(fit.pieces.back().end, 1.0);
     QVERIFY(std::ranges::any_of(fit.pieces, [](const FitPiece& piece) { return !piece.resolved; }));
+}
+
+// The number of samples says little where each costs what a thousand others do.
+void TestPiecewiseFit::whatCostsMuchIsLookedAtLess() {
+    const double cuts[] = {0, 1};
+    const auto dear = [](double x) {
+        FitSample sample{.x = x, .solved = true, .effort = 1000};
+        sample.values[0] = std::sin(300 * x);
+        sample.order = static_cast<std::uint64_t>(50 * x);
+        return sample;
+    };
+    FitSettings settings;
+    settings.mostEffort = 30'000;
+    const PiecewiseFit fit = fitPiecewise(settings, cuts, dear);
+    // and what has been begun: the nodes of one interval
+    QVERIFY2(fit.solves >= 30 && fit.solves <= 30 + 17, QByteArray::number(fit.solves));
+    QCOMPARE(fit.unsolved, 0.0);
+    const auto isLeft = [](const FitPiece& piece) { return !piece.resolved; };
+    QVERIFY(std::ranges::any_of(fit.pieces, isLeft));
+    // What nobody has looked into is not taken for known, even where its ends agree.
+    settings.mostEffort = 2'000;
+    const auto same = [](double x) {
+        return FitSample{.x = x, .values = {1}, .solved = true, .effort = 1000};
+    };
+    QVERIFY(std::ranges::all_of(fitPiecewise(settings, cuts, same).pieces, isLeft));
 }
 
 void TestPiecewiseFit::failuresEndTheWork() {

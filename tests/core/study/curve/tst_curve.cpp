@@ -82,6 +82,7 @@ class TestCurve : public QObject {
     void curvesOfStringsTakeBoundedWork();
     void whereThereIsNoAnswerIsToldWithTheReason();
     void workIsCountedAndBounded();
+    void blowsOfManyPiecesTakeBoundedWork();
     void aStopEndsTheWork();
     void whatCannotBeFollowedIsRefused_data();
     void whatCannotBeFollowedIsRefused();
@@ -419,6 +420,21 @@ void TestCurve::workIsCountedAndBounded() {
     QVERIFY2(none.solves <= 16 * 10, QByteArray::number(none.solves));
     QVERIFY(onlyLine(none).outputs[0].features.empty());
     QCOMPARE(onlyLine(none).outputs[0].unsolved.size(), 1u);
+}
+
+// On a short rod in soft rock every blow is as much work as thousands of others, and still has an answer.
+void TestCurve::blowsOfManyPiecesTakeBoundedWork() {
+    CurveQuestion asked = question(PulseShape::rectangular, {0.5, 0.1, 10, 0}, "tau=1e-5:1e-2:log");
+    asked.workLimit = 10'000;
+    const CurveStudy study = studyCurve(asked, 2);
+    const CurveOutput& output = onlyLine(study).outputs[0];
+    QVERIFY(!output.grid.empty());
+    // 16 cells, each with what has been begun when its work was spent
+    const long ofCells = 16 * (5 + 20) * asked.workLimit;
+    const auto points = static_cast<long>(onlyLine(study).points.size());
+    const long most = ofCells + points * asked.workLimit / 6;
+    QVERIFY2(study.effort > 0 && study.effort <= most, QByteArray::number(qlonglong(study.effort)));
+    QVERIFY2(points <= 2'000, QByteArray::number(qlonglong(points)));
 }
 
 void TestCurve::aStopEndsTheWork() {
