@@ -15,6 +15,7 @@
 #include "core/report/blow_csv.h"
 #include "core/report/string_accuracy_report.h"
 #include "core/text/decimal_text.h"
+#include "core/text/number_text.h"
 
 namespace drillwave {
 
@@ -45,6 +46,22 @@ std::vector<int> ladderOf(const Arguments& arguments) {
                                             std::to_string(longestLadder) + " whole numbers from " +
                                             std::to_string(minimumSegments) + " to " +
                                             std::to_string(maximumSegments) + ", as in 100,1000,10000");
+}
+
+/// Half a minute of work.
+constexpr long defaultMoves = 1'000'000'000;
+constexpr long mostMoves = 1'000'000'000'000'000;
+
+/// Foreseen, because moved waves take the square of the segments.
+void checkWork(const Arguments& arguments, const std::vector<int>& ladder) {
+    const long limit = arguments.number("work-limit", defaultMoves, 1, mostMoves);
+    const double moves = latticeMoves(ladder);
+    if (moves <= static_cast<double>(limit)) return;
+    throw CommandError(ExitCode::usage,
+                       "--segments " + arguments.value("segments").value_or("") + ": would move waves by " +
+                           rounded(moves, 2) + " segments, more than --work-limit, now " +
+                           std::to_string(limit) +
+                           ", permits (half a minute is some 1e9); take fewer or permit more");
 }
 
 /// With progress on a terminal.
@@ -110,6 +127,7 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     if (isString(document.scenario) && arguments.has("segments"))
         throw CommandError(ExitCode::usage,
                            "--segments: " + path + ": is for uniform rods; leave it out for a drill string");
+    if (!isString(document.scenario)) checkWork(arguments, ladder);
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
     AccuracyFiles files = isString(document.scenario)
@@ -142,6 +160,9 @@ const Command& accuracyCommand() {
             "string: polynomial cells of several sizes beside a plain lattice.",
         .options = scenarioOptions(
             {{"segments", "A,B,C", "of the lattice, in place of 100 to 20000"},
+             {"work-limit", "N",
+              "moves of waves by a segment that the lattices may take, 1000000000 (half a minute) if not "
+              "given"},
              {"json", "", "print one JSON object in place of the table"},
              {"o", "DIR", "also write accuracy.csv into DIR; - prints it instead of the table"},
              plotsOptionSpec(),

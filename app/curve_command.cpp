@@ -72,7 +72,7 @@ void writeCsv(const CurveReport& report, const Arguments& arguments, const RowOp
 }
 
 /// Throws where a line has no answer, with the first reason.
-void checkSolved(const CurveStudy& study, const std::string& path) {
+void checkSolved(const CurveStudy& study, const std::string& path, long workLimit) {
     for (const CurveLine& line : study.lines)
         for (const CurveOutput& output : line.outputs)
             for (const CurveStretch& stretch : output.unsolved)
@@ -80,7 +80,8 @@ void checkSolved(const CurveStudy& study, const std::string& path) {
                                    path + ": could not be solved everywhere: from " +
                                        std::string(study.question.along.key()) + " = " +
                                        valueText(study.question.along, stretch.start) + " to " +
-                                       valueText(study.question.along, stretch.end) + ": " + stretch.reason);
+                                       valueText(study.question.along, stretch.end) + ": " + stretch.reason +
+                                       (isAtLimit(stretch.reason) ? limitHint(workLimit) : std::string()));
 }
 
 ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
@@ -115,7 +116,7 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
     if (writesFile) writeCsv(report, arguments, options, base, plots.draw(&report, drawing, interruption));
     if (!writesFile || options.path != "-")
         writeFile("-", arguments.has("json") ? curveJson(report) : curveText(report), Overwrite::allowed);
-    checkSolved(report.study, path);
+    checkSolved(report.study, path, options.workLimit);
     return ExitCode::done;
 }
 

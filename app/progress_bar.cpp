@@ -23,45 +23,61 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::uint64_t total, std::string_view unit)
-    : m_total(total), m_unit(unit), m_isTerminal(::isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(std::uint64_t total, std::string_view unit, const ProgressOutput& out)
+    : m_total(total),
+      m_unit(unit),
+      m_out(out),
+      m_isTerminal(::isatty(::fileno(out.stream)) == 1),
+      m_nextDrawing(m_start + (m_isTerminal ? std::chrono::seconds(1) : out.between)) {}
 
 ProgressBar::~ProgressBar() {
-    if (m_drawn) std::fputs("\r\033[K", stderr);
+    if (m_drawn) std::fputs("\r\033[K", m_out.stream);
 }
 
 void ProgressBar::show(std::uint64_t done) {
-    if (!m_isTerminal || m_total == 0) return;
+    if (m_total == 0) return;
     const Clock::time_point now = Clock::now();
     if (now < m_nextDrawing) return;
-    m_nextDrawing = now + std::chrono::milliseconds(200);
-    m_drawn = true;
-
-    constexpr std::size_t width = 30;
+    m_nextDrawing = now + (m_isTerminal ? std::chrono::milliseconds(200) : m_out.between);
     const double share = static_cast<double>(done) / static_cast<double>(m_total);
-    const double elapsed = std::chrono::duration<double>(now - m_start).count();
+    const std::string percent = std::to_string(static_cast<int>(share * 100)) + " %";
+    std::string text;
+    if (m_isTerminal) {
+        constexpr std::size_t width = 30;
+        const auto filled = static_cast<std::size_t>(share * width);
+        text = "\r\033[K[" + std::string(filled, '#') + std::string(width - filled, ' ') + "] " + percent +
+               numbers(done);
+        m_drawn = true;
+    } else {
+        text = percent + " done" + numbers(done) + "\n";
+    }
+    std::fputs(text.c_str(), m_out.stream);
+}
+
+std::string ProgressBar::numbers(std::uint64_t done) const {
+    std::string text;
+    const double elapsed = std::chrono::duration<double>(Clock::now() - m_start).count();
     const double rate = static_cast<double>(done) / elapsed;
-    const auto filled = static_cast<std::size_t>(share * width);
-    std::string bar = "\r\033[K[" + std::string(filled, '#') + std::string(width - filled, ' ') + "] " +
-                      std::to_string(static_cast<int>(share * 100)) + " %";
     if (!m_unit.empty())
-        bar += "  " + std::to_string(static_cast<std::uint64_t>(rate)) + " " + std::string(m_unit) + "/s";
-    if (rate > 0) bar += "  " + duration(static_cast<double>(m_total - done) / rate) + " left";
-    std::fputs(bar.c_str(), stderr);
+        text += "  " + std::to_string(static_cast<std::uint64_t>(rate)) + " " + std::string(m_unit) + "/s";
+    if (rate > 0) text += "  " + duration(static_cast<double>(m_total - done) / rate) + " left";
+    return text;
 }
 
 ElapsedTime::ElapsedTime() {
-    if (::isatty(STDERR_FILENO) != 1) return;
-    const auto draw = [](const std::stop_token& stop) {
+    const bool isTerminal = ::isatty(STDERR_FILENO) == 1;
+    const int step = isTerminal ? 1 : static_cast<int>(linesBetween.count());
+    const auto draw = [isTerminal, step](const std::stop_token& stop) {
         std::mutex mutex;
         std::condition_variable_any stopped;
         std::unique_lock lock(mutex);
         bool drawn = false;
-        for (int seconds = 1;; ++seconds) {
-            stopped.wait_for(lock, stop, std::chrono::seconds(1), [] { return false; });
+        for (int seconds = step;; seconds += step) {
+            stopped.wait_for(lock, stop, std::chrono::seconds(step), [] { return false; });
             if (stop.stop_requested()) break;
-            drawn = true;
-            std::fprintf(stderr, "\r\033[Ksolving for %s; Ctrl-C ends it", duration(seconds).c_str());
+            drawn = isTerminal;
+            std::fprintf(stderr, isTerminal ? "\r\033[Ksolving for %s; Ctrl-C ends it" : "solving for %s\n",
+                         duration(seconds).c_str());
         }
         if (drawn) std::fputs("\r\033[K", stderr);
     };

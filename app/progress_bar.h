@@ -1,21 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far long work is, on a terminal.
+// How far long work is, on a terminal and in a log.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <thread>
 
 namespace drillwave {
 
-/// Draws "[####    ] 41 %  520000/s  3 s left" on stderr, when that is a terminal and the work lasts over a
-/// second.
+/// From line to line of a log.
+inline constexpr std::chrono::seconds linesBetween{15};
+
+/// Where progress is told.
+struct ProgressOutput {
+    std::FILE* stream = stderr;
+    std::chrono::milliseconds between = linesBetween;
+};
+
+/// Draws "[####    ] 41 %  520000/s  3 s left" on a terminal when the work lasts over a second. Elsewhere, in
+/// the log of a job, a line "41 % done, 3 s left" now and then.
 class ProgressBar {
   public:
     /// `unit` names what is counted, "points"; empty where only the share is known.
-    explicit ProgressBar(std::uint64_t total, std::string_view unit = {});
+    explicit ProgressBar(std::uint64_t total, std::string_view unit = {}, const ProgressOutput& out = {});
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
@@ -24,12 +35,15 @@ class ProgressBar {
 
   private:
     using Clock = std::chrono::steady_clock;
+    std::string numbers(std::uint64_t done) const;
+
     std::uint64_t m_total;
     std::string_view m_unit;
+    ProgressOutput m_out;
     bool m_isTerminal;
     bool m_drawn = false;
     Clock::time_point m_start = Clock::now();
-    Clock::time_point m_nextDrawing = m_start + std::chrono::seconds(1);
+    Clock::time_point m_nextDrawing;
 };
 
 /// The same for work that tells what share of it is done.
@@ -46,7 +60,7 @@ class ShareBar {
 };
 
 /// Draws "solving for 3 s; Ctrl-C ends it" on stderr, when that is a terminal and the work, whose end nobody
-/// can tell, lasts over a second.
+/// can tell, lasts over a second; elsewhere a line "solving for 15 s" now and then.
 class ElapsedTime {
   public:
     ElapsedTime();

@@ -64,11 +64,23 @@ std::string reasonsOf(const RowCounts& counts, const std::string& noun, long wor
         text += (text.empty() ? "" : "; ") + std::to_string(failure.rows) + " " + noun +
                 (failure.rows == 1 ? ": " : "s: ") + failure.reason;
         told += failure.rows;
-        atLimit |= failure.reason.find("wave pieces") != std::string::npos;
+        atLimit |= isAtLimit(failure.reason);
     }
     if (told < counts.failed) text += "; " + std::to_string(counts.failed - told) + " for other reasons";
-    if (atLimit) text += "; --work-limit, now " + std::to_string(workLimit) + ", permits more";
+    if (atLimit) text += limitHint(workLimit);
     return text;
+}
+
+long workLimitOf(const Arguments& arguments, long fallback) {
+    return arguments.number("work-limit", fallback, 1, MethodSolver::defaultMostPieces);
+}
+
+bool isAtLimit(const std::string& reason) {
+    return reason.find("wave pieces") != std::string::npos || reason.find("wave cells") != std::string::npos;
+}
+
+std::string limitHint(long workLimit) {
+    return "; --work-limit, now " + std::to_string(workLimit) + ", permits more";
 }
 
 std::vector<OptionSpec> rowOptionSpecs() {
@@ -102,16 +114,15 @@ std::string outputHelp() {
 
 RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoice>& method) {
     OutputChoice outputs = outputsOf(arguments);
-    return {
-        .columns = std::move(outputs.columns),
-        .units = unitsOf(arguments),
-        .allOutputs = outputs.all,
-        .jobs = jobsOf(arguments),
-        .shard = shardOf(arguments),
-        .path = arguments.value("o").value_or("-"),
-        .overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused,
-        .method = methodChoice(arguments, method),
-        .workLimit = arguments.number("work-limit", defaultWorkLimit, 1, MethodSolver::defaultMostPieces)};
+    return {.columns = std::move(outputs.columns),
+            .units = unitsOf(arguments),
+            .allOutputs = outputs.all,
+            .jobs = jobsOf(arguments),
+            .shard = shardOf(arguments),
+            .path = arguments.value("o").value_or("-"),
+            .overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused,
+            .method = methodChoice(arguments, method),
+            .workLimit = workLimitOf(arguments)};
 }
 
 int jobsOf(const Arguments& arguments) {

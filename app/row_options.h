@@ -58,6 +58,13 @@ RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoi
 /// counted.
 std::string reasonsOf(const RowCounts& counts, const std::string& noun, long workLimit);
 
+/// --work-limit, in wave pieces; `fallback` where it is not given.
+long workLimitOf(const Arguments& arguments, long fallback = defaultWorkLimit);
+/// Whether a reason is that limit.
+bool isAtLimit(const std::string& reason);
+/// What is told where that has stopped a blow: "; --work-limit, now 1000000, permits more".
+std::string limitHint(long workLimit);
+
 /// The record of a run of `command` that writes these columns: all but its axes or cases. Throws
 /// ScenarioError where the scenario is too large for a file.
 RowRecord recordOf(std::string_view command, const Arguments& arguments, const RowOptions& options,

@@ -8,6 +8,7 @@
 #include "app/method_options.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
+#include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
 #include "core/file/result_scenario.h"
@@ -56,13 +57,27 @@ void prepare(const RunFiles& files, const std::string& path, const ScenarioDocum
     checkFolder(files.directory, names, files.overwrite);
 }
 
+/// Within --work-limit. A string takes seconds more often than a rod.
+MethodSolver solverOf(const Arguments& arguments) {
+    const long limit = workLimitOf(arguments);
+    return MethodSolver(limit, arguments.has("work-limit") ? cellsOfPiece * limit : mostNetworkCells);
+}
+
+/// How to have a blow all the same that was given up.
+std::string hintFor(const Blow& blow, const Arguments& arguments) {
+    if (blow.impact.hindrance != Hindrance::workLimit) return {};
+    constexpr long ofString = mostNetworkCells / cellsOfPiece;
+    return limitHint(workLimitOf(arguments, isString(blow.scenario) ? ofString : defaultWorkLimit));
+}
+
 /// Solves, and times the solve alone: where it is quick, a second time, because the first one pays for fresh
 /// memory.
-Blow solve(const Scenario& scenario, const MethodChoice& choice, Detail detail, Stresses stresses,
+Blow solve(MethodSolver solver, const Scenario& scenario, const MethodChoice& choice, Detail detail,
            const std::stop_token& stop) {
     constexpr double quick = 1e-3;
-    MethodSolver solver;
-    const auto solveOnce = [&] { return solveBlow(scenario, choice, detail, stop, stresses, solver); };
+    const auto solveOnce = [&] {
+        return solveBlow(scenario, choice, detail, stop, Stresses::wanted, solver);
+    };
     const ElapsedTime elapsed;
     Blow blow = solveOnce();
     return blow.runTime < quick ? solveOnce() : blow;
@@ -102,8 +117,8 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     const bool writesFiles = !files.directory.empty();
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
-    SolvedRun run{.blow = solve(document.scenario, choice, writesFiles ? Detail::histories : Detail::ledger,
-                                Stresses::wanted, interruption.token()),
+    SolvedRun run{.blow = solve(solverOf(arguments), document.scenario, choice,
+                                writesFiles ? Detail::histories : Detail::ledger, interruption.token()),
                   .scenarioText = {},
                   .units = files.units.value_or(customaryUnits(document.scenario))};
     if (!run.blow.string) addThrustMargin(run.blow, interruption.token());
@@ -111,8 +126,9 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     interruption.check();
     if (!run.blow.isSolved()) {
         if (json) print(run, {}, json);
-        throw CommandError(ExitCode::unsolvedOrFailed,
-                           path + ": could not be solved: " + run.blow.impact.reason);
+        throw CommandError(
+            ExitCode::unsolvedOrFailed,
+            path + ": could not be solved: " + run.blow.impact.reason + hintFor(run.blow, arguments));
     }
     if (writesFiles) writeFiles(files, run, drawing, interruption);
     print(run, files, json);
@@ -123,6 +139,8 @@ std::vector<OptionSpec> runOptions() {
     std::vector<OptionSpec> options =
         scenarioOptions({{"json", "", "print one JSON object in place of the summary"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
+    options.push_back(
+        {"work-limit", "N", "wave pieces the blow may take, 1000000 (at worst some seconds) if not given"});
     for (const OptionSpec& option :
          {OptionSpec{"o", "DIR", "write the files of the run into DIR; - writes none"},
           OptionSpec{"plots", "png,svg,pdf", "with -o, also plots in these formats"},

@@ -193,6 +193,13 @@ class Study {
 
 }  // namespace
 
+double latticeMoves(const std::vector<int>& ladder) {
+    double moves = 0;
+    for (const LatticeWaves waves : {LatticeWaves::ring, LatticeWaves::moved})
+        for (const int segments : ladder) moves += cost(lattice(segments, waves));
+    return moves;
+}
+
 std::vector<int> latticeLadder() {
     return {100, 200, 500, 1'000, 2'000, 5'000, paperSegments, 20'000};
 }

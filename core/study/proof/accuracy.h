@@ -56,6 +56,10 @@ struct Accuracy {
 std::vector<int> latticeLadder();
 inline constexpr int paperSegments = 10'000;
 
+/// What the lattices of a ladder take, in moves of a wave by a segment, each row solved once for a blow of
+/// one t0 and one transit time: about 3e7 a second of the whole study. The sum over latticeLadder() is 5.3e8.
+double latticeMoves(const std::vector<int>& ladder);
+
 /// Told how much of the work is done, 0 … 1.
 using AccuracyProgress = std::function<void(double done)>;
 
