@@ -83,6 +83,7 @@ ImportDialog::ImportDialog(const QString& path, ImportUse use, const Document& d
             [this] { m_signal->setTimes(m_drawing->visibleTimes()); });
     connect(&document, &Document::scenarioChanged, this, [this] {
         m_signal->setScenario(m_document.scenario());
+        if (this->use() == ImportUse::blow) m_ask.start(0);  // e is that of another rod
         showState();
     });
     m_signal->setScenario(document.scenario());
@@ -190,7 +191,9 @@ void ImportDialog::askSoon() {
 }
 
 void ImportDialog::ask() {
-    if (obstacle().isEmpty()) m_study.ask({m_path, m_table->source(), m_signal->recipe()});
+    ImportQuestion question{m_path, m_table->source(), m_signal->recipe()};
+    if (use() == ImportUse::blow) question.scenario = m_document.scenario();
+    if (obstacle().isEmpty()) m_study.ask(question);
     showState();
 }
 

@@ -77,6 +77,9 @@ ImportPreview ImportStudy::operator()(const ImportQuestion& question, const Stud
         samples.value, [&](double value) { return preview.signOfPeak * (value - zero) < 0; });
     preview.record = visibleRecord(samples, question.recipe, zero);
     preview.signal = shapedSignal(samples, question.recipe, feed.stop);
+    if (question.recipe.use == SignalUse::blow)
+        preview.effect =
+            thinningEffect(question.scenario, samples, question.recipe, preview.signal, feed.stop);
     return preview;
 }
 

@@ -5,7 +5,9 @@
 #include <QPolygonF>
 #include <QString>
 #include <memory>
+#include <optional>
 
+#include "core/blow/thinning_effect.h"
 #include "core/signal/samples.h"
 #include "core/signal/signal_recipe.h"
 #include "ui/job/study_job.h"
@@ -17,13 +19,15 @@ struct ImportQuestion {
     QString path;
     SampleSource source;
     SignalRecipe recipe;
+    Scenario scenario = {};  ///< that a blow is for: of which e is told
     bool operator==(const ImportQuestion&) const = default;
 };
 
 /// Its answer: the signal, and the whole record to be drawn behind it.
 struct ImportPreview {
-    QString problem;          ///< why the file could not be read; then there is nothing else
-    ShapedSignal signal;      ///< may have a problem of its own
+    QString problem;      ///< why the file could not be read; then there is nothing else
+    ShapedSignal signal;  ///< may have a problem of its own
+    std::optional<ThinningEffect> effect = {};  ///< of a blow
     QPolygonF record;         ///< time [s], force [N], zero line off: all of it, thinned to what can be seen
     std::size_t samples = 0;  ///< of the record
     std::size_t skipped = 0;  ///< rows

@@ -27,6 +27,16 @@ QString countText(std::size_t count) {
     return QLocale().toString(static_cast<qulonglong>(count));
 }
 
+// Of the rod and the rock on show.
+QString effectText(const ThinningEffect& effect) {
+    const double change = std::abs(effect.change);
+    const QString by = change > effect.error
+                           ? tr("by %1").arg(numberText(change, 2, QLocale()))
+                           : tr("by less than %1").arg(magnitudeText(effect.error, QLocale()));
+    return tr("With the rod and the rock on show that changes e = %1 %2.")
+        .arg(numberText(effect.cor, 4, QLocale()), by);
+}
+
 }  // namespace
 
 QString importSummary(const ImportPreview& preview) {
@@ -48,6 +58,7 @@ QString importSummary(const ImportPreview& preview) {
                           peak > 0 ? percent(roundedUp(signal.deviation / peak, percentDigits))
                                    : QStringLiteral("–"),
                           pulseText(signal.impulseChange, UnitKind::impulse));
+    if (preview.effect) parts << effectText(*preview.effect);
     if (signal.clipped > 0)
         parts << tr("%1 negative samples are clipped, which adds %2 to the impulse.")
                      .arg(countText(signal.clipped), pulseText(signal.clippedImpulse, UnitKind::impulse));

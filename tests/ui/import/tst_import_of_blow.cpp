@@ -25,6 +25,7 @@ class TestImportOfBlow : public QObject, private ImportFixture {
     void cleanup() { m_window.reset(); }
     void theBlowIsOneUndoStepAndIsKeptInTheFile();
     void aBlowOfAllThePointsThereMayBeFitsItsFile();
+    void whatLeavingOutSamplesDoesToTheReboundIsTold();
     void withoutPhysicalUnitsOnlyTheShapeIsTaken();
     void aPlaceBeyondTheRodIsRefused();
     void aBlowThatTheScenarioRefusesStaysInTheDialog();
@@ -68,6 +69,26 @@ void TestImportOfBlow::aBlowOfAllThePointsThereMayBeFitsItsFile() {
     const QByteArray text = m_window->document().text();
     QCOMPARE(parseScenario(text.toStdString(), "x.yaml").scenario.pulse.tablePoints,
              m_window->document().scenario().pulse.tablePoints);
+}
+
+// A scenario keeps the points alone: later nobody knows.
+void TestImportOfBlow::whatLeavingOutSamplesDoesToTheReboundIsTold() {
+    const QString words = QStringLiteral("that changes e = ");
+    ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::blow);
+    control<QSpinBox>(dialog, "points").setValue(20);
+    QVERIFY(settle(dialog));
+    const QString few = control<QLabel>(dialog, "summary").text();
+    QVERIFY2(few.contains(words), qPrintable(few));
+    // Of another rod it is another e.
+    Document& document = m_window->document();
+    document.assign(*findParameter("bit_rock.stiffness"), 2 * document.scenario().bitRock.stiffness,
+                    document.newGesture());
+    QVERIFY(settle(dialog));
+    QVERIFY(control<QLabel>(dialog, "summary").text() != few);
+    auto& use = control<ChoiceBox>(dialog, "use");
+    use.setCurrentIndex(use.findData(static_cast<int>(ImportUse::impactForce)));
+    QVERIFY(settle(dialog));
+    QVERIFY(!control<QLabel>(dialog, "summary").text().contains(words));
 }
 
 void TestImportOfBlow::withoutPhysicalUnitsOnlyTheShapeIsTaken() {
