@@ -65,6 +65,8 @@ ExitCode runExamples(const Arguments& arguments, const Drawing*) {
         writeInto(*directory, examples, arguments.has("force") ? Overwrite::allowed : Overwrite::refused);
         return ExitCode::done;
     }
+    if (arguments.has("force"))
+        throw CommandError(ExitCode::usage, "--force is about the files of -o; add -o DIR");
     OutputFile out("-", Overwrite::allowed);
     if (directory)
         print(examples, out);

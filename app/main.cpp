@@ -54,9 +54,28 @@ bool asksForHelp(std::span<const std::string> words) {
     return asksFor(words, {"--help", "-h"});
 }
 
+bool asksForVersion(std::span<const std::string> words) {
+    return asksFor(words, {"--version"});
+}
+
+/// Words that would be passed over are most likely meant for something else.
+void refuseMore(std::span<const std::string> words, std::size_t taken) {
+    if (words.size() > taken)
+        throw CommandError(ExitCode::usage, "`" + shortened(words[taken]) +
+                                                "` is too much; `drillwave help` says what there is");
+}
+
+/// `drillwave version`.
+int printVersionAlone(std::span<const std::string> words) {
+    if (!asksForHelp(words) && !asksForVersion(words)) refuseMore(words, 0);
+    return asksForHelp(words) ? print(programHelp()) : printVersion();
+}
+
 /// `drillwave help [COMMAND]`.
 int printHelp(std::span<const std::string> words) {
     if (words.empty() || asksForHelp(words)) return print(programHelp());
+    refuseMore(words, 1);
+    if (words.front() == "help" || words.front() == "version") return print(programHelp());
     if (const Command* command = findCommand(words.front())) return print(commandHelp(*command));
     throw CommandError(ExitCode::usage,
                        "`" + shortened(words.front()) + "` is not a command; `drillwave help` lists them");
@@ -64,7 +83,7 @@ int printHelp(std::span<const std::string> words) {
 
 int runCommand(const Command& command, std::span<const std::string> words, int argc, char** argv) {
     if (asksForHelp(words)) return print(commandHelp(command));
-    if (asksFor(words, {"--version"})) return printVersion();
+    if (asksForVersion(words)) return printVersion();
     exitOnInterruption();
     const Arguments arguments = parseArguments(command, words);
     const std::unique_ptr<const Drawing> drawing =
@@ -118,7 +137,8 @@ int main(int argc, char** argv) {
         const std::string first = words.empty() ? std::string() : words.front();
         if (first == "help") return printHelp(std::span(words).subspan(1));
         if (asksForHelp(words)) return print(programHelp());
-        if (first == "version" || asksFor(words, {"--version"})) return printVersion();
+        if (first == "version") return printVersionAlone(std::span(words).subspan(1));
+        if (asksForVersion(words)) return printVersion();
         return openWindow(argc, argv);
     } catch (const CommandError& error) {
         return report(who, error, words);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/command_error.h"
+#include "app/input_text.h"
 #include "app/scenario_argument.h"
 #include "core/file/preset_file.h"
 #include "core/text/decimal_text.h"
@@ -70,8 +71,21 @@ std::vector<OptionSpec> presetOptionSpecs() {
 
 PresetFile presetsOf(const std::string& path) {
     if (path.empty()) return builtInPresetFile();
+    const FileBytes file = readInput(path, maximumPresetBytes + 1);
+    if (!file.problem.empty())
+        throw CommandError(ExitCode::unreadableInput,
+                           std::vector{inputName(path) + ": the file of presets " + file.problem});
+    return parsedPresets(file.bytes, path);
+}
+
+PresetFile parsedPresets(std::string_view text, const std::string& path) {
+    if (text.size() > maximumPresetBytes)
+        throw CommandError(
+            ExitCode::unreadableInput,
+            std::vector{inputName(path) + ": the file of presets is larger than " +
+                        std::to_string(maximumPresetBytes / 1024) + " KiB, too large to be meant"});
     try {
-        return loadPresets(path);
+        return parsePresets(text, inputName(path));
     } catch (const ScenarioError& error) {
         rethrow(error);
     }

@@ -20,7 +20,10 @@ std::string_view name(PresetKind kind);
 /// Puts the values of the presets that are named into a scenario, which `path` names. Throws CommandError.
 void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path);
 
-/// The presets of a file, or the built-in ones without. Throws CommandError.
+/// The presets of a file, of standard input ("-") or a pipe, or the built-in ones without. Throws
+/// CommandError.
 PresetFile presetsOf(const std::string& path);
+/// Those of a text that `path` names.
+PresetFile parsedPresets(std::string_view text, const std::string& path);
 
 }  // namespace drillwave

@@ -110,17 +110,6 @@ std::string nearExample(const std::string& path) {
     return "; did you mean the example " + list + "?";
 }
 
-ScenarioInput loadInputFile(const std::string& path) {
-    if (const Example* example = exampleNamed(path))
-        return {
-            .document = parseScenario(example->text, path), .isResult = false, .version = {}, .method = {}};
-    const FileBytes file = readInput(path, maximumInputBytes);
-    if (!file.problem.empty())
-        throw CommandError(ExitCode::unreadableInput, std::vector{inputName(path) + ": the scenario file " +
-                                                                  file.problem + nearExample(path)});
-    return parseInput(file.bytes, inputName(path));
-}
-
 void tellNewerVersion(const std::string& path, const std::string& version) {
     if (isNewerVersion(version, versionText))
         std::fprintf(stderr, "%s: note: written by Drillwave %s, newer than this %s: results may differ\n",
@@ -141,12 +130,25 @@ void rethrow(const ScenarioError& error) {
     throw CommandError(unreadable ? ExitCode::unreadableInput : ExitCode::invalidScenario, error.lines());
 }
 
-ScenarioInput loadScenarioFile(const std::string& path) {
+std::string inputBytes(const std::string& path) {
+    if (const Example* example = exampleNamed(path)) return std::string(example->text);
+    FileBytes file = readInput(path, maximumInputBytes);
+    if (!file.problem.empty())
+        throw CommandError(ExitCode::unreadableInput, std::vector{inputName(path) + ": the scenario file " +
+                                                                  file.problem + nearExample(path)});
+    return std::move(file.bytes);
+}
+
+ScenarioInput parsedInput(std::string_view bytes, const std::string& path) {
     try {
-        return loadInputFile(path);
+        return parseInput(bytes, inputName(path));
     } catch (const ScenarioError& error) {
         rethrow(error);
     }
+}
+
+ScenarioInput loadScenarioFile(const std::string& path) {
+    return parsedInput(inputBytes(path), path);
 }
 
 void checkOutputIsNoInput(const std::string& output, const std::string& scenarioPath,
@@ -165,14 +167,18 @@ void checkOutputIsNoInput(const std::string& output, const std::string& scenario
 
 ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments,
                                 DrillStrings drillStrings) {
+    if (isStandardInput(path) && arguments.value("presets") == "-")
+        throw CommandError(ExitCode::usage,
+                           "FILE - and --presets - would both read standard input; take one");
     ScenarioInput input = loadScenarioFile(path);
     tellNewerVersion(inputName(path), input.version);
     Scenario& scenario = input.document.scenario;
     if (isString(scenario) && drillStrings == DrillStrings::refused)
-        throw CommandError(
-            ExitCode::invalidScenario,
-            inputName(path) +
-                ": is a drill string, and this command solves uniform rods alone (`drillwave: 1`)");
+        throw CommandError(ExitCode::invalidScenario,
+                           inputName(path) +
+                               ": is a drill string, and this command solves uniform rods alone (`drillwave: "
+                               "1`); `drillwave "
+                               "curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap");
     applyPresets(scenario, arguments, inputName(path));
     std::vector<std::string> problems;
     bool unknownKey = false;
@@ -189,7 +195,8 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
     checkPlaces(all, scenario);
     for (const InputProblem& problem : validate(scenario))
         problems.push_back(inputName(path) + " with --set: " + problem.text);
-    if (!problems.empty()) throw CommandError(ExitCode::invalidScenario, problems);
+    if (!problems.empty())
+        throw CommandError(ExitCode::invalidScenario, problems, CommandError::Begin::withOption);
     return input;
 }
 

@@ -54,6 +54,10 @@ void remarkOnValues(const Scenario& scenario, const std::string& path);
 /// name, or standard input. Throws CommandError with every problem of the file.
 ScenarioInput loadScenarioFile(const std::string& path);
 
+/// The same in two steps: what FILE names as it is, and that read.
+std::string inputBytes(const std::string& path);
+ScenarioInput parsedInput(std::string_view bytes, const std::string& path);
+
 /// Throws what a scenario could not be loaded for as a CommandError.
 [[noreturn]] void rethrow(const ScenarioError& error);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave validate FILE…
 #include <cstdio>
+#include <string_view>
 
 #include "app/command.h"
-#include "app/input_text.h"
 #include "app/preset_options.h"
 #include "app/scenario_argument.h"
 #include "core/file/preset_file.h"
@@ -18,19 +18,19 @@ ExitCode worse(ExitCode a, ExitCode b) {
     return a == ExitCode::done ? b : a;
 }
 
-/// Presets are checked as presets.
-bool holdsPresets(const std::string& path) {
-    if (isStandardInput(path)) return false;
+bool holdsPresets(std::string_view text) {
     constexpr std::size_t beginning = 1 << 16;
-    const std::string text = readStart(path, beginning).bytes;
-    return text.starts_with(presetKey) || text.find("\n" + std::string(presetKey)) != std::string::npos;
+    text = text.substr(0, beginning);
+    return text.starts_with(presetKey) || text.find("\n" + std::string(presetKey)) != std::string_view::npos;
 }
 
+/// Presets are checked as presets.
 void check(const std::string& path) {
-    if (holdsPresets(path))
-        presetsOf(path);
+    const std::string text = inputBytes(path);
+    if (holdsPresets(text))
+        parsedPresets(text, path);
     else
-        loadScenarioFile(path);
+        parsedInput(text, path);
 }
 
 ExitCode validateFiles(const Arguments& arguments, const Drawing*) {

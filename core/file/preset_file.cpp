@@ -8,8 +8,6 @@
 namespace drillwave {
 namespace {
 
-constexpr std::size_t maximumFileBytes = std::size_t{1} << 20;
-
 using Kind = ScenarioError::Kind;
 
 [[noreturn]] void refuse(Kind kind, std::string_view text, const std::string& source, std::size_t offset,
@@ -38,7 +36,7 @@ PresetFile parsePresets(std::string_view text, const std::string& source) {
 }
 
 PresetFile loadPresets(const std::string& path) {
-    const FileBytes file = readFile(path, maximumFileBytes);
+    const FileBytes file = readFile(path, maximumPresetBytes);
     if (!file.problem.empty())
         throw ScenarioError(Kind::unreadable, path, {{"", "the file of presets " + file.problem}});
     return parsePresets(file.bytes, path);

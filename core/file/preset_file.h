@@ -2,6 +2,7 @@
 // Files of presets: YAML read as strictly as scenarios. The format is explained in resources/presets.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,9 @@ namespace drillwave {
 
 /// The newest format number of preset files that this program reads.
 inline constexpr int presetFormat = 1;
+
+/// A file that is larger is none.
+inline constexpr std::size_t maximumPresetBytes = std::size_t{1} << 20;
 
 /// The first key of such a file.
 inline constexpr std::string_view presetKey = "drillwave_presets:";

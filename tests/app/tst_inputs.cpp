@@ -199,6 +199,14 @@ void TestInputs::presetsOfOnesOwnAreTaken() {
           "drillwave_presets: 1\nrocks:\n  - name: my quarry\n    stiffness: [123 MN/m, fitted]\n"
           "    gamma: [0.2, fitted]\n");
     QVERIFY(run({"presets", mine}).out.contains("my quarry"));
+    for (const char* piped :
+         {"drillwave presets - < mine.yaml", "cat mine.yaml | drillwave presets /dev/stdin",
+          "drillwave run t38_medium_rock --presets - --rock 'my quarry' < mine.yaml",
+          "drillwave validate - < mine.yaml", "cat mine.yaml | drillwave validate /dev/stdin"}) {
+        const Finished finished = shell(QLatin1String(piped), folder.path());
+        QVERIFY2(finished.exitCode == 0, finished.error);
+        QCOMPARE(finished.error, QByteArray());
+    }
     const QJsonObject report =
         scenarioOf({example("t38_medium_rock"), "--presets", mine, "--rock", "my quarry"});
     QVERIFY(report["scenario"].toString().contains("stiffness: 123 MN/m"));
