@@ -23,6 +23,10 @@ bool isStill(int descriptor, const std::string& path) {
 
 }  // namespace
 
+bool areLocksUnknown(int error) {
+    return error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP;
+}
+
 FolderLock::~FolderLock() {
     if (m_descriptor < 0) return;
     ::unlink(m_path.c_str());
@@ -31,8 +35,13 @@ FolderLock::~FolderLock() {
 
 int FolderLock::tryLock() {
     assert(m_descriptor < 0);
-    const int descriptor = ::open(m_path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
-    if (descriptor < 0) return errno;
+    int descriptor = ::open(m_path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
+    if (descriptor < 0) {
+        // What another user has left, in a folder for all, cannot be written to but locked all the same.
+        const int reason = errno;
+        if (reason == EACCES) descriptor = ::open(m_path.c_str(), O_RDONLY | O_CLOEXEC);
+        if (descriptor < 0) return reason;
+    }
     int error = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
     if (error == 0 && !isStill(descriptor, m_path)) error = EWOULDBLOCK;
     if (error == 0)

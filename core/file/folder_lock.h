@@ -22,4 +22,7 @@ class FolderLock {
     int m_descriptor = -1;
 };
 
+/// Whether an error of tryLock() says that there are no locks on that disk, rather than that one is held.
+bool areLocksUnknown(int error);
+
 }  // namespace drillwave

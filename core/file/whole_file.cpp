@@ -16,20 +16,6 @@ namespace drillwave {
 
 namespace {
 
-/// The file behind a link to a link …, also where it is not there yet; the link itself where they go in a
-/// circle.
-std::string behindLinks(const std::string& path) {
-    constexpr int mostLinks = 128;
-    std::filesystem::path file = path;
-    std::error_code error;
-    for (int links = 0; std::filesystem::is_symlink(file, error); ++links) {
-        const std::filesystem::path target = std::filesystem::read_symlink(file, error);
-        if (error || links == mostLinks) return path;
-        file = file.parent_path() / target;
-    }
-    return file;
-}
-
 /// Names that nobody else has, for all tries of all processes.
 std::string nameBeside(const std::string& path, int attempt) {
     return path + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt);
@@ -54,6 +40,18 @@ std::string handleOf(int descriptor) {
 
 WriteFailure writeFailure(int error) {
     return {std::generic_category().message(error), error == ENOSPC};
+}
+
+std::string behindLinks(const std::string& path) {
+    constexpr int mostLinks = 128;
+    std::filesystem::path file = path;
+    std::error_code error;
+    for (int links = 0; std::filesystem::is_symlink(file, error); ++links) {
+        const std::filesystem::path target = std::filesystem::read_symlink(file, error);
+        if (error || links == mostLinks) return path;
+        file = file.parent_path() / target;
+    }
+    return file;
 }
 
 WriteFailure writeAll(int descriptor, std::string_view bytes) {
@@ -103,24 +101,24 @@ WriteFailure WholeFile::write(std::string_view bytes) {
     return m_failure;
 }
 
-WriteFailure WholeFile::commit() {
+WriteFailure WholeFile::commitAs(const std::string& path) {
     assert(m_descriptor >= 0);
     if (m_failure) return m_failure;
     // Some disks cannot be told to: then the file is as safe as it can be.
     ::fsync(m_descriptor);
-    if (const WriteFailure failure = giveName()) return failure;
+    if (const WriteFailure failure = giveName(path)) return failure;
     // Disks of other machines may tell only here that there was no room.
     if (::close(std::exchange(m_descriptor, -1)) != 0) return writeFailure(errno);
-    if (std::rename(m_beside.c_str(), m_path.c_str()) != 0) return writeFailure(errno);
+    if (std::rename(m_beside.c_str(), path.c_str()) != 0) return writeFailure(errno);
     m_beside.clear();
     return {};
 }
 
-WriteFailure WholeFile::giveName() {
+WriteFailure WholeFile::giveName(const std::string& path) {
     if (!m_beside.empty()) return {};
     const std::string handle = handleOf(m_descriptor);
     std::string name;
-    const int error = takeFreeName(m_path, name, [&](const std::string& free) {
+    const int error = takeFreeName(path, name, [&](const std::string& free) {
         return ::linkat(AT_FDCWD, handle.c_str(), AT_FDCWD, free.c_str(), AT_SYMLINK_FOLLOW);
     });
     if (error != 0) return writeFailure(error);

@@ -37,16 +37,25 @@ class WholeFile {
     WriteFailure open();
     WriteFailure write(std::string_view bytes);
     /// Puts the file in place when all of it is on the disk.
-    WriteFailure commit();
+    WriteFailure commit() { return commitAs(m_path); }
+    /// Gives it another name on the same disk instead, for others to put it in place.
+    WriteFailure commitAs(const std::string& path);
+
+    /// Where it is to be: as given until open(), then behind all links.
+    const std::string& path() const { return m_path; }
 
   private:
-    WriteFailure giveName();
+    WriteFailure giveName(const std::string& path);
 
-    std::string m_path;    // as given until open(), then behind all links
+    std::string m_path;
     std::string m_beside;  // its name meanwhile, empty without
     int m_descriptor = -1;
     WriteFailure m_failure;  // the first one of write()
 };
+
+/// The file behind a link to a link …, also where it is not there yet; the link itself where they go in a
+/// circle.
+std::string behindLinks(const std::string& path);
 
 /// Writes a whole file at once. On a failure the file is as it was.
 WriteFailure replaceFile(const std::string& path, std::string_view bytes);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file/whole_folder.h"
 
-#include <stdlib.h>  // mkdtemp() is POSIX
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include <utility>
 
 #include "core/file/folder_lock.h"
+#include "core/file/hidden_folder.h"
 #include "core/file/whole_file.h"
 
 namespace drillwave {
@@ -51,10 +51,6 @@ bool isFolder(const std::string& path) {
     return fs::is_directory(path, ignored);
 }
 
-std::string inside(const std::string& folder, const std::string& name) {
-    return folder.ends_with('/') ? folder + name : folder + "/" + name;
-}
-
 /// Why a file of that name may not be put there.
 Message nameProblem(const std::string& path, ExistingFiles existing) {
     if (!isThere(path)) return {};
@@ -69,13 +65,19 @@ Message nameProblem(const std::string& path, ExistingFiles existing) {
 Message namesProblem(const std::string& folder, const std::vector<std::string>& names,
                      ExistingFiles existing) {
     for (const std::string& name : names)
-        if (Message problem = nameProblem(inside(folder, name), existing); !problem.isEmpty()) return problem;
+        if (Message problem = nameProblem(pathInside(folder, name), existing); !problem.isEmpty())
+            return problem;
     return {};
 }
 
 std::string withoutTrailingSlashes(std::string path) {
     while (path.size() > 1 && path.ends_with('/')) path.pop_back();
     return path;
+}
+
+/// Of the file, without its folder.
+std::string nameOf(const WholeFile& file) {
+    return fs::path(file.path()).filename();
 }
 
 /// The folder that holds an entry: "." for a bare name.
@@ -117,32 +119,6 @@ class Parents {
     bool m_kept = false;
 };
 
-/// A folder with a name that nobody knows; it goes with all that is still in it.
-class HiddenFolder {
-  public:
-    HiddenFolder() = default;
-    ~HiddenFolder() {
-        std::error_code ignored;
-        if (!m_path.empty()) fs::remove_all(m_path, ignored);
-    }
-    HiddenFolder(const HiddenFolder&) = delete;
-    HiddenFolder& operator=(const HiddenFolder&) = delete;
-
-    bool isMade() const { return !m_path.empty(); }
-    const std::string& path() const { return m_path; }
-
-    /// 0, or the errno.
-    int make(const std::string& parent) {
-        std::string path = inside(parent, ".drillwave-XXXXXX");
-        if (!::mkdtemp(path.data())) return errno;
-        m_path = std::move(path);
-        return 0;
-    }
-
-  private:
-    std::string m_path;
-};
-
 /// Renames that can be taken back.
 class Moves {
   public:
@@ -162,7 +138,7 @@ class Moves {
     std::vector<std::pair<std::string, std::string>> m_done;
 };
 
-/// One folder on its way: a hidden folder with `new`, complete, and `old`, what had to give way.
+/// One folder on its way.
 class Delivery {
   public:
     Delivery(const std::string& folder, const FolderFiles& files, ExistingFiles existing,
@@ -171,17 +147,18 @@ class Delivery {
 
     FolderEnd run() {
         if (isThere(m_folder) && !isFolder(m_folder)) return failed(notMade(m_folder, reasonOf(ENOTDIR)));
-        FolderEnd end = prepare(isFolder(m_folder) ? m_folder : parentOf(m_folder));
+        const std::string around = isFolder(m_folder) ? m_folder : parentOf(m_folder);
+        mendFolder(around);
+        FolderEnd end = prepare(around);
         if (end.isWritten()) end = place();
         if (end.isWritten()) m_parents.keep();
         return end;
     }
 
   private:
-    std::string hidden(const char* part) const { return m_hidden.path() + "/" + part; }
-    std::string newFile(const std::string& name) const { return hidden("new") + "/" + name; }
-    Message notWrittenHere(const std::string& name, int error) const {
-        return notWritten(inside(m_folder, name), {reasonOf(error), false});
+    FolderEnd notWrittenHere(const std::string& name, const WriteFailure& failure) const {
+        // Named as what it is to become: nobody knows of the hidden one.
+        return failed(notWritten(pathInside(m_folder, name), failure));
     }
 
     /// Writes all files where nobody sees them.
@@ -193,16 +170,16 @@ class Delivery {
             if (const int error = m_hidden.make(parent); error != 0) reason = reasonOf(error);
         }
         if (!m_hidden.isMade()) return failed(notMade(m_folder, reason));
-        std::error_code error;
-        for (const char* part : {"new", "old"})
-            if (!fs::create_directory(hidden(part), error)) return failed(notMade(m_folder, error.message()));
         for (const NamedFile& file : m_files.files) {
             if (m_stop.stop_requested()) return {Kind::stopped, {}};
-            // Named as what it is to become: nobody knows of the hidden one.
-            if (const WriteFailure failure = replaceFile(newFile(file.name), file.bytes))
-                return failed(notWritten(inside(m_folder, file.name), failure));
+            if (const WriteFailure failure = replaceFile(m_hidden.newFile(file.name), file.bytes))
+                return notWrittenHere(file.name, failure);
         }
-        return {};
+        if (m_stop.stop_requested()) return {Kind::stopped, {}};
+        if (!m_files.last) return {};
+        const std::string name = nameOf(*m_files.last);
+        const WriteFailure failure = m_files.last->commitAs(m_hidden.newFile(name));
+        return failure ? notWrittenHere(name, failure) : FolderEnd{};
     }
 
     /// Puts them in place: at once where the folder is not there yet.
@@ -210,7 +187,7 @@ class Delivery {
         if (m_stop.stop_requested()) return {Kind::stopped, {}};
         if (!isFolder(m_folder)) {
             // Takes the place of nothing, or of a folder made meanwhile if it is empty.
-            const int error = renameEntry(hidden("new"), m_folder);
+            const int error = renameEntry(m_hidden.newFolder(), m_folder);
             if (error == 0) return {};
             if (!isFolder(m_folder)) return failed(notMade(m_folder, reasonOf(error)));
         }
@@ -222,6 +199,7 @@ class Delivery {
         const auto end = std::chrono::steady_clock::now() + longestWait;
         while (const int error = lock.tryLock()) {
             if (m_stop.stop_requested()) return {Kind::stopped, {}};
+            if (areLocksUnknown(error)) break;
             if (error != EWOULDBLOCK) return failed(notWritten(m_folder, {reasonOf(error), false}));
             if (std::chrono::steady_clock::now() > end)
                 return failed(
@@ -231,6 +209,7 @@ class Delivery {
             std::this_thread::sleep_for(lockPatience);
         }
         if (m_stop.stop_requested()) return {Kind::stopped, {}};
+        mendLockedFolder(m_folder);
         return exchange();
     }
 
@@ -244,31 +223,33 @@ class Delivery {
         return leaving;
     }
 
-    /// Under the lock. What is replaced is put aside first, so that a failure can bring it back.
+    /// Under the lock.
     FolderEnd exchange() {
         const std::vector<std::string> names = m_files.names();
-        if (Message problem = namesProblem(m_folder, names, m_existing); !problem.isEmpty())
-            return failed(std::move(problem));
         const std::vector<std::string> leaving = leavingNames();
-        if (Message problem = namesProblem(m_folder, leaving, ExistingFiles::replaced); !problem.isEmpty())
+        if (Message problem = namesProblem(m_folder, leaving, m_existing); !problem.isEmpty())
             return failed(std::move(problem));
+        if (const WriteFailure failure = m_hidden.beginExchange(names))
+            return failed(notWritten(m_folder, failure));
         Moves moves;
-        const auto move = [&](const std::string& from, const std::string& to, const std::string& name) {
-            const int error = moves.move(from, to);
-            if (error == 0) return FolderEnd{};
-            moves.takeBack();
-            return failed(notWrittenHere(name, error));
-        };
+        FolderEnd end = moveAll(moves, leaving, names);
+        if (!end.isWritten()) moves.takeBack();
+        m_hidden.endExchange();
+        return end;
+    }
+
+    /// What is replaced is put aside first, so that a failure can bring it back.
+    FolderEnd moveAll(Moves& moves, const std::vector<std::string>& leaving,
+                      const std::vector<std::string>& names) const {
         for (const std::string& name : leaving) {
-            const std::string path = inside(m_folder, name);
+            const std::string path = pathInside(m_folder, name);
             if (!isThere(path)) continue;
-            FolderEnd end = move(path, hidden("old") + "/" + name, name);
-            if (!end.isWritten()) return end;
+            if (const int error = moves.move(path, m_hidden.oldFile(name)); error != 0)
+                return notWrittenHere(name, {reasonOf(error), false});
         }
-        for (const std::string& name : names) {
-            FolderEnd end = move(newFile(name), inside(m_folder, name), name);
-            if (!end.isWritten()) return end;
-        }
+        for (const std::string& name : names)
+            if (const int error = moves.move(m_hidden.newFile(name), pathInside(m_folder, name)); error != 0)
+                return notWrittenHere(name, {reasonOf(error), false});
         return {};
     }
 
@@ -295,9 +276,15 @@ bool isThere(const std::string& path) {
     return status.type() != fs::file_type::none && status.type() != fs::file_type::not_found;
 }
 
+std::string pathInside(const std::string& folder, const std::string& name) {
+    if (folder == ".") return name;
+    return folder.ends_with('/') ? folder + name : folder + "/" + name;
+}
+
 std::vector<std::string> FolderFiles::names() const {
     std::vector<std::string> names;
     for (const NamedFile& file : files) names.push_back(file.name);
+    if (last) names.push_back(nameOf(*last));
     return names;
 }
 

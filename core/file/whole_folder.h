@@ -11,6 +11,8 @@
 
 namespace drillwave {
 
+class WholeFile;
+
 /// A file to be, complete in memory.
 struct NamedFile {
     std::string name;  ///< without a folder
@@ -23,8 +25,11 @@ struct FolderFiles {
     /// a folder that has it is complete.
     std::vector<NamedFile> files;
     /// Names of files in the folder, whose path it is given, that an earlier set left and that would show
-    /// something else than these: removed with the files that are replaced. May be empty.
+    /// something else than these: they go with the files that are replaced, and are in the way where existing
+    /// ones are kept. May be empty.
     std::function<std::vector<std::string>(const std::string& folder)> outdated;
+    /// One that comes after all others, too long for memory and on its way in the folder already; or none.
+    WholeFile* last = nullptr;
 
     std::vector<std::string> names() const;
 };
@@ -45,8 +50,10 @@ struct FolderEnd {
 /// The files are written into a hidden folder on the same disk first. Where `folder` is not there yet, that
 /// is renamed to it. Where it is, the files change places one by one, under a lock that other runs respect:
 /// exchanging whole folders would lose what others put there meanwhile, pull the folder away from under
-/// whoever works in it, and fail on mount points. Files of other names are never touched. A link of such a
-/// name is replaced, not followed.
+/// whoever works in it, and fail on mount points. All that is replaced goes before the first file comes, so
+/// that never files of two sets stand side by side; a run that dies meanwhile leaves what mendFolder(), which
+/// every run begins with, puts right. Files of other names are never touched. A link of such a name is
+/// replaced, not followed.
 FolderEnd writeWholeFolder(const std::string& folder, const FolderFiles& files, ExistingFiles existing,
                            const std::stop_token& stop = {});
 
@@ -56,5 +63,8 @@ Message folderProblem(const std::string& folder, const std::vector<std::string>&
 
 /// Whether anything of that name is there, also a link that leads nowhere.
 bool isThere(const std::string& path);
+
+/// The path of a file in a folder; "." does not show.
+std::string pathInside(const std::string& folder, const std::string& name);
 
 }  // namespace drillwave

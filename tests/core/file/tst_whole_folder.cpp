@@ -7,6 +7,7 @@
 #include <system_error>
 #include <thread>
 
+#include "core/file/whole_file.h"
 #include "core/file/whole_folder.h"
 #include "tests/support/files.h"
 
@@ -42,6 +43,8 @@ class TestWholeFolder : public QObject {
     void aFailureHalfWayBringsBackWhatWasThere();
     void aStopLeavesNothing();
     void outdatedFilesGo();
+    void outdatedFilesAreInTheWayOfTheCareful();
+    void aFileOnItsWayComesLast();
     void aFolderInPlaceOfAFileIsNotRemoved();
     void aLinkToAFolderIsFollowed();
     void obstaclesAreKnownBefore();
@@ -127,6 +130,38 @@ void TestWholeFolder::outdatedFilesGo() {
     files.outdated = [](const std::string&) { return std::vector<std::string>{"picture", "a", "gone"}; };
     QVERIFY(writeWholeFolder(plain("f"), files, ExistingFiles::replaced).isWritten());
     QCOMPARE(contents(path("f")), QStringList({"a", "b", "last", "notes"}));
+}
+
+void TestWholeFolder::outdatedFilesAreInTheWayOfTheCareful() {
+    QVERIFY(QDir(m_place->path()).mkdir("f"));
+    write(path("f/picture"), "before");
+    FolderFiles files = set("1");
+    files.outdated = [](const std::string&) { return std::vector<std::string>{"picture"}; };
+    const FolderEnd end = writeWholeFolder(plain("f"), files, ExistingFiles::kept);
+    QVERIFY2(end.problem.text().starts_with(plain("f/picture: exists already")), end.problem.text().c_str());
+    QCOMPARE(contents(path("f")), QStringList{"picture"});
+}
+
+void TestWholeFolder::aFileOnItsWayComesLast() {
+    QVERIFY(QDir(m_place->path()).mkdir("f"));
+    for (const char* mark : {"1", "2"}) {
+        WholeFile rows(plain("f/rows"));
+        QVERIFY(!rows.open());
+        for (const char* part : {"rows ", mark}) QVERIFY(!rows.write(part));
+        FolderFiles files = set(mark);
+        files.last = &rows;
+        QCOMPARE(files.names().back(), std::string("rows"));
+        QVERIFY(writeWholeFolder(plain("f"), files, ExistingFiles::replaced).isWritten());
+        QCOMPARE(contents(path("f")), QStringList({"a", "b", "last", "rows"}));
+        QCOMPARE(read(path("f/rows")), QByteArray("rows ") + mark);
+    }
+    WholeFile late(plain("f/rows"));
+    QVERIFY(!late.open());
+    FolderFiles files;
+    files.last = &late;
+    QVERIFY(!writeWholeFolder(plain("f"), files, ExistingFiles::kept).isWritten());
+    QCOMPARE(read(path("f/rows")), QByteArray("rows 2"));
+    QCOMPARE(contents(path("f")), QStringList({"a", "b", "last", "rows"}));
 }
 
 void TestWholeFolder::aFolderInPlaceOfAFileIsNotRemoved() {
