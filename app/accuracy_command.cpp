@@ -128,6 +128,7 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
         throw CommandError(ExitCode::usage,
                            "--segments: " + path + ": is for uniform rods; leave it out for a drill string");
     if (!isString(document.scenario)) checkWork(arguments, ladder);
+    checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
     AccuracyFiles files = isString(document.scenario)
@@ -135,15 +136,16 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
                               : filesOfRod(arguments, path, document, ladder, plots, drawing, interruption);
     files.csv.insert(0, scenarioHeader(completeScenarioText(document)));
     if (directory == "-") {
-        writeFile("-", files.csv, Overwrite::allowed);
+        printText(files.csv);
         return ExitCode::done;
     }
     if (inFolder) {
-        FolderFiles folder{std::move(files.pictures), {}};
+        FolderFiles folder{std::move(files.pictures),
+                           [](const std::string& there) { return studyFilesThere(there, csvName); }};
         folder.files.push_back({csvName, files.csv});
-        writeFolder(directory, folder, overwrite, interruption);
+        writeFolder(directory, folder, overwrite, &interruption);
     }
-    writeFile("-", files.words, Overwrite::allowed);
+    printText(files.words);
     return ExitCode::done;
 }
 

@@ -82,6 +82,29 @@ bool isOption(std::string_view word) {
     return word.size() > 1 && word.starts_with('-');
 }
 
+/// The one that a word names, if any.
+const OptionSpec* optionNamed(const OptionWord& given, const std::string& word,
+                              std::span<const OptionSpec> options) {
+    const auto option = std::ranges::find(options, given.name, &OptionSpec::name);
+    return option == options.end() || option->isLong() != word.starts_with("--") ? nullptr : &*option;
+}
+
+/// The word behind an option that takes one. An option of the command is none: its value is missing.
+const std::string& valueBehind(const OptionSpec& option, std::span<const std::string> rest,
+                               std::span<const OptionSpec> options) {
+    const std::string needs = "`" + option.text() + "` needs a value: " + std::string(option.value);
+    if (rest.empty()) refuse(needs);
+    const std::string& word = rest.front();
+    if (word == "--" || (isOption(word) && optionNamed(split(word), word, options)))
+        refuse(needs + "; `" + shortened(word) + "` behind it is an option" +
+               (option.name == "o" ? ", a file of that name is ./" + shortened(word) : std::string()));
+    return word;
+}
+
+void addWord(std::string& text, const std::string& word) {
+    text += (text.empty() ? "" : " ") + shellWord(word);
+}
+
 }  // namespace
 
 bool OptionSpec::isLong() const {
@@ -106,9 +129,8 @@ Arguments Arguments::parse(std::span<const std::string> words, std::span<const O
             continue;
         }
         OptionWord given = split(word);
-        const auto option = std::ranges::find(options, given.name, &OptionSpec::name);
-        if (option == options.end() || option->isLong() != word.starts_with("--"))
-            refuseUnknown(word, given.name, options);
+        const OptionSpec* option = optionNamed(given, word, options);
+        if (!option) refuseUnknown(word, given.name, options);
         if (option->times == OptionSpec::Times::once && arguments.has(option->name))
             refuse("`" + option->text() + "` is given twice; give it once");
         if (option->value.empty()) {
@@ -116,9 +138,7 @@ Arguments Arguments::parse(std::span<const std::string> words, std::span<const O
             given.value = "";
             arguments.m_switches.push_back(option->name);
         } else if (!given.value) {
-            if (i + 1 == words.size())
-                refuse("`" + option->text() + "` needs a value: " + std::string(option->value));
-            given.value = words[++i];
+            given.value = valueBehind(*option, words.subspan(++i), options);
         }
         arguments.m_options.emplace_back(option->name, *given.value);
         if (option->times != OptionSpec::Times::list) continue;
@@ -145,22 +165,29 @@ std::vector<std::string> Arguments::values(std::string_view option) const {
     return found;
 }
 
-std::string Arguments::shellText(std::span<const std::string_view> without) const {
+void Arguments::replaceValue(std::string_view option, std::string value) {
+    std::ranges::find(m_options, option, &std::pair<std::string_view, std::string>::first)->second =
+        std::move(value);
+}
+
+std::string Arguments::optionsText(std::span<const std::string_view> without) const {
     std::string text;
-    const auto add = [&text](const std::string& word) {
-        text += (text.empty() ? "" : " ") + shellWord(word);
-    };
-    if (std::ranges::none_of(m_operands, isOption))
-        for (const std::string& operand : m_operands) add(operand);
     for (const auto& [name, value] : m_options) {
         if (std::ranges::find(without, name) != without.end()) continue;
-        add(OptionSpec{name, {}, {}}.text());
-        if (std::ranges::find(m_switches, name) == m_switches.end()) add(value);
+        addWord(text, OptionSpec{name, {}, {}}.text());
+        if (std::ranges::find(m_switches, name) == m_switches.end()) addWord(text, value);
     }
-    if (std::ranges::none_of(m_operands, isOption)) return text;
-    add("--");
-    for (const std::string& operand : m_operands) add(operand);
     return text;
+}
+
+std::string Arguments::shellText(std::span<const std::string_view> without) const {
+    const std::string options = optionsText(without);
+    std::string operands;
+    for (const std::string& operand : m_operands) addWord(operands, operand);
+    if (operands.empty()) return options;
+    if (std::ranges::any_of(m_operands, isOption))
+        return options + (options.empty() ? "-- " : " -- ") + operands;
+    return options.empty() ? operands : operands + " " + options;
 }
 
 long Arguments::number(std::string_view option, long fallback, long low, long high) const {
@@ -173,6 +200,27 @@ long Arguments::number(std::string_view option, long fallback, long low, long hi
         refuse(OptionSpec{option, {}, {}}.text() + " = " + shortened(*text) +
                " (must be a whole number from " + std::to_string(low) + " to " + std::to_string(high) + ")");
     return number;
+}
+
+std::vector<std::string> shellWords(std::string_view line) {
+    std::vector<std::string> words;
+    bool isQuoted = false;
+    bool isOpen = false;  // a word has begun
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (!isQuoted && line[i] == ' ') {
+            isOpen = false;
+            continue;
+        }
+        if (!isOpen) words.emplace_back();
+        isOpen = true;
+        if (line[i] == '\'')
+            isQuoted = !isQuoted;
+        else if (line[i] == '\\' && !isQuoted && i + 1 < line.size())
+            words.back() += line[++i];
+        else
+            words.back() += line[i];
+    }
+    return words;
 }
 
 }  // namespace drillwave

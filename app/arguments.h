@@ -34,10 +34,14 @@ class Arguments {
     bool has(std::string_view option) const;
     std::optional<std::string> value(std::string_view option) const;
     std::vector<std::string> values(std::string_view option) const;
+    /// Another word in place of the value of an option that is given once.
+    void replaceValue(std::string_view option, std::string value);
     const std::vector<std::string>& operands() const { return m_operands; }
 
     /// The words again as a shell takes them, operands first, without the options named.
     std::string shellText(std::span<const std::string_view> without) const;
+    /// Of these the options alone.
+    std::string optionsText(std::span<const std::string_view> without) const;
 
     /// The whole number given to an option, or `fallback`. Throws CommandError (usage) when it is none or out
     /// of range.
@@ -48,5 +52,8 @@ class Arguments {
     std::vector<std::string_view> m_switches;                         // of these, the ones without a value
     std::vector<std::string> m_operands;
 };
+
+/// The words of a line as a shell would split it: what Arguments::shellText() put together.
+std::vector<std::string> shellWords(std::string_view line);
 
 }  // namespace drillwave

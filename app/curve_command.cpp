@@ -60,15 +60,16 @@ CurveReport study(const CurveQuestion& question, int jobs, const Interruption& i
 }
 
 void writeCsv(const CurveReport& report, const Arguments& arguments, const RowOptions& options,
-              const ScenarioDocument& base, const std::vector<NamedFile>& pictures) {
+              const ScenarioDocument& base, std::vector<NamedFile> pictures,
+              const Interruption& interruption) {
     const CurveQuestion& question = report.study.question;
     RowRecord record = recordOf("curve", arguments, options, question.columns, base, rowCount(report.study));
     if (question.family) record.axes.push_back(recordedAxis(*question.family, *arguments.value("family")));
     record.axes.push_back(recordedAxis(question.along, *arguments.value("along")));
     record.axes.back().count = 0;  // each line has its own points
-    RowFile out(options);
+    OutputFile out(options.path, options.overwrite);
     out.write(curveCsv(report.study));
-    out.commit(record, pictures);
+    commitRows(out, options, record, std::move(pictures), interruption);
 }
 
 /// Throws where a line has no answer, with the first reason.
@@ -101,21 +102,18 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
         for (std::string& problem : problems) problem = path + ": " + problem;
         throw CommandError(ExitCode::invalidScenario, std::move(problems));
     }
-    if (writesFile)
-        for (const std::string& output : {options.path, RowFile::recordPath(options.path)}) {
-            checkOutputIsNoInput(output, path, base);
-            if (!output.empty()) checkOverwrite(output, options.overwrite);
-        }
-
+    if (writesFile) checkRows(options, path, base);
+    if (options.path != "-" || !writesFile) checkStandardOutput();
     plots.check(path, base, options.overwrite);
 
     const Interruption interruption;
     remarkOnValues(base.scenario, path);
     CurveReport report = study(question, options.jobs, interruption);
     report.scenarioText = completeScenarioText(base);
-    if (writesFile) writeCsv(report, arguments, options, base, plots.draw(&report, drawing, interruption));
+    if (writesFile)
+        writeCsv(report, arguments, options, base, plots.draw(&report, drawing, interruption), interruption);
     if (!writesFile || options.path != "-")
-        writeFile("-", arguments.has("json") ? curveJson(report) : curveText(report), Overwrite::allowed);
+        printText(arguments.has("json") ? curveJson(report) : curveText(report));
     checkSolved(report.study, path, options.workLimit);
     return ExitCode::done;
 }

@@ -53,7 +53,7 @@ void writeInto(const std::string& directory, const std::vector<Example>& example
     for (const Example& example : examples)
         folder.files.push_back({example.name + ".yaml", std::string(example.text)});
     checkFolder(directory, folder.names(), overwrite);
-    writeFolder(directory, folder, overwrite, interruption);
+    writeFolder(directory, folder, overwrite, &interruption);
     for (const Example& example : examples)
         std::printf("%s/%s.yaml\n", directory.c_str(), example.name.c_str());
 }

@@ -58,13 +58,13 @@ ExitCode runFigures(const Arguments& arguments, const Drawing* drawing) {
     const std::vector<Discrepancy> numbers = discrepancies(interruption.token());
     interruption.check();
     if (*directory == "-") {
-        writeFile("-", discrepanciesCsv(numbers), Overwrite::allowed);
+        printText(discrepanciesCsv(numbers));
         return ExitCode::done;
     }
     const std::vector<Figure> figures = paperFigures(interruption.token());
     interruption.check();
     const FolderFiles folder = filesOf(figures, numbers, formats, *drawing, interruption);
-    writeFolder(*directory, folder, overwrite, interruption);
+    writeFolder(*directory, folder, overwrite, &interruption);
     const auto agreeing = std::ranges::count_if(numbers, &Discrepancy::agrees);
     std::printf("%zu files in %s; %zu of %zu printed numbers agree, see index.html or discrepancies.csv\n",
                 folder.files.size(), directory->c_str(), static_cast<std::size_t>(agreeing), numbers.size());

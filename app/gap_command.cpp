@@ -70,6 +70,8 @@ ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     if (arguments.has("force") && !csvPath)
         throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+    if (csvPath == "-" && arguments.has("json"))
+        throw CommandError(ExitCode::usage, "--json and -o - would both print to standard output; take one");
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const OutputUnits units = arguments.has("si") ? OutputUnits::si : OutputUnits::dimensionless;
     if (arguments.has("si") && !csvPath)
@@ -81,10 +83,11 @@ ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
     const std::optional<NormalGap> normal = normalOf(arguments, document.scenario);
     if (csvPath) {
         checkOutputIsNoInput(*csvPath, path, document);
-        checkOverwrite(*csvPath, overwrite);
+        checkOutput(*csvPath, overwrite);
         plots.check(path, document, overwrite);
     }
 
+    if (csvPath != "-") checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
     GapReport report = study(document.scenario, normal, interruption);
@@ -93,10 +96,10 @@ ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved at all gaps: " + report.curve.reason);
     if (csvPath)
-        writeBeside(*csvPath, scenarioHeader(report.scenarioText) + gapCsv(report, units),
-                    plots.draw(&report, drawing, interruption), overwrite);
+        writeStudy(*csvPath, scenarioHeader(report.scenarioText) + gapCsv(report, units),
+                   plots.draw(&report, drawing, interruption), overwrite, interruption);
     if (csvPath == "-") return ExitCode::done;
-    writeFile("-", arguments.has("json") ? gapJson(report) : gapText(report), Overwrite::allowed);
+    printText(arguments.has("json") ? gapJson(report) : gapText(report));
     return ExitCode::done;
 }
 

@@ -2,6 +2,7 @@
 // drillwave map FILE --x KEY=… --y KEY=…
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 
 #include "app/axis_argument.h"
 #include "app/command.h"
@@ -39,13 +40,6 @@ std::vector<double> levelsOf(const Arguments& arguments, const OutputColumn& out
     return levelArguments(arguments, output.hasUnit() ? output.output->quantity() : Quantity::ratio);
 }
 
-/// "map_contours.csv" beside "map.csv".
-std::string contoursPath(const std::string& path) {
-    constexpr std::string_view ending = ".csv";
-    const std::string stem = path.ends_with(ending) ? path.substr(0, path.size() - ending.size()) : path;
-    return stem + "_contours.csv";
-}
-
 /// The files of -o.
 struct MapFiles {
     RowOptions rows;
@@ -55,22 +49,21 @@ struct MapFiles {
 /// Finds out before anything is computed whether they can be written.
 MapFiles filesOf(const Arguments& arguments, const RowOptions& options, const ScenarioDocument& document) {
     MapFiles files{options, {}};
-    const bool hasFile = arguments.has("o") && options.path != "-";
-    if (arguments.has("force") && !hasFile)
+    const bool hasFile = arguments.has("o") && !isStream(options.path);
+    if (arguments.has("force") && (!arguments.has("o") || options.path == "-"))
         throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
-    if (options.path == "-" && arguments.has("o"))
+    if (isStream(options.path) && arguments.has("o"))
         for (const char* option : {"level", "json"})
             if (arguments.has(option))
                 throw CommandError(ExitCode::usage, std::string("--") + option +
                                                         " has no place where -o - prints the map; give "
                                                         "-o FILE.csv");
     if (!hasFile) return files;
-    if (arguments.has("level")) files.contours = contoursPath(options.path);
-    for (const std::string& output : {options.path, RowFile::recordPath(options.path), files.contours}) {
-        if (output.empty()) continue;
-        checkOutputIsNoInput(output, arguments.operands().front(), document);
-        checkOverwrite(output, options.overwrite);
-    }
+    checkRows(options, arguments.operands().front(), document);
+    if (!arguments.has("level")) return files;
+    files.contours = contoursName(options.path);
+    checkOutputIsNoInput(files.contours, arguments.operands().front(), document);
+    checkOverwrite(files.contours, options.overwrite);
     return files;
 }
 
@@ -99,23 +92,16 @@ MapReport solve(const MapStudy& study, const std::vector<double>& levels, int jo
 }
 
 void writeFiles(const MapFiles& files, const MapReport& report, const RowRecord& record,
-                const std::vector<NamedFile>& pictures) {
-    RowFile rows(files.rows);
-    PicturesBeside beside(files.rows.path, pictures, files.rows.overwrite);
-    std::optional<OutputFile> contours;
-    if (!files.contours.empty()) {
-        contours.emplace(files.contours, files.rows.overwrite);
-        contours->write(contoursCsv(report));
-        contours->flush();
-    }
+                std::vector<NamedFile> beside, const Interruption& interruption) {
+    OutputFile rows(files.rows.path, files.rows.overwrite);
     RowCsv csv([&](std::string_view text) {
         rows.write(text);
         return true;
     });
     giveRows(report.study, report.grid, csv);
-    beside.commit();
-    if (contours) contours->commit();
-    rows.commit(record);
+    if (!files.contours.empty())
+        beside.push_back({std::filesystem::path(files.contours).filename(), contoursCsv(report)});
+    commitRows(rows, files.rows, record, std::move(beside), interruption);
 }
 
 /// Done, or why not all of it is.
@@ -154,8 +140,10 @@ ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
         throw CommandError(ExitCode::invalidScenario, std::move(problems));
     }
     const MapFiles files = filesOf(arguments, options, base);
+    if (!arguments.has("o") || options.path != "-") checkStandardOutput();
     plots.check(path, base, options.overwrite);
-    RowRecord record = recordOf("map", arguments, options, {&study.output, 1}, base, x.count * y.count);
+    RowRecord record = recordOf("map", arguments, options, {&study.output, 1}, base,
+                                rowsOf(options.shard, x.count * y.count).size());
     for (const auto& [axis, option] : {std::pair{&x, "x"}, {&y, "y"}})
         record.axes.push_back(recordedAxis(*axis, *arguments.value(option)));
 
@@ -163,9 +151,10 @@ ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
     remarkOnValues(base.scenario, path);
     MapReport report = solve(study, levels, options.jobs, interruption);
     report.scenarioText = record.scenario;
-    if (arguments.has("o")) writeFiles(files, report, record, plots.draw(&report, drawing, interruption));
+    if (arguments.has("o"))
+        writeFiles(files, report, record, plots.draw(&report, drawing, interruption), interruption);
     if (!arguments.has("o") || options.path != "-")
-        writeFile("-", arguments.has("json") ? mapJson(report) : mapText(report), Overwrite::allowed);
+        printText(arguments.has("json") ? mapJson(report) : mapText(report));
     return judge(report, options.workLimit);
 }
 

@@ -4,12 +4,14 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cassert>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 
 #include "app/command_error.h"
-#include "core/file/whole_folder.h"
+#include "app/output_folder.h"
+#include "core/file/hidden_folder.h"
 #include "core/text/text_input.h"
 
 namespace drillwave {
@@ -17,7 +19,7 @@ namespace drillwave {
 namespace {
 
 bool isStandardOutput(const std::string& path) {
-    return path == "-";
+    return path == "-" || path == "/dev/stdout";
 }
 
 /// Something like /dev/null or a pipe, which cannot be replaced by a file.
@@ -28,7 +30,26 @@ bool isDevice(const std::string& path) {
            !std::filesystem::is_directory(status);
 }
 
+std::string folderOf(const std::string& path) {
+    const std::string folder = std::filesystem::path(path).parent_path();
+    return folder.empty() ? "." : folder;
+}
+
+std::string nameOf(const std::string& path) {
+    return std::filesystem::path(path).filename();
+}
+
 }  // namespace
+
+bool isStream(const std::string& path) {
+    return isStandardOutput(path) || isDevice(path);
+}
+
+void checkStandardOutput() {
+    if (::fcntl(STDOUT_FILENO, F_GETFL) < 0 || (::fcntl(STDOUT_FILENO, F_GETFL) & O_ACCMODE) == O_RDONLY)
+        throw CommandError(ExitCode::unwritableOutput,
+                           "standard output: is closed; send it to a file or to /dev/null");
+}
 
 void checkName(const std::string& path) {
     if (!isUtf8(path))
@@ -38,9 +59,9 @@ void checkName(const std::string& path) {
 
 void checkOverwrite(const std::string& path, Overwrite overwrite) {
     checkName(path);
-    if (isStandardOutput(path) || isDevice(path)) return;
+    if (isStream(path)) return;
     std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored))
+    if (path.ends_with('/') || std::filesystem::is_directory(path, ignored))
         throw CommandError(ExitCode::unwritableOutput, path + ": is a folder; give the name of a file");
     // A dangling link is something that would be written through.
     if (isThere(path) && overwrite == Overwrite::refused)
@@ -48,9 +69,23 @@ void checkOverwrite(const std::string& path, Overwrite overwrite) {
                            path + ": exists already; use --force to overwrite it or choose another name");
 }
 
-OutputFile::OutputFile(const std::string& path, Overwrite overwrite) : m_path(path) {
+void checkOutput(const std::string& path, Overwrite overwrite, LeftBeside leftBeside) {
+    checkName(path);
+    if (isStream(path)) return;
+    const std::string folder = folderOf(path);
+    mendFolder(folder);
     checkOverwrite(path, overwrite);
-    if (isStandardOutput(path)) return;
+    for (const std::string& name : leftBeside(folder, nameOf(path)))
+        checkOverwrite(pathInside(folder, name), overwrite);
+}
+
+OutputFile::OutputFile(const std::string& path, Overwrite overwrite, LeftBeside leftBeside)
+    : m_path(path), m_overwrite(overwrite), m_leftBeside(leftBeside) {
+    checkOutput(path, overwrite, leftBeside);
+    if (isStandardOutput(path)) {
+        checkStandardOutput();
+        return;
+    }
     if (isDevice(path)) {
         m_device = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
         check(m_device < 0 ? writeFailure(errno) : WriteFailure{});
@@ -73,14 +108,24 @@ void OutputFile::write(std::string_view text) {
         check(writeFailure(errno));
 }
 
+void OutputFile::add(NamedFile beside) {
+    assert(m_file);
+    m_beside.push_back(std::move(beside));
+}
+
 void OutputFile::flush() {
     // The C library holds the last bytes for standard output back, and would lose them without a word.
     if (isStandardOutput(m_path) && std::fflush(stdout) != 0) check(writeFailure(errno));
 }
 
-void OutputFile::commit() {
-    flush();
-    if (m_file) check(m_file->commit());
+void OutputFile::commit(const Interruption* interruption) {
+    if (!m_file) return flush();
+    const std::string name = nameOf(m_file->path());
+    FolderFiles files;
+    files.files = std::move(m_beside);
+    files.outdated = [this, name](const std::string& folder) { return m_leftBeside(folder, name); };
+    files.last = m_file.get();
+    writeFolder(folderOf(m_file->path()), files, m_overwrite, interruption);
 }
 
 void OutputFile::check(const WriteFailure& failure) const {
@@ -91,10 +136,10 @@ void OutputFile::check(const WriteFailure& failure) const {
                                                        "choose another place with -o");
 }
 
-void writeFile(const std::string& path, std::string_view text, Overwrite overwrite) {
-    OutputFile file(path, overwrite);
-    file.write(text);
-    file.commit();
+void printText(std::string_view text) {
+    OutputFile out("-", Overwrite::allowed);
+    out.write(text);
+    out.commit();
 }
 
 }  // namespace drillwave

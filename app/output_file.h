@@ -1,16 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a command writes: standard output, or a file that appears whole or not at all.
+// Where a command writes: standard output, or a file that appears whole or not at all, together with what
+// belongs beside it.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/file/study_files.h"
 #include "core/file/whole_file.h"
+#include "core/file/whole_folder.h"
 
 namespace drillwave {
 
+class Interruption;
+
 enum class Overwrite { refused, allowed };
+
+/// Names of what an earlier run left in the folder beside a file.
+using LeftBeside = std::vector<std::string> (*)(const std::string& folder, const std::string& file);
+
+/// Whether a name is standard output, a device or a pipe: written to as it is, with nothing beside it.
+bool isStream(const std::string& path);
+
+/// Throws CommandError (unwritable output) where standard output is closed: for commands that print when
+/// their files are in place.
+void checkStandardOutput();
 
 /// Throws CommandError (unwritable output) for a name with bytes that are not UTF-8: records and messages
 /// could not tell it.
@@ -19,33 +35,41 @@ void checkName(const std::string& path);
 /// Throws CommandError (unwritable output) when a file of that name exists and may not be overwritten.
 void checkOverwrite(const std::string& path, Overwrite overwrite);
 
+/// The same for a file and what was left beside it, when what a run that died there left is mended.
+void checkOutput(const std::string& path, Overwrite overwrite, LeftBeside leftBeside = studyFilesThere);
+
 /// One output. All failures throw CommandError (unwritable output), at opening already where they can be
 /// known then.
 class OutputFile {
   public:
-    /// "-" is standard output. A device or pipe is written directly. Anything else goes to a temporary file
-    /// beside it, which replaces it in commit() and vanishes without.
-    OutputFile(const std::string& path, Overwrite overwrite);
+    /// A stream is written directly. Anything else has no name until commit().
+    OutputFile(const std::string& path, Overwrite overwrite, LeftBeside leftBeside = studyFilesThere);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
     void write(std::string_view text);
-    /// Finds out whether everything written so far has found room.
-    void flush();
-    /// Makes everything written visible and durable as far as the system tells.
-    void commit();
+    /// A file to be beside this one, which must be no stream.
+    void add(NamedFile beside);
+    /// Puts all of it in place as one (writeWholeFolder()), in place of what was left beside the file; of a
+    /// stream, finds out whether everything has found room. Throws CommandError (interrupted) on a stop.
+    void commit(const Interruption* interruption = nullptr);
 
   private:
+    /// Finds out whether everything written to standard output so far has found room.
+    void flush();
     /// Throws where there is a failure.
     void check(const WriteFailure& failure) const;
 
     std::string m_path;
-    std::unique_ptr<WholeFile> m_file;  // none for standard output and devices
+    Overwrite m_overwrite;
+    LeftBeside m_leftBeside;
+    std::unique_ptr<WholeFile> m_file;  // none for streams
+    std::vector<NamedFile> m_beside;
     int m_device = -1;
 };
 
-/// Writes a whole file at once.
-void writeFile(const std::string& path, std::string_view text, Overwrite overwrite);
+/// Prints to standard output at once.
+void printText(std::string_view text);
 
 }  // namespace drillwave

@@ -15,8 +15,9 @@ namespace drillwave {
 /// CommandError (unwritable output).
 void checkFolder(const std::string& path, const std::vector<std::string>& names, Overwrite overwrite);
 
-/// As writeWholeFolder(). Throws CommandError: unwritable output; interrupted, before anything was written.
+/// As writeWholeFolder(), which an interruption, if there is one, may end before anything is written, and not
+/// after. Throws CommandError: unwritable output; interrupted.
 void writeFolder(const std::string& path, const FolderFiles& files, Overwrite overwrite,
-                 const Interruption& interruption);
+                 const Interruption* interruption);
 
 }  // namespace drillwave

@@ -42,7 +42,7 @@ ExitCode runPresets(const Arguments& arguments, const Drawing*) {
     for (const SectionPreset& preset : file.sectionPresets)
         listing.add(name(preset.kind), "drill strings (length × diameter / bore)", preset.name,
                     description(preset));
-    writeFile("-", listing.text(), Overwrite::allowed);
+    printText(listing.text());
     return ExitCode::done;
 }
 

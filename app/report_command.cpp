@@ -42,7 +42,7 @@ ReportPlace placeOf(const Arguments& arguments) {
     const std::optional<std::string> path = arguments.value("o");
     if (!path)
         throw CommandError(ExitCode::usage, "needs -o DIR, -o FILE.html or -o FILE.pdf, where to write");
-    if (*path == "-") return {*path, false, {"html"}};
+    if (isStream(*path)) return {*path, false, {"html"}};
     std::error_code ignored;
     std::string ending = std::filesystem::path(*path).extension().string();
     for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -62,7 +62,7 @@ void check(const ReportPlace& place, const std::string& input, const ScenarioDoc
     if (place.isFolder)
         checkFolder(place.path, place.names(), overwrite);
     else
-        checkOverwrite(place.path, overwrite);
+        checkOutput(place.path, overwrite, reportFilesThere);
 }
 
 BlowReport study(const ScenarioDocument& document, const Interruption& interruption) {
@@ -74,10 +74,14 @@ BlowReport study(const ScenarioDocument& document, const Interruption& interrupt
 
 void write(const ReportPlace& place, std::vector<NamedFile> files, Overwrite overwrite,
            const Interruption& interruption) {
-    if (!place.isFolder) return writeFile(place.path, files.front().bytes, overwrite);
+    if (!place.isFolder) {
+        OutputFile file(place.path, overwrite, reportFilesThere);
+        file.write(files.front().bytes);
+        return file.commit(&interruption);
+    }
     FolderFiles folder;
     folder.files = std::move(files);
-    writeFolder(place.path, folder, overwrite, interruption);
+    writeFolder(place.path, folder, overwrite, &interruption);
 }
 
 ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
@@ -97,7 +101,7 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
         drawing->report(report, {std::string(stem), place.formats, interruption.token()});
     interruption.check();
     write(place, std::move(files), overwrite, interruption);
-    if (place.path != "-") std::printf("report in %s\n", place.path.c_str());
+    if (!isStream(place.path)) std::printf("report in %s\n", place.path.c_str());
     return ExitCode::done;
 }
 

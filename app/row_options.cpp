@@ -2,7 +2,6 @@
 #include "app/row_options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <thread>
 
@@ -31,23 +30,13 @@ OutputChoice outputsOf(const Arguments& arguments) {
 /// What changes where the rows go and how fast, not what they are.
 constexpr std::string_view aboutTheFile[] = {"o", "force", "j", "plots"};
 
-bool readCount(std::string_view text, std::uint64_t& number) {
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-    return !text.empty() && read.ec == std::errc() && read.ptr == text.data() + text.size();
-}
-
 Shard shardOf(const Arguments& arguments) {
     const std::string text = arguments.value("shard").value_or("1/1");
-    const std::size_t slash = text.find('/');
-    Shard shard;
-    const bool read = slash != std::string::npos &&
-                      readCount(std::string_view(text).substr(0, slash), shard.index) &&
-                      readCount(std::string_view(text).substr(slash + 1), shard.count);
-    if (!read || shard.count < 1 || shard.count > maximumShards || shard.index < 1 ||
-        shard.index > shard.count)
+    const std::optional<Shard> shard = parseShard(text);
+    if (!shard)
         throw CommandError(ExitCode::usage, "--shard " + shortened(text) + ": needs I/N, 1 <= I <= N <= " +
                                                 std::to_string(maximumShards));
-    return shard;
+    return *shard;
 }
 
 int allThreads() {
@@ -92,12 +81,17 @@ std::vector<OptionSpec> rowOptionSpecs() {
              {"work-limit", "N",
               "wave pieces a row may take, 1000000 (at worst 2 s) if not given; else its cells are empty"},
              {"j", "N", "threads to use, all of them if not given"},
-             {"shard", "I/N", "only the I-th of N contiguous parts; header only in part 1"},
+             shardOptionSpec(),
              {"o", "FILE.csv",
               "where to write, with FILE.csv.yaml beside it; - is standard output, as without"},
              {"force", "", "overwrite existing files"}})
         options.push_back(option);
     return options;
+}
+
+OptionSpec shardOptionSpec() {
+    return {"shard", "I/N",
+            "only the I-th of N contiguous parts, for `drillwave join`; header only in part 1"};
 }
 
 std::string outputHelp() {
@@ -147,33 +141,27 @@ RowRecord recordOf(std::string_view command, const Arguments& arguments, const R
     return record;
 }
 
-std::string RowFile::recordPath(const std::string& path) {
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    const bool isDevice = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-    return path == "-" || isDevice ? std::string() : path + ".yaml";
+void checkRows(const RowOptions& options, const std::string& input, const ScenarioDocument& document,
+               const std::vector<std::string>& otherInputs) {
+    checkOutputIsNoInput(options.path, input, document, otherInputs);
+    checkOutput(options.path, options.overwrite);
+    if (isStream(options.path)) return;
+    const std::string record = recordName(options.path);
+    checkOutputIsNoInput(record, input, document, otherInputs);
+    checkOverwrite(record, options.overwrite);
 }
 
-RowFile::RowFile(const RowOptions& options)
-    : m_path(options.path), m_overwrite(options.overwrite), m_rows(options.path, options.overwrite) {
-    if (const std::string path = recordPath(options.path); !path.empty())
-        m_record.emplace(path, options.overwrite);
-}
-
-void RowFile::commit(const RowRecord& record, const std::vector<NamedFile>& pictures) {
-    // Rows beside the record of others would be worse than none: all have room before one is put in place.
-    m_rows.flush();
-    if (m_record) {
-        m_record->write(recordText(record));
-        m_record->flush();
+void commitRows(OutputFile& rows, const RowOptions& options, const RowRecord& record,
+                std::vector<NamedFile> beside, const Interruption& interruption) {
+    if (!isStream(options.path)) {
+        const std::string name = std::filesystem::path(options.path).filename();
+        rows.add({recordName(name), recordText(record)});
+        for (NamedFile& file : beside) rows.add(std::move(file));
     }
-    PicturesBeside beside(m_path, pictures, m_overwrite);
-    beside.commit();
-    m_rows.commit();
-    if (m_record) m_record->commit();
+    rows.commit(&interruption);
 }
 
-ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options, RowFile& out,
+ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options, OutputFile& out,
                    const Interruption& interruption, const DrawRows& draw) {
     RowCounts counts;
     {
@@ -185,7 +173,7 @@ ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions
         counts = run(interruption.token(), csv, [&](const RowCounts& soFar) { bar.show(soFar.rows); });
     }
     if (counts.end == WorkEnd::stopped) interruption.check();
-    out.commit(record, draw ? draw() : std::vector<NamedFile>());
+    commitRows(out, options, record, draw ? draw() : std::vector<NamedFile>(), interruption);
     if (counts.failed == 0) return ExitCode::done;
     throw CommandError(ExitCode::unsolvedOrFailed,
                        std::to_string(counts.failed) + " of " + std::to_string(counts.rows) +

@@ -29,6 +29,9 @@ namespace drillwave {
 /// The common options, for both commands' tables of options.
 std::vector<OptionSpec> rowOptionSpecs();
 
+/// --shard, for a table of options.
+OptionSpec shardOptionSpec();
+
 /// The names for --outputs with their meanings, for the help of both.
 std::string outputHelp();
 
@@ -70,26 +73,15 @@ std::string limitHint(long workLimit);
 RowRecord recordOf(std::string_view command, const Arguments& arguments, const RowOptions& options,
                    std::span<const OutputColumn> columns, const ScenarioDocument& base, std::uint64_t rows);
 
-/// The file of rows, and beside a file with a name the one that says what they are. Both exist when both are
-/// complete.
-class RowFile {
-  public:
-    /// Throws CommandError (unwritable output), also where the record of another file may not be replaced.
-    explicit RowFile(const RowOptions& options);
+/// Finds out before anything is computed whether rows can be written there, with a record beside a file.
+/// Throws CommandError: usage, where an input would be overwritten; unwritable output.
+void checkRows(const RowOptions& options, const std::string& input, const ScenarioDocument& document,
+               const std::vector<std::string>& otherInputs = {});
 
-    void write(std::string_view text) { m_rows.write(text); }
-    /// With pictures beside it, see StudyPlots::besideFile().
-    void commit(const RowRecord& record, const std::vector<NamedFile>& pictures = {});
-
-    /// "map.csv.yaml" beside "map.csv"; empty beside standard output or a device.
-    static std::string recordPath(const std::string& path);
-
-  private:
-    std::string m_path;
-    Overwrite m_overwrite;
-    OutputFile m_rows;
-    std::optional<OutputFile> m_record;
-};
+/// The file of rows with its record, and with pictures, see StudyPlots::besideFile(). Throws CommandError:
+/// unwritable output; interrupted.
+void commitRows(OutputFile& rows, const RowOptions& options, const RowRecord& record,
+                std::vector<NamedFile> beside, const Interruption& interruption);
 
 /// A run of rows: sweep or table.
 using RunRows = std::function<RowCounts(std::stop_token, RowSink& sink, const RowProgress& progress)>;
@@ -100,7 +92,7 @@ using DrawRows = std::function<std::vector<NamedFile>()>;
 /// Runs into `out` and commits it with its record and what is drawn then, with progress on a terminal. Failed
 /// rows are counted on stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an interruption
 /// leaves no file.
-ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options, RowFile& out,
+ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options, OutputFile& out,
                    const Interruption& interruption, const DrawRows& draw = {});
 
 }  // namespace drillwave

@@ -92,13 +92,13 @@ void writeFiles(const RunFiles& files, const SolvedRun& run, const Drawing* draw
                    stderr);
     if (!files.plots.empty() && drawn) pictures = drawing->blow(run.blow, files.plots, interruption.token());
     interruption.check();
-    writeFolder(files.directory, runFolder(run, std::move(pictures)), files.overwrite, interruption);
+    writeFolder(files.directory, runFolder(run, std::move(pictures)), files.overwrite, &interruption);
 }
 
 void print(const SolvedRun& run, const RunFiles& files, bool json) {
     std::string text = json ? blowJson(run.blow, run.scenarioText) : blowText(run.blow);
     if (!json && !files.directory.empty()) text += "  files in " + files.directory + "\n";
-    writeFile("-", text, Overwrite::allowed);
+    printText(text);
 }
 
 ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
@@ -115,6 +115,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     prepare(files, path, document);
 
     const bool writesFiles = !files.directory.empty();
+    checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
     SolvedRun run{.blow = solve(solverOf(arguments), document.scenario, choice,

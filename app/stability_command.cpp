@@ -27,6 +27,7 @@ ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
     std::vector<std::string> names = plots.names();
     names.push_back(csvName);
     if (inFolder) checkFolder(directory, names, overwrite);
+    checkStandardOutput();
     const Interruption interruption;
     const std::vector<StabilityCase> cases = stabilityCases();
     ProgressBar bar(cases.size(), "cases");
@@ -36,15 +37,16 @@ ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
                        [&bar](const StabilityReport& soFar) { bar.show(soFar.rows.size()); });
     interruption.check();
     if (directory == "-") {
-        writeFile("-", stabilityCsv(report), Overwrite::allowed);
+        printText(stabilityCsv(report));
         return endOf(report);
     }
     if (inFolder) {
-        FolderFiles folder{plots.draw(&report, drawing, interruption), {}};
+        FolderFiles folder{plots.draw(&report, drawing, interruption),
+                           [](const std::string& there) { return studyFilesThere(there, csvName); }};
         folder.files.push_back({csvName, stabilityCsv(report)});
-        writeFolder(directory, folder, overwrite, interruption);
+        writeFolder(directory, folder, overwrite, &interruption);
     }
-    writeFile("-", arguments.has("json") ? stabilityJson(report) : stabilityText(report), Overwrite::allowed);
+    printText(arguments.has("json") ? stabilityJson(report) : stabilityText(report));
     return endOf(report);
 }
 

@@ -2,7 +2,6 @@
 #include "app/study_plots.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "app/command_error.h"
 #include "app/scenario_argument.h"
@@ -49,14 +48,6 @@ std::string folderOf(const std::string& path) {
     return path.substr(0, path.rfind('/') + 1);
 }
 
-/// "map" of "out/map.csv"; another ending stays.
-std::string stemOf(const std::string& path) {
-    constexpr std::string_view ending = ".csv";
-    const std::string name = path.substr(path.rfind('/') + 1);
-    return name.size() > ending.size() && name.ends_with(ending) ? name.substr(0, name.size() - ending.size())
-                                                                 : name;
-}
-
 }  // namespace
 
 std::vector<std::string> plotFormats(const Arguments& arguments) {
@@ -77,14 +68,12 @@ StudyPlots StudyPlots::besideFile(const Arguments& arguments) {
     plots.m_order.formats = plotFormats(arguments);
     if (!plots.areWanted()) return plots;
     const std::string path = placeOf(arguments, "FILE.csv");
-    std::error_code ignored;
-    const auto status = std::filesystem::status(path, ignored);
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-        !std::filesystem::is_directory(status))
+    if (isStream(path))
         throw CommandError(ExitCode::usage,
                            "--plots: there is no place for pictures beside " + path + "; give -o FILE.csv");
     plots.m_folder = folderOf(path);
-    plots.m_order.stem = stemOf(path);
+    plots.m_order.stem = studyStem(path.substr(plots.m_folder.size()));
+    plots.m_order.mark = studyPictureMark;
     return plots;
 }
 
@@ -94,6 +83,7 @@ StudyPlots StudyPlots::inFolder(const Arguments& arguments, std::string_view nam
     if (!plots.areWanted()) return plots;
     plots.m_folder = placeOf(arguments, "DIR") + "/";
     plots.m_order.stem = name;
+    plots.m_order.mark = studyPictureMark;
     return plots;
 }
 
@@ -121,26 +111,12 @@ std::vector<NamedFile> StudyPlots::draw(const StudyValue& value, const Drawing* 
     return pictures;
 }
 
-void writeBeside(const std::string& path, std::string_view text, const std::vector<NamedFile>& pictures,
-                 Overwrite overwrite) {
-    PicturesBeside beside(path, pictures, overwrite);
+void writeStudy(const std::string& path, std::string_view text, std::vector<NamedFile> pictures,
+                Overwrite overwrite, const Interruption& interruption) {
     OutputFile file(path, overwrite);
     file.write(text);
-    file.flush();
-    beside.commit();
-    file.commit();
-}
-
-PicturesBeside::PicturesBeside(const std::string& path, const std::vector<NamedFile>& pictures,
-                               Overwrite overwrite) {
-    for (const NamedFile& picture : pictures) {
-        m_files.push_back(std::make_unique<OutputFile>(folderOf(path) + picture.name, overwrite));
-        m_files.back()->write(picture.bytes);
-    }
-}
-
-void PicturesBeside::commit() {
-    for (const auto& file : m_files) file->commit();
+    for (NamedFile& picture : pictures) file.add(std::move(picture));
+    file.commit(&interruption);
 }
 
 }  // namespace drillwave

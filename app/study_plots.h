@@ -47,19 +47,9 @@ class StudyPlots {
     PictureOrder m_order;
 };
 
-/// A study's file and the pictures of StudyPlots::besideFile(): all of them have room before the first takes
-/// its place, and the file itself comes last. Throws CommandError (unwritable output).
-void writeBeside(const std::string& path, std::string_view text, const std::vector<NamedFile>& pictures,
-                 Overwrite overwrite);
-
-/// The pictures beside `path`, each on its way to its place; commit() puts them there.
-class PicturesBeside {
-  public:
-    PicturesBeside(const std::string& path, const std::vector<NamedFile>& pictures, Overwrite overwrite);
-    void commit();
-
-  private:
-    std::vector<std::unique_ptr<OutputFile>> m_files;
-};
+/// Writes a study's file with the pictures of StudyPlots::besideFile(), in place of an earlier one with what
+/// was left beside it. Throws CommandError: unwritable output; interrupted.
+void writeStudy(const std::string& path, std::string_view text, std::vector<NamedFile> pictures,
+                Overwrite overwrite, const Interruption& interruption);
 
 }  // namespace drillwave

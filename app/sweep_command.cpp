@@ -49,8 +49,7 @@ ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
     const ScenarioDocument& base = input.document;
     const RowOptions options = rowOptions(arguments, input.method);
     checkMethodOfString(options.method, input.document.scenario, path);
-    for (const std::string& output : {options.path, RowFile::recordPath(options.path)})
-        checkOutputIsNoInput(output, path, base);
+    checkRows(options, path, base);
     plots.check(path, base, options.overwrite);
     const Sweep sweep{.base = base.scenario,
                       .axes = axes,
@@ -71,7 +70,7 @@ ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
                                 rowsOf(sweep.shard, pointCount(sweep)).size());
     record.axes = recordedAxes(axes, arguments);
     const Interruption interruption;
-    RowFile out(options);
+    OutputFile out(options.path, options.overwrite);
     SweepRows rows{.title = base.scenario.title, .axes = axes, .columns = sweep.columns, .numbers = {}};
     const auto run = [&](std::stop_token stop, RowSink& sink, const RowProgress& progress) {
         if (!plots.areWanted()) return runSweep(sweep, options.jobs, stop, sink, progress);

@@ -34,8 +34,7 @@ ExitCode runTableCommand(const Arguments& arguments, const Drawing*) {
     const ScenarioDocument& base = input.document;
     const RowOptions options = rowOptions(arguments, input.method);
     checkMethodOfString(options.method, input.document.scenario, scenarioPath);
-    for (const std::string& output : {options.path, RowFile::recordPath(options.path)})
-        checkOutputIsNoInput(output, scenarioPath, base, {path});
+    checkRows(options, scenarioPath, base, {path});
     const Table table{.base = base.scenario,
                       .source = inputName(path),
                       .columns = options.columnsFor(base.scenario),
@@ -44,7 +43,7 @@ ExitCode runTableCommand(const Arguments& arguments, const Drawing*) {
                       .workLimit = options.workLimit};
     RereadableInput cases(path);
     const Interruption interruption;
-    RowFile out(options);
+    OutputFile out(options.path, options.overwrite);
     const std::uint64_t rows = check(table, cases.stream(), options.jobs, interruption);
     RowRecord record =
         recordOf("table", arguments, options, table.columns, base, rowsOf(table.shard, rows).size());

@@ -103,22 +103,23 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
     checkQuestion(report.scenario, axis, path);
     if (csvPath) {
         checkOutputIsNoInput(*csvPath, path, document);
-        checkOverwrite(*csvPath, overwrite);
+        checkOutput(*csvPath, overwrite);
         plots.check(path, document, overwrite);
     }
 
+    if (csvPath != "-") checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(report.scenario, path);
     if (axis) report.along = ThrustAlong{*axis, curveAlong(report.scenario, *axis, jobs, interruption)};
     if (csvPath)
-        writeBeside(*csvPath, scenarioHeader(report.scenarioText) + thrustCsv(*report.along),
-                    plots.draw(&report, drawing, interruption), overwrite);
+        writeStudy(*csvPath, scenarioHeader(report.scenarioText) + thrustCsv(*report.along),
+                   plots.draw(&report, drawing, interruption), overwrite, interruption);
     if (csvPath != "-") {
         report.study = study(report.scenario, interruption);
         if (!report.study.reason.empty())
             throw CommandError(ExitCode::unsolvedOrFailed,
                                path + ": could not be solved: " + report.study.reason);
-        writeFile("-", arguments.has("json") ? thrustJson(report) : thrustText(report), Overwrite::allowed);
+        printText(arguments.has("json") ? thrustJson(report) : thrustText(report));
     }
     if (report.along) checkSolved(report.along->curve, path);
     return ExitCode::done;

@@ -13,11 +13,17 @@ namespace drillwave {
 /// The endings of their files.
 inline constexpr std::array<std::string_view, 3> pictureFormats{"png", "svg", "pdf"};
 
+/// What pictures beside the file of a study say of themselves, and reports: by this and their names a later
+/// run knows them for what an earlier one left.
+inline constexpr std::string_view studyPictureMark = "Drillwave study";
+inline constexpr std::string_view reportMark = "Drillwave report";
+
 /// Pictures to be drawn of one thing.
 struct PictureOrder {
     std::string stem;                  ///< of their names: "t38" for t38.png
     std::vector<std::string> formats;  ///< of pictureFormats
     std::stop_token stop;              ///< ends the drawing between two pictures
+    std::string mark = "Drillwave";    ///< who made them, in their properties
 };
 
 }  // namespace drillwave

@@ -146,8 +146,8 @@ std::string mapJson(const MapReport& report) {
 
 std::string contoursCsv(const MapReport& report) {
     const RowColumn x = report.study.x.column(), y = report.study.y.column();
-    std::string csv = "level,line," + x.header + "," + y.header + "," + report.study.output.header() +
-                      ",residual,jump_width\n";
+    std::string csv = std::string(contoursCsvBegin) + x.header + "," + y.header + "," +
+                      report.study.output.header() + ",residual,jump_width\n";
     std::uint64_t number = 0;
     for (const Contour& contour : report.contours)
         for (const ContourLine& line : contour.lines) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/study/map/contours.h"
@@ -27,6 +28,9 @@ std::string mapText(const MapReport& report);
 /// One object: axes, range, unsolved points by reason, and the contours with all their points (commands
 /// §4.9).
 std::string mapJson(const MapReport& report);
+
+/// How the file of contours begins.
+inline constexpr std::string_view contoursCsvBegin = "level,line,";
 
 /// The points of all contours: level, number of the line (from 1, through all levels), the two parameters in
 /// the units of the map, output, residual, and the width of the jump where it is one.

@@ -52,7 +52,9 @@ class TestArguments : public QObject {
     void twoHyphensEndTheOptions();
     void mistakesAreNamed_data();
     void mistakesAreNamed();
+    void whatOnlyLooksLikeAnOptionIsAValue();
     void aShellGivesTheWordsBack();
+    void theWordsOfALineAreThoseOfAShell();
     void aNumberIsWholeAndInItsRange();
 };
 
@@ -99,6 +101,13 @@ void TestArguments::mistakesAreNamed_data() {
     QTest::newRow("twice") << QStringList{"-j", "1", "-j2"} << "`-j` is given twice; give it once";
     QTest::newRow("a switch with a value") << QStringList{"--json=yes"} << "`--json` takes no value";
     QTest::newRow("without its value") << QStringList{"-o"} << "`-o` needs a value: FILE";
+    QTest::newRow("an option in place of its value")
+        << QStringList{"-o", "--json"}
+        << "`-o` needs a value: FILE; `--json` behind it is an option, a file of that name is ./--json";
+    QTest::newRow("a letter in place of its value")
+        << QStringList{"--level", "-j4"} << "`--level` needs a value: X; `-j4` behind it is an option";
+    QTest::newRow("the end in place of its value")
+        << QStringList{"--level", "--"} << "`--level` needs a value: X; `--` behind it is an option";
 }
 
 void TestArguments::mistakesAreNamed() {
@@ -118,6 +127,24 @@ void TestArguments::aShellGivesTheWordsBack() {
     QCOMPARE(wordsOfShell(arguments.shellText(without)), expected);
     const Arguments odd = Arguments::parse(Words{"--json", "--", "-x", ""}, specs);
     QCOMPARE(wordsOfShell(odd.shellText({})), (QList<QByteArray>{"--json", "--", "-x", ""}));
+}
+
+void TestArguments::whatOnlyLooksLikeAnOptionIsAValue() {
+    const Arguments arguments =
+        Arguments::parse(Words{"--level", "-1.5", "--level=--json", "-o", "-"}, specs);
+    QCOMPARE(arguments.values("level"), (Words{"-1.5", "--json"}));
+    QCOMPARE(arguments.value("o"), std::string("-"));
+}
+
+void TestArguments::theWordsOfALineAreThoseOfAShell() {
+    const Words words{"my file's.yaml", "--set", "title=a \"b\" $c `d` \\e '", "--json", "", "--", "-x"};
+    const std::string line = Arguments::parse(words, specs).shellText({});
+    Words expected;
+    for (const QByteArray& word : wordsOfShell(line)) expected.push_back(word.toStdString());
+    QCOMPARE(shellWords(line), expected);
+    QCOMPARE(shellWords("  two   words  "), (Words{"two", "words"}));
+    QCOMPARE(Arguments::parse(Words{"x", "--json", "-j4"}, specs).optionsText({}),
+             std::string("--json -j 4"));
 }
 
 void TestArguments::aNumberIsWholeAndInItsRange() {

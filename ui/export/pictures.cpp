@@ -24,7 +24,8 @@ Pictures renderPictures(QCustomPlot& plot, Millimetres size, const QString& titl
     for (const std::string& format : order.formats) {
         if (order.stop.stop_requested()) return pictures;
         const std::string name = order.stem + "." + format;
-        const QByteArray bytes = renderPlot(plot, size, QString::fromStdString(format), title);
+        const QByteArray bytes = renderPlot(plot, size, QString::fromStdString(format), title, standardDpi,
+                                            QString::fromStdString(order.mark));
         if (bytes.isEmpty())
             return {{},
                     QStringLiteral("%1: not written, the plot could not be drawn")

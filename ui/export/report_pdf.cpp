@@ -4,7 +4,9 @@
 #include <QBuffer>
 #include <QPdfWriter>
 
+#include "core/file/picture_formats.h"
 #include "ui/export/report_pages.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -36,7 +38,7 @@ QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& pl
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
     writer.setTitle(QString::fromStdString(reportTitle(report)));
-    writer.setCreator(QStringLiteral("Drillwave"));
+    writer.setCreator(fromView(reportMark));
     writer.setResolution(resolution);
     writer.setPageSize(QPageSize(QPageSize::A4));
     drawReportPages(report, plots, writer);

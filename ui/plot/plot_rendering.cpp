@@ -27,7 +27,7 @@ QSize pixelsOf(Millimetres size) {
             static_cast<int>(std::lround(size.height / millimetresPerInch * layoutDpi))};
 }
 
-QByteArray png(QCustomPlot& plot, Millimetres size, double dpi) {
+QByteArray png(QCustomPlot& plot, Millimetres size, double dpi, const QString& creator) {
     const double scale = dpi / layoutDpi;
     const QSize pixels = pixelsOf(size);
     QImage image = plot.toPixmap(pixels.width(), pixels.height(), scale).toImage();
@@ -35,17 +35,19 @@ QByteArray png(QCustomPlot& plot, Millimetres size, double dpi) {
     image.setDotsPerMeterX(static_cast<int>(std::lround(dpi * 1000 / millimetresPerInch)));
     image.setDotsPerMeterY(image.dotsPerMeterX());
     QBuffer buffer;
-    QImageWriter(&buffer, "png").write(image);
+    QImageWriter writer(&buffer, "png");
+    writer.setText(QStringLiteral("Software"), creator);
+    writer.write(image);
     return buffer.data();
 }
 
-QByteArray svg(QCustomPlot& plot, Millimetres size, const QString& title) {
+QByteArray svg(QCustomPlot& plot, Millimetres size, const QString& title, const QString& creator) {
     const CurveClip clip(plot);
     QBuffer buffer;
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
     generator.setTitle(title);
-    generator.setDescription(QStringLiteral("Drillwave"));
+    generator.setDescription(creator);
     generator.setResolution(static_cast<int>(layoutDpi));
     generator.setSize(pixelsOf(size));
     generator.setViewBox(QRect(QPoint(0, 0), pixelsOf(size)));
@@ -70,12 +72,12 @@ void fixCreationDate(QByteArray& pdf) {
     pdf.replace(begin, length, date.leftJustified(length, ' '));
 }
 
-QByteArray pdf(QCustomPlot& plot, Millimetres size, const QString& title) {
+QByteArray pdf(QCustomPlot& plot, Millimetres size, const QString& title, const QString& creator) {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
     writer.setTitle(title);
-    writer.setCreator(QStringLiteral("Drillwave"));
+    writer.setCreator(creator);
     writer.setResolution(static_cast<int>(layoutDpi));
     writer.setPageSize(QPageSize(QSizeF(size.width, size.height), QPageSize::Millimeter));
     writer.setPageMargins(QMarginsF(0, 0, 0, 0));
@@ -104,9 +106,9 @@ void paintPlot(QCustomPlot& plot, QCPPainter& painter, Millimetres size) {
 }
 
 QByteArray renderPlot(QCustomPlot& plot, Millimetres size, const QString& format, const QString& title,
-                      double dpi) {
-    if (format == QLatin1String("png")) return png(plot, size, dpi);
-    return format == QLatin1String("svg") ? svg(plot, size, title) : pdf(plot, size, title);
+                      double dpi, const QString& creator) {
+    if (format == QLatin1String("png")) return png(plot, size, dpi, creator);
+    return format == QLatin1String("svg") ? svg(plot, size, title, creator) : pdf(plot, size, title, creator);
 }
 
 }  // namespace drillwave

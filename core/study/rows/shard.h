@@ -2,7 +2,10 @@
 // One of N contiguous parts of a long table, for job arrays.
 #pragma once
 
+#include <charconv>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace drillwave {
 
@@ -25,6 +28,23 @@ struct RowRange {
 
 /// Largest number of parts, so that the arithmetic below cannot overflow.
 inline constexpr std::uint64_t maximumShards = 1'000'000;
+
+/// "2/7"; nullopt where it is no part.
+inline std::optional<Shard> parseShard(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string_view::npos) return std::nullopt;
+    const auto read = [](std::string_view digits, std::uint64_t& number) {
+        const char* end = digits.data() + digits.size();
+        const auto found = std::from_chars(digits.data(), end, number);
+        return found.ec == std::errc() && found.ptr == end;
+    };
+    Shard shard;
+    const bool isRead = read(text.substr(0, slash), shard.index) && read(text.substr(slash + 1), shard.count);
+    if (!isRead || shard.count < 1 || shard.count > maximumShards || shard.index < 1 ||
+        shard.index > shard.count)
+        return std::nullopt;
+    return shard;
+}
 
 /// The rows of that part; parts differ by at most one row.
 constexpr RowRange rowsOf(const Shard& shard, std::uint64_t rows) {
