@@ -2,23 +2,45 @@
 #include "app/command.h"
 
 #include <array>
+#include <filesystem>
 
+#include "app/output_file.h"
+#include "core/file/whole_file.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
 
+namespace {
+
+bool isLinkToFile(const std::string& path) {
+    std::error_code ignored;
+    return !isStream(path) && std::filesystem::is_symlink(path, ignored) &&
+           !std::filesystem::is_directory(path, ignored);
+}
+
+}  // namespace
+
 std::span<const Command* const> commands() {
     static const std::array all{
-        &runCommand(),       &sweepCommand(),    &tableCommand(),    &curveCommand(),   &mapCommand(),
-        &gapCommand(),       &thrustCommand(),   &reportCommand(),   &figuresCommand(), &accuracyCommand(),
-        &stabilityCommand(), &validateCommand(), &examplesCommand(), &presetsCommand()};
+        &runCommand(),      &sweepCommand(),     &tableCommand(),    &curveCommand(),    &mapCommand(),
+        &joinCommand(),     &gapCommand(),       &thrustCommand(),   &reportCommand(),   &figuresCommand(),
+        &accuracyCommand(), &stabilityCommand(), &validateCommand(), &examplesCommand(), &presetsCommand()};
     return all;
+}
+
+const Command* findCommand(std::string_view name) {
+    for (const Command* command : commands())
+        if (command->name == name) return command;
+    return nullptr;
 }
 
 Arguments parseArguments(const Command& command, std::span<const std::string> words) {
     Arguments arguments = Arguments::parse(words, command.options);
     if (arguments.value("o") == std::string())
         throw CommandError(ExitCode::usage, "-o needs a name, this one is empty; - is standard output");
+    // What belongs beside a file is beside the one that a link leads to.
+    if (const std::optional<std::string> path = arguments.value("o"); path && isLinkToFile(*path))
+        arguments.replaceValue("o", behindLinks(*path));
     const std::size_t given = arguments.operands().size();
     if (given < command.leastOperands)
         throw CommandError(ExitCode::usage, "needs " + std::string(command.operands) + "; see drillwave " +

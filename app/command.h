@@ -35,6 +35,7 @@ const Command& mapCommand();
 const Command& gapCommand();
 const Command& thrustCommand();
 const Command& reportCommand();
+const Command& joinCommand();
 const Command& figuresCommand();
 const Command& stabilityCommand();
 const Command& accuracyCommand();
@@ -44,6 +45,9 @@ const Command& presetsCommand();
 
 /// All of them, in the order of the help.
 std::span<const Command* const> commands();
+
+/// The one of that name, or none.
+const Command* findCommand(std::string_view name);
 
 /// Parses the words behind the subcommand and checks the number of operands.
 Arguments parseArguments(const Command& command, std::span<const std::string> words);

@@ -36,12 +36,6 @@ int printVersion() {
     return print(std::string("drillwave ") + versionText + "\n");
 }
 
-const Command* findCommand(const std::string& name) {
-    for (const Command* command : commands())
-        if (command->name == name) return command;
-    return nullptr;
-}
-
 bool asksFor(std::span<const std::string> words, std::initializer_list<std::string_view> options) {
     for (const std::string& word : words) {
         if (word == "--") return false;

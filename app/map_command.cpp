@@ -13,6 +13,7 @@
 #include "app/study_plots.h"
 #include "core/report/map_report.h"
 #include "core/study/map/map_rows.h"
+#include "core/study/rows/sweep.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
@@ -120,8 +121,35 @@ ExitCode judge(const MapReport& report, long workLimit) {
                                                        reasonsOf(counts, "point", workLimit));
 }
 
+/// Of a part there are rows and nothing else.
+void checkPart(const Arguments& arguments) {
+    if (!arguments.has("shard")) return;
+    if (!arguments.has("o"))
+        throw CommandError(ExitCode::usage, "--shard: a part of a map has rows alone; add -o FILE.csv");
+    for (const char* option : {"level", "json", "plots"})
+        if (arguments.has(option))
+            throw CommandError(ExitCode::usage, std::string("--") + option +
+                                                    " needs the map in one piece; leave out one of them");
+}
+
+ExitCode writePart(const MapStudy& study, const RowRecord& record, const RowOptions& options,
+                   const Interruption& interruption) {
+    const Sweep rows{.base = study.base,
+                     .axes = {study.x, study.y},
+                     .columns = {study.output},
+                     .shard = options.shard,
+                     .method = study.method,
+                     .workLimit = study.workLimit};
+    const auto run = [&](std::stop_token stop, RowSink& sink, const RowProgress& progress) {
+        return runSweep(rows, options.jobs, stop, sink, progress);
+    };
+    OutputFile out(options.path, options.overwrite);
+    return writeRows(run, record, options, out, interruption);
+}
+
 ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
+    checkPart(arguments);
     const SweepAxis x = axisOf(arguments, "x"), y = axisOf(arguments, "y");
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments, DrillStrings::taken);
@@ -149,6 +177,7 @@ ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
 
     const Interruption interruption;
     remarkOnValues(base.scenario, path);
+    if (arguments.has("shard")) return writePart(study, record, options, interruption);
     MapReport report = solve(study, levels, options.jobs, interruption);
     report.scenarioText = record.scenario;
     if (arguments.has("o"))
@@ -171,6 +200,7 @@ std::vector<OptionSpec> mapOptions() {
              {"work-limit", "N",
               "wave pieces a point may take, 1000000 (at worst 2 s) if not given; else it has no output"},
              {"j", "N", "threads to use, all of them if not given"},
+             shardOptionSpec(),
              {"o", "FILE.csv",
               "also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints "
               "the points instead"},

@@ -151,18 +151,22 @@ ScenarioInput loadScenarioFile(const std::string& path) {
     return parsedInput(inputBytes(path), path);
 }
 
-void checkOutputIsNoInput(const std::string& output, const std::string& scenarioPath,
-                          const ScenarioDocument& document, const std::vector<std::string>& others) {
-    std::vector<std::string> inputs{scenarioPath};
-    inputs.insert(inputs.end(), others.begin(), others.end());
-    if (const std::string& table = document.scenario.pulse.tableFile; !table.empty())
-        inputs.push_back((std::filesystem::path(scenarioPath).parent_path() / table).string());
+void checkOutputIsNone(const std::string& output, const std::vector<std::string>& inputs) {
     for (const std::string& input : inputs) {
         std::error_code error;
         if (std::filesystem::equivalent(output, input, error) && !error)
             throw CommandError(ExitCode::usage, "-o " + output + " is read as input (" + input +
                                                     "); choose another name for the output");
     }
+}
+
+void checkOutputIsNoInput(const std::string& output, const std::string& scenarioPath,
+                          const ScenarioDocument& document, const std::vector<std::string>& others) {
+    std::vector<std::string> inputs{scenarioPath};
+    inputs.insert(inputs.end(), others.begin(), others.end());
+    if (const std::string& table = document.scenario.pulse.tableFile; !table.empty())
+        inputs.push_back((std::filesystem::path(scenarioPath).parent_path() / table).string());
+    checkOutputIsNone(output, inputs);
 }
 
 ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments,

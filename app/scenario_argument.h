@@ -42,6 +42,9 @@ ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& 
 void checkOutputIsNoInput(const std::string& output, const std::string& scenarioPath,
                           const ScenarioDocument& document, const std::vector<std::string>& others = {});
 
+/// Throws CommandError (usage) if `output` is one of the `inputs`.
+void checkOutputIsNone(const std::string& output, const std::vector<std::string>& inputs);
+
 /// Throws CommandError (usage) if a --set sets what another option, which `what` quotes, is to change: one
 /// would silently undo the other.
 void checkNotSet(const Arguments& arguments, std::string_view key, const std::string& what);

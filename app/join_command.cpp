@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// drillwave join PART… -o FILE
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+#include "app/command.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "app/progress_bar.h"
+#include "app/scenario_argument.h"
+#include "core/file/result_scenario.h"
+#include "core/file/row_part.h"
+#include "core/text/text_input.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr std::string_view partOption[] = {"shard"};
+
+/// A part, and the command of its record in words.
+struct JoinedPart {
+    RowPart part;
+    Arguments arguments;
+    std::string command;  ///< "drillwave sweep"
+};
+
+[[noreturn]] void refuse(const std::string& file, const std::string& reason) {
+    throw CommandError(ExitCode::unreadableInput, std::vector{file + ": " + reason});
+}
+
+Arguments argumentsOf(const RowPart& part, std::string& command) {
+    const std::vector<std::string> words = shellWords(part.command);
+    const Command* found = words.size() > 1 ? findCommand(words[1]) : nullptr;
+    if (!found) refuse(recordName(part.file), "its command is none of this version: " + part.command);
+    command = words[0] + " " + words[1];
+    try {
+        return Arguments::parse(std::span(words).subspan(2), found->options);
+    } catch (const CommandError& error) {
+        refuse(recordName(part.file), "its command is none of this version: " + error.lines().front());
+    }
+}
+
+JoinedPart loadPart(const std::string& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error))
+        refuse(file, std::filesystem::exists(file, error) ? "is no file of rows" : "the part is not there");
+    const std::string record = recordName(file);
+    const FileBytes bytes = readFile(record, maximumInputBytes);
+    if (!bytes.problem.empty())
+        refuse(record, bytes.problem + "; a part needs the record that was written with it");
+    try {
+        JoinedPart loaded{parseRowPart(bytes.bytes, file), {}, {}};
+        loaded.arguments = argumentsOf(loaded.part, loaded.command);
+        return loaded;
+    } catch (const ScenarioError& problem) {
+        rethrow(problem);
+    }
+}
+
+/// In what a part differs from another, of one and the same run; empty where it does not. FILE may have
+/// another name: its scenario stands in the record.
+std::string difference(const JoinedPart& one, const JoinedPart& other) {
+    if (std::string key = differingKey(one.part, other.part); !key.empty()) return key;
+    if (one.part.shard.count != other.part.shard.count) return "number of parts";
+    const bool isSame = one.command == other.command &&
+                        one.arguments.optionsText(partOption) == other.arguments.optionsText(partOption);
+    return isSame ? std::string() : "command";
+}
+
+/// In their order. Throws where they are no whole.
+std::vector<JoinedPart> loadParts(const std::vector<std::string>& files) {
+    std::vector<JoinedPart> loaded;
+    std::vector<std::string> problems;
+    for (const std::string& file : files) {
+        loaded.push_back(loadPart(file));
+        if (const std::string key = difference(loaded.front(), loaded.back()); !key.empty())
+            problems.push_back(file + ": is a part of another run than " + files.front() + ": its " + key +
+                               " differs; leave it out or run it again");
+    }
+    std::vector<RowPart> parts;
+    for (const JoinedPart& one : loaded) parts.push_back(one.part);
+    if (problems.empty()) problems = wholeProblems(parts);
+    if (!problems.empty()) throw CommandError(ExitCode::invalidScenario, std::move(problems));
+    std::ranges::sort(loaded, {}, [](const JoinedPart& one) { return one.part.shard.index; });
+    return loaded;
+}
+
+/// Counts the lines of a CSV file as they go by; a line feed between quotes ends none.
+class LineCount {
+  public:
+    void take(std::string_view text) {
+        for (const char c : text) {
+            m_isQuoted ^= c == '"';
+            m_lines += c == '\n' && !m_isQuoted;
+        }
+    }
+    std::uint64_t lines() const { return m_lines; }
+
+  private:
+    std::uint64_t m_lines = 0;
+    bool m_isQuoted = false;
+};
+
+void copyRows(const RowPart& part, OutputFile& out, const Interruption& interruption) {
+    std::ifstream stream(part.file, std::ios::binary);
+    std::vector<char> block(std::size_t{1} << 20);
+    LineCount count;
+    while (stream) {
+        stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+        const std::string_view text(block.data(), static_cast<std::size_t>(stream.gcount()));
+        count.take(text);
+        out.write(text);
+        interruption.check();
+    }
+    if (!stream.eof()) refuse(part.file, "cannot be read");
+    const std::uint64_t header = part.shard.hasHeader() ? 1 : 0;
+    if (count.lines() == part.rows + header) return;
+    throw CommandError(ExitCode::invalidScenario,
+                       std::vector{part.file + ": has " + std::to_string(count.lines()) + " lines, but " +
+                                   std::to_string(part.rows + header) +
+                                   " by its record; it was changed or is of another run"});
+}
+
+ExitCode runJoin(const Arguments& arguments, const Drawing*) {
+    const std::optional<std::string> path = arguments.value("o");
+    if (!path) throw CommandError(ExitCode::usage, "needs -o FILE, where to write; - is standard output");
+    const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    const std::vector<JoinedPart> parts = loadParts(arguments.operands());
+    std::vector<std::string> inputs;
+    std::uint64_t rows = 0;
+    for (const JoinedPart& one : parts) {
+        inputs.insert(inputs.end(), {one.part.file, recordName(one.part.file)});
+        rows += one.part.rows;
+    }
+    for (const std::string& output : {*path, recordName(*path)}) {
+        checkOutputIsNone(output, inputs);
+        checkOverwrite(output, overwrite);
+    }
+
+    const Interruption interruption;
+    OutputFile out(*path, overwrite);
+    {
+        ProgressBar bar(rows, "rows");
+        std::uint64_t copied = 0;
+        for (const JoinedPart& one : parts) {
+            copyRows(one.part, out, interruption);
+            bar.show(copied += one.part.rows);
+        }
+    }
+    const JoinedPart& first = parts.front();
+    const std::string command = first.command + " " + first.arguments.shellText(partOption);
+    if (!isStream(*path))
+        out.add({recordName(std::filesystem::path(*path).filename().string()),
+                 wholeRecord(first.part, command, rows)});
+    out.commit(&interruption);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+const Command& joinCommand() {
+    static const Command command{
+        .name = "join",
+        .operands = "PART…",
+        .summary = "put the parts of a sweep, table or map of --shard together",
+        .details =
+            "FILE and FILE.yaml come out byte for byte as from the run in one piece. The parts may be named "
+            "in\n"
+            "any order; each needs its record beside it. All must be of one run (scenario, axes, version, "
+            "number\n"
+            "of parts), and each be there once: what is missing, doubled or foreign is named, with exit code "
+            "5.",
+        .options = {{"o", "FILE", "where to write, with FILE.yaml beside it; - is standard output"},
+                    {"force", "", "overwrite existing files"}},
+        .leastOperands = 1,
+        .mostOperands = SIZE_MAX,
+        .draws = [](const Arguments&) { return false; },
+        .run = runJoin,
+    };
+    return command;
+}
+
+}  // namespace drillwave
