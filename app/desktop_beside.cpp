@@ -8,6 +8,7 @@
 
 #include "app/command_error.h"
 #include "app/desktop.h"
+#include "app/interruption.h"
 #include "app/window_arguments.h"
 
 namespace drillwave {
@@ -36,7 +37,10 @@ int openWindow(int argc, char** argv) {
 }
 
 std::unique_ptr<const Drawing> startDrawing(int, char** argv) {
+    // Until that program is loaded nothing in it could answer a signal.
+    holdInterruptions();
     goOnBeside(argv);
+    exitOnInterruption();
     throw CommandError(ExitCode::usage, std::string("no pictures:") + builtWithout +
                                             "; leave out what draws them, or run the whole program");
 }

@@ -2,7 +2,12 @@
 // The program that is linked to the library of the desktop.
 #include "app/desktop.h"
 
+#include <pwd.h>
+#include <unistd.h>
+
 #include <QApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -65,6 +70,27 @@ void writePlainly() {
     std::setlocale(LC_NUMERIC, "C");
     std::setlocale(LC_MESSAGES, "C");
 }
+
+/// Qt looks for a desktop even on the platform that needs none, and makes a folder for its sockets where the
+/// session names none (XDG_RUNTIME_DIR). It goes again, unless it was there or something has come into it.
+class RuntimeFolder {
+  public:
+    RuntimeFolder() : m_wasThere(QFileInfo::exists(path())) {}
+    ~RuntimeFolder() {
+        if (!m_wasThere) QDir().rmdir(path());
+    }
+    RuntimeFolder(const RuntimeFolder&) = delete;
+    RuntimeFolder& operator=(const RuntimeFolder&) = delete;
+
+  private:
+    static QString path() {
+        const passwd* user = ::getpwuid(::geteuid());
+        return QDir::tempPath() + QStringLiteral("/runtime-") +
+               (user ? QString::fromLocal8Bit(user->pw_name) : QString());
+    }
+
+    bool m_wasThere;
+};
 
 class QtDrawing : public Drawing {
   public:
@@ -129,6 +155,7 @@ std::unique_ptr<const Drawing> startDrawing(int argc, char** argv) {
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
         if (type == QtFatalMsg) std::fprintf(stderr, "%s\n", message.toUtf8().constData());
     });
+    const RuntimeFolder runtimeFolder;
     auto drawing = std::make_unique<const QtDrawing>(argc, argv);
     writePlainly();
     return drawing;

@@ -29,8 +29,8 @@ std::string programHelp() {
         "\n  drillwave help COMMAND  says more, as COMMAND --help and -h do; version prints the version.\n"
         "  Without a display the window needs `-platform offscreen`.\n"
         "  drillwave --reset-ui  opens the window with its first layout, page, units and choices.\n"
-        "\nExit codes: 0 done, 1 internal error, 2 usage, 3 input cannot be read, 4 output cannot be\n"
-        "written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted.\n";
+        "\nExit codes: 0 done, 1 internal error or out of memory, 2 usage, 3 input cannot be read,\n"
+        "4 output cannot be written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted.\n";
     return help;
 }
 

@@ -37,6 +37,14 @@ void exitAtOnce(int) {
     ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
+sigset_t interruptions() {
+    sigset_t both;
+    sigemptyset(&both);
+    sigaddset(&both, SIGINT);
+    sigaddset(&both, SIGTERM);
+    return both;
+}
+
 void handleOnce(int signal, void (*handler)(int)) {
     struct sigaction action {};
     action.sa_handler = handler;
@@ -46,9 +54,16 @@ void handleOnce(int signal, void (*handler)(int)) {
 
 }  // namespace
 
+void holdInterruptions() {
+    const sigset_t both = interruptions();
+    ::sigprocmask(SIG_BLOCK, &both, nullptr);
+}
+
 void exitOnInterruption() {
     handleOnce(SIGINT, exitAtOnce);
     handleOnce(SIGTERM, exitAtOnce);
+    const sigset_t both = interruptions();
+    ::sigprocmask(SIG_UNBLOCK, &both, nullptr);
 }
 
 Interruption::Interruption() {

@@ -11,6 +11,9 @@ namespace drillwave {
 /// is nothing yet that could be left behind.
 void exitOnInterruption();
 
+/// Keeps both signals waiting until exitOnInterruption(), also in the program that this one goes on as.
+void holdInterruptions();
+
 /// While one exists, the first SIGINT or SIGTERM requests a stop instead of ending the program; a second one
 /// ends it at once. At most one at a time.
 class Interruption {

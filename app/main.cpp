@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Picks between the subcommands, which never need a display, and the window.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <initializer_list>
@@ -114,6 +118,22 @@ int report(const std::string& who, const CommandError& error, std::span<const st
     return static_cast<int>(error.code());
 }
 
+/// In the place of a closed stream the next file that is opened would get what is meant for that. It gets a
+/// file in which what it is for fails.
+void occupyClosedStreams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+int outOfMemory(const std::string& who) {
+    std::fprintf(
+        stderr,
+        "%sout of memory: this needs more than is free, or than a limit (ulimit -v, -d) permits; raise "
+        "it, use fewer threads (-j 1) or ask for less at once\n",
+        who.c_str());
+    return static_cast<int>(ExitCode::internalError);
+}
+
 int internalError(const std::string& who, const std::string& what) {
     std::fprintf(stderr, "%sinternal error: %s; please report it with the command that led to it\n",
                  who.c_str(), what.c_str());
@@ -123,6 +143,9 @@ int internalError(const std::string& who, const std::string& what) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    occupyClosedStreams();
+    // A file too large for a limit is an output that cannot be written, in words.
+    std::signal(SIGXFSZ, SIG_IGN);
     const std::vector<std::string> words(argv + 1, argv + argc);
     const Command* command = words.empty() ? nullptr : findCommand(words.front());
     const std::string who = command ? "drillwave " + std::string(command->name) + ": " : "drillwave: ";
@@ -139,7 +162,7 @@ int main(int argc, char** argv) {
     } catch (const ScenarioError& error) {
         return report(who, CommandError(ExitCode::invalidScenario, error.lines()), words);
     } catch (const std::bad_alloc&) {
-        return internalError(who, "out of memory");
+        return outOfMemory(who);
     } catch (const std::exception& error) {
         return internalError(who, error.what());
     }

@@ -26,8 +26,10 @@ std::string lowerCase(std::string text) {
     throw CommandError(ExitCode::usage, option + " " + shortened(wanted) + ": " + reason);
 }
 
-/// The preset of that name, or the only one whose name begins with it: `T51` for "T51, round 52 mm".
-const Preset& presetNamed(const std::vector<Preset>& presets, PresetKind kind, const std::string& wanted) {
+/// The preset of that name, or the only one whose name begins with it: `T51` for "T51, round 52 mm". `file`
+/// is where they are from, empty for the built-in ones.
+const Preset& presetNamed(const std::vector<Preset>& presets, PresetKind kind, const std::string& wanted,
+                          const std::string& file) {
     const std::string option = "--" + std::string(name(kind));
     std::vector<std::string_view> names;
     const Preset* beginning = nullptr;
@@ -45,7 +47,8 @@ const Preset& presetNamed(const std::vector<Preset>& presets, PresetKind kind, c
     const std::string near(nearestName(wanted, names));
     refuse(option, wanted,
            "is not known; " +
-               (near.empty() ? "`drillwave presets` lists them" : "did you mean `" + near + "`?"));
+               (near.empty() ? "`drillwave presets" + (file.empty() ? file : " " + file) + "` lists them"
+                             : "did you mean `" + near + "`?"));
 }
 
 }  // namespace
@@ -92,6 +95,7 @@ PresetFile parsedPresets(std::string_view text, const std::string& path) {
 }
 
 void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path) {
+    const std::string file = arguments.value("presets").value_or(std::string());
     std::vector<Preset> presets;
     for (const PresetKind kind : allKinds) {
         const std::optional<std::string> wanted = arguments.value(name(kind));
@@ -102,8 +106,8 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
         if (!hasUnits(scenario))
             refuse(option, *wanted,
                    path + " is given by its dimensionless groups; presets need a scenario in physical units");
-        if (presets.empty()) presets = presetsOf(arguments.value("presets").value_or(std::string())).presets;
-        scenario = withPreset(std::move(scenario), presetNamed(presets, kind, *wanted));
+        if (presets.empty()) presets = presetsOf(file).presets;
+        scenario = withPreset(std::move(scenario), presetNamed(presets, kind, *wanted, file));
     }
     const bool used =
         std::ranges::any_of(allKinds, [&](PresetKind kind) { return arguments.has(name(kind)); });
