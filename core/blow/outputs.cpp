@@ -45,16 +45,14 @@ std::string notAString(const Scenario& scenario) {
     return isString(scenario) ? std::string() : "only a drill string has it (`drillwave: 2`)";
 }
 
-/// Of the waves that are left after the blow: those of a string are not followed.
 std::string notAUniformRod(const Scenario& scenario) {
     return isString(scenario) ? "only a uniform rod has it (`drillwave: 1`)" : std::string();
 }
 
 /// The largest stress of the rod, or of all sections of a string.
-template <RodForce RodForces::*force, double StringSummary::*member>
+template <RodForce RodForces::*force, Number StringSummary::*member>
 Number largestStress(const From& from) {
     if (!from.summary.string) return largest<force>(from);
-    if (!from.summary.string->hasForces) return std::nullopt;
     return (*from.summary.string).*member;
 }
 
@@ -139,26 +137,28 @@ constexpr auto outputTable = std::to_array<Output>({
     {"peak_compression", "largest compression in the rod while the blow lasts", Measure::stress,
      Detail::histories, largestStress<&RodForces::compression, &StringSummary::largestCompression>,
      OutputGroup::stress, "compression, blow",
-     "Largest compressive stress of uniform sections while the blow lasts: of a rod to the last separation "
-     "plus one transit time, of a string to the end that it is followed to; threads and shoulders raise it "
-     "locally",
+     "Largest compressive stress of uniform sections while the blow lasts, to the last separation of bit and "
+     "rock plus one transit time; threads and shoulders raise it locally",
      &RodForces::compression},
     {"peak_tension", "largest tension in the rod while the blow lasts", Measure::stress, Detail::histories,
      largestStress<&RodForces::tension, &StringSummary::largestTension>, OutputGroup::stress, "tension, blow",
-     "Largest tensile stress of uniform sections while the blow lasts: of a rod to the last separation plus "
-     "one transit time, of a string to the end that it is followed to; threads and shoulders raise it "
-     "locally",
+     "Largest tensile stress of uniform sections while the blow lasts, to the last separation of bit and "
+     "rock "
+     "plus one transit time; threads and shoulders raise it locally",
      &RodForces::tension},
     {"peak_compression_after", "largest compression of the waves left, undamped", Measure::stress,
-     Detail::histories, largest<&RodForces::compressionAfter>, OutputGroup::stress, "compression, after",
-     "Largest compressive stress of the waves that are left after the blow and run on; nothing damps them in "
-     "the model, a real rod does",
-     &RodForces::compressionAfter, notAUniformRod},
+     Detail::histories, largestStress<&RodForces::compressionAfter, &StringSummary::largestCompressionAfter>,
+     OutputGroup::stress, "compression, after",
+     "Largest compressive stress of the waves that are left after the blow and run on, of a string as long "
+     "as "
+     "it is followed; nothing damps them in the model, a real rod does",
+     &RodForces::compressionAfter},
     {"peak_tension_after", "largest tension of the waves left, undamped", Measure::stress, Detail::histories,
-     largest<&RodForces::tensionAfter>, OutputGroup::stress, "tension, after",
-     "Largest tensile stress of the waves that are left after the blow and run on; nothing damps them in the "
-     "model, a real rod does",
-     &RodForces::tensionAfter, notAUniformRod},
+     largestStress<&RodForces::tensionAfter, &StringSummary::largestTensionAfter>, OutputGroup::stress,
+     "tension, after",
+     "Largest tensile stress of the waves that are left after the blow and run on, of a string over a round "
+     "trip at least; nothing damps them in the model, a real rod does",
+     &RodForces::tensionAfter},
     {"force_peaks", "peaks of the impact force above 1 % of the largest", Measure::number, Detail::histories,
      [](const From& f) -> Number { return f.summary.forcePeaks; }, OutputGroup::impact, "force peaks",
      "Number of peaks of the impact force above 1 % of the largest", nullptr, notAUniformRod},

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/model/scales.h"
 #include "core/model/section_parameter.h"
@@ -105,12 +106,16 @@ ImpactSummary summarize(const Scenario& scenario, const StringBlow& blow) {
     string.faceEnergy = from.energy.face;
     string.pistonSeparationTime =
         from.faceSeparation >= 0 ? from.faceSeparation : std::numeric_limits<double>::quiet_NaN();
-    string.hasForces = !from.sections.empty();
-    if (string.hasForces) {
+    if (const auto stresses = sectionStresses(scenario, blow); !stresses.empty()) {
         const double unit = scalesOf(scenario).stress;
-        for (const SectionStress& stress : sectionStresses(scenario, blow)) {
-            string.largestCompression = std::max(string.largestCompression, stress.compression / unit);
-            string.largestTension = std::max(string.largestTension, stress.tension / unit);
+        const auto largest = [&](RodForce RodForces::*which) {
+            return largestStress(stresses, which).peak.stress / unit;
+        };
+        string.largestCompression = largest(&RodForces::compression);
+        string.largestTension = largest(&RodForces::tension);
+        if (hasStressesAfter(from)) {
+            string.largestCompressionAfter = largest(&RodForces::compressionAfter);
+            string.largestTensionAfter = largest(&RodForces::tensionAfter);
         }
     }
     summary.string = string;
@@ -127,24 +132,30 @@ std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Strin
     std::vector<SectionStress> stresses;
     for (std::size_t j = 0; j < sections.size(); ++j) {
         const double toStress = networkForce * scales.force / propertiesOf(*sections[j], drill.material).area;
-        const SectionPeak &push = forces[j].compression, &pull = forces[j].tension;
-        stresses.push_back({push.force * toStress, pull.force * toStress, push.place * sections[j]->length,
-                            pull.place * sections[j]->length, push.time * scales.time,
-                            pull.time * scales.time});
+        const auto inSi = [&](const SectionPeak& peak) {
+            return StressPeak{peak.force * toStress, peak.place * sections[j]->length,
+                              peak.time * scales.time};
+        };
+        stresses.push_back({inSi(forces[j].compression), inSi(forces[j].tension),
+                            inSi(forces[j].compressionAfter), inSi(forces[j].tensionAfter)});
     }
     return stresses;
 }
 
-StringPeak largestCompression(const std::vector<SectionStress>& stresses) {
-    const auto found = std::ranges::max_element(stresses, {}, &SectionStress::compression);
-    return {static_cast<std::size_t>(found - stresses.begin()), found->compression, found->compressionPlace,
-            found->compressionTime};
+StringPeak largestStress(const std::vector<SectionStress>& stresses, RodForce RodForces::*which) {
+    constexpr std::pair<RodForce RodForces::*, StressPeak SectionStress::*> names[] = {
+        {&RodForces::compression, &SectionStress::compression},
+        {&RodForces::tension, &SectionStress::tension},
+        {&RodForces::compressionAfter, &SectionStress::compressionAfter},
+        {&RodForces::tensionAfter, &SectionStress::tensionAfter}};
+    const auto name = std::ranges::find_if(names, [&](const auto& each) { return each.first == which; });
+    const auto size = [&](const SectionStress& section) { return (section.*name->second).stress; };
+    const auto found = std::ranges::max_element(stresses, {}, size);
+    return {static_cast<std::size_t>(found - stresses.begin()), *found.*name->second};
 }
 
-StringPeak largestTension(const std::vector<SectionStress>& stresses) {
-    const auto found = std::ranges::max_element(stresses, {}, &SectionStress::tension);
-    return {static_cast<std::size_t>(found - stresses.begin()), found->tension, found->tensionPlace,
-            found->tensionTime};
+bool hasStressesAfter(const NetworkImpact& impact) {
+    return !impact.sections.empty() && impact.endOfBlow < impact.forcesEnd;
 }
 
 namespace {
@@ -173,25 +184,31 @@ void addOverloads(const Scenario& scenario, const StringBlow& blow, std::vector<
                 if (sections[i] == section && measure(stresses[i]) > measure(stresses[most])) most = i;
             return most;
         };
+        // during the blow, or else of the waves left, which a real string damps: one remark a strength
         const auto add = [&](std::optional<double> limit, AlertCode code, std::string_view field,
                              bool tensionOnly) {
             if (!limit) return;
-            const std::size_t at = worst([tensionOnly](const SectionStress& stress) {
-                return tensionOnly ? stress.tension : std::max(stress.tension, stress.compression);
-            });
-            const SectionStress& stress = stresses[at];
-            const bool pulled = tensionOnly || stress.tension > stress.compression;
-            const double size = pulled ? stress.tension : stress.compression;
-            if (size <= *limit) return;
-            alerts.push_back(
-                {AlertLevel::warning,
-                 code,
-                 strengthKey(scenario.drillString, at, field),
-                 {{pulled ? "tension" : "compression", size, Quantity::stress},
-                  {"place", pulled ? stress.tensionPlace : stress.compressionPlace, Quantity::length},
-                  {"time", pulled ? stress.tensionTime : stress.compressionTime, Quantity::time},
-                  {"strength", *limit, Quantity::stress},
-                  {"section", static_cast<double>(at + 1)}}});
+            for (const bool after : {false, true}) {
+                const auto load = [&](const SectionStress& stress) {
+                    const StressPeak& pull = after ? stress.tensionAfter : stress.tension;
+                    const StressPeak& push = after ? stress.compressionAfter : stress.compression;
+                    const bool pulled = tensionOnly || pull.stress > push.stress;
+                    return std::pair(pulled ? "tension" : "compression", pulled ? pull : push);
+                };
+                const std::size_t at =
+                    worst([&](const SectionStress& stress) { return load(stress).second.stress; });
+                const auto [kind, peak] = load(stresses[at]);
+                if (peak.stress <= *limit) continue;
+                alerts.push_back({after ? AlertLevel::information : AlertLevel::warning,
+                                  code,
+                                  strengthKey(scenario.drillString, at, field),
+                                  {{kind, peak.stress, Quantity::stress},
+                                   {"place", peak.place, Quantity::length},
+                                   {"time", peak.time, Quantity::time},
+                                   {"strength", *limit, Quantity::stress},
+                                   {"section", static_cast<double>(at + 1)}}});
+                return;
+            }
         };
         add(section->yieldStrength, AlertCode::stressAboveYield, "yield_strength", false);
         add(section->fatigueStrength, AlertCode::stressAboveFatigue, "fatigue_strength", true);

@@ -32,11 +32,16 @@ Impact impactOf(const StringBlow& blow);
 /// The numbers of the blow. Where it is not solved, nothing.
 ImpactSummary summarize(const Scenario& scenario, const StringBlow& blow);
 
-/// Compression and tension of a section, in SI, and where.
+/// A largest stress of a section, in SI, and where.
+struct StressPeak {
+    double stress = 0;  ///< [Pa], ≥ 0
+    double place = 0;   ///< [m] from the rear end of the section
+    double time = 0;    ///< [s]
+};
+
+/// Those of a section, in the spans of time of SectionForces.
 struct SectionStress {
-    double compression = 0, tension = 0;            ///< [Pa], ≥ 0
-    double compressionPlace = 0, tensionPlace = 0;  ///< [m] from its rear end
-    double compressionTime = 0, tensionTime = 0;    ///< [s]
+    StressPeak compression, tension, compressionAfter, tensionAfter;
 };
 /// Of every section of the hammer and then of the string, where the forces were asked for.
 std::vector<SectionStress> sectionStresses(const Scenario& scenario, const StringBlow& blow);
@@ -44,14 +49,14 @@ std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Strin
 /// A largest stress of a string, and where.
 struct StringPeak {
     std::size_t section = 0;  ///< of sectionStresses()
-    double stress = 0;        ///< [Pa], ≥ 0
-    double place = 0;         ///< [m] from the rear end of the section
-    double time = 0;          ///< [s]
+    StressPeak peak;
 };
-/// The largest compression and tension over all sections, of the first where several are as large. Requires
+/// The one that of a rod is called that, over all sections, of the first where several are as large. Requires
 /// sections.
-StringPeak largestCompression(const std::vector<SectionStress>& stresses);
-StringPeak largestTension(const std::vector<SectionStress>& stresses);
+StringPeak largestStress(const std::vector<SectionStress>& stresses, RodForce RodForces::*which);
+
+/// Whether the blow was followed beyond its end, so that there are stresses after it.
+bool hasStressesAfter(const NetworkImpact& impact);
 
 /// What the result of a string gives reason to say: sections beyond their strength, lengths that were
 /// rounded, a blow that was not over. To be listed behind alertsFor(scenario).

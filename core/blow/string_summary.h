@@ -2,6 +2,7 @@
 // What a drill string adds to the numbers of a blow (files §4).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/wave/network/network_impact.h"
@@ -25,9 +26,10 @@ struct StringSummary {
     double faceImpulse = 0;  ///< what the hammer has handed to the string
     double faceEnergy = 0;
     double pistonSeparationTime = 0;  ///< when hammer and string first part; not a number: never
-    bool hasForces = false;           ///< the largest ones were asked for
-    double largestCompression = 0;    ///< stress over all sections of hammer and string [F0/A of the rod]
-    double largestTension = 0;
+    /// Largest stresses over all sections of hammer and string [F0/A of the rod], where they were asked for:
+    /// while the blow lasts, and later where it was followed so long.
+    std::optional<double> largestCompression = {}, largestTension = {};
+    std::optional<double> largestCompressionAfter = {}, largestTensionAfter = {};
 };
 
 }  // namespace drillwave

@@ -89,11 +89,12 @@ std::string_view outcomeName(const Blow& blow) {
     }
 }
 
-JsonObject peakJson(double stress, double place, double time) {
-    return {{"stress", stress}, {"x", place}, {"time", time}};
+JsonObject peakJson(const StressPeak& peak) {
+    return {{"stress", peak.stress}, {"x", peak.place}, {"time", peak.time}};
 }
 
-/// Name, place, and the largest compression and tension with where and when, SI.
+/// Name, place, and the largest compression and tension while the blow lasts and after, with where and when,
+/// SI.
 JsonArray sectionsJson(const Blow& blow) {
     JsonArray array;
     const DrillString& drill = blow.scenario.drillString;
@@ -112,12 +113,16 @@ JsonArray sectionsJson(const Blow& blow) {
         from += section.length;
         if (!stresses.empty()) {
             const SectionStress& stress = stresses[j];
-            object["compression"] =
-                peakJson(stress.compression, stress.compressionPlace, stress.compressionTime);
-            object["tension"] = peakJson(stress.tension, stress.tensionPlace, stress.tensionTime);
-            if (section.yieldStrength)
-                object["yield_use"] = std::max(stress.compression, stress.tension) / *section.yieldStrength;
-            if (section.fatigueStrength) object["fatigue_use"] = stress.tension / *section.fatigueStrength;
+            object["compression"] = peakJson(stress.compression);
+            object["tension"] = peakJson(stress.tension);
+            if (hasStressesAfter(blow.string->impact)) {
+                object["compression_after"] = peakJson(stress.compressionAfter);
+                object["tension_after"] = peakJson(stress.tensionAfter);
+            }
+            const double largest = std::max(stress.compression.stress, stress.tension.stress);
+            if (section.yieldStrength) object["yield_use"] = largest / *section.yieldStrength;
+            if (section.fatigueStrength)
+                object["fatigue_use"] = stress.tension.stress / *section.fatigueStrength;
         }
         const std::vector<double>& reflected = blow.string->impact.jointReflection;
         if (!hammer && j - ofHammer < reflected.size()) object["joint_reflection"] = reflected[j - ofHammer];

@@ -101,10 +101,11 @@ ReportCell siCell(const Output& output, double value, const Blow& blow) {
 }
 
 /// "in 7 rod, 1.2 m from its rear end, at 3.4 ms".
-std::string stringPlaceText(const StringPeak& peak, const Blow& blow) {
+std::string stringPlaceText(const StringPeak& largest, const Blow& blow) {
+    const StressPeak& peak = largest.peak;
     if (!(peak.stress > 0)) return {};
     const std::string place = peak.place == 0 ? "at" : inHandyUnit(peak.place, Quantity::length, 4) + " from";
-    return "in " + sectionLabel(blow.scenario.drillString, peak.section) + ", " + place +
+    return "in " + sectionLabel(blow.scenario.drillString, largest.section) + ", " + place +
            " its rear end, at " + inHandyUnit(peak.time, Quantity::time, 4);
 }
 
@@ -112,10 +113,7 @@ ReportCell placeCell(const Output& output, const Blow& blow) {
     if (blow.string && output.group == OutputGroup::stress) {
         const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
         if (stresses.empty()) return {};
-        return {stringPlaceText(
-                    output.name == "peak_tension" ? largestTension(stresses) : largestCompression(stresses),
-                    blow),
-                {}};
+        return {stringPlaceText(largestStress(stresses, output.force), blow), {}};
     }
     if (!output.force || !blow.summary.rodForces) return {};
     return {placeText((*blow.summary.rodForces).*output.force, blow), {}};

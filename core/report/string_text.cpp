@@ -59,10 +59,11 @@ std::string resultGrid(const Blow& blow) {
     return grid.text();
 }
 
-std::string stressCell(double stress, double place, double time) {
-    if (stress == 0) return "0";
-    return si(stress, Quantity::stress, 4) + " at " + (place == 0 ? "0 mm" : si(place, Quantity::length, 3)) +
-           ", " + si(time, Quantity::time, 4);
+std::string stressCell(const StressPeak& peak) {
+    if (peak.stress == 0) return "0";
+    return si(peak.stress, Quantity::stress, 4) + " at " +
+           (peak.place == 0 ? "0 mm" : si(peak.place, Quantity::length, 3)) + ", " +
+           si(peak.time, Quantity::time, 4);
 }
 
 std::string shareOf(double stress, const std::optional<double>& strength) {
@@ -110,7 +111,9 @@ TextGrid stringSectionGrid(const Blow& blow) {
     const bool hasFatigue =
         std::ranges::any_of(sections, [](const Section* s) { return s->fatigueStrength.has_value(); });
     TextGrid grid(CellAlignment::left);
+    const bool hasAfter = hasStressesAfter(blow.string->impact);
     std::vector<std::string> titles{"section", "compression", "tension"};
+    if (hasAfter) titles.emplace_back("tension after");
     if (hasYield) titles.emplace_back("of yield");
     if (hasFatigue) titles.emplace_back("of fatigue");
     titles.emplace_back("joint reflects");
@@ -118,14 +121,12 @@ TextGrid stringSectionGrid(const Blow& blow) {
     const std::size_t ofHammer = drill.hammer.sections.size();
     for (std::size_t j = 0; j < sections.size(); ++j) {
         const SectionStress& stress = stresses[j];
-        std::vector<std::string> cells{
-            sectionLabel(drill, j),
-            stressCell(stress.compression, stress.compressionPlace, stress.compressionTime),
-            stressCell(stress.tension, stress.tensionPlace, stress.tensionTime)};
-        if (hasYield)
-            cells.push_back(
-                shareOf(std::max(stress.compression, stress.tension), sections[j]->yieldStrength));
-        if (hasFatigue) cells.push_back(shareOf(stress.tension, sections[j]->fatigueStrength));
+        std::vector<std::string> cells{sectionLabel(drill, j), stressCell(stress.compression),
+                                       stressCell(stress.tension)};
+        if (hasAfter) cells.push_back(stressCell(stress.tensionAfter));
+        const double largest = std::max(stress.compression.stress, stress.tension.stress);
+        if (hasYield) cells.push_back(shareOf(largest, sections[j]->yieldStrength));
+        if (hasFatigue) cells.push_back(shareOf(stress.tension.stress, sections[j]->fatigueStrength));
         if (j >= ofHammer && j - ofHammer < reflected.size())
             cells.push_back(percent(reflected[j - ofHammer]));
         grid.add(std::move(cells));

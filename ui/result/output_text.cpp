@@ -30,15 +30,13 @@ QString percent(double fraction) {
 std::optional<RodForce> stringPlaceOf(const Output& output, const SolvedBlow& blow) {
     const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
     if (stresses.empty()) return std::nullopt;
-    const bool isTension = output.force == &RodForces::tension;
-    if (!isTension && output.force != &RodForces::compression) return std::nullopt;
-    const StringPeak peak = isTension ? largestTension(stresses) : largestCompression(stresses);
+    const auto [section, peak] = largestStress(stresses, output.force);
     const DrillString& drill = blow.scenario.drillString;
-    const double length = allSections(drill)[peak.section]->length;
+    const double length = allSections(drill)[section]->length;
     // Where sections meet, stresses differ: a little inside of the one that is meant.
     constexpr double inside = 1e-9;
     const double share = std::clamp(peak.place / length, inside, 1 - inside);
-    return RodForce{peak.stress, shareOfString(drill, {peak.section, share}), peak.time / blow.scales.time};
+    return RodForce{peak.stress, shareOfString(drill, {section, share}), peak.time / blow.scales.time};
 }
 
 }  // namespace

@@ -155,6 +155,7 @@ void BitNode::enter(ContactLine line, double time) {
     } else if (m_now.isApart()) {
         kind = ContactEvent::contact;
         if (m_now.record.firstContact < 0) m_now.record.firstContact = time;
+        m_now.record.lastContact = time;
         ++m_now.record.contacts;
         m_now.force = 0;
     } else if (line == ContactLine::primary) {

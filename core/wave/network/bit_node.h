@@ -23,6 +23,7 @@ struct BitRecord {
     double peakForce = 0;        ///< largest F
     double peakTime = 0;         ///< when
     double firstContact = -1;    ///< when; negative: never
+    double lastContact = -1;     ///< when the last one began; negative: never
     double lastSeparation = -1;  ///< when; negative: never
     double contactDuration = 0;  ///< summed over contacts
     int contacts = 0;

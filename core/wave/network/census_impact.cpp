@@ -34,6 +34,8 @@ NetworkImpact impactOf(const NetworkProblem& problem, const CensusResult& census
     impact.residualPenetration = law.residualPenetration();
     impact.firstContact = rock.firstContact;
     impact.lastSeparation = rock.lastSeparation;
+    if (census.bit.isApart() && rock.contacts > 0)
+        impact.endOfBlow = rock.lastSeparation + stringTransit(problem);
     impact.contactDuration = rock.contactDuration;
     impact.contacts = rock.contacts;
     const FaceRecord& face = census.face.record;

@@ -2,6 +2,7 @@
 // One blow on a drill string, solved.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -27,10 +28,14 @@ struct SectionPeak {
     double time = 0;   ///< [t0]
 };
 
-/// Compression and tension of one section of hammer or string.
+/// Compression and tension of one section of hammer or string, as RodForces has those of a rod: while the
+/// blow lasts, to one transit of the string after the last separation of bit and rock, and later: at least
+/// while waves run to and fro once in the string, unless an end time or the next blow come before.
 struct SectionForces {
     SectionPeak compression;
     SectionPeak tension;
+    SectionPeak compressionAfter;
+    SectionPeak tensionAfter;
 };
 
 /// Where the energy of the hammer went, in E0; the sum is 1 but for `energyResidual`.
@@ -67,12 +72,17 @@ struct NetworkImpact {
     double contactDuration = 0;
     int contacts = 0;
 
+    /// When the blow is over for the forces of the sections: infinite where bit and rock do not part.
+    double endOfBlow = std::numeric_limits<double>::infinity();
+
     double faceImpulse = 0;
     double faceSeparation = -1;  ///< the first; negative: never
 
-    std::vector<ImpactEvent> events;           ///< at the rock
-    std::vector<SectionForces> sections;       ///< where wanted, and not too much work
-    bool leftOutForces = false;                ///< they were wanted and too much work
+    std::vector<ImpactEvent> events;      ///< at the rock
+    std::vector<SectionForces> sections;  ///< where wanted, and not too much work
+    bool leftOutForces = false;           ///< they were wanted and too much work
+    double forcesEnd =
+        0;  ///< to when they and the waves were followed: endTime, or a round trip after the blow
     std::vector<double> jointReflection;       ///< [E0] per joint of two sections, where wanted
     std::shared_ptr<const StringWaves> waves;  ///< where wanted, and not more than can be kept
 

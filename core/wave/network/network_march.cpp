@@ -109,6 +109,8 @@ std::optional<NetworkImpact> NetworkMarch::endOfBlow(const std::stop_token& stop
     // what is counted stays as it is until something touches again
     const double rest = restOf(*m_free), last = std::min(rest, limit);
     if (now < last - m_plan.clocks().earliest() && !fliesUntil(last, stop)) return {};
+    // the waves that are left still make forces
+    if (rest <= limit && now < m_recorder.wantedTime() - m_plan.clocks().earliest()) return {};
     m_free->time = std::max(last, m_free->time);
     return result(*m_free, rest <= limit ? NetworkEnd::proven : NetworkEnd::nextBlow);
 }

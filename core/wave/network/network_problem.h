@@ -42,4 +42,12 @@ struct NetworkProblem {
     bool operator==(const NetworkProblem&) const = default;
 };
 
+/// Of a wave from the shank to the bit [t0].
+inline double stringTransit(const NetworkProblem& problem) {
+    double time = 0;
+    for (std::size_t j = problem.hammerSections; j < problem.sections.size(); ++j)
+        time += problem.sections[j].transitTime;
+    return time;
+}
+
 }  // namespace drillwave

@@ -12,6 +12,8 @@ namespace {
 /// How many blocks of cells a pair of cells is worth that is looked at closely.
 constexpr long blocksOfPair = 6;
 
+constexpr double never = std::numeric_limits<double>::infinity();
+
 /// What cells, pushing and pulling, are at most.
 struct CellBounds {
     double push = -std::numeric_limits<double>::infinity();
@@ -65,48 +67,48 @@ struct SectionWatch::Meeting {
     std::span<const WaveCell> window;  ///< entered before, over a round trip, the oldest first
     long step;
     const CellCuts& cuts;
-    double lastTime;
     double mostUp;  ///< no cell of the window, nor `up`, is more
 
     long oldest() const { return step - static_cast<long>(window.size()); }
     const WaveCell& cell(long ofStep) const { return window[static_cast<std::size_t>(ofStep - oldest())]; }
 };
 
-void SectionWatch::note(SectionPeak& peak, double force, double downClock, double upClock,
-                        double lastTime) const {
-    if (force <= peak.force) return;
+void SectionWatch::note(const Span& span, double force, double downClock, double upClock) const {
+    if (force <= span.peak.force) return;
     // f left the rear end at s, b the front end at q: they meet after (q − s + T)/2 of the way
     const double s = m_section.startTime + downClock;
     const double q = m_section.startTime + m_section.transitTime + upClock;
     const double time = (s + q + m_section.transitTime) / 2;
-    if (time > lastTime) return;
+    if (time <= span.after || time > span.until) return;
     const double place = (q - s + m_section.transitTime) / (2 * m_section.transitTime);
     constexpr double atEnd = 1e-9;  // an end, but for rounding
-    peak = {force, place < atEnd ? 0 : place > 1 - atEnd ? 1 : place, time};
+    span.peak = {force, place < atEnd ? 0 : place > 1 - atEnd ? 1 : place, time};
 }
 
-void SectionWatch::watch(Side& side, const Meeting& meeting) {
-    if (mostOfCell(meeting.down, side.sign) + meeting.mostUp <= side.peak.force) return;
+void SectionWatch::watch(const Span& span, const Side& side, const Meeting& meeting) {
+    if (mostOfCell(meeting.down, side.sign) + meeting.mostUp <= span.peak.force) return;
     ++m_cells;
     const WaveCell f = side.sign * meeting.down;
     const WaveCell::Peak top = f.peak();
-    if (top.value + meeting.mostUp <= side.peak.force) return;
-    m_section.decay > 0 ? watchDecaying(side, meeting, f, top) : watchLossless(side, meeting, f, top);
+    if (top.value + meeting.mostUp <= span.peak.force) return;
+    m_section.decay > 0 || span.hasEdge ? watchClosely(span, side, meeting, f, top)
+                                        : watchAnywhere(span, side, meeting, f, top);
 }
 
-void SectionWatch::watchLossless(Side& side, const Meeting& meeting, const WaveCell& f,
-                                 const WaveCell::Peak& top) {
+/// Where waves keep their size, and all that meets now is within the span, the sum alone counts.
+void SectionWatch::watchAnywhere(const Span& span, const Side& side, const Meeting& meeting,
+                                 const WaveCell& f, const WaveCell::Peak& top) {
     const double clock = meeting.cuts.clock(meeting.step), width = meeting.cuts.width(meeting.step);
     const auto at = [&](double place) { return clock + place * width; };
     const auto tell = [&](double force, double downClock, double upClock) {
-        note(side.peak, force, downClock, upClock, meeting.lastTime);
+        note(span, force, downClock, upClock);
     };
 
     // the largest value on its way, the latest of several: any other makes no larger force
-    WaveCell::Peak most{0, -std::numeric_limits<double>::infinity()};
+    WaveCell::Peak most{0, -never};
     long ofMost = 0;
     const auto mayHold = [&](double largest) {
-        return largest > most.value && top.value + largest > side.peak.force;
+        return largest > most.value && top.value + largest > span.peak.force;
     };
     side.maxima.search(
         meeting.oldest() + 1, meeting.step, [&](double largest, long, long) { return mayHold(largest); },
@@ -116,17 +118,17 @@ void SectionWatch::watchLossless(Side& side, const Meeting& meeting, const WaveC
             const WaveCell::Peak peak = (side.sign * cell).peak();
             if (peak.value > most.value) most = peak, ofMost = step;
         });
-    if (mayHold(std::numeric_limits<double>::infinity()) && top.value + most.value > side.peak.force)
+    if (mayHold(never) && top.value + most.value > span.peak.force)
         tell(top.value + most.value, at(top.place),
              meeting.cuts.clock(ofMost) + most.place * meeting.cuts.width(ofMost));
 
     // of the cell of a round trip ago f meets only what left later in it, of the present one what left
     // earlier
     const auto pair = [&](const WaveCell& up, double shift, bool later) {
-        if (top.value + mostOfCell(up, side.sign) <= side.peak.force) return;
+        if (top.value + mostOfCell(up, side.sign) <= span.peak.force) return;
         const WaveCell b = side.sign * up;
         const WaveCell::Peak other = b.peak();
-        if (top.value + other.value <= side.peak.force) return;
+        if (top.value + other.value <= span.peak.force) return;
         const auto candidate = [&](double force, double u, double v) { tell(force, at(u), at(v) - shift); };
         if (later ? other.place >= top.place : other.place <= top.place)
             candidate(top.value + other.value, top.place, other.place);
@@ -151,43 +153,45 @@ double SectionWatch::mostOf(double down, double up, double earliestShare, double
     return std::max(sum(earliestShare), sum(latestShare));
 }
 
-/// Where waves lose on their way it matters where they meet: all that may come into question is tried, with
-/// each cell's ends and its top.
-void SectionWatch::watchDecaying(Side& side, const Meeting& meeting, const WaveCell& f,
-                                 const WaveCell::Peak& top) {
+/// Where waves lose on their way it matters where they meet, and when where the span begins or ends
+/// meanwhile: all that may come into question is tried, with each cell's ends and its top.
+void SectionWatch::watchClosely(const Span& span, const Side& side, const Meeting& meeting, const WaveCell& f,
+                                const WaveCell::Peak& top) {
     const CellCuts& cuts = meeting.cuts;
     const double clock = cuts.clock(meeting.step), end = clock + cuts.width(meeting.step);
     const double roundTrip = 2 * m_section.transitTime;
-    meet(side, meeting, f, top, 0);
-    meet(side, meeting, f, top, meeting.window.size());
+    meet(span, side.sign, meeting, f, top, 0);
+    meet(span, side.sign, meeting, f, top, meeting.window.size());
     const auto mayHold = [&](double largest, long first, long behind) {
         const double from = cuts.clock(first), to = cuts.clock(behind);
         const double earliest = m_section.startTime + (clock + from) / 2 + m_section.transitTime;
-        if (earliest > meeting.lastTime || top.value + largest <= side.peak.force) return false;
+        const double latest = m_section.startTime + (end + to) / 2 + m_section.transitTime;
+        if (earliest > span.until || latest <= span.after) return false;
+        if (top.value + largest <= span.peak.force) return false;
         return mostOf(top.value, largest, (clock - to) / roundTrip, (end - from) / roundTrip) >
-               side.peak.force;
+               span.peak.force;
     };
     m_looked += side.maxima.search(meeting.oldest() + 1, meeting.step, mayHold, [&](long step) {
-        if (top.value + mostOfCell(meeting.cell(step), side.sign) <= side.peak.force) return;
+        if (top.value + mostOfCell(meeting.cell(step), side.sign) <= span.peak.force) return;
         m_looked += blocksOfPair;
-        meet(side, meeting, f, top, static_cast<std::size_t>(step - meeting.oldest()));
+        meet(span, side.sign, meeting, f, top, static_cast<std::size_t>(step - meeting.oldest()));
     });
 }
 
 /// f with cell number `number` of the window; the one behind the last is the present one.
-void SectionWatch::meet(Side& side, const Meeting& meeting, const WaveCell& f, const WaveCell::Peak& top,
-                        std::size_t number) const {
+void SectionWatch::meet(const Span& span, double sign, const Meeting& meeting, const WaveCell& f,
+                        const WaveCell::Peak& top, std::size_t number) const {
     const bool present = number == meeting.window.size(), oldest = number == 0;
-    const WaveCell b = side.sign * (present ? meeting.up : meeting.window[number]);
+    const WaveCell b = sign * (present ? meeting.up : meeting.window[number]);
     const WaveCell::Peak other = b.peak();
-    if (top.value + other.value <= side.peak.force) return;
+    if (top.value + other.value <= span.peak.force) return;
     const double clock = meeting.cuts.clock(meeting.step), width = meeting.cuts.width(meeting.step);
     const double roundTrip = 2 * m_section.transitTime;
     const long step = meeting.oldest() + static_cast<long>(number);
     const double upStart = present ? clock : oldest ? clock - roundTrip : meeting.cuts.clock(step);
     const double upWidth = present || oldest ? width : meeting.cuts.width(step);
     if (mostOf(top.value, other.value, (clock - upStart - upWidth) / roundTrip,
-               (clock + width - upStart) / roundTrip) <= side.peak.force)
+               (clock + width - upStart) / roundTrip) <= span.peak.force)
         return;
     for (const double u : {0.0, top.place, 1.0})
         for (const double v : {0.0, other.place, 1.0}) {
@@ -196,18 +200,19 @@ void SectionWatch::meet(Side& side, const Meeting& meeting, const WaveCell& f, c
             const double share = (downClock - upClock) / roundTrip;  // of its way that b has gone
             const double force = f.value(u) * std::exp(-m_section.decay * (1 - share)) +
                                  b.value(v) * std::exp(-m_section.decay * share);
-            note(side.peak, force, downClock, upClock, meeting.lastTime);
+            note(span, force, downClock, upClock);
         }
 }
 
 /// What the cells on their way from step `first` to before `behind` are at most; less only where none of them
-/// comes to a larger force with a wave of at most `down`.
-double SectionWatch::mostOnTheWay(const Side& side, double down, long first, long behind) {
-    double most = -std::numeric_limits<double>::infinity();
+/// comes to more than `known` with a
+/// wave of at most `down`.
+double SectionWatch::mostOnTheWay(const Side& side, double down, double known, long first, long behind) {
+    double most = -never;
     side.maxima.search(
         first, behind,
         [&](double largest, long from, long to) {
-            if (largest <= most || down + largest <= side.peak.force) return false;
+            if (largest <= most || down + largest <= known) return false;
             if (to - from > WindowMaxima::smallest) return true;  // its parts may be less
             most = largest;
             return false;
@@ -216,21 +221,47 @@ double SectionWatch::mostOnTheWay(const Side& side, double down, long first, lon
     return most;
 }
 
+void SectionWatch::setEndOfBlow(double time) {
+    if (time == m_endOfBlow) return;
+    m_endOfBlow = time;
+    for (Side* side : {&m_compression, &m_tension}) {
+        if (side->after.force > side->during.force) side->during = side->after;
+        side->after = {};
+    }
+}
+
+/// During the blow or after it, for what meets between two times.
+SectionWatch::Span SectionWatch::spanOf(Side& side, bool isAfter, double lastTime, double first,
+                                        double last) const {
+    const double from = isAfter ? m_endOfBlow : -never;
+    const double until = isAfter ? lastTime : std::min(m_endOfBlow, lastTime);
+    return {isAfter ? side.after : side.during, from, until, first <= from || last > until};
+}
+
 void SectionWatch::add(std::span<const WaveCell> downs, std::span<const WaveCell> ups, long step,
                        const CellCuts& cuts, double lastTime) {
     const std::size_t window = ups.size() - downs.size();
-    forEachBlock(step, downs.size(), [&](std::size_t first, std::size_t count) {
-        const long from = step + static_cast<long>(first), oldest = from - static_cast<long>(window);
-        const CellBounds down = boundsOf(downs.subspan(first, count));
-        push(ups.subspan(window + first, count), from);
+    forEachBlock(step, downs.size(), [&](std::size_t begin, std::size_t count) {
+        const long from = step + static_cast<long>(begin), behind = from + static_cast<long>(count);
+        const long oldest = from - static_cast<long>(window);
+        // the first waves of the block meet here at once, the last after one transit
+        const double first = m_section.startTime + cuts.clock(from);
+        const double last = m_section.startTime + cuts.clock(behind) + m_section.transitTime;
+        const CellBounds down = boundsOf(downs.subspan(begin, count));
+        push(ups.subspan(window + begin, count), from);
         for (Side* side : {&m_compression, &m_tension}) {
             side->maxima.dropBefore(oldest);
-            const double mostDown = down.of(side->sign);
-            const double mostUp = mostOnTheWay(*side, mostDown, oldest, from + static_cast<long>(count));
-            if (mostDown + mostUp <= side->peak.force) continue;
-            for (std::size_t i = first; i < first + count; ++i)
-                watch(*side, {downs[i], ups[window + i], ups.subspan(i, window), step + static_cast<long>(i),
-                              cuts, lastTime, mostUp});
+            for (const bool isAfter : {false, true}) {
+                if (isAfter ? last <= m_endOfBlow : first > m_endOfBlow) continue;
+                const Span span = spanOf(*side, isAfter, lastTime, first, last);
+                const double mostDown = down.of(side->sign);
+                const double mostUp = mostOnTheWay(*side, mostDown, span.peak.force, oldest, behind);
+                if (mostDown + mostUp <= span.peak.force) continue;
+                for (std::size_t i = begin; i < begin + count; ++i)
+                    watch(span, *side,
+                          {downs[i], ups[window + i], ups.subspan(i, window), step + static_cast<long>(i),
+                           cuts, mostUp});
+            }
         }
     });
 }

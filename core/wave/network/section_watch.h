@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "core/wave/network/cell_cuts.h"
@@ -36,9 +37,14 @@ class SectionWatch {
              double lastTime);
     /// At the beginning, or after cells were cut: `window` is on its way before `step`.
     void restart(std::span<const WaveCell> window, long step);
+    /// When the blow is over, as far as is known; what meets later is kept apart. With a new end, which is a
+    /// later one, what met yet belongs to the blow.
+    void setEndOfBlow(double time);
 
-    SectionForces forces() const { return {m_compression.peak, m_tension.peak}; }
-    /// Blocks and pairs of cells that were looked at closely where waves lose on their way.
+    SectionForces forces() const {
+        return {m_compression.during, m_tension.during, m_compression.after, m_tension.after};
+    }
+    /// Blocks and pairs of cells that were looked at closely where it matters where they meet.
     long looked() const { return m_looked; }
     /// Cells down that were looked at closely, for either sign.
     long cellsLookedInto() const { return m_cells; }
@@ -48,25 +54,36 @@ class SectionWatch {
     struct Side {
         explicit Side(double ofSign) : sign(ofSign) {}
         double sign;
-        SectionPeak peak;
+        SectionPeak during, after;
         WindowMaxima maxima;  ///< what the cells on their way are at most
     };
     /// One cell and what it meets.
     struct Meeting;
 
-    void watch(Side& side, const Meeting& meeting);
-    void watchLossless(Side& side, const Meeting& meeting, const WaveCell& f, const WaveCell::Peak& top);
-    void watchDecaying(Side& side, const Meeting& meeting, const WaveCell& f, const WaveCell::Peak& top);
-    void meet(Side& side, const Meeting& meeting, const WaveCell& f, const WaveCell::Peak& top,
-              std::size_t number) const;
+    /// The largest force of what meets in a span of time.
+    struct Span {
+        SectionPeak& peak;
+        double after, until;
+        bool hasEdge = false;  ///< some of what meets now does so before or after it
+    };
+
+    Span spanOf(Side& side, bool isAfter, double lastTime, double first, double last) const;
+    void watch(const Span& span, const Side& side, const Meeting& meeting);
+    void watchAnywhere(const Span& span, const Side& side, const Meeting& meeting, const WaveCell& f,
+                       const WaveCell::Peak& top);
+    void watchClosely(const Span& span, const Side& side, const Meeting& meeting, const WaveCell& f,
+                      const WaveCell::Peak& top);
+    void meet(const Span& span, double sign, const Meeting& meeting, const WaveCell& f,
+              const WaveCell::Peak& top, std::size_t number) const;
     double mostOf(double down, double up, double earliestShare, double latestShare) const;
-    void note(SectionPeak& peak, double force, double downClock, double upClock, double lastTime) const;
-    static double mostOnTheWay(const Side& side, double down, long first, long behind);
+    void note(const Span& span, double force, double downClock, double upClock) const;
+    static double mostOnTheWay(const Side& side, double down, double known, long first, long behind);
     void push(std::span<const WaveCell> cells, long step);
 
     WatchedSection m_section;
     Side m_compression{1};
     Side m_tension{-1};
+    double m_endOfBlow = std::numeric_limits<double>::infinity();
     long m_looked = 0;
     long m_cells = 0;
 };

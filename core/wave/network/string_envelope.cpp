@@ -68,13 +68,17 @@ void hold(SectionPeak& here, const SectionPeak& known) {
     here.force = std::min(here.force, known.force);
 }
 
+constexpr SectionPeak SectionForces::*peaksOfSection[] = {
+    &SectionForces::compression, &SectionForces::tension, &SectionForces::compressionAfter,
+    &SectionForces::tensionAfter};
+
 /// In `count` equal parts, and where the largest forces are.
 std::vector<double> placesOf(const SectionForces* peaks, int count) {
     std::vector<double> places;
     for (int i = 0; i <= count; ++i) places.push_back(static_cast<double>(i) / count);
     if (peaks)
-        for (const SectionPeak* peak : {&peaks->compression, &peaks->tension})
-            if (peak->force > 0) places.push_back(std::clamp(peak->place, 0.0, 1.0));
+        for (const auto peak : peaksOfSection)
+            if ((peaks->*peak).force > 0) places.push_back(std::clamp((peaks->*peak).place, 0.0, 1.0));
     std::ranges::sort(places);
     places.erase(std::unique(places.begin(), places.end()), places.end());
     return places;
@@ -82,7 +86,7 @@ std::vector<double> placesOf(const SectionForces* peaks, int count) {
 
 }  // namespace
 
-SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, double xi) {
+SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, double xi, double endOfBlow) {
     assert(section < waves.sections().size() && xi >= 0 && xi <= 1);
     const SectionWaves& own = waves.sections()[section];
     PassingWave down(waves, own.down, own.first, own.rearTime + xi * own.transitTime,
@@ -90,16 +94,19 @@ SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, dou
     PassingWave up(waves, own.up, -own.first, own.rearTime + (2 - xi) * own.transitTime,
                    std::exp(-own.decay * (1 - xi)));
     SectionForces forces;
-    forces.compression.place = forces.tension.place = xi;
+    for (const auto peak : peaksOfSection) (forces.*peak).place = xi;
     const double same = waves.rounding(), end = waves.end();
     for (double from = 0; from < end;) {
-        const double to = std::min({down.next(), up.next(), end});
+        const bool isAfter = from >= endOfBlow;
+        SectionPeak& compression = isAfter ? forces.compressionAfter : forces.compression;
+        SectionPeak& tension = isAfter ? forces.tensionAfter : forces.tension;
+        const double to = std::min({down.next(), up.next(), end, isAfter ? end : endOfBlow});
         const double most = down.kept() * down.cell().most() + up.kept() * up.cell().most();
         const double least = down.kept() * down.cell().least() + up.kept() * up.cell().least();
-        if (most > forces.compression.force || -least > forces.tension.force) {
+        if (most > compression.force || -least > tension.force) {
             const WaveCell force = down.between(from, to) + up.between(from, to);
-            note(forces.compression, force, from, to);
-            note(forces.tension, -1 * force, from, to);
+            note(compression, force, from, to);
+            note(tension, -1 * force, from, to);
         }
         const bool fronts = std::max(down.next(), up.next()) <= std::min(to + same, end);
         const double downBefore = fronts ? down.between(from, to).end() : 0;
@@ -107,8 +114,8 @@ SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, dou
         down.advance(to + same);
         up.advance(to + same);
         const auto count = [&](double force) {
-            note(forces.compression, force, to);
-            note(forces.tension, -force, to);
+            note(compression, force, to);
+            note(tension, -force, to);
         };
         // Where two fronts meet, one of them is first at the rear side of the place, the other at its front
         // side; what is outside of the section is not there.
@@ -136,11 +143,9 @@ std::vector<SectionEnvelope> stringEnvelope(const NetworkImpact& impact, const s
         SectionEnvelope made;
         for (const double xi : placesOf(peaks, count)) {
             if (stop.stop_requested()) return envelope;
-            SectionForces forces = largestForcesAt(waves, j, xi);
-            if (peaks) {
-                hold(forces.compression, peaks->compression);
-                hold(forces.tension, peaks->tension);
-            }
+            SectionForces forces = largestForcesAt(waves, j, xi, impact.endOfBlow);
+            if (peaks)
+                for (const auto peak : peaksOfSection) hold(forces.*peak, peaks->*peak);
             made.push_back(forces);
         }
         envelope[j] = std::move(made);

@@ -11,10 +11,10 @@
 
 namespace drillwave {
 
-/// The largest compression and tension at the place ξ of a section, and when; both have that place. One merge
-/// of the two waves that pass there, exact for their cubics; at a jump both sides count, and where two meet
-/// all four.
-SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, double xi);
+/// The largest compression and tension at the place ξ of a section until the blow is over and later, and
+/// when; all have that place. One merge of the two waves that pass there, exact for their cubics; at a jump
+/// both sides count, and where two meet all four.
+SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, double xi, double endOfBlow);
 
 /// Those of one section at places in order, its ends among them.
 using SectionEnvelope = std::vector<SectionForces>;

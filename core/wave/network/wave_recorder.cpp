@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/network/wave_recorder.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace drillwave {
@@ -25,6 +26,8 @@ void WaveRecorder::begin(const MarchPlan& plan, const CellLattice& lattice) {
     const NetworkProblem& problem = plan.problem();
     if (plan.wants().histories) m_waves = std::make_shared<StringWaves>(problem, plan.clocks().delays);
     if (!m_hasForces) return;
+    m_stringTransit = stringTransit(problem);
+    m_endOfBlow = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < plan.sections(); ++j) {
         const NetworkSection& section = problem.sections[j];
         m_watches.emplace_back(WatchedSection{section.transitTime, section.decay, plan.clocks().delays[j]});
@@ -51,7 +54,13 @@ void WaveRecorder::addForces(const std::stop_token& stop) {
     if (m_parts != m_lattice->cuts().count()) restartWatches();
     const NetworkProblem& problem = m_plan->problem();
     const double lastTime = problem.endTime.value_or(std::numeric_limits<double>::infinity());
+    // the bit is known for all that meets in this block, and for longer
+    const BitNodeState& bit = m_lattice->bit();
+    if (bit.record.lastContact >= 0 && bit.record.lastContact <= lastTime)
+        m_endOfBlow = bit.isApart() ? bit.record.lastSeparation + m_stringTransit
+                                    : std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < m_watches.size() && !stop.stop_requested(); ++j) {
+        m_watches[j].setEndOfBlow(m_endOfBlow);
         const DelayLine<WaveCell>& line = m_lattice->line(j);
         m_watches[j].add({m_lattice->down(j), stepsOfBlock}, {line.arriving(), line.delay() + stepsOfBlock},
                          m_lattice->step(), m_lattice->cuts(), lastTime);
@@ -95,8 +104,16 @@ void WaveRecorder::leaveOutForces() {
     m_alone.clear();
 }
 
+double WaveRecorder::wantedTime() const {
+    const bool isOver = m_endOfBlow < std::numeric_limits<double>::infinity();
+    return m_hasForces && isOver ? m_endOfBlow + 2 * m_stringTransit : 0;
+}
+
 void WaveRecorder::finish(double time, NetworkImpact& impact) {
     const NetworkProblem& problem = m_plan->problem();
+    const double passed = m_lattice->clock() + m_plan->clocks().earliest();
+    const double end = problem.endTime ? time : std::max(time, std::min(wantedTime(), passed));
+    impact.forcesEnd = end;
     for (const SectionWatch& watch : m_watches) {
         impact.sections.push_back(watch.forces());
         impact.cellsLookedInto += watch.cellsLookedInto();
@@ -105,7 +122,7 @@ void WaveRecorder::finish(double time, NetworkImpact& impact) {
         impact.jointReflection.push_back(m_reflected[j] / problem.sections[j].impedance /
                                          impact.hammerEnergy);
     impact.leftOutForces = m_leftOutForces;
-    if (m_waves) m_waves->finish(time);
+    if (m_waves) m_waves->finish(end);
     impact.waves = std::move(m_waves);
 }
 

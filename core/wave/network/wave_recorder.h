@@ -33,6 +33,9 @@ class WaveRecorder {
     /// They take too much.
     void leaveOutForces();
     bool hasForces() const { return m_hasForces; }  ///< that are wanted, and not left out
+    /// To when the waves shall be followed, as far as is known: once to and fro in the string after the blow,
+    /// where the forces are wanted.
+    double wantedTime() const;
 
   private:
     void restartWatches();
@@ -44,6 +47,7 @@ class WaveRecorder {
     const CellLattice* m_lattice = nullptr;
     bool m_hasForces = false, m_leftOutForces = false;
     std::size_t m_parts = 0;  ///< of a cell: more after it was cut
+    double m_stringTransit = 0, m_endOfBlow = 0;
     std::vector<SectionWatch> m_watches;
     std::vector<Joint> m_alone;       ///< the joints, met by waves down only
     std::vector<double> m_reflected;  ///< ∫b1² of those

@@ -44,9 +44,8 @@ const RodForce& RodCurves::largest(RodLine line) const {
 
 RodForce RodCurves::forceAt(RodLine line, double section) const {
     if (!string) return drillwave::forceAt(forces(line), section);
-    if (isAfter(line) || !string->waves) return {0, section, 0};
-    const RodForces largest = string->largestAt(section);
-    return isTension(line) ? largest.tension : largest.compression;
+    if (!string->waves) return {0, section, 0};
+    return string->largestAt(section).*largestOf[static_cast<std::size_t>(line)];
 }
 
 RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_token& stop) {

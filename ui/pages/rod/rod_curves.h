@@ -45,8 +45,11 @@ struct RodCurves {
 
     const GraphData& curve(RodLine line) const { return curves[static_cast<std::size_t>(line)]; }
     const EnvelopeLine& forces(RodLine line) const;
-    /// The lines that are there: a blow on a string is followed to its end, and has no waves left.
-    std::span<const RodLine> lines() const { return std::span(rodLines).first(string ? 2 : rodLines.size()); }
+    /// The lines that are there: a string may not be followed beyond the blow.
+    std::span<const RodLine> lines() const {
+        const bool hasAfter = !string || !envelope.tensionAfter.empty();
+        return std::span(rodLines).first(hasAfter ? rodLines.size() : 2);
+    }
     /// The largest at a place, in lengths of rod or string.
     RodForce forceAt(RodLine line, double section) const;
     /// Where it begins, likewise.

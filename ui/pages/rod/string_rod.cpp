@@ -20,6 +20,18 @@ RodForce stressOf(const RodStretch& stretch, const SectionPeak& peak) {
     return {peak.force * stretch.toStress, std::lerp(stretch.rear, stretch.front, peak.place), peak.time};
 }
 
+/// What is called the same of a rod and of a section.
+struct Kind {
+    RodForce RodForces::*ofRod;
+    SectionPeak SectionForces::*ofSection;
+    EnvelopeLine RodEnvelope::*line;
+};
+constexpr Kind kinds[] = {
+    {&RodForces::compression, &SectionForces::compression, &RodEnvelope::compression},
+    {&RodForces::tension, &SectionForces::tension, &RodEnvelope::tension},
+    {&RodForces::compressionAfter, &SectionForces::compressionAfter, &RodEnvelope::compressionAfter},
+    {&RodForces::tensionAfter, &SectionForces::tensionAfter, &RodEnvelope::tensionAfter}};
+
 void takeLarger(RodForce& largest, const RodForce& force) {
     if (force.size > largest.size) largest = force;
 }
@@ -47,15 +59,14 @@ std::size_t StringRod::sectionAt(double place) const {
 RodForces StringRod::largestAt(double place) const {
     assert(waves);
     RodForces largest;
-    largest.compression.section = largest.tension.section = place;
     for (std::size_t j = sectionAt(place); j < stretches.size() && stretches[j].rear <= place; ++j) {
         const RodStretch& stretch = stretches[j];
         const double xi = std::clamp((place - stretch.rear) / (stretch.front - stretch.rear), 0.0, 1.0);
-        const SectionForces forces = largestForcesAt(*waves, j, xi);
-        takeLarger(largest.compression, stressOf(stretch, forces.compression));
-        takeLarger(largest.tension, stressOf(stretch, forces.tension));
+        const SectionForces forces = largestForcesAt(*waves, j, xi, endOfBlow);
+        for (const Kind& kind : kinds)
+            takeLarger(largest.*kind.ofRod, stressOf(stretch, forces.*kind.ofSection));
     }
-    largest.compression.section = largest.tension.section = place;
+    for (const Kind& kind : kinds) (largest.*kind.ofRod).section = place;
     return largest;
 }
 
@@ -67,6 +78,7 @@ StringRod stringRod(const Blow& blow) {
     const std::vector<double> joints = sectionJoints(drill);
     StringRod rod;
     rod.waves = blow.string->impact.waves;
+    rod.endOfBlow = blow.string->impact.endOfBlow;
     for (int j = 0; j < static_cast<int>(sections.size()); ++j) {
         const Section& section = *sections[static_cast<std::size_t>(j)];
         RodStretch stretch;
@@ -89,12 +101,15 @@ RodEnvelope stringRodEnvelope(const StringRod& rod, const Blow& blow, const std:
     if (!rod.waves) return envelope;
     const std::vector<SectionEnvelope> sections = stringEnvelope(blow.string->impact, stop);
     for (std::size_t j = 0; j < sections.size(); ++j)
-        for (const SectionForces& forces : sections[j]) {
-            envelope.compression.push_back(stressOf(rod.stretches[j], forces.compression));
-            envelope.tension.push_back(stressOf(rod.stretches[j], forces.tension));
-            takeLarger(envelope.largest.compression, envelope.compression.back());
-            takeLarger(envelope.largest.tension, envelope.tension.back());
-        }
+        for (const SectionForces& forces : sections[j])
+            for (const Kind& kind : kinds) {
+                const bool isAfter =
+                    kind.ofRod == &RodForces::compressionAfter || kind.ofRod == &RodForces::tensionAfter;
+                if (isAfter && !hasStressesAfter(blow.string->impact)) continue;
+                const RodForce stress = stressOf(rod.stretches[j], forces.*kind.ofSection);
+                (envelope.*kind.line).push_back(stress);
+                takeLarger(envelope.largest.*kind.ofRod, stress);
+            }
     return envelope;
 }
 

@@ -28,6 +28,7 @@ struct RodStretch {
 struct StringRod {
     std::vector<RodStretch> stretches;         ///< from the rear of the hammer to the bit
     std::shared_ptr<const StringWaves> waves;  ///< empty where they were too many to be kept
+    double endOfBlow = 0;                      ///< NetworkImpact::endOfBlow
 
     double rear() const { return stretches.front().rear; }
     /// The section at a place, the one behind it where two meet.
@@ -45,8 +46,8 @@ double stressOf(const RodStretch& section, double force);
 /// Of a blow on a string.
 StringRod stringRod(const Blow& blow);
 
-/// Compression and tension while the blow lasts; a place where sections meet has both. Nothing where the
-/// waves were not kept. A stop ends the work early.
+/// Compression and tension while the blow lasts, and later where it was followed so long; a place where
+/// sections meet has both. Nothing where the waves were not kept. A stop ends the work early.
 RodEnvelope stringRodEnvelope(const StringRod& rod, const Blow& blow, const std::stop_token& stop = {});
 
 }  // namespace drillwave

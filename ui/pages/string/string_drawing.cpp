@@ -126,11 +126,15 @@ QString StringDrawing::textOf(std::size_t section) const {
         const double impedance = propertiesOf(row.section, blow->scenario.drillString.material).impedance;
         lines << tr("impedance Z %1 kN s/m").arg(numberText(impedance / 1e3, 4, locale));
         const SectionStress& stress = m_model.results()->sections[section];
-        lines << tr("largest tension %1")
-                     .arg(m_model.peakText({stress.tension, stress.tensionPlace, stress.tensionTime}));
-        lines << tr("largest compression %1")
-                     .arg(m_model.peakText(
-                         {stress.compression, stress.compressionPlace, stress.compressionTime}));
+        const auto text = [this](const StressPeak& peak) {
+            return m_model.peakText({peak.stress, peak.place, peak.time});
+        };
+        lines << tr("largest tension %1").arg(text(stress.tension));
+        lines << tr("largest compression %1").arg(text(stress.compression));
+        if (stress.tensionAfter.stress > 0)
+            lines << tr("after the blow, tension %1").arg(text(stress.tensionAfter));
+        if (stress.compressionAfter.stress > 0)
+            lines << tr("after the blow, compression %1").arg(text(stress.compressionAfter));
     }
     return lines.join(QStringLiteral("<br>"));
 }
@@ -170,8 +174,8 @@ void StringDrawing::drawSection(QPainter& painter, std::size_t section) const {
     lower.setTop(rect.center().y());
     const SectionStress none;
     const SectionStress& stress = m_model.results() ? m_model.results()->sections[section] : none;
-    painter.fillRect(upper, colour(stress.tension));
-    painter.fillRect(lower, colour(-stress.compression));
+    painter.fillRect(upper, colour(stress.tension.stress));
+    painter.fillRect(lower, colour(-stress.compression.stress));
     const QColor ink = palette().color(QPalette::Text);
     // The hammer by its hatching, in whatever colours.
     if (row.spot.inHammer) {

@@ -241,8 +241,14 @@ QString StringModel::toolTip(const QModelIndex& index) const {
                             "what comes from the hammer")
                              .arg(row.nameAt(result.reflected->section))
                        : QString();
-        const RowPeak& peak = column == compression ? result.compression : result.tension;
-        return row.nameAt(peak.section) + QStringLiteral(": ") + peakText(peak);
+        const bool isTension = column == tension;
+        const auto text = [&](const RowPeak& peak) {
+            return row.nameAt(peak.section) + QStringLiteral(": ") + peakText(peak);
+        };
+        const RowPeak& after = isTension ? result.tensionAfter : result.compressionAfter;
+        const QString during = text(isTension ? result.tension : result.compression);
+        return after.size > 0 ? during + tr("\nof the waves that the blow leaves: %1").arg(text(after))
+                              : during;
     }
     if (const Parameter* parameter = parameterAt(index)) return fromView(parameter->meaning);
     if (isOfStringAlone(column)) return tr("The hammer loses nothing inside");
@@ -256,8 +262,8 @@ QVariant StringModel::headerData(int section, Qt::Orientation orientation, int r
         return row.spot.inHammer ? tr("H%1").arg(row.place) : QString::number(row.place);
     }
     if (role == Qt::ToolTipRole) {
-        if (section == compression) return tr("Largest compression of the section in this blow");
-        if (section == tension) return tr("Largest tension of the section in this blow");
+        if (section == compression) return tr("Largest compression of the section while the blow lasts");
+        if (section == tension) return tr("Largest tension of the section while the blow lasts");
         if (section == reflected)
             return tr(
                 "Share of the energy of the hammer that the joint behind the section throws back of what "

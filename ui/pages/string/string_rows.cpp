@@ -74,9 +74,14 @@ std::optional<StringResults> stringResults(const SolvedBlow& blow, const std::ve
         const SectionStress& stress = results.sections[i];
         RowResult& row = results.rows[chain[i].row];
         const std::uint64_t place = chain[i].place;
-        take(row.compression, {stress.compression, stress.compressionPlace, stress.compressionTime, place});
-        take(row.tension, {stress.tension, stress.tensionPlace, stress.tensionTime, place});
-        results.largest = std::max({results.largest, stress.compression, stress.tension});
+        const auto peakOf = [place](const StressPeak& peak) {
+            return RowPeak{peak.stress, peak.place, peak.time, place};
+        };
+        take(row.compression, peakOf(stress.compression));
+        take(row.tension, peakOf(stress.tension));
+        take(row.compressionAfter, peakOf(stress.compressionAfter));
+        take(row.tensionAfter, peakOf(stress.tensionAfter));
+        results.largest = std::max({results.largest, stress.compression.stress, stress.tension.stress});
         if (rows[chain[i].row].spot.inHammer || place > reflected.size()) continue;
         if (!row.reflected) row.reflected.emplace();
         take(*row.reflected, {reflected[place - 1], 0, 0, place});

@@ -49,7 +49,7 @@ struct RowPeak {
     std::uint64_t section = 1;  ///< the place in its hammer or string where it is that large
 };
 struct RowResult {
-    RowPeak compression, tension;
+    RowPeak compression, tension, compressionAfter, tensionAfter;
     std::optional<RowPeak> reflected;  ///< by its far joint, in the string
 };
 
