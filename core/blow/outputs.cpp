@@ -45,6 +45,13 @@ std::string notAString(const Scenario& scenario) {
     return isString(scenario) ? std::string() : "only a drill string has it (`drillwave: 2`)";
 }
 
+std::string notOfElasticFaces(const Scenario& scenario) {
+    if (!isString(scenario)) return notAString(scenario);
+    return scenario.drillString.hammer.faceStiffness
+               ? std::string()
+               : "only faces with a stiffness have it (`hammer.face_stiffness`)";
+}
+
 std::string notAUniformRod(const Scenario& scenario) {
     return isString(scenario) ? "only a uniform rod has it (`drillwave: 1`)" : std::string();
 }
@@ -87,20 +94,21 @@ constexpr auto outputTable = std::to_array<Output>({
      "Work of the hammer on the rod"},
     {"rock_work", "energy left in the rock, fraction of the hammer work", Measure::share, Detail::summary,
      [](const From& f) -> Number { return f.summary.energy.rockWork; }, OutputGroup::energy, "into the rock",
-     "Share of the hammer work that stays in the rock: the efficiency"},
+     "Share of the energy that stays in the rock: the efficiency"},
     {"rebound_energy", "energy of the rebound, fraction of the hammer work", Measure::share, Detail::summary,
      [](const From& f) -> Number { return f.summary.energy.reboundEnergy; }, OutputGroup::energy,
-     "into the rebound", "Share of the hammer work that moves the rod back as a whole"},
+     "into the rebound", "Share of the energy that moves the rod or the string back as a whole"},
     {"residual_wave_energy", "energy left in waves, fraction of the hammer work", Measure::share,
      Detail::ledger, [](const From& f) -> Number { return f.summary.energy.residualWaveEnergy; },
-     OutputGroup::energy, "left in waves", "Share of the hammer work that runs to and fro in the rod"},
+     OutputGroup::energy, "left in waves",
+     "Share of the energy that runs to and fro in the rod or the string"},
     {"efficiency", "share of the hammer work that stays in the rock", Measure::share, Detail::summary,
      [](const From& f) -> Number { return f.summary.energy.rockWork; }},
     {"momentum_residual", "error of the momentum balance, fraction of I0", Measure::error, Detail::ledger,
      [](const From& f) -> Number { return f.summary.momentumResidual; }},
     {"energy_residual", "error of the energy balance, fraction of the hammer work", Measure::error,
      Detail::ledger, [](const From& f) -> Number { return f.summary.energy.residual; }, OutputGroup::energy,
-     "balance error", "What the three shares miss of the hammer work"},
+     "balance error", "What all the shares together miss"},
     {"cor_error", "bound on the numerical error of cor", Measure::error, Detail::cor,
      [](const From& f) -> Number { return f.summary.corError; }},
     {"thrust",
@@ -162,10 +170,15 @@ constexpr auto outputTable = std::to_array<Output>({
     {"force_peaks", "peaks of the impact force above 1 % of the largest", Measure::number, Detail::histories,
      [](const From& f) -> Number { return f.summary.forcePeaks; }, OutputGroup::impact, "force peaks",
      "Number of peaks of the impact force above 1 % of the largest", nullptr, notAUniformRod},
-    {"efficiency_recovered", "efficiency, and what the hammer takes back with it, of a drill string",
-     Measure::share, Detail::summary, ofString<&StringSummary::efficiencyRecovered>, OutputGroup::energy,
-     "rock and rebound",
-     "Share of the energy of the hammer that stays in the rock or goes back with the hammer", nullptr,
+    {"efficiency_recovered",
+     "efficiency, and what the hammer takes back with it, of a drill string",
+     Measure::share,
+     Detail::summary,
+     ofString<&StringSummary::efficiencyRecovered>,
+     OutputGroup::none,
+     {},
+     {},
+     nullptr,
      notAString},
     {"efficiency_error",
      "stated error of the efficiency of a drill string",
@@ -179,7 +192,7 @@ constexpr auto outputTable = std::to_array<Output>({
      notAString},
     {"hammer_rebound_velocity",
      "velocity of the hammer after the blow, away from the rock, over that of impact", Measure::velocity,
-     Detail::summary, ofString<&StringSummary::hammerReboundVelocity>, OutputGroup::energy, "hammer rebound",
+     Detail::summary, ofString<&StringSummary::hammerReboundVelocity>, OutputGroup::impact, "hammer rebound",
      "Velocity of the hammer after the blow, away from the rock", nullptr, notAString},
     {"hammer_rebound_energy", "energy of the hammer moving back as a whole, fraction of that of impact",
      Measure::share, Detail::summary, ofString<&StringSummary::hammerReboundEnergy>, OutputGroup::energy,
@@ -198,15 +211,26 @@ constexpr auto outputTable = std::to_array<Output>({
      {},
      nullptr,
      notAString},
-    {"string_energy", "energy of the string after the blow, fraction of that of the hammer", Measure::share,
-     Detail::summary, ofString<&StringSummary::stringEnergy>, OutputGroup::energy, "left in the string",
-     "Share of the energy of the hammer that the string keeps, in waves and as a whole", nullptr, notAString},
+    {"string_energy",
+     "energy of the string after the blow, fraction of that of the hammer",
+     Measure::share,
+     Detail::summary,
+     ofString<&StringSummary::stringEnergy>,
+     OutputGroup::none,
+     {},
+     {},
+     nullptr,
+     notAString},
     {"joint_loss", "energy lost in joints, fraction of that of the hammer", Measure::share, Detail::summary,
      ofString<&StringSummary::jointLoss>, OutputGroup::energy, "lost in joints",
      "Share of the energy of the hammer that joints take", nullptr, notAString},
     {"rod_loss", "energy lost on the way through sections, fraction of that of the hammer", Measure::share,
      Detail::summary, ofString<&StringSummary::rodLoss>, OutputGroup::energy, "lost in sections",
      "Share of the energy of the hammer that waves lose on their way", nullptr, notAString},
+    {"face_energy", "energy in the stiffness of the faces, fraction of that of the hammer", Measure::share,
+     Detail::summary, ofString<&StringSummary::faceEnergy>, OutputGroup::energy, "between the faces",
+     "Share of the energy of the hammer in the stiffness of the faces, where they still touch", nullptr,
+     notOfElasticFaces},
     {"piston_separation_time", "time at which hammer and string first part", Measure::time, Detail::summary,
      ofString<&StringSummary::pistonSeparationTime>, OutputGroup::impact, "hammer leaves",
      "Time at which hammer and string first part", nullptr, notAString},
@@ -230,6 +254,7 @@ std::string Output::problem(const Scenario& scenario) const {
 
 bool Output::concerns(const Scenario& scenario) const {
     if (lack == notAString) return isString(scenario);
+    if (lack == notOfElasticFaces) return lack(scenario).empty();
     if (lack == notAUniformRod) return !isString(scenario);
     return true;
 }

@@ -33,6 +33,8 @@ std::string labelOf(const Output& output) {
         {"efficiency_error", "bound on the error of the efficiency"},
         {"string_momentum", "momentum of the string to the rock"},
         {"end_time", "followed to"},
+        {"efficiency_recovered", "rock and what the hammer takes back"},
+        {"string_energy", "all that the string keeps"},
     });
     for (const auto& [name, label] : own)
         if (name == output.name) return std::string(label);

@@ -29,7 +29,7 @@ std::string resultGrid(const Blow& blow) {
     TextGrid grid(CellAlignment::left);
     grid.add({"efficiency",
               rounded(string.efficiency, 12) + "  (error below " + boundText(string.efficiencyError) + ")"});
-    grid.add({"  with the rebound of the hammer", rounded(string.efficiencyRecovered)});
+    grid.add({"  and what the hammer takes back", rounded(string.efficiencyRecovered)});
     grid.add({"work on the rock", si(string.efficiency * scales.energy, Quantity::energy)});
     grid.add({"impulse on the rock", si(summary.impulse * scales.impulse, Quantity::impulse),
               rounded(summary.impulse) + " of the hammer's"});

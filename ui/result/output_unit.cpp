@@ -34,6 +34,11 @@ ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size)
     return {};
 }
 
+bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow& other, UnitSystem units) {
+    if (isString(one.scenario) == isString(other.scenario)) return true;
+    return units != UnitSystem::dimensionless || output.measure == Measure::number || output.isOnlySi();
+}
+
 std::optional<double> comparableNumber(const Output& output, const SolvedBlow& blow, UnitSystem units) {
     if (!blow.problem.isEmpty()) return std::nullopt;
     const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin});

@@ -12,6 +12,10 @@ namespace drillwave {
 /// in SI too, have none. `size` is that of the values where there is no dimensionless number: N, W or m/s.
 ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size);
 
+/// Whether the numbers of two blows mean as much: what is a multiple of scales, those of rods and of strings
+/// are other ones.
+bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow& other, UnitSystem units);
+
 /// The number of a blow that can be compared with those of others: in SI, works in J, where `units` are
 /// physical, else as outputs have it; shares in percent. Nothing where the blow has none, or no units.
 std::optional<double> comparableNumber(const Output& output, const SolvedBlow& blow, UnitSystem units);

@@ -39,7 +39,8 @@ std::optional<EnergyPart> partOf(const Output& output) {
     if (output.name == "residual_wave_energy") return EnergyPart::waves;
     if (output.name == "hammer_rebound_energy" || output.name == "hammer_wave_energy")
         return EnergyPart::hammer;
-    if (output.name == "joint_loss" || output.name == "rod_loss") return EnergyPart::losses;
+    if (output.name == "joint_loss" || output.name == "rod_loss" || output.name == "face_energy")
+        return EnergyPart::losses;
     return std::nullopt;
 }
 
@@ -105,6 +106,7 @@ QList<ResultPanel::Entry> ResultPanel::entriesOf(const std::function<bool(const 
                         partOf(output)});
         entries.last().number = numberOf(output);
         entries.last().concerns = [&output](const Scenario& scenario) { return output.concerns(scenario); };
+        entries.last().output = &output;
         if (!output.force) continue;
         entries.append({{},
                         tr("Where in the rod it is first that large, and when: a click leads there"),
@@ -325,7 +327,7 @@ void ResultPanel::addRow(SectionBox* section, QGridLayout* grid, const Entry& en
     value->setObjectName(entry.objectName);
     m_rows.append({section, name, value, entry.meaning, entry.text, entry.note, entry.number,
                    entry.changeText ? entry.changeText : percentText, change, entry.warning, entry.concerns,
-                   swatch});
+                   entry.output, swatch});
     offerRow(m_rows.last(), Scenario());  // the panel is no wider than a rod needs
 }
 
@@ -443,7 +445,9 @@ void ResultPanel::follow(const Output& stress) {
 void ResultPanel::showChange(const Row& row) {
     const UnitSystem units = m_blow->request.units;
     QString change;
-    if (m_reference && row.number && row.isThere() && m_blow->problem.isEmpty()) {
+    const bool isLike =
+        m_reference && (!row.output || haveSameUnit(*row.output, *m_blow, *m_reference, units));
+    if (isLike && row.number && row.isThere() && m_blow->problem.isEmpty()) {
         const std::optional<double> now = row.number(*m_blow, units);
         const std::optional<double> then = row.number(*m_reference, units);
         if (now && then) change = row.changeText(*now, *then);

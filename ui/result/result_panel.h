@@ -81,7 +81,8 @@ class ResultPanel : public SteadyScrollArea {
         QLabel* change;  // against the reference
         Warning warning;
         Concern concerns;
-        QWidget* swatch;  // of a part of the energy, or nullptr
+        const Output* output;  // whose number it is, or nullptr
+        QWidget* swatch;       // of a part of the energy, or nullptr
         bool isThere() const { return !value->isHidden(); }
     };
     struct Entry {
@@ -96,7 +97,8 @@ class ResultPanel : public SteadyScrollArea {
         const Output* place = nullptr;  ///< the largest stress whose place the text leads to
         Change changeText = nullptr;    ///< in percent where there is none
         Warning warning = nullptr;
-        Concern concerns = nullptr;  ///< every one where there is none
+        Concern concerns = nullptr;      ///< every one where there is none
+        const Output* output = nullptr;  ///< whose number it is, where it is that of one
     };
 
     SectionBox* addSection(const QString& title);

@@ -7,6 +7,9 @@
 #include <QTableView>
 #include <QTest>
 
+#include "core/blow/outputs.h"
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
 #include "core/model/alerts.h"
 #include "core/wave/exact/exact_solver.h"
 #include "ui/result/place_link.h"
@@ -83,6 +86,28 @@ class TestResultPanel : public QObject {
         panel.present(withShares(0.98, 0.01, 0.01));
         QCOMPARE(bar->labelOf(EnergyPart::waves), QString());
         QCOMPARE(valueOf(panel, "Energy: left in waves"), QString("1 %"));
+    }
+
+    void sharesOfAStringAddUpToAllOfItsEnergy() {
+        const Example& example = *findExample("t38_string");
+        ResultPanel panel;
+        panel.setAttribute(Qt::WA_DontShowOnScreen);
+        panel.show();
+        const SolvedBlowPtr blow = solved(parseScenario(example.text, example.name).scenario, UnitSystem::si);
+        panel.present(blow);
+        double sum = 0;
+        int shares = 0;
+        for (const Output& output : outputs()) {
+            const bool isShown = output.group == OutputGroup::energy && output.measure == Measure::share;
+            if (!isShown || !output.concerns(blow->scenario)) continue;
+            const QString text =
+                valueOf(panel, "Energy: " + QString::fromStdString(std::string(output.label)));
+            QVERIFY2(text.endsWith(" %"), qPrintable(QString::fromStdString(std::string(output.name))));
+            sum += text.chopped(2).toDouble();
+            ++shares;
+        }
+        QCOMPARE(shares, 7);
+        QVERIFY2(std::abs(sum - 100) < 0.05, qPrintable(QString::number(sum)));  // four digits of each
     }
 
     void sharesThatRoundingMakesNegativeAreNotDrawn() {
