@@ -292,6 +292,14 @@ std::vector<const Parameter*> sectionParameters(const Scenario& scenario) {
     return parameters;
 }
 
+std::string sectionName(const Parameter& parameter, const Scenario& scenario) {
+    if (!parameter.address || !isString(scenario)) return {};
+    std::string found;
+    visitSections(*parameter.address, scenario.drillString,
+                  [&](const Section& section) { found = section.name; });
+    return found;
+}
+
 std::string sectionNameProblem(std::string_view name) {
     if (isWholeNumber(name)) return "must not be a whole number: numbers are the places of sections";
     if (name != trimmed(name)) return "must not begin or end with a blank";

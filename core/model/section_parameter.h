@@ -50,6 +50,9 @@ std::string nearestSectionKey(std::string_view key);
 /// Every number that a section of a string scenario has, by place, in the order of a file; and the repeat.
 std::vector<const Parameter*> sectionParameters(const Scenario& scenario);
 
+/// What the section is called that a parameter is about; empty where it is about none or one without a name.
+std::string sectionName(const Parameter& parameter, const Scenario& scenario);
+
 /// Why a section cannot have that name: "must be …"; empty when it can.
 std::string sectionNameProblem(std::string_view name);
 

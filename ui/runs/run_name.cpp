@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include "core/model/scenario_difference.h"
+#include "core/model/section_parameter.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
@@ -21,15 +22,30 @@ QString tr(const char* text) {
     return QCoreApplication::translate("drillwave::RunName", text);
 }
 
-// "k 300 MN/m", "blow frequency 60 Hz".
+// "k", "blow frequency"; of a section "coupling ⌀", "rod length", "section 2 bore".
+QString nameWords(const Parameter& parameter, const Scenario& scenario) {
+    if (!parameter.address)
+        return parameter.symbol.empty() ? fromView(parameter.label) : shownSymbol(parameter.symbol);
+    const SectionAddress& address = *parameter.address;
+    QString section = QString::fromStdString(sectionName(parameter, scenario));
+    if (section.isEmpty())
+        section =
+            (address.chain == SectionAddress::Chain::hammer ? tr("hammer section %1") : tr("section %1"))
+                .arg(address.place);
+    if (address.field->key == "diameter") return section + QStringLiteral(" ⌀");
+    return section + QLatin1Char(' ') + fromView(address.field->label);
+}
+
+// "k 300 MN/m", "blow frequency 60 Hz", "coupling ⌀39 mm".
 QString valueWords(const Parameter& parameter, const Scenario& scenario) {
-    const QString name = parameter.symbol.empty() ? fromView(parameter.label) : shownSymbol(parameter.symbol);
+    const QString name = nameWords(parameter, scenario);
     const std::optional<double> si = valueIn(scenario, parameter);
     if (!si) return tr("no %1").arg(name);
     const Unit& unit = UnitChoice::shared().fieldUnit(parameter);
     const QString value = numberText(unit.fromSi(*si), 4, QLocale());
     const QString unitName = shownUnitName(unit.name);
-    return name + QLatin1Char(' ') + (unitName.isEmpty() ? value : value + QLatin1Char(' ') + unitName);
+    const QString gap = name.endsWith(u'⌀') ? QString() : QStringLiteral(" ");
+    return name + gap + (unitName.isEmpty() ? value : value + QLatin1Char(' ') + unitName);
 }
 
 QString blowWords(const Pulse& pulse) {
@@ -42,11 +58,14 @@ QString blowWords(const Pulse& pulse) {
 
 QString changeWords(const Scenario& before, const Scenario& after) {
     QStringList changes;
+    // All the numbers of the one form are new in the other.
+    if (isString(before) != isString(after)) return isString(after) ? tr("drill string") : tr("uniform rod");
     if (before.pulse.shape != after.pulse.shape || !(before.pulse.tablePoints == after.pulse.tablePoints))
         changes << blowWords(after.pulse);
     const Scenario* const both[] = {&before, &after};
     for (const Parameter* parameter : differingParameters(both))
         if (parameter->applies(after)) changes << valueWords(*parameter, after);
+    changes.removeDuplicates();  // of sections with one name
     if (changes.size() > mostChanges) changes = changes.mid(0, mostChanges) << QStringLiteral("…");
     return changes.join(QStringLiteral(", "));
 }

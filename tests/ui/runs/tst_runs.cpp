@@ -181,6 +181,13 @@ void TestRuns::namesFollowTheUnitsOfTheFields() {
     UnitChoice::shared().chooseForField(*findParameter("rod.length"), *findUnit(Quantity::length, "ft"));
     QCOMPARE(changeWords(before, m_document->scenario()), QString("L 12 ft"));
     QCOMPARE(changeWords(before, before), QString());
+    // A section as the file calls it, once for all of that name; of another form not every number.
+    Document string;
+    string.startFrom(findExample("t38_string")->text, "string");
+    const Scenario usual = string.scenario();
+    string.assign(*findParameter("string.coupling.diameter"), 0.039, 1);
+    QCOMPARE(changeWords(usual, string.scenario()), QString("coupling ⌀39 mm"));
+    QCOMPARE(changeWords(before, usual), QString("drill string"));
 }
 
 void TestRuns::lettersAreGivenAnew() {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/model/scenario_difference.h"
+#include "core/model/section_parameter.h"
 #include "core/text/csv.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
@@ -37,7 +38,9 @@ void addBlow(CompareTable& table, const Columns& columns) {
     const Pulse& first = columns.front().scenario->pulse;
     const bool isOther = std::ranges::any_of(columns, [&](const CompareColumn& each) {
         const Pulse& pulse = each.scenario->pulse;
-        return pulse.shape != first.shape || !(pulse.tablePoints == first.tablePoints);
+        return isString(*each.scenario) != isString(*columns.front().scenario) ||
+               (!isString(*each.scenario) &&
+                (pulse.shape != first.shape || !(pulse.tablePoints == first.tablePoints)));
     });
     if (!isOther) return;
     CompareRow row{.kind = CompareRow::Kind::parameter,
@@ -47,10 +50,24 @@ void addBlow(CompareTable& table, const Columns& columns) {
                    .words = {}};
     for (const CompareColumn& each : columns) {
         const Pulse& pulse = each.scenario->pulse;
-        row.words << (pulse.tableFile.empty() ? fromView(name(pulse.shape)).replace(u'_', u' ')
-                                              : QString::fromStdString(pulse.tableFile));
+        row.words << (isString(*each.scenario)  ? tr("elastic hammer")
+                      : pulse.tableFile.empty() ? fromView(name(pulse.shape)).replace(u'_', u' ')
+                                                : QString::fromStdString(pulse.tableFile));
     }
     table.rows.push_back(std::move(row));
+}
+
+/// "diameter of coupling (section 2)": as the file calls the section, and where it is.
+QString nameIn(const Parameter& parameter, const std::vector<const Scenario*>& scenarios) {
+    for (const Scenario* scenario : scenarios)
+        if (const std::string section = sectionName(parameter, *scenario); !section.empty()) {
+            const SectionAddress& address = *parameter.address;
+            const bool ofHammer = address.chain == SectionAddress::Chain::hammer;
+            return (ofHammer ? tr("%1 of %2 (hammer section %3)") : tr("%1 of %2 (section %3)"))
+                .arg(fromView(address.field->label), QString::fromStdString(section))
+                .arg(address.place);
+        }
+    return parameterName(parameter);
 }
 
 void addParameters(CompareTable& table, const Columns& columns) {
@@ -59,7 +76,7 @@ void addParameters(CompareTable& table, const Columns& columns) {
     for (const Parameter* parameter : differingParameters(scenarios)) {
         const Unit& unit = UnitChoice::shared().fieldUnit(*parameter);
         CompareRow row{.kind = CompareRow::Kind::parameter,
-                       .name = parameterName(*parameter),
+                       .name = nameIn(*parameter, scenarios),
                        .unit = shownUnitName(unit.name),
                        .numbers = {},
                        .words = {}};
@@ -84,7 +101,7 @@ ShownUnit unitOf(const Output& output, const ShownUnits& units, const Scales& ba
 void addResults(CompareTable& table, const Columns& columns, UnitSystem system, const ChosenUnits& chosen) {
     const bool isPhysical = system != UnitSystem::dimensionless;
     const auto base = std::ranges::find_if(columns, [=](const CompareColumn& each) {
-        return isSolved(each) && (!isPhysical || each.scenario->form == ScenarioForm::dimensional);
+        return isSolved(each) && (!isPhysical || hasUnits(*each.scenario));
     });
     if (base == columns.end()) return;
     const Scales& scales = base->blow->scales;
@@ -101,6 +118,11 @@ void addResults(CompareTable& table, const Columns& columns, UnitSystem system, 
             row.numbers.push_back(each.blow ? comparableNumber(output, *each.blow, system) : std::nullopt);
             size = std::max(size, std::abs(row.numbers.back().value_or(0)));
         }
+        const auto isOtherUnit = [&](const CompareColumn& each) {
+            return isSolved(each) && !haveSameUnit(output, *base->blow, *each.blow, system);
+        };
+        if (std::ranges::any_of(columns, isOtherUnit))
+            for (const CompareColumn& each : columns) row.ofString.push_back(isString(*each.scenario));
         const auto isThere = [](const std::optional<double>& number) { return number.has_value(); };
         if (std::ranges::none_of(row.numbers, isThere)) continue;
         const ShownUnit unit = unitOf(output, units, scales, size);
@@ -123,6 +145,7 @@ std::string cell(const std::optional<double>& number) {
 
 std::optional<double> CompareRow::difference(std::size_t column, std::size_t reference) const {
     if (numbers.empty() || !numbers[column] || !numbers[reference]) return std::nullopt;
+    if (!ofString.empty() && ofString[column] != ofString[reference]) return std::nullopt;
     return *numbers[column] - *numbers[reference];
 }
 

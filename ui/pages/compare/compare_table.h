@@ -25,6 +25,9 @@ struct CompareRow {
     QString unit;                                ///< empty for plain numbers
     std::vector<std::optional<double>> numbers;  ///< one for each column; none where it has none
     QStringList words;                           ///< in place of numbers: shapes of the blow
+    /// Where numbers are multiples of what rods and strings have of their own: whose each is. Only those of
+    /// the same can be compared.
+    std::vector<bool> ofString = {};
 
     bool hasNumbers() const { return !numbers.empty(); }
     /// number − that of the reference; nothing where one of them is missing.

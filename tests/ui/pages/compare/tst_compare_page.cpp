@@ -60,6 +60,9 @@ class TestComparePage : public QObject {
     void longNamesAreBrokenIntoLines();
     void whatIsNotSolvedHasNoNumbers();
     void withoutUnitsARunHasNoForces();
+    void stringsHaveTheirResults_data();
+    void stringsHaveTheirResults();
+    void multiplesOfOtherScalesAreNotCompared();
 
   private:
     void pin(const char* key, double si);
@@ -103,6 +106,42 @@ void TestComparePage::pin(const char* key, double si) {
     contents.text = m_document->text().toStdString();
     QCOMPARE(m_runs->pin(std::move(contents), nullptr, "first"), QString());
     QTRY_VERIFY(m_runs->list()->back().isSolved());
+}
+
+void TestComparePage::stringsHaveTheirResults_data() {
+    QTest::addColumn<UnitSystem>("units");
+    QTest::newRow("SI") << UnitSystem::si;
+    QTest::newRow("US") << UnitSystem::us;
+    QTest::newRow("dimensionless") << UnitSystem::dimensionless;
+}
+
+void TestComparePage::stringsHaveTheirResults() {
+    QFETCH(UnitSystem, units);
+    m_document->startFrom(findExample("t38_string")->text, "string");
+    pin("string.coupling.diameter", 0.039);
+    m_document->undoStack().undo();
+    show(units);
+    const CompareTable& table = m_page->table();
+    const auto results = std::ranges::count(table.rows, CompareRow::Kind::result, &CompareRow::kind);
+    QVERIFY2(results > 20, qPrintable(QString::number(results)));
+    QVERIFY(rowOf(table, "diameter of coupling (section 2)"));
+    for (const char* name : {"peak force", "tension, blow", "tension, after", "into the rock"}) {
+        const CompareRow* row = rowOf(table, name);
+        QVERIFY2(row, name);
+        QVERIFY2(row->difference(0, 1).has_value(), name);
+    }
+    QVERIFY(compareText(table, ',').contains("peak force"));
+}
+
+void TestComparePage::multiplesOfOtherScalesAreNotCompared() {
+    pin("rod.length", 3.0);
+    m_document->startFrom(findExample("t38_string")->text, "string");
+    for (const UnitSystem units : {UnitSystem::si, UnitSystem::dimensionless}) {
+        show(units);
+        const CompareTable& table = m_page->table();
+        QVERIFY(rowOf(table, "peak force")->numbers[0] && rowOf(table, "peak force")->numbers[1]);
+        QCOMPARE(rowOf(table, "peak force")->difference(0, 1).has_value(), units == UnitSystem::si);
+    }
 }
 
 void TestComparePage::withoutRunsItSaysHowToPin() {
