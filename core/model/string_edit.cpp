@@ -90,6 +90,13 @@ SectionSpot insertAfter(DrillString& drillString, const SectionSpot& spot, Secti
     return {.part = spot.part + 1};
 }
 
+SectionSpot insertAt(DrillString& drillString, StringEnd end, const std::vector<Section>& sections) {
+    std::vector<StringPart>& parts = drillString.parts;
+    std::size_t at = end == StringEnd::shank ? 0 : parts.size();
+    for (const Section& section : sections) parts.insert(parts.begin() + Offset(at++), alone(section));
+    return {.part = at - 1};
+}
+
 bool canRemove(const DrillString& drillString, const SectionSpot& spot) {
     if (spot.inHammer) return drillString.hammer.sections.size() > 1;
     return drillString.parts.size() > 1 || drillString.parts[spot.part].sections.size() > 1;

@@ -34,6 +34,11 @@ std::uint64_t placeOf(const DrillString& drillString, const SectionSpot& spot);
 /// Puts a section behind another one, in the same repeat if that is in one. Returns where it stands.
 SectionSpot insertAfter(DrillString& drillString, const SectionSpot& spot, Section section);
 
+/// Puts sections at an end of the string, outside of any repeat: before all others, or behind them. Returns
+/// where the last of them stands.
+enum class StringEnd { shank, bit };
+SectionSpot insertAt(DrillString& drillString, StringEnd end, const std::vector<Section>& sections);
+
 /// Whether there is another one in its hammer or string, so that it may go.
 bool canRemove(const DrillString& drillString, const SectionSpot& spot);
 /// Takes a section away, and with the last one of a repeat the repeat. Requires canRemove().

@@ -26,6 +26,20 @@ QString sizeText(double si) {
     return fieldText(si, Quantity::length, unit, QLocale());
 }
 
+// Where such a piece stands in every string.
+std::optional<StringEnd> endOf(SectionPresetKind kind) {
+    if (kind == SectionPresetKind::adapter) return StringEnd::shank;
+    if (kind == SectionPresetKind::bit) return StringEnd::bit;
+    return std::nullopt;
+}
+
+// Of a section of an example: as it is called there.
+std::optional<StringEnd> endOf(std::string_view name) {
+    if (name.starts_with("adapter")) return StringEnd::shank;
+    if (name.starts_with("bit")) return StringEnd::bit;
+    return std::nullopt;
+}
+
 // "rod, 3660 × 39/14.5 mm".
 QString describe(const Section& section) {
     const Unit& unit = UnitChoice::shared().fieldUnit(*findParameter("string.1.diameter"));
@@ -40,16 +54,17 @@ QString describe(const Section& section) {
 
 StringEdits::StringEdits(Document& document, StringModel& model, QTableView& table)
     : QObject(&table), m_document(document), m_model(model), m_table(table), m_addMenu(new QMenu(&table)) {
-    m_add = newAction(
-        QStringLiteral("add"), tr("Add"),
-        tr("Put a section behind the selected one: like it, a preset, or one of the example strings"),
-        QKeySequence(Qt::Key_Insert), [this] {
-            const std::optional<SectionSpot> spot = current();
-            if (!spot) return;
-            Section section = sectionAt(m_document.scenario().drillString, *spot);
-            section.name.clear();
-            add({section});
-        });
+    m_add = newAction(QStringLiteral("add"), tr("Add"),
+                      tr("Put a section behind the selected one: like it, a preset, or one of the example "
+                         "strings; adapters "
+                         "go to the shank, bits to the rock"),
+                      QKeySequence(Qt::Key_Insert), [this] {
+                          const std::optional<SectionSpot> spot = current();
+                          if (!spot) return;
+                          Section section = sectionAt(m_document.scenario().drillString, *spot);
+                          section.name.clear();
+                          add({section});
+                      });
     m_add->setMenu(m_addMenu);
     m_duplicate = newAction(QStringLiteral("duplicate"), tr("Duplicate"),
                             tr("Put the selected section there once more, with its name"),
@@ -118,8 +133,8 @@ void StringEdits::addChoice(QMenu& menu, const QString& text, const QString& too
     menu.addAction(QString(text).replace(u'&', QStringLiteral("&&")), this, then)->setToolTip(toolTip);
 }
 
-std::function<void()> StringEdits::adding(std::vector<Section> sections) {
-    return [this, sections = std::move(sections)] { add(sections); };
+std::function<void()> StringEdits::adding(std::vector<Section> sections, std::optional<StringEnd> end) {
+    return [this, sections = std::move(sections), end] { end ? addAt(*end, sections) : add(sections); };
 }
 
 void StringEdits::addPresets() {
@@ -146,7 +161,7 @@ void StringEdits::addPresets() {
             addChoice(*menus[static_cast<std::size_t>(preset.kind)], QString::fromStdString(preset.name),
                       QString::fromStdString(description(preset)),
                       isHammer ? std::function<void()>([this, preset] { useHammer(preset); })
-                               : adding(preset.sections));
+                               : adding(preset.sections, endOf(preset.kind)));
         }
     }
 }
@@ -158,7 +173,7 @@ void StringEdits::addExamples() {
         QMenu* menu = m_addMenu->addMenu(QString::fromStdString(example.title));
         for (const StringRow& row :
              stringRows(parseScenario(example.text, example.name).scenario.drillString))
-            addChoice(*menu, describe(row.section), {}, adding({row.section}));
+            addChoice(*menu, describe(row.section), {}, adding({row.section}, endOf(row.section.name)));
     }
 }
 
@@ -223,11 +238,23 @@ void StringEdits::add(const std::vector<Section>& sections) {
         if (spot.inHammer) section.loss = section.attenuation = 0;
         spot = insertAfter(changed.drillString, spot, std::move(section));
     }
+    takeAdded(changed, sections, spot);
+}
+
+void StringEdits::takeAdded(const Scenario& changed, const std::vector<Section>& sections,
+                            const SectionSpot& last) {
     const std::string& first = sections.front().name;
     const QString what = sections.size() > 1 ? tr("%1 sections").arg(sections.size())
                          : first.empty()     ? tr("a section")
                                              : QString::fromStdString(first);
-    if (take(changed, tr("add %1").arg(what))) select(spot);
+    if (take(changed, tr("add %1").arg(what))) select(last);
+}
+
+void StringEdits::addAt(StringEnd end, const std::vector<Section>& sections) {
+    if (m_model.rows().empty()) return;
+    Scenario changed = m_document.scenario();
+    const SectionSpot last = insertAt(changed.drillString, end, sections);
+    takeAdded(changed, sections, last);
 }
 
 void StringEdits::useHammer(const SectionPreset& piston) {

@@ -29,6 +29,8 @@ class StringEdits : public QObject {
     QMenu* addMenu() const { return m_addMenu; }
     /// Behind the selected one; at the end where none is. At least one section.
     void add(const std::vector<Section>& sections);
+    /// Where they belong in a string: adapters at the shank, bits at the rock.
+    void addAt(StringEnd end, const std::vector<Section>& sections);
     /// In place of the hammer.
     void useHammer(const SectionPreset& piston);
     void duplicate();
@@ -54,12 +56,13 @@ class StringEdits : public QObject {
     void addExamples();
     void addChoice(QMenu& menu, const QString& text, const QString& toolTip,
                    const std::function<void()>& then);
-    /// An action that adds sections.
-    std::function<void()> adding(std::vector<Section> sections);
+    /// An action that adds sections, at an end of the string where one is given.
+    std::function<void()> adding(std::vector<Section> sections, std::optional<StringEnd> end = {});
     void offer();
     std::vector<SectionSpot> selected() const;
     std::optional<SectionSpot> current() const;
     bool take(const Scenario& changed, const QString& step);
+    void takeAdded(const Scenario& changed, const std::vector<Section>& sections, const SectionSpot& last);
 
     Document& m_document;
     StringModel& m_model;
