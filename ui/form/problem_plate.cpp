@@ -12,9 +12,14 @@ constexpr int edge = 4;  // to the sides and from the field [px]
 
 // What scrolls, or the window where nothing does.
 QWidget* hostOf(QWidget* field) {
-    QWidget* host = field;
-    while (host->parentWidget() && !host->isWindow() &&
-           !qobject_cast<QAbstractScrollArea*>(host->parentWidget()->parentWidget()))
+    const auto isViewport = [](const QWidget* widget) {
+        const auto* area = widget ? qobject_cast<QAbstractScrollArea*>(widget->parentWidget()) : nullptr;
+        return area && area->viewport() == widget;
+    };
+    // A cell of a table stands in the viewport itself.
+    QWidget* host = field->parentWidget();
+    while (host->parentWidget() && !host->isWindow() && !isViewport(host) &&
+           !isViewport(host->parentWidget()))
         host = host->parentWidget();
     return host;
 }

@@ -70,6 +70,19 @@ void StringCellEditor::setEditorData(QWidget* editor, const QModelIndex& index) 
     field->setValue(parameter->value(m_document.scenario()));
 }
 
+void StringCellEditor::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                                            const QModelIndex& index) const {
+    QStyledItemDelegate::updateEditorGeometry(editor, option, index);
+    if (!qobject_cast<QuantityField*>(editor) || !editor->parentWidget()) return;
+    constexpr int letters = 20;
+    const int room = editor->parentWidget()->width();
+    QRect place = option.rect;
+    place.setWidth(
+        std::min(std::max(place.width(), letters * editor->fontMetrics().averageCharWidth()), room));
+    place.moveRight(std::min(place.right(), room - 1));
+    editor->setGeometry(place);
+}
+
 void StringCellEditor::setModelData(QWidget* editor, QAbstractItemModel* model,
                                     const QModelIndex& index) const {
     auto* field = qobject_cast<QuantityField*>(editor);
