@@ -24,19 +24,26 @@ struct CellBounds {
 
 /// Never less than WaveCell::peak() says of any of the cells, nor than their values: Legendre polynomials are
 /// at most 1. What the sums in those lose by rounding is a few units of the last place of the coefficients,
-/// and nothing for constant cells, of which there are many that are equal.
+/// and nothing for cells that are one constant, of which there are many; what rounding takes up there is
+/// taken up here.
 CellBounds boundsOf(std::span<const WaveCell> cells) {
     constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
-    CellBounds bounds;
-    double moving = 0;
-    for (const WaveCell& cell : cells) {
+    CellBounds even, odd;  // which do not wait for each other
+    const auto add = [](CellBounds& bounds, const WaveCell& cell) {
         const double spread = cell.spread();
         bounds.push = std::max(bounds.push, spread + cell.c[0]);
         bounds.pull = std::max(bounds.pull, spread - cell.c[0]);
-        moving = std::max(moving, spread);
+    };
+    std::size_t i = 0;
+    for (; i + 1 < cells.size(); i += 2) {
+        add(even, cells[i]);
+        add(odd, cells[i + 1]);
     }
-    if (moving > 0) {
-        const double margin = rounding * (std::abs(bounds.push) + std::abs(bounds.pull) + moving);
+    if (i < cells.size()) add(even, cells[i]);
+    CellBounds bounds{std::max(even.push, odd.push), std::max(even.pull, odd.pull)};
+    // twice the largest spread at least, and 0 for one constant
+    if (bounds.push + bounds.pull > 0) {
+        const double margin = rounding * (std::abs(bounds.push) + std::abs(bounds.pull));
         bounds.push += margin;
         bounds.pull += margin;
     }
