@@ -9,6 +9,7 @@
 #include "core/wave/exact/series_basis.h"
 #include "tests/support/basis_scenes.h"
 #include "tests/support/event_change.h"
+#include "tests/support/network_scenes.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -167,6 +168,36 @@ class TestEventChanges : public QObject {
         const int bad = tally.wrong + tally.unbalanced + tally.notSolved;
         QVERIFY2(bad == 0, tally.worst.c_str());
         QVERIFY2(tally.wrongOfGrowth <= 1 + tally.blows / 1000, tally.worst.c_str());
+    }
+
+    /// The node of the bit goes its own way along the law.
+    void norIsItWhereTheRodIsAString() {
+        EventChanges changes;
+        NetworkSolver solver;
+        const int wanted = changesToFind() / 8;
+        int found = 0;
+        for (unsigned tried = 0; found < wanted && tried < 100U * unsigned(wanted); ++tried) {
+            Chance chance(tried);
+            Scene scene;  // of a transit time that shares a cell with the hammer
+            scene.groups = {chance.logarithmic(0.3, 60), chance.logarithmic(0.05, 1),
+                            0.25 * (2 + chance.below(6)), chance.oneIn(3) ? 0 : 1.5 * chance.fraction()};
+            const auto change = changes.find(scene, chance);
+            if (!change || change->group == &Groups::tau) continue;
+            ++found;
+            for (const Scene& neighbour : change->neighbours(3)) {
+                const Impact truth = solveInExtendedPrecision(problemOf(neighbour), Detail::cor);
+                NetworkProblem rod = rodAsString(neighbour.groups, 0);
+                rod.endTime.reset();
+                for (const auto accuracy : {NetworkAccuracy::quick, NetworkAccuracy::sure}) {
+                    const NetworkImpact impact = solver.solve(rod, {.accuracy = accuracy, .wants = {}});
+                    QCOMPARE(impact.end, NetworkEnd::proven);
+                    const double e = -impact.stringMomentum / impact.faceImpulse;
+                    QVERIFY2(std::abs(e - truth.cor) <= impact.corError + truth.corError,
+                             (describe(neighbour) + ": e " + formatNumber(e)).c_str());
+                }
+            }
+        }
+        QCOMPARE(found, wanted);
     }
 };
 
