@@ -73,7 +73,7 @@ const CurveSampler::Blow& CurveSampler::blowAt(double share) {
         blow.values.clear();
         return blow;
     }
-    blow.corError = impact.corError;
+    blow.scatter = m_solver.scatter();
     blow.contacts = impact.contacts;
     blow.order = orderOf(impact, m_solver.problem(), m_question.method.method);
     return blow;
@@ -89,7 +89,7 @@ FitSample CurveSampler::operator()(double share, std::size_t output) {
     }
     sample.values[0] = blow.values[output];
     // Times may be long and forces large: they are known to some of their last digits.
-    sample.error = blow.corError * unitAt(share, output) + lastDigits * std::abs(blow.values[output]);
+    sample.error = blow.scatter * unitAt(share, output) + lastDigits * std::abs(blow.values[output]);
     sample.order = blow.order;
     return sample;
 }

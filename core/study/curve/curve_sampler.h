@@ -40,7 +40,7 @@ class CurveSampler {
     struct Blow {
         std::vector<double> values;  // of all outputs; none where it was not solved
         std::string reason;
-        double corError = 0;
+        double scatter = 0;
         std::uint64_t order = 0;
         int contacts = 0;
         long pieces = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -34,6 +35,7 @@ std::string CaseSolver::solve(const Scenario& scenario, std::span<double> output
     m_impact = m_solver.solve(m_problem, m_detail, m_method, stop);
     if (m_impact.hindrance == Hindrance::histories && m_needsLess)
         m_impact = m_solver.solve(m_problem, Detail::ledger, m_method, stop);
+    m_scatter = m_impact.corError;
     if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
     const ImpactSummary summary = summarizeWithWaves(m_impact, m_problem, m_waveNumbers);
     OutputSource source{summary, scenario};
@@ -51,6 +53,8 @@ std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<dou
     settings.wants.forces = m_detail == Detail::histories;
     const StringBlow blow = solveString(scenario, settings, m_solver.strings(), stop);
     m_impact = impactOf(blow);
+    constexpr double ofResidual = 20, least = 1e-13;
+    m_scatter = std::max(least, ofResidual * std::abs(blow.impact.energyResidual));
     if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
     const ImpactSummary summary = summarize(scenario, blow);
     fill({summary, scenario}, outputs);

@@ -32,6 +32,9 @@ class CaseSolver {
 
     /// Of the case last solved.
     const Impact& impact() const { return m_impact; }
+    /// By how much e of neighbouring blows may scatter: what a curve need not resolve. Of a string less than
+    /// its stated error, most of which is the same from blow to blow.
+    double scatter() const { return m_scatter; }
     const Problem& problem() const { return m_problem; }
 
   private:
@@ -50,6 +53,7 @@ class CaseSolver {
     ThrustMargins m_margins;
     Problem m_problem;
     Impact m_impact;
+    double m_scatter = 0;
 };
 
 }  // namespace drillwave
