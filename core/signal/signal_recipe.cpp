@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "core/numeric/compensated_sum.h"
@@ -36,9 +37,12 @@ double impulseOf(const Points& points) {
 /// Multiples of a power of ten that is at most `finest` of a size, as the doubles nearest to them.
 class DecimalGrid {
   public:
-    explicit DecimalGrid(double size)
-        : m_exponent(static_cast<int>(std::floor(std::log10(size * finest)))),
-          m_power(std::pow(10, std::abs(m_exponent))) {}
+    explicit DecimalGrid(double size) {
+        // Nothing is finer than the doubles, whose least powers of ten have no inverse.
+        if (size * finest < std::numeric_limits<double>::min()) return;
+        m_exponent = static_cast<int>(std::floor(std::log10(size * finest)));
+        m_power = std::pow(10, std::abs(m_exponent));
+    }
 
     double steps(double value) const {
         return std::round(m_exponent < 0 ? value * m_power : value / m_power);
@@ -46,8 +50,8 @@ class DecimalGrid {
     double at(double steps) const { return m_exponent < 0 ? steps / m_power : steps * m_power; }
 
   private:
-    int m_exponent;
-    double m_power;
+    int m_exponent = 0;
+    double m_power = std::numeric_limits<double>::denorm_min();
 };
 
 /// The largest distance of a sample from the lines between the points, whose times are those of samples less

@@ -82,6 +82,7 @@ class TestSignalRecipe : public QObject {
     void theStretchAroundThePeakIsFound();
     void whatCannotBeMadeIsRefused_data();
     void whatCannotBeMadeIsRefused();
+    void theLeastForcesAreKept();
     void tenMillionSamplesAreThinnedInBoundedWork();
 };
 
@@ -269,6 +270,14 @@ void TestSignalRecipe::whatCannotBeMadeIsRefused() {
     recipe.scaling = Scaling::toImpulse;
     recipe.impulse = 5;
     QVERIFY(!shapedSignal(samplesOf({0, 1, 2}, {0, 0, 0}), recipe).problem.empty());
+}
+
+// The finest step of such a size is 0, and that has no logarithm.
+void TestSignalRecipe::theLeastForcesAreKept() {
+    const ShapedSignal blow =
+        shapedSignal(samplesOf({0, 1, 2}, {0, 1e-320, 0}), {.use = SignalUse::blow, .forcePerNumber = 1});
+    QCOMPARE(blow.problem, std::string());
+    QCOMPARE(blow.points, (TablePoints{{0, 0}, {1, 1e-320}, {2, 0}}));
 }
 
 // Noise over all of it: the worst there is for lines. Counted in samples kept, and ended by a stop.
