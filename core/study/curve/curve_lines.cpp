@@ -133,7 +133,7 @@ class Study {
     const CurveProgress& m_progress;
     std::vector<CurveLine> m_lines;
     std::vector<std::vector<double>> m_points;      // of each line, as shares
-    std::vector<std::vector<CurvePoint>> m_solved;  // of each line, ascending
+    std::vector<std::vector<LinePoint>> m_solved;  // of each line, ascending
     std::uint64_t m_solves = 0;
     long m_effort = 0;
 };

@@ -46,8 +46,8 @@ FitPiece straightPiece(const FitSample& a, const FitSample& b) {
     return piece;
 }
 
-const CurvePoint& pointAt(std::span<const CurvePoint> points, double share) {
-    return *std::ranges::lower_bound(points, share, {}, &CurvePoint::share);
+const LinePoint& pointAt(std::span<const LinePoint> points, double share) {
+    return *std::ranges::lower_bound(points, share, {}, &LinePoint::share);
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ void PointSolver::operator()(PointTask& task, const std::stop_token& stop) const
     CurveSampler sampler(m_question, m_axes, task.line, stop, isString(m_question.base) ? 1 : partOfLimit);
     task.points.clear();
     for (const double share : task.shares) {
-        CurvePoint& point = task.points.emplace_back();
+        LinePoint& point = task.points.emplace_back();
         point.share = share;
         for (std::size_t i = 0; i < m_question.columns.size() && !stop.stop_requested(); ++i) {
             point.outputs.push_back(sampler(share, i));
@@ -99,7 +99,7 @@ void PointSolver::operator()(PointTask& task, const std::stop_token& stop) const
 }
 
 void fillPieces(CurveLine& line, std::size_t i, std::span<const double> points,
-                std::span<const CurvePoint> solved) {
+                std::span<const LinePoint> solved) {
     CurveOutput& output = line.outputs[i];
     std::vector<FitPiece> filled;
     for (FitPiece& piece : output.pieces) {
@@ -109,8 +109,8 @@ void fillPieces(CurveLine& line, std::size_t i, std::span<const double> points,
         }
         const std::vector<double> nodes = pointsIn(piece, points);
         for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
-            const CurvePoint& a = pointAt(solved, nodes[n]);
-            const CurvePoint& b = pointAt(solved, nodes[n + 1]);
+            const LinePoint& a = pointAt(solved, nodes[n]);
+            const LinePoint& b = pointAt(solved, nodes[n + 1]);
             filled.push_back(straightPiece(a.outputs[i], b.outputs[i]));
             if (!filled.back().solved)
                 addStretch(output.unsolved, line.range, filled.back(),

@@ -19,8 +19,8 @@ std::vector<double> pointsOf(const CurveLine& line);
 /// Of `points`, those at which open pieces have to be known, and the ends of these.
 std::vector<double> openPointsOf(const CurveLine& line, std::span<const double> points);
 
-/// All outputs at one point, solved.
-struct CurvePoint {
+/// All outputs at one point of a line, solved.
+struct LinePoint {
     double share = 0;
     std::vector<FitSample> outputs;
     std::vector<std::string> reasons;  ///< why there is none
@@ -30,7 +30,7 @@ struct CurvePoint {
 struct PointTask {
     std::size_t line = 0;
     std::vector<double> shares;
-    std::vector<CurvePoint> points;
+    std::vector<LinePoint> points;
     std::uint64_t solves = 0;
     long effort = 0;  ///< of these
 };
@@ -53,6 +53,6 @@ class PointSolver {
 /// Fills the open pieces of an output with straight ones between solved points, ascending, which hold all of
 /// openPointsOf().
 void fillPieces(CurveLine& line, std::size_t output, std::span<const double> points,
-                std::span<const CurvePoint> solved);
+                std::span<const LinePoint> solved);
 
 }  // namespace drillwave

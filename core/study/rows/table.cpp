@@ -100,13 +100,13 @@ class RowMaker {
 
 RowHeader headerOf(const Table& table, const TableHeader& header) {
     RowHeader all{.copied = {}, .columns = {}, .isFirstPart = table.shard.hasHeader()};
-    for (const TableColumn& column : header.columns) all.copied.push_back(column.text);
+    for (const CaseColumn& column : header.columns) all.copied.push_back(column.text);
     for (const OutputColumn& column : table.columns) all.columns.push_back({.header = column.header()});
     return all;
 }
 
 bool sets(const TableHeader& header, std::string_view key) {
-    return std::ranges::find(header.columns, key, &TableColumn::key) != header.columns.end();
+    return std::ranges::find(header.columns, key, &CaseColumn::key) != header.columns.end();
 }
 
 /// Why the outputs would be empty in every row.

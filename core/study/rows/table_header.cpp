@@ -84,7 +84,7 @@ std::string passedThrough(std::string_view name) {
            (near.empty() ? "" : "; did you mean `" + near + "`?");
 }
 
-void readUnit(TableColumn& column, std::string_view unit, std::size_t number, TableHeader& header) {
+void readUnit(CaseColumn& column, std::string_view unit, std::size_t number, TableHeader& header) {
     if (unit.empty()) return;
     const Quantity quantity = column.parameter->quantity;
     column.unit = findUnit(quantity, unit);
@@ -97,8 +97,8 @@ void readUnit(TableColumn& column, std::string_view unit, std::size_t number, Ta
                            "` is not known here; units that would do: " + unitList(quantity)});
 }
 
-void checkTwice(const TableColumn& column, std::size_t number, TableHeader& header) {
-    const auto earlier = std::ranges::find(header.columns, column.key(), &TableColumn::key);
+void checkTwice(const CaseColumn& column, std::size_t number, TableHeader& header) {
+    const auto earlier = std::ranges::find(header.columns, column.key(), &CaseColumn::key);
     if (earlier == header.columns.end()) return;
     header.problems.push_back({number, "sets " + std::string(column.key()) + " again, column " +
                                            std::to_string(earlier - header.columns.begin() + 1) +
@@ -120,7 +120,7 @@ void judgeOther(std::string_view cell, std::size_t number, std::span<const Outpu
 }
 
 void checkSetsSomething(TableHeader& header) {
-    const auto sets = [](const TableColumn& column) { return column.kind != TableColumn::Kind::other; };
+    const auto sets = [](const CaseColumn& column) { return column.kind != CaseColumn::Kind::other; };
     if (!header.problems.empty() || std::ranges::any_of(header.columns, sets)) return;
     header.problems.push_back({0,
                                "no column names a parameter, so that every row would be the same blow; name "
@@ -129,15 +129,15 @@ void checkSetsSomething(TableHeader& header) {
 
 }  // namespace
 
-std::string_view TableColumn::key() const {
+std::string_view CaseColumn::key() const {
     if (kind == Kind::shape) return pulseShapeKey;
     return kind == Kind::parameter ? parameter->key : std::string_view();
 }
 
 Assignments TableHeader::assignments() const {
     Assignments assignments;
-    for (const TableColumn& column : columns)
-        column.kind == TableColumn::Kind::other ? assignments.skip() : assignments.add(column.key());
+    for (const CaseColumn& column : columns)
+        column.kind == CaseColumn::Kind::other ? assignments.skip() : assignments.add(column.key());
     return assignments;
 }
 
@@ -146,16 +146,16 @@ TableHeader readTableHeader(std::span<const std::string> cells, std::span<const 
     for (const std::string& cell : cells) {
         const std::size_t number = header.columns.size() + 1;
         const auto [name, unit] = splitHeading(cell);
-        TableColumn column{.text = cell};
+        CaseColumn column{.text = cell};
         column.parameter = findParameter(name);
         if (column.parameter)
-            column.kind = TableColumn::Kind::parameter;
+            column.kind = CaseColumn::Kind::parameter;
         else if (name == pulseShapeKey)
-            column.kind = TableColumn::Kind::shape;
+            column.kind = CaseColumn::Kind::shape;
         else
             judgeOther(cell, number, outputs, header);
         if (column.parameter) readUnit(column, unit, number, header);
-        if (column.kind != TableColumn::Kind::other) checkTwice(column, number, header);
+        if (column.kind != CaseColumn::Kind::other) checkTwice(column, number, header);
         header.columns.push_back(std::move(column));
     }
     checkSetsSomething(header);

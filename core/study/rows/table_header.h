@@ -13,7 +13,7 @@
 namespace drillwave {
 
 /// One column of a table of cases.
-struct TableColumn {
+struct CaseColumn {
     std::string text;  ///< header cell as written
     enum class Kind { parameter, shape, other } kind = Kind::other;
     const Parameter* parameter = nullptr;  ///< Kind::parameter
@@ -30,7 +30,7 @@ struct HeaderRemark {
 
 /// The columns in the order of the file.
 struct TableHeader {
-    std::vector<TableColumn> columns;
+    std::vector<CaseColumn> columns;
     /// No column sets anything; a name that only case, `_` or the like keeps from being a parameter, or that
     /// holds several; a parameter named twice, an unknown unit; bytes that are no text.
     std::vector<HeaderRemark> problems;

@@ -21,7 +21,7 @@ std::string textProblem(std::string_view cell) {
 }
 
 /// A reader of the result takes the unit of the header for that of every cell.
-std::string unitProblem(const TableColumn& column, std::string_view cell) {
+std::string unitProblem(const CaseColumn& column, std::string_view cell) {
     if (!column.unit) return {};
     cell = trimmed(cell);
     if (numberLength(cell) == cell.size()) return {};
@@ -74,7 +74,7 @@ std::vector<std::string> TableRowAssigner::assignCells(const CsvRecord& row, int
     return problems;
 }
 
-std::string TableRowAssigner::assignCell(const TableColumn& column, const std::string& cell) {
+std::string TableRowAssigner::assignCell(const CaseColumn& column, const std::string& cell) {
     if (std::string problem = unitProblem(column, cell); !problem.empty()) return problem;
     return assignText(m_scenario, column.key(), cell, column.unit);
 }

@@ -27,7 +27,7 @@ class TableRowAssigner {
 
   private:
     std::vector<std::string> assignCells(const CsvRecord& row, int line);
-    std::string assignCell(const TableColumn& column, const std::string& cell);
+    std::string assignCell(const CaseColumn& column, const std::string& cell);
     std::string rivalProblem(std::size_t a, std::size_t b) const;
 
     std::string place(int line) const { return m_source + ":" + std::to_string(line); }
