@@ -4,6 +4,7 @@
 #include <cassert>
 #include <chrono>
 
+#include "core/blow/outputs.h"
 #include "core/blow/result_alerts.h"
 #include "core/model/validation.h"
 
@@ -22,6 +23,16 @@ void solveTimed(Blow& blow, Detail detail, const std::stop_token& stop, MethodSo
     blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Whether the numbers are any: says why not in place of the result.
+bool holdsNumbers(Blow& blow, Detail detail) {
+    std::string problem = overflowProblem({blow.summary, blow.scenario}, blow.scales, detail);
+    if (problem.empty()) return true;
+    blow.impact.outcome = Outcome::notSolved;
+    blow.impact.reason = std::move(problem);
+    blow.impact.hindrance = Hindrance::other;
+    return false;
+}
+
 /// A drill string, with the forces in every section.
 void solveStringBlow(Blow& blow, Detail detail, NetworkAccuracy accuracy, const std::stop_token& stop,
                      MethodSolver& solver) {
@@ -38,14 +49,16 @@ void solveStringBlow(Blow& blow, Detail detail, NetworkAccuracy accuracy, const 
     blow.impact = impactOf(*blow.string);
     if (!blow.isSolved()) return;
     blow.summary = summarize(blow.scenario, *blow.string);
+    if (!holdsNumbers(blow, Detail::histories)) return;
     blow.feed = judgeFeed(blow.scenario, blow.summary.cor, blow.summary.transferred());
     append(blow.alerts, resultAlerts(blow.scenario, blow.summary));
     append(blow.alerts, stringAlerts(blow.scenario, *blow.string));
 }
 
 /// What follows from the solution.
-void conclude(Blow& blow) {
+void conclude(Blow& blow, Detail detail) {
     blow.summary = summarizeWithWaves(blow.impact, blow.solved);
+    if (!holdsNumbers(blow, detail)) return;
     blow.feed = judgeFeed(blow.scenario, blow.impact.cor);
     append(blow.alerts, resultAlerts(blow.scenario, blow.summary));
     if (blow.summary.rodForces) append(blow.alerts, stressAlerts(blow.scenario, *blow.summary.rodForces));
@@ -78,7 +91,7 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
     solveTimed(blow, keepsWaves ? Detail::histories : detail, stop, solver);
     if (blow.impact.hindrance == Hindrance::histories && detail != Detail::histories)
         solveTimed(blow, detail, stop, solver);
-    if (blow.isSolved()) conclude(blow);
+    if (blow.isSolved()) conclude(blow, detail);
     return blow;
 }
 

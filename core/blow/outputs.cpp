@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/blow/thrust.h"
 
@@ -322,6 +323,23 @@ double Output::scale(const Scales& scales) const {
 
 std::span<const Output> outputs() {
     return outputTable;
+}
+
+std::string overflowProblem(const Output& output, double value) {
+    const bool isNever = output.measure == Measure::time && std::isnan(value);
+    if (std::isfinite(value) || isNever) return {};
+    return std::string(output.name) +
+           " is beyond the range of double precision: the values are too large or too small";
+}
+
+std::string overflowProblem(const OutputSource& source, const Scales& scales, Detail detail) {
+    for (const Output& output : outputTable) {
+        const Number value = output.detail <= detail ? output.value(source) : std::nullopt;
+        if (!value) continue;
+        for (const double number : {*value, *value * output.scale(scales)})
+            if (std::string problem = overflowProblem(output, number); !problem.empty()) return problem;
+    }
+    return {};
 }
 
 const Output* findOutput(std::string_view name) {

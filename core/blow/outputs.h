@@ -75,6 +75,13 @@ struct Output {
 /// All outputs in the order of files §4.
 std::span<const Output> outputs();
 
+/// Why a blow that was solved with `detail` is no result: "max_penetration is beyond the range of …" where an
+/// output, or its number in SI, is infinite or not a number. Empty when there is none: a time may be not a
+/// number, of what never happens.
+std::string overflowProblem(const OutputSource& source, const Scales& scales, Detail detail);
+/// The same of a single number of an output.
+std::string overflowProblem(const Output& output, double value);
+
 /// The output of that name, or nullptr.
 const Output* findOutput(std::string_view name);
 

@@ -9,6 +9,7 @@
 
 #include "core/model/scales.h"
 #include "core/model/section_parameter.h"
+#include "core/model/string_ranges.h"
 
 namespace drillwave {
 namespace {
@@ -182,23 +183,23 @@ constexpr std::array table{
               [](const S& s) { return Value(s.pulse.piston.impedanceRatio); }, [](S& s, double v) { s.pulse.piston.impedanceRatio = v; }},
 
     Parameter{"material.youngs_modulus", "Young's modulus", "E", "Young's modulus of every section that has none of its own",
-              Quantity::stress, "GPa", positive, {60e9, 250e9}, linear, Scope::string,
+              Quantity::stress, "GPa", string_ranges::modulus, {60e9, 250e9}, linear, Scope::string,
               [](const S& s) { return Value(s.drillString.material.youngsModulus); }, [](S& s, double v) { s.drillString.material.youngsModulus = v; },
               {.presence = Presence::assumed}},
     Parameter{"material.density", "density", "ρ", "Density of every section that has none of its own",
-              Quantity::density, "kg/m^3", positive, {2500, 9000}, linear, Scope::string,
+              Quantity::density, "kg/m^3", string_ranges::density, {2500, 9000}, linear, Scope::string,
               [](const S& s) { return Value(s.drillString.material.density); }, [](S& s, double v) { s.drillString.material.density = v; },
               {.presence = Presence::assumed}},
     Parameter{"hammer.velocity", "hammer velocity", "v0", "Velocity of the hammer when it strikes the string",
-              Quantity::velocity, "m/s", positive, {1, 20}, linear, Scope::string,
+              Quantity::velocity, "m/s", string_ranges::velocity, {1, 20}, linear, Scope::string,
               [](const S& s) { return Value(s.drillString.hammer.velocity); }, [](S& s, double v) { s.drillString.hammer.velocity = v; },
               {.shortLabel = "velocity"}},
     Parameter{"hammer.face_stiffness", "face stiffness", "", "Stiffness of the contact of hammer and string; rigid if not given",
-              Quantity::stiffness, "GN/m", positive, {1e8, 1e11}, logarithmic, Scope::string,
+              Quantity::stiffness, "GN/m", string_ranges::stiffness, {1e8, 1e11}, logarithmic, Scope::string,
               [](const S& s) { return s.drillString.hammer.faceStiffness; }, [](S& s, double v) { s.drillString.hammer.faceStiffness = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drillString.hammer.faceStiffness.reset(); }}},
     Parameter{"end_time", "end time", "", "Time until when the blow of a drill string is followed; to its end if not given",
-              Quantity::time, "ms", positive, {1e-4, 1}, logarithmic, Scope::string,
+              Quantity::time, "ms", string_ranges::endTime, {1e-4, 1}, logarithmic, Scope::string,
               [](const S& s) { return s.drillString.endTime; }, [](S& s, double v) { s.drillString.endTime = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drillString.endTime.reset(); }}},
 
@@ -325,18 +326,27 @@ const Parameter* findParameter(std::string_view key) {
     return found == table.end() ? findSectionParameter(key) : &*found;
 }
 
-std::string rangeProblem(const Parameter& parameter, double value) {
+std::string Range::problem(double value, const Unit& si) const {
     if (!std::isfinite(value)) return "must be a finite number";
-    if (parameter.rules.wholeNumber && value != std::floor(value)) return "must be a whole number";
-    if (parameter.hard.contains(value)) return {};
-    const bool tooLarge = value > parameter.hard.high && !parameter.hard.whyNotMore.empty();
-    return "must be " + parameter.hard.text() +
-           (tooLarge ? ": " + std::string(parameter.hard.whyNotMore) : std::string());
+    if (contains(value)) return {};
+    // Who gives nothing, or less, need not be told how little or how much would do.
+    if (low >= 0 && value <= 0 && !si.name.empty())
+        return low > 0 || lowOpen ? "must be greater than 0" : "must be at least 0";
+    std::string problem = "must be " + text();
+    if (std::isfinite(high) && !si.name.empty()) problem += " " + std::string(si.name);
+    return value > high && !whyNotMore.empty() ? problem + ": " + std::string(whyNotMore) : problem;
+}
+
+std::string rangeProblem(const Parameter& parameter, double value) {
+    if (parameter.rules.wholeNumber && std::isfinite(value) && value != std::floor(value))
+        return "must be a whole number";
+    return parameter.hard.problem(value, unitsOf(parameter.quantity).front());
 }
 
 std::string readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted) {
     assert(parameter.applies(scenario));
     constexpr double rounding = 1e-12;
+    if (parameter.address) return {};  // a section keeps what it is given; where several differ none is read
     const double kept = parameter.value(scenario).value_or(std::nan(""));
     if (std::abs(kept - wanted) <= rounding * std::abs(wanted)) return {};
     return "cannot be kept: the values that it follows from are at the end of double precision, it reads "

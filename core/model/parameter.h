@@ -24,6 +24,9 @@ struct Range {
     bool contains(double value) const;
     /// "in (0, 1]", "greater than 0", "at least 0", for messages.
     std::string text() const;
+    /// Why a value (SI, finite or not) is outside: "must be in (0, 1]", with the SI unit where it has one;
+    /// empty when it is inside.
+    std::string problem(double value, const Unit& si) const;
 };
 
 enum class SliderScale { linear, logarithmic };

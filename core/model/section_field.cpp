@@ -5,16 +5,15 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
+
+#include "core/model/string_ranges.h"
 
 namespace drillwave {
 namespace {
 
 using Value = std::optional<double>;
+namespace ranges = string_ranges;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Range positive{0, infinity, true};
-constexpr Range notNegative{0, infinity};
 constexpr auto linear = SliderScale::linear;
 constexpr auto logarithmic = SliderScale::logarithmic;
 
@@ -29,41 +28,41 @@ void assignDiameter(Section& s, double value) {
 // clang-format off
 constexpr std::array table{
     SectionField{"length", "length", "L", "Length of the section",
-                 Quantity::length, "mm", positive, {0.01, 10}, logarithmic, Presence::required,
+                 Quantity::length, "mm", ranges::length, {0.01, 10}, logarithmic, Presence::required,
                  [](const Section& s) { return Value(s.length); }, [](Section& s, double v) { s.length = v; }},
     SectionField{"diameter", "diameter", "", "Outer diameter of the section",
-                 Quantity::length, "mm", positive, {0.015, 0.25}, linear, Presence::either, diameter, assignDiameter},
+                 Quantity::length, "mm", ranges::diameter, {0.015, 0.25}, linear, Presence::either, diameter, assignDiameter},
     SectionField{"area", "area", "A", "Cross-section, in place of diameter and bore",
-                 Quantity::area, "mm^2", positive, {1e-4, 5e-2}, logarithmic, Presence::optional,
+                 Quantity::area, "mm^2", ranges::area, {1e-4, 5e-2}, logarithmic, Presence::optional,
                  [](const Section& s) { return s.area; }, [](Section& s, double v) { s.area = v; },
                  [](Section& s) { s.area.reset(); }},
     SectionField{"bore", "bore", "", "Diameter of the flushing hole, less than the outer diameter",
-                 Quantity::length, "mm", notNegative, {0, 0.1}, linear, Presence::unusual,
+                 Quantity::length, "mm", ranges::bore, {0, 0.1}, linear, Presence::unusual,
                  [](const Section& s) { return s.area ? std::nullopt : Value(s.bore); }, [](Section& s, double v) { s.bore = v; },
                  nullptr, true},
     SectionField{"youngs_modulus", "Young's modulus", "E", "Young's modulus, that of the material if not given",
-                 Quantity::stress, "GPa", positive, {60e9, 250e9}, linear, Presence::optional,
+                 Quantity::stress, "GPa", ranges::modulus, {60e9, 250e9}, linear, Presence::optional,
                  [](const Section& s) { return s.youngsModulus; }, [](Section& s, double v) { s.youngsModulus = v; },
                  [](Section& s) { s.youngsModulus.reset(); }},
     SectionField{"density", "density", "ρ", "Density, that of the material if not given",
-                 Quantity::density, "kg/m^3", positive, {2500, 9000}, linear, Presence::optional,
+                 Quantity::density, "kg/m^3", ranges::density, {2500, 9000}, linear, Presence::optional,
                  [](const Section& s) { return s.density; }, [](Section& s, double v) { s.density = v; },
                  [](Section& s) { s.density.reset(); }},
     SectionField{"mass_after", "mass behind it", "M", "Mass lumped at the end towards the rock; of the last section of a string a mass of the bit",
-                 Quantity::mass, "kg", notNegative, {0, 50}, linear, Presence::unusual,
+                 Quantity::mass, "kg", ranges::mass, {0, 50}, linear, Presence::unusual,
                  [](const Section& s) { return Value(s.massAfter); }, [](Section& s, double v) { s.massAfter = v; }},
     SectionField{"loss", "loss", "η", "Share of the energy of a wave that is lost in the joint at the end towards the rock",
-                 Quantity::share, "%", {0, 1}, {0, 0.3}, linear, Presence::unusual,
+                 Quantity::share, "%", ranges::share, {0, 0.3}, linear, Presence::unusual,
                  [](const Section& s) { return Value(s.loss); }, [](Section& s, double v) { s.loss = v; }},
     SectionField{"attenuation", "attenuation", "α", "Decay of the amplitude of a wave per length",
-                 Quantity::attenuation, "1/m", notNegative, {0, 0.1}, linear, Presence::unusual,
+                 Quantity::attenuation, "1/m", ranges::attenuation, {0, 0.1}, linear, Presence::unusual,
                  [](const Section& s) { return Value(s.attenuation); }, [](Section& s, double v) { s.attenuation = v; }},
     SectionField{"yield_strength", "yield strength", "", "Stress up to which the section is elastic; a blow that exceeds it raises a warning",
-                 Quantity::stress, "MPa", positive, {200e6, 2000e6}, linear, Presence::optional,
+                 Quantity::stress, "MPa", ranges::strength, {200e6, 2000e6}, linear, Presence::optional,
                  [](const Section& s) { return s.yieldStrength; }, [](Section& s, double v) { s.yieldStrength = v; },
                  [](Section& s) { s.yieldStrength.reset(); }},
     SectionField{"fatigue_strength", "fatigue strength", "", "Tensile stress that the section bears in blow after blow; more raises a warning",
-                 Quantity::stress, "MPa", positive, {50e6, 1500e6}, linear, Presence::optional,
+                 Quantity::stress, "MPa", ranges::strength, {50e6, 1500e6}, linear, Presence::optional,
                  [](const Section& s) { return s.fatigueStrength; }, [](Section& s, double v) { s.fatigueStrength = v; },
                  [](Section& s) { s.fatigueStrength.reset(); }},
 };
@@ -94,8 +93,7 @@ bool areRivals(const SectionField& a, const SectionField& b) {
 }
 
 std::string rangeProblem(const SectionField& field, double value) {
-    if (!std::isfinite(value)) return "must be a finite number";
-    return field.hard.contains(value) ? std::string() : "must be " + field.hard.text();
+    return field.hard.problem(value, unitsOf(field.quantity).front());
 }
 
 }  // namespace drillwave

@@ -31,7 +31,7 @@ class SectionCheck {
 
   private:
     void report(const std::string& key, const std::string& value, const std::string& reason) {
-        m_problems.push_back({key, key + (value.empty() ? " (" : " = " + value + " (") + reason + ")"});
+        m_problems.push_back(valueProblem(key, value, reason));
     }
 
     template <class Check>

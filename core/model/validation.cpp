@@ -8,6 +8,7 @@
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
+#include "core/model/string_ranges.h"
 #include "core/model/string_validation.h"
 
 namespace drillwave {
@@ -19,8 +20,7 @@ std::string valueText(const Parameter& parameter, double value) {
 
 void report(std::vector<InputProblem>& problems, std::string_view key, std::string_view value,
             std::string_view reason) {
-    const std::string equals = value.empty() ? " " : " = " + std::string(value) + " ";
-    problems.push_back({std::string(key), std::string(key) + equals + "(" + std::string(reason) + ")"});
+    problems.push_back(valueProblem(key, value, reason));
 }
 
 void checkRanges(const Scenario& scenario, std::vector<InputProblem>& problems) {
@@ -30,6 +30,14 @@ void checkRanges(const Scenario& scenario, std::vector<InputProblem>& problems) 
         const std::string reason = value ? rangeProblem(parameter, *value) : std::string();
         if (!reason.empty()) report(problems, parameter.key, valueText(parameter, *value), reason);
     }
+}
+
+/// Beneath a string the rock has a range too: a uniform rod judges it by its groups.
+void checkRockOfString(const BitRock& rock, std::vector<InputProblem>& problems) {
+    const Parameter& stiffness = *findParameter("bit_rock.stiffness");
+    const std::string reason =
+        string_ranges::stiffness.problem(rock.stiffness, unitsOf(stiffness.quantity).front());
+    if (!reason.empty()) report(problems, stiffness.key, valueText(stiffness, rock.stiffness), reason);
 }
 
 void checkBore(const Scenario& scenario, std::vector<InputProblem>& problems) {
@@ -89,8 +97,9 @@ void checkGroups(const Scenario& scenario, std::vector<InputProblem>& problems) 
     for (const double scale : {scales.time, scales.impulse, scales.force, scales.velocity, scales.penetration,
                                scales.stiffness, scales.energy}) {
         if (isPositiveAndFinite(scale)) continue;
-        problems.push_back(
-            {"", "the values are so large or small that the force or energy of the blow overflows"});
+        const std::string reason =
+            "the values are so large or small that the force or energy of the blow overflows";
+        problems.push_back({.key = "", .text = reason, .reason = reason});
         return;
     }
     const std::string follows = hasUnits(scenario) ? "; it follows from the other values" : "";
@@ -104,6 +113,12 @@ void checkGroups(const Scenario& scenario, std::vector<InputProblem>& problems) 
 }
 
 }  // namespace
+
+InputProblem valueProblem(std::string_view key, std::string_view value, std::string_view reason) {
+    const std::string equals = value.empty() ? " " : " = " + std::string(value) + " ";
+    const std::string name(key), why(reason);
+    return {.key = name, .text = name + equals + "(" + why + ")", .reason = name + " " + why};
+}
 
 PointProblem pointProblem(const TablePoints& points) {
     const std::size_t last = points.empty() ? 0 : points.size() - 1;
@@ -131,6 +146,7 @@ std::vector<InputProblem> validate(const Scenario& scenario) {
     std::vector<InputProblem> problems;
     checkRanges(scenario, problems);
     if (isString(scenario)) {
+        if (problems.empty()) checkRockOfString(scenario.bitRock, problems);
         std::ranges::move(sectionProblems(scenario.drillString), std::back_inserter(problems));
     } else {
         checkBore(scenario, problems);

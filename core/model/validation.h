@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/model/scenario.h"
@@ -17,8 +18,13 @@ struct InputProblem {
     int line = 0;
     int column = 0;
     std::string source = {};  ///< the file it is in, where that is not the scenario file (a pulse table)
+    /// "bit_rock.gamma must be in (0, 1]", whatever the value is: to be counted. From validate() alone.
+    std::string reason = {};
     bool operator==(const InputProblem&) const = default;
 };
+
+/// A key, its value or none where it has none, and why it will not do: "must be in (0, 1]".
+InputProblem valueProblem(std::string_view key, std::string_view value, std::string_view reason);
 
 /// Every hard-range violation and inconsistency (rise + fall > 1, bore ≥ diameter, table times not
 /// increasing, a hammer or string without sections, groups not finite or zero after conversion), physical

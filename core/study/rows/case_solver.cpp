@@ -41,8 +41,7 @@ std::string CaseSolver::solve(const Scenario& scenario, std::span<double> output
     OutputSource source{summary, scenario};
     if (m_needsMargin)
         source.thrustMargin = m_margins.of(scenario, m_problem, {m_impact.cor, m_impact.corError}, stop);
-    fill(source, outputs);
-    return {};
+    return fill(source, outputs);
 }
 
 /// By one run: `efficiency_error` says how good it is.
@@ -57,14 +56,21 @@ std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<dou
     m_scatter = std::max(least, ofResidual * std::abs(blow.impact.energyResidual));
     if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
     const ImpactSummary summary = summarize(scenario, blow);
-    fill({summary, scenario}, outputs);
-    return {};
+    return fill({summary, scenario}, outputs);
 }
 
-void CaseSolver::fill(const OutputSource& source, std::span<double> outputs) const {
+std::string CaseSolver::fill(const OutputSource& source, std::span<double> outputs) const {
     const Scales scales = m_inSi ? scalesOf(source.scenario) : Scales{};
-    for (std::size_t c = 0; c < m_columns.size(); ++c)
-        outputs[c] = m_columns[c].value(source, scales).value_or(std::numeric_limits<double>::quiet_NaN());
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t c = 0; c < m_columns.size(); ++c) {
+        const std::optional<double> value = m_columns[c].value(source, scales);
+        outputs[c] = value.value_or(none);
+        std::string problem = value ? overflowProblem(*m_columns[c].output, *value) : std::string();
+        if (problem.empty()) continue;
+        std::ranges::fill(outputs, none);
+        return problem;
+    }
+    return {};
 }
 
 }  // namespace drillwave

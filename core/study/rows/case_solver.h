@@ -27,7 +27,7 @@ class CaseSolver {
     }
 
     /// Puts a number for each column into `outputs`, NaN where there is none. Returns why the case could not
-    /// be solved (`outputs` is left alone then), or an empty string.
+    /// be solved (there are none then), or an empty string.
     std::string solve(const Scenario& scenario, std::span<double> outputs, const std::stop_token& stop);
 
     /// Of the case last solved.
@@ -40,7 +40,8 @@ class CaseSolver {
   private:
     std::string solveDrillString(const Scenario& scenario, std::span<double> outputs,
                                  const std::stop_token& stop);
-    void fill(const OutputSource& source, std::span<double> outputs) const;
+    /// Returns why the numbers are no result, and puts none then.
+    std::string fill(const OutputSource& source, std::span<double> outputs) const;
 
     std::span<const OutputColumn> m_columns;
     Detail m_detail;

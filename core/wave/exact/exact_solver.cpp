@@ -32,6 +32,17 @@ bool isSolved(const Impact& impact) {
     return impact.outcome == Outcome::rebounded;
 }
 
+/// What overflowed is infinite; what was not asked for may be not a number.
+void refuseOverflow(Impact& impact) {
+    const auto isBeyond = [](double number) { return std::isinf(number); };
+    const double numbers[]{impact.peakForce,       impact.firstContactTime, impact.separationTime,
+                           impact.contactDuration, impact.hammerWork,       impact.rockWork,
+                           impact.finalEnergy};
+    if (std::isfinite(impact.cor + impact.corError) && std::ranges::none_of(numbers, isBeyond)) return;
+    impact.outcome = Outcome::notSolved;
+    impact.reason = "its numbers are beyond the range of double precision";
+}
+
 }  // namespace
 
 /// One march into a new `impact`: in closed form where that suits and comes to its end, else in series.
@@ -70,16 +81,14 @@ Impact ExactSolver::solve(const Problem& problem, Detail detail, const std::stop
     Impact impact;  // the only one returned: a move of it would be seen in sweeps
     if (problem.hammer.isRigidBody() && isSoftReference(problem)) {
         impact = softReference(problem, detail);
+        refuseOverflow(impact);
         return impact;
     }
     m_workspace->march(problem, detail, {.pieces = m_mostPieces, .stop = &stop, .ledger = m_ledger}, impact);
     if (!isSolved(impact)) return impact;
     impact.corError += roundingOfHammer(problem.hammer);
     if (impact.growth > 1) m_workspace->coverGrowthOf(impact, problem, {m_mostPieces, &stop});
-    if (!std::isfinite(impact.cor + impact.corError)) {
-        impact.outcome = Outcome::notSolved;
-        impact.reason = "its numbers are beyond the range of double precision";
-    }
+    refuseOverflow(impact);
     return impact;
 }
 

@@ -44,6 +44,7 @@ class TestBlow : public QObject {
     Q_OBJECT
 
   private slots:
+    void numbersBeyondDoublePrecisionAreNoResult();
     void itsPartsAreThoseOfTheSolverAndTheSummary();
     void itsAlertsAreThoseOfTheScenarioTheResultAndTheStresses();
     void theAlertsDoNotDependOnWhatWasAsked();
@@ -51,6 +52,16 @@ class TestBlow : public QObject {
     void aBlowWithoutWavesHasNoStresses();
     void anUnsolvedBlowHasTheRemarksOnItsScenarioOnly();
 };
+
+// Its force is beyond the largest double; the rest would look right.
+void TestBlow::numbersBeyondDoublePrecisionAreNoResult() {
+    Scenario scenario = softReferenceCase();
+    scenario.groups = {.beta = 1, .gamma = 1, .tau = 5e-324, .delta = 0};
+    const Blow blow = solveBlow(scenario, {}, Detail::summary);
+    QVERIFY(!blow.isSolved());
+    QVERIFY(blow.impact.reason.starts_with("its numbers are beyond the range of double precision"));
+    QVERIFY(!blow.feed);
+}
 
 void TestBlow::itsPartsAreThoseOfTheSolverAndTheSummary() {
     const Scenario scenario = overloadedDrill();

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one table of hard ranges of hammers and strings. They are far wider than all that is drilled with, and
+// so narrow that no product of them leaves double precision: the force of a blow is one of five.
+#pragma once
+
+#include "core/model/parameter.h"
+
+namespace drillwave::string_ranges {
+
+inline constexpr Range length{1e-6, 1e5};      // [m]
+inline constexpr Range diameter{1e-6, 1e3};    // [m]
+inline constexpr Range bore{0, 1e3};           // [m]
+inline constexpr Range area{1e-12, 1e6};       // [m²]
+inline constexpr Range modulus{1e3, 1e15};     // [Pa]
+inline constexpr Range density{1e-3, 1e6};     // [kg/m³]
+inline constexpr Range mass{0, 1e9};           // [kg]
+inline constexpr Range share{0, 1};            // of the energy of a wave
+inline constexpr Range attenuation{0, 1e6};    // [1/m]
+inline constexpr Range strength{1, 1e15};      // [Pa]
+inline constexpr Range velocity{1e-6, 1e5};    // [m/s]
+inline constexpr Range stiffness{1, 1e18};     // [N/m] of the face and of the rock
+inline constexpr Range endTime{0, 1e6, true};  // [s]
+
+}  // namespace drillwave::string_ranges
