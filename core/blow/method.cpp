@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 #include "core/wave/closed/closed_form.h"
 
@@ -26,6 +27,27 @@ std::optional<Method> findMethod(std::string_view name) {
 
 std::span<const std::string_view> methodNames() {
     return names;
+}
+
+std::string methodProblem(std::string_view name) {
+    if (findMethod(name)) return {};
+    std::string list;
+    for (const std::string_view known : names)
+        list += (list.empty() ? "" : known == names.back() ? " or " : ", ") + std::string(known);
+    return "must be " + list;
+}
+
+std::optional<int> segmentsIn(std::string_view text) {
+    int segments = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), segments);
+    const bool isNumber = read.ec == std::errc() && read.ptr == text.data() + text.size();
+    if (!isNumber || segments < minimumSegments || segments > maximumSegments) return std::nullopt;
+    return segments;
+}
+
+std::string segmentsProblem() {
+    return "must be a whole number from " + std::to_string(minimumSegments) + " to " +
+           std::to_string(maximumSegments);
 }
 
 std::string describe(const MethodChoice& choice) {

@@ -28,6 +28,15 @@ std::string_view name(Method method);
 std::optional<Method> findMethod(std::string_view name);
 /// All names, in the order of Method.
 std::span<const std::string_view> methodNames();
+/// Why a name is that of no method: "must be exact, lattice or closed_form"; empty when it is.
+std::string methodProblem(std::string_view name);
+/// What results of drill strings say, which have one method.
+inline constexpr std::string_view methodOfStrings = "polynomial_cells";
+
+/// The segments of a lattice from text; nothing where they are no whole number that is permitted, for which
+/// segmentsProblem() is the reason.
+std::optional<int> segmentsIn(std::string_view text);
+std::string segmentsProblem();
 
 /// A method with its settings.
 struct MethodChoice {

@@ -13,6 +13,7 @@
 #include "core/report/blow_csv.h"
 #include "core/report/report_html.h"
 #include "core/report/result_remarks.h"
+#include "core/text/decimal_text.h"
 #include "core/text/text_input.h"
 
 namespace drillwave {
@@ -39,19 +40,42 @@ const std::string* textOf(const Node& map, std::string_view key) {
     return nullptr;
 }
 
+[[noreturn]] void refuseValue(const std::string& source, std::string_view key, std::string_view value,
+                              std::string_view reason) {
+    throw ScenarioError(ScenarioError::Kind::invalid, source, {valueProblem(key, shortened(value), reason)});
+}
+
+constexpr std::string_view formatKey = rowRecordKey.substr(0, rowRecordKey.size() - 1);
+
+/// What a result says of itself is how it is solved again: nothing of it is passed over.
+void checkRecord(const Node& record, const std::string& source) {
+    for (const std::string_view key : {formatKey, std::string_view("version"), std::string_view("method"),
+                                       std::string_view("segments"), std::string_view("scenario")}) {
+        int times = 0;
+        for (std::size_t i = 0; i + 1 < record.children.size(); i += 2)
+            times += record.children[i].text == key;
+        if (times > 1)
+            refuseValue(source, key, "", "is given " + std::to_string(times) + " times; keep one of them");
+    }
+    if (const std::string* format = textOf(record, formatKey);
+        format && *format != std::to_string(rowRecordFormat))
+        refuseValue(source, formatKey, *format,
+                    "this program reads the format " + std::to_string(rowRecordFormat));
+    if (const std::string* method = textOf(record, "method"); method && *method != methodOfStrings)
+        if (const std::string problem = methodProblem(*method); !problem.empty())
+            refuseValue(source, "method", *method, problem);
+    if (const std::string* segments = textOf(record, "segments"))
+        if (!segmentsIn(*segments)) refuseValue(source, "segments", *segments, segmentsProblem());
+}
+
 std::optional<MethodChoice> methodOf(const Node& record) {
     const std::string* given = textOf(record, "method");
     const std::optional<Method> method = given ? findMethod(*given) : std::nullopt;
     if (!method) return std::nullopt;
     MethodChoice choice;
     choice.method = *method;
-    if (const std::string* text = textOf(record, "segments")) {
-        int segments = 0;
-        const auto read = std::from_chars(text->data(), text->data() + text->size(), segments);
-        if (read.ec != std::errc() || segments < minimumSegments || segments > maximumSegments)
-            return std::nullopt;
-        choice.lattice.segments = segments;
-    }
+    if (const std::string* text = textOf(record, "segments"))
+        choice.lattice.segments = segmentsIn(*text).value_or(choice.lattice.segments);
     return choice;
 }
 
@@ -60,6 +84,7 @@ std::optional<ScenarioInput> parseRecord(std::string_view text, const std::strin
     const YamlTree tree = parseYaml(text);
     const std::string* scenario = tree.problem.text.empty() ? textOf(tree.root, "scenario") : nullptr;
     if (!scenario) return std::nullopt;
+    checkRecord(tree.root, source);
     const std::string* version = textOf(tree.root, "version");
     return ScenarioInput{.document = parseScenario(*scenario, source),
                          .isResult = true,
@@ -75,6 +100,7 @@ ScenarioInput parseCsv(std::string_view text, const std::string& source) {
             "is taken for a result, as its name ends in .csv, and holds no scenario; only the CSV files of "
             "run, gap, thrust and accuracy begin with one (a sweep or table has it in the .yaml beside it)");
     const ResultRemarks remarks = remarksOf(yaml);
+    if (!remarks.problem.empty()) refuse(source, remarks.problem);
     return {.document = parseScenario(std::string_view(yaml).substr(remarks.length), source),
             .isResult = true,
             .version = remarks.version,
@@ -121,6 +147,7 @@ ScenarioInput parseInput(std::string_view text, const std::string& source) {
     if (text.size() > maximumScenarioBytes)
         refuse(source, "the scenario file is larger than 1024 KiB, too large to be meant");
     const ResultRemarks remarks = remarksOf(plain);
+    if (!remarks.problem.empty()) refuse(source, remarks.problem);
     return {.document = parseScenario(text, source),
             .isResult = false,
             .version = remarks.version,

@@ -33,8 +33,8 @@ std::string line(std::string_view key, std::string_view value) {
 }  // namespace
 
 std::string recordText(const RowRecord& record) {
-    std::string text = std::string(rowRecordKey) + " 1\n" + line("version", versionText) +
-                       line("command", yamlScalar(record.command)) +
+    std::string text = std::string(rowRecordKey) + " " + std::to_string(rowRecordFormat) + "\n" +
+                       line("version", versionText) + line("command", yamlScalar(record.command)) +
                        line("method", name(record.method.method));
     if (record.method.method == Method::lattice)
         text += line("segments", std::to_string(record.method.lattice.segments));

@@ -14,6 +14,7 @@ namespace drillwave {
 
 /// The first key of a record, with the number of its format.
 inline constexpr std::string_view rowRecordKey = "drillwave_result:";
+inline constexpr int rowRecordFormat = 1;
 
 /// An axis of a sweep: its column, and its values as they were asked for.
 struct RecordedAxis {

@@ -142,7 +142,7 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
     JsonObject object{
         {"version", versionText},
         {"title", blow.scenario.title},
-        {"method", blow.string ? "polynomial_cells" : name(blow.method.method)},
+        {"method", blow.string ? methodOfStrings : name(blow.method.method)},
         {"outcome", outcomeName(blow)},
         {"run_time", blow.runTime},
         {"groups", groupsJson(blow.groups)},

@@ -318,7 +318,7 @@ class Page {
 std::string recordText(const BlowReport& report) {
     const std::string json =
         Json(JsonObject{{"version", versionText},
-                        {"method", report.blow.string ? "polynomial_cells" : name(report.blow.method.method)},
+                        {"method", report.blow.string ? methodOfStrings : name(report.blow.method.method)},
                         {"title", report.blow.scenario.title},
                         {"scenario", report.scenarioText}})
             .text();

@@ -2,9 +2,9 @@
 #include "core/report/result_remarks.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/model/version.h"
+#include "core/text/decimal_text.h"
 #include "core/text/text_input.h"
 
 namespace drillwave {
@@ -21,24 +21,30 @@ std::string versionIn(std::string_view line) {
     return std::string(version);
 }
 
-/// "lattice, 500 segments." as describe() says it.
-std::optional<MethodChoice> methodIn(std::string_view line) {
+/// Reads "lattice, 500 segments." as describe() says it.
+void readMethod(std::string_view line, ResultRemarks& remarks) {
+    constexpr std::string_view unit = " segments";
     std::string_view words = line.substr(solvedBy.size());
     while (words.ends_with('\r') || words.ends_with('.')) words.remove_suffix(1);
     const std::size_t comma = std::min(words.find(", "), words.size());
-    const std::optional<Method> method = findMethod(words.substr(0, comma));
-    if (!method) return std::nullopt;
+    const std::string_view method = words.substr(0, comma);
+    remarks.problem = methodProblem(method);
+    if (!remarks.problem.empty()) {
+        remarks.problem = "was solved by method " + shortened(method) + " (" + remarks.problem + ")";
+        return;
+    }
     MethodChoice choice;
-    choice.method = *method;
-    if (choice.method != Method::lattice) return choice;
-    if (comma == words.size()) return std::nullopt;
-    words.remove_prefix(comma + 2);
-    int segments = 0;
-    const auto read = std::from_chars(words.data(), words.data() + words.size(), segments);
-    if (read.ec != std::errc() || segments < minimumSegments || segments > maximumSegments)
-        return std::nullopt;
-    choice.lattice.segments = segments;
-    return choice;
+    choice.method = *findMethod(method);
+    if (choice.method == Method::lattice) {
+        words.remove_prefix(std::min(comma + 2, words.size()));
+        const std::size_t length = words.ends_with(unit) ? words.size() - unit.size() : 0;
+        const std::optional<int> segments = segmentsIn(words.substr(0, length));
+        if (!segments)
+            remarks.problem =
+                "was solved by a lattice of `" + shortened(words) + "` (" + segmentsProblem() + ")";
+        choice.lattice.segments = segments.value_or(choice.lattice.segments);
+    }
+    remarks.method = choice;
 }
 
 }  // namespace
@@ -61,7 +67,7 @@ ResultRemarks remarksOf(std::string_view yaml) {
         if (line.starts_with(writtenBy))
             remarks.version = versionIn(line);
         else if (line.starts_with(solvedBy))
-            remarks.method = methodIn(line);
+            readMethod(line, remarks);
         else if (!line.starts_with(columnsAre))
             return remarks;
         remarks.length += std::min(line.size() + 1, rest.size());
