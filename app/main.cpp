@@ -24,6 +24,7 @@
 #include "core/file/scenario_file.h"
 #include "core/model/version.h"
 #include "core/text/decimal_text.h"
+#include "core/text/name_text.h"
 
 namespace {
 
@@ -114,7 +115,7 @@ std::string withShortWords(std::string line, std::span<const std::string> words)
 int report(const std::string& who, const CommandError& error, std::span<const std::string> words) {
     for (const std::string& line : error.lines())
         std::fprintf(stderr, "%s%s\n", error.isLocated() ? "" : who.c_str(),
-                     withShortWords(line, words).c_str());
+                     printable(withShortWords(line, words)).c_str());
     return static_cast<int>(error.code());
 }
 

@@ -9,6 +9,7 @@
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/study/rows/table.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 
@@ -19,7 +20,8 @@ std::uint64_t check(const Table& table, std::ifstream& cases, int jobs, const In
     TableCheck found = checkTable(table, cases, jobs, interruption.token());
     interruption.check();
     if (!found.problems.empty()) throw CommandError(ExitCode::invalidScenario, std::move(found.problems));
-    for (const std::string& warning : found.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+    for (const std::string& warning : found.warnings)
+        std::fprintf(stderr, "%s\n", printable(warning).c_str());
     cases.clear();
     cases.seekg(0);
     return found.rows;

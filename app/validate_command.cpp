@@ -7,6 +7,7 @@
 #include "app/preset_options.h"
 #include "app/scenario_argument.h"
 #include "core/file/preset_file.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 
@@ -39,7 +40,8 @@ ExitCode validateFiles(const Arguments& arguments, const Drawing*) {
         try {
             check(path);
         } catch (const CommandError& error) {
-            for (const std::string& line : error.lines()) std::fprintf(stderr, "%s\n", line.c_str());
+            for (const std::string& line : error.lines())
+                std::fprintf(stderr, "%s\n", printable(line).c_str());
             result = worse(result, error.code());
         }
     }

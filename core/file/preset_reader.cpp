@@ -5,6 +5,7 @@
 
 #include "core/file/preset_file.h"
 #include "core/file/section_preset_reader.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 
@@ -104,6 +105,8 @@ std::string PresetReader::readName(const YamlEntries& entries, const YamlNode& i
     const YamlNode& value = *found->second.value;
     if (value.kind != Kind::scalar || value.text.empty())
         m_reader.problems().reportKey(found->second.place(), key, "must be text");
+    else if (const std::string problem = nameProblem(value.text); !problem.empty())
+        m_reader.problems().reportValue(value.offset, key, value.text, problem);
     else if (!m_names.insert(value.text).second)
         m_reader.problems().reportValue(value.offset, key, value.text, "is the name of another preset too");
     return value.text;
@@ -117,9 +120,12 @@ YamlEntries PresetReader::valuesOf(const YamlEntries& entries, const Section& se
         const YamlNode& pair = *entry.value;
         const bool isPair = pair.kind == Kind::sequence && pair.children.size() == 2 &&
                             itemOf(pair, 1).kind == Kind::scalar && !itemOf(pair, 1).text.empty();
-        if (isPair)
-            values.emplace(key, YamlEntry{entry.key, &itemOf(pair, 0)});
-        else
+        if (isPair) values.emplace(key, YamlEntry{entry.key, &itemOf(pair, 0)});
+        if (const std::string problem = isPair ? nameProblem(itemOf(pair, 1).text) : std::string();
+            !problem.empty())
+            m_reader.problems().reportValue(itemOf(pair, 1).offset, joinedKey(section.section, key),
+                                            itemOf(pair, 1).text, "the source " + problem);
+        if (!isPair)
             m_reader.problems().reportKey(
                 entry.place(), joinedKey(section.section, key),
                 "must be [value, source], the source being `assumed` where there is none");

@@ -6,6 +6,7 @@
 #include "core/file/string_reader.h"
 #include "core/model/parameter_text.h"
 #include "core/model/string_validation.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 namespace {
@@ -57,9 +58,13 @@ class ListReader {
             return {};
         }
         const YamlNode& value = *found->second.value;
-        if (value.kind == Kind::scalar && !value.text.empty()) return value.text;
-        m_reader.problems().reportKey(found->second.place(), key(local), "must be text");
-        return {};
+        const bool isText = value.kind == Kind::scalar && !value.text.empty();
+        const std::string problem = isText ? nameProblem(value.text) : std::string();
+        if (!isText)
+            m_reader.problems().reportKey(found->second.place(), key(local), "must be text");
+        else if (!problem.empty())
+            m_reader.problems().reportValue(found->second.place(), key(local), value.text, problem);
+        return problem.empty() && isText ? value.text : std::string();
     }
 
     void readVelocity(SectionPreset& preset, const YamlEntries& entries) {

@@ -44,8 +44,10 @@ class SectionOfFile {
         if (found == entries.end() || found->second.value->kind == Kind::null) return;
         const YamlEntry& entry = found->second;
         m_reader.setPlace(key("name"), entry.place());
-        const std::string reason = entry.value->kind == Kind::scalar ? sectionNameProblem(entry.value->text)
-                                                                     : std::string("must be text");
+        const std::string reason = entry.value->kind != Kind::scalar ? "must be text"
+                                   : entry.value->text.empty()
+                                       ? "is empty; a section without a name is written without it"
+                                       : sectionNameProblem(entry.value->text);
         if (reason.empty())
             m_section.name = entry.value->text;
         else

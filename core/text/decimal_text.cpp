@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/text/name_text.h"
+
 namespace drillwave {
 namespace {
 
@@ -68,6 +70,7 @@ std::string shortened(std::string_view text) {
     std::string result(text.substr(0, length));
     for (char& c : result)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+    result = printable(result);
     return length < text.size() ? result + "…" : result;
 }
 

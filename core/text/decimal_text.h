@@ -12,7 +12,7 @@ namespace drillwave {
 /// Without blanks and tabs at either end.
 std::string_view trimmed(std::string_view text);
 
-/// At most about 40 bytes of it, control characters replaced, for quoting in a message.
+/// At most about 40 bytes of it, control characters replaced, the rest printable(), for quoting in a message.
 std::string shortened(std::string_view text);
 
 /// Length of the finite decimal number at the beginning ("+1.5e3"), 0 if there is none (also for nan and

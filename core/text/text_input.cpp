@@ -73,13 +73,18 @@ TextProblem checkText(std::string_view text) {
     return {};
 }
 
-bool isUtf8(std::string_view text) {
-    for (std::size_t at = 0; at < text.size();) {
+std::size_t utf8Length(std::string_view text) {
+    std::size_t at = 0;
+    while (at < text.size()) {
         const std::size_t length = sequenceLength(text, at);
-        if (length == 0) return false;
+        if (length == 0) break;
         at += length;
     }
-    return true;
+    return at;
+}
+
+bool isUtf8(std::string_view text) {
+    return utf8Length(text) == text.size();
 }
 
 std::size_t byteOrderMarkLength(std::string_view text) {

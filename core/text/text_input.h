@@ -29,7 +29,9 @@ struct TextProblem {
 };
 TextProblem checkText(std::string_view text);
 
-/// Whether all bytes are UTF-8, control characters included.
+/// How many of the first bytes are UTF-8, control characters included.
+std::size_t utf8Length(std::string_view text);
+/// Whether all bytes are.
 bool isUtf8(std::string_view text);
 
 /// 3 for a text that begins with the UTF-8 byte order mark, else 0.

@@ -224,6 +224,14 @@ void TestPresetFile::problemsAreReportedAtTheirPlace_data() {
         "mine.yaml:12:5: pulse.rise (only a trapezoid has it");
     row("bore wider than the rod", with("[15 mm, measured]", "[50 mm, measured]"),
         "mine.yaml:5:12: rod.bore = 50 mm (must be less than the diameter of 40 mm)");
+    row("a name of two lines", with("name: mine\n    diameter", "name: \"mi\\nne\"\n    diameter"),
+        "rods.name = mi ne (must be one line)");
+    row("a name of blanks", with("name: mine\n    diameter", "name: \"  \"\n    diameter"),
+        "rods.name =  (must have a letter)");
+    row("a source without a letter", with("[15 mm, measured]", "[15 mm, \"...\"]"),
+        "rod.bore = ... (the source must have a letter)");
+    row("a source that turns the line", with("[15 mm, measured]", "[15 mm, \"\u202Emeasured\"]"),
+        "(the source must have no characters that turn the direction of reading)");
     row("no list", with("rods:\n  - name: mine\n    diameter", "rods:\n    diameter"),
         "rods (must be a list");
     row("other list", with("rocks:", "stones:"), "mine.yaml:13:1: stones (is not a known key");
@@ -314,6 +322,9 @@ couplings:
              {"    velocity: 9 m/s\n", "    velocity: 9\n", "pistons.velocity"},
              {"length: 190 mm, ", "", "couplings.sections.1.length"},
              {"loss: 2 %", "loss: 2", "couplings.sections.1.loss"},
+             {"source: measured", "source: \"?\"", "couplings.source = ? (must have a letter)"},
+             {"name: sleeve", "name: \"a\\nb\"", "couplings.name = a b (must be one line)"},
+             {"bore: 40 mm", "bore: 1e-9 m, mass_after: 1e12 kg", "couplings.sections.1.mass_after"},
              {"source: measured", "velocity: 3 m/s, source: x", "velocity"}}) {
         std::string wrong = text;
         wrong.replace(wrong.find(from), from.size(), to);

@@ -91,7 +91,7 @@ double between(const Range& range, Random& random) {
 }
 
 Section randomSection(Random& random) {
-    constexpr const char* names[] = {"",     "rod", "bit skirt", "a, b: c", "#1",
+    constexpr const char* names[] = {"",     "rod", "bit skirt", "a, b: c", "rod #1",
                                      "true", "- x", "Gestänge",  "{a}"};
     Section section;
     section.name = names[random() % std::size(names)];
@@ -230,8 +230,27 @@ void TestStringFile::wrongFilesAreRefusedWhereTheyAreWrong_data() {
     row("no rock", "bit_rock:", "bit_rok:", "bit_rok (is not a known key, did you mean `bit_rock`?)");
     row("end of time",
         "bit_rock:", "end_time: 0 ms\nbit_rock:", "s.yaml:19:11: end_time = 0 ms (must be greater than 0)");
-    row("out of double precision", "diameter: 50 mm", "diameter: 1e-170 mm",
-        "hammer.1 (the values are so large or small");
+    row("no diameter", "diameter: 50 mm", "diameter: 1e-170 mm",
+        "s.yaml:7:34: hammer.1.diameter = 1e-170 mm (must be in [1e-06, 1000] m)");
+    row("no length", "length: 450 mm", "length: 1e-300 m",
+        "string.1.length = 1e-300 m (must be in [1e-06, 1e+05] m)");
+    row("no area", "diameter: 45 mm, bore: 12 mm", "area: 1e-300 m^2",
+        "string.1.area = 1e-300 m^2 (must be in [1e-12, 1e+06] m^2)");
+    row("more than any mass", "mass_after: 0.3 kg", "mass_after: 1e300 kg",
+        "string.9.mass_after = 1e300 kg (must be in");
+    row("more than any decay", "attenuation: 0.002 1/m", "attenuation: 1e308 1/m", "string.3.attenuation");
+    row("a face as of air", "face_stiffness: 10 GN/m", "face_stiffness: 1e-300 N/m",
+        "hammer.face_stiffness = 1e-300 N/m (must be in [1, 1e+18] N/m)");
+    row("a face beyond all", "face_stiffness: 10 GN/m", "face_stiffness: 1e300 N/m", "hammer.face_stiffness");
+    row("a rock as of air", "stiffness: 100 MN/m", "stiffness: 1e-308 N/m",
+        "bit_rock.stiffness = 1e-314 MN/m (must be in");
+    row("a rock beyond all", "stiffness: 100 MN/m", "stiffness: 1e308 N/m",
+        "bit_rock.stiffness = 1e302 MN/m");
+    row("an empty name", "name: adapter", "name: \"\"",
+        "string.1.name =  (is empty; a section without a name");
+    row("a name without a letter", "name: adapter", "name: \"…\"", "string.1.name = … (must have a letter)");
+    row("a name that turns the line", "name: adapter", "name: \"rod\u202E\"",
+        "string.1.name = rod\\u202E (must have no characters that turn the direction of reading)");
 }
 
 void TestStringFile::wrongFilesAreRefusedWhereTheyAreWrong() {

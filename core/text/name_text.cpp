@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/text/name_text.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/text/text_input.h"
+
+namespace drillwave {
+namespace {
+
+/// Code points from `first` to `last`.
+struct CodeRange {
+    char32_t first, last;
+    bool contains(char32_t code) const { return code >= first && code <= last; }
+};
+
+constexpr CodeRange turning[]{{0x061C, 0x061C}, {0x200E, 0x200F}, {0x202A, 0x202E}, {0x2066, 0x2069}};
+constexpr CodeRange controls[]{{0x00, 0x1F}, {0x7F, 0x9F}, {0x2028, 0x2029}, {0xFEFF, 0xFEFF}};
+/// What is beyond ASCII and no letter: signs, punctuation, symbols and pictures.
+constexpr CodeRange signs[]{{0x80, 0xA9},       {0xAB, 0xB4},       {0xB6, 0xB9},     {0xBB, 0xBF},
+                            {0xD7, 0xD7},       {0xF7, 0xF7},       {0x0300, 0x036F}, {0x2000, 0x20FF},
+                            {0x2190, 0x2BFF},   {0x2E00, 0x2E7F},   {0x3000, 0x3004}, {0x3007, 0x3030},
+                            {0xD800, 0xF8FF},   {0xFE00, 0xFE6F},   {0xFEFF, 0xFF20}, {0xFFF0, 0xFFFF},
+                            {0x1F000, 0x1FAFF}, {0xE0000, 0x10FFFF}};
+
+template <std::size_t count>
+bool isOf(const CodeRange (&ranges)[count], char32_t code) {
+    return std::ranges::any_of(ranges, [code](const CodeRange& range) { return range.contains(code); });
+}
+
+bool isLetter(char32_t code) {
+    if (code < 0x80) return (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z');
+    return !isOf(signs, code);
+}
+
+/// A character of a text that is UTF-8, and its bytes.
+struct Character {
+    char32_t code = 0;
+    std::size_t length = 1;
+};
+
+Character characterAt(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[at + i]); };
+    if (byte(0) < 0x80) return {byte(0), 1};
+    const std::size_t length = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
+    char32_t code = byte(0) & (0xFFU >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) code = code << 6 | (byte(i) & 0x3FU);
+    return {code, length};
+}
+
+std::string hexadecimal(char32_t number, int digits) {
+    std::string text;
+    for (int digit = digits; digit-- > 0;) text += "0123456789ABCDEF"[number >> (4 * digit) & 0xF];
+    return text;
+}
+
+void appendPrintable(std::string& printed, std::string_view utf8) {
+    for (std::size_t at = 0; at < utf8.size();) {
+        const auto [code, length] = characterAt(utf8, at);
+        if (isOf(turning, code) || isOf(controls, code))
+            printed += code < 0x80 ? "\\x" + hexadecimal(code, 2) : "\\u" + hexadecimal(code, 4);
+        else
+            printed += utf8.substr(at, length);
+        at += length;
+    }
+}
+
+}  // namespace
+
+std::string nameProblem(std::string_view text) {
+    if (!isUtf8(text)) return "must be UTF-8";
+    bool hasLetter = false;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto [code, length] = characterAt(text, at);
+        if (code == '\n' || code == '\r') return "must be one line";
+        if (isOf(controls, code)) return "must have no control characters";
+        if (isOf(turning, code)) return "must have no characters that turn the direction of reading";
+        hasLetter |= isLetter(code);
+        at += length;
+    }
+    return hasLetter ? "" : "must have a letter";
+}
+
+std::string printable(std::string_view text) {
+    std::string printed;
+    while (!text.empty()) {
+        const std::size_t good = utf8Length(text);
+        appendPrintable(printed, text.substr(0, good));
+        text.remove_prefix(good);
+        if (text.empty()) break;
+        printed += "\\x" + hexadecimal(static_cast<unsigned char>(text.front()), 2);
+        text.remove_prefix(1);
+    }
+    return printed;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Names that people read in one line of a list, a message or a file.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace drillwave {
+
+/// Why a text cannot be a name or the source of a value: "must be one line", "must have a letter". It must be
+/// UTF-8 without control characters and without those that turn the direction in which others are read.
+/// Empty when it can.
+std::string nameProblem(std::string_view text);
+
+/// The text as it can be printed in a message: what is not UTF-8, control characters and those that turn the
+/// direction of reading are written as "\xE9" and "\u202E".
+std::string printable(std::string_view text);
+
+}  // namespace drillwave
