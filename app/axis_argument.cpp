@@ -2,7 +2,6 @@
 #include "app/axis_argument.h"
 
 #include "app/command_error.h"
-#include "app/scenario_argument.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
@@ -12,26 +11,26 @@ namespace {
 /// Most levels: each is a search of its own.
 constexpr std::size_t mostLevels = 100;
 
-SweepAxis checked(ParsedAxis parsed, const Arguments& arguments, const std::string& option,
-                  const std::string& word) {
-    if (!parsed.problem.empty()) {
-        // A value that the parameter cannot take is like one in a file; anything else is a mistyped command.
-        const bool badValue = parsed.kind == ParsedAxis::Kind::badValue;
-        throw CommandError(badValue ? ExitCode::invalidScenario : ExitCode::usage,
-                           "--" + option + ": " + parsed.problem);
-    }
-    checkNotSet(arguments, parsed.axis.key(), "--" + option + " " + shortened(word));
-    return std::move(parsed.axis);
+SweepAxis checked(ParsedAxis parsed, const std::string& option) {
+    if (parsed.problem.empty()) return std::move(parsed.axis);
+    // A value that the parameter cannot take is like one in a file; anything else is a mistyped command.
+    const bool badValue = parsed.kind == ParsedAxis::Kind::badValue;
+    throw CommandError(badValue ? ExitCode::invalidScenario : ExitCode::usage,
+                       "--" + option + ": " + parsed.problem);
 }
 
 }  // namespace
 
-SweepAxis axisArgument(const Arguments& arguments, const std::string& option, const std::string& word) {
-    return checked(parseAxis(word), arguments, option, word);
+SweepAxis axisArgument(const std::string& option, const std::string& word) {
+    return checked(parseAxis(word), option);
 }
 
-SweepAxis rangeArgument(const Arguments& arguments, const std::string& option, const std::string& word) {
-    return checked(parseRange(word), arguments, option, word);
+SweepAxis rangeArgument(const std::string& option, const std::string& word) {
+    return checked(parseRange(word), option);
+}
+
+std::string quotedAxis(const std::string& option, const std::string& word) {
+    return "--" + option + " " + shortened(word);
 }
 
 std::vector<double> levelArguments(const Arguments& arguments, Quantity quantity) {

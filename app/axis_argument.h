@@ -11,12 +11,15 @@
 
 namespace drillwave {
 
-/// The axis that `word` behind --`option` says, see parseAxis(). Throws CommandError: usage, also where --set
-/// sets what it varies; invalid scenario for a value that the parameter cannot take.
-SweepAxis axisArgument(const Arguments& arguments, const std::string& option, const std::string& word);
+/// The axis that `word` behind --`option` says, see parseAxis(). Throws CommandError: usage; invalid scenario
+/// for a value that the parameter cannot take.
+SweepAxis axisArgument(const std::string& option, const std::string& word);
 
 /// The range that `word` says, see parseRange(); throws likewise.
-SweepAxis rangeArgument(const Arguments& arguments, const std::string& option, const std::string& word);
+SweepAxis rangeArgument(const std::string& option, const std::string& word);
+
+/// "--vary beta=1,2", for messages.
+std::string quotedAxis(const std::string& option, const std::string& word);
 
 /// Every --level, SI where they are of a quantity: then a unit may stand behind. Throws CommandError (usage).
 std::vector<double> levelArguments(const Arguments& arguments, Quantity quantity);

@@ -29,18 +29,28 @@ std::vector<double> levelsOf(const Arguments& arguments, const std::vector<Outpu
     return levelArguments(arguments, isCommon ? first : Quantity::ratio);
 }
 
+/// In the order of CurveQuestion::axes().
+std::vector<std::string> quotedAxes(const Arguments& arguments) {
+    std::vector<std::string> words;
+    for (const char* option : {"family", "along"})
+        if (const std::optional<std::string> word = arguments.value(option))
+            words.push_back(quotedAxis(option, *word));
+    return words;
+}
+
 CurveQuestion questionOf(const Arguments& arguments, const RowOptions& options, const Scenario& base) {
     const std::optional<std::string> along = arguments.value("along");
     if (!along) throw CommandError(ExitCode::usage, "needs --along KEY=START:STOP or KEY=START:STOP:log");
     CurveQuestion question{.base = base,
-                           .along = rangeArgument(arguments, "along", *along),
+                           .along = rangeArgument("along", *along),
                            .family = {},
                            .columns = {},
                            .levels = {},
                            .method = options.method,
                            .workLimit = options.workLimit};
     if (const std::optional<std::string> family = arguments.value("family"))
-        question.family = axisArgument(arguments, "family", *family);
+        question.family = axisArgument("family", *family);
+    checkNotSet(arguments, base, question.axes(), quotedAxes(arguments));
     question.columns = options.columnsFor(question.firstScenario());
     if (options.allOutputs)
         std::erase_if(question.columns,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave map FILE --x KEY=… --y KEY=…
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -25,7 +26,7 @@ SweepAxis axisOf(const Arguments& arguments, const std::string& option) {
     if (!word)
         throw CommandError(ExitCode::usage, "needs --x KEY=START:STOP:COUNT[:log] and --y likewise; --" +
                                                 option + " is missing");
-    return axisArgument(arguments, option, *word);
+    return axisArgument(option, *word);
 }
 
 OutputColumn outputOf(const Arguments& arguments, OutputUnits units) {
@@ -154,6 +155,8 @@ ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments, DrillStrings::taken);
     const ScenarioDocument& base = input.document;
+    checkNotSet(arguments, base.scenario, std::array{x, y},
+                std::array{quotedAxis("x", *arguments.value("x")), quotedAxis("y", *arguments.value("y"))});
     const RowOptions options = rowOptions(arguments, input.method);
     checkMethodOfString(options.method, input.document.scenario, path);
     const MapStudy study{.base = base.scenario,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scenario_argument.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cstdio>
 #include <filesystem>
 
@@ -12,11 +14,11 @@
 #include "core/model/assignments.h"
 #include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
-#include "core/model/section_parameter.h"
 #include "core/model/validation.h"
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
 #include "core/text/decimal_text.h"
+#include "core/text/name_text.h"
 #include "core/text/nearest_name.h"
 
 namespace drillwave {
@@ -34,26 +36,14 @@ std::string quoted(const Setting& setting) {
 }
 
 /// One setting would silently undo the other.
-void checkRivals(const std::vector<Setting>& all, const Assignments& assignments) {
-    for (std::size_t later = 0; later < all.size(); ++later)
-        for (std::size_t earlier = 0; earlier < later; ++earlier)
-            if (assignments.contradict(earlier, later))
-                throw CommandError(ExitCode::usage, quoted(all[earlier]) + " and " + quoted(all[later]) +
-                                                        " set the same thing; give one of them");
+[[noreturn]] void refusePair(const std::string& one, const std::string& other, const std::string& problem) {
+    throw CommandError(ExitCode::usage, one + " and " + other + " " + problem + "; give one of them");
 }
 
-/// Two places of a repeat are one section of the file.
-void checkPlaces(const std::vector<Setting>& all, const Scenario& scenario) {
-    for (std::size_t later = 0; later < all.size(); ++later)
-        for (std::size_t earlier = 0; earlier < later; ++earlier) {
-            const Parameter* one = findParameter(all[earlier].key);
-            const Parameter* other = findParameter(all[later].key);
-            if (one && other && meetInOneSection(*one, *other, scenario))
-                throw CommandError(ExitCode::usage,
-                                   quoted(all[earlier]) + " and " + quoted(all[later]) +
-                                       " set the same section, which a repeat brings to both "
-                                       "places; give one of them");
-        }
+Assignments assignmentsOf(const std::vector<Setting>& settings) {
+    Assignments assignments;
+    for (const Setting& setting : settings) assignments.add(setting.key);
+    return assignments;
 }
 
 /// In the order in which the scenario takes them.
@@ -65,9 +55,9 @@ std::vector<Setting> settings(const Arguments& arguments) {
             throw CommandError(ExitCode::usage, "--set " + shortened(word) + ": needs KEY=VALUE");
         all.push_back({std::string(trimmed(word.substr(0, equals))), word.substr(equals + 1), word});
     }
-    Assignments assignments;
-    for (const Setting& setting : all) assignments.add(setting.key);
-    checkRivals(all, assignments);
+    const Assignments assignments = assignmentsOf(all);
+    if (const auto pair = assignments.rivals())
+        refusePair(quoted(all[pair->one]), quoted(all[pair->other]), pair->problem);
     std::vector<Setting> inOrder;
     for (const std::size_t i : assignments.order()) inOrder.push_back(std::move(all[i]));
     return inOrder;
@@ -113,7 +103,7 @@ std::string nearExample(const std::string& path) {
 void tellNewerVersion(const std::string& path, const std::string& version) {
     if (isNewerVersion(version, versionText))
         std::fprintf(stderr, "%s: note: written by Drillwave %s, newer than this %s: results may differ\n",
-                     path.c_str(), shortened(version).c_str(), versionText);
+                     printable(path).c_str(), shortened(version).c_str(), versionText);
 }
 
 }  // namespace
@@ -196,7 +186,8 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
     if (!problems.empty())
         throw CommandError(unknownKey ? ExitCode::usage : ExitCode::invalidScenario, problems,
                            CommandError::Begin::withOption);
-    checkPlaces(all, scenario);
+    if (const auto pair = assignmentsOf(all).meeting(scenario))
+        refusePair(quoted(all[pair->one]), quoted(all[pair->other]), pair->problem);
     for (const InputProblem& problem : validate(scenario))
         problems.push_back(inputName(path) + " with --set: " + problem.text);
     if (!problems.empty())
@@ -209,21 +200,33 @@ ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& 
     ScenarioInput input = loadScenarioInput(path, arguments, drillStrings);
     if (input.method && input.method->method != Method::exact)
         std::fprintf(stderr, "%s: note: was solved by %s; this command solves exactly\n",
-                     inputName(path).c_str(), describe(*input.method).c_str());
+                     printable(inputName(path)).c_str(), describe(*input.method).c_str());
     return std::move(input.document);
 }
 
-void checkNotSet(const Arguments& arguments, std::string_view key, const std::string& what) {
+void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span<const SweepAxis> axes,
+                 std::span<const std::string> words) {
+    assert(axes.size() == words.size());
+    // Of a string the places that an axis names are counted with the repeats of the point.
+    std::vector<Scenario> repeated{scenario};
+    for (const SweepAxis& axis : axes) {
+        if (axis.key() != "string.repeat" || !isString(scenario)) continue;
+        for (std::uint64_t i = 0; i < std::min<std::uint64_t>(axis.count, maximumSections); ++i)
+            axis.assign(repeated.emplace_back(scenario), axis.value(i));
+    }
     for (const Setting& setting : settings(arguments))
-        if (areRivals(setting.key, key))
-            throw CommandError(ExitCode::usage,
-                               what + " and " + quoted(setting) + " set the same thing; give one of them");
+        for (std::size_t a = 0; a < axes.size(); ++a)
+            for (const Scenario& there : repeated)
+                if (const std::string problem = rivalProblem(setting.key, scenario, axes[a].key(), there);
+                    !problem.empty())
+                    refusePair(words[a], quoted(setting), problem);
 }
 
 void remarkOnValues(const Scenario& scenario, const std::string& path) {
     for (const Alert& alert : alertsFor(scenario))
         if (alert.code == AlertCode::implausibleValue)
-            std::fprintf(stderr, "%s: warning: %s\n", inputName(path).c_str(), alertText(alert).c_str());
+            std::fprintf(stderr, "%s: warning: %s\n", printable(inputName(path)).c_str(),
+                         printable(alertText(alert)).c_str());
 }
 
 }  // namespace drillwave

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/arguments.h"
 #include "core/file/result_scenario.h"
+#include "core/study/rows/sweep_axis.h"
 
 namespace drillwave {
 
@@ -45,9 +47,10 @@ void checkOutputIsNoInput(const std::string& output, const std::string& scenario
 /// Throws CommandError (usage) if `output` is one of the `inputs`.
 void checkOutputIsNone(const std::string& output, const std::vector<std::string>& inputs);
 
-/// Throws CommandError (usage) if a --set sets what another option, which `what` quotes, is to change: one
-/// would silently undo the other.
-void checkNotSet(const Arguments& arguments, std::string_view key, const std::string& what);
+/// Throws CommandError (usage) if a --set sets what an axis, which the word beside it quotes, is to change:
+/// one would silently undo the other. `scenario` is what loadScenarioInput() made.
+void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span<const SweepAxis> axes,
+                 std::span<const std::string> words);
 
 /// One line on stderr for each value outside its usual range, which is most often a mistyped unit: to be
 /// called before work that such a value may make long.

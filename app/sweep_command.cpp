@@ -15,8 +15,7 @@ namespace {
 
 std::vector<SweepAxis> axesOf(const Arguments& arguments) {
     std::vector<SweepAxis> axes;
-    for (const std::string& word : arguments.values("vary"))
-        axes.push_back(axisArgument(arguments, "vary", word));
+    for (const std::string& word : arguments.values("vary")) axes.push_back(axisArgument("vary", word));
     if (axes.empty())
         throw CommandError(ExitCode::usage, "needs --vary KEY=START:STOP:COUNT[:log] or --vary KEY=A,B,C");
     return axes;
@@ -47,6 +46,9 @@ ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments, DrillStrings::taken);
     const ScenarioDocument& base = input.document;
+    std::vector<std::string> words;
+    for (const std::string& word : arguments.values("vary")) words.push_back(quotedAxis("vary", word));
+    checkNotSet(arguments, base.scenario, axes, words);
     const RowOptions options = rowOptions(arguments, input.method);
     checkMethodOfString(options.method, input.document.scenario, path);
     checkRows(options, path, base);

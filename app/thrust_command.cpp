@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave thrust FILE
+#include <array>
+
+#include "app/axis_argument.h"
 #include "app/command.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
@@ -38,7 +41,6 @@ std::optional<SweepAxis> axisOf(const Arguments& arguments) {
     if (parsed.axis.count > mostThrustPoints)
         throw CommandError(ExitCode::usage,
                            option + ": at most " + std::to_string(mostThrustPoints) + " values");
-    checkNotSet(arguments, parsed.axis.key(), option);
     return std::move(parsed.axis);
 }
 
@@ -100,6 +102,11 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
     ThrustReport report;
     report.scenario = document.scenario;
     report.scenarioText = completeScenarioText(document);
+    if (axis)
+        checkNotSet(arguments, report.scenario, {&*axis, 1},
+                    std::array{quotedAxis(
+                        arguments.has("along") ? "along" : "frequency",
+                        arguments.value("along").value_or(arguments.value("frequency").value_or("")))});
     checkQuestion(report.scenario, axis, path);
     if (csvPath) {
         checkOutputIsNoInput(*csvPath, path, document);

@@ -11,6 +11,8 @@
 namespace drillwave {
 namespace {
 
+constexpr std::string_view sameThing = "set the same thing";
+
 /// Where a key comes among those that are set together.
 using Rank = std::tuple<std::ptrdiff_t, int, std::ptrdiff_t>;
 
@@ -37,6 +39,12 @@ bool setTheSameOfSections(std::string_view a, std::string_view b) {
            areRivals(*one->address->field, *other->address->field);
 }
 
+bool mayMeet(std::string_view a, std::string_view b) {
+    const Parameter* one = findParameter(a);
+    const Parameter* other = findParameter(b);
+    return one && other && drillwave::mayMeet(*one, *other);
+}
+
 bool namesAsRival(std::string_view a, std::string_view b) {
     const Parameter* parameter = findParameter(a);
     return parameter && !b.empty() && parameter->rules.rival == b;
@@ -48,6 +56,13 @@ bool areRivals(std::string_view a, std::string_view b) {
     return a == b || namesAsRival(a, b) || namesAsRival(b, a) || setTheSameOfSections(a, b);
 }
 
+std::string rivalProblem(std::string_view a, const Scenario& ofA, std::string_view b, const Scenario& ofB) {
+    if (areRivals(a, b)) return std::string(sameThing);
+    const Parameter* one = findParameter(a);
+    const Parameter* other = findParameter(b);
+    return one && other ? meetingProblem(*one, ofA, *other, ofB) : std::string();
+}
+
 Assignments::Assignments(const std::vector<std::string_view>& keys) {
     for (const std::string_view key : keys) add(key);
 }
@@ -56,6 +71,11 @@ void Assignments::add(std::string_view key) {
     const auto later = std::ranges::upper_bound(m_order, rankOf(key), {},
                                                 [this](std::size_t i) { return rankOf(*m_keys[i]); });
     m_order.insert(later, m_keys.size());
+    for (std::size_t before = 0; before < m_keys.size(); ++before) {
+        if (!m_keys[before]) continue;
+        if (areRivals(*m_keys[before], key)) m_rivals.emplace_back(before, m_keys.size());
+        if (mayMeet(*m_keys[before], key)) m_mayMeet.emplace_back(before, m_keys.size());
+    }
     m_keys.emplace_back(key);
 }
 
@@ -63,9 +83,19 @@ void Assignments::skip() {
     m_keys.emplace_back();
 }
 
-bool Assignments::contradict(std::size_t a, std::size_t b) const {
-    assert(a < m_keys.size() && b < m_keys.size());
-    return m_keys[a] && m_keys[b] && areRivals(*m_keys[a], *m_keys[b]);
+std::optional<RivalPair> Assignments::rivals(const IsSet& isSet) const {
+    for (const auto& [a, b] : m_rivals)
+        if (!isSet || (isSet(a) && isSet(b))) return RivalPair{a, b, std::string(sameThing)};
+    return std::nullopt;
+}
+
+std::optional<RivalPair> Assignments::meeting(const Scenario& scenario, const IsSet& isSet) const {
+    for (const auto& [a, b] : m_mayMeet) {
+        if (isSet && !(isSet(a) && isSet(b))) continue;
+        std::string problem = rivalProblem(*m_keys[a], scenario, *m_keys[b], scenario);
+        if (!problem.empty()) return RivalPair{a, b, std::move(problem)};
+    }
+    return std::nullopt;
 }
 
 bool Assignments::movesPulse(std::size_t number) const {

@@ -3,16 +3,31 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "core/model/scenario.h"
 
 namespace drillwave {
 
-/// Whether setting one key undoes what setting the other did: the same key, a group and the physical
-/// parameter it moves, mean force and impulse, area and diameters. A name and a place of sections are no
-/// rivals: what is set at a place goes last.
+/// Whether setting one key undoes what setting the other did, whatever the scenario: the same key, a group
+/// and the physical parameter it moves, mean force and impulse, area and diameters.
 bool areRivals(std::string_view a, std::string_view b);
+
+/// Why two keys cannot both be set, as what stands behind them: "set the same thing" where they are rivals;
+/// "set one section, …" where both are about one that stands in the file once. Empty when they can. The
+/// scenarios are as for meetingProblem().
+std::string rivalProblem(std::string_view a, const Scenario& ofA, std::string_view b, const Scenario& ofB);
+
+/// Two keys of Assignments that cannot both be set.
+struct RivalPair {
+    std::size_t one = 0, other = 0;  ///< one < other
+    std::string problem;             ///< rivalProblem()
+};
 
 /// Keys that are set together, numbered as they were added. What each is set to stays with who asks: a word
 /// of the command line, an axis of a sweep, a cell of a table.
@@ -32,8 +47,12 @@ class Assignments {
     /// physical parameters.
     const std::vector<std::size_t>& order() const { return m_order; }
 
-    /// Whether one of the two would undo the other.
-    bool contradict(std::size_t a, std::size_t b) const;
+    /// Which of them are set, where not all are.
+    using IsSet = std::function<bool(std::size_t)>;
+    /// The first two that are rivals, whatever they are set in.
+    std::optional<RivalPair> rivals(const IsSet& isSet = {}) const;
+    /// The first two that are about one section of a scenario in which all is set.
+    std::optional<RivalPair> meeting(const Scenario& scenario, const IsSet& isSet = {}) const;
 
     /// Whether the hammer blow depends on the key: it has its own parameters and, for a piston, the rod's;
     /// that of a string all of hammer and string.
@@ -44,6 +63,9 @@ class Assignments {
   private:
     std::vector<std::optional<std::string_view>> m_keys;  // none: sets nothing
     std::vector<std::size_t> m_order;
+    using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+    Pairs m_rivals;
+    Pairs m_mayMeet;  // in one section
 };
 
 }  // namespace drillwave

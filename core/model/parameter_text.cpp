@@ -18,10 +18,10 @@ std::string refusal(std::string_view key, std::string_view text, std::string_vie
     return std::string(key) + " = " + shortened(trimmed(text)) + " (" + std::string(reason) + ")";
 }
 
-std::string assignShape(Scenario& scenario, std::string_view text) {
-    if (isString(scenario))
-        return refusal(pulseShapeKey, text,
-                       "only a uniform rod has it (`drillwave: 1`), this is a drill string");
+constexpr std::string_view notOfString = "only a uniform rod has it (`drillwave: 1`), this is a drill string";
+
+std::string assignShapeNamed(Scenario& scenario, std::string_view text) {
+    if (isString(scenario)) return refusal(pulseShapeKey, text, notOfString);
     const std::optional<PulseShape> shape = findPulseShape(trimmed(text));
     if (!shape) return refusal(pulseShapeKey, text, "must be one of " + pulseShapeList());
     scenario.pulse.shape = *shape;
@@ -56,7 +56,7 @@ std::string whyNotInDimensionless(const Parameter& parameter) {
 std::string whyNotInString(const Parameter& parameter) {
     if (parameter.scope == Scope::uniformRod)
         return "follows from the lengths of hammer and string; set those, as `string.1.length`";
-    return "only a uniform rod has it (`drillwave: 1`), this is a drill string" +
+    return std::string(notOfString) +
            std::string(parameter.section() == "rod"     ? "; set its sections, as `string.1.length`"
                        : parameter.section() == "pulse" ? "; its blow follows from the hammer"
                                                         : "");
@@ -94,6 +94,20 @@ std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenari
     return "only a piston has it, the shape is " + shape;
 }
 
+std::string assignNumber(Scenario& scenario, const Parameter& parameter, double si) {
+    if (const std::string reason = whyNotApplicable(parameter, scenario); !reason.empty())
+        return "has no meaning here: " + reason;
+    if (std::string problem = rangeProblem(parameter, si); !problem.empty()) return problem;
+    parameter.assign(scenario, si);
+    return {};
+}
+
+std::string assignShape(Scenario& scenario, PulseShape shape) {
+    if (isString(scenario)) return "has no meaning here: " + std::string(notOfString);
+    scenario.pulse.shape = shape;
+    return {};
+}
+
 std::string nearestKey(std::string_view key) {
     if (std::string near = nearestSectionKey(key); !near.empty()) return near;
     std::vector<std::string_view> keys{pulseShapeKey, restrikeKey, "string.repeat"};
@@ -102,7 +116,7 @@ std::string nearestKey(std::string_view key) {
 }
 
 std::string assignText(Scenario& scenario, std::string_view key, std::string_view text, const Unit* unit) {
-    if (key == pulseShapeKey) return assignShape(scenario, text);
+    if (key == pulseShapeKey) return assignShapeNamed(scenario, text);
     if (key == restrikeKey) return assignRestrike(scenario, text);
     const Parameter* parameter = findParameter(key);
     if (!parameter) return unknownKey(key);

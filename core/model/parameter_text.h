@@ -19,6 +19,13 @@ std::string pulseShapeList();
 /// Why a parameter has no meaning in this scenario and what to do instead; empty when it applies.
 std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenario);
 
+/// Sets a parameter to a number in SI. Returns why the scenario cannot have it, "has no meaning here: …" or
+/// "must be in (0, 1]", and sets nothing then; empty when done.
+std::string assignNumber(Scenario& scenario, const Parameter& parameter, double si);
+
+/// Likewise the shape.
+std::string assignShape(Scenario& scenario, PulseShape shape);
+
 /// The known key (of parameters() and sections, or set by a word) most like a mistyped one; empty when none
 /// is close.
 std::string nearestKey(std::string_view key);

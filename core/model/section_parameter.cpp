@@ -10,6 +10,7 @@
 #include <mutex>
 
 #include "core/text/decimal_text.h"
+#include "core/text/name_text.h"
 #include "core/text/nearest_name.h"
 
 namespace drillwave {
@@ -32,17 +33,19 @@ std::string spoken(std::string_view name) {
     return text;
 }
 
-/// Calls `visit` with every section that the address names.
+/// Calls `visit` with every section that the address names, and which of its chain it is in a file, from 0.
 template <class String, class Visit>
-void visitSections(const SectionAddress& address, String& drillString, const Visit& visit) {
+void visitNumbered(const SectionAddress& address, String& drillString, const Visit& visit) {
+    std::size_t first = 0;  // of the list
     const auto visitList = [&](auto& sections, std::uint64_t before, std::uint64_t repeat) {
         const std::uint64_t count = sections.size();
         for (std::uint64_t i = 0; i < count; ++i) {
             const bool inside = address.place > before && address.place - before <= repeat * count;
             const bool here = address.place == 0 ? spoken(sections[i].name) == spoken(address.name)
                                                  : inside && (address.place - before - 1) % count == i;
-            if (here) visit(sections[i]);
+            if (here) visit(sections[i], first + i);
         }
+        first += count;
         return before + repeat * count;
     };
     if (address.chain == Chain::hammer) {
@@ -52,6 +55,18 @@ void visitSections(const SectionAddress& address, String& drillString, const Vis
     std::uint64_t before = 0;
     for (auto& part : drillString.parts)
         before = visitList(part.sections, before, static_cast<std::uint64_t>(std::max(part.repeat, 0)));
+}
+
+template <class String, class Visit>
+void visitSections(const SectionAddress& address, String& drillString, const Visit& visit) {
+    visitNumbered(address, drillString, [&](auto& section, std::size_t) { visit(section); });
+}
+
+std::vector<std::size_t> numbersOf(const SectionAddress& address, const Scenario& scenario) {
+    std::vector<std::size_t> numbers;
+    visitNumbered(address, scenario.drillString,
+                  [&](const Section&, std::size_t number) { numbers.push_back(number); });
+    return numbers;
 }
 
 std::optional<double> valueAt(const SectionAddress& address, const Scenario& scenario) {
@@ -239,15 +254,26 @@ bool hasSectionFor(const Parameter& parameter, const Scenario& scenario) {
     return found;
 }
 
-bool meetInOneSection(const Parameter& one, const Parameter& other, const Scenario& scenario) {
-    if (!one.address || !other.address) return false;
-    const SectionAddress& a = *one.address;
-    const SectionAddress& b = *other.address;
-    const bool places = a.chain == Chain::string && b.chain == Chain::string && a.place > 0 && b.place > 0 &&
-                        a.place != b.place;
-    if (!places || !isString(scenario) || !areRivals(*a.field, *b.field)) return false;
-    const Section* section = sectionAt(scenario.drillString, a.place);
-    return section && section == sectionAt(scenario.drillString, b.place);
+bool mayMeet(const Parameter& one, const Parameter& other) {
+    if (!one.address || !other.address || one.address->chain != other.address->chain) return false;
+    return !one.address->hasSameSections(*other.address) &&
+           areRivals(*one.address->field, *other.address->field);
+}
+
+std::string meetingProblem(const Parameter& one, const Scenario& ofOne, const Parameter& other,
+                           const Scenario& ofOther) {
+    if (!mayMeet(one, other) || !isString(ofOne) || !isString(ofOther)) return {};
+    const SectionAddress &a = *one.address, &b = *other.address;
+    const std::vector<std::size_t> numbers = numbersOf(a, ofOne);
+    const auto isOfOne = [&](std::size_t number) {
+        return std::ranges::find(numbers, number) != numbers.end();
+    };
+    if (std::ranges::none_of(numbersOf(b, ofOther), isOfOne)) return {};
+    if (a.place > 0 && b.place > 0) return "set one section, which a repeat brings to both places";
+    const SectionAddress& place = a.place > 0 ? a : b;
+    return "set one section: section " + std::to_string(place.place) + " of the " +
+           (place.chain == Chain::hammer ? "hammer" : "string") + " is called " +
+           shortened(a.place > 0 ? b.name : a.name);
 }
 
 std::string whyNoSection(const Parameter& parameter, const Scenario& scenario) {
@@ -305,8 +331,7 @@ std::string sectionNameProblem(std::string_view name) {
     if (name != trimmed(name)) return "must not begin or end with a blank";
     if (name.size() > maximumNameBytes)
         return "must have at most " + std::to_string(maximumNameBytes) + " bytes";
-    const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
-    return std::ranges::any_of(name, isControl) ? "must have no control characters" : "";
+    return name.empty() ? std::string() : nameProblem(name);
 }
 
 }  // namespace drillwave

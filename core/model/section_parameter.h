@@ -36,9 +36,15 @@ std::string sectionKey(SectionAddress::Chain chain, std::uint64_t place);
 /// Whether the scenario has sections, or a repeat, that the parameter of the scope `section` is about.
 bool hasSectionFor(const Parameter& parameter, const Scenario& scenario);
 
-/// Whether both set, at different places, the same number of one section that a repeat brings to both, or
-/// numbers that replace each other.
-bool meetInOneSection(const Parameter& one, const Parameter& other, const Scenario& scenario);
+/// Whether both set the same number, or numbers that replace each other, of sections that may be the same
+/// ones: a name and a place, or two places.
+bool mayMeet(const Parameter& one, const Parameter& other);
+
+/// Why the two cannot both be set, as what stands behind their keys: "set one section, …", where a section
+/// that stands in the file once is both; empty when none is. The two scenarios differ in their repeats alone:
+/// places count in that of their own.
+std::string meetingProblem(const Parameter& one, const Scenario& ofOne, const Parameter& other,
+                           const Scenario& ofOther);
 
 /// Why not: "no section of the string is called `adaptor`; did you mean `adapter`?".
 std::string whyNoSection(const Parameter& parameter, const Scenario& scenario);

@@ -150,9 +150,28 @@ void TestScenarioArgument::anOutputIsNoInput() {
 }
 
 void TestScenarioArgument::whatAnAxisChangesIsNotSet() {
-    const Arguments arguments = parsed({"--set", "bit_rock.stiffness=100MN/m"});
-    checkNotSet(arguments, "gamma", "--vary gamma=0:1:3");
-    QVERIFY_EXCEPTION_THROWN(checkNotSet(arguments, "beta", "--vary beta=1,2"), CommandError);
+    const auto check = [](const std::vector<std::string>& words, const Scenario& scenario,
+                          const std::vector<std::string>& axes) {
+        std::vector<SweepAxis> parsedAxes;
+        for (const std::string& axis : axes) parsedAxes.push_back(parseAxis(axis).axis);
+        checkNotSet(parsed(words), scenario, parsedAxes, axes);
+    };
+    check({"--set", "bit_rock.stiffness=100MN/m"}, Scenario(), {"gamma=0.1,1"});
+    QVERIFY_EXCEPTION_THROWN(
+        check({"--set", "bit_rock.stiffness=100MN/m"}, Scenario(), {"gamma=0.1,1", "beta=1,2"}),
+        CommandError);
+    // adapter, three times coupling and rod, bit skirt, bit head
+    const Scenario drill = parseScenario(findExample("t38_string")->text, "").scenario;
+    QVERIFY_EXCEPTION_THROWN(check({"--set", "string.3.length=1m"}, drill, {"string.rod.length=2m,3m"}),
+                             CommandError);
+    QVERIFY_EXCEPTION_THROWN(check({"--set", "string.rod.length=1m"}, drill, {"string.5.length=2m,3m"}),
+                             CommandError);
+    check({"--set", "string.coupling.length=0.1m"}, drill, {"string.5.length=2m,3m"});
+    // with two repeats the eighth section is none, with four it is a coupling
+    check({"--set", "string.coupling.length=0.1m"}, drill, {"string.8.length=2m,3m"});
+    QVERIFY_EXCEPTION_THROWN(check({"--set", "string.coupling.length=0.1m"}, drill,
+                                   {"string.repeat=2,4", "string.8.length=2m,3m"}),
+                             CommandError);
 }
 
 QTEST_GUILESS_MAIN(TestScenarioArgument)

@@ -52,6 +52,13 @@ std::vector<FitPiece> openRoughPieces(std::vector<FitPiece> pieces) {
     return kept;
 }
 
+/// At the first of some places where there is a scenario.
+double unitIn(CurveSampler& sampler, const std::array<double, 2>& cuts, std::size_t output) {
+    for (const double share : {cuts[0], cuts[1], (cuts[0] + cuts[1]) / 2})
+        if (const double unit = sampler.unitAt(share, output); unit > 0) return unit;
+    return 1;
+}
+
 }  // namespace
 
 std::size_t cellCount(const CurveQuestion& question) {
@@ -91,7 +98,7 @@ CellOutput CellFitter::fit(CurveSampler& sampler, const CellTask& task, std::siz
     const std::array cuts{task.start, task.end};
     const Measure measure = m_question.columns[output].output->measure;
     if (measure == Measure::error) return {{openPiece(cuts[0], cuts[1])}, {}};
-    const double unit = sampler.unitAt(cuts[0], output);
+    const double unit = unitIn(sampler, cuts, output);
     const bool grows = !isRatio(measure) || measure == Measure::work;
     FitSettings settings{.scale = {isRatio(measure) ? unit : unit * smallOfUnit, 0, 0},
                          .scaleGrows = {grows, false, false},

@@ -132,7 +132,7 @@ class Study {
     std::stop_token m_stop;
     const CurveProgress& m_progress;
     std::vector<CurveLine> m_lines;
-    std::vector<std::vector<double>> m_points;      // of each line, as shares
+    std::vector<std::vector<double>> m_points;     // of each line, as shares
     std::vector<std::vector<LinePoint>> m_solved;  // of each line, ascending
     std::uint64_t m_solves = 0;
     long m_effort = 0;

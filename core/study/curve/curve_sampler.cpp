@@ -53,6 +53,7 @@ const Scenario& CurveSampler::scenarioAt(double share) {
 double CurveSampler::unitAt(double share, std::size_t output) {
     const OutputColumn& column = m_question.columns[output];
     const Scenario& scenario = scenarioAt(share);
+    if (m_scenario.obstacle()) return 0;
     if (column.output->isOnlySi()) return unitPerSecond(column.output->measure, scenario);
     return column.units == OutputUnits::si ? column.output->scale(scalesOf(scenario)) : 1;
 }
@@ -62,6 +63,10 @@ const CurveSampler::Blow& CurveSampler::blowAt(double share) {
     Blow& blow = found->second;
     if (!isNew) return blow;
     const Scenario& scenario = scenarioAt(share);
+    if (m_scenario.obstacle()) {
+        blow.reason = m_scenario.obstacle()->reason;
+        return blow;
+    }
     if (!m_hasPulse || m_pulseMoves) m_solver.setPulse(scenario);
     m_hasPulse = true;
     blow.values.resize(m_question.columns.size());

@@ -28,7 +28,7 @@ class CurveSampler {
     /// Why there was no answer for the last sample that had none.
     const std::string& reason() const { return m_reason; }
     /// The size that numbers of an output have in its unit, at a share of the way: d0 of a penetration and
-    /// so on; 1 of what is a ratio.
+    /// so on; 1 of what is a ratio; 0 where there is no scenario.
     double unitAt(double share, std::size_t output);
     /// What the blow at a share of the way takes: wave pieces, or cells of a drill string.
     long effortAt(double share) { return blowAt(share).pieces; }

@@ -47,8 +47,10 @@ class PointSampler {
         if (m_question.family) at.push_back(m_question.family->value(task.line));
         at.push_back(m_question.along.value(task.point));
         const Scenario& scenario = m_scenario.set(at);
-        m_solver.setPulse(scenario);
         task.values.assign(m_question.columns.size(), std::numeric_limits<double>::quiet_NaN());
+        task.reason = m_scenario.obstacle() ? m_scenario.obstacle()->reason : std::string();
+        if (!task.reason.empty()) return;
+        m_solver.setPulse(scenario);
         task.reason = m_solver.solve(scenario, task.values, stop);
     }
 

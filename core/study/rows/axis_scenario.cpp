@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "core/model/pulse_force.h"
+#include "core/model/validation.h"
 
 namespace drillwave {
 
@@ -12,6 +13,23 @@ Assignments assignmentsOf(std::span<const SweepAxis> axes) {
     Assignments assignments;
     for (const SweepAxis& axis : axes) assignments.add(axis.key());
     return assignments;
+}
+
+void visitCorners(std::span<const SweepAxis> axes,
+                  const std::function<void(std::span<const std::uint64_t>)>& visit) {
+    std::vector<std::vector<std::uint64_t>> extremes;
+    std::uint64_t corners = 1;
+    for (const SweepAxis& axis : axes) {
+        extremes.push_back(axis.extremes());
+        corners *= extremes.back().size();
+    }
+    std::vector<std::uint64_t> point(axes.size());
+    for (std::uint64_t corner = 0; corner < corners; ++corner) {
+        std::uint64_t rest = corner;
+        for (std::size_t a = axes.size(); a-- > 0; rest /= extremes[a].size())
+            point[a] = extremes[a][rest % extremes[a].size()];
+        visit(point);
+    }
 }
 
 AxisScenario::AxisScenario(const Scenario& base, std::span<const SweepAxis> axes)
@@ -22,6 +40,21 @@ AxisScenario::AxisScenario(const Scenario& base, std::span<const SweepAxis> axes
             m_lastPulseAxis = a;
         m_restoresPulse |= axes[a].key().starts_with("pulse.");
     }
+    m_judges = isString(base) || hasImpossibleCorner();
+}
+
+/// Every condition on a uniform rod is a bound that moves one way with each value, so that a grid is valid
+/// when its corners are: points need not be judged one by one. With the places of a string it is otherwise.
+bool AxisScenario::hasImpossibleCorner() {
+    bool isImpossible = false;
+    std::vector<double> values(m_axes.size());
+    visitCorners(m_axes, [&](std::span<const std::uint64_t> point) {
+        if (isImpossible) return;
+        for (std::size_t a = 0; a < values.size(); ++a) values[a] = m_axes[a].value(point[a]);
+        set(values);
+        isImpossible = m_obstacle.has_value();
+    });
+    return isImpossible;
 }
 
 const Scenario& AxisScenario::set(std::span<const double> values) {
@@ -30,8 +63,28 @@ const Scenario& AxisScenario::set(std::span<const double> values) {
     // moves nothing else, but a duration moves the impulse of a given force), so that each point starts from
     // the base.
     if (hasUnits(m_scenario)) restore();
-    for (const std::size_t a : m_assignments.order()) m_axes[a].assign(m_scenario, values[a]);
+    m_obstacle.reset();
+    for (const std::size_t a : m_assignments.order())
+        if (std::string problem = m_axes[a].assign(m_scenario, values[a]); !problem.empty() && !m_obstacle)
+            m_obstacle = {std::string(m_axes[a].key()), problem, problem, true};
+    if (!m_obstacle && m_judges) m_obstacle = judge(values);
     return m_scenario;
+}
+
+std::optional<PointObstacle> AxisScenario::judge(std::span<const double> values) const {
+    if (const auto pair = m_assignments.meeting(m_scenario)) {
+        const std::string one(m_axes[pair->one].key()), other(m_axes[pair->other].key());
+        const std::string reason = one + " and " + other + " " + pair->problem + "; vary one of them";
+        return PointObstacle{one, reason, reason};
+    }
+    if (const auto problems = validate(m_scenario); !problems.empty())
+        return PointObstacle{problems.front().key, problems.front().reason, problems.front().text};
+    for (std::size_t a = 0; a < m_axes.size(); ++a)
+        if (const std::string lost = m_axes[a].readBackProblem(m_scenario, values[a]); !lost.empty()) {
+            const std::string key(m_axes[a].key());
+            return PointObstacle{key, key + " " + lost, key + " " + lost};
+        }
+    return std::nullopt;
 }
 
 // Not the title, and the table of the pulse only where it must be, whose owners the threads count together.

@@ -2,8 +2,10 @@
 // A scenario in which axes are set, to one value after another.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/model/assignments.h"
@@ -15,16 +17,34 @@ namespace drillwave {
 /// What the axes set, each numbered as it is there.
 Assignments assignmentsOf(std::span<const SweepAxis> axes);
 
+/// Calls `visit(point)` with every combination of extreme values of the axes, as indices.
+void visitCorners(std::span<const SweepAxis> axes,
+                  const std::function<void(std::span<const std::uint64_t>)>& visit);
+
+/// Why a point of a study is no scenario.
+struct PointObstacle {
+    std::string key;         ///< that it is about; may be empty
+    std::string reason;      ///< "rod.bore must be less than the diameter of 38 mm", whatever the value is
+    std::string text;        ///< the same with the value, where there is one
+    bool isMeaning = false;  ///< an axis has no meaning there
+};
+
 /// Sets axes on top of a scenario. One for each thread.
+///
+/// The one rule of all studies for what a point may be: every axis has a meaning there, no two are about one
+/// section, the scenario is valid and holds the values. Where that fails the point has no answer.
 class AxisScenario {
   public:
     /// Both must outlive this.
     AxisScenario(const Scenario& base, std::span<const SweepAxis> axes);
 
-    /// The base with a value (SI) for each axis, in the order in which a scenario takes them.
+    /// The base with a value (SI) for each axis, in the order in which a scenario takes them; not to be
+    /// solved where there is an obstacle().
     const Scenario& set(std::span<const double> values);
     /// The scenario set last.
     const Scenario& scenario() const { return m_scenario; }
+    /// Why that is none; nothing when it is valid.
+    const std::optional<PointObstacle>& obstacle() const { return m_obstacle; }
 
     /// Whether the hammer blow may be another once the axes from this number on have other values.
     bool movesPulse(std::size_t firstChanged) const {
@@ -33,13 +53,17 @@ class AxisScenario {
 
   private:
     void restore();
+    bool hasImpossibleCorner();
+    std::optional<PointObstacle> judge(std::span<const double> values) const;
 
     const Scenario& m_base;
     std::span<const SweepAxis> m_axes;
     Assignments m_assignments;
     std::optional<std::size_t> m_lastPulseAxis;
     bool m_restoresPulse = false;  // some axis sets a number of the pulse
+    bool m_judges = true;          // each point
     Scenario m_scenario;
+    std::optional<PointObstacle> m_obstacle;
 };
 
 }  // namespace drillwave

@@ -59,7 +59,9 @@ class RowMaker {
             moveTo(point, changed);
             std::ranges::copy(m_values, row.begin());
             const std::string reason =
-                m_solver.solve(m_scenario.scenario(), row.subspan(m_values.size()), stop);
+                m_scenario.obstacle()
+                    ? m_scenario.obstacle()->reason
+                    : m_solver.solve(m_scenario.scenario(), row.subspan(m_values.size()), stop);
             if (!reason.empty()) chunk.rows.fail(reason);
             changed = point.advance();
         }
@@ -70,7 +72,9 @@ class RowMaker {
     void moveTo(const GridPoint& point, std::size_t changed) {
         for (std::size_t a = changed; a < m_values.size(); ++a) m_values[a] = m_sweep.axes[a].value(point[a]);
         m_scenario.set(m_values);
-        if (!m_hasPulse || m_scenario.movesPulse(changed)) m_solver.setPulse(m_scenario.scenario());
+        if (m_scenario.movesPulse(changed)) m_hasPulse = false;
+        if (m_hasPulse || m_scenario.obstacle()) return;
+        m_solver.setPulse(m_scenario.scenario());
         m_hasPulse = true;
     }
 

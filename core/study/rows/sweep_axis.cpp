@@ -221,11 +221,10 @@ double SweepAxis::value(std::uint64_t i) const {
     return unit->toSi(std::pow(10.0, between(std::log10(a), std::log10(b), position, last)));
 }
 
-void SweepAxis::assign(Scenario& scenario, double value) const {
-    if (kind == Kind::shapes)
-        scenario.pulse.shape = static_cast<PulseShape>(value);
-    else if (parameter->applies(scenario))
-        parameter->assign(scenario, value);
+std::string SweepAxis::assign(Scenario& scenario, double value) const {
+    const std::string problem = kind == Kind::shapes ? assignShape(scenario, static_cast<PulseShape>(value))
+                                                     : assignNumber(scenario, *parameter, value);
+    return problem.empty() ? problem : std::string(key()) + " " + problem;
 }
 
 std::string SweepAxis::readBackProblem(const Scenario& scenario, double value) const {

@@ -32,8 +32,9 @@ struct SweepAxis {
 
     /// The i-th value in SI, the ends exactly as given, even steps in `unit`; a shape as its number.
     double value(std::uint64_t i) const;
-    /// Sets one of its values, if the parameter applies to the scenario.
-    void assign(Scenario& scenario, double value) const;
+    /// Sets one of its values. Returns why the scenario cannot have it, "rod.bore has no meaning here: …";
+    /// empty when it has.
+    std::string assign(Scenario& scenario, double value) const;
     /// Why a scenario in which all axes have been set does not hold that value; empty when it does.
     std::string readBackProblem(const Scenario& scenario, double value) const;
     /// Where the extreme values are: two indices, all of them for shapes.

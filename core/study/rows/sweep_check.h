@@ -9,8 +9,9 @@
 
 namespace drillwave {
 
-/// What makes a sweep unusable, each a line that names the axis value: two axes of one quantity, a parameter
-/// that has no meaning in any point, a point that is no valid scenario. Empty when it can run.
+/// What makes a sweep unusable, each a line: two axes of one quantity, too many axes or points, outputs that
+/// such scenarios have not, no corner of the grid that is a scenario (AxisScenario). Empty when it can run; a
+/// point that is none has no answer then.
 std::vector<std::string> problemsOf(const Sweep& sweep);
 
 }  // namespace drillwave

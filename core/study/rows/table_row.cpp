@@ -40,11 +40,7 @@ TableRowAssigner::TableRowAssigner(const Scenario& base, const std::string& sour
       m_source(source),
       m_header(header),
       m_assignments(header.assignments()),
-      m_scenario(base) {
-    for (const std::size_t a : m_assignments.order())
-        for (const std::size_t b : m_assignments.order())
-            if (a < b && m_assignments.contradict(a, b)) m_rivals.emplace_back(a, b);
-}
+      m_scenario(base) {}
 
 std::vector<std::string> TableRowAssigner::assign(const CsvRecord& row, int line) {
     std::vector<std::string> problems = assignCells(row, line);
@@ -66,11 +62,13 @@ std::vector<std::string> TableRowAssigner::assignCells(const CsvRecord& row, int
     };
     for (std::size_t i = 0; i < cells.size(); ++i) add(i, textProblem(cells[i]));
     if (!problems.empty()) return problems;
-    for (const auto& [a, b] : m_rivals)
-        if (!cells[a].empty() && !cells[b].empty()) add(b, rivalProblem(a, b));
+    const auto isSet = [&](std::size_t i) { return !cells[i].empty(); };
+    if (const auto pair = m_assignments.rivals(isSet)) add(pair->other, rivalText(*pair));
     m_scenario = m_base;
     for (const std::size_t i : m_assignments.order())
-        if (!cells[i].empty()) add(i, assignCell(m_header.columns[i], cells[i]));
+        if (isSet(i)) add(i, assignCell(m_header.columns[i], cells[i]));
+    if (!problems.empty()) return problems;
+    if (const auto pair = m_assignments.meeting(m_scenario, isSet)) add(pair->other, rivalText(*pair));
     return problems;
 }
 
@@ -79,9 +77,10 @@ std::string TableRowAssigner::assignCell(const CaseColumn& column, const std::st
     return assignText(m_scenario, column.key(), cell, column.unit);
 }
 
-std::string TableRowAssigner::rivalProblem(std::size_t a, std::size_t b) const {
-    return std::string(m_header.columns[b].key()) + " and " + std::string(m_header.columns[a].key()) +
-           " set the same thing; leave one of the two cells empty";
+std::string TableRowAssigner::rivalText(const RivalPair& pair) const {
+    return std::string(m_header.columns[pair.other].key()) + " and " +
+           std::string(m_header.columns[pair.one].key()) + " " + pair.problem +
+           "; leave one of the two cells empty";
 }
 
 }  // namespace drillwave

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/model/scenario.h"
@@ -28,7 +27,7 @@ class TableRowAssigner {
   private:
     std::vector<std::string> assignCells(const CsvRecord& row, int line);
     std::string assignCell(const CaseColumn& column, const std::string& cell);
-    std::string rivalProblem(std::size_t a, std::size_t b) const;
+    std::string rivalText(const RivalPair& pair) const;
 
     std::string place(int line) const { return m_source + ":" + std::to_string(line); }
 
@@ -36,7 +35,6 @@ class TableRowAssigner {
     const std::string& m_source;
     const TableHeader& m_header;
     Assignments m_assignments;
-    std::vector<std::pair<std::size_t, std::size_t>> m_rivals;  // columns of which a row may set only one
     Scenario m_scenario;
 };
 

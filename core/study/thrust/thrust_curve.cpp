@@ -6,6 +6,7 @@
 #include "core/blow/string_blow.h"
 #include "core/blow/thrust.h"
 #include "core/model/blow_interval.h"
+#include "core/model/parameter_text.h"
 #include "core/model/validation.h"
 #include "core/numeric/ordered_work.h"
 #include "core/wave/exact/exact_solver.h"
@@ -14,17 +15,22 @@ namespace drillwave {
 
 namespace {
 
-Scenario scenarioAt(const Scenario& base, const Parameter& parameter, double value) {
-    Scenario scenario = base;
-    parameter.assign(scenario, value);
-    return scenario;
-}
+/// The base with that value, or why the point cannot even be tried.
+struct ScenarioAt {
+    Scenario scenario;
+    std::string obstacle;
+};
 
-/// Why the point cannot even be tried; empty when it can.
-std::string obstacle(const Scenario& scenario, const Parameter& parameter, double value) {
-    if (std::string problem = rangeProblem(parameter, value); !problem.empty()) return problem;
-    if (const auto problems = validate(scenario); !problems.empty()) return problems.front().text;
-    return thrustProblem(scenario);
+ScenarioAt scenarioAt(const Scenario& base, const Parameter& parameter, double value) {
+    ScenarioAt at{base, {}};
+    at.obstacle = assignNumber(at.scenario, parameter, value);
+    if (!at.obstacle.empty()) at.obstacle = std::string(parameter.key) + " " + at.obstacle;
+    if (const auto problems = at.obstacle.empty() ? validate(at.scenario) : std::vector<InputProblem>();
+        !problems.empty())
+        at.obstacle = problems.front().text;
+    if (at.obstacle.empty()) at.obstacle = readBackProblem(parameter, at.scenario, value);
+    if (at.obstacle.empty()) at.obstacle = thrustProblem(at.scenario);
+    return at;
 }
 
 /// Whether all points are one blow at one gap or another, for which one thread is enough: it finds the rest
@@ -32,9 +38,9 @@ std::string obstacle(const Scenario& scenario, const Parameter& parameter, doubl
 bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const double> values) {
     if (isString(base)) return false;
     const auto blowAt = [&](double value) -> std::optional<Problem> {
-        const Scenario scenario = scenarioAt(base, parameter, value);
-        if (!obstacle(scenario, parameter, value).empty()) return std::nullopt;
-        Problem problem = problemOf(scenario);
+        const ScenarioAt at = scenarioAt(base, parameter, value);
+        if (!at.obstacle.empty()) return std::nullopt;
+        Problem problem = problemOf(at.scenario);
         problem.gap = 0;
         return problem;
     };
@@ -84,10 +90,10 @@ ThrustPoint solvedPoint(const Scenario& scenario, double value, const PointSolve
 
 ThrustPoint pointAt(const Scenario& base, const Parameter& parameter, double value,
                     const PointSolvers& solvers, const std::stop_token& stop) {
-    const Scenario scenario = scenarioAt(base, parameter, value);
-    if (std::string problem = obstacle(scenario, parameter, value); !problem.empty())
-        return {.value = value, .needs = {}, .verdict = {}, .reason = std::move(problem)};
-    return solvedPoint(scenario, value, solvers, stop);
+    ScenarioAt at = scenarioAt(base, parameter, value);
+    if (!at.obstacle.empty())
+        return {.value = value, .needs = {}, .verdict = {}, .reason = std::move(at.obstacle)};
+    return solvedPoint(at.scenario, value, solvers, stop);
 }
 
 struct Chunk {

@@ -35,8 +35,9 @@ struct ThrustCurve {
 using ThrustCurveProgress = std::function<void(const ThrustCurve&)>;
 
 /// Sets the parameter to one value (SI, inside its hard range) after the other. It does not depend on `jobs`
-/// (≥ 1). A value with which the scenario is not valid, has no thrust (thrustProblem()) or cannot be solved
-/// has a reason in place of numbers. Requires that the parameter applies to the scenario.
+/// (≥ 1). A value that has no meaning there, with which the scenario is not valid, has no thrust
+/// (thrustProblem()) or cannot be solved has a reason in place of numbers. Requires that the parameter
+/// applies to the scenario.
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
                         int jobs, const std::stop_token& stop = {}, const ThrustCurveProgress& progress = {});
 

@@ -41,9 +41,10 @@ void TestAssignments::whatSetsNothingIsNumberedButNotSet() {
     assignments.skip();
     assignments.add("rod.length");
     QCOMPARE(assignments.order(), (std::vector<std::size_t>{3, 1}));
-    QVERIFY(assignments.contradict(1, 3));
-    QVERIFY(!assignments.contradict(0, 2));
-    QVERIFY(!assignments.contradict(0, 1));
+    const std::optional<RivalPair> pair = assignments.rivals();
+    QVERIFY(pair && pair->one == 1 && pair->other == 3);
+    QCOMPARE(pair->problem, std::string("set the same thing"));
+    QVERIFY(!assignments.rivals([](std::size_t i) { return i != 3; }));
     QVERIFY(!assignments.movesPulse(0));
 }
 

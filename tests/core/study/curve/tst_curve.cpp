@@ -86,6 +86,7 @@ class TestCurve : public QObject {
     void aStopEndsTheWork();
     void whatCannotBeFollowedIsRefused_data();
     void whatCannotBeFollowedIsRefused();
+    void aRangeBeyondWhatCanBeHasAStretchWithoutAnswer();
     void anAxisThatNoTextSaidIsRefusedAlike_data();
     void anAxisThatNoTextSaidIsRefusedAlike();
 };
@@ -501,6 +502,27 @@ void TestCurve::whatCannotBeFollowedIsRefused() {
     }
     QCOMPARE(problems.size(), 1u);
     QVERIFY2(problems[0].find(problem.toStdString()) != std::string::npos, problems[0].c_str());
+}
+
+void TestCurve::aRangeBeyondWhatCanBeHasAStretchWithoutAnswer() {
+    CurveQuestion asked = question(Scenario(), "rod.bore=10mm:60mm");
+    QCOMPARE(problemsOf(asked), std::vector<std::string>());
+    const CurveStudy study = studyCurve(asked, 2);
+    const CurveOutput& output = onlyLine(study).outputs.front();
+    QCOMPARE(output.unsolved.size(), 1u);
+    QVERIFY(isNear(output.unsolved.front().start, 0.038, 1e-6));
+    QCOMPARE(output.unsolved.front().end, 0.06);
+    QCOMPARE(output.unsolved.front().reason, std::string("rod.bore must be less than the diameter of 38 mm"));
+    QVERIFY(onlyLine(study).value(0.03, 0) && !onlyLine(study).value(0.05, 0));
+
+    asked = question(PulseShape::rectangular, {0.5, 0.1, 10, 0}, "beta=0.5:1");
+    asked.family = parseAxis("pulse.shape=rectangular,table").axis;
+    QCOMPARE(problemsOf(asked), std::vector<std::string>());
+    const CurveStudy family = studyCurve(asked, 2);
+    QVERIFY(family.lines[0].outputs[0].unsolved.empty());
+    QCOMPARE(family.lines[1].outputs[0].unsolved.size(), 1u);
+    QVERIFY(
+        family.lines[1].outputs[0].unsolved[0].reason.starts_with("pulse.points needs at least two points"));
 }
 
 void TestCurve::anAxisThatNoTextSaidIsRefusedAlike_data() {

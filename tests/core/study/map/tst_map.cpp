@@ -73,6 +73,7 @@ class TestMap : public QObject {
     void pointsWithoutASolutionSayWhy();
     void manyReasonsEndInOne();
     void aStoppedMapKeepsWhatIsThere();
+    void pointsThatAreNoScenarioHaveAReason();
     void whatCannotBeMappedIsSaid_data();
     void whatCannotBeMappedIsSaid();
 };
@@ -248,6 +249,19 @@ void TestMap::aStoppedMapKeepsWhatIsThere() {
     QCOMPARE(giveRows(study, grid, sink).failed, grid.size() - done);
 }
 
+void TestMap::pointsThatAreNoScenarioHaveAReason() {
+    const MapStudy study = mapOf(Scenario(), "rod.bore=0mm:60mm:13", "bit_rock.stiffness=10MN/m:20MN/m:4");
+    QCOMPARE(problemsOf(study), std::vector<std::string>());
+    const MapGrid grid = solveMap(study, 2);
+    QVERIFY(grid.isComplete());
+    for (std::size_t column = 0; column < grid.columns(); ++column)
+        for (std::size_t row = 0; row < grid.rows(); ++row)
+            QCOMPARE(grid.reason(column, row).empty(), study.x.value(column) < 0.038);
+    QCOMPARE(grid.failures().size(), std::size_t{1});
+    QCOMPARE(grid.failures().front().reason, std::string("rod.bore must be less than the diameter of 38 mm"));
+    QCOMPARE(grid.failed(), std::uint64_t{5 * 4});
+}
+
 void TestMap::whatCannotBeMappedIsSaid_data() {
     QTest::addColumn<MapStudy>("study");
     QTest::addColumn<QString>("problem");
@@ -261,8 +275,8 @@ void TestMap::whatCannotBeMappedIsSaid_data() {
     QTest::newRow("the same twice")
         << mapOf(Scenario(), "beta=1:2:4", "bit_rock.stiffness=10MN/m:20MN/m:4")
         << "the axes beta and bit_rock.stiffness set the same thing; vary one of them";
-    QTest::newRow("a corner that is no scenario")
-        << mapOf(Scenario(), "rod.bore=0mm:40mm:4", "bit_rock.stiffness=10MN/m:20MN/m:4")
+    QTest::newRow("no corner that is a scenario")
+        << mapOf(Scenario(), "rod.bore=40mm:50mm:4", "bit_rock.stiffness=10MN/m:20MN/m:4")
         << "at rod.bore = 40 mm, bit_rock.stiffness = 10 MN/m: rod.bore = 40 mm (must be less than the "
            "diameter of 38 mm)";
     QTest::newRow("SI without units")
