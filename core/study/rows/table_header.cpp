@@ -63,6 +63,22 @@ std::string wrongSeparator(char separator) {
            ", not by `,`; save the table with `,` between them and `.` in numbers";
 }
 
+/// The beginning of keys that a name has, "rod.": nothing but a key of theirs is meant by it.
+std::string_view groupOf(std::string_view name) {
+    const std::string_view group = name.substr(0, name.find('.') + 1);
+    const auto isOf = [&](const Parameter& parameter) { return parameter.key.starts_with(group); };
+    return group == "string." || (!group.empty() && std::ranges::any_of(parameters(), isOf))
+               ? group
+               : std::string_view();
+}
+
+std::string misspelt(std::string_view name, std::string_view group) {
+    const std::string near = nearestKey(name);
+    return "`" + shortened(name) + "` is not a parameter" +
+           (near.empty() ? "; " : "; did you mean `" + near + "`? ") + "A column that is only to be passed " +
+           "through cannot begin with `" + std::string(group) + "`";
+}
+
 /// Why a column that is none of a parameter may not just be passed through; empty when it may.
 std::string misnamed(std::string_view cell, std::string_view name) {
     if (const TextProblem problem = checkText(cell); !problem.reason.empty())
@@ -71,6 +87,8 @@ std::string misnamed(std::string_view cell, std::string_view name) {
     if (name == restrikeKey)
         return "`" + std::string(name) + "` is no number; give it with --set for all rows";
     const std::string_view key = meantKey(name);
+    if (const std::string_view group = groupOf(name); key.empty() && !group.empty())
+        return misspelt(name, group);
     if (key.empty()) return {};
     const bool unitInParentheses = name.find('(') != std::string_view::npos;
     return "`" + shortened(name) + "` is not a parameter; write `" + std::string(key) +

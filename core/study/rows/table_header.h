@@ -31,8 +31,9 @@ struct HeaderRemark {
 /// The columns in the order of the file.
 struct TableHeader {
     std::vector<CaseColumn> columns;
-    /// No column sets anything; a name that only case, `_` or the like keeps from being a parameter, or that
-    /// holds several; a parameter named twice, an unknown unit; bytes that are no text.
+    /// No column sets anything; a name that begins as those of parameters and is none; one that only case,
+    /// `_` or the like keeps from being a parameter, or that holds several; a parameter named twice, an
+    /// unknown unit; bytes that are no text.
     std::vector<HeaderRemark> problems;
     /// Columns that name neither a parameter nor an output, or an output that is appended as well.
     std::vector<HeaderRemark> warnings;

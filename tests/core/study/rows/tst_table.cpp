@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/file/examples.h"
+#include "core/file/scenario_file.h"
 #include "core/report/row_csv.h"
 #include "core/study/rows/table.h"
 #include "core/study/rows/table_header.h"
@@ -83,6 +85,7 @@ class TestTable : public QObject {
     void unknownColumnsAreWarnedOfAndOutputsAreNot();
     void badTablesAreRefusedWithTheirPlace_data();
     void badTablesAreRefusedWithTheirPlace();
+    void twoCellsOfOneSectionAreRefused();
     void onlyTheFirstTwentyProblemsAreListed();
     void aRowThatBecameInvalidIsEmptyAndCounted();
 };
@@ -223,6 +226,19 @@ void TestTable::badTablesAreRefusedWithTheirPlace_data() {
         << "cases.csv:3:1: rod.length = 3 ft (is in ft, the column in m";
     QTest::newRow("one thing set twice") << QByteArray("rod.length [m],tau\n4,\n,5\n3,5\n")
                                          << "cases.csv:4:2: tau and rod.length set the same thing";
+    QTest::newRow("a key misspelt beside a good one")
+        << QByteArray("rod.lenght [m],beta\n1,2\n")
+        << "cases.csv:1:1: `rod.lenght` is not a parameter; did you mean `rod.length`?";
+    QTest::newRow("a key of a section misspelt")
+        << QByteArray("beta,string.rod.lenght [mm]\n1,2\n")
+        << "cases.csv:1:2: `string.rod.lenght` is not a parameter; did you mean `string.rod.length`?";
+    QTest::newRow("a place with a nought") << QByteArray("beta,string.03.length [mm]\n1,2\n")
+                                           << "cases.csv:1:2: `string.03.length` is not a parameter; A "
+                                              "column that is only to be passed through cannot "
+                                              "begin with `string.`";
+    for (const char* name : {"pulse.x", "hammer.x", "bit_rock.x", "drill.x", "material.x", "rod."})
+        QTest::newRow(name) << QByteArray("beta,") + name + "\n1,2\n"
+                            << QString("cases.csv:1:2: `%1` is not a parameter; ").arg(name);
     QTest::newRow("without meaning") << QByteArray("pulse.rise\n0.2\n")
                                      << "cases.csv:2:1: pulse.rise = 0.2 (only a trapezoid";
 }
@@ -233,6 +249,23 @@ void TestTable::badTablesAreRefusedWithTheirPlace() {
     const TableCheck check = checkOf(tableOf(Scenario()), cases.toStdString());
     QCOMPARE(check.problems.size(), std::size_t{1});
     QVERIFY2(QString::fromStdString(check.problems[0]).startsWith(problem), check.problems[0].c_str());
+}
+
+// Both rows would be solved with the value of the place, and show the other beside it.
+void TestTable::twoCellsOfOneSectionAreRefused() {
+    const Scenario base = parseScenario(findExample("t38_string")->text, "").scenario;
+    const auto problemOf = [&](const std::string& cases) {
+        const TableCheck check = checkOf(tableOf(base), cases);
+        return check.problems.empty() ? QString() : QString::fromStdString(check.problems.front());
+    };
+    QVERIFY(problemOf("string.3.length [mm],string.5.length [mm]\n3000,2000\n")
+                .startsWith(
+                    "cases.csv:2:2: string.5.length and string.3.length set one section, which a repeat"));
+    QVERIFY(
+        problemOf("string.rod.length [mm],string.3.length [mm]\n3000,2000\n")
+            .startsWith("cases.csv:2:2: string.3.length and string.rod.length set one section: section 3"));
+    QCOMPARE(problemOf("string.3.length [mm],string.5.length [mm]\n3000,\n,2000\n"), QString());
+    QCOMPARE(problemOf("string.3.length [mm],string.4.length [mm]\n3000,200\n"), QString());
 }
 
 void TestTable::onlyTheFirstTwentyProblemsAreListed() {
