@@ -118,7 +118,7 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("setting that would not be kept")
         << QStringList{"run", drill, "--set", "beta=1e301"} << 5 << "beta = 1e301 (cannot be kept";
     QTest::newRow("axis that would not be kept")
-        << QStringList{"sweep", drill, "--vary", "beta=1:1e301:3:log"} << 5 << "beta cannot be kept";
+        << QStringList{"sweep", drill, "--vary", "beta=1:1e301:3:log"} << 6 << "beta cannot be kept";
     QTest::newRow("gap of too many periods")
         << QStringList{"run", paper, "--set", "delta=1e17"} << 5
         << "delta = 1e17 (must be in [0, 1e+09]: in a larger one the numbers";
@@ -169,7 +169,25 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("axis out of range")
         << QStringList{"sweep", paper, "--vary", "beta=0:1:3"} << 5 << "beta = 0 (must be greater than 0)";
     QTest::newRow("axis invalid at its end")
-        << QStringList{"sweep", drill, "--vary", "rod.bore=1mm:40mm:3"} << 5 << "at rod.bore = 40 mm";
+        << QStringList{"sweep", drill, "--vary", "rod.bore=1mm:40mm:3"} << 6
+        << "1 row: rod.bore must be less than the diameter of 38 mm";
+    QTest::newRow("axis invalid all over")
+        << QStringList{"sweep", drill, "--vary", "rod.bore=40mm:50mm:3"} << 5 << "at rod.bore = 40 mm";
+    const QString string = example("t38_string");
+    QTest::newRow("name and place of one section")
+        << QStringList{"run", string, "--set", "string.rod.length=3m", "string.3.length=2m"} << 2
+        << "set one section: section 3 of the string is called rod; give one of them";
+    QTest::newRow("shape of a string")
+        << QStringList{"sweep", string, "--vary", "pulse.shape=half_sine,piston"} << 5
+        << "has no meaning here: only a uniform rod has it";
+    QTest::newRow("place that repeats leave none")
+        << QStringList{"sweep", string, "--vary", "string.repeat=1:3:3", "string.9.length=60mm,70mm"} << 6
+        << "4 of 6 rows could not be solved";
+    QTest::newRow("rock as of air") << QStringList{"run", string, "--set", "beta=1e-300"} << 5
+                                    << "bit_rock.stiffness";
+    QTest::newRow("number beyond double precision")
+        << QStringList{"run", example("reference_case"), "--set", "tau=5e-324"} << 6
+        << "beyond the range of double precision";
     QTest::newRow("mistyped output") << QStringList{"sweep",    paper,       "--vary",
                                                     "beta=1,2", "--outputs", "peak_forc"}
                                      << 2 << "did you mean `peak_force`?";

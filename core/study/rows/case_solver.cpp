@@ -65,7 +65,8 @@ std::string CaseSolver::fill(const OutputSource& source, std::span<double> outpu
     for (std::size_t c = 0; c < m_columns.size(); ++c) {
         const std::optional<double> value = m_columns[c].value(source, scales);
         outputs[c] = value.value_or(none);
-        std::string problem = value ? overflowProblem(*m_columns[c].output, *value) : std::string();
+        if (!value || std::isfinite(*value)) continue;
+        std::string problem = overflowProblem(*m_columns[c].output, *value);
         if (problem.empty()) continue;
         std::ranges::fill(outputs, none);
         return problem;

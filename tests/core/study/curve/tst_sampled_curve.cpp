@@ -142,7 +142,7 @@ void TestSampledCurve::aRangeThatIsNoneIsRefused() {
     QVERIFY(!sampledProblemsOf(question("bit_rock.stiffness=400 MN/m:20 MN/m:5")).empty());
     QVERIFY(!sampledProblemsOf(question("bit_rock.stiffness=20 MN/m,40 MN/m")).empty());
     // A bore of 14.5 mm does not fit.
-    QVERIFY(!sampledProblemsOf(question("string.coupling.diameter=10 mm:56 mm:5")).empty());
+    QVERIFY(!sampledProblemsOf(question("string.coupling.diameter=10 mm:14 mm:5")).empty());
     QVERIFY(!sampledProblemsOf(question("string.cupling.diameter=30 mm:56 mm:5")).empty());
 }
 
