@@ -74,9 +74,10 @@ std::string_view groupOf(std::string_view name) {
 
 std::string misspelt(std::string_view name, std::string_view group) {
     const std::string near = nearestKey(name);
-    return "`" + shortened(name) + "` is not a parameter" +
-           (near.empty() ? "; " : "; did you mean `" + near + "`? ") + "A column that is only to be passed " +
-           "through cannot begin with `" + std::string(group) + "`";
+    const std::string way = near.empty() ? "; write a key that there is" : "; did you mean `" + near + "`";
+    return "`" + shortened(name) + "` is not a parameter" + way + ", or another name than `" +
+           std::string(group) + "…` for a column that is only to be passed through" +
+           (near.empty() ? "" : "?");
 }
 
 /// Why a column that is none of a parameter may not just be passed through; empty when it may.
