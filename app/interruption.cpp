@@ -68,7 +68,9 @@ void exitOnInterruption() {
 
 Interruption::Interruption() {
     if (::pipe2(wakeUp, O_CLOEXEC) != 0)
-        throw CommandError(ExitCode::internalError, "no pipe left for the signal handler; close some files");
+        throw CommandError(ExitCode::unwritableOutput,
+                           "nothing can be written: " + std::generic_category().message(errno) +
+                               "; raise the limit of open files (ulimit -n)");
     const auto watch = [this] {
         char byte = ended;
         while (::read(wakeUp[0], &byte, 1) < 0 && errno == EINTR) {
