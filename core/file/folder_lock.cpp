@@ -29,7 +29,8 @@ bool areLocksUnknown(int error) {
 
 FolderLock::~FolderLock() {
     if (m_descriptor < 0) return;
-    ::unlink(m_path.c_str());
+    // Where it is gone with its folder, one of that name is somebody else's.
+    if (isStill(m_descriptor, m_path)) ::unlink(m_path.c_str());
     ::close(m_descriptor);
 }
 

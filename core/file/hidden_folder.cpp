@@ -21,9 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view namesBegin = ".drillwave-";
 
-/// Others take one that is just being made for that of a dead run and remove it.
-constexpr int mostAttempts = 5;
-
 std::string listIn(const std::string& hidden) {
     return hidden + "/exchange";
 }
@@ -84,32 +81,40 @@ void mend(const std::string& folder, const std::string& hidden) {
 
 HiddenFolder::~HiddenFolder() {
     std::error_code ignored;
-    if (!m_path.empty()) fs::remove_all(m_path, ignored);
+    if (m_path.empty()) return;
+    fs::remove_all(m_path, ignored);
+    // Once more with the open file of the lock to spare: it may be the last one permitted.
+    m_lock.reset();
+    fs::remove_all(m_path, ignored);
 }
 
 int HiddenFolder::make(const std::string& parent) {
     assert(!isMade());
-    int error = 0;
-    for (int attempt = 0; attempt < mostAttempts; ++attempt) {
-        std::string path = pathInside(parent, std::string(namesBegin) + "XXXXXX");
-        if (!::mkdtemp(path.data())) return errno;
-        auto lock = std::make_unique<FolderLock>(path);
-        error = lock->tryLock();
-        if (error == EWOULDBLOCK || error == ENOENT) continue;
-        // On a disk without locks it works as well, but for being mended.
-        if (error != 0 && !areLocksUnknown(error)) {
-            ::rmdir(path.c_str());
-            return error;
-        }
-        m_path = std::move(path);
-        m_lock = std::move(lock);
-        for (const char* part : {"/new", "/old"}) {
-            std::error_code problem;
-            if (!fs::create_directory(m_path + part, problem)) return problem.value();
-        }
-        return 0;
+    // Under a name that no mending run looks for until it is locked: else one takes it for that of a dead
+    // run.
+    constexpr std::string_view unlockedBegin = ".drillwave_";
+    std::string path = pathInside(parent, std::string(unlockedBegin) + "XXXXXX");
+    if (!::mkdtemp(path.data())) return errno;
+    auto lock = std::make_unique<FolderLock>(path);
+    int error = lock->tryLock();
+    // On a disk without locks it works as well, but for being mended.
+    if (areLocksUnknown(error)) error = 0;
+    for (const char* part : {"/new", "/old"}) {
+        std::error_code problem;
+        if (error == 0 && !fs::create_directory(path + part, problem)) error = problem.value();
     }
-    return error;
+    std::string found = path;
+    found.replace(found.size() - unlockedBegin.size() - 6, namesBegin.size(), namesBegin);
+    if (error == 0 && std::rename(path.c_str(), found.c_str()) != 0) error = errno;
+    if (error != 0) {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+        ::rmdir(path.c_str());  // needs no open file, of which there may be none left
+        return error;
+    }
+    m_path = std::move(found);
+    m_lock = std::move(lock);
+    return 0;
 }
 
 WriteFailure HiddenFolder::beginExchange(const std::vector<std::string>& names) {
