@@ -5,11 +5,21 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "core/model/scales.h"
 
 namespace drillwave {
 namespace {
+
+/// What is said of a scenario's form behind its title.
+constexpr std::string_view asString = ", as a drill string", asRod = ", as a uniform rod";
+
+std::string titleAs(std::string title, std::string_view form) {
+    for (const std::string_view other : {asString, asRod})
+        if (title.ends_with(other)) title.resize(title.size() - other.size());
+    return title.empty() ? title : title.append(form);
+}
 
 /// An impedance of so many times that of the rod stands for a rigid hammer.
 constexpr double rigidRatio = 20;
@@ -129,7 +139,7 @@ Conversion stringOf(const Scenario& scenario) {
     assert(whyNoString(scenario).empty());
     Conversion converted;
     Scenario& string = converted.scenario;
-    string.title = scenario.title;
+    string.title = titleAs(scenario.title, asString);
     string.form = ScenarioForm::string;
     string.bitRock = scenario.bitRock;
     string.drill = scenario.drill;
@@ -147,7 +157,7 @@ Conversion uniformRodOf(const Scenario& scenario) {
     const RodProperties properties = propertiesOf(kept, drill.material);
     Conversion converted;
     Scenario& uniform = converted.scenario;
-    uniform.title = scenario.title;
+    uniform.title = titleAs(scenario.title, asRod);
     uniform.bitRock = scenario.bitRock;
     uniform.drill = scenario.drill;
     uniform.rod = {.length = properties.waveSpeed * stringProperties(drill).transitTime,

@@ -47,6 +47,16 @@ QString shownValue(const Parameter& parameter, double si) {
     return unit.name.empty() ? number : number + QLatin1Char(' ') + shownUnitName(unit.name);
 }
 
+const std::string changedWord = ", changed";
+
+// The comment at the head of an example is about its values.
+std::string withoutHead(const std::string& text) {
+    std::size_t begin = 0;
+    while (begin < text.size() && text[begin] == '#')
+        begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    return text.substr(begin);
+}
+
 // "t38_rod_medium_rock" of "T38 rod, medium rock": letters and digits of any script, which every system
 // takes.
 QString fileStemOf(const std::string& title) {
@@ -92,6 +102,26 @@ QString Document::suggestedPath() const {
     if (m_origin.isEmpty()) return fileStemOf(m_scenario.title) + QStringLiteral(".yaml");
     const QFileInfo origin(m_origin);
     return origin.dir().filePath(origin.completeBaseName() + QStringLiteral(".yaml"));
+}
+
+bool Document::isChangedExample() const {
+    if (!m_example) return false;
+    Scenario example = *m_example;
+    example.title = m_scenario.title;
+    return example != m_scenario;
+}
+
+ScenarioDocument Document::contents() const {
+    return {m_scenario, isChangedExample() ? withoutHead(m_text) : m_text, m_source.source};
+}
+
+// Its own title comes back with its values.
+void Document::nameChanged(Scenario& after) const {
+    if (!m_example || m_example->title.empty()) return;
+    const std::string& own = m_example->title;
+    if (after.title != own && after.title != own + changedWord) return;
+    after.title = own;
+    if (after != *m_example) after.title += changedWord;
 }
 
 QByteArray Document::text() const {
@@ -191,6 +221,7 @@ std::unique_ptr<ScenarioEdit> Document::newEdit(Scenario after, const QString& k
     // Points that were read again and are the same need no memory of their own in the history.
     if (after.pulse.tablePoints == m_scenario.pulse.tablePoints)
         after.pulse.tablePoints = m_scenario.pulse.tablePoints;
+    nameChanged(after);
     return std::make_unique<ScenarioEdit>(
         m_scenario, [this] { announceChange(); }, std::move(after), key, gesture);
 }
@@ -203,6 +234,7 @@ void Document::announceChange() {
 void Document::take(ScenarioDocument source, const QString& path, const QString& origin) {
     m_source = std::move(source);
     m_text = m_source.text;
+    m_example.reset();
     m_path = path;
     m_origin = origin;
     m_undoStack.clear();
@@ -223,6 +255,7 @@ QString Document::startFrom(std::string_view text, const QString& name) {
     } catch (const ScenarioError& error) {
         return lines(error);
     }
+    m_example = m_scenario;
     return {};
 }
 
@@ -243,6 +276,7 @@ QString Document::open(const QString& path) {
 QString Document::reload() {
     try {
         ScenarioDocument source = loadScenario(nativePath(m_path));
+        m_example.reset();  // the file has words of its own
         pushContents(source.scenario, source.text, tr("reload the file"));
         m_source = std::move(source);
     } catch (const ScenarioError& error) {

@@ -7,6 +7,7 @@
 #include <QUndoStack>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/file/scenario_file.h"
@@ -49,7 +50,10 @@ class Document : public QObject {
     /// The bytes that saving would write. Throws ScenarioError where they would be more than a file may have.
     QByteArray text() const;
     /// The scenario as it is, with the text it came from: all that its bytes are made of.
-    ScenarioDocument contents() const { return {m_scenario, m_text, m_source.source}; }
+    ScenarioDocument contents() const;
+    /// Whether it began as an example and says something else now: what that says of its values, in the title
+    /// and in the comment at its head, is not kept then.
+    bool isChangedExample() const;
     /// The scenario with other values of parameters, set in that order, and its text, as saving would write
     /// it. Changes nothing here; returns why not. Throws ScenarioError as text() does.
     QString contentsWith(const std::vector<ParameterValue>& values, ScenarioDocument& changed) const;
@@ -126,6 +130,7 @@ class Document : public QObject {
     void pushContents(Scenario after, const std::string& text, const QString& name);
     std::unique_ptr<ScenarioEdit> newEdit(Scenario after, const QString& key, int gesture);
     void announceChange();
+    void nameChanged(Scenario& after) const;
     void take(ScenarioDocument source, const QString& path, const QString& origin);
     QString takeTable(const QString& path, const std::string& name, const QString& step);
     bool keepTableInReach(const QString& path);
@@ -134,6 +139,7 @@ class Document : public QObject {
     Scenario m_scenario;
     ScenarioDocument m_source;  // as last read or written
     std::string m_text;         // what saving changes as little as possible; changes only with the history
+    std::optional<Scenario> m_example;  // which it began as
     QString m_path;
     QString m_origin;  // what the names of other files are relative to
     QUndoStack m_undoStack;

@@ -8,7 +8,7 @@ namespace drillwave {
 FormNotice::FormNotice(Document& document, QWidget* parent)
     : Notice(Tone::information, parent),
       m_document(document),
-      m_toString(new QAction(tr("Make a drill &string of this"), this)),
+      m_toString(new QAction(tr("&Make a drill string of this"), this)),
       m_toUniformRod(new QAction(tr("&Simplify to a uniform rod"), this)) {
     setObjectName(QStringLiteral("formNotice"));
     QPushButton* undo = addButton(tr("Undo"), tr("Take the conversion back"));

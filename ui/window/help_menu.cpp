@@ -16,7 +16,7 @@ void HelpMenu::showMouseAndKeys() {
         m_window, Questions::Tone::information, tr("Mouse and keys"),
         tr("Window\n"
            "Ctrl+Tab, Ctrl+Shift+Tab: next page, previous page; F6, Shift+F6: scenario, page, result\n"
-           "Ctrl+I, Ctrl+U, Ctrl+D: SI, US units, dimensionless\n"
+           "Ctrl+I, Ctrl+U, Ctrl+L: SI, US units, dimensionless\n"
            "F7: pin the result, to compare others with\n"
            "Ctrl+R, Ctrl+P: write, print the report; Ctrl+Shift+P, Ctrl+Shift+C: save, copy the picture\n"
            "\n"

@@ -97,6 +97,12 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     // Before any page hears of it: none is to ask for studies of what it cannot show.
     connect(&m_document, &Document::scenarioChanged, m_pages,
             [this] { m_pages->follow(m_document.scenario()); });
+    connect(m_pages, &PageTabs::stringWanted, this, [this] {
+        const QAction& toString = *m_formNotice->toString();
+        if (!toString.isEnabled()) return inform(toString.toolTip());
+        m_formNotice->toString()->trigger();
+        if (isString(m_document.scenario())) m_pages->setCurrentWidget(m_stringPage);
+    });
     connect(&m_document, &Document::scenarioChanged, &m_observation, [this] {
         const Scenario& scenario = m_document.scenario();
         m_observation.setRear(isString(scenario) ? hammerRear(scenario.drillString) : 0);
@@ -229,7 +235,7 @@ void MainWindow::addStatusBar() {
 void MainWindow::wire() {
     connect(&m_document, &Document::stateChanged, this, &MainWindow::presentState);
     connect(&m_document, &Document::stateChanged, m_exampleNote,
-            [this] { m_exampleNote->setChanged(m_document.scenario() != m_document.source().scenario); });
+            [this] { m_exampleNote->setChanged(m_document.isChangedExample()); });
     connect(&m_document, &Document::replaced, m_exampleNote, &ExampleNote::forget);
     connect(m_fileMenu, &FileMenu::exampleOpened, m_exampleNote, &ExampleNote::explain);
     connect(new FileDrop(this), &FileDrop::dropped, m_fileMenu, &FileMenu::take);

@@ -37,6 +37,9 @@ PageTabs::PageTabs(QWidget* parent)
     connect(m_strip, &QTabBar::currentChanged, this, [this](int tab) {
         if (QWidget* page = m_strip->pageAt(tab)) setCurrentWidget(page);
     });
+    connect(m_strip, &TabStrip::refused, this, [this] {
+        if (!m_ofString) emit stringWanted();
+    });
     connect(this, &QStackedWidget::currentChanged, m_strip,
             [this] { m_strip->setCurrentIndex(m_strip->indexOf(currentWidget())); });
 }
@@ -109,8 +112,8 @@ void PageTabs::offer(Page& page, const Scenario& scenario) {
         m_strip->indexOf(&page), page.shows(scenario),
         m_ofString ? tr("of uniform rods alone, and this scenario is a drill string: Edit ▸ Simplify to a "
                         "uniform rod")
-                   : tr("of drill strings alone, and this scenario is a uniform rod: Edit ▸ Make a "
-                        "drill string of this"));
+                   : tr("of drill strings alone, and this scenario is a uniform rod: a click makes a "
+                        "drill string of it, as Edit ▸ Make a drill string of this does"));
 }
 
 bool PageTabs::isOffered(int index) const {

@@ -57,6 +57,8 @@ class PageTabs : public QStackedWidget {
     void exportRequested(const drillwave::PageExport& wanted);
     /// Other pages can be chosen than before.
     void offersChanged();
+    /// The user wants a page that only drill strings have, and the scenario is none.
+    void stringWanted();
 
   private:
     struct Group {

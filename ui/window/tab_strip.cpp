@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/tab_strip.h"
 
+#include <QMouseEvent>
 #include <QPainter>
 #include <QStyleOptionTab>
 
@@ -94,6 +95,13 @@ void TabStrip::initStyleOption(QStyleOptionTab* option, int index) const {
     if (!isCaption(index)) return;
     option->rect = {};
     option->text.clear();
+}
+
+void TabStrip::mousePressEvent(QMouseEvent* event) {
+    QTabBar::mousePressEvent(event);
+    const int index = tabAt(event->position().toPoint());
+    if (event->button() == Qt::LeftButton && index >= 0 && !isCaption(index) && !isTabEnabled(index))
+        emit refused(pageAt(index));
 }
 
 void TabStrip::paintEvent(QPaintEvent* event) {

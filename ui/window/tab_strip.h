@@ -29,11 +29,16 @@ class TabStrip : public QTabBar {
     /// Chooses the tab `step` tabs of pages further on, round the row.
     void choose(int step);
 
+  signals:
+    /// A click on the tab of a page that cannot be chosen.
+    void refused(QWidget* page);
+
   protected:
     QSize tabSizeHint(int index) const override;
     QSize minimumTabSizeHint(int index) const override;
     void initStyleOption(QStyleOptionTab* option, int index) const override;
     void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
 
   private:
     bool isCaption(int index) const { return !pageAt(index); }

@@ -33,7 +33,7 @@ UnitsChoice::UnitsChoice(QWidget* window)
     setToolTipsVisible(true);
     addSystem(UnitSystem::si, tr("&SI"), QKeySequence(Qt::CTRL | Qt::Key_I));
     addSystem(UnitSystem::us, tr("&US customary"), QKeySequence(Qt::CTRL | Qt::Key_U));
-    addSystem(UnitSystem::dimensionless, tr("&Dimensionless"), QKeySequence(Qt::CTRL | Qt::Key_D));
+    addSystem(UnitSystem::dimensionless, tr("&Dimensionless"), QKeySequence(Qt::CTRL | Qt::Key_L));
     addSeparator();
     for (const UnitKindRow& row : unitKinds()) addKind(row);
     m_button->setObjectName(QStringLiteral("units"));

@@ -50,6 +50,7 @@ class TestDocument : public QObject {
     void savingElsewhereKeepsTheTableInReach();
     void aResultIsOpenedWithoutAPath();
     void aNewFileIsNamedAfterItsTitle();
+    void wordsOfAnExampleDoNotOutliveItsValues();
     void aReloadIsAStepThatCanBeUndone();
     void aRestoredScenarioIsUnsavedAndHasNoPath();
     void aHammerBlowIsTakenFromATable();
@@ -306,6 +307,29 @@ void TestDocument::aResultIsOpenedWithoutAPath() {
     const QString table = m_folder.filePath(QStringLiteral("table.csv"));
     write(table, "time,force\n0,0\n1,1\n");
     QVERIFY(document.open(table).contains(QStringLiteral("holds no scenario")));
+}
+
+void TestDocument::wordsOfAnExampleDoNotOutliveItsValues() {
+    const std::string title = m_document->scenario().title;
+    QVERIFY(m_document->text().startsWith("#"));
+    const double stiffness = m_document->scenario().bitRock.stiffness;
+    m_document->assign(parameter("bit_rock.stiffness"), 333e6, 1);
+    QCOMPARE(m_document->scenario().title, title + ", changed");
+    QVERIFY2(m_document->text().startsWith("drillwave:"), m_document->text().left(60));
+    QVERIFY(m_document->isChangedExample());
+    // Saved, it still is none.
+    QCOMPARE(m_document->save(m_folder.filePath("changed.yaml")), QString());
+    QVERIFY(m_document->isChangedExample());
+    m_document->assign(parameter("bit_rock.stiffness"), stiffness, 2);
+    QCOMPARE(m_document->scenario().title, title);
+    QCOMPARE(m_document->text(), exampleBytes());
+    // What somebody else wrote stays.
+    QCOMPARE(m_document->open(m_folder.filePath("changed.yaml")), QString());
+    m_document->assign(parameter("bit_rock.stiffness"), 222e6, 3);
+    QCOMPARE(m_document->scenario().title, title + ", changed");
+    m_document->setTitle("mine");
+    m_document->assign(parameter("bit_rock.stiffness"), 223e6, 4);
+    QCOMPARE(m_document->scenario().title, std::string("mine"));
 }
 
 void TestDocument::aNewFileIsNamedAfterItsTitle() {

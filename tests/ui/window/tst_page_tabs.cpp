@@ -19,6 +19,7 @@
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/stiffness/stiffness_page.h"
 #include "ui/pages/stiffness/stiffness_plot.h"
+#include "ui/pages/string/string_page.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
@@ -69,6 +70,8 @@ class TestPageTabs : public QObject {
     void theStudyMenuHasTheStudies();
     void noPageIsChosenThatShowsNothingOfAString();
     void theGapOfAStringIsVariedByOneClick();
+    void aClickOnTheGreyedTabMakesAString();
+    void aKeyHasOneMeaning();
 
   private:
     void press(QWidget& window, Qt::Key key, Qt::KeyboardModifiers modifiers) {
@@ -82,6 +85,40 @@ class TestPageTabs : public QObject {
 void TestPageTabs::initTestCase() {
     QLocale::setDefault(QLocale::c());
     keepSettingsIn(m_folder.path());
+}
+
+void TestPageTabs::aClickOnTheGreyedTabMakesAString() {
+    const auto made = newWindow(m_answers);
+    MainWindow& window = *made;
+    window.resize(1440, 900);
+    window.show();
+    const PageTabs& pages = part<PageTabs>(window);
+    auto* page = window.findChild<StringPage*>();
+    TabStrip& strip = *pages.strip();
+    const int tab = strip.indexOf(page);
+    QVERIFY(!strip.isTabEnabled(tab));
+    QTest::mouseClick(&strip, Qt::LeftButton, {}, strip.tabRect(tab).center());
+    QVERIFY(isString(window.document().scenario()));
+    QCOMPARE(pages.currentWidget(), static_cast<QWidget*>(page));
+    QVERIFY(window.document().scenario().title.ends_with(", as a drill string"));
+    QVERIFY(!window.document().text().startsWith("#"));
+    window.document().undoStack().undo();
+    QVERIFY(!isString(window.document().scenario()));
+}
+
+void TestPageTabs::aKeyHasOneMeaning() {
+    const auto made = newWindow(m_answers);
+    const MainWindow& window = *made;
+    QHash<QKeySequence, QStringList> names;
+    for (const QAction* action : window.findChildren<QAction*>())
+        for (const QKeySequence& keys : action->shortcuts())
+            if (!action->text().isEmpty() && keys[0].keyboardModifiers() != Qt::NoModifier)
+                names[keys] << action->text();
+    for (auto key = names.cbegin(); key != names.cend(); ++key) {
+        QStringList different = *key;
+        different.removeDuplicates();
+        QVERIFY2(different.size() == 1, qPrintable(key.key().toString() + ": " + different.join(", ")));
+    }
 }
 
 void TestPageTabs::pagesStandInTheirGroups() {
