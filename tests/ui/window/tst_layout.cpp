@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QScreen>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -57,6 +58,7 @@ class TestLayout : public QObject {
 
   private slots:
     void initTestCase();
+    void theFirstSizeLeavesRoomForAFrame();
     void everythingCanBeReadAndReached_data();
     void everythingCanBeReadAndReached();
     void cleanup();
@@ -76,6 +78,16 @@ void TestLayout::cleanup() {
     QApplication::setPalette(QPalette());
     QApplication::setFont(m_font);
     Settings().clear();
+}
+
+/// What the window manager adds is not known before the window is shown, and sometimes not soon after.
+void TestLayout::theFirstSizeLeavesRoomForAFrame() {
+    const auto window = newWindow(m_answers);
+    const QSize room = window->screen()->availableSize() - QSize(16, 48);
+    const QSize least = window->minimumSizeHint();
+    QVERIFY(window->width() <= std::max(room.width(), least.width()));
+    QVERIFY2(window->height() <= std::max(room.height(), least.height()),
+             qPrintable(QString::number(window->height())));
 }
 
 void TestLayout::everythingCanBeReadAndReached_data() {
