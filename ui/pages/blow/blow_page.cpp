@@ -160,6 +160,7 @@ void BlowPage::showInstant() {
 void BlowPage::setResult(const SolvedBlowPtr& blow) {
     m_blow = blow;
     const auto* curves = blow->page<BlowCurves>();
+    showMeasured();  // in the units on show before the axes are fitted to it
     if (curves && !(curves->timeEnd > 0) && blow->string) {
         m_plots->showNothing(tr("Nothing to show: the waves of this blow are more than can be kept."));
     } else if (curves) {
@@ -169,7 +170,6 @@ void BlowPage::setResult(const SolvedBlowPtr& blow) {
     } else if (!blow->problem.isEmpty()) {
         m_plots->showNothing(tr("Nothing to show: %1").arg(blow->problem));
     }
-    showMeasured();
     showPlace();
     showInstant();
     m_plot->setAccessibleDescription(m_plots->textSummary());

@@ -9,6 +9,7 @@
 #include "core/wave/field/wave_field.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
+#include "ui/document/measured_list.h"
 #include "ui/form/quantity_slider.h"
 #include "ui/form/scenario_panel.h"
 #include "ui/job/solve_job.h"
@@ -51,6 +52,7 @@ class TestBlowPage : public QObject {
     void thePlaceIsGivenInMetresWhereThereIsALength();
     void theInstantOfTheTimeCursorIsRead();
     void anUnsolvedBlowSaysWhy();
+    void inOtherUnitsAMeasuredCurveIsFittedLikeTheRest();
     void theTimeCursorIsShared();
     void cursorsStayInTheirPlaceInOtherUnits();
     void cursorsReadExactImpulses_data();
@@ -79,6 +81,28 @@ void TestBlowPage::init() {
     m_page->resize(700, 700);
     m_page->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+}
+
+void TestBlowPage::inOtherUnitsAMeasuredCurveIsFittedLikeTheRest() {
+    QUndoStack history;
+    MeasuredList measured(history);
+    MeasuredSignal signal;
+    signal.name = "gauge";
+    signal.quantity = MeasuredQuantity::normalForce;
+    signal.points = TablePoints{{0, 0}, {1e-3, -400e3}, {2e-3, 300e3}};
+    measured.add(signal);
+    m_page->follow(measured);
+    const auto largest = [&] {
+        const QCPRange range = m_page->plot()->axisRect(0)->axis(QCPAxis::atLeft)->range();
+        return std::max(range.upper, -range.lower);
+    };
+    const Scenario scenario;
+    m_page->setResult(solved(*m_page, scenario, UnitSystem::si));
+    const double kilonewtons = largest();
+    m_page->setResult(solved(*m_page, scenario, UnitSystem::us));
+    constexpr double kipOfKilonewton = 1 / 4.4482216;
+    QVERIFY2(std::abs(largest() / kilonewtons / kipOfKilonewton - 1) < 0.02,
+             qPrintable(QStringLiteral("%1 kip of %2 kN").arg(largest()).arg(kilonewtons)));
 }
 
 void TestBlowPage::arrowKeysMoveTheSection() {
