@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "ui/text/number_text.h"
 
@@ -35,13 +36,41 @@ int hitsOf(const QRectF& box, const QPolygonF& curve, const QVector<QRectF>& tak
                       curve, [&](const QPointF& point) { return words.contains(point); }));
 }
 
-// All curves in view of the rect.
+// All curves in view of the rect, along their lines as well: between two points they may pass behind words.
 QPolygonF inPixels(const QCPAxisRect& rect) {
+    constexpr double step = 4;  // [px], less than a letter
+    const QRectF inside = rect.rect();
     QPolygonF points;
-    for (const QCPGraph* graph : rect.graphs())
-        for (auto point = graph->data()->constBegin(); point != graph->data()->constEnd(); ++point)
-            if (graph->realVisibility()) points.append(graph->coordsToPixels(point->key, point->value));
+    for (const QCPGraph* graph : rect.graphs()) {
+        if (!graph->realVisibility()) continue;
+        std::optional<QPointF> before;
+        for (auto point = graph->data()->constBegin(); point != graph->data()->constEnd(); ++point) {
+            const QPointF at = graph->coordsToPixels(point->key, point->value);
+            if (before && QRectF(*before, at).normalized().adjusted(-1, -1, 1, 1).intersects(inside)) {
+                const double way = std::min(QLineF(*before, at).length(), 10 * inside.width());
+                for (double gone = step; gone < way; gone += step)
+                    points.append(*before + gone / way * (at - *before));
+            }
+            points.append(at);
+            before = at;
+        }
+    }
     return points;
+}
+
+// Markers of other things in the rect, which words are not to stand on.
+QVector<QRectF> markersIn(QCPAxisRect& rect, const QVector<QCPItemTracer*>& own) {
+    QVector<QRectF> found;
+    const QCustomPlot& plot = *rect.parentPlot();
+    for (int i = 0; i < plot.itemCount(); ++i) {
+        auto* marker = qobject_cast<QCPItemTracer*>(plot.item(i));
+        if (!marker || !marker->visible() || own.contains(marker)) continue;
+        if (marker->clipAxisRect() != &rect) continue;
+        const double half = marker->size() / 2;
+        const QPointF at = marker->position->pixelPosition();
+        found.append({at - QPointF(half, half), QSizeF(2 * half, 2 * half)});
+    }
+    return found;
 }
 
 QString wordsOf(const CurveMark& mark, const ShownUnit& xUnit, const ShownUnit& yUnit,
@@ -133,7 +162,7 @@ void CurveMarks::placeWords() {
     if (m_words.isEmpty()) return;
     const QPolygonF curve = inPixels(*m_graph->keyAxis()->axisRect());
     const QRectF inside = m_graph->keyAxis()->axisRect()->rect();
-    QVector<QRectF> taken;
+    QVector<QRectF> taken = markersIn(*m_graph->keyAxis()->axisRect(), m_points);
     for (QCPItemText* words : m_words) {
         const QPointF at = words->position->pixelPosition();
         const bool isInView = inside.adjusted(-1, -1, 1, 1).contains(at);
