@@ -17,6 +17,7 @@ struct CurveMeaning {
     QString slopeUnit;
     double slopeFactor = 1;
     /// Shown integral = integralFactor · ∫y dx, followed by integralUnit ("N s"); without a unit "kN·ms".
+    /// Factor 0: over such an axis, a parameter or a frequency, neither integral nor mean says anything.
     QString integralUnit;
     double integralFactor = 1;
     /// Exact y(x); without it values are read from the drawn chords.

@@ -47,6 +47,7 @@ QString ReadingCell::text(const QLocale& locale, int digits) const {
 }
 
 ReadingCells cursorCells(const CursorReading& reading, const CurveMeaning& meaning) {
+    const bool isSummed = meaning.integralFactor != 0;
     const QString& x = meaning.xName;
     const QString& y = meaning.yName;
     const QString yLabel = shortLabel(y);
@@ -59,12 +60,16 @@ ReadingCells cursorCells(const CursorReading& reading, const CurveMeaning& meani
             {tr("%1 from A to B").arg(x), tr("B − A"), reading.b - reading.a, meaning.xUnit},
             {tr("%1 from A to B").arg(y), QStringLiteral("Δ") + yLabel, both ? reading.yB - reading.yA : none,
              meaning.yUnit},
-            {tr("mean"), tr("mean"), both ? reading.mean : none, meaning.yUnit},
+            isSummed ? ReadingCell{tr("mean"), tr("mean"), both ? reading.mean : none, meaning.yUnit}
+                     : ReadingCell{},
             {tr("slope"), tr("slope"), both ? reading.slope : none, slopeUnitOf(meaning)},
-            {tr("integral"), tr("∫"), both ? reading.integral : none, integralUnitOf(meaning)}};
+            isSummed ? ReadingCell{tr("integral"), tr("∫"), both ? reading.integral : none,
+                                   integralUnitOf(meaning)}
+                     : ReadingCell{}};
 }
 
 ReadingCells viewCells(const ViewStatistics& statistics, const CurveMeaning& meaning) {
+    const bool isSummed = meaning.integralFactor != 0;
     const QString& x = meaning.xName;
     const QString& y = meaning.yName;
     return {{tr("least %1 in view").arg(y), tr("min"), statistics.least, meaning.yUnit},
@@ -73,9 +78,12 @@ ReadingCells viewCells(const ViewStatistics& statistics, const CurveMeaning& mea
             {tr("%1 of the largest").arg(x), tr("at"), statistics.largestAt, meaning.xUnit},
             {tr("%1 from").arg(x), tr("from"), statistics.begin, meaning.xUnit},
             {tr("%1 to").arg(x), tr("to"), statistics.end, meaning.xUnit},
-            {tr("mean in view"), tr("mean"), statistics.mean, meaning.yUnit},
+            isSummed ? ReadingCell{tr("mean in view"), tr("mean"), statistics.mean, meaning.yUnit}
+                     : ReadingCell{},
             {},
-            {tr("integral in view"), tr("∫"), statistics.integral, integralUnitOf(meaning)}};
+            isSummed
+                ? ReadingCell{tr("integral in view"), tr("∫"), statistics.integral, integralUnitOf(meaning)}
+                : ReadingCell{}};
 }
 
 QString readingText(const ReadingCells& cells, const QLocale& locale) {

@@ -244,6 +244,7 @@ void StiffnessPage::draw() {
         CurveMeaning meaning;
         meaning.xUnit = picture.x.unit;
         meaning.yUnit = picture.value.unit;
+        meaning.integralFactor = 0;
         plot()->setMeaning(m_stiffness->graphs()[i], meaning);
     }
     plot()->setAccessibleDescription(picture.summary);
@@ -289,6 +290,7 @@ void StiffnessPage::showRuns() {
     CurveMeaning meaning;
     meaning.xUnit = picture.x.unit;
     meaning.yUnit = picture.value.unit;
+    meaning.integralFactor = 0;
     for (QCPGraph* graph : m_stiffness->runCurves().graphs()) plot()->setMeaning(graph, meaning);
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }

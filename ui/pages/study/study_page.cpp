@@ -48,6 +48,8 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside)
     m_words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
 
     PlotWidget* plot = makePlot();
+    constexpr int leastLines = 10;  // of text: tables and sentences in large type give way before the plot
+    plot->setMinimumHeight(leastLines * fontMetrics().height());
     m_veil = new StaleVeil(plot);
     connect(&m_late, &QTimer::timeout, m_veil, [this] {
         m_veil->raise();

@@ -49,6 +49,7 @@ bool ThrustDrag::eventFilter(QObject* /*watched*/, QEvent* event) {
         const bool plain = mouse->button() == Qt::LeftButton && mouse->modifiers() == Qt::NoModifier;
         if (!plain || !isNear(mouse->position())) return false;
         m_dragging = true;
+        m_widget.markPoint(std::nullopt);  // what it says is of the line as it was
         m_grabbedAt = *m_plot.heightAboveFeed(mouse->position());
         m_widget.setFocus(Qt::MouseFocusReason);
         emit begun(m_widget.yAxis->pixelToCoord(mouse->position().y() + m_grabbedAt));

@@ -120,6 +120,7 @@ void ThrustPage::draw(const ThrustAnswer& answer) {
         CurveMeaning meaning;
         meaning.xUnit = m_units.along.unit;
         meaning.yUnit = m_units.force.unit;
+        meaning.integralFactor = 0;
         plot()->setMeaning(m_plot->need(which), meaning);
         plot()->setMeaning(m_plot->feed(), meaning);
     }

@@ -162,8 +162,10 @@ void ThrustPlot::setStyle(const PlotStyle& style) {
         QPen thin = style.linePen(kind);
         thin.setWidthF(0.8);
         m_upper[i]->setPen(thin);
-        m_lower[i]->setBrush(style.areaBrush(kind));
-        m_lower[i]->setChannelFillGraph(m_upper[i]);
+        // One alone: several that lie over each other make colours that no legend explains.
+        const bool isFilled = thrustCases[i] == ThrustCase::scenario;
+        m_lower[i]->setBrush(isFilled ? style.areaBrush(kind) : QBrush(Qt::NoBrush));
+        m_lower[i]->setChannelFillGraph(isFilled ? m_upper[i] : nullptr);
     }
     m_feed->setPen(QPen(style.text, 2.4));
     m_feedName->setFont(style.font);

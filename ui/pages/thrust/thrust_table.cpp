@@ -65,7 +65,8 @@ ThrustTable::ThrustTable(QWidget* parent) : QTableWidget(rows, int(thrustCaseCou
         }
     setEditTriggers(NoEditTriggers);
     setTabKeyNavigation(false);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // scrolled, never cut
+    horizontalHeader()->setStretchLastSection(true);
     verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
     setWordWrap(false);
