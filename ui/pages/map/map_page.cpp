@@ -15,6 +15,7 @@
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/labelled_control.h"
 #include "ui/pages/study/output_box.h"
+#include "ui/pages/study/parameter_names.h"
 #include "ui/plot/plot_widget.h"
 
 namespace drillwave {
@@ -168,6 +169,9 @@ void MapPage::ask() {
     for (double& level : question.levels) level /= factor;
     const std::vector<std::string> problems = problemsOf(question.study);
     m_problem = problems.empty() ? QString() : QString::fromStdString(problems.front());
+    if (question.study.x.parameter == question.study.y.parameter)
+        m_problem = tr("Both axes are %1: choose another parameter for one of them.")
+                        .arg(parameterName(*question.study.x.parameter));
     if (!m_problem.isEmpty()) return m_study.job().cancel();
     const int number = question.number;
     if (m_study.ask(std::move(question))) *m_newest = number;
