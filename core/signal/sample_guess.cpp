@@ -17,6 +17,11 @@ std::string lowerCase(std::string text) {
     return text;
 }
 
+/// Of a table without a header: a record of milliseconds would be one of seconds.
+bool saysNothing(const TableColumn& column) {
+    return column.name.empty() && column.unit.empty();
+}
+
 bool saysTime(const TableColumn& column) {
     return findUnit(Quantity::time, column.unit) || isTimeName(column.name);
 }
@@ -50,12 +55,14 @@ std::size_t valueColumn(const std::vector<TableColumn>& columns, std::optional<s
 }  // namespace
 
 std::optional<double> guessedTimeUnit(const TableColumn& column) {
+    if (saysNothing(column)) return std::nullopt;
     if (column.unit.empty()) return 1;
     const Unit* unit = findUnit(Quantity::time, column.unit);
     return unit ? std::optional(unit->factor()) : std::nullopt;
 }
 
 std::optional<NamedSignalUnit> guessedUnit(const TableColumn& column) {
+    if (saysNothing(column)) return std::nullopt;
     if (!column.unit.empty()) return findSignalUnit(column.unit);
     const SignalKind kind = saysStrain(column) ? SignalKind::strain : SignalKind::force;
     return NamedSignalUnit{kind, signalUnits(kind).front()};

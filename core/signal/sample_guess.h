@@ -21,10 +21,12 @@ struct SampleGuess {
 /// single column is evenly spaced.
 SampleGuess guessedSource(const DetectedTable& table);
 
-/// The kind and unit of a column: N where it says none, nothing where it says one that is not known.
+/// The kind and unit of a column: N where its name is all that it says, nothing where it has no name either
+/// or says one that is not known.
 std::optional<NamedSignalUnit> guessedUnit(const TableColumn& column);
 
-/// The unit of a column of times [s]: 1 where it says none, nothing where it says one that is not known.
+/// The unit of a column of times [s]: 1 where its name is all that it says, nothing where it has no name
+/// either or says one that is not known.
 std::optional<double> guessedTimeUnit(const TableColumn& column);
 
 }  // namespace drillwave

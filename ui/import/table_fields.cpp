@@ -221,9 +221,11 @@ QString TableFields::problem() const {
         return tr("Time and signal are the same column: choose another one, or a sampling rate.");
     if (now.secondGauge == now.valueColumn || (now.secondGauge && now.secondGauge == now.timeColumn))
         return tr("The second gauge is a column that is used already: choose another one.");
-    if (now.timeColumn && chosenValue(*m_timeUnit) == none)
-        return tr("unit of time: %1 is not known: choose one.")
-            .arg(QString::fromStdString(m_table.columns[*now.timeColumn].unit));
+    if (now.timeColumn && chosenValue(*m_timeUnit) == none) {
+        const QString unit = QString::fromStdString(m_table.columns[*now.timeColumn].unit);
+        return unit.isEmpty() ? tr("unit of time: the table does not say it: choose one.")
+                              : tr("unit of time: %1 is not known: choose one.").arg(unit);
+    }
     if (!now.timeColumn && !m_rate->problem().isEmpty())
         return tr("sampling rate: %1").arg(m_rate->problem());
     return {};

@@ -182,6 +182,7 @@ void TestDetectedTable::aUnitThatIsNotKnownIsNotGuessed_data() {
     QTest::addRow("slash") << std::string("t/ms") << 1e-3 << std::string("gauge 1/µm/m") << 1e-6;
     QTest::addRow("underscores") << std::string("t_us") << 1e-6 << std::string("gauge_1_kN") << 1e3;
     QTest::addRow("rates") << std::string("feed/ms") << 1.0 << std::string("v_s") << 1.0;
+    QTest::addRow("no header") << std::string("0") << 0.0 << std::string("0") << 0.0;
     QTest::addRow("strain by name") << std::string("t us") << 1e-6 << std::string("axial strain") << 1e-6;
 }
 

@@ -152,10 +152,12 @@ void TestImportDialog::everyChoiceCanBeChanged() {
     const QByteArray bytes("0.5\n1.5\nNaN\n3.5\n-1.5\n");
     ImportDialog& dialog = open(write("plain.txt", bytes), ImportUse::impactForce);
     QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("or there is none")), qPrintable(message(dialog)));
+    choose(dialog, "valueUnit", QStringLiteral("kN"));
+    QVERIFY(settle(dialog));
     QVERIFY2(message(dialog).contains(QStringLiteral("line 3")), qPrintable(message(dialog)));
     choose(dialog, "wrongRows", QStringLiteral("skip"));
     type(dialog, "rate", QStringLiteral("2 Hz"));
-    choose(dialog, "valueUnit", QStringLiteral("kN"));
     choose(dialog, "zero", QStringLiteral("a value"));
     type(dialog, "zeroValue", QStringLiteral("0.5"));
     choose(dialog, "positive", QStringLiteral("compression"));
@@ -284,7 +286,8 @@ void TestImportDialog::wrongInputsAreToldInPlace_data() {
     QTest::newRow("junk from the beginning") << QByteArray("\1\2\0\3", 4) << "no text";
     QTest::newRow("prose") << QByteArray("a letter\nto nobody\n") << "No line of numbers";
     QTest::newRow("no blow") << QByteArray("t [s],F [N]\n0,0\n1,0\n2,0\n") << "no force is greater than 0";
-    QTest::newRow("junk") << QByteArray("1,2\n2,3\n3,4\n\0\0\1\2\n", 17) << "line 4: holds a NUL byte";
+    QTest::newRow("junk") << QByteArray("t [s],F [N]\n1,2\n2,3\n3,4\n\0\0\1\2\n", 29)
+                          << "line 5: holds a NUL byte";
 }
 
 void TestImportDialog::wrongInputsAreToldInPlace() {
