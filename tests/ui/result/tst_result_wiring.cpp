@@ -143,8 +143,8 @@ class TestResultWiring : public QObject {
         const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
         const auto links = part<ResultPanel>(window).findChildren<PlaceLink*>();
         emit links.at(1)->followed();
-        const StringPeak peak = largestTension(stresses);
-        QCOMPARE(observation.time(), std::optional(peak.time / blow.scales.time));
+        const StringPeak peak = largestStress(stresses, &RodForces::tension);
+        QCOMPARE(observation.time(), std::optional(peak.peak.time / blow.scales.time));
         const StringPlace place = stringPlace(blow.scenario.drillString, observation.section());
         QCOMPARE(place.section, peak.section);
         QVERIFY(links.at(1)->text().contains(QStringLiteral("from the shank")));

@@ -316,7 +316,7 @@ void TestStringPicture::theStripHasTheStressOfEverySection() {
              qPrintable(text));
     QVERIFY2(text.contains(QStringLiteral("hammer apart")), qPrintable(text));
     QCOMPARE(picture().string->largestStress,
-             std::max(blow->summary.string->largestCompression, blow->summary.string->largestTension));
+             std::max(*blow->summary.string->largestCompression, *blow->summary.string->largestTension));
     m_observation->setTime(1);
     QVERIFY(m_page->rodStrip()->stateText().contains(QStringLiteral("hammer pushes")));
     m_observation->setTime((blow->impact.events[0].time + blow->impact.events[1].time) / 2);
