@@ -33,9 +33,15 @@ JsonObject dimensionlessJson(const Blow& blow) {
 
 /// Energies, which are told in shares of that of the hammer: in SI [J].
 bool isEnergy(std::string_view output) {
-    constexpr std::string_view energies[] = {
-        "rock_work",          "rebound_energy", "residual_wave_energy", "hammer_rebound_energy",
-        "hammer_wave_energy", "string_energy",  "face_energy", "joint_loss",           "rod_loss"};
+    constexpr std::string_view energies[] = {"rock_work",
+                                             "rebound_energy",
+                                             "residual_wave_energy",
+                                             "hammer_rebound_energy",
+                                             "hammer_wave_energy",
+                                             "string_energy",
+                                             "face_energy",
+                                             "joint_loss",
+                                             "rod_loss"};
     return std::ranges::find(energies, output) != std::end(energies);
 }
 

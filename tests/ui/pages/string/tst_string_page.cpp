@@ -493,7 +493,7 @@ void TestStringPage::aNewcomerBuildsTheStringFromPresets() {
     QVERIFY(undoText().contains(QStringLiteral("T38 drifter")));
     select(2);
     choose(QStringLiteral("Adapters"), QStringLiteral("T38 shank, 450 mm"));
-    select(2);
+    select(3);  // the rod, before which the adapter has gone
     trigger("remove");
     choose(QStringLiteral("Couplings"), QStringLiteral("T38, 190 mm"));
     QVERIFY(undoText().contains(QStringLiteral("coupling")));
