@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/blow/feed_decision.h"
 #include "core/blow/feed_verdict.h"
 #include "core/blow/impact_summary.h"
 #include "core/blow/method.h"
@@ -30,13 +31,19 @@ struct Blow {
     ImpactSummary summary;             ///< not to be used where there is no result, nor is `feed`
     /// The thrust needed and the installed; nothing where thrustProblem() says why.
     std::optional<FeedVerdict> feed;
-    /// Effective feed force over the largest of four needs, less 1, where a study of all gaps was made for
-    /// it: core/study/thrust.
-    std::optional<double> thrustMargin;
+    /// The largest of the needs of the thrust, where a study of them was made: core/study/thrust.
+    std::optional<WidestNeed> widestNeed;
     std::vector<Alert> alerts;  ///< of the scenario and, behind them, of the result
     double runTime = 0;         ///< of the solve alone [s]
 
     bool isSolved() const { return impact.outcome == Outcome::rebounded; }
+    /// Effective feed force over the largest of the four needs, less 1, where it and they are known.
+    std::optional<double> thrustMargin() const {
+        if (!feed || !feed->force || !widestNeed || !widestNeed->ofAllGaps) return std::nullopt;
+        return *feed->effective() / widestNeed->thrust - 1;
+    }
+    /// What is to be done about the feed. Of a solved blow.
+    FeedDecision decision() const { return decideFeed(scenario, feed, widestNeed); }
 };
 
 /// Whether the largest forces in the rod are wanted of a blow, which take Detail::histories.

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/blow/thrust.h"
+#include "core/blow/undamped_motion.h"
 #include "core/model/blow_interval.h"
 #include "core/model/scales.h"
 
@@ -16,14 +17,15 @@ Feed feedOf(const std::optional<double>& force, const FeedThresholds& thresholds
     if (!force) return Feed::unknown;
     if (*force < thresholds.balance) return Feed::pushedBack;
     if (*force < thresholds.fullRate) return Feed::penetrationLost;
-    return *force < thresholds.returned ? Feed::fullRate : Feed::backInTime;
+    if (*force < thresholds.returned) return Feed::fullRate;
+    return *force < thresholds.resting ? Feed::backInTime : Feed::resting;
 }
 
 }  // namespace
 
 std::string_view name(Feed feed) {
-    constexpr std::array<std::string_view, 5> names{"unknown", "pushed_back", "penetration_lost", "full_rate",
-                                                    "back_in_time"};
+    constexpr std::array<std::string_view, 6> names{"unknown",   "pushed_back",  "penetration_lost",
+                                                    "full_rate", "back_in_time", "back_in_time"};
     return names[static_cast<std::size_t>(feed)];
 }
 
@@ -44,8 +46,10 @@ FeedVerdict feedVerdict(const std::optional<FeedForce>& force, const FeedThresho
 std::optional<FeedVerdict> judgeFeed(const Scenario& scenario, double cor, double transferred) {
     const std::optional<double> balance = thrustNeeded(scenario, 0, transferred);
     if (!balance) return std::nullopt;
-    return feedVerdict(feedForceOf(scenario), {*balance, *thrustNeeded(scenario, cor, transferred),
-                                               *thrustNeeded(scenario, 2 * cor, transferred)});
+    return feedVerdict(feedForceOf(scenario), {.balance = *balance,
+                                               .fullRate = *thrustNeeded(scenario, cor, transferred),
+                                               .returned = *thrustNeeded(scenario, 2 * cor, transferred),
+                                               .resting = *balance * restingFeed(std::max(cor, 0.0))});
 }
 
 std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double transferred) {
@@ -55,7 +59,6 @@ std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double 
     GapAtBlow found{.motion = {}, .feed = force->effective() / *balance};
     const double rebound = std::max(cor, 0.0);
     found.motion = undampedMotion(found.feed, rebound);
-    found.isBackInTime = found.feed >= 1 + 2 * rebound;  // (T35)
     found.roundTrips = *roundTripsBetweenBlows(scenario);
     const Scales scales = scalesOf(scenario);
     const double velocity = isString(scenario)

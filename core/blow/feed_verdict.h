@@ -2,6 +2,7 @@
 // What the feed force does between the blows: one judgement. Its words are in report/feed_words.h.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -16,18 +17,23 @@ enum class Feed {
     unknown,          ///< no thrust is given
     pushedBack,       ///< F < f I0: less than the hammer pushes back
     penetrationLost,  ///< f I0 ≤ F < f I0 (1+e): each blow penetrates less than it could
-    fullRate,    ///< f I0 (1+e) ≤ F < f I0 (1+2e): full penetration, the bit leaves the rock between blows
-    backInTime,  ///< F ≥ f I0 (1+2e): the bit is back on the rock before the next blow, undamped
+    fullRate,  ///< f I0 (1+e) ≤ F < f I0 (1+2e): full penetration, the bit leaves the rock between blows
+    /// F ≥ f I0 (1+2e): undamped, a bit that was at rest is back before the next blow, and one that bounces
+    /// goes on bouncing
+    backInTime,
+    resting,  ///< F ≥ f I0 (1+e)/(1−e): undamped, the bit rests on the rock before every blow
 };
 
-/// "unknown", "pushed_back", "penetration_lost", "full_rate", "back_in_time".
+/// "unknown", "pushed_back", "penetration_lost", "full_rate", "back_in_time"; the last of `resting` too.
 std::string_view name(Feed feed);
 
 /// The thresholds of the feed for blows of one e, all in N.
 struct FeedThresholds {
     double balance = 0;   ///< f I0
     double fullRate = 0;  ///< f I0 (1+e), the thrust needed for full penetration
-    double returned = 0;  ///< f I0 (1+2e), at which the bit is back even if nothing damps
+    double returned = 0;  ///< f I0 (1+2e), at which a bit that was at rest is back even if nothing damps
+    /// f I0 (1+e)/(1−e), at which the bit comes to rest even if nothing damps; infinite for e ≥ 1
+    double resting = std::numeric_limits<double>::infinity();
     bool operator==(const FeedThresholds&) const = default;
 };
 
@@ -57,10 +63,8 @@ struct GapAtBlow {
     UndampedMotion motion;
     double feed = 0;        ///< φ = F/(f I0)
     double roundTrips = 0;  ///< n_b = 1/(2 T f)
-    /// φ ≥ 1 + 2e: a bit that was at rest is back in time, and yet may bounce on and on in this motion.
-    bool isBackInTime = false;
-    double gap = 0;   ///< y v0/f [m] (T37), 0 but where it bounces
-    double inD0 = 0;  ///< the same, y n_b of a uniform rod [d0]
+    double gap = 0;         ///< y v0/f [m] (T37), 0 but where it bounces
+    double inD0 = 0;        ///< the same, y n_b of a uniform rod [d0]
 };
 
 /// Likewise. A drill string moves as a rigid body. nullopt where there is no verdict, or no thrust is

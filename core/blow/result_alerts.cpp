@@ -27,7 +27,7 @@ void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vect
                 {{"installed", verdict->force->thrust, Quantity::force},
                  {"balance", verdict->balance, Quantity::force},
                  {"full_rate", verdict->fullRate, Quantity::force},
-                 {"returned", verdict->returned, Quantity::force}}};
+                 {"frequency", *scenario.drill.blowFrequency, Quantity::frequency}}};
     if (verdict->force->weight)
         alert.arguments.push_back({"weight", *verdict->force->weight, Quantity::force});
     alerts.push_back(alert);

@@ -5,11 +5,12 @@
 #include <string>
 
 #include "core/model/alerts.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
 /// A remark as one sentence or two. It must have the arguments that alertsFor(), resultAlerts() or
 /// stressAlerts() give with its code.
-std::string alertText(const Alert& alert);
+std::string alertText(const Alert& alert, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

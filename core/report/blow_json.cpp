@@ -15,7 +15,7 @@ namespace {
 /// Nothing where there is no result.
 std::optional<double> valueOf(const Blow& blow, const Output& output) {
     if (!blow.isSolved()) return std::nullopt;
-    return output.value({blow.summary, blow.scenario, blow.thrustMargin});
+    return output.value({blow.summary, blow.scenario, blow.thrustMargin()});
 }
 
 /// null for nothing.

@@ -49,7 +49,7 @@ void addThrust(BlowReport& report, const std::stop_token& stop, const GapProgres
     thrust.study = studyThrust(scenario, stop, progress, mostPiecesInPassing);
     report.thrustProblem = sentenceOf(thrust.study.reason, report.blow, "thrust");
     if (!report.thrustProblem.empty() || thrust.study.stopped) return;
-    report.blow.thrustMargin = thrust.study.margin();
+    report.blow.widestNeed = widestOf(thrust.study.needs);
     // The frequency changes no blow, and nothing over the gap.
     GapReboundFinder finder;
     if (!isString(scenario)) finder.remember(report.blow.solved, thrust.study.rebounds);

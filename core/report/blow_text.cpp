@@ -87,8 +87,8 @@ void addFeed(ResultRows& rows, const Blow& blow) {
     if (force) needed += ", installed " + inHandyUnit(force->thrust, Quantity::force);
     if (force && force->weight) needed += ", effective " + inHandyUnit(force->effective(), Quantity::force);
     rows.addText("thrust needed", needed);
-    if (force && blow.thrustMargin)
-        rows.addText("  worst of 4 needs", marginText(*blow.thrustMargin, force->effective()));
+    if (const std::optional<double> margin = blow.thrustMargin())
+        rows.addText("  at every gap", marginText(*margin, force->effective()));
     if (force) rows.addText("  feed", std::string(feedWord(blow.feed->feed)));
 }
 
@@ -130,7 +130,8 @@ std::string methodText(const MethodChoice& choice) {
 
 std::string blowText(const Blow& blow) {
     const Impact& impact = blow.impact;
-    std::string text = headingOf(blow.scenario) + "\n";
+    std::string text = titleLine(blow.scenario) + paragraph(feedDecisionText(blow.decision())) +
+                       groupsLine(blow.scenario) + "\n";
     text += blow.string ? stringResultText(blow) : resultText(blow);
     text += "\n  method " + (blow.string ? "polynomial cells" : methodText(blow.method)) + ", " +
             std::to_string(impact.contacts) + (impact.contacts == 1 ? " contact, " : " contacts, ") +

@@ -2,27 +2,30 @@
 // The verdict on the feed force in words: the same wherever it is told.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
-#include "core/blow/feed_verdict.h"
+#include "core/blow/feed_decision.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
-/// A word or two for a table: "penetration lost". Empty where no thrust is given.
+/// A few words for a table: "penetration lost". Empty where no thrust is given.
 std::string_view feedWord(Feed feed);
 
-/// What that means at the rig and what to do, without numbers.
+/// The sentence to act on: "8 kN is enough at every gap up to 66.1 Hz." It tells what is missing where that
+/// cannot be said. Needs are rounded up and frequencies down, to as many digits as tell them from what is.
+std::string feedDecisionText(const FeedDecision& decision, const ReadingStyle& style = plainStyle());
+
+/// What the feed means at the rig, without numbers.
 std::string_view feedAdvice(Feed feed);
 
+/// The same, with where the bit is when the hammer strikes if nothing damps the rebound.
+std::string feedMeaning(Feed feed, const std::optional<GapAtBlow>& found,
+                        const ReadingStyle& style = plainStyle());
+
 /// "installed thrust of 8 kN"; where an inclination is given, the effective force and its parts.
-std::string feedForceText(const FeedForce& feed);
-
-/// The verdict in words, with its thresholds: "The installed thrust of 4 kN is below f I0 (1+e) = 4.37 kN.
-/// …".
-std::string feedSentence(const FeedVerdict& verdict);
-
-/// Where the bit is when the hammer strikes if nothing damps the rebound, in a sentence.
-std::string gapAtBlowSentence(const GapAtBlow& found);
+std::string feedForceText(const FeedForce& feed, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

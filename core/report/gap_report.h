@@ -8,6 +8,7 @@
 
 #include "core/model/scenario.h"
 #include "core/study/gap/gap_statistics.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
@@ -21,7 +22,7 @@ struct GapReport {
     std::string scenarioText;  ///< gives the same scenario again
 
     /// What the reader should know about the period, empty when it begins at no gap.
-    std::string periodRemark() const;
+    std::string periodRemark(const ReadingStyle& style = plainStyle()) const;
 };
 
 /// Follows all outputs over the gap and takes the statistics, all but scenarioText. The gap of the scenario

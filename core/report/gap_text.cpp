@@ -16,12 +16,12 @@ constexpr double negligible = 1e-10;  // what the efficiency is known to: elasti
 /// The columns of the table: e, impulse, peak force, efficiency, each with how it is shown.
 class GapTable {
   public:
-    explicit GapTable(const Scenario& scenario)
-        : m_dimensional(hasUnits(scenario)), m_scales(scalesOf(scenario)) {}
+    GapTable(const Scenario& scenario, const ReadingStyle& style)
+        : m_dimensional(hasUnits(scenario)), m_scales(scalesOf(scenario)), m_style(style) {}
 
     std::string gap(double value) const {
-        return m_dimensional ? inHandyUnit(value * m_scales.penetration, Quantity::length, digits)
-                             : rounded(value, digits);
+        return m_dimensional ? m_style.quantity(value * m_scales.penetration, Quantity::length, digits)
+                             : m_style.number(value, digits);
     }
 
     void addHeading(const std::string& title) {
@@ -34,12 +34,12 @@ class GapTable {
     void add(const std::string& label, const Value& value) {
         const double impulse = 1 + value(GapOutput::cor), force = value(GapOutput::peakForce);
         const double efficiency = value(GapOutput::efficiency);
-        m_grid.add({label, rounded(value(GapOutput::cor), digits),
-                    m_dimensional ? inHandyUnit(impulse * m_scales.impulse, Quantity::impulse, digits)
-                                  : rounded(impulse, digits),
-                    m_dimensional ? inHandyUnit(force * m_scales.force, Quantity::force, digits)
-                                  : rounded(force, digits),
-                    rounded(efficiency > negligible ? efficiency : 0, digits)});
+        m_grid.add({label, m_style.number(value(GapOutput::cor), digits),
+                    m_dimensional ? m_style.quantity(impulse * m_scales.impulse, Quantity::impulse, digits)
+                                  : m_style.number(impulse, digits),
+                    m_dimensional ? m_style.quantity(force * m_scales.force, Quantity::force, digits)
+                                  : m_style.number(force, digits),
+                    m_style.number(efficiency > negligible ? efficiency : 0, digits)});
     }
 
     /// Where the extremes lie.
@@ -60,45 +60,50 @@ class GapTable {
   private:
     bool m_dimensional;
     Scales m_scales;
+    const ReadingStyle& m_style;
     TextGrid m_grid;
 };
 
-std::string quantileLabel(std::size_t i) {
-    return gapQuantiles[i] == 0.5 ? "median" : rounded(gapQuantiles[i] * 100, 3) + " % quantile";
+std::string quantileLabel(std::size_t i, const ReadingStyle& style) {
+    return gapQuantiles[i] == 0.5 ? "median" : style.number(gapQuantiles[i] * 100, 3) + " % quantile";
 }
 
 template <class SpreadOf>
-void addSpread(GapTable& table, const SpreadOf& spread) {
+void addSpread(GapTable& table, const SpreadOf& spread, const ReadingStyle& style) {
     table.add("mean", [&](GapOutput output) { return spread(output).mean.value; });
     for (std::size_t i = 0; i < gapQuantiles.size(); ++i)
-        table.add(quantileLabel(i), [&](GapOutput output) { return spread(output).quantiles[i].value; });
+        table.add(quantileLabel(i, style),
+                  [&](GapOutput output) { return spread(output).quantiles[i].value; });
 }
 
-void fill(GapTable& table, const GapReport& report) {
+void fill(GapTable& table, const GapReport& report, const ReadingStyle& style) {
     const GapStatistics& statistics = report.statistics;
     table.addHeading("all gaps alike");
     table.add("smallest", [&](GapOutput output) { return statistics.of(output).least.value.value; });
     table.addGaps([&](GapOutput output) -> const GapExtreme& { return statistics.of(output).least; });
     table.add("largest", [&](GapOutput output) { return statistics.of(output).largest.value.value; });
     table.addGaps([&](GapOutput output) -> const GapExtreme& { return statistics.of(output).largest; });
-    addSpread(table, [&](GapOutput output) -> const GapSpread& { return statistics.of(output).uniform; });
+    addSpread(
+        table, [&](GapOutput output) -> const GapSpread& { return statistics.of(output).uniform; }, style);
     if (report.normal) {
         table.addBlankLine();
         table.addHeading("gap " + table.gap(report.normal->mean) + " +- " +
                          table.gap(report.normal->deviation));
-        addSpread(table, [&](GapOutput output) -> const GapSpread& { return *statistics.of(output).normal; });
+        addSpread(
+            table, [&](GapOutput output) -> const GapSpread& { return *statistics.of(output).normal; },
+            style);
     }
 }
 
-std::string percent(double share) {
-    return rounded(share * 100, 5) + " %";
+std::string percent(double share, const ReadingStyle& style) {
+    return style.number(share * 100, 5) + " %";
 }
 
-std::string superRebounds(const GapReport& report, const GapTable& table) {
+std::string superRebounds(const GapReport& report, const GapTable& table, const ReadingStyle& style) {
     const GapStatistics& statistics = report.statistics;
-    std::string text = "e > 1 at " + percent(statistics.shareAboveOne.value) + " of all gaps";
+    std::string text = "e > 1 at " + percent(statistics.shareAboveOne.value, style) + " of all gaps";
     if (report.normal)
-        text += ", " + percent(statistics.normalShareAboveOne->value) + " of the scattered ones";
+        text += ", " + percent(statistics.normalShareAboveOne->value, style) + " of the scattered ones";
     for (const GapCrossing& crossing : statistics.crossings)
         text += (&crossing == &statistics.crossings.front() ? ": " : ", ") +
                 std::string(crossing.rising ? "rises above 1 at " : "falls below 1 at ") +
@@ -106,11 +111,11 @@ std::string superRebounds(const GapReport& report, const GapTable& table) {
     return text;
 }
 
-std::string kinks(const GapReport& report, const GapTable& table) {
+std::string kinks(const GapReport& report, const GapTable& table, const ReadingStyle& style) {
     std::string text;
     for (const GapKink& kink : report.statistics.kinks)
         text += (text.empty() ? "Kinks of e at a gap of " : ", ") + table.gap(kink.gap) + " (slope " +
-                rounded(kink.slopeBefore, 3) + " to " + rounded(kink.slopeAfter, 3) + " per d0)";
+                style.number(kink.slopeBefore, 3) + " to " + style.number(kink.slopeAfter, 3) + " per d0)";
     return text;
 }
 
@@ -130,27 +135,28 @@ double largestError(const GapStatistics& statistics) {
 
 }  // namespace
 
-TextGrid gapGrid(const GapReport& report) {
-    GapTable table(report.scenario);
-    fill(table, report);
+TextGrid gapGrid(const GapReport& report, const ReadingStyle& style) {
+    GapTable table(report.scenario, style);
+    fill(table, report, style);
     return table.grid();
 }
 
-std::vector<std::string> gapRemarks(const GapReport& report) {
-    const GapTable table(report.scenario);
-    std::vector<std::string> remarks{superRebounds(report, table)};
-    if (std::string places = kinks(report, table); !places.empty()) remarks.push_back(std::move(places));
+std::vector<std::string> gapRemarks(const GapReport& report, const ReadingStyle& style) {
+    const GapTable table(report.scenario, style);
+    std::vector<std::string> remarks{superRebounds(report, table, style)};
+    if (std::string places = kinks(report, table, style); !places.empty())
+        remarks.push_back(std::move(places));
     if (report.normal)
         remarks.emplace_back(
             "The scattered gap is a normal distribution cut off at no gap: mean and deviation are those "
             "before the cut.");
-    remarks.push_back("Errors below " + rounded(largestError(report.statistics), 2) + ", from " +
+    remarks.push_back("Errors below " + style.number(largestError(report.statistics), 2) + ", from " +
                       std::to_string(report.curve.solves) + (report.curve.solves == 1 ? " blow" : " blows"));
     return remarks;
 }
 
 std::string gapText(const GapReport& report) {
-    const GapTable table(report.scenario);
+    const GapTable table(report.scenario, plainStyle());
     std::string text = headingOf(report.scenario);
     if (report.curve.dependsOnGap)
         text += "  The gap has a period of d0" +

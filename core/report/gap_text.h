@@ -11,10 +11,10 @@
 namespace drillwave {
 
 /// The table of the statistics: a line of titles, then one for each of them. They must be there.
-TextGrid gapGrid(const GapReport& report);
+TextGrid gapGrid(const GapReport& report, const ReadingStyle& style = plainStyle());
 
 /// What else there is to say of them, a sentence or most of one each; the last tells their errors. Likewise.
-std::vector<std::string> gapRemarks(const GapReport& report);
+std::vector<std::string> gapRemarks(const GapReport& report, const ReadingStyle& style = plainStyle());
 
 /// All of it, and how long it took.
 std::string gapText(const GapReport& report);

@@ -26,7 +26,9 @@ constexpr std::string_view screenStyle =
     "td,th{border-bottom:1px solid #bbb;padding:.15em .7em .15em 0;text-align:left;vertical-align:top}"
     "th{font-weight:600}td[data-value]{white-space:nowrap}.warning{border-left:.3em solid "
     "#b4231f;padding-left:.6em}"
-    ".note{border-left:.3em solid #777;padding-left:.6em}pre{font-size:.8em;background:#f4f4f4;padding:.8em;"
+    ".note{border-left:.3em solid "
+    "#777;padding-left:.6em}.decision{font-size:1.15em;font-weight:600}pre{font-size:.8em;background:#f4f4f4;"
+    "padding:.8em;"
     "overflow-x:auto}figure{margin:1.2em 0;break-inside:avoid}"
     "img{max-width:100%}figcaption{font-size:.9em;color:#333}"
     "@media print{body{margin:0;max-width:none;font-size:9.5pt}h2{break-after:avoid}"
@@ -69,11 +71,11 @@ constexpr std::size_t mostTitleColumns = 160, mostCellColumns = 120, mostListCol
 
 class Page {
   public:
-    Page(const BlowReport& report, ReportMedium medium, std::size_t paperLines)
-        : m_report(report), m_medium(medium), m_paperLines(paperLines) {}
+    Page(const BlowReport& report, ReportMedium medium, const ReadingStyle& style, std::size_t paperLines)
+        : m_report(report), m_medium(medium), m_style(style), m_paperLines(paperLines) {}
 
     std::string body(const std::vector<ReportPicture>& pictures) const {
-        return htmlElement("h1", bounded(reportTitle(m_report), mostTitleColumns)) + "\n" +
+        return htmlElement("h1", bounded(reportTitle(m_report), mostTitleColumns)) + "\n" + decision() +
                paragraph(about()) + feed() + alerts() + inputs() + sections(pictures) + scales() + results() +
                energies() + stresses() + thrust() + gap() + scenario() + plots(pictures);
     }
@@ -101,14 +103,27 @@ class Page {
                             : "One uniform rod; joints and the mass of the bit are not modelled.");
     }
 
+    /// By the study of the thrust, or else by the blow alone.
+    std::string decision() const {
+        const std::string words = feedDecisionText(blow().decision(), m_style);
+        return isScreen() ? "<p class=\"decision\">" + escapedHtml(words) + "</p>\n"
+                          : "<p><b>" + escapedHtml(words) + "</b></p>\n";
+    }
+
+    /// What stands behind the decision at the top.
     std::string feed() const {
         std::string html = heading("Verdict on the feed");
-        if (!m_report.thrust) {
-            if (blow().feed) html += paragraph(feedSentence(*blow().feed));
-            return html + paragraph(sentence(m_report.thrustProblem));
+        if (m_report.thrust) {
+            for (const std::string& words :
+                 verdictSentences(m_report.thrust->judged(), m_style) | std::views::drop(1))
+                html += paragraph(words);
+            return html;
         }
-        for (const std::string& words : verdictSentences(*m_report.thrust)) html += paragraph(words);
-        return html;
+        if (const std::optional<FeedVerdict>& verdict = blow().feed)
+            html += paragraph(feedMeaning(
+                verdict->feed, gapAtBlow(blow().scenario, blow().summary.cor, blow().summary.transferred()),
+                m_style));
+        return html + paragraph(sentence(m_report.thrustProblem));
     }
 
     std::string alerts() const {
@@ -116,7 +131,8 @@ class Page {
         for (const Alert& alert : blow().alerts) {
             const bool isWarning = alert.level == AlertLevel::warning;
             html += std::string("<p class=\"") + (isWarning ? "warning" : "note") + "\"><b>" +
-                    (isWarning ? "Warning:" : "Note:") + "</b> " + escapedHtml(alertText(alert)) + "</p>\n";
+                    (isWarning ? "Warning:" : "Note:") + "</b> " + escapedHtml(alertText(alert, m_style)) +
+                    "</p>\n";
         }
         return blow().alerts.empty() ? html + paragraph("Nothing unusual.") : html;
     }
@@ -144,11 +160,22 @@ class Page {
         return (isScreen() ? "<tr data-key=\"" + escapedHtml(key) + "\">" : "<tr>") + cells + "</tr>\n";
     }
 
+    /// As the file has it, unless the reader has units of his own.
+    std::string given(const ReportInput& input, const std::optional<Quantity>& quantity) const {
+        constexpr int digits = 6;
+        const bool isRead = input.si && quantity && !m_style.keepsUnitsOfFile();
+        return bounded(isRead ? m_style.quantity(*input.si, *quantity, digits) : input.value);
+    }
+    static std::optional<Quantity> quantityOf(const ReportInput& input) {
+        const Parameter* parameter = findParameter(input.key);
+        return parameter ? std::optional(parameter->quantity) : std::nullopt;
+    }
+
     std::string inputs() const {
         std::string rows;
         for (const ReportInput& input : m_report.inputs)
             rows += row(input.key, htmlElement("td", input.key) + htmlElement("td", input.label) +
-                                       cell(bounded(input.value), input.si) +
+                                       cell(given(input, quantityOf(input)), input.si) +
                                        htmlElement("td", bounded(input.source)));
         return heading("Inputs") + table("inputs", {"key", "what", "value", "source"}, rows);
     }
@@ -172,7 +199,7 @@ class Page {
                                 htmlElement("td", std::to_string(section.times));
             for (const SectionField* field : fields) {
                 const ReportInput* value = valueOf(section, *field);
-                cells += value ? cell(bounded(value->value), value->si) : htmlElement("td", "");
+                cells += value ? cell(given(*value, field->quantity), value->si) : htmlElement("td", "");
             }
             rows += row(section.key, cells + htmlElement("td", bounded(section.source)));
         }
@@ -210,7 +237,7 @@ class Page {
     /// On paper in two halves beside each other.
     std::string scales() const {
         const std::vector<std::string> titles{"symbol", "what", "value"};
-        const std::vector<ReportRow> rows = scaleRows(blow());
+        const std::vector<ReportRow> rows = scaleRows(blow(), m_style);
         const std::string title = heading("Groups and scales");
         if (isScreen()) return title + table("scales", titles, numbers(rows, true));
         const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() + 1) / 2;
@@ -225,9 +252,9 @@ class Page {
 
     std::string results() const {
         std::vector<std::string> titles{"result", "as a multiple"};
-        if (hasUnits(blow().scenario)) titles.emplace_back("in SI");
+        if (hasUnits(blow().scenario)) titles.push_back(m_style.unitsTitle());
         titles.emplace_back("where and when");
-        return heading("Results") + table("results", titles, numbers(resultRows(blow()), false)) +
+        return heading("Results") + table("results", titles, numbers(resultRows(blow(), m_style), false)) +
                paragraph(std::string(blow().string ? "E₀ and p₀ are energy and momentum of the hammer. "
                                                      "The error of the efficiency"
                                                    : "W is the work of the hammer. The bound on e") +
@@ -239,7 +266,7 @@ class Page {
         if (!blow().string) return {};
         return heading("Where the energy went") +
                tableOf("energies", htmlRows(printedUnits(titled({"", "share of E₀", "energy"},
-                                                                stringEnergyGrid(blow()).rows()))));
+                                                                stringEnergyGrid(blow(), m_style).rows()))));
     }
 
     static std::vector<std::vector<std::string>> titled(std::vector<std::string> titles,
@@ -250,7 +277,7 @@ class Page {
 
     std::string stresses() const {
         if (!blow().string || blow().string->impact.sections.empty()) return {};
-        std::vector<std::vector<std::string>> rows = stringSectionGrid(blow()).rows();
+        std::vector<std::vector<std::string>> rows = stringSectionGrid(blow(), m_style).rows();
         const std::size_t sections = rows.size() - 1;
         if (!isScreen()) rows.resize(std::min(sections, mostSectionsOnPaper) + 1);
         return heading("Largest stresses of every section") +
@@ -264,17 +291,17 @@ class Page {
     std::string thrust() const {
         if (!m_report.thrust) return {};
         return heading("Needs of the thrust") +
-               tableOf("thrust", htmlRows(printedUnits(needsGrid(*m_report.thrust).rows())));
+               tableOf("thrust", htmlRows(printedUnits(needsGrid(*m_report.thrust, m_style).rows())));
     }
 
     std::string gap() const {
         if (blow().string) return {};
         std::string html = heading("All gaps between bit and rock");
         if (!m_report.gap) return html + paragraph(sentence(m_report.gapProblem));
-        if (const std::string remark = m_report.gap->periodRemark(); !remark.empty())
+        if (const std::string remark = m_report.gap->periodRemark(m_style); !remark.empty())
             html += paragraph(remark);
-        html += tableOf("gap", htmlRows(printedUnits(gapGrid(*m_report.gap).rows())));
-        for (const std::string& remark : gapRemarks(*m_report.gap))
+        html += tableOf("gap", htmlRows(printedUnits(gapGrid(*m_report.gap, m_style).rows())));
+        for (const std::string& remark : gapRemarks(*m_report.gap, m_style))
             html += paragraph(bounded(sentence(remark), mostListColumns));
         return html;
     }
@@ -311,6 +338,7 @@ class Page {
 
     const BlowReport& m_report;
     ReportMedium m_medium;
+    const ReadingStyle& m_style;
     std::size_t m_paperLines;
 };
 
@@ -345,7 +373,7 @@ std::string_view reportRecord(std::string_view html) {
 }
 
 std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture>& pictures,
-                       ReportMedium medium, std::size_t paperLines) {
+                       ReportMedium medium, const ReadingStyle& style, std::size_t paperLines) {
     const bool isScreen = medium == ReportMedium::screen;
     std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
                        escapedHtml(reportTitle(report)) + "</title>\n";
@@ -353,7 +381,7 @@ std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture
         page += std::string("<meta name=\"generator\" content=\"Drillwave ") + versionText + "\">\n" +
                 std::string(recordBegin) + recordText(report) + "</script>\n";
     page += "<style>" + std::string(isScreen ? screenStyle : paperStyle) + "</style>\n</head>\n<body>\n";
-    return page + Page(report, medium, paperLines).body(pictures) + "</body>\n</html>\n";
+    return page + Page(report, medium, style, paperLines).body(pictures) + "</body>\n</html>\n";
 }
 
 }  // namespace drillwave

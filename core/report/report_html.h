@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/report/blow_report.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
@@ -29,10 +30,12 @@ enum class ReportMedium {
 /// Lines of the scenario on paper, where there is room for so many.
 inline constexpr std::size_t mostPaperLines = 60;
 
-/// Title, verdict, alerts, inputs with sources, results with errors, studies, scenario, plots; no time and no
-/// place. On the screen each number stands in full in `data-value` of its cell. The blow must be solved.
+/// Title, what is to be done about the feed, its verdict, alerts, inputs with sources, results with errors,
+/// studies, scenario, plots; no time and no place. Numbers are in the style of the reader. On the screen each
+/// number stands in full in `data-value` of its cell. The blow must be solved.
 std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture>& pictures,
-                       ReportMedium medium, std::size_t paperLines = mostPaperLines);
+                       ReportMedium medium, const ReadingStyle& style = plainStyle(),
+                       std::size_t paperLines = mostPaperLines);
 
 /// Version, method, title and scenario as JSON, from the top of such a page for the screen; empty where there
 /// are none.

@@ -28,8 +28,8 @@ std::string labelOf(const Output& output) {
         {"momentum_residual", "error of the momentum balance"},
         {"energy_residual", "error of the energy balance"},
         {"cor_error", "bound on the error of e"},
-        {"thrust", "thrust needed, f I₀ (1+e)"},
-        {"thrust_margin", "margin over the largest need"},
+        {"thrust", "thrust needed by this blow"},
+        {"thrust_margin", "margin of the thrust at every gap"},
         {"efficiency_error", "bound on the error of the efficiency"},
         {"string_momentum", "momentum of the string to the rock"},
         {"end_time", "followed to"},
@@ -63,21 +63,22 @@ std::string_view measureText(Measure measure, bool ofString) {
     }
 }
 
-std::string multipleText(const Output& output, double value, const Blow& blow) {
+std::string multipleText(const Output& output, double value, const Blow& blow, const ReadingStyle& style) {
     const std::optional<StringSummary>& string = blow.summary.string;
-    if (output.name == "cor") return rounded(value, 6) + " ± " + boundText(blow.summary.corError);
+    if (output.name == "cor") return style.number(value, 6) + " ± " + style.bound(blow.summary.corError);
     if (output.name == "efficiency" && string)
-        return rounded(100 * value, 6) + " ± " + boundText(100 * string->efficiencyError) + " % of E₀";
-    if (output.measure == Measure::error) return boundText(std::abs(value));
+        return style.number(100 * value, 6) + " ± " + style.bound(100 * string->efficiencyError) + " % of E₀";
+    if (output.measure == Measure::error) return style.bound(std::abs(value));
     // Shares are known to 1e-12: what is smaller is rounding.
     if (output.measure == Measure::share)
-        return rounded(std::abs(value) < 1e-12 ? 0 : 100 * value, digits) + (string ? " % of E₀" : " % of W");
-    return rounded(value, digits) + std::string(measureText(output.measure, string.has_value()));
+        return style.number(std::abs(value) < 1e-12 ? 0 : 100 * value, digits) +
+               (string ? " % of E₀" : " % of W");
+    return style.number(value, digits) + std::string(measureText(output.measure, string.has_value()));
 }
 
 /// In joules.
-ReportCell energyCell(double ofW0, const Blow& blow) {
-    return {inHandyUnit(ofW0 * blow.scales.energy, Quantity::energy, digits), {}};
+ReportCell energyCell(double ofW0, const Blow& blow, const ReadingStyle& style) {
+    return {style.quantity(ofW0 * blow.scales.energy, Quantity::energy, digits), {}};
 }
 
 /// What shares are of: of a string the energy of its hammer, of a rod the work of it, in W0.
@@ -85,40 +86,41 @@ double shareUnit(const Blow& blow) {
     return blow.string ? 1 : blow.summary.workRatio;
 }
 
-ReportCell siCell(const Output& output, double value, const Blow& blow) {
+ReportCell siCell(const Output& output, double value, const Blow& blow, const ReadingStyle& style) {
     switch (output.measure) {
         case Measure::number:
         case Measure::error:
             return {};
         case Measure::work:
-            return energyCell(value, blow);
+            return energyCell(value, blow, style);
         case Measure::share:
-            return {energyCell(std::abs(value) < 1e-12 ? 0 : value * shareUnit(blow), blow).text,
+            return {energyCell(std::abs(value) < 1e-12 ? 0 : value * shareUnit(blow), blow, style).text,
                     inSi(output, value, blow)};
         default:
             break;
     }
     const double si = inSi(output, value, blow);
-    return {inHandyUnit(si, output.quantity(), digits), si};
+    return {style.quantity(si, output.quantity(), digits), si};
 }
 
 /// "in 7 rod, 1.2 m from its rear end, at 3.4 ms".
-std::string stringPlaceText(const StringPeak& largest, const Blow& blow) {
+std::string stringPlaceText(const StringPeak& largest, const Blow& blow, const ReadingStyle& style) {
     const StressPeak& peak = largest.peak;
     if (!(peak.stress > 0)) return {};
-    const std::string place = peak.place == 0 ? "at" : inHandyUnit(peak.place, Quantity::length, 4) + " from";
+    const std::string place =
+        peak.place == 0 ? "at" : style.quantity(peak.place, Quantity::length, 4) + " from";
     return "in " + sectionLabel(blow.scenario.drillString, largest.section) + ", " + place +
-           " its rear end, at " + inHandyUnit(peak.time, Quantity::time, 4);
+           " its rear end, at " + style.quantity(peak.time, Quantity::time, 4);
 }
 
-ReportCell placeCell(const Output& output, const Blow& blow) {
+ReportCell placeCell(const Output& output, const Blow& blow, const ReadingStyle& style) {
     if (blow.string && output.group == OutputGroup::stress) {
         const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
         if (stresses.empty()) return {};
-        return {stringPlaceText(largestStress(stresses, output.force), blow), {}};
+        return {stringPlaceText(largestStress(stresses, output.force), blow, style), {}};
     }
     if (!output.force || !blow.summary.rodForces) return {};
-    return {placeText((*blow.summary.rodForces).*output.force, blow), {}};
+    return {placeText((*blow.summary.rodForces).*output.force, blow, style), {}};
 }
 
 template <class Add>
@@ -144,34 +146,35 @@ void addStringScales(const Blow& blow, const Add& add) {
 
 }  // namespace
 
-std::string placeText(const RodForce& found, const Blow& blow) {
+std::string placeText(const RodForce& found, const Blow& blow, const ReadingStyle& style) {
     if (!(found.size > 0)) return {};
     if (!isDimensional(blow))
-        return "at x/L = " + rounded(found.section, 4) + ", t = " + rounded(found.time, digits) + " t₀";
-    return inHandyUnit(found.section * blow.scales.length, Quantity::length, 4) + " from the hammer, at " +
-           inHandyUnit(found.time * blow.scales.time, Quantity::time, 4);
+        return "at x/L = " + style.number(found.section, 4) + ", t = " + style.number(found.time, digits) +
+               " t₀";
+    return style.quantity(found.section * blow.scales.length, Quantity::length, 4) + " from the hammer, at " +
+           style.quantity(found.time * blow.scales.time, Quantity::time, 4);
 }
 
-std::vector<ReportRow> resultRows(const Blow& blow) {
+std::vector<ReportRow> resultRows(const Blow& blow, const ReadingStyle& style) {
     std::vector<ReportRow> rows;
     for (const Output& output : outputs()) {
         if (!output.problem(blow.scenario).empty()) continue;
-        const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin});
+        const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin()});
         if (!value) continue;
         ReportRow row{std::string(output.name), labelOf(output), {}};
         row.cells.push_back(output.isOnlySi() ? ReportCell()
-                                              : ReportCell{multipleText(output, *value, blow), value});
-        if (isDimensional(blow)) row.cells.push_back(siCell(output, *value, blow));
-        row.cells.push_back(placeCell(output, blow));
+                                              : ReportCell{multipleText(output, *value, blow, style), value});
+        if (isDimensional(blow)) row.cells.push_back(siCell(output, *value, blow, style));
+        row.cells.push_back(placeCell(output, blow, style));
         rows.push_back(std::move(row));
     }
     return rows;
 }
 
-std::vector<ReportRow> scaleRows(const Blow& blow) {
+std::vector<ReportRow> scaleRows(const Blow& blow, const ReadingStyle& style) {
     std::vector<ReportRow> rows;
     const auto add = [&](const char* symbol, const char* label, double value, Quantity quantity) {
-        rows.push_back({symbol, label, {{inHandyUnit(value, quantity, digits), value}}});
+        rows.push_back({symbol, label, {{style.quantity(value, quantity, digits), value}}});
     };
     const Groups& groups = blow.groups;
     if (blow.string) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/blow/blow.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
@@ -24,13 +25,13 @@ struct ReportRow {
 };
 
 /// Where in the rod and when a largest force is: "1.2 m from the hammer, at 300 us"; empty for one of size 0.
-std::string placeText(const RodForce& found, const Blow& blow);
+std::string placeText(const RodForce& found, const Blow& blow, const ReadingStyle& style = plainStyle());
 
-/// Every output that the scenario has: as a multiple of what it is measured in; in SI, where the scenario has
-/// units; where and when, for the largest stresses. Of a blow that was solved.
-std::vector<ReportRow> resultRows(const Blow& blow);
+/// Every output that the scenario has: as a multiple of what it is measured in; in its unit, where the
+/// scenario has units; where and when, for the largest stresses. Of a blow that was solved.
+std::vector<ReportRow> resultRows(const Blow& blow, const ReadingStyle& style = plainStyle());
 
-/// The four groups and, where the scenario has units, the scales and what follows for the rod, SI.
-std::vector<ReportRow> scaleRows(const Blow& blow);
+/// The four groups and, where the scenario has units, the scales and what follows for the rod.
+std::vector<ReportRow> scaleRows(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

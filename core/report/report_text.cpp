@@ -7,14 +7,47 @@
 
 namespace drillwave {
 
-std::string headingOf(const Scenario& scenario) {
-    const Groups groups = groupsOf(scenario);
+std::string titleLine(const Scenario& scenario) {
     std::string title = scenario.title;  // a title may hold anything, a terminal not
     std::ranges::replace_if(
         title, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
-    return (title.empty() ? std::string() : title + "\n") + "  beta " + rounded(groups.beta) + "  gamma " +
-           rounded(groups.gamma) + "  tau " + rounded(groups.tau) + "  delta " + rounded(groups.delta) +
+    return title.empty() ? std::string() : title + "\n";
+}
+
+std::string groupsLine(const Scenario& scenario) {
+    const Groups groups = groupsOf(scenario);
+    return "  beta " + rounded(groups.beta) + "  gamma " + rounded(groups.gamma) + "  tau " +
+           rounded(groups.tau) + "  delta " + rounded(groups.delta) +
            (isString(scenario) ? "" : "  pulse " + std::string(name(scenario.pulse.shape))) + "\n";
+}
+
+std::string headingOf(const Scenario& scenario) {
+    return titleLine(scenario) + groupsLine(scenario);
+}
+
+namespace {
+
+/// Where the first line of such words ends: at a blank, and not behind a number, which stays with its unit.
+std::size_t lineEnd(std::string_view words) {
+    constexpr std::size_t width = 98;
+    if (words.size() <= width) return words.size();
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    for (std::size_t end = words.rfind(' ', width); end != words.npos && end > 0;
+         end = words.rfind(' ', end - 1))
+        if (!isDigit(words[end - 1])) return end;
+    return std::min(words.find(' ', width), words.size());
+}
+
+}  // namespace
+
+std::string paragraph(std::string_view words) {
+    std::string text;
+    while (!words.empty()) {
+        const std::size_t end = lineEnd(words);
+        text += "  " + std::string(words.substr(0, end)) + "\n";
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+    return text;
 }
 
 std::string TextGrid::text() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/model/scenario.h"
@@ -10,8 +11,15 @@
 
 namespace drillwave {
 
-/// Title and groups of a scenario, as reports begin.
+/// Title of a scenario in one line, nothing where it has none; and its groups in another.
+std::string titleLine(const Scenario& scenario);
+std::string groupsLine(const Scenario& scenario);
+
+/// Both, as reports begin.
 std::string headingOf(const Scenario& scenario);
+
+/// Broken into lines of at most 100 characters, two blanks before each.
+std::string paragraph(std::string_view words);
 
 /// Of all cells of a line but the first, which is aligned to the left.
 enum class CellAlignment { left, right };

@@ -17,8 +17,8 @@ std::string si(double value, Quantity quantity, int digits = 5) {
     return inHandyUnit(value, quantity, digits);
 }
 
-std::string percent(double share) {
-    return rounded(100 * (std::abs(share) < 1e-12 ? 0 : share), 4) + " %";
+std::string percent(double share, const ReadingStyle& style) {
+    return style.number(100 * (std::abs(share) < 1e-12 ? 0 : share), 4) + " %";
 }
 
 /// Numbers with what they are in SI.
@@ -59,25 +59,32 @@ std::string resultGrid(const Blow& blow) {
     return grid.text();
 }
 
-std::string stressCell(const StressPeak& peak) {
-    if (peak.stress == 0) return "0";
-    return si(peak.stress, Quantity::stress, 4) + " at " +
-           (peak.place == 0 ? "0 mm" : si(peak.place, Quantity::length, 3)) + ", " +
-           si(peak.time, Quantity::time, 4);
+/// Zero in the unit of small lengths.
+std::string placeCell(double place, const ReadingStyle& style) {
+    constexpr double millimetre = 1e-3;
+    return place == 0 ? style.number(0) + " " + style.unitFor(millimetre, Quantity::length).name
+                      : style.quantity(place, Quantity::length, 3);
 }
 
-std::string shareOf(double stress, const std::optional<double>& strength) {
-    return strength ? rounded(100 * stress / *strength, 3) + " %" : std::string();
+std::string stressCell(const StressPeak& peak, const ReadingStyle& style) {
+    if (peak.stress == 0) return style.number(0);
+    return style.quantity(peak.stress, Quantity::stress, 4) + " at " + placeCell(peak.place, style) + ", " +
+           style.quantity(peak.time, Quantity::time, 4);
+}
+
+std::string shareOf(double stress, const std::optional<double>& strength, const ReadingStyle& style) {
+    return strength ? style.number(100 * stress / *strength, 3) + " %" : std::string();
 }
 
 }  // namespace
 
-TextGrid stringEnergyGrid(const Blow& blow) {
+TextGrid stringEnergyGrid(const Blow& blow, const ReadingStyle& style) {
     const ImpactSummary& summary = blow.summary;
     const StringSummary& string = *summary.string;
     TextGrid grid(CellAlignment::left);
     const auto add = [&](const char* label, double share) {
-        grid.add({label, percent(share), si(share * blow.scales.energy, Quantity::energy, 4)});
+        grid.add(
+            {label, percent(share, style), style.quantity(share * blow.scales.energy, Quantity::energy, 4)});
     };
     add("energy of the hammer", 1);
     add("  in the rock", summary.energy.rockWork);
@@ -88,8 +95,8 @@ TextGrid stringEnergyGrid(const Blow& blow) {
     if (string.jointLoss > 0) add("  lost in joints", string.jointLoss);
     if (string.rodLoss > 0) add("  lost in sections", string.rodLoss);
     if (string.faceEnergy > 0) add("  between the faces", string.faceEnergy);
-    grid.add({"balance errors", rounded(summary.momentumResidual, 2) + " of the momentum, " +
-                                    rounded(summary.energy.residual, 2) + " of the energy"});
+    grid.add({"balance errors", style.number(summary.momentumResidual, 2) + " of the momentum, " +
+                                    style.number(summary.energy.residual, 2) + " of the energy"});
     return grid;
 }
 
@@ -101,7 +108,7 @@ std::string sectionLabel(const DrillString& drillString, std::size_t section) {
     return (isHammer ? "hammer " : "") + number + (name.empty() ? "" : " " + name);
 }
 
-TextGrid stringSectionGrid(const Blow& blow) {
+TextGrid stringSectionGrid(const Blow& blow, const ReadingStyle& style) {
     const DrillString& drill = blow.scenario.drillString;
     const std::vector<const Section*> sections = allSections(drill);
     const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
@@ -121,14 +128,14 @@ TextGrid stringSectionGrid(const Blow& blow) {
     const std::size_t ofHammer = drill.hammer.sections.size();
     for (std::size_t j = 0; j < sections.size(); ++j) {
         const SectionStress& stress = stresses[j];
-        std::vector<std::string> cells{sectionLabel(drill, j), stressCell(stress.compression),
-                                       stressCell(stress.tension)};
-        if (hasAfter) cells.push_back(stressCell(stress.tensionAfter));
+        std::vector<std::string> cells{sectionLabel(drill, j), stressCell(stress.compression, style),
+                                       stressCell(stress.tension, style)};
+        if (hasAfter) cells.push_back(stressCell(stress.tensionAfter, style));
         const double largest = std::max(stress.compression.stress, stress.tension.stress);
-        if (hasYield) cells.push_back(shareOf(largest, sections[j]->yieldStrength));
-        if (hasFatigue) cells.push_back(shareOf(stress.tension.stress, sections[j]->fatigueStrength));
+        if (hasYield) cells.push_back(shareOf(largest, sections[j]->yieldStrength, style));
+        if (hasFatigue) cells.push_back(shareOf(stress.tension.stress, sections[j]->fatigueStrength, style));
         if (j >= ofHammer && j - ofHammer < reflected.size())
-            cells.push_back(percent(reflected[j - ofHammer]));
+            cells.push_back(percent(reflected[j - ofHammer], style));
         grid.add(std::move(cells));
     }
     return grid;

@@ -14,11 +14,11 @@ namespace drillwave {
 std::string stringResultText(const Blow& blow);
 
 /// Where the energy of the hammer went, in shares and in J.
-TextGrid stringEnergyGrid(const Blow& blow);
+TextGrid stringEnergyGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 /// Titles, then for every section its largest stresses with place and time, in shares of its strengths where
 /// sections have them, and what the joint at its far end throws back. Requires the forces.
-TextGrid stringSectionGrid(const Blow& blow);
+TextGrid stringSectionGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 /// "hammer 2", "3 rod": the section of that number of those of hammer and string.
 std::string sectionLabel(const DrillString& drillString, std::size_t section);

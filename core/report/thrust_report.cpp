@@ -2,6 +2,7 @@
 #include "core/report/thrust_report.h"
 
 #include <algorithm>
+#include <ranges>
 
 #include "core/model/alerts.h"
 #include "core/model/blow_interval.h"
@@ -36,26 +37,34 @@ double impulseOf(const ThrustReport& report) {
     return pulseImpulse(report.scenario) * report.study.transferred;
 }
 
-std::string force(double newton) {
-    return inHandyUnit(newton, Quantity::force, 4);
-}
-
-std::string bracket(const ThrustNeed& need) {
+std::string bracket(const ThrustNeed& need, const ReadingStyle& style = plainStyle()) {
+    const auto force = [&](double newton) { return style.quantity(newton, Quantity::force, 4); };
     return force(need.thrust) + " ... " + force(need.thrustUndamped);
 }
 
-std::string signedPercent(double share) {
-    return (share < 0 ? "" : "+") + rounded(share * 100, 3) + " %";
-}
-
-std::string hertz(double frequency) {
-    return rounded(frequency, 4) + " Hz";
+std::string hertz(double frequency, const ReadingStyle& style = plainStyle()) {
+    return style.quantity(frequency, Quantity::frequency, 4);
 }
 
 /// "6.3 mm", "none" where the bit rests on the rock, "-" where there is no steady one.
-std::string gapText(const GapAtBlow& found) {
+std::string gapText(const GapAtBlow& found, const ReadingStyle& style) {
     if (found.motion.kind == UndampedMotion::Kind::resting) return "none";
-    return found.motion.stable ? inHandyUnit(found.gap, Quantity::length, 3) : "-";
+    return found.motion.stable ? style.quantity(found.gap, Quantity::length, 3) : "-";
+}
+
+/// Not all of them before it is all of them.
+std::string shareText(double share, const ReadingStyle& style) {
+    return style.number(roundedTo(share * 100, 4, Rounding::down), 4) + " %";
+}
+
+/// The effective force over the largest of the needs, and which that is; empty where no thrust is installed.
+std::string marginSentence(const ThrustNeeds& needs, const ReadingStyle& style) {
+    const ThrustNeed& largest = largestOf(needs);
+    if (!largest.margin) return {};
+    const WidestNeed widest = widestOf(needs);
+    return std::string(widest.ofAllGaps ? "Margin over the largest of the four needs ("
+                                        : "Margin over the larger of the two needs (") +
+           label(widest.which) + "): " + style.signedPercent(*largest.margin) + ".";
 }
 
 /// Those that a point knows; all four where none is solved.
@@ -86,19 +95,6 @@ std::string bracketTable(const ThrustAlong& along) {
         grid.add(cells);
     }
     return grid.text();
-}
-
-/// Broken into lines of at most 100 characters, two blanks before each.
-std::string paragraph(std::string_view words) {
-    constexpr std::size_t width = 98;
-    std::string text;
-    while (!words.empty()) {
-        std::size_t end = words.size();
-        if (end > width) end = words.rfind(' ', width);
-        text += "  " + std::string(words.substr(0, end)) + "\n";
-        words.remove_prefix(std::min(end + 1, words.size()));
-    }
-    return text;
 }
 
 JsonObject gapAtBlowJson(const GapAtBlow& found) {
@@ -151,57 +147,51 @@ JsonObject alongJson(const ThrustAlong& along) {
 
 }  // namespace
 
-std::string marginSentence(const ThrustNeeds& needs) {
-    const ThrustNeed& largest = largestOf(needs);
-    if (!largest.margin) return {};
-    const auto which = static_cast<ThrustCase>(&largest - needs.data());
-    const bool allKnown = std::ranges::all_of(needs, &ThrustNeed::known);
-    return std::string(allKnown ? "Margin over the largest of the four needs ("
-                                : "Margin over the larger of the two needs (") +
-           label(which) + "): " + signedPercent(*largest.margin) + ".";
-}
-
-std::string_view stringThrustSentence() {
-    return "I0 is the impulse of the hammer's face. The gaps of a drill string have no period over which a "
-           "share of them or the worst one could be told.";
-}
-
-TextGrid needsGrid(const ThrustReport& report) {
+TextGrid needsGrid(const ThrustReport& report, const ReadingStyle& style) {
     const bool judged = report.scenario.drill.thrust.has_value();
     TextGrid grid;
-    std::vector<std::string> titles{"thrust needed for", "e", "f I0 (1+e) ... (1+2e)"};
-    if (judged) titles.insert(titles.end(), {"margin", "full rate up to", "gap at the blow", "feed"});
+    std::vector<std::string> titles{"thrust needed for", "e", "enough ... bit back undamped"};
+    if (judged) titles.insert(titles.end(), {"margin", "enough up to", "gap at the blow", "feed"});
     grid.add(titles);
     for (const ThrustCase which : thrustCases) {
         const ThrustNeed& need = report.study.need(which);
         if (!need.known) continue;
-        std::vector<std::string> cells{label(which), rounded(need.cor.value), bracket(need)};
+        std::vector<std::string> cells{label(which), style.number(need.cor.value), bracket(need, style)};
         if (judged)
-            cells.insert(cells.end(), {signedPercent(*need.margin), hertz(*need.frequencyLimit),
-                                       gapText(*need.gapAtBlow), std::string(feedWord(need.feed))});
+            cells.insert(cells.end(), {style.signedPercent(*need.margin), hertz(*need.frequencyLimit, style),
+                                       gapText(*need.gapAtBlow, style), std::string(feedWord(need.feed))});
         grid.add(cells);
     }
     return grid;
 }
 
-std::vector<std::string> verdictSentences(const ThrustReport& report) {
-    std::vector<std::string> sentences{feedSentence(report.study.verdict)};
-    if (const std::optional<GapAtBlow>& gap = report.study.need(ThrustCase::scenario).gapAtBlow)
-        sentences.push_back(gapAtBlowSentence(*gap));
-    if (const std::optional<double> share = report.study.shareFull)
-        sentences.push_back("It is at least f I0 (1+e) at " + rounded(*share * 100, 4) +
-                            " % of all gaps in this rock. " + marginSentence(report.study.needs));
-    if (isString(report.scenario)) {
-        if (std::string margin = marginSentence(report.study.needs); !margin.empty())
-            sentences.push_back(std::move(margin));
-        sentences.emplace_back(stringThrustSentence());
-    }
+FeedDecision decisionOf(const JudgedNeeds& judged) {
+    return decideFeed(judged.scenario, judged.verdict, widestOf(judged.needs));
+}
+
+std::vector<std::string> verdictSentences(const JudgedNeeds& judged, const ReadingStyle& style) {
+    const FeedDecision decision = decisionOf(judged);
+    std::vector<std::string> sentences{
+        feedDecisionText(decision, style),
+        feedMeaning(judged.verdict.feed, judged.needs.front().gapAtBlow, style)};
+    // What is enough at every gap is so at each in this rock.
+    if (judged.shareFull && decision.kind != FeedDecision::Kind::enough)
+        sentences.push_back("It is enough at " + shareText(*judged.shareFull, style) +
+                            " of all gaps in this rock.");
+    if (std::string margin = marginSentence(judged.needs, style); !margin.empty())
+        sentences.push_back(std::move(margin));
+    if (isString(judged.scenario))
+        sentences.emplace_back(
+            "The impulse of a blow is that of the hammer's face. The gaps of a drill string have no period "
+            "over which a share of them or the worst one could be told.");
     return sentences;
 }
 
 std::string thrustText(const ThrustReport& report) {
     const Drill& drill = report.scenario.drill;
-    std::string text = headingOf(report.scenario) + "  " + hertz(*drill.blowFrequency) + " of " +
+    const std::vector<std::string> sentences = verdictSentences(report.judged());
+    std::string text = titleLine(report.scenario) + paragraph(sentences.front()) +
+                       groupsLine(report.scenario) + "  " + hertz(*drill.blowFrequency) + " of " +
                        inHandyUnit(impulseOf(report), Quantity::impulse, 4);
     text += ", n_b = " + rounded(*roundTripsBetweenBlows(report.scenario), 4);
     if (const std::optional<FeedForce> feed = feedForceOf(report.scenario))
@@ -209,7 +199,7 @@ std::string thrustText(const ThrustReport& report) {
     text += "\n\n" + needsGrid(report).text();
     if (report.along) text += "\n" + bracketTable(*report.along);
     text += "\n";
-    for (const std::string& sentence : verdictSentences(report)) text += paragraph(sentence);
+    for (const std::string& sentence : sentences | std::views::drop(1)) text += paragraph(sentence);
     for (const Alert& alert : alertsFor(report.scenario))
         if (alert.code == AlertCode::residualWaves) text += paragraph(alertText(alert));
     return text;
@@ -243,7 +233,7 @@ std::string thrustJson(const ThrustReport& report) {
         {"thrust_margin", study.margin()},
         {"feed", name(study.verdict.feed)},
         {"advice", feedAdvice(study.verdict.feed)},
-        {"verdict", feedSentence(study.verdict)},
+        {"verdict", feedDecisionText(decisionOf(report.judged()))},
     };
     if (report.along) object["along"] = alongJson(*report.along);
     return Json(object).text();

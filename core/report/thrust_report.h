@@ -14,27 +14,35 @@
 
 namespace drillwave {
 
+/// What the verdict in words is by.
+struct JudgedNeeds {
+    const Scenario& scenario;
+    const ThrustNeeds& needs;
+    const FeedVerdict& verdict;
+    std::optional<double> shareFull;  ///< ThrustStudy::shareFull, where it is known
+};
+
 /// All that is reported.
 struct ThrustReport {
     Scenario scenario;
     ThrustStudy study;
     std::optional<ThrustAlong> along;
     std::string scenarioText;  ///< gives the same scenario again
+
+    JudgedNeeds judged() const { return {scenario, study.needs, study.verdict, study.shareFull}; }
 };
-
-/// The effective force over the largest of the needs, and which that is, in a sentence; empty where no thrust
-/// is installed.
-std::string marginSentence(const ThrustNeeds& needs);
-
-/// Which impulse the thrust of a drill string is by, and why what counts its gaps is not told.
-std::string_view stringThrustSentence();
 
 /// What each of the four cases needs, for people: a line of titles, then one for each case. A study must be
 /// there.
-TextGrid needsGrid(const ThrustReport& report);
+TextGrid needsGrid(const ThrustReport& report, const ReadingStyle& style = plainStyle());
 
-/// What the installed thrust means at the rig, in sentences; likewise.
-std::vector<std::string> verdictSentences(const ThrustReport& report);
+/// What is to be done about the feed.
+FeedDecision decisionOf(const JudgedNeeds& judged);
+
+/// The sentence to act on, then what the installed thrust means at the rig: nothing in them says anything
+/// else than the numbers of the needs.
+std::vector<std::string> verdictSentences(const JudgedNeeds& judged,
+                                          const ReadingStyle& style = plainStyle());
 
 /// Tables for people, and what the installed thrust means at the rig.
 std::string thrustText(const ThrustReport& report);

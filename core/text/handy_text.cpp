@@ -7,7 +7,7 @@
 
 namespace drillwave {
 
-std::string inHandyUnit(double si, Quantity quantity, int digits) {
+ReadUnit ReadingStyle::unitFor(double si, Quantity quantity) const {
     // Of each quantity from the smallest on.
     constexpr std::array<std::string_view, 20> handy{"us",  "ms",  "s",   "um",   "mm",   "m",   "N s",
                                                      "N",   "kN",  "J",   "kJ",   "W",    "kW",  "kg",
@@ -21,8 +21,36 @@ std::string inHandyUnit(double si, Quantity quantity, int digits) {
         if (!chosen || fits) chosen = unit;
     }
     if (!chosen) chosen = &unitsOf(quantity).front();
-    const std::string number = rounded(chosen->fromSi(si), digits);
-    return chosen->name.empty() ? number : number + " " + std::string(chosen->name);
+    return {chosen, std::string(chosen->name)};
+}
+
+std::string ReadingStyle::quantity(double si, Quantity quantity, int digits, Rounding rounding) const {
+    const ReadUnit read = unitFor(si, quantity);
+    const std::string text = number(roundedTo(read.unit->fromSi(si), digits, rounding), digits);
+    return read.name.empty() ? text : text + " " + read.name;
+}
+
+std::string ReadingStyle::bound(double bound) const {
+    // 5 % more: half of the last digit at most is rounded away
+    constexpr double margin = 1.05;
+    return number(margin * bound, 2);
+}
+
+std::string ReadingStyle::signedPercent(double share) const {
+    return (share < 0 ? "" : "+") + number(share * 100, 3) + " %";
+}
+
+const ReadingStyle& plainStyle() {
+    static const ReadingStyle style;
+    return style;
+}
+
+std::string inHandyUnit(double si, Quantity quantity, int digits) {
+    return plainStyle().quantity(si, quantity, digits);
+}
+
+std::string boundText(double bound) {
+    return plainStyle().bound(bound);
 }
 
 }  // namespace drillwave

@@ -9,8 +9,47 @@
 
 namespace drillwave {
 
-/// An SI value in the unit of its customary family that needs the fewest zeros: "71.7 kN", "3.2 mm",
-/// "105 MN/m"; a ratio as the bare number.
+/// A unit in which a value is read, and its name as it is shown.
+struct ReadUnit {
+    const Unit* unit = nullptr;
+    std::string name;
+};
+
+/// How a reader has numbers in sentences and tables written: here in the C locale and in SI, as the commands
+/// do; a window has styles of its own.
+class ReadingStyle {
+  public:
+    ReadingStyle() = default;
+    ReadingStyle(const ReadingStyle&) = delete;
+    ReadingStyle& operator=(const ReadingStyle&) = delete;
+    virtual ~ReadingStyle() = default;
+
+    /// With so many significant digits.
+    virtual std::string number(double value, int digits = 6) const { return rounded(value, digits); }
+    /// The unit of its customary family that needs the fewest zeros.
+    virtual ReadUnit unitFor(double si, Quantity quantity) const;
+    /// Whether values that a file gives stand in a table as the file has them.
+    virtual bool keepsUnitsOfFile() const { return true; }
+    /// Over a column of values with their units.
+    virtual std::string unitsTitle() const { return "in SI"; }
+
+    /// An SI value in the unit that suits it: "71.7 kN", "3.2 mm", "105 MN/m"; a ratio as the bare number.
+    /// It is rounded in that unit.
+    std::string quantity(double si, Quantity quantity, int digits = 6,
+                         Rounding rounding = Rounding::nearest) const;
+    /// A bound in two digits that are not less than it.
+    std::string bound(double bound) const;
+    /// A share as "+10.3 %" or "-5 %".
+    std::string signedPercent(double share) const;
+};
+
+/// That of the commands.
+const ReadingStyle& plainStyle();
+
+/// An SI value in that style.
 std::string inHandyUnit(double si, Quantity quantity, int digits = 6);
+
+/// A bound in that style.
+std::string boundText(double bound);
 
 }  // namespace drillwave

@@ -23,10 +23,17 @@ std::string rounded(double value, int digits) {
     return numberText(value, std::chars_format::general, digits);
 }
 
-std::string boundText(double bound) {
-    // 5 % more: half of the last digit at most is rounded away
-    constexpr double margin = 1.05;
-    return rounded(margin * bound, 2);
+double roundedTo(double value, int digits, Rounding rounding) {
+    if (rounding == Rounding::nearest || value == 0 || !std::isfinite(value)) return value;
+    if (value < 0)
+        return -roundedTo(-value, digits, rounding == Rounding::up ? Rounding::down : Rounding::up);
+    constexpr double noise = 1e-12;
+    const int exponent = static_cast<int>(std::floor(std::log10(value))) + 1 - digits;
+    const double power = std::pow(10, std::abs(exponent));
+    const double steps = exponent < 0 ? value * power : value / power;
+    const double whole =
+        rounding == Rounding::up ? std::ceil(steps * (1 - noise)) : std::floor(steps * (1 + noise));
+    return exponent < 0 ? whole / power : whole * power;
 }
 
 }  // namespace drillwave

@@ -18,7 +18,11 @@ std::string numberText(double value, std::chars_format format, int digits);
 /// With so many significant digits.
 std::string rounded(double value, int digits = 6);
 
-/// A bound in two digits that are not less than it.
-std::string boundText(double bound);
+/// To which side digits are left out.
+enum class Rounding { nearest, up, down };
+
+/// With at most so many significant digits, `up` not less than it was and `down` not more but for rounding
+/// noise: 0.3 stays 0.3. `nearest` leaves the rounding to the text.
+double roundedTo(double value, int digits, Rounding rounding);
 
 }  // namespace drillwave

@@ -61,8 +61,8 @@ class Pages {
         m_document.setDefaultFont(m_font);
         // What else may be long is bounded: without the scenario it is three pages.
         for (std::size_t lines = mostPaperLines;; lines /= 2) {
-            m_document.setHtml(
-                QString::fromStdString(reportHtml(report, pictures, ReportMedium::paper, lines)));
+            m_document.setHtml(QString::fromStdString(
+                reportHtml(report, pictures, ReportMedium::paper, plainStyle(), lines)));
             m_document.setPageSize(m_body);
             keepHeadings(m_document);
             if (m_document.pageCount() <= mostPages || lines == 0) return;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/model/scales.h"
+#include "core/text/number_text.h"
 #include "ui/form/pulse_curve.h"
 #include "ui/plot/plot_style.h"
 #include "ui/text/number_text.h"
@@ -45,8 +46,8 @@ QString pulseText(double si, UnitKind kind) {
 
 QString pulseBoundText(double si, UnitKind kind) {
     const ShownUnit unit = pulseUnit(si, kind);
-    return numberText(roundedUp(si * unit.factor, digits), digits, QLocale()) + QChar(QChar::Nbsp) +
-           unit.unit;
+    return numberText(roundedTo(si * unit.factor, digits, Rounding::up), digits, QLocale()) +
+           QChar(QChar::Nbsp) + unit.unit;
 }
 
 PulsePreview::PulsePreview(QWidget* parent) : QWidget(parent) {

@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <cmath>
 
+#include "core/text/number_text.h"
 #include "ui/form/pulse_preview.h"
 #include "ui/text/number_text.h"
 
@@ -55,7 +56,7 @@ QString importSummary(const ImportPreview& preview) {
                     "the peak) from the lines between them, the impulse changes by %6.")
                      .arg(countText(signal.samples), countText(preview.samples),
                           countText(signal.points.size()), pulseBoundText(signal.deviation, UnitKind::force),
-                          peak > 0 ? percent(roundedUp(signal.deviation / peak, percentDigits))
+                          peak > 0 ? percent(roundedTo(signal.deviation / peak, percentDigits, Rounding::up))
                                    : QStringLiteral("–"),
                           pulseText(signal.impulseChange, UnitKind::impulse));
     if (preview.effect) parts << effectText(*preview.effect);

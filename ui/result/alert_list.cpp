@@ -7,6 +7,7 @@
 
 #include "core/model/parameter.h"
 #include "core/report/alert_words.h"
+#include "ui/text/local_style.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -37,7 +38,8 @@ AlertList::AlertList(QWidget* parent) : QWidget(parent) {
 void AlertList::present(const QString& problem, const std::vector<Alert>& alerts) {
     QStringList texts;
     if (!problem.isEmpty()) texts.append(problem);
-    for (const Alert& alert : alerts) texts.append(QString::fromStdString(alertText(alert)));
+    const LocalStyle style = LocalStyle::present();
+    for (const Alert& alert : alerts) texts.append(QString::fromStdString(alertText(alert, style)));
     // Most solutions while a slider is dragged change nothing here.
     if (texts == m_texts && !m_labels.isEmpty()) return;
     m_texts = texts;
@@ -51,7 +53,7 @@ void AlertList::present(const QString& problem, const std::vector<Alert>& alerts
     for (const Alert& alert : alerts) {
         const bool warning = alert.level == AlertLevel::warning;
         write(row++, warning ? QStringLiteral("⚠") : QStringLiteral("ℹ"),
-              warning ? tr("Warning") : tr("Note"), QString::fromStdString(alertText(alert)),
+              warning ? tr("Warning") : tr("Note"), QString::fromStdString(alertText(alert, style)),
               alert.parameter);
     }
     if (row == 0) write(row++, QStringLiteral("✓"), tr("Nothing unusual"), tr("Nothing unusual."), {});

@@ -6,6 +6,7 @@
 
 #include "core/report/feed_words.h"
 #include "ui/runs/difference_text.h"
+#include "ui/text/local_style.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
@@ -102,7 +103,18 @@ QString feedText(const SolvedBlow& blow) {
 }
 
 QString feedMeaning(const SolvedBlow& blow) {
-    return blow.feed ? QString::fromStdString(feedSentence(*blow.feed)) : QString();
+    if (!blow.feed) return {};
+    const std::optional<GapAtBlow> gap =
+        gapAtBlow(blow.scenario, blow.summary.cor, blow.summary.transferred());
+    return QString::fromStdString(feedMeaning(blow.feed->feed, gap, LocalStyle::present()));
+}
+
+QString decisionText(const WorstNeed& worst, const SolvedBlow& blow) {
+    if (!blow.problem.isEmpty()) return {};
+    const std::optional<WidestNeed> widest = worst.isCurrent() ? worst.widest() : std::nullopt;
+    const FeedDecision decision = decideFeed(blow.scenario, blow.feed, widest);
+    return QString::fromStdString(feedDecisionText(decision, LocalStyle::present())) +
+           (worst.isAwaited() ? QStringLiteral(" …") : QString());
 }
 
 }  // namespace drillwave

@@ -36,8 +36,12 @@ QString thrustMarginText(const SolvedBlow& blow);
 /// zero, where a share of it says nothing.
 QString marginChangeText(double margin, double reference, const SolvedBlow& blow);
 
-/// The verdict in a word or two, and in sentences.
+/// The verdict in a few words, and what it means at the rig.
 QString feedText(const SolvedBlow& blow);
 QString feedMeaning(const SolvedBlow& blow);
+
+/// The sentence to act on; with an ellipsis while what more than this blow needs is not known. Empty where
+/// the blow is not solved.
+QString decisionText(const WorstNeed& worst, const SolvedBlow& blow);
 
 }  // namespace drillwave

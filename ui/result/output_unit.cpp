@@ -41,7 +41,7 @@ bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow&
 
 std::optional<double> comparableNumber(const Output& output, const SolvedBlow& blow, UnitSystem units) {
     if (!blow.problem.isEmpty()) return std::nullopt;
-    const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin});
+    const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin()});
     if (!value || !std::isfinite(*value)) return std::nullopt;
     if (output.measure == Measure::share) return 100 * *value;
     const bool isPlain = output.isOnlySi() || output.measure == Measure::number;

@@ -79,6 +79,7 @@ ResultPanel::ResultPanel(QWidget* parent) : SteadyScrollArea(parent), m_veil(new
     addTimes();
     addEvents();
     addAlerts();
+    addDecision();
     alignColumns();
     layout->addStretch();
     auto* copyAll = new QAction(tr("&Copy results"), this);
@@ -127,7 +128,7 @@ void ResultPanel::addThrust() {
           feedMeaning,
           Weight::heavy},
          {tr("margin"),
-          tr("Feed force less f·I₀·(1 + e) of this blow, and as a share of it"),
+          tr("Feed force less what this blow needs for full penetration, and as a share of that"),
           thrustMarginText,
           {},
           nullptr,
@@ -137,8 +138,8 @@ void ResultPanel::addThrust() {
           nullptr,
           [this](double now, double then) { return marginChangeText(now, then, *m_blow); }},
          {tr("needed"),
-          tr("Thrust for full penetration, f·I₀·(1 + e), up to that which brings the bit back before the "
-             "next blow even if nothing damps, f·I₀·(1 + 2e), with the e of this blow"),
+          tr("Thrust for full penetration, up to that which brings a bit that was at rest back before the "
+             "next blow even if nothing damps, with the e of this blow"),
           thrustNeededText,
           {},
           nullptr,
@@ -147,7 +148,7 @@ void ResultPanel::addThrust() {
           [](const SolvedBlow& blow, UnitSystem) {
               return thrustNeeded(blow.scenario, blow.summary.cor, blow.summary.transferred());
           }},
-         {tr("worst of 4 needs"),
+         {tr("needed at every gap"),
           tr("The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid rock, "
              "and of the worst gap on elastic rock"),
           [this](const SolvedBlow& blow) { return worstNeedText(m_worst, blow); },
@@ -161,7 +162,8 @@ void ResultPanel::addThrust() {
           nullptr,
           isOfRod},
          {{},
-          tr("Feed force less the worst of the four needs, and as a share of that: thrust_margin of commands "
+          tr("Feed force less the largest of the four needs, and as a share of that: thrust_margin of "
+             "commands "
              "and files"),
           [this](const SolvedBlow& blow) { return worstMarginText(m_worst, blow); },
           {},
@@ -262,6 +264,26 @@ void ResultPanel::addAlerts() {
     auto* link = new AlertLink(*m_alerts, AlertLink::WithoutAny::said, widget());
     connect(link, &QToolButton::clicked, this, &ResultPanel::goToAlerts);
     static_cast<QVBoxLayout*>(widget()->layout())->insertWidget(0, link, 0, Qt::AlignLeft);
+}
+
+// Before all numbers, with room for what it says at most, or they would move.
+void ResultPanel::addDecision() {
+    constexpr int lines = 4;
+    m_decision = new QLabel(widget());
+    m_decision->setObjectName(QStringLiteral("decision"));
+    m_decision->setWordWrap(true);
+    m_decision->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    QFont font = m_decision->font();
+    font.setBold(true);
+    m_decision->setFont(font);
+    m_decision->setMinimumHeight(lines * QFontMetrics(font).lineSpacing());
+    makeSelectable(*m_decision);
+    static_cast<QVBoxLayout*>(widget()->layout())->insertWidget(0, m_decision);
+}
+
+void ResultPanel::showDecision() {
+    m_decision->setText(decisionText(m_worst, *m_blow));
+    m_decision->setToolTip(m_blow->problem.isEmpty() ? feedMeaning(*m_blow) : QString());
 }
 
 void ResultPanel::goToAlerts() {
@@ -373,6 +395,7 @@ void ResultPanel::setOutOfDate(bool outOfDate) {
 
 QString ResultPanel::text() const {
     QString text = m_veil->isHidden() ? QString() : StaleVeil::words() + QLatin1Char('\n');
+    if (!m_decision->text().isEmpty()) text += m_decision->text() + QLatin1Char('\n');
     for (const Row& row : m_rows)
         if (!row.section->isHidden() && row.isThere())
             text += row.section->title() + QStringLiteral(": ") + row.name->text() + QLatin1Char('\t') +
@@ -390,6 +413,7 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
     m_blow = blow;
     const bool solved = blow->problem.isEmpty();
     m_worst.ask(*blow);
+    showDecision();
     QSet<SectionBox*> filled;
     for (const Row& row : std::as_const(m_rows)) {
         offerRow(row, blow->request.scenario);
@@ -462,6 +486,7 @@ void ResultPanel::showChange(const Row& row) {
 
 void ResultPanel::showWorst() {
     if (!m_blow) return;
+    showDecision();
     for (const Row& row : std::as_const(m_rows))
         if (row.value->objectName() == worstName) showRow(row);
 }

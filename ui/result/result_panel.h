@@ -113,6 +113,8 @@ class ResultPanel : public SteadyScrollArea {
     void addStress();
     void addTimes();
     void addAlerts();
+    void addDecision();
+    void showDecision();
     void addEvents();
     void alignColumns();
     void copy() const;
@@ -136,6 +138,7 @@ class ResultPanel : public SteadyScrollArea {
     EventTable* m_events = nullptr;
     AlertList* m_alerts = nullptr;
     SectionBox* m_alertSection = nullptr;
+    QLabel* m_decision = nullptr;
     StaleVeil* m_veil;
 };
 

@@ -51,15 +51,24 @@ void WorstNeed::run() {
     });
 }
 
-std::optional<double> WorstNeed::thrust() const {
+std::optional<WidestNeed> WorstNeed::widest() const {
     const auto& study = m_job.value();
     if (!m_scenario || !study || !study->reason.empty() || study->stopped) return std::nullopt;
-    return study->largestNeed().thrust;
+    return widestOf(study->needs);
+}
+
+std::optional<double> WorstNeed::thrust() const {
+    const std::optional<WidestNeed> found = widest();
+    return found ? std::optional(found->thrust) : std::nullopt;
 }
 
 QString WorstNeed::problem() const {
     const auto& study = m_job.value();
     return study ? QString::fromStdString(study->reason) : m_job.problem();
+}
+
+bool WorstNeed::isAwaited() const {
+    return m_scenario && (m_due || m_job.state() == StudyState::running);
 }
 
 bool WorstNeed::isCurrent() const {

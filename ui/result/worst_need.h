@@ -22,12 +22,16 @@ class WorstNeed : public QObject {
     void ask(const SolvedBlow& blow);
     /// Of no blow, until it is asked again.
     void askNothing();
-    /// f I0 (1+e) [N] by the largest e of the four; nothing where there is none, or none yet.
+    /// The largest of the four; nothing where there is none, or none yet.
+    std::optional<WidestNeed> widest() const;
+    /// What it takes for full penetration [N], likewise.
     std::optional<double> thrust() const;
     /// Why there is none, in a sentence; may be empty.
     QString problem() const;
-    /// Whether thrust() is that of the blow asked for last.
+    /// Whether widest() is that of the blow asked for last.
     bool isCurrent() const;
+    /// Whether it is on its way.
+    bool isAwaited() const;
 
   signals:
     void changed();

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/text/number_text.h"
+
 namespace drillwave {
 namespace {
 
@@ -43,17 +45,8 @@ QString magnitudeText(double value, const QLocale& locale) {
     return numberText(mantissa, 1, locale) + QStringLiteral("·10") + superscript(exponent);
 }
 
-double roundedUp(double value, int digits) {
-    if (!(value > 0) || !std::isfinite(value)) return value;
-    constexpr double noise = 1e-12;  // so that 0.3 stays 0.3
-    const int exponent = static_cast<int>(std::floor(std::log10(value))) + 1 - digits;
-    const double power = std::pow(10, std::abs(exponent));
-    const double steps = std::ceil((exponent < 0 ? value * power : value / power) * (1 - noise));
-    return exponent < 0 ? steps / power : steps * power;
-}
-
 QString boundText(double bound, const QLocale& locale) {
-    return magnitudeText(roundedUp(bound, 1), locale);
+    return magnitudeText(roundedTo(bound, 1, Rounding::up), locale);
 }
 
 QString quantityText(double value, const ShownUnit& unit, const QLocale& locale) {

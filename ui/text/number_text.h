@@ -16,9 +16,6 @@ QString numberText(double value, int digits, const QLocale& locale);
 /// Order of magnitude with one digit, "3·10⁻¹⁵"; "0" for zero.
 QString magnitudeText(double value, const QLocale& locale);
 
-/// A value ≥ 0 with at most so many significant digits, not smaller than it is but for rounding noise.
-double roundedUp(double value, int digits);
-
 /// A bound ≥ 0 with one digit, not smaller than it is: "4·10⁻¹⁵" for 3.2e-15.
 QString boundText(double bound, const QLocale& locale);
 

@@ -7,16 +7,23 @@ namespace drillwave {
 
 void addThrustMargin(Blow& blow, const std::stop_token& stop) {
     if (!blow.isSolved()) return;
-    blow.thrustMargin = ThrustMargins(mostPiecesInPassing)
-                            .of(blow.scenario, blow.solved, {blow.impact.cor, blow.impact.corError}, stop);
+    blow.widestNeed = ThrustMargins(mostPiecesInPassing)
+                          .widest(blow.scenario, blow.solved, {blow.impact.cor, blow.impact.corError}, stop);
 }
 
 std::optional<double> ThrustMargins::of(const Scenario& scenario, const Problem& problem, const Estimate& cor,
                                         const std::stop_token& stop) {
+    const std::optional<WidestNeed> need = widest(scenario, problem, cor, stop);
+    if (!need) return std::nullopt;
+    return feedForceOf(scenario)->effective() / need->thrust - 1;
+}
+
+std::optional<WidestNeed> ThrustMargins::widest(const Scenario& scenario, const Problem& problem,
+                                                const Estimate& cor, const std::stop_token& stop) {
     if (!thrustMarginProblem(scenario).empty()) return std::nullopt;
     const GapRebounds rebounds = m_finder.of(problem, stop);
     if (!rebounds.quantile.known() || !rebounds.worst.known()) return std::nullopt;
-    return largestOf(thrustNeeds(scenario, cor, rebounds)).margin;
+    return widestOf(thrustNeeds(scenario, cor, rebounds));
 }
 
 }  // namespace drillwave

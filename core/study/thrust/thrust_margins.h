@@ -11,8 +11,8 @@
 
 namespace drillwave {
 
-/// Blow::thrustMargin of a blow that is solved, for files and JSON, which have all outputs: a study of all
-/// gaps. Left out where that takes more than mostPiecesInPassing; `drillwave thrust` takes its time.
+/// Blow::widestNeed of a blow that is solved, by which files and JSON have its margin: a study of all gaps.
+/// Left out where that takes more than mostPiecesInPassing; `drillwave thrust` takes its time.
 void addThrustMargin(Blow& blow, const std::stop_token& stop = {});
 
 /// Shares what cases have in common: no further work for one that differs from an earlier one only in gap,
@@ -27,6 +27,9 @@ class ThrustMargins {
     /// on the stop token. `problem` is that of the scenario.
     std::optional<double> of(const Scenario& scenario, const Problem& problem, const Estimate& cor,
                              const std::stop_token& stop);
+    /// The largest need itself, likewise.
+    std::optional<WidestNeed> widest(const Scenario& scenario, const Problem& problem, const Estimate& cor,
+                                     const std::stop_token& stop);
 
   private:
     GapReboundFinder m_finder;

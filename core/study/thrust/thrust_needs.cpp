@@ -26,12 +26,6 @@ ThrustNeed needOf(const Scenario& scenario, const Estimate& cor, double transfer
 
 }  // namespace
 
-std::string_view name(ThrustCase which) {
-    constexpr std::array<std::string_view, thrustCaseCount> names{"scenario", "gap_95_percent", "rigid_rock",
-                                                                  "elastic_worst_gap"};
-    return names[static_cast<std::size_t>(which)];
-}
-
 ThrustNeeds thrustNeeds(const Scenario& scenario, const Estimate& cor, const GapRebounds& rebounds) {
     assert(thrustProblem(scenario).empty() && rebounds.quantile.known() && rebounds.worst.known());
     return {needOf(scenario, cor), needOf(scenario, rebounds.quantile.cor), needOf(scenario, {1, 0}),
@@ -48,6 +42,13 @@ ThrustNeeds stringThrustNeeds(const Scenario& scenario, const Estimate& cor, dou
 const ThrustNeed& largestOf(const ThrustNeeds& needs) {
     return *std::ranges::max_element(needs, {},
                                      [](const ThrustNeed& need) { return need.known ? need.thrust : -1; });
+}
+
+WidestNeed widestOf(const ThrustNeeds& needs) {
+    const ThrustNeed& largest = largestOf(needs);
+    return {.which = thrustCases[static_cast<std::size_t>(&largest - needs.data())],
+            .thrust = largest.thrust,
+            .ofAllGaps = std::ranges::all_of(needs, &ThrustNeed::known)};
 }
 
 }  // namespace drillwave

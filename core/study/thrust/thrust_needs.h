@@ -4,31 +4,17 @@
 
 #include <array>
 #include <optional>
-#include <string_view>
 
+#include "core/blow/feed_decision.h"
 #include "core/blow/feed_verdict.h"
 #include "core/model/scenario.h"
 #include "core/study/thrust/gap_rebounds.h"
 
 namespace drillwave {
 
-/// What the thrust is wanted for, from the case at hand to the worst.
-enum class ThrustCase {
-    scenario,      ///< the blow as given
-    gapQuantile,   ///< 95 % of all gaps of a period, in this rock
-    rigidRock,     ///< e = 1, the usual estimate
-    elasticWorst,  ///< γ = 1 at this stiffness, the worst of all gaps
-};
-inline constexpr std::array thrustCases{ThrustCase::scenario, ThrustCase::gapQuantile, ThrustCase::rigidRock,
-                                        ThrustCase::elasticWorst};
-inline constexpr std::size_t thrustCaseCount = thrustCases.size();
-
-/// "scenario", "gap_95_percent", "rigid_rock", "elastic_worst_gap".
-std::string_view name(ThrustCase which);
-
 /// What one case needs, by its own e. The need is a bracket: from the thrust f I0 (1+e) of full penetration
-/// to the f I0 (1+2e) that brings the bit back before the next blow even if nothing damps. Margin and
-/// frequency limit are about its lower end.
+/// to the f I0 (1+2e) that brings a bit that was at rest back before the next blow even if nothing damps.
+/// Margin and frequency limit are about its lower end.
 struct ThrustNeed {
     /// Whether it can be told: of a drill string not what counts its gaps, which have no period.
     bool known = true;
@@ -55,5 +41,7 @@ ThrustNeeds stringThrustNeeds(const Scenario& scenario, const Estimate& cor, dou
 
 /// The one with the largest `thrust` of those that are known.
 const ThrustNeed& largestOf(const ThrustNeeds& needs);
+/// The same for a decision.
+WidestNeed widestOf(const ThrustNeeds& needs);
 
 }  // namespace drillwave

@@ -246,7 +246,8 @@ void TestReportFile::theVerdictIsThatOfTheThrustStudy() {
     const BlowReport report = reportOfExample("t38_medium_rock");
     QVERIFY(report.thrust && report.gap);
     QVERIFY(report.blow.feed == report.thrust->study.verdict);
-    for (const std::string& sentence : verdictSentences(*report.thrust))
+    QVERIFY(report.blow.decision() == decisionOf(report.thrust->judged()));
+    for (const std::string& sentence : verdictSentences(report.thrust->judged()))
         QVERIFY2(pageOf(report).find(sentence) != std::string::npos, sentence.c_str());
 }
 
@@ -265,11 +266,13 @@ void TestReportFile::aBlowOfManyPiecesIsReportedWithoutStudies() {
     document.scenario.pulse.tablePoints = points;
     const BlowReport report = reportOn(document);
     QVERIFY(report.blow.isSolved() && report.blow.impact.pieces > 10'000);
-    QVERIFY(!report.gap && !report.thrust && !report.blow.thrustMargin);
+    QVERIFY(!report.gap && !report.thrust && !report.blow.thrustMargin());
     const std::string page = pageOf(report);
-    for (const std::string& words :
-         {feedSentence(*report.blow.feed), report.gapProblem, report.thrustProblem})
+    for (const std::string& words : {report.gapProblem, report.thrustProblem})
         QVERIFY2(page.find("<p>" + words + "</p>") != std::string::npos, words.c_str());
+    const std::string decision = feedDecisionText(report.blow.decision());
+    QVERIFY(page.find("</h1>\n<p class=\"decision\">" + decision + "</p>") != std::string::npos);
+    QVERIFY(page.find(feedAdvice(report.blow.feed->feed)) != std::string::npos);
     QVERIFY(inputOf(report.inputs, "pulse.points").value == "6001 points");
 }
 

@@ -56,9 +56,10 @@ const std::vector<Example>& examples() {
           {{"installed", 1500, Quantity::force},
            {"balance", 2000, Quantity::force},
            {"full_rate", 2800, Quantity::force},
-           {"returned", 3600, Quantity::force}}},
-         "The installed thrust of 1.5 kN is below f I0 = 2 kN. The blows push the machine back from the "
-         "rock. Raise the feed, or lower the percussion."},
+           {"frequency", 50, Quantity::frequency}}},
+         "1.5 kN is not enough: at least 2.8 kN at 50 Hz, or at most 26.7 Hz. The blows push the machine "
+         "back "
+         "from the rock. Raise the feed, or lower the percussion."},
         {{note, AlertCode::superRebound, "", {{"cor", 1.25}}},
          "The rod leaves with more momentum than it came with (e = 1.25): rigid rock, e = 1, would "
          "underestimate the thrust."},
@@ -233,10 +234,9 @@ class TestAlertWords : public QObject {
         summary.cor = 0.4;
         const std::vector<Alert> alerts = resultAlerts(scenario, summary);
         QCOMPARE(alerts.size(), std::size_t{1});
-        QCOMPARE(
-            textOf(alerts[0]),
-            QString("The installed thrust of 1.5 kN is below f I0 = 2 kN. The blows push the machine back "
-                    "from the rock. Raise the feed, or lower the percussion."));
+        QCOMPARE(textOf(alerts[0]), QString("1.5 kN is not enough: at least 2.8 kN at 50 Hz, or at most 26.7 "
+                                            "Hz. The blows push the machine back "
+                                            "from the rock. Raise the feed, or lower the percussion."));
     }
 };
 

@@ -3,6 +3,7 @@
 #include <QTest>
 #include <limits>
 
+#include "core/text/number_text.h"
 #include "ui/text/number_text.h"
 
 using namespace drillwave;
@@ -57,7 +58,7 @@ void TestNumberText::boundsAreRoundedUp_data() {
 void TestNumberText::boundsAreRoundedUp() {
     QFETCH(const double, value);
     QFETCH(const int, digits);
-    QTEST(numberText(roundedUp(value, digits), digits, QLocale::c()), "text");
+    QTEST(numberText(roundedTo(value, digits, Rounding::up), digits, QLocale::c()), "text");
     QCOMPARE(boundText(3.2e-15, QLocale::c()), QStringLiteral("4·10⁻¹⁵"));
 }
 

@@ -10,8 +10,9 @@
 namespace drillwave {
 namespace {
 
-constexpr Feed regimes[] = {Feed::pushedBack, Feed::penetrationLost, Feed::fullRate, Feed::backInTime};
-constexpr int shades[] = {44, 24, 10, 0};  // alpha of the text's colour: the worse, the darker
+constexpr Feed regimes[] = {Feed::pushedBack, Feed::penetrationLost, Feed::fullRate, Feed::backInTime,
+                            Feed::resting};
+constexpr int shades[] = {44, 28, 14, 6, 0};  // alpha of the text's colour: the worse, the darker
 
 }  // namespace
 
@@ -34,7 +35,7 @@ RegimeBands::RegimeBands(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
 }
 
 void RegimeBands::present(const ThrustPicture& picture) {
-    m_thresholds = {picture.balance, picture.fullRate, picture.returned};
+    m_thresholds = {picture.balance, picture.fullRate, picture.returned, picture.resting};
     m_feed = picture.feed;
     place();
 }

@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// The regimes of theory §10 from pushed back to back in time, each between its thresholds by the e of the
+/// The regimes of theory §10 from pushed back to at rest, each between its thresholds by the e of the
 /// blow, and with its name. Behind the curves; cut at the axes in every format. Lives as a child of the plot.
 class RegimeBands : public QObject {
     Q_OBJECT
@@ -25,7 +25,7 @@ class RegimeBands : public QObject {
     void setStyle(const PlotStyle& style);
 
   private:
-    static constexpr std::size_t bandCount = 4;
+    static constexpr std::size_t bandCount = 5;
 
     void place();
     void placeName(std::size_t band, const QVector<QPointF>& floor, const QVector<QPointF>& ceiling);

@@ -16,6 +16,7 @@
 #include "ui/pages/thrust/thrust_plot.h"
 #include "ui/pages/thrust/thrust_table.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/text/local_style.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/unit_choice.h"
 
@@ -83,7 +84,8 @@ void ThrustPage::ask() {
 void ThrustPage::present() {
     const std::shared_ptr<const ThrustAnswer> answer = m_study.job().value();
     if (!answer) return;
-    if (!answer->problem.empty()) return showNothing(QString::fromStdString(answer->problem));
+    if (!answer->problem.empty())
+        return showNothing(QString::fromStdString(feedDecisionText(decideFeed(answer->scenario, {}))));
     if (!answer->here.reason.empty()) return showNothing(QString::fromStdString(answer->here.reason));
     const UnitChoice& choice = UnitChoice::shared();
     const ThrustUnits units =
@@ -126,14 +128,11 @@ void ThrustPage::draw(const ThrustAnswer& answer) {
     }
     plot()->setAccessibleDescription(m_plot->textSummary());
     m_table->present(answer.here.needs, m_units);
-    QString words = QString::fromStdString(feedSentence(answer.here.verdict));
-    const std::optional<GapAtBlow>& gap = answer.here.need(ThrustCase::scenario).gapAtBlow;
-    if (gap && gap->motion.kind == UndampedMotion::Kind::bouncing)
-        words += QLatin1Char(' ') + QString::fromStdString(gapAtBlowSentence(*gap));
-    if (const std::string margin = marginSentence(answer.here.needs); !margin.empty())
-        words += QLatin1Char(' ') + QString::fromStdString(margin);
-    if (isString(answer.scenario)) words += QLatin1Char(' ') + fromView(stringThrustSentence());
-    say(words);
+    QStringList words;
+    for (const std::string& sentence : verdictSentences(
+             {answer.scenario, answer.here.needs, answer.here.verdict, {}}, LocalStyle::present()))
+        words << QString::fromStdString(sentence);
+    say(words.join(QLatin1Char(' ')));
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 

@@ -66,6 +66,7 @@ ThrustPicture thrustPicture(const ThrustAlong& along, const ThrustUnits& units) 
         picture.balance.append({x, point.verdict.balance * units.force.factor});
         picture.fullRate.append({x, point.verdict.fullRate * units.force.factor});
         picture.returned.append({x, point.verdict.returned * units.force.factor});
+        picture.resting.append({x, point.verdict.resting * units.force.factor});
         if (const std::optional<FeedForce>& force = point.verdict.force) {
             picture.feed.append({x, force->effective() * units.force.factor});
             picture.isWeighted |= force->weight.has_value();

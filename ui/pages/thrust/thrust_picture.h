@@ -40,6 +40,7 @@ struct ThrustPicture {
     QVector<QPointF> balance;                 ///< f I0
     QVector<QPointF> fullRate;                ///< of this blow
     QVector<QPointF> returned;                ///< likewise
+    QVector<QPointF> resting;                 ///< f I0 (1+e)/(1−e), may be infinite
     QVector<QPointF> feed;                    ///< the effective force; empty where no thrust is installed
     bool isWeighted = false;                  ///< it is not the thrust alone
 };

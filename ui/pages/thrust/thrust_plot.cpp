@@ -29,8 +29,7 @@ ThrustPlot::ThrustPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(
     for (QCPAxis* far : {plot->xAxis2, plot->yAxis2}) far->setTicks(false);
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
     m_caption = addPlotHeader(*plot, 2);
-    m_caption->setText(
-        tr("each need from f I₀ (1 + e), full penetration, to f I₀ (1 + 2e), bit back in time undamped"));
+    m_caption->setText(tr("each need from full penetration to the bit back before the next blow undamped"));
     plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
     plot->legend->setWrap(3);
     m_bands = new RegimeBands(plot);
@@ -80,7 +79,8 @@ void ThrustPlot::present(const ThrustPicture& picture) {
     QStringList cases;
     for (const ThrustCase which : thrustCases)
         if (picture.needs[static_cast<std::size_t>(which)].known) cases << thrustCaseName(which);
-    m_summary = tr("Needs of the thrust over %1, for %2, each from full penetration to the bit back in time; "
+    m_summary = tr("Needs of the thrust over %1, for %2, each from full penetration to the bit back before "
+                   "the next blow; "
                    "behind them what the feed does by the rebound of this blow.")
                     .arg(picture.along, cases.join(tr("; ")));
 }

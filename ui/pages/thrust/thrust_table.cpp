@@ -48,12 +48,12 @@ ThrustTable::ThrustTable(QWidget* parent) : QTableWidget(rows, int(thrustCaseCou
     for (const ThrustCase which : thrustCases)
         horizontalHeaderItem(static_cast<int>(which))->setToolTip(thrustCaseName(which));
     setVerticalHeaderLabels(
-        {tr("need"), tr("margin"), tr("full rate up to"), tr("gap at the blow"), tr("feed")});
+        {tr("need"), tr("margin"), tr("enough up to"), tr("gap at the blow"), tr("feed")});
     const QString meanings[] = {
-        tr("From the thrust for full penetration, f I₀ (1 + e), to that which brings the bit back before the "
-           "next blow even if nothing damps, f I₀ (1 + 2e)"),
-        tr("Effective force over f I₀ (1 + e), less 1"),
-        tr("Blow frequency at which the effective force is just f I₀ (1 + e)"),
+        tr("From the thrust for full penetration to that which brings a bit that was at rest back before the "
+           "next blow even if nothing damps"),
+        tr("Effective force over what full penetration needs, less 1"),
+        tr("Blow frequency at which the effective force is just what full penetration needs"),
         tr("How far the bit is off the rock when the hammer strikes, if nothing damps the rebound"),
         tr("What the effective force does between blows with this e")};
     for (int row = 0; row < rows; ++row) verticalHeaderItem(row)->setToolTip(meanings[row]);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/local_style.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "ui/text/number_text.h"
+#include "ui/text/typed_text.h"
+#include "ui/text/unit_choice.h"
+
+namespace drillwave {
+namespace {
+
+// What a sentence tells is of one quantity; people measure a rod and what the bit does in other units.
+std::optional<UnitKind> kindOf(double si, Quantity quantity) {
+    constexpr double leastOfRods = 0.3;   // [m]
+    constexpr double leastModulus = 5e9;  // [Pa]
+    switch (quantity) {
+        case Quantity::length:
+            return std::abs(si) < leastOfRods ? UnitKind::penetration : UnitKind::length;
+        case Quantity::stress:
+            return std::abs(si) < leastModulus ? UnitKind::stress : UnitKind::modulus;
+        default:
+            break;
+    }
+    const auto found = std::ranges::find(unitKinds(), quantity, &UnitKindRow::quantity);
+    return found == unitKinds().end() ? std::nullopt : std::optional(found->kind);
+}
+
+}  // namespace
+
+LocalStyle::LocalStyle(QLocale locale, UnitSystem system, ChosenUnits chosen)
+    : m_locale(std::move(locale)), m_system(system), m_chosen(std::move(chosen)) {}
+
+LocalStyle LocalStyle::present() {
+    const UnitChoice& choice = UnitChoice::shared();
+    return {QLocale(), choice.physicalSystem(), choice.chosen()};
+}
+
+std::string LocalStyle::number(double value, int digits) const {
+    return numberText(value, digits, m_locale).toStdString();
+}
+
+ReadUnit LocalStyle::unitFor(double si, Quantity quantity) const {
+    ReadUnit read = ReadingStyle::unitFor(si, quantity);
+    if (const std::optional<UnitKind> kind = kindOf(si, quantity)) {
+        const auto own = m_chosen.find(*kind);
+        if (own != m_chosen.end())
+            read.unit = own->second;
+        else if (m_system == UnitSystem::us)
+            read.unit = &handyUnit(*kind, std::abs(si), m_system);
+    }
+    read.name = shownUnitName(read.unit->name).toStdString();
+    return read;
+}
+
+std::string LocalStyle::unitsTitle() const {
+    if (!m_chosen.empty()) return "with its unit";
+    return m_system == UnitSystem::us ? "in US units" : "in SI";
+}
+
+}  // namespace drillwave

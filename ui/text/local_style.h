@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sentences and tables of the core in the numbers and units of the one at the window.
+#pragma once
+
+#include <QLocale>
+
+#include "core/text/handy_text.h"
+#include "ui/text/unit_kind.h"
+
+namespace drillwave {
+
+/// Numbers as numberText() writes them, in SI or US units or those chosen by kind.
+class LocalStyle : public ReadingStyle {
+  public:
+    /// `system` is taken as SI where it is dimensionless: what is told in sentences has no other unit.
+    LocalStyle(QLocale locale, UnitSystem system, ChosenUnits chosen);
+
+    /// Of the one at the window as it is now: QLocale() and UnitChoice.
+    static LocalStyle present();
+
+    std::string number(double value, int digits) const override;
+    ReadUnit unitFor(double si, Quantity quantity) const override;
+    bool keepsUnitsOfFile() const override { return false; }
+    std::string unitsTitle() const override;
+
+  private:
+    QLocale m_locale;
+    UnitSystem m_system;
+    ChosenUnits m_chosen;
+};
+
+}  // namespace drillwave
