@@ -10,13 +10,10 @@
 #include "ui/pages/string/string_sketch.h"
 #include "ui/pages/thrust/thrust_plot.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
-
-ShownUnits unitsFor(const Scenario& scenario) {
-    return shownUnits(naturalUnits(scenario), scalesOf(scenario));
-}
 
 /// The middle of a rod; in a string that of its longest section, where histories.csv has its waves too.
 double shownSection(const Blow& blow) {
@@ -27,66 +24,92 @@ double shownSection(const Blow& blow) {
 
 }  // namespace
 
-std::shared_ptr<QCustomPlot> emptyPaperPlot() {
+PaperReader PaperReader::present() {
+    const UnitChoice& choice = UnitChoice::shared();
+    return {choice.physicalSystem(), choice.chosen(), QLocale()};
+}
+
+bool PaperReader::isPlain() const {
+    const QLocale plain = QLocale::c();
+    return system == UnitSystem::si && chosen.empty() && locale.decimalPoint() == plain.decimalPoint() &&
+           locale.zeroDigit() == plain.zeroDigit();
+}
+
+ShownUnits PaperReader::unitsFor(const Scenario& scenario) const {
+    return shownUnits(hasUnits(scenario) ? system : UnitSystem::dimensionless, scalesOf(scenario), chosen);
+}
+
+const Unit& PaperReader::unitFor(const Parameter& parameter) const {
+    const std::optional<UnitKind> kind = kindOf(parameter);
+    const auto own = kind ? chosen.find(*kind) : chosen.end();
+    return own == chosen.end() ? customaryUnit(parameter, system) : *own->second;
+}
+
+std::shared_ptr<QCustomPlot> emptyPaperPlot(const QLocale& locale) {
     auto plot = std::make_shared<QCustomPlot>();
-    plot->setLocale(QLocale::c());
+    plot->setLocale(locale);
     return plot;
 }
 
-PaperPlot blowPaperPlot(const Blow& blow) {
-    return paperPlot<BlowPlots>(blowCurves(blow, unitsFor(blow.scenario), shownSection(blow), Tail::cut),
-                                {180, 240});
+PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader) {
+    return paperPlot<BlowPlots>(
+        blowCurves(blow, reader.unitsFor(blow.scenario), shownSection(blow), Tail::cut), {180, 240},
+        reader.locale);
 }
 
-PaperPlot rockPaperPlot(const Blow& blow) {
-    return paperPlot<RockPlot>(rockCurve(blow, unitsFor(blow.scenario)), {120, 90});
+PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader) {
+    return paperPlot<RockPlot>(rockCurve(blow, reader.unitsFor(blow.scenario)), {120, 90}, reader.locale);
 }
 
-PaperPlot blowPaperPlot(const Scenario& scenario, const Impact& impact) {
+PaperPlot blowPaperPlot(const Scenario& scenario, const Impact& impact, const PaperReader& reader) {
     const Problem problem = problemOf(scenario);
-    return paperPlot<BlowPlots>(blowCurves(impact, problem.hammer, unitsFor(scenario), 0.5, Tail::cut),
-                                {180, 240});
+    return paperPlot<BlowPlots>(blowCurves(impact, problem.hammer, reader.unitsFor(scenario), 0.5, Tail::cut),
+                                {180, 240}, reader.locale);
 }
 
-PaperPlot rockPaperPlot(const Scenario& scenario, const Impact& impact) {
-    return paperPlot<RockPlot>(rockCurve(impact, problemOf(scenario), unitsFor(scenario)), {120, 90});
+PaperPlot rockPaperPlot(const Scenario& scenario, const Impact& impact, const PaperReader& reader) {
+    return paperPlot<RockPlot>(rockCurve(impact, problemOf(scenario), reader.unitsFor(scenario)), {120, 90},
+                               reader.locale);
 }
 
-PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std::stop_token& stop) {
+PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std::stop_token& stop,
+                       const PaperReader& reader) {
     const Problem problem = problemOf(scenario);
-    return paperPlot<RodPlot>(rodCurves(impact, problem.hammer, scenario, unitsFor(scenario), stop),
-                              {180, 110});
+    return paperPlot<RodPlot>(rodCurves(impact, problem.hammer, scenario, reader.unitsFor(scenario), stop),
+                              {180, 110}, reader.locale);
 }
 
-PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop) {
-    return paperPlot<RodPlot>(rodCurves(blow, unitsFor(blow.scenario), stop), {180, 110});
+PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop, const PaperReader& reader) {
+    return paperPlot<RodPlot>(rodCurves(blow, reader.unitsFor(blow.scenario), stop), {180, 110},
+                              reader.locale);
 }
 
-PaperPlot stringPaperPlot(const Scenario& scenario) {
-    return paperPlot<StringSketch>(scenario, {180, 44});
+PaperPlot stringPaperPlot(const Scenario& scenario, const PaperReader& reader) {
+    return paperPlot<StringSketch>(scenario, {180, 44}, reader.locale);
 }
 
-PaperPlot wavePaperPlot(const Blow& blow) {
+PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader) {
     // At 180 mm about 150 cells an inch.
     constexpr WavePictureNeed need{.field = WaveQuantity::force, .window = {}, .columns = 900, .rows = 450};
     auto solved = std::make_shared<SolvedBlow>();
     static_cast<Blow&>(*solved) = blow;
     solved->request.scenario = blow.scenario;
-    solved->request.units = naturalUnits(blow.scenario);
-    solved->units = unitsFor(blow.scenario);
+    solved->units = reader.unitsFor(blow.scenario);
+    solved->request.units = solved->units.system;
     solved->pages.push_back(PageData::of(wavePicture(blow, solved->units, need)));
-    return paperPlot<WavePicturePlot>(SolvedBlowPtr(std::move(solved)), {180, 110});
+    return paperPlot<WavePicturePlot>(SolvedBlowPtr(std::move(solved)), {180, 110}, reader.locale);
 }
 
-PaperPlot gapPaperPlot(const GapReport& report) {
-    return paperPlot<GapPlot>(gapPicture(report, GapOutput::cor, unitsFor(report.scenario)), {180, 110});
+PaperPlot gapPaperPlot(const GapReport& report, const PaperReader& reader) {
+    return paperPlot<GapPlot>(gapPicture(report, GapOutput::cor, reader.unitsFor(report.scenario)),
+                              {180, 110}, reader.locale);
 }
 
-PaperPlot thrustPaperPlot(const ThrustReport& report) {
+PaperPlot thrustPaperPlot(const ThrustReport& report, const PaperReader& reader) {
     const Scenario& scenario = report.scenario;
     const ThrustUnits units =
-        thrustUnits(scenario, report.along->axis.parameter->displayUnit(), unitsFor(scenario));
-    return paperPlot<ThrustPlot>(thrustPicture(*report.along, units), {180, 120});
+        thrustUnits(scenario, reader.unitFor(*report.along->axis.parameter), reader.unitsFor(scenario));
+    return paperPlot<ThrustPlot>(thrustPicture(*report.along, units), {180, 120}, reader.locale);
 }
 
 }  // namespace drillwave

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plots of the pages as they go into files: on white, text in the C locale, in naturalUnits().
+// The plots of the pages as they go into files: on white, for the reader of a command or of a window.
 #pragma once
 
+#include <QLocale>
 #include <memory>
 #include <stop_token>
 
@@ -10,6 +11,7 @@
 #include "core/report/thrust_report.h"
 #include "ui/plot/plot_rendering.h"
 #include "ui/plot/plot_style.h"
+#include "ui/text/shown_units.h"
 
 class QCustomPlot;
 
@@ -21,13 +23,27 @@ struct PaperPlot {
     Millimetres size;
 };
 
+/// Whose numbers and units are on paper: those of the commands, text in the C locale and SI.
+struct PaperReader {
+    UnitSystem system = UnitSystem::si;  ///< of scenarios that have units
+    ChosenUnits chosen = {};             ///< of kinds that do not follow it
+    QLocale locale = QLocale::c();
+
+    /// The one at the window as it is now.
+    static PaperReader present();
+    /// Whether that is the reader of the commands.
+    bool isPlain() const;
+    ShownUnits unitsFor(const Scenario& scenario) const;
+    const Unit& unitFor(const Parameter& parameter) const;
+};
+
 /// An empty plot for paper.
-std::shared_ptr<QCustomPlot> emptyPaperPlot();
+std::shared_ptr<QCustomPlot> emptyPaperPlot(const QLocale& locale = QLocale::c());
 
 /// By the plot of a page: a Plot is made as a child of a QCustomPlot, and has setStyle() and present(shown).
 template <class Plot, class Shown>
-PaperPlot paperPlot(const Shown& shown, Millimetres size) {
-    PaperPlot paper{emptyPaperPlot(), size};
+PaperPlot paperPlot(const Shown& shown, Millimetres size, const QLocale& locale = QLocale::c()) {
+    PaperPlot paper{emptyPaperPlot(locale), size};
     auto* drawn = new Plot(paper.plot.get());
     drawn->setStyle(PlotStyle::forPaper());
     drawn->present(shown);
@@ -35,23 +51,24 @@ PaperPlot paperPlot(const Shown& shown, Millimetres size) {
 }
 
 /// Of a rod or a string that has its histories.
-PaperPlot blowPaperPlot(const Blow& blow);
-PaperPlot rockPaperPlot(const Blow& blow);
+PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader = {});
+PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader = {});
 /// Waves, impact force, impulse and momentum over time, of an impact solved with Detail::histories.
-PaperPlot blowPaperPlot(const Scenario& scenario, const Impact& impact);
+PaperPlot blowPaperPlot(const Scenario& scenario, const Impact& impact, const PaperReader& reader = {});
 /// Force over penetration, likewise.
-PaperPlot rockPaperPlot(const Scenario& scenario, const Impact& impact);
+PaperPlot rockPaperPlot(const Scenario& scenario, const Impact& impact, const PaperReader& reader = {});
 /// The largest stresses over place, likewise.
-PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std::stop_token& stop);
+PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std::stop_token& stop,
+                       const PaperReader& reader = {});
 /// The same of a rod or a string that has its histories.
-PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop);
+PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop, const PaperReader& reader = {});
 /// Hammer and string to scale.
-PaperPlot stringPaperPlot(const Scenario& scenario);
+PaperPlot stringPaperPlot(const Scenario& scenario, const PaperReader& reader = {});
 /// The force in the rod over place and time, of a blow solved likewise.
-PaperPlot wavePaperPlot(const Blow& blow);
+PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader = {});
 /// e over the gap and its distribution.
-PaperPlot gapPaperPlot(const GapReport& report);
+PaperPlot gapPaperPlot(const GapReport& report, const PaperReader& reader = {});
 /// The needs along a parameter, of a report that has them.
-PaperPlot thrustPaperPlot(const ThrustReport& report);
+PaperPlot thrustPaperPlot(const ThrustReport& report, const PaperReader& reader = {});
 
 }  // namespace drillwave

@@ -6,12 +6,14 @@
 #include "ui/export/report_pages.h"
 #include "ui/export/report_pdf.h"
 #include "ui/export/report_plots.h"
+#include "ui/text/local_style.h"
 
 namespace drillwave {
 namespace {
 
 /// The page with its pictures in it.
-std::string htmlOf(const BlowReport& report, const std::vector<ReportPlot>& plots, const QString& title) {
+std::string htmlOf(const BlowReport& report, const std::vector<ReportPlot>& plots, const ReadingStyle& style,
+                   const QString& title) {
     std::vector<ReportPicture> pictures;
     for (const ReportPlot& plot : plots) {
         const QByteArray svg = renderPlot(*plot.paper.plot, plot.paper.size, QStringLiteral("svg"), title);
@@ -19,26 +21,35 @@ std::string htmlOf(const BlowReport& report, const std::vector<ReportPlot>& plot
         picture.source = "data:image/svg+xml;base64," + svg.toBase64().toStdString();
         pictures.push_back(std::move(picture));
     }
-    return reportHtml(report, pictures, ReportMedium::screen);
+    return reportHtml(report, pictures, ReportMedium::screen, style);
+}
+
+/// Where the reader has the numbers of the commands, the page is that of the commands to the byte.
+template <class Use>
+auto inStyleOf(const PaperReader& reader, const Use& use) {
+    if (reader.isPlain()) return use(plainStyle());
+    return use(LocalStyle(reader.locale, reader.system, reader.chosen));
 }
 
 }  // namespace
 
-bool printReport(const BlowReport& report, QPrinter& printer) {
-    return drawReportPages(report, reportPlots(report, {}), printer);
+bool printReport(const BlowReport& report, const PaperReader& reader, QPrinter& printer) {
+    return inStyleOf(reader, [&](const ReadingStyle& style) {
+        return drawReportPages(report, reportPlots(report, reader, {}), style, printer);
+    });
 }
 
-Pictures drawReport(const BlowReport& report, const PictureOrder& order) {
+Pictures drawReport(const BlowReport& report, const PictureOrder& order, const PaperReader& reader) {
     Pictures drawn;
     const QString title = QString::fromStdString(reportTitle(report));
-    const std::vector<ReportPlot> plots = reportPlots(report, order.stop);
+    const std::vector<ReportPlot> plots = reportPlots(report, reader, order.stop);
     for (const std::string& format : order.formats) {
         if (order.stop.stop_requested()) return drawn;
-        const std::string name = order.stem + "." + format;
-        if (format == "html")
-            drawn.files.push_back({name, htmlOf(report, plots, title)});
-        else
-            drawn.files.push_back({name, reportPdf(report, plots).toStdString()});
+        const std::string bytes = inStyleOf(reader, [&](const ReadingStyle& style) {
+            return format == "html" ? htmlOf(report, plots, style, title)
+                                    : reportPdf(report, plots, style).toStdString();
+        });
+        drawn.files.push_back({order.stem + "." + format, bytes});
     }
     return drawn;
 }

@@ -45,7 +45,8 @@ void keepHeadings(QTextDocument& document) {
 /// The text, laid out for the pages of a device.
 class Pages {
   public:
-    Pages(const BlowReport& report, const std::vector<ReportPlot>& plots, QPagedPaintDevice& device)
+    Pages(const BlowReport& report, const std::vector<ReportPlot>& plots, const ReadingStyle& style,
+          QPagedPaintDevice& device)
         : m_title(QString::fromStdString(reportTitle(report))),
           m_device(device),
           m_images(plots, device.logicalDpiX()),
@@ -61,8 +62,8 @@ class Pages {
         m_document.setDefaultFont(m_font);
         // What else may be long is bounded: without the scenario it is three pages.
         for (std::size_t lines = mostPaperLines;; lines /= 2) {
-            m_document.setHtml(QString::fromStdString(
-                reportHtml(report, pictures, ReportMedium::paper, plainStyle(), lines)));
+            m_document.setHtml(
+                QString::fromStdString(reportHtml(report, pictures, ReportMedium::paper, style, lines)));
             m_document.setPageSize(m_body);
             keepHeadings(m_document);
             if (m_document.pageCount() <= mostPages || lines == 0) return;
@@ -121,9 +122,9 @@ class Pages {
 }  // namespace
 
 bool drawReportPages(const BlowReport& report, const std::vector<ReportPlot>& plots,
-                     QPagedPaintDevice& device) {
+                     const ReadingStyle& style, QPagedPaintDevice& device) {
     device.setPageMargins(QMarginsF(margin, margin, margin, margin), QPageLayout::Millimeter);
-    return Pages(report, plots, device).draw();
+    return Pages(report, plots, style, device).draw();
 }
 
 }  // namespace drillwave

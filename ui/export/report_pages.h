@@ -14,6 +14,6 @@ namespace drillwave {
 /// each page and its number below, with margins of 15 mm; on A4 two to four pages. False where the device
 /// takes no pages, a printer that is gone say.
 bool drawReportPages(const BlowReport& report, const std::vector<ReportPlot>& plots,
-                     QPagedPaintDevice& device);
+                     const ReadingStyle& style, QPagedPaintDevice& device);
 
 }  // namespace drillwave

@@ -32,7 +32,8 @@ class FixedHashSeed {
 
 }  // namespace
 
-QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& plots) {
+QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& plots,
+                     const ReadingStyle& style) {
     const FixedHashSeed sameOrder;
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
@@ -41,7 +42,7 @@ QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& pl
     writer.setCreator(fromView(reportMark));
     writer.setResolution(resolution);
     writer.setPageSize(QPageSize(QPageSize::A4));
-    drawReportPages(report, plots, writer);
+    drawReportPages(report, plots, style, writer);
     QByteArray bytes = buffer.data();
     removeDate(bytes);
     return bytes;

@@ -10,6 +10,7 @@
 namespace drillwave {
 
 /// The pages of drawReportPages() as a file, which says no date.
-QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& plots);
+QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& plots,
+                     const ReadingStyle& style);
 
 }  // namespace drillwave

@@ -14,68 +14,71 @@ ReportPlot placed(const char* name, const char* caption, PaperPlot paper, Millim
 
 constexpr const char* rockCaption = "Force over penetration: the area inside stays in the rock as energy.";
 
-void addThrust(std::vector<ReportPlot>& plots, const BlowReport& report) {
+void addThrust(std::vector<ReportPlot>& plots, const BlowReport& report, const PaperReader& reader) {
     if (report.thrust && report.thrust->along)
         plots.push_back(placed("thrust", "Needs of the thrust and the installed one over the blow frequency.",
-                               thrustPaperPlot(*report.thrust), {180, 68}));
+                               thrustPaperPlot(*report.thrust, reader), {180, 68}));
 }
 
 // The string stands with its sections; curves are there where the waves were kept.
-std::vector<ReportPlot> stringPlots(const BlowReport& report, const std::stop_token& stop) {
+std::vector<ReportPlot> stringPlots(const BlowReport& report, const PaperReader& reader,
+                                    const std::stop_token& stop) {
     const Blow& blow = report.blow;
     std::vector<ReportPlot> plots;
     plots.push_back(
         placed(stringPicture.data(),
                "Hammer (dark) and string to scale, lengths and diameters each to their own, with the "
                "places of the sections; the bore is dashed, the rock at the right.",
-               stringPaperPlot(blow.scenario), {180, 44}));
+               stringPaperPlot(blow.scenario, reader), {180, 44}));
     if (blow.impact.force.empty()) {
-        addThrust(plots, report);
+        addThrust(plots, report, reader);
         return plots;
     }
-    plots.push_back(placed("rock", rockCaption, rockPaperPlot(blow), {120, 66}));
+    plots.push_back(placed("rock", rockCaption, rockPaperPlot(blow, reader), {120, 66}));
     plots.push_back(
         placed("blow",
                "The force N in the middle of the longest section and its waves, the impact force, its "
                "impulse and the momentum of the string over time.",
-               blowPaperPlot(blow), {180, 128}));
+               blowPaperPlot(blow, reader), {180, 128}));
     plots.push_back(
         placed("rod",
                "The largest tension and compression along hammer (below 0) and string while the blow "
                "lasts, with the strengths of the sections.",
-               rodPaperPlot(blow, stop), {180, 84}));
-    addThrust(plots, report);
+               rodPaperPlot(blow, stop, reader), {180, 84}));
+    addThrust(plots, report, reader);
     return plots;
 }
 
 }  // namespace
 
-std::vector<ReportPlot> reportPlots(const BlowReport& report, const std::stop_token& stop) {
-    if (report.blow.string) return stringPlots(report, stop);
+std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader& reader,
+                                    const std::stop_token& stop) {
+    if (report.blow.string) return stringPlots(report, reader, stop);
     const Blow& blow = report.blow;
     std::vector<ReportPlot> plots;
     // On paper the first one fills the page of the words, the next two a page, the others the last one.
-    plots.push_back(placed("rock", rockCaption, rockPaperPlot(blow.scenario, blow.impact), {120, 66}));
+    plots.push_back(
+        placed("rock", rockCaption, rockPaperPlot(blow.scenario, blow.impact, reader), {120, 66}));
     plots.push_back(
         placed("blow",
                "The force N at the middle of the rod and its waves, the impact force, its impulse "
                "and the momentum of the rod over time.",
-               blowPaperPlot(blow.scenario, blow.impact), {180, 128}));
+               blowPaperPlot(blow.scenario, blow.impact, reader), {180, 128}));
     plots.push_back(placed("wave_picture",
                            "The force in the rod over place and time, tension positive; bars at the right "
                            "show the contact of bit and rock. On the scale of colours a line is the least or "
                            "largest force, a triangle one beyond the colours.",
-                           wavePaperPlot(blow), {180, 86}));
+                           wavePaperPlot(blow, reader), {180, 86}));
     plots.push_back(placed("rod",
                            "The largest tension and compression along the rod, while the blow lasts and of "
                            "the waves left.",
-                           rodPaperPlot(blow.scenario, blow.impact, stop), {180, 84}));
+                           rodPaperPlot(blow.scenario, blow.impact, stop, reader), {180, 84}));
     if (report.gap)
         plots.push_back(placed("gap",
                                "Restitution over one period of the gap between bit and rock, and how it is "
                                "distributed when all gaps are alike.",
-                               gapPaperPlot(*report.gap), {180, 72}));
-    addThrust(plots, report);
+                               gapPaperPlot(*report.gap, reader), {180, 72}));
+    addThrust(plots, report, reader);
     return plots;
 }
 

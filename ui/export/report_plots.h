@@ -17,6 +17,7 @@ struct ReportPlot {
 };
 
 /// Those that the report has something for. A stop ends the work early: they are not to be used then.
-std::vector<ReportPlot> reportPlots(const BlowReport& report, const std::stop_token& stop);
+std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader& reader,
+                                    const std::stop_token& stop);
 
 }  // namespace drillwave

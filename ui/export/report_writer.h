@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands Report… and Print…: what `drillwave report` writes, made beside the window's work.
+// The commands Report… and Print…: what `drillwave report` writes, in the numbers and units of the window,
+// made beside its work.
 #pragma once
 
 #include <QAction>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window's report is that of the command line, whatever the window shows.
+// The window's report is that of the command line, in the numbers and units of the window.
 #include <QDir>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -13,6 +14,7 @@
 #include "tests/support/window_parts.h"
 #include "ui/export/report_writer.h"
 #include "ui/job/study_status.h"
+#include "ui/text/unit_choice.h"
 #include "ui/window/file_menu.h"
 #include "ui/window/units_choice.h"
 
@@ -27,7 +29,9 @@ class TestReportWriter : public QObject {
     void cleanup() { m_window.reset(); }
     void theReportIsWhatTheCommandLineWrites_data();
     void theReportIsWhatTheCommandLineWrites();
-    void unitsOnShowDoNotMatter();
+    void groupsOnShowDoNotMatter();
+    void unitsAndNumbersAreThoseOfTheWindow_data();
+    void unitsAndNumbersAreThoseOfTheWindow();
     void aReportOpensAgain();
     void menuAndToolBarOfferIt();
     void ctrlPPrintsThePagesOfThePdf();
@@ -94,11 +98,72 @@ void TestReportWriter::theReportIsWhatTheCommandLineWrites() {
     }
 }
 
-void TestReportWriter::unitsOnShowDoNotMatter() {
+void TestReportWriter::groupsOnShowDoNotMatter() {
     writeTo(path("si.html"));
     part<UnitsChoice>(window()).choose(UnitSystem::dimensionless);
     writeTo(path("groups.html"));
     QVERIFY(read(path("si.html")) == read(path("groups.html")));
+}
+
+void TestReportWriter::unitsAndNumbersAreThoseOfTheWindow_data() {
+    QTest::addColumn<QString>("example");
+    QTest::addColumn<bool>("us");
+    QTest::addColumn<QStringList>("there");
+    QTest::addColumn<QStringList>("absent");
+    const QString rod = QStringLiteral("t38_medium_rock"), string = QStringLiteral("t38_string");
+    QTest::newRow("US") << rod << true
+                        << QStringList{"1798 lbf is enough at every gap up to 3960 bpm.",
+                                       "12.01 ft",
+                                       "1.5 in",
+                                       "in US units",
+                                       " ksi",
+                                       " lbf s",
+                                       "3600 bpm"}
+                        << QStringList{" kN<", " MPa<", " mm<", " kN "};
+    QTest::newRow("a string, US") << string << true
+                                  << QStringList{"lbf is enough for this blow", " ksi at ", " ft lbf"}
+                                  << QStringList{" kN<", " MPa", " J<"};
+    QTest::newRow("German") << rod << false
+                            << QStringList{"8 kN is enough at every gap up to 66,1 Hz.", ">3,66 m<",
+                                           "+10,3 %"}
+                            << QStringList{">3.66 m<", "66.1 Hz", "10.3 %"};
+}
+
+// Every number in full stands behind its cell all the same, in SI and with a point.
+void TestReportWriter::unitsAndNumbersAreThoseOfTheWindow() {
+    QFETCH(QString, example);
+    QFETCH(bool, us);
+    QFETCH(QStringList, there);
+    QFETCH(QStringList, absent);
+    QVERIFY(window().openFile(test::example(example)));
+    const QLocale before;
+    const auto restore = qScopeGuard([&] {
+        QLocale::setDefault(before);
+        UnitChoice::shared().choose(UnitSystem::si);
+    });
+    const auto behindCells = [](const QString& page) {
+        QStringList numbers;
+        QRegularExpressionMatchIterator found =
+            QRegularExpression(QStringLiteral("data-value=\"([^\"]*)\"")).globalMatch(page);
+        while (found.hasNext()) numbers << found.next().captured(1);
+        return numbers;
+    };
+    writeTo(path("plain.html"));
+    if (us)
+        UnitChoice::shared().choose(UnitSystem::us);
+    else
+        QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    writeTo(path("own.html"));
+    writeTo(path("own.pdf"));
+    QCOMPARE(m_answers.told, QStringList());
+    const QString page = QString::fromUtf8(read(path("own.html"))),
+                  plain = QString::fromUtf8(read(path("plain.html")));
+    QCOMPARE(behindCells(page), behindCells(plain));
+    const QString words = page.section(QStringLiteral("<h2>Scenario</h2>"), 0, 0);
+    for (const QString& text : there) QVERIFY2(words.contains(text), qPrintable(text));
+    for (const QString& text : absent) QVERIFY2(!words.contains(text), qPrintable(text));
+    QVERIFY(page.contains(QStringLiteral("</h1>\n<p class=\"decision\">")));
+    QVERIFY(read(path("own.pdf")).count("/Type /Page\n") <= 4);
 }
 
 void TestReportWriter::aReportOpensAgain() {
