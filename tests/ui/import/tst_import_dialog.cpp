@@ -170,6 +170,7 @@ void TestImportDialog::everyChoiceCanBeChanged() {
     QCOMPARE(dialog.result()->points, (TablePoints{{0.5, -2000}, {1.5, -6000}}));
     QVERIFY(control<QLabel>(dialog, "summary").text().contains(QStringLiteral("1 rows without a number")));
     choose(dialog, "kind", QStringLiteral("bridge"));
+    choose(dialog, "valueUnit", QStringLiteral("mV/V"));
     choose(dialog, "bar", QStringLiteral("another bar"));
     type(dialog, "diameter", QStringLiteral("38 mm"));
     type(dialog, "gaugeFactor", QStringLiteral("2.1"));

@@ -163,10 +163,11 @@ void RodPlot::nameAxes() {
 
 // Only of lines that are there.
 void RodPlot::showLegendOf(const RodCurves& curves) {
+    const bool isWanted = curves.lines().size() == rodLines.size();
     for (const RodLine line : {RodLine::compressionAfter, RodLine::tensionAfter}) {
         const bool isThere = m_plot->legend->hasItemWithPlottable(graph(line));
-        if (curves.string && isThere) graph(line)->removeFromLegend();
-        if (!curves.string && !isThere) graph(line)->addToLegend();
+        if (!isWanted && isThere) graph(line)->removeFromLegend();
+        if (isWanted && !isThere) graph(line)->addToLegend();
     }
 }
 
