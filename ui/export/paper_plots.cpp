@@ -26,7 +26,8 @@ double shownSection(const Blow& blow) {
 
 PaperReader PaperReader::present() {
     const UnitChoice& choice = UnitChoice::shared();
-    return {choice.physicalSystem(), choice.chosen(), QLocale()};
+    const PaperReader reader{choice.physicalSystem(), choice.chosen(), QLocale()};
+    return reader.isPlain() ? PaperReader() : reader;
 }
 
 bool PaperReader::isPlain() const {

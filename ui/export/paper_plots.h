@@ -29,7 +29,7 @@ struct PaperReader {
     ChosenUnits chosen = {};             ///< of kinds that do not follow it
     QLocale locale = QLocale::c();
 
-    /// The one at the window as it is now.
+    /// The one at the window as it is now; that of the commands where the numbers are the same.
     static PaperReader present();
     /// Whether that is the reader of the commands.
     bool isPlain() const;
