@@ -99,8 +99,8 @@ JsonObject peakJson(const StressPeak& peak) {
     return {{"stress", peak.stress}, {"x", peak.place}, {"time", peak.time}};
 }
 
-/// Name, place, and the largest compression and tension while the blow lasts and after, with where and when,
-/// SI.
+/// Name, place, and the largest compression and tension with where and when: of all the time that was
+/// followed, and where it goes beyond the blow those of the blow and of the waves left. SI.
 JsonArray sectionsJson(const Blow& blow) {
     JsonArray array;
     const DrillString& drill = blow.scenario.drillString;
@@ -119,16 +119,22 @@ JsonArray sectionsJson(const Blow& blow) {
         from += section.length;
         if (!stresses.empty()) {
             const SectionStress& stress = stresses[j];
-            object["compression"] = peakJson(stress.compression);
-            object["tension"] = peakJson(stress.tension);
+            const auto larger = [](const StressPeak& during, const StressPeak& after) {
+                return after.stress > during.stress ? after : during;
+            };
+            const StressPeak compression = larger(stress.compression, stress.compressionAfter);
+            const StressPeak tension = larger(stress.tension, stress.tensionAfter);
+            object["compression"] = peakJson(compression);
+            object["tension"] = peakJson(tension);
             if (hasStressesAfter(blow.string->impact)) {
+                object["compression_blow"] = peakJson(stress.compression);
+                object["tension_blow"] = peakJson(stress.tension);
                 object["compression_after"] = peakJson(stress.compressionAfter);
                 object["tension_after"] = peakJson(stress.tensionAfter);
             }
-            const double largest = std::max(stress.compression.stress, stress.tension.stress);
-            if (section.yieldStrength) object["yield_use"] = largest / *section.yieldStrength;
-            if (section.fatigueStrength)
-                object["fatigue_use"] = stress.tension.stress / *section.fatigueStrength;
+            if (section.yieldStrength)
+                object["yield_use"] = std::max(compression.stress, tension.stress) / *section.yieldStrength;
+            if (section.fatigueStrength) object["fatigue_use"] = tension.stress / *section.fatigueStrength;
         }
         const std::vector<double>& reflected = blow.string->impact.jointReflection;
         if (!hammer && j - ofHammer < reflected.size()) object["joint_reflection"] = reflected[j - ofHammer];

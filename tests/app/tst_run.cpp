@@ -65,6 +65,7 @@ class TestRun : public QObject {
     void aDrillStringHasHistoriesAndPlots();
     void energiesInSiAreInJoules();
     void velocityAndMomentumOfAStringHaveTheirUnits();
+    void sectionsHoldTheLargestStressOfAllTimesAndOfEachSpan();
     void plotsAreWrittenWithoutADisplay();
     void theLocaleDoesNotMatter();
 };
@@ -375,6 +376,25 @@ void TestRun::velocityAndMomentumOfAStringHaveTheirUnits() {
     // Swept strings are solved to fewer digits.
     QVERIFY(std::abs(rows[1][1].toDouble() / si["hammer_rebound_velocity"].toDouble() - 1) < 1e-6);
     QVERIFY(std::abs(rows[1][2].toDouble() / si["string_momentum"].toDouble() - 1) < 1e-6);
+}
+
+void TestRun::sectionsHoldTheLargestStressOfAllTimesAndOfEachSpan() {
+    const QJsonObject string = blow({"t38_string", "--set", "bit_rock.stiffness=300MN/m"});
+    double largestInBlow = 0;
+    int afterTheBlow = 0;
+    for (const QJsonValue& section : string["sections"].toArray()) {
+        const auto stress = [&](const QString& name) { return section[name]["stress"].toDouble(-1); };
+        for (const QString& kind : {QStringLiteral("compression"), QStringLiteral("tension")}) {
+            const double during = stress(kind + "_blow"), after = stress(kind + "_after");
+            QVERIFY(during >= 0 && after >= 0);
+            QCOMPARE(stress(kind), std::max(during, after));
+            QCOMPARE(section[kind], section[kind + (after > during ? "_after" : "_blow")]);
+            afterTheBlow += after > during;
+        }
+        largestInBlow = std::max(largestInBlow, stress("tension_blow"));
+    }
+    QVERIFY(afterTheBlow > 0);
+    QCOMPARE(largestInBlow, string["si"]["peak_tension"].toDouble());
 }
 
 void TestRun::plotsAreWrittenWithoutADisplay() {
