@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/command_error.h"
+#include "app/open_files.h"
 #include "app/window_arguments.h"
 #include "core/model/version.h"
 #include "ui/document/recovery.h"
@@ -150,6 +151,9 @@ int openWindow(int argc, char** argv) {
 }
 
 std::unique_ptr<const Drawing> startDrawing(int argc, char** argv) {
+    // Qt ends the program where it cannot open its plugins and fonts.
+    constexpr int filesOfQt = 16;
+    checkOpenFiles(filesOfQt);
     qputenv("QT_QPA_PLATFORM", "offscreen");
     // Qt's remarks on the desktop (no runtime folder, no fonts configured) do not matter to files.
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {

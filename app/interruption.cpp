@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "app/command_error.h"
+#include "app/open_files.h"
 
 namespace drillwave {
 
@@ -67,10 +67,7 @@ void exitOnInterruption() {
 }
 
 Interruption::Interruption() {
-    if (::pipe2(wakeUp, O_CLOEXEC) != 0)
-        throw CommandError(ExitCode::unwritableOutput,
-                           "nothing can be written: " + std::generic_category().message(errno) +
-                               "; raise the limit of open files (ulimit -n)");
+    if (::pipe2(wakeUp, O_CLOEXEC) != 0) throw tooFewFiles(errno);
     const auto watch = [this] {
         char byte = ended;
         while (::read(wakeUp[0], &byte, 1) < 0 && errno == EINTR) {

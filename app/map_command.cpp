@@ -129,8 +129,8 @@ void checkPart(const Arguments& arguments) {
         throw CommandError(ExitCode::usage, "--shard: a part of a map has rows alone; add -o FILE.csv");
     for (const char* option : {"level", "json", "plots"})
         if (arguments.has(option))
-            throw CommandError(ExitCode::usage, std::string("--") + option +
-                                                    " needs the map in one piece; leave out one of them");
+            throw CommandError(ExitCode::usage,
+                               std::string("--") + option + " needs the map in one piece; leave out --shard");
 }
 
 ExitCode writePart(const MapStudy& study, const RowRecord& record, const RowOptions& options,

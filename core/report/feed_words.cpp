@@ -153,9 +153,9 @@ std::string_view feedWord(Feed feed) {
     constexpr std::array<std::string_view, 6> words{"",
                                                     "machine pushed back",
                                                     "penetration lost",
-                                                    "enough, bit bounces",
-                                                    "enough, bit may bounce",
-                                                    "enough, bit rests"};
+                                                    "enough, bounces",
+                                                    "enough, may bounce",
+                                                    "enough, rests"};
     return words[static_cast<std::size_t>(feed)];
 }
 

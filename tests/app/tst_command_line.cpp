@@ -2,6 +2,8 @@
 // The program as its users' scripts see it: exit codes, messages, names and bytes.
 #include <QtTest>
 
+#include <algorithm>
+
 #include <fcntl.h>
 #include <unistd.h>
 #include <QDir>
@@ -27,6 +29,8 @@ class TestCommandLine : public QObject {
     void helpAndVersionAreEverywhere();
     void mistakesGetOneLineAndTheirExitCode_data();
     void mistakesGetOneLineAndTheirExitCode();
+    void pointsThatCannotBeAreEmptyAndTold_data();
+    void pointsThatCannotBeAreEmptyAndTold();
     void oneSetTakesSeveralAssignments();
     void implausibleValuesAreRemarkedOnBeforeTheWork();
     void aLongSolutionShowsItsTimeOnATerminal();
@@ -117,8 +121,6 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     // The stiffness that it takes is beyond the largest double: solved was another beta.
     QTest::newRow("setting that would not be kept")
         << QStringList{"run", drill, "--set", "beta=1e301"} << 5 << "beta = 1e301 (cannot be kept";
-    QTest::newRow("axis that would not be kept")
-        << QStringList{"sweep", drill, "--vary", "beta=1:1e301:3:log"} << 6 << "beta cannot be kept";
     QTest::newRow("gap of too many periods")
         << QStringList{"run", paper, "--set", "delta=1e17"} << 5
         << "delta = 1e17 (must be in [0, 1e+09]: in a larger one the numbers";
@@ -168,9 +170,6 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
                                      << "did you mean `beta`?";
     QTest::newRow("axis out of range")
         << QStringList{"sweep", paper, "--vary", "beta=0:1:3"} << 5 << "beta = 0 (must be greater than 0)";
-    QTest::newRow("axis invalid at its end")
-        << QStringList{"sweep", drill, "--vary", "rod.bore=1mm:40mm:3"} << 6
-        << "1 row: rod.bore must be less than the diameter of 38 mm";
     QTest::newRow("axis invalid all over")
         << QStringList{"sweep", drill, "--vary", "rod.bore=40mm:50mm:3"} << 5 << "at rod.bore = 40 mm";
     const QString string = example("t38_string");
@@ -180,9 +179,6 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("shape of a string")
         << QStringList{"sweep", string, "--vary", "pulse.shape=half_sine,piston"} << 5
         << "has no meaning here: only a uniform rod has it";
-    QTest::newRow("place that repeats leave none")
-        << QStringList{"sweep", string, "--vary", "string.repeat=1:3:3", "string.9.length=60mm,70mm"} << 6
-        << "4 of 6 rows could not be solved";
     QTest::newRow("rock as of air") << QStringList{"run", string, "--set", "beta=1e-300"} << 5
                                     << "bit_rock.stiffness";
     QTest::newRow("number beyond double precision")
@@ -298,6 +294,36 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode() {
     QStringList lines = QString::fromUtf8(finished.error).trimmed().split('\n');
     lines.removeIf([](const QString& line) { return line.contains(": warning: "); });
     QCOMPARE(lines.size(), 1);
+}
+
+void TestCommandLine::pointsThatCannotBeAreEmptyAndTold_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<int>("empty");
+    QTest::addColumn<int>("filled");
+    QTest::addColumn<QString>("part");
+    const QString drill = example("t38_medium_rock"), string = example("t38_string");
+    QTest::newRow("axis that would not be kept")
+        << QStringList{"sweep", drill, "--vary", "beta=1:1e301:3:log"} << 1 << 2 << "beta cannot be kept";
+    QTest::newRow("axis invalid at its end")
+        << QStringList{"sweep", drill, "--vary", "rod.bore=1mm:40mm:3"} << 1 << 2
+        << "1 row: rod.bore must be less than the diameter of 38 mm";
+    QTest::newRow("place that repeats leave none")
+        << QStringList{"sweep", string, "--vary", "string.repeat=1:3:3", "string.9.length=60mm,70mm"} << 4
+        << 2 << "4 of 6 rows could not be solved";
+}
+
+void TestCommandLine::pointsThatCannotBeAreEmptyAndTold() {
+    QFETCH(QStringList, words);
+    QFETCH(int, empty);
+    QFETCH(int, filled);
+    QFETCH(QString, part);
+    const Finished finished = run(words);
+    QCOMPARE(finished.exitCode, 6);
+    QVERIFY2(QString::fromUtf8(finished.error).contains(part), finished.error);
+    const QList<QByteArray> rows = finished.out.trimmed().split('\n').mid(1);
+    const auto isEmpty = [](const QByteArray& row) { return row.endsWith(','); };
+    QCOMPARE(std::ranges::count_if(rows, isEmpty), empty);
+    QCOMPARE(rows.size(), empty + filled);
 }
 
 void TestCommandLine::oneSetTakesSeveralAssignments() {

@@ -277,7 +277,9 @@ double SignalFields::place() const {
 
 QString SignalFields::problem() const {
     if (chosenValue(*m_unit) == noUnit)
-        return tr("The unit in the header is not known, or there is none: choose what the signal is, and its unit.");
+        return tr(
+            "The unit in the header is not known, or there is none: choose what the signal is, and its "
+            "unit.");
     for (const QuantityField* field : m_fields)
         if (field->isVisibleTo(this) && !field->problem().isEmpty())
             return QStringLiteral("%1: %2").arg(field->accessibleName(), field->problem());

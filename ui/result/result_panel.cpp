@@ -126,7 +126,7 @@ void ResultPanel::addThrust() {
           feedText,
           {},
           feedMeaning,
-          Weight::heavy},
+          Weight::usual},
          {tr("margin"),
           tr("Feed force less what this blow needs for full penetration, and as a share of that"),
           thrustMarginText,
@@ -148,7 +148,7 @@ void ResultPanel::addThrust() {
           [](const SolvedBlow& blow, UnitSystem) {
               return thrustNeeded(blow.scenario, blow.summary.cor, blow.summary.transferred());
           }},
-         {tr("needed at every gap"),
+         {tr("at every gap"),
           tr("The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid rock, "
              "and of the worst gap on elastic rock"),
           [this](const SolvedBlow& blow) { return worstNeedText(m_worst, blow); },
@@ -277,6 +277,7 @@ void ResultPanel::addDecision() {
     font.setBold(true);
     m_decision->setFont(font);
     m_decision->setMinimumHeight(lines * QFontMetrics(font).lineSpacing());
+    m_decision->setAccessibleName(tr("what to do about the feed"));
     makeSelectable(*m_decision);
     static_cast<QVBoxLayout*>(widget()->layout())->insertWidget(0, m_decision);
 }

@@ -58,7 +58,7 @@ class TestOutputs : public QObject {
 };
 
 void TestOutputs::everyOutputIsFoundByItsName() {
-    QCOMPARE(outputs().size(), std::size_t{36});
+    QCOMPARE(outputs().size(), std::size_t{37});
     for (const Output& output : outputs()) QCOMPARE(findOutput(output.name), &output);
     QCOMPARE(findOutput("peak"), nullptr);
 }

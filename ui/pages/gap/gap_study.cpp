@@ -92,6 +92,7 @@ QString scatterProblem(const NormalGap& normal) {
 
 GapQuestion gapQuestion(Scenario scenario, const std::optional<NormalGap>& normal) {
     if (!isString(scenario)) findParameter("delta")->assign(scenario, 0);
+    scenario.title.clear();  // says that an example was changed, be it the gap
     return {std::move(scenario), normal};
 }
 

@@ -41,9 +41,8 @@ double largestMagnitude(const Blow& blow, const BlowWaves& waves, WaveQuantity f
 
 StringPicture stringPicture(const Blow& blow, const BlowWaves& waves) {
     StringPicture picture{stringRod(blow), waves.end(), 1, waves.faceContacts()};
-    const double largest =
-        std::max(blow.summary.string->largestCompression.value_or(0),
-                 blow.summary.string->largestTension.value_or(0));
+    const double largest = std::max(blow.summary.string->largestCompression.value_or(0),
+                                    blow.summary.string->largestTension.value_or(0));
     if (largest > 0) picture.largestStress = largest;
     return picture;
 }
