@@ -323,8 +323,7 @@ class TestResultPanel : public QObject {
         panel.present(before);
         QCOMPARE(changeOf("margin"), QString("±0 kN"));
         panel.setReference(nullptr, {});
-        for (const char* name : {"margin", "at every gap", "installed"})
-            QCOMPARE(changeOf(name), QString());
+        for (const char* name : {"margin", "at every gap", "installed"}) QCOMPARE(changeOf(name), QString());
     }
 
     // The margin of this blow may be one while the worst of four needs is not met.
