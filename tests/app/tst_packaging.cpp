@@ -57,7 +57,7 @@ class BareSystem {
   private:
     Finished packaging(const QString& command, const QProcessEnvironment& more) const {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) environment.remove(name);
+        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "LOCPATH", "LC_ALL"}) environment.remove(name);
         environment.insert(more);
         environment.insert("PATH", m_folder.filePath("bin") + ":" + environment.value("PATH"));
         environment.insert("TMPDIR", m_folder.filePath("tmp"));

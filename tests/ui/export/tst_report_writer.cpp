@@ -55,6 +55,7 @@ class TestReportWriter : public QObject {
 };
 
 void TestReportWriter::init() {
+    QLocale::setDefault(QLocale::c());  // the command writes so; tests of others choose theirs
     m_folder = std::make_unique<QTemporaryDir>();
     keepSettingsIn(path("settings"));
     m_answers = {};
