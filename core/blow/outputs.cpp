@@ -152,15 +152,13 @@ constexpr auto outputTable = std::to_array<Output>({
     {"peak_tension", "largest tension in the rod while the blow lasts", Measure::stress, Detail::histories,
      largestStress<&RodForces::tension, &StringSummary::largestTension>, OutputGroup::stress, "tension, blow",
      "Largest tensile stress of uniform sections while the blow lasts, to the last separation of bit and "
-     "rock "
-     "plus one transit time; threads and shoulders raise it locally",
+     "rock plus one transit time; threads and shoulders raise it locally",
      &RodForces::tension},
     {"peak_compression_after", "largest compression of the waves left, undamped", Measure::stress,
      Detail::histories, largestStress<&RodForces::compressionAfter, &StringSummary::largestCompressionAfter>,
      OutputGroup::stress, "compression, after",
      "Largest compressive stress of the waves that are left after the blow and run on, of a string as long "
-     "as "
-     "it is followed; nothing damps them in the model, a real rod does",
+     "as it is followed; nothing damps them in the model, a real rod does",
      &RodForces::compressionAfter},
     {"peak_tension_after", "largest tension of the waves left, undamped", Measure::stress, Detail::histories,
      largestStress<&RodForces::tensionAfter, &StringSummary::largestTensionAfter>, OutputGroup::stress,
