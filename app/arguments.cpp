@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "app/command_error.h"
 #include "core/text/decimal_text.h"
@@ -193,13 +192,11 @@ std::string Arguments::shellText(std::span<const std::string_view> without) cons
 long Arguments::number(std::string_view option, long fallback, long low, long high) const {
     const std::optional<std::string> text = value(option);
     if (!text) return fallback;
-    long number = 0;
-    const char* end = text->data() + text->size();
-    const auto read = std::from_chars(text->data(), end, number);
-    if (text->empty() || read.ec != std::errc() || read.ptr != end || number < low || number > high)
-        refuse(OptionSpec{option, {}, {}}.text() + " = " + shortened(*text) +
-               " (must be a whole number from " + std::to_string(low) + " to " + std::to_string(high) + ")");
-    return number;
+    const std::optional<long> number = wholeNumberIn<long>(*text);
+    if (!number || *number < low || *number > high)
+        refuse(OptionSpec{option, {}, {}}.text() + " = " + shortened(*text) + " (" +
+               wholeNumberProblem(low, high) + ")");
+    return *number;
 }
 
 std::vector<std::string> shellWords(std::string_view line) {

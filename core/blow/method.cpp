@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
+#include "core/text/decimal_text.h"
 #include "core/wave/closed/closed_form.h"
 
 namespace drillwave {
@@ -38,16 +38,13 @@ std::string methodProblem(std::string_view name) {
 }
 
 std::optional<int> segmentsIn(std::string_view text) {
-    int segments = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), segments);
-    const bool isNumber = read.ec == std::errc() && read.ptr == text.data() + text.size();
-    if (!isNumber || segments < minimumSegments || segments > maximumSegments) return std::nullopt;
+    const std::optional<int> segments = wholeNumberIn<int>(text);
+    if (!segments || *segments < minimumSegments || *segments > maximumSegments) return std::nullopt;
     return segments;
 }
 
 std::string segmentsProblem() {
-    return "must be a whole number from " + std::to_string(minimumSegments) + " to " +
-           std::to_string(maximumSegments);
+    return wholeNumberProblem(minimumSegments, maximumSegments);
 }
 
 std::string describe(const MethodChoice& choice) {

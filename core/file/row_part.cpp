@@ -2,13 +2,13 @@
 #include "core/file/row_part.h"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 
 #include "core/file/row_record.h"
 #include "core/file/scenario_file.h"
 #include "core/file/scenario_text.h"
 #include "core/file/yaml_tree.h"
+#include "core/text/decimal_text.h"
 
 namespace drillwave {
 namespace {
@@ -46,11 +46,6 @@ const std::string* textOf(const YamlNode& map, std::string_view key) {
     return nullptr;
 }
 
-bool readCount(std::string_view text, std::uint64_t& number) {
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-    return !text.empty() && read.ec == std::errc() && read.ptr == text.data() + text.size();
-}
-
 std::string placeOf(const Shard& shard) {
     return "part " + std::to_string(shard.index) + " of " + std::to_string(shard.count);
 }
@@ -84,7 +79,9 @@ RowPart parseRowPart(std::string_view record, const std::string& file) {
     const std::string* part = textOf(tree.root, "part");
     RowPart read{.file = file, .command = {}, .rows = 0, .shard = {}, .record = std::string(record)};
     if (!command) refuse(file, "has no command");
-    if (!rows || !readCount(*rows, read.rows)) refuse(file, "has no number of rows");
+    const auto count = rows ? wholeNumberIn<std::uint64_t>(*rows) : std::nullopt;
+    if (!count) refuse(file, "has no number of rows");
+    read.rows = *count;
     if (part) {
         const std::optional<Shard> shard = parseShard(*part);
         if (!shard) refuse(file, "part: " + *part + " is no part I/N");

@@ -2,6 +2,8 @@
 // Decimal numbers as text: found, shifted by powers of ten without rounding, and cut for messages. C locale.
 #pragma once
 
+#include <charconv>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -18,6 +20,22 @@ std::string shortened(std::string_view text);
 /// Length of the finite decimal number at the beginning ("+1.5e3"), 0 if there is none (also for nan and
 /// inf).
 std::size_t numberLength(std::string_view text);
+
+/// A whole number and nothing else; nullopt where it is none, or too large for the type.
+template <std::integral Number>
+std::optional<Number> wholeNumberIn(std::string_view text) {
+    Number number{};
+    const char* end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
+    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+    return number;
+}
+
+/// "must be a whole number from 1 to 9", the reason where it is another.
+template <std::integral Number>
+std::string wholeNumberProblem(Number low, Number high) {
+    return "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+}
 
 /// number × 10^exponent rounded once, so that ("38", −3) is 0.038. `number` as numberLength() found it.
 /// nullopt where the result would overflow, or underflow to something inexact.

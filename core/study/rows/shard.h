@@ -2,10 +2,11 @@
 // One of N contiguous parts of a long table, for job arrays.
 #pragma once
 
-#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+
+#include "core/text/decimal_text.h"
 
 namespace drillwave {
 
@@ -33,17 +34,11 @@ inline constexpr std::uint64_t maximumShards = 1'000'000;
 inline std::optional<Shard> parseShard(std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos) return std::nullopt;
-    const auto read = [](std::string_view digits, std::uint64_t& number) {
-        const char* end = digits.data() + digits.size();
-        const auto found = std::from_chars(digits.data(), end, number);
-        return found.ec == std::errc() && found.ptr == end;
-    };
-    Shard shard;
-    const bool isRead = read(text.substr(0, slash), shard.index) && read(text.substr(slash + 1), shard.count);
-    if (!isRead || shard.count < 1 || shard.count > maximumShards || shard.index < 1 ||
-        shard.index > shard.count)
+    const auto index = wholeNumberIn<std::uint64_t>(text.substr(0, slash));
+    const auto count = wholeNumberIn<std::uint64_t>(text.substr(slash + 1));
+    if (!index || !count || *count < 1 || *count > maximumShards || *index < 1 || *index > *count)
         return std::nullopt;
-    return shard;
+    return Shard{*index, *count};
 }
 
 /// The rows of that part; parts differ by at most one row.

@@ -2,7 +2,6 @@
 #include "core/study/rows/sweep_axis.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/model/parameter_text.h"
@@ -52,13 +51,10 @@ double between(double a, double b, double position, double last) {
 }
 
 std::string readCount(SweepAxis& axis, std::string_view text) {
-    const char* end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, axis.count);
-    if (text.empty() || read.ec != std::errc() || read.ptr != end || axis.count < 1 ||
-        axis.count > maximumSweepPoints)
-        return "the count `" + shortened(text) + "` of " + std::string(axis.key()) +
-               " must be a whole number from 1 to " + std::to_string(maximumSweepPoints);
-    return {};
+    axis.count = wholeNumberIn<decltype(axis.count)>(text).value_or(0);
+    if (axis.count >= 1 && axis.count <= maximumSweepPoints) return {};
+    return "the count `" + shortened(text) + "` of " + std::string(axis.key()) + " " +
+           wholeNumberProblem<std::uint64_t>(1, maximumSweepPoints);
 }
 
 /// START, STOP and, as the last of `parts`, perhaps `log`.
