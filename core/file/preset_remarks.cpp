@@ -11,15 +11,6 @@
 namespace drillwave {
 namespace {
 
-using Kind = YamlNode::Kind;
-
-const YamlNode* child(const YamlNode& map, std::string_view key) {
-    if (map.kind != Kind::map) return nullptr;
-    for (std::size_t i = 0; i + 1 < map.children.size(); i += 2)
-        if (map.children[i].text == key) return &map.children[i + 1];
-    return nullptr;
-}
-
 /// Where the preset says that the value is from; empty for values of others.
 std::string sourceOf(const Preset& preset, const SavedValue& saved) {
     if (!saved.parameter) return preset.shape && saved.key == "shape" ? preset.shapeSource : std::string();
@@ -29,8 +20,8 @@ std::string sourceOf(const Preset& preset, const SavedValue& saved) {
 
 /// Behind a value that has its line to itself; nullopt elsewhere, and where a comment is.
 std::optional<std::size_t> placeBehind(std::string_view text, const YamlNode& root, const SavedValue& saved) {
-    const YamlNode* section = child(root, saved.section);
-    const YamlNode* value = section && !section->flow && !root.flow ? child(*section, saved.key) : nullptr;
+    const YamlNode* section = root.valueOf(saved.section);
+    const YamlNode* value = section && !section->flow && !root.flow ? section->valueOf(saved.key) : nullptr;
     const std::optional<TextExtent> extent = value ? extentOf(text, *value) : std::nullopt;
     if (!extent) return std::nullopt;
     const std::size_t next = text.find_first_not_of(" \t", extent->end);

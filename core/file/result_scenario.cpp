@@ -31,50 +31,40 @@ bool endsWith(std::string_view path, std::string_view suffix) {
     return std::ranges::equal(path.substr(path.size() - suffix.size()), suffix, {}, lower);
 }
 
-/// The text behind a key of a map; nothing where there is no such text.
-const std::string* textOf(const Node& map, std::string_view key) {
-    if (map.kind != Node::Kind::map) return nullptr;
-    for (std::size_t i = 0; i + 1 < map.children.size(); i += 2)
-        if (map.children[i].text == key && map.children[i + 1].kind == Node::Kind::scalar)
-            return &map.children[i + 1].text;
-    return nullptr;
-}
-
 [[noreturn]] void refuseValue(const std::string& source, std::string_view key, std::string_view value,
                               std::string_view reason) {
     throw ScenarioError(ScenarioError::Kind::invalid, source, {valueProblem(key, shortened(value), reason)});
 }
 
-constexpr std::string_view formatKey = rowRecordKey.substr(0, rowRecordKey.size() - 1);
-
 /// What a result says of itself is how it is solved again: nothing of it is passed over.
 void checkRecord(const Node& record, const std::string& source) {
-    for (const std::string_view key : {formatKey, std::string_view("version"), std::string_view("method"),
-                                       std::string_view("segments"), std::string_view("scenario")}) {
+    for (const std::string_view key :
+         {rowRecordFormatKey, std::string_view("version"), std::string_view("method"),
+          std::string_view("segments"), std::string_view("scenario")}) {
         int times = 0;
         for (std::size_t i = 0; i + 1 < record.children.size(); i += 2)
             times += record.children[i].text == key;
         if (times > 1)
             refuseValue(source, key, "", "is given " + std::to_string(times) + " times; keep one of them");
     }
-    if (const std::string* format = textOf(record, formatKey);
+    if (const std::string* format = record.textOf(rowRecordFormatKey);
         format && *format != std::to_string(rowRecordFormat))
-        refuseValue(source, formatKey, *format,
+        refuseValue(source, rowRecordFormatKey, *format,
                     "this program reads the format " + std::to_string(rowRecordFormat));
-    if (const std::string* method = textOf(record, "method"); method && *method != methodOfStrings)
+    if (const std::string* method = record.textOf("method"); method && *method != methodOfStrings)
         if (const std::string problem = methodProblem(*method); !problem.empty())
             refuseValue(source, "method", *method, problem);
-    if (const std::string* segments = textOf(record, "segments"))
+    if (const std::string* segments = record.textOf("segments"))
         if (!segmentsIn(*segments)) refuseValue(source, "segments", *segments, segmentsProblem());
 }
 
 std::optional<MethodChoice> methodOf(const Node& record) {
-    const std::string* given = textOf(record, "method");
+    const std::string* given = record.textOf("method");
     const std::optional<Method> method = given ? findMethod(*given) : std::nullopt;
     if (!method) return std::nullopt;
     MethodChoice choice;
     choice.method = *method;
-    if (const std::string* text = textOf(record, "segments"))
+    if (const std::string* text = record.textOf("segments"))
         choice.lattice.segments = segmentsIn(*text).value_or(choice.lattice.segments);
     return choice;
 }
@@ -82,10 +72,10 @@ std::optional<MethodChoice> methodOf(const Node& record) {
 /// JSON is YAML with braces: one reader does for both.
 std::optional<ScenarioInput> parseRecord(std::string_view text, const std::string& source) {
     const YamlTree tree = parseYaml(text);
-    const std::string* scenario = tree.problem.text.empty() ? textOf(tree.root, "scenario") : nullptr;
+    const std::string* scenario = tree.problem.text.empty() ? tree.root.textOf("scenario") : nullptr;
     if (!scenario) return std::nullopt;
     checkRecord(tree.root, source);
-    const std::string* version = textOf(tree.root, "version");
+    const std::string* version = tree.root.textOf("version");
     return ScenarioInput{.document = parseScenario(*scenario, source),
                          .isResult = true,
                          .version = version ? *version : std::string(),

@@ -39,13 +39,6 @@ std::vector<Entry> entriesOf(std::string_view record) {
                         {{"", reason + "; parts are joined by the records that were written with them"}});
 }
 
-const std::string* textOf(const YamlNode& map, std::string_view key) {
-    if (map.kind != YamlNode::Kind::map) return nullptr;
-    for (std::size_t i = 0; i + 1 < map.children.size(); i += 2)
-        if (map.children[i].text == key) return &map.children[i + 1].text;
-    return nullptr;
-}
-
 std::string placeOf(const Shard& shard) {
     return "part " + std::to_string(shard.index) + " of " + std::to_string(shard.count);
 }
@@ -72,19 +65,21 @@ RowPart parseRowPart(std::string_view record, const std::string& file) {
     if (!record.starts_with(rowRecordKey)) refuse(file, "is no record of rows");
     const YamlTree tree = parseYaml(record);
     if (!tree.problem.text.empty()) refuse(file, "cannot be read: " + tree.problem.text);
-    const std::string* format = textOf(tree.root, rowRecordKey.substr(0, rowRecordKey.size() - 1));
-    if (!format || *format != "1") refuse(file, "is of another format than 1, from a newer program");
-    const std::string* command = textOf(tree.root, "command");
-    const std::string* rows = textOf(tree.root, "rows");
-    const std::string* part = textOf(tree.root, "part");
+    const std::string* format = tree.root.textOf(rowRecordFormatKey);
+    const std::string known = std::to_string(rowRecordFormat);
+    if (!format || *format != known)
+        refuse(file, "is of another format than " + known + ", from a newer program");
+    const std::string* command = tree.root.textOf("command");
+    const std::string* rows = tree.root.textOf("rows");
+    const YamlNode* part = tree.root.valueOf("part");
     RowPart read{.file = file, .command = {}, .rows = 0, .shard = {}, .record = std::string(record)};
     if (!command) refuse(file, "has no command");
     const auto count = rows ? wholeNumberIn<std::uint64_t>(*rows) : std::nullopt;
     if (!count) refuse(file, "has no number of rows");
     read.rows = *count;
     if (part) {
-        const std::optional<Shard> shard = parseShard(*part);
-        if (!shard) refuse(file, "part: " + *part + " is no part I/N");
+        const std::optional<Shard> shard = parseShard(part->text);
+        if (!shard) refuse(file, "part: " + part->text + " is no part I/N");
         read.shard = *shard;
     }
     read.command = *command;

@@ -14,6 +14,7 @@ namespace drillwave {
 
 /// The first key of a record, with the number of its format.
 inline constexpr std::string_view rowRecordKey = "drillwave_result:";
+inline constexpr std::string_view rowRecordFormatKey = rowRecordKey.substr(0, rowRecordKey.size() - 1);
 inline constexpr int rowRecordFormat = 1;
 
 /// An axis of a sweep: its column, and its values as they were asked for.

@@ -179,6 +179,18 @@ class NoSecondDocument final : public YAML::EventHandler {
 
 }  // namespace
 
+const YamlNode* YamlNode::valueOf(std::string_view key) const {
+    if (kind != Kind::map) return nullptr;
+    for (std::size_t i = 0; i + 1 < children.size(); i += 2)
+        if (children[i].text == key) return &children[i + 1];
+    return nullptr;
+}
+
+const std::string* YamlNode::textOf(std::string_view key) const {
+    const YamlNode* value = valueOf(key);
+    return value && value->kind == Kind::scalar ? &value->text : nullptr;
+}
+
 YamlTree parseYaml(std::string_view text) {
     YamlTree tree;
     if (const std::size_t bracket = excessiveBracket(text); bracket != std::string_view::npos) {

@@ -18,6 +18,12 @@ struct YamlNode {
     std::string text;          ///< of a scalar, unquoted
     /// Items of a sequence; key, value, key, value … of a map.
     std::vector<YamlNode> children;
+
+    /// What stands behind a key of a map, the first where it is given more than once; nullptr where there is
+    /// none.
+    const YamlNode* valueOf(std::string_view key) const;
+    /// Its text, where it is a scalar.
+    const std::string* textOf(std::string_view key) const;
 };
 
 /// Something in the text that is not accepted although it may be YAML, and where.
