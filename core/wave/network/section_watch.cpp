@@ -125,7 +125,7 @@ void SectionWatch::watchAnywhere(const Span& span, const Side& side, const Meeti
             const WaveCell::Peak peak = (side.sign * cell).peak();
             if (peak.value > most.value) most = peak, ofMost = step;
         });
-    if (mayHold(never) && top.value + most.value > span.peak.force)
+    if (top.value + most.value > span.peak.force)
         tell(top.value + most.value, at(top.place),
              meeting.cuts.clock(ofMost) + most.place * meeting.cuts.width(ofMost));
 
