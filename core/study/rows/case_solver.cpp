@@ -52,8 +52,7 @@ std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<dou
     settings.wants.forces = m_detail == Detail::histories;
     const StringBlow blow = solveString(scenario, settings, m_solver.strings(), stop);
     m_impact = impactOf(blow);
-    constexpr double ofResidual = 20, least = 1e-13;
-    m_scatter = std::max(least, ofResidual * std::abs(blow.impact.energyResidual));
+    m_scatter = balanceError(blow.impact);
     if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
     const ImpactSummary summary = summarize(scenario, blow);
     return fill({summary, scenario}, outputs);

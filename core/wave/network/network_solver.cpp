@@ -98,7 +98,7 @@ void stateError(NetworkImpact& impact, const NetworkProblem& problem) {
 void stateErrorOfQuickRun(NetworkImpact& impact, const NetworkProblem& problem) {
     stateError(impact, problem);
     const double missed = std::abs(impact.energyResidual);
-    double error = coveringResidual * missed;
+    double error = balanceError(impact);
     if (problem.law.gamma < 1)
         error = std::max(error, coveringRoot * std::sqrt(std::max(missed, leastResidual)));
     impact.efficiencyError = std::max(impact.efficiencyError, error);
@@ -116,6 +116,10 @@ void stateError(NetworkImpact& impact, const NetworkProblem& problem, const Netw
 }
 
 }  // namespace
+
+double balanceError(const NetworkImpact& impact) {
+    return std::max(leastError, coveringResidual * std::abs(impact.energyResidual));
+}
 
 std::string_view networkRefusal(const NetworkProblem& problem) {
     for (std::size_t j = 0; j < problem.hammerSections; ++j)

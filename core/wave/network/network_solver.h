@@ -37,6 +37,10 @@ std::string_view networkRefusal(const NetworkProblem& problem);
 /// Writes the cell that all round trips share into `grid`. False where they share none.
 bool usualGrid(const NetworkProblem& problem, CellGrid& grid);
 
+/// How far the shares of E₀ of a quick run may be off, as the energy it neither kept nor lost tells (strings
+/// §11).
+double balanceError(const NetworkImpact& impact);
+
 /// Solves one blow after another, keeping its workspace: once warm, a blow of which nothing is wanted but
 /// sums, and which is no larger than those before, allocates nothing. What a very long string took is given
 /// back. One solver per thread.
