@@ -3,13 +3,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace drillwave {
 
 /// A hidden file in the folder, held by the process and gone with it.
 class FolderLock {
   public:
-    explicit FolderLock(const std::string& folder) : m_path(folder + "/.drillwave.lock") {}
+    static constexpr std::string_view fileName = ".drillwave.lock";
+
+    explicit FolderLock(const std::string& folder) : m_path(folder + "/" + std::string(fileName)) {}
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;

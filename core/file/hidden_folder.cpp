@@ -68,34 +68,29 @@ void takeBack(const std::string& folder, const std::string& hidden) {
             std::rename(pathInside(gone, name).c_str(), pathInside(folder, name).c_str());
 }
 
-void mend(const std::string& folder, const std::string& hidden) {
-    FolderLock lock(hidden);
-    if (lock.tryLock() != 0) return;
-    if (!filesIn(hidden + "/new").empty()) takeBack(folder, hidden);
+/// All but the lock: without it a mending run would see what is half gone.
+void removeContents(const std::string& hidden) {
     std::error_code ignored;
     fs::remove(listIn(hidden), ignored);
-    fs::remove_all(hidden, ignored);
+    for (const std::string& name : filesIn(hidden))
+        if (name != FolderLock::fileName) fs::remove_all(pathInside(hidden, name), ignored);
 }
 
-}  // namespace
-
-HiddenFolder::~HiddenFolder() {
-    std::error_code ignored;
-    if (m_path.empty()) return;
-    fs::remove_all(m_path, ignored);
-    // Once more with the open file of the lock to spare: it may be the last one permitted.
-    m_lock.reset();
-    fs::remove_all(m_path, ignored);
+void mend(const std::string& folder, const std::string& hidden) {
+    {
+        FolderLock lock(hidden);
+        if (lock.tryLock() != 0) return;
+        if (!filesIn(hidden + "/new").empty()) takeBack(folder, hidden);
+        removeContents(hidden);
+    }
+    // Stays where the run that is just making it has come to lock it.
+    ::rmdir(hidden.c_str());
 }
 
-int HiddenFolder::make(const std::string& parent) {
-    assert(!isMade());
-    // Under a name that no mending run looks for until it is locked: else one takes it for that of a dead
-    // run.
-    constexpr std::string_view unlockedBegin = ".drillwave_";
-    std::string path = pathInside(parent, std::string(unlockedBegin) + "XXXXXX");
-    if (!::mkdtemp(path.data())) return errno;
-    auto lock = std::make_unique<FolderLock>(path);
+/// One that can be locked, with what belongs into it. 0, or the errno: ENOENT or EWOULDBLOCK where a mending
+/// run found it before it was locked, and took it for that of a dead one.
+int makeLocked(const std::string& path, std::unique_ptr<FolderLock>& lock) {
+    lock = std::make_unique<FolderLock>(path);
     int error = lock->tryLock();
     // On a disk without locks it works as well, but for being mended.
     if (areLocksUnknown(error)) error = 0;
@@ -103,18 +98,41 @@ int HiddenFolder::make(const std::string& parent) {
         std::error_code problem;
         if (error == 0 && !fs::create_directory(path + part, problem)) error = problem.value();
     }
-    std::string found = path;
-    found.replace(found.size() - unlockedBegin.size() - 6, namesBegin.size(), namesBegin);
-    if (error == 0 && std::rename(path.c_str(), found.c_str()) != 0) error = errno;
-    if (error != 0) {
+    return error;
+}
+
+}  // namespace
+
+HiddenFolder::~HiddenFolder() {
+    if (m_path.empty()) return;
+    removeContents(m_path);
+    m_lock.reset();
+    if (::rmdir(m_path.c_str()) == 0 || errno != ENOTEMPTY) return;
+    // With the open file of the lock to spare, which may have been the last one permitted.
+    removeContents(m_path);
+    ::rmdir(m_path.c_str());
+}
+
+int HiddenFolder::make(const std::string& parent) {
+    assert(!isMade());
+    constexpr int mostAttempts = 100;
+    int error = 0;
+    for (int attempt = 0; attempt < mostAttempts; ++attempt) {
+        std::string path = pathInside(parent, std::string(namesBegin) + "XXXXXX");
+        if (!::mkdtemp(path.data())) return errno;
+        error = makeLocked(path, m_lock);
+        if (error == 0) {
+            m_path = std::move(path);
+            return 0;
+        }
+        const bool isTaken = error == ENOENT || error == EWOULDBLOCK;
+        m_lock.reset();
         std::error_code ignored;
-        fs::remove_all(path, ignored);
+        if (!isTaken) fs::remove_all(path, ignored);
         ::rmdir(path.c_str());  // needs no open file, of which there may be none left
-        return error;
+        if (!isTaken) break;
     }
-    m_path = std::move(found);
-    m_lock = std::move(lock);
-    return 0;
+    return error;
 }
 
 WriteFailure HiddenFolder::beginExchange(const std::vector<std::string>& names) {
@@ -132,7 +150,7 @@ void mendLockedFolder(const std::string& folder) {
 }
 
 void mendFolder(const std::string& folder) {
-    if (hiddenIn(folder).empty()) return;
+    if (hiddenIn(folder).empty() && !isThere(pathInside(folder, std::string(FolderLock::fileName)))) return;
     FolderLock lock(folder);
     if (lock.tryLock() == 0) mendLockedFolder(folder);
 }

@@ -3,9 +3,11 @@
 // other.
 #include <QTemporaryDir>
 #include <QtTest>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <functional>
+#include <thread>
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -52,7 +54,9 @@ class TestHiddenFolder : public QObject {
     void whatADeadRunLeftIsMended();
     void theNextWriterMendsFirst();
     void aRunThatDiesBeforeItBeginsLeavesNothing();
+    void whatDiesBetweenItsStepsGoesToo();
     void aLivingRunIsLeftAlone();
+    void makersAndMendersDoNotMeet();
 
   private:
     std::string path(const std::string& name) const { return m_place->path().toStdString() + "/" + name; }
@@ -132,6 +136,48 @@ void TestHiddenFolder::aLivingRunIsLeftAlone() {
     QVERIFY(!replaceFile(hidden.newFile("rows"), "new"));
     mendFolder(m_place->path().toStdString());
     QCOMPARE(read(QString::fromStdString(hidden.newFile("rows"))), QByteArray("new"));
+}
+
+void TestHiddenFolder::whatDiesBetweenItsStepsGoesToo() {
+    const std::string folder = m_place->path().toStdString();
+    // Made and not yet locked; locked without the parts; the lock of one who had mended all.
+    for (const char* made : {".drillwave-aaaaaa", ".drillwave-bbbbbb"})
+        QVERIFY(QDir(m_place->path()).mkdir(made));
+    QVERIFY(!replaceFile(path(".drillwave-bbbbbb/.drillwave.lock"), ""));
+    QVERIFY(!replaceFile(path(".drillwave.lock"), ""));
+    mendFolder(folder);
+    QCOMPARE(contents(m_place->path()), QStringList());
+    QVERIFY(!replaceFile(path(".drillwave.lock"), ""));
+    mendFolder(folder);
+    QCOMPARE(contents(m_place->path()), QStringList());
+}
+
+// A mending run may find a folder that is made and not yet locked, and take it for that of a dead one.
+void TestHiddenFolder::makersAndMendersDoNotMeet() {
+    const std::string folder = m_place->path().toStdString();
+    std::atomic<int> wrong = 0, made = 0;
+    std::atomic<bool> done = false;
+    std::vector<std::jthread> threads;
+    for (int maker = 0; maker < 2; ++maker)
+        threads.emplace_back([&] {
+            for (int i = 0; i < 500; ++i) {
+                HiddenFolder hidden;
+                if (hidden.make(folder) != 0 || replaceFile(hidden.newFile("rows"), "new") ||
+                    replaceFile(hidden.oldFile("rows"), "old"))
+                    ++wrong;
+                ++made;
+            }
+        });
+    std::jthread mender([&] {
+        while (!done) mendFolder(folder);
+    });
+    threads.clear();
+    done = true;
+    mender.join();
+    QCOMPARE(made.load(), 1000);
+    QCOMPARE(wrong.load(), 0);
+    mendFolder(folder);
+    QCOMPARE(contents(m_place->path()), QStringList());
 }
 
 QTEST_GUILESS_MAIN(TestHiddenFolder)
