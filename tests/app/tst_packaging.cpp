@@ -115,7 +115,7 @@ class TestPackaging : public QObject {
         QCOMPARE(system.leftBehind(), QStringList());
     }
 
-    void roundsInOtherLocalesFollowTestsThatFail() {
+    void theRoundInAnotherLocaleFollowsTestsThatFail() {
         const BareSystem system;
         system.standIn("localedef", "");
         system.standIn("locale", "echo ,\n");
@@ -123,7 +123,7 @@ class TestPackaging : public QObject {
                        "echo \"ctest ${LOCPATH:+$LC_ALL} $*\" >> $BARE/calls\n[ -n \"$LOCPATH\" ]\n");
         const Finished finished = system.packagingTest();
         const QByteArray calls = system.calls();
-        for (const char* round : {"ctest  --preset release", "ctest de_DE.UTF-8 ", "ctest sv_SE.UTF-8 "})
+        for (const char* round : {"ctest  --preset release", "ctest de_DE.UTF-8 "})
             QVERIFY2(calls.contains(round), calls);
         QCOMPARE(finished.exitCode, 1);
         QVERIFY2(finished.error.endsWith("packaging/test: failed: the tests\n"), finished.error);

@@ -215,7 +215,7 @@ QString TestMonkey::wrongText() {
 void TestMonkey::randomEventsDoNoHarm_data() {
     QTest::addColumn<int>("seed");
     QTest::addColumn<int>("events");
-    const int events = fromEnvironment("DRILLWAVE_MONKEY_EVENTS", 5000);
+    const int events = fromEnvironment("DRILLWAVE_MONKEY_EVENTS", 2000);
     if (qEnvironmentVariableIsSet("DRILLWAVE_MONKEY_SEED")) {
         QTest::newRow("given seed") << fromEnvironment("DRILLWAVE_MONKEY_SEED", 0) << events;
         return;
