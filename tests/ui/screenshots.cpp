@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the whole window, to be looked at: screenshots FOLDER [PAGE]. Every page or that one, light and
-// dark, in three sizes, at one and two pixels a point: blow_dark_1440x900_2x.png and so on.
+// dark, in four sizes, at one and two pixels a point: blow_dark_1440x900_2x.png and so on. Options choose the
+// units, the numbers of a locale, the size of the type, and one size alone.
 #include <QApplication>
+#include <QCommandLineParser>
 #include <QDir>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -18,12 +20,19 @@
 #include "ui/window/main_window.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
+#include "ui/window/units_choice.h"
 
 using namespace drillwave;
 
 namespace {
 
-const QSize sizes[] = {{1000, 650}, {1440, 900}, {3200, 1800}};
+/// What the pictures are to show.
+struct Wanted {
+    QString page;  ///< empty: every page
+    QList<QSize> sizes = {{800, 500}, {1000, 650}, {1440, 900}, {3200, 1800}};
+    UnitSystem units = UnitSystem::si;
+    bool bothScales = true;
+};
 
 // Also what is shown late, such as a finer raster for the size on screen.
 void settle(MainWindow& window) {
@@ -49,18 +58,18 @@ void pinRuns(MainWindow& window) {
     }
 }
 
-bool isWanted(const QString& page) {
-    const QString wanted = QCoreApplication::arguments().value(2);
-    return wanted.isEmpty() || page.compare(wanted, Qt::CaseInsensitive) == 0;
+bool isWanted(const QString& page, const Wanted& wanted) {
+    return wanted.page.isEmpty() || page.compare(wanted.page, Qt::CaseInsensitive) == 0;
 }
 
 /// `of` stands before the names of pages that are of a drill string.
-bool drawPages(MainWindow& window, const QDir& folder, const QString& of, const char* theme, int scale) {
+bool drawPages(MainWindow& window, const QDir& folder, const QString& of, const char* theme, int scale,
+               const Wanted& wanted) {
     auto* pages = window.findChild<PageTabs*>();
     for (int page = 0; page < pages->count(); ++page) {
-        if (!pages->isOffered(page) || !isWanted(pages->page(page).title())) continue;
+        if (!pages->isOffered(page) || !isWanted(pages->page(page).title(), wanted)) continue;
         pages->setCurrentIndex(page);
-        for (const QSize size : sizes) {
+        for (const QSize size : wanted.sizes) {
             window.resize(size);
             settle(window);
             window.resize(size);  // a narrow window has moved its docks together
@@ -85,21 +94,28 @@ bool drawPages(MainWindow& window, const QDir& folder, const QString& of, const 
     return true;
 }
 
-bool drawThemes(const QDir& folder, int scale) {
+bool drawThemes(const QDir& folder, int scale, const Wanted& wanted) {
     for (const bool dark : {false, true}) {
         QApplication::setPalette(dark ? darkPalette() : lightPalette());
         MainWindow window;
         window.show();
+        part<UnitsChoice>(window).choose(wanted.units);
         const char* theme = dark ? "dark" : "light";
-        if (QCoreApplication::arguments().size() < 3) pinRuns(window);
-        if (!drawPages(window, folder, {}, theme, scale)) return false;
+        if (wanted.page.isEmpty()) pinRuns(window);
+        if (!drawPages(window, folder, {}, theme, scale, wanted)) return false;
         // Also of a drill string, in every look where one page is asked for.
-        if (QCoreApplication::arguments().size() < 3 && (dark || scale > 1)) continue;
+        if (wanted.page.isEmpty() && (dark || scale > 1)) continue;
         window.document().startFrom(findExample("t38_string")->text, QStringLiteral("t38_string"));
         settle(window);
-        if (!drawPages(window, folder, QStringLiteral("string_"), theme, scale)) return false;
+        if (!drawPages(window, folder, QStringLiteral("string_"), theme, scale, wanted)) return false;
     }
     return true;
+}
+
+// As in the window's own settings: a size is WIDTHxHEIGHT in points.
+QSize sizeOf(const QString& text) {
+    const QStringList sides = text.split(u'x');
+    return sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
 }
 
 }  // namespace
@@ -108,19 +124,38 @@ bool drawThemes(const QDir& folder, int scale) {
 int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     const bool isChild = qEnvironmentVariableIsSet("QT_SCALE_FACTOR");
-    const QApplication application(argc, argv);
-    const QStringList words = QCoreApplication::arguments();
-    if ((words.size() != 2 && words.size() != 3) || words.at(1).startsWith(QLatin1Char('-'))) {
-        std::fprintf(stderr, "usage: screenshots FOLDER [PAGE]\n");
-        return 2;
+    QApplication application(argc, argv);
+    QCommandLineParser words;
+    const QCommandLineOption us("us", "US units in place of SI.");
+    const QCommandLineOption locale("locale", "Numbers as in LOCALE, such as de_DE.", "LOCALE", "C");
+    const QCommandLineOption type("type", "Type of POINTS points.", "POINTS");
+    const QCommandLineOption only("size", "That size alone, at one pixel a point.", "WIDTHxHEIGHT");
+    words.addOptions({us, locale, type, only});
+    words.addHelpOption();
+    words.addPositionalArgument("FOLDER", "Where the pictures go.");
+    words.addPositionalArgument("PAGE", "That page alone, by the words on its tab.", "[PAGE]");
+    words.process(application);
+    const QStringList named = words.positionalArguments();
+    Wanted wanted;
+    wanted.page = named.value(1);
+    if (words.isSet(us)) wanted.units = UnitSystem::us;
+    if (words.isSet(only)) {
+        wanted.sizes = {sizeOf(words.value(only))};
+        wanted.bothScales = false;
     }
-    QLocale::setDefault(QLocale::c());
+    if (named.isEmpty() || named.size() > 2 || wanted.sizes.first().isEmpty()) words.showHelp(2);
+    QLocale::setDefault(QLocale(words.value(locale)));
+    if (words.isSet(type)) {
+        QFont font = QApplication::font();
+        font.setPointSize(words.value(type).toInt());
+        QApplication::setFont(font);
+    }
     const QTemporaryDir settings;
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
-    QDir().mkpath(words.at(1));
-    if (!drawThemes(QDir(words.at(1)), isChild ? 2 : 1)) return 1;
-    if (isChild) return 0;
+    QDir().mkpath(named.first());
+    if (!drawThemes(QDir(named.first()), isChild ? 2 : 1, wanted)) return 1;
+    if (isChild || !wanted.bothScales) return 0;
     qputenv("QT_SCALE_FACTOR", "2");
-    return QProcess::execute(QCoreApplication::applicationFilePath(), words.mid(1));
+    return QProcess::execute(QCoreApplication::applicationFilePath(), QCoreApplication::arguments().mid(1));
 }
