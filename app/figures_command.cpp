@@ -2,11 +2,13 @@
 // drillwave figures -o DIR
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 #include "app/command.h"
 #include "app/interruption.h"
 #include "app/output_folder.h"
 #include "app/study_plots.h"
+#include "core/file/study_files.h"
 #include "core/report/figures_page.h"
 #include "core/study/paper/figures.h"
 
@@ -30,6 +32,20 @@ std::vector<std::string> formatsOf(const Arguments& arguments) {
     return formats.empty() ? std::vector<std::string>{"png", "svg"} : formats;
 }
 
+constexpr char pageName[] = "index.html", numbersName[] = "discrepancies.csv";
+
+std::string stemOf(const Figure& figure) {
+    return "fig" + std::to_string(figure.number);
+}
+
+/// Pictures of an earlier run, which may have had other formats.
+std::vector<std::string> figuresThere(const std::string& folder, const std::vector<Figure>& figures) {
+    std::vector<std::string> names;
+    for (const Figure& figure : figures)
+        std::ranges::copy(picturesThere(folder, stemOf(figure), figureMark), std::back_inserter(names));
+    return names;
+}
+
 /// The page last, so that a folder with a page is complete.
 FolderFiles filesOf(const std::vector<Figure>& figures, const std::vector<Discrepancy>& numbers,
                     const std::vector<std::string>& formats, const Drawing& drawing,
@@ -39,12 +55,12 @@ FolderFiles filesOf(const std::vector<Figure>& figures, const std::vector<Discre
         for (const FigurePanel& panel : figure.panels)
             folder.files.push_back({panel.name + ".csv", panelCsv(panel)});
         for (const std::string& format : formats)
-            folder.files.push_back(
-                {"fig" + std::to_string(figure.number) + "." + format, drawn(drawing, figure, format)});
+            folder.files.push_back({stemOf(figure) + "." + format, drawn(drawing, figure, format)});
         interruption.check();
     }
-    folder.files.push_back({"discrepancies.csv", discrepanciesCsv(numbers)});
-    folder.files.push_back({"index.html", figuresPage(figures, numbers, formats)});
+    folder.files.push_back({numbersName, discrepanciesCsv(numbers)});
+    folder.files.push_back({pageName, figuresPage(figures, numbers, formats)});
+    folder.outdated = [&figures](const std::string& there) { return figuresThere(there, figures); };
     return folder;
 }
 
@@ -54,7 +70,7 @@ ExitCode runFigures(const Arguments& arguments, const Drawing* drawing) {
     const std::vector<std::string> formats = formatsOf(arguments);
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const Interruption interruption;
-    if (*directory != "-") checkFolder(*directory, {}, overwrite);
+    if (*directory != "-") checkFolder(*directory, {numbersName, pageName}, overwrite);
     const std::vector<Discrepancy> numbers = discrepancies(interruption.token());
     interruption.check();
     if (*directory == "-") {

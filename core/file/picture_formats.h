@@ -13,9 +13,10 @@ namespace drillwave {
 /// The endings of their files.
 inline constexpr std::array<std::string_view, 3> pictureFormats{"png", "svg", "pdf"};
 
-/// What pictures beside the file of a study say of themselves, and reports: by this and their names a later
-/// run knows them for what an earlier one left.
+/// What pictures beside the file of a study say of themselves, figures of the paper, and reports: by this and
+/// their names a later run knows them for what an earlier one left.
 inline constexpr std::string_view studyPictureMark = "Drillwave study";
+inline constexpr std::string_view figureMark = "Drillwave figure";
 inline constexpr std::string_view reportMark = "Drillwave report";
 
 /// Pictures to be drawn of one thing.

@@ -63,9 +63,19 @@ std::vector<std::string> studyFilesThere(const std::string& folder, const std::s
     add(recordName(file), [](const std::string& path) { return startOf(path).starts_with(rowRecordKey); });
     add(contoursName(file),
         [](const std::string& path) { return startOf(path).starts_with(contoursCsvBegin); });
-    for (const std::string_view format : pictureFormats)
-        add(studyStem(file) + "." + std::string(format),
-            [](const std::string& path) { return bears(path, studyPictureMark); });
+    const std::vector<std::string> pictures = picturesThere(folder, studyStem(file), studyPictureMark);
+    names.insert(names.end(), pictures.begin(), pictures.end());
+    return names;
+}
+
+std::vector<std::string> picturesThere(const std::string& folder, const std::string& stem,
+                                       std::string_view mark) {
+    std::vector<std::string> names;
+    for (const std::string_view format : pictureFormats) {
+        const std::string name = stem + "." + std::string(format);
+        const std::string path = pathInside(folder, name);
+        if (isThere(path) && bears(path, mark)) names.push_back(name);
+    }
     return names;
 }
 

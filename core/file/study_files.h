@@ -21,6 +21,10 @@ std::string contoursName(std::string_view file);
 /// record, contours and pictures. Whatever else has such a name is left alone.
 std::vector<std::string> studyFilesThere(const std::string& folder, const std::string& file);
 
+/// The names of the pictures STEM.png, .svg and .pdf in the folder that say `mark` of themselves.
+std::vector<std::string> picturesThere(const std::string& folder, const std::string& stem,
+                                       std::string_view mark);
+
 /// Where FILE is there, the other file of the report that it is of: report.pdf beside report.html.
 std::vector<std::string> reportFilesThere(const std::string& folder, const std::string& file);
 

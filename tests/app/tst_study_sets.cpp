@@ -209,6 +209,12 @@ void TestStudySets::whatAnOlderRunLeftBesideGoes_data() {
     QTest::newRow("gap, which has no record")
         << map + QStringList{"--level", "0.5", "--plots", "png"}
         << QStringList{"gap", drill, "-o", "PLACE/x.csv", "--plots", "svg"} << QStringList{"x.csv", "x.svg"};
+    const QStringList figures{"figures", "-o", "PLACE", "--plots"};
+    QTest::newRow("figures in other formats")
+        << figures + QStringList{"png,svg"} << figures + QStringList{"svg"}
+        << QStringList{"discrepancies.csv", "fig3.svg", "fig3a.csv", "fig3b.csv", "fig4.svg",  "fig4a.csv",
+                       "fig4b.csv",         "fig5.svg", "fig5a.csv", "fig5b.csv", "fig6.csv",  "fig6.svg",
+                       "fig7.csv",          "fig7.svg", "fig8.csv",  "fig8.svg",  "index.html"};
     QTest::newRow("report, page") << QStringList{"report", drill, "-o", "PLACE/"}
                                   << QStringList{"report", drill, "-o", "PLACE/report.html"}
                                   << QStringList{"report.html"};

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/file/picture_formats.h"
 #include "ui/plot/plot_rendering.h"
 #include "ui/plot/plot_style.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -142,7 +144,8 @@ Millimetres sizeOf(const std::vector<FigurePanel>& panels) {
 QByteArray drawFigure(const Figure& figure, const QString& format) {
     QCustomPlot plot;
     layOut(plot, figure.panels);
-    return renderPlot(plot, sizeOf(figure.panels), format, QStringLiteral("Fig. %1").arg(figure.number));
+    return renderPlot(plot, sizeOf(figure.panels), format, QStringLiteral("Fig. %1").arg(figure.number),
+                      standardDpi, fromView(figureMark));
 }
 
 Pictures drawPanels(const std::vector<FigurePanel>& panels, const QString& title, const PictureOrder& order) {
