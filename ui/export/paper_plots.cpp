@@ -86,7 +86,12 @@ PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop, const Pape
 }
 
 PaperPlot stringPaperPlot(const Scenario& scenario, const PaperReader& reader) {
-    return paperPlot<StringSketch>(scenario, {180, 44}, reader.locale);
+    const auto unitOf = [&](std::string_view key) { return shownUnit(reader.unitFor(*findParameter(key))); };
+    return paperPlot<StringSketch>(
+        SketchedString{.drillString = scenario.drillString,
+                       .length = unitOf("rod.length"),  // sections are in mm, the whole is longer
+                       .across = unitOf("string.1.diameter")},
+        {180, 44}, reader.locale);
 }
 
 PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader) {

@@ -10,7 +10,6 @@
 namespace drillwave {
 namespace {
 
-constexpr double millimetres = 1000;    // in a metre
 constexpr double rockShare = 0.012;     // of the length
 constexpr double roomAround = 1.45;     // of the largest diameter: words stand above
 constexpr double letterShare = 0.0085;  // width of a letter, of that of the picture
@@ -25,8 +24,6 @@ double diameterOf(const Section& section) {
 StringSketch::StringSketch(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_style(PlotStyle::forPaper()) {
     plot->axisRect()->setupFullAxesBox(true);
     for (QCPAxis* far : {plot->xAxis2, plot->yAxis2}) far->setTicks(false);
-    plot->xAxis->setLabel(tr("position x from the shank, hammer below 0 [m]"));
-    plot->yAxis->setLabel(tr("diameter [mm]"));
     for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) axis->grid()->setVisible(false);
 }
 
@@ -36,7 +33,8 @@ void StringSketch::setStyle(const PlotStyle& style) {
     style.applyTo(*m_plot->axisRect());
 }
 
-std::vector<StringSketch::Piece> StringSketch::piecesOf(const DrillString& drillString) {
+std::vector<StringSketch::Piece> StringSketch::piecesOf(const SketchedString& shown) {
+    const DrillString& drillString = shown.drillString;
     double place = 0;
     for (const Section& section : drillString.hammer.sections) place -= section.length;
     std::vector<Piece> pieces;
@@ -45,10 +43,11 @@ std::vector<StringSketch::Piece> StringSketch::piecesOf(const DrillString& drill
         const std::size_t number = pieces.size();
         Piece piece;
         piece.isHammer = number < ofHammer;
-        piece.rear = place;
-        piece.front = place += section->length;
-        piece.diameter = millimetres * diameterOf(*section);
-        piece.bore = section->area ? 0 : millimetres * section->bore;
+        piece.rear = shown.length.factor * place;
+        place += section->length;
+        piece.front = shown.length.factor * place;
+        piece.diameter = shown.across.factor * diameterOf(*section);
+        piece.bore = section->area ? 0 : shown.across.factor * section->bore;
         piece.place = static_cast<int>(piece.isHammer ? number + 1 : number + 1 - ofHammer);
         piece.name = QString::fromStdString(section->name);
         pieces.push_back(piece);
@@ -56,9 +55,11 @@ std::vector<StringSketch::Piece> StringSketch::piecesOf(const DrillString& drill
     return pieces;
 }
 
-void StringSketch::present(const Scenario& scenario) {
+void StringSketch::present(const SketchedString& shown) {
     m_plot->clearItems();
-    const std::vector<Piece> pieces = piecesOf(scenario.drillString);
+    m_plot->xAxis->setLabel(shown.length.axisLabel(tr("position x from the shank, hammer below 0")));
+    m_plot->yAxis->setLabel(shown.across.axisLabel(tr("diameter")));
+    const std::vector<Piece> pieces = piecesOf(shown);
     const double largest = std::ranges::max(pieces, {}, &Piece::diameter).diameter;
     const double rear = pieces.front().rear, front = pieces.back().front;
     setScale(rear, front, largest);

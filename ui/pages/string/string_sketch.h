@@ -9,8 +9,16 @@
 
 #include "core/model/scenario.h"
 #include "ui/plot/plot_style.h"
+#include "ui/text/shown_units.h"
 
 namespace drillwave {
+
+/// What is drawn, and in which units its axes are; these are of values in SI.
+struct SketchedString {
+    DrillString drillString;
+    ShownUnit length;  ///< along the string
+    ShownUnit across;  ///< of diameters
+};
 
 /// Draws the sections of a hammer and a string along their common axis: lengths and diameters each to a scale
 /// of its own, the bore dashed, the hammer darker and below 0, its face a thick line, the rock at the right.
@@ -21,19 +29,18 @@ class StringSketch : public QObject {
   public:
     explicit StringSketch(QCustomPlot* plot);
 
-    /// The sections of a drill string.
-    void present(const Scenario& scenario);
+    void present(const SketchedString& shown);
     void setStyle(const PlotStyle& style);
 
   private:
     struct Piece {
-        double rear = 0, front = 0;     ///< [m] from the face of the hammer
-        double diameter = 0, bore = 0;  ///< [mm]
+        double rear = 0, front = 0;     ///< from the face of the hammer, as shown
+        double diameter = 0, bore = 0;  ///< as shown
         int place = 1;                  ///< in the hammer or the string
         QString name;
         bool isHammer = false;
     };
-    static std::vector<Piece> piecesOf(const DrillString& drillString);
+    static std::vector<Piece> piecesOf(const SketchedString& shown);
     void addBar(double left, double right, double half, const QBrush& brush);
     void addLine(QPointF from, QPointF to, const QPen& pen);
     void addText(QPointF at, const QString& text);
