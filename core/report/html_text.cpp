@@ -38,9 +38,11 @@ std::string htmlElement(std::string_view tag, std::string_view text) {
 std::string htmlRows(const std::vector<std::vector<std::string>>& rows) {
     std::string html;
     for (const std::vector<std::string>& row : rows) {
-        html += "<tr>";
+        const bool isHead = &row == &rows.front();
+        // A class as well: paper breaks words where no blank lets it.
+        html += isHead ? "<tr>" : "<tr class=\"whole\">";
         for (const std::string& cell : row)
-            html += &row == &rows.front() ? htmlElement("th", cell) : htmlElement("td", unbroken(cell));
+            html += isHead ? htmlElement("th", cell) : htmlElement("td", unbroken(cell));
         html += "</tr>\n";
     }
     return html;

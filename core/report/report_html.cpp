@@ -38,7 +38,9 @@ constexpr std::string_view screenStyle =
 constexpr std::string_view paperStyle =
     "h1{font-size:15pt;margin-top:0;margin-bottom:3px}h2{font-size:10pt;margin-top:10px;margin-bottom:3px}"
     "p{margin-top:0;margin-bottom:4px}td,th{padding-right:12px;"
-    "text-align:left}p.caption{font-size:7.5pt;margin-bottom:8px}pre{font-size:6.5pt;white-space:pre-wrap}";
+    "text-align:left}tr.whole "
+    "td{white-space:nowrap}p.caption{font-size:7.5pt;margin-bottom:8px}pre{font-size:6.5pt;white-space:pre-"
+    "wrap}";
 
 constexpr std::string_view recordBegin = "<script type=\"application/json\" id=\"drillwave-record\">\n";
 
