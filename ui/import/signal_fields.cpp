@@ -85,7 +85,8 @@ SignalFields::~SignalFields() = default;
 
 void SignalFields::addUnit() {
     m_place = quantity("place", tr("place x"), tr("Of the gauge, from the struck end of the rod"),
-                       Quantity::length, "m", FieldRange::notNegative, 1);
+                       Quantity::length, "m", FieldRange::notNegative, {});
+    m_place->setOptional(tr("not given"));
     m_kind = addChoice(*m_form, {"kind", tr("signal is"), tr("What the numbers are")},
                        {{tr("force"), value(SignalKind::force)},
                         {tr("strain"), value(SignalKind::strain)},
@@ -272,7 +273,7 @@ SignalRecipe SignalFields::recipe() const {
 }
 
 double SignalFields::place() const {
-    return *m_place->value();
+    return m_place->value().value_or(0);
 }
 
 QString SignalFields::problem() const {
@@ -284,6 +285,10 @@ QString SignalFields::problem() const {
         if (field->isVisibleTo(this) && !field->problem().isEmpty())
             return QStringLiteral("%1: %2").arg(field->accessibleName(), field->problem());
     const std::optional<Rod>& rod = m_gauge->rod();
+    if (m_use == ImportUse::normalForce && !m_place->value())
+        return tr(
+            "place x: not given: a wave passes every section at another time; type how far the gauge is "
+            "from the struck end of the rod");
     if (m_use == ImportUse::normalForce && rod && place() > rod->length)
         return tr("place x: must be at most %1, the length of the rod")
             .arg(pulseText(rod->length, UnitKind::length));

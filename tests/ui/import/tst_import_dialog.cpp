@@ -37,6 +37,7 @@ class TestImportDialog : public QObject, private ImportFixture {
     void theSameFileAsAMeasuredForceKeepsItsSign();
     void everyChoiceCanBeChanged();
     void unitsThatAreNotKnownAreToBeChosen();
+    void thePlaceOfAGaugeIsAskedFor();
     void aSamplingRateOutOfSightDoesNotMatter();
     void theSecondGaugeCanBeChosenWithoutTimes();
     void anotherFirstLineKeepsWhatWasChosen();
@@ -210,8 +211,21 @@ void TestImportDialog::unitsThatAreNotKnownAreToBeChosen() {
     QCOMPARE(dialog.result()->points, (TablePoints{{0, 1000}, {1e-3, 2000}, {2e-3, 0}}));
 }
 
+/// One that nobody has given would be compared with the waves of another section.
+void TestImportDialog::thePlaceOfAGaugeIsAskedFor() {
+    ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::normalForce);
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).startsWith(QStringLiteral("place x: not given")), qPrintable(message(dialog)));
+    QVERIFY(!control<QPushButton>(dialog, "take").isEnabled());
+    type(dialog, "place", QStringLiteral("0 m"));
+    QVERIFY(settle(dialog));
+    QVERIFY(control<QPushButton>(dialog, "take").isEnabled());
+    QCOMPARE(dialog.measured().place, 0.0);
+}
+
 void TestImportDialog::aSamplingRateOutOfSightDoesNotMatter() {
     ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::normalForce);
+    type(dialog, "place", QStringLiteral("1 m"));
     choose(dialog, "timeColumn", QStringLiteral("evenly"));
     type(dialog, "rate", QStringLiteral("-5 kHz"));
     QVERIFY(settle(dialog));

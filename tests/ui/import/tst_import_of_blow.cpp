@@ -150,7 +150,9 @@ void TestImportOfBlow::theWindowMayCloseWhileTheDialogIsOpen() {
 void TestImportOfBlow::aDroppedTableOpensTheDialog() {
     part<FileMenu>(*m_window).take({write("record.txt", gaugeRecord())});
     auto* dialog = m_window->findChild<ImportDialog*>();
-    QVERIFY(dialog && settle(*dialog));
+    QVERIFY(dialog);
+    type(*dialog, "place", QStringLiteral("1 m"));
+    QVERIFY(settle(*dialog));
     QVERIFY(dialog->result() != nullptr);
     // Another one takes its place.
     part<FileMenu>(*m_window).take({write("other.txt", gaugeRecord())});
@@ -166,7 +168,9 @@ void TestImportOfBlow::aDroppedTableOpensTheDialog() {
 void TestImportOfBlow::aDroppedCsvThatIsNoBlowOpensTheDialog() {
     part<FileMenu>(*m_window).take({write("record.csv", gaugeRecord())});
     auto* dialog = m_window->findChild<ImportDialog*>();
-    QVERIFY(dialog && settle(*dialog));
+    QVERIFY(dialog);
+    type(*dialog, "place", QStringLiteral("1 m"));
+    QVERIFY(settle(*dialog));
     QVERIFY2(dialog->result() != nullptr, qPrintable(message(*dialog)));
     QVERIFY(m_answers.told.isEmpty());
     QVERIFY(!m_window->document().isModified());

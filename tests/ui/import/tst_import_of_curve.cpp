@@ -130,6 +130,7 @@ void TestImportOfCurve::measuredCurvesAreShiftedAndRemoved() {
     QVERIFY(!bar->isVisible());
     for (int i = 0; i < 2; ++i) {
         ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::normalForce);
+        type(dialog, "place", QStringLiteral("1 m"));
         QVERIFY(settle(dialog));
         control<QPushButton>(dialog, "take").click();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
