@@ -34,6 +34,7 @@ constexpr Units<1> hertz{"Hz"}, blowsPerMinute{"bpm"};
 constexpr Units<1> squareMillimetre{"mm^2"}, squareInch{"in^2"};
 constexpr Units<1> gigapascal{"GPa"}, megapsi{"Mpsi"};
 constexpr Units<1> kilogram{"kg"}, poundMass{"lb"}, degree{"deg"};
+constexpr Units<1> perMetre{"1/m"}, perFoot{"1/ft"};
 constexpr Units<1> kilogramPerVolume{"kg/m^3"}, poundPerVolume{"lb/ft^3"};
 
 constexpr UnitKindRow rows[] = {
@@ -65,6 +66,8 @@ constexpr UnitKindRow rows[] = {
      kilogramPerVolume, poundPerVolume},
     {UnitKind::mass, Quantity::mass, "mass", QT_TRANSLATE_NOOP("UnitKind", "mass"), kilogram, poundMass},
     {UnitKind::angle, Quantity::angle, "angle", QT_TRANSLATE_NOOP("UnitKind", "angle"), degree, degree},
+    {UnitKind::attenuation, Quantity::attenuation, "attenuation",
+     QT_TRANSLATE_NOOP("UnitKind", "attenuation"), perMetre, perFoot},
 };
 
 // Thousands of pounds are usual: the step to kips comes a decade late.

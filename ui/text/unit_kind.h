@@ -32,6 +32,7 @@ enum class UnitKind {
     density,
     mass,
     angle,
+    attenuation,
 };
 
 /// One of a kind for each value; a kind that is not there has the units of the system.

@@ -78,6 +78,8 @@ void TestShownUnits::fieldsHaveCustomaryUnits_data() {
                          << "ft";
     QTest::newRow("diameter") << "rod.diameter"
                               << "in";
+    QTest::newRow("attenuation of a section") << "string.1.attenuation"
+                                              << "1/ft";
     QTest::newRow("modulus") << "rod.youngs_modulus"
                              << "Mpsi";
     QTest::newRow("strength") << "rod.yield_strength"
