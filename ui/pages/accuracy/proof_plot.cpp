@@ -52,6 +52,7 @@ ProofPlot::ProofPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(ne
     plot->setAutoAddPlottableToLegend(false);
     plot->axisRect()->setupFullAxesBox(true);
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 14, 4));
+    connect(plot, &QCustomPlot::afterLayout, this, &ProofPlot::placeLabels);
     for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) {
         makeLogarithmic(*axis);
         m_view->watch(axis);
@@ -158,6 +159,22 @@ void ProofPlot::addSeries(const ProofSeries& series, int index) {
                                                    : Qt::AlignRight | Qt::AlignTop);
         label->position->setCoords(series.at[i]);
         m_labels.append(label);
+    }
+}
+
+// Words that would end beyond the axes stand on the other side of their point.
+void ProofPlot::placeLabels() {
+    const QRectF inside = m_plot->axisRect()->rect();
+    for (QCPItemText* label : m_labels) {
+        const Qt::Alignment upright = label->positionAlignment() & Qt::AlignVertical_Mask;
+        const Qt::Alignment usual = upright == Qt::AlignBottom ? Qt::AlignLeft : Qt::AlignRight;
+        const double at = label->position->pixelPosition().x();
+        const QMargins padding = label->padding();
+        const double width =
+            QFontMetricsF(label->font()).horizontalAdvance(label->text()) + padding.left() + padding.right();
+        const bool isOut = usual == Qt::AlignLeft ? at + width > inside.right() : at - width < inside.left();
+        const Qt::Alignment other = usual == Qt::AlignLeft ? Qt::AlignRight : Qt::AlignLeft;
+        label->setPositionAlignment((isOut ? other : usual) | upright);
     }
 }
 

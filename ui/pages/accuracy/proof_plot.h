@@ -37,6 +37,7 @@ class ProofPlot : public QObject {
   private:
     void clear();
     void addSeries(const ProofSeries& series, int index);
+    void placeLabels();
     void applyStyle();
     void setNumbersVisible(bool visible);
 

@@ -29,6 +29,7 @@ class TestAccuracyPage : public QObject {
     void whatIsDoneStaysWhenCancelled();
     void anotherScenarioTakesTheMeasurementAway();
     void thePictureShowsTheNumbersOfTheStudy();
+    void wordsAtPointsStayWithinTheAxes();
     void theTableShowsTheColumnsOfTheCommand();
     void theWorstCaseComesFirst();
     void aClickLoadsACaseAsOneStep();
@@ -137,6 +138,33 @@ void TestAccuracyPage::thePictureShowsTheNumbersOfTheStudy() {
             QCOMPARE(series.at[i].y(), std::max(row.corError, 1e-17));
         }
     QCOMPARE(shown, int(m_measured.rows.size()));
+}
+
+/// At the right edge words stood to the right of their point all the same, and were cut.
+void TestAccuracyPage::wordsAtPointsStayWithinTheAxes() {
+    PlotWidget plot;
+    plot.resize(500, 300);
+    ProofPlot proof(&plot);
+    const QString words = QStringLiteral("10,000, the paper's choice");
+    ProofSeries upper{.name = "upper", .points = {}, .at = {{1, 1}}, .labels = {words}, .rows = {0}};
+    ProofSeries lower{.name = "lower", .points = {}, .at = {{1, 1e-3}}, .labels = {words}, .rows = {1}};
+    proof.present(
+        {.xLabel = {}, .yLabel = {}, .caption = {}, .series = {lower, upper}, .mark = {}, .markName = {}});
+    for (const double share : {0.05, 0.95}) {
+        plot.xAxis->setRange(std::pow(10, -share), std::pow(10, 1 - share));
+        plot.replot();
+        plot.replot();
+        int count = 0;
+        for (int i = 0; i < plot.itemCount(); ++i) {
+            const auto* text = qobject_cast<QCPItemText*>(plot.item(i));
+            if (!text || text->text() != words) continue;
+            const QRect inside = plot.axisRect()->rect().adjusted(-1, 0, 1, 0);
+            QVERIFY(text->left->pixelPosition().x() >= inside.left());
+            QVERIFY(text->right->pixelPosition().x() <= inside.right());
+            ++count;
+        }
+        QCOMPARE(count, 2);
+    }
 }
 
 void TestAccuracyPage::theTableShowsTheColumnsOfTheCommand() {
