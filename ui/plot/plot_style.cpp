@@ -89,6 +89,13 @@ QBrush PlotStyle::areaBrush(int index) const {
     return color;
 }
 
+QBrush PlotStyle::behindWords() const {
+    constexpr int alpha = 190;
+    QColor color = background;
+    color.setAlpha(alpha);
+    return color;
+}
+
 void PlotStyle::applyTo(QCPAxisRect& rect) const {
     for (QCPAxis* axis : rect.axes()) drillwave::applyTo(*axis, *this);
 }

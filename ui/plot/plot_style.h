@@ -41,6 +41,9 @@ struct PlotStyle {
     /// A translucent version of a line's colour, for areas.
     QBrush areaBrush(int index) const;
 
+    /// Behind words that stand on curves: what they hide is faintly there.
+    QBrush behindWords() const;
+
     void applyTo(QCPAxisRect& rect) const;
     void applyTo(QCPLegend& legend) const;
     void applyTo(QCPTextElement& title) const;

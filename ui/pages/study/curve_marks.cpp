@@ -152,10 +152,19 @@ void CurveMarks::applyStyle() {
     for (QCPItemText* words : m_words) {
         words->setFont(m_style.font);
         words->setColor(m_style.text);
-        QColor behind = m_style.background;
-        behind.setAlpha(150);
-        words->setBrush(behind);
+        words->setBrush(m_style.behindWords());
     }
+}
+
+// Words may stand on none of them but the one that they are of.
+QVector<QRectF> CurveMarks::ownPointsBut(QPointF named) const {
+    QVector<QRectF> found;
+    for (const QCPItemTracer* point : m_points) {
+        const QPointF at = point->position->pixelPosition();
+        const double half = point->size() / 2;
+        if (at != named) found.append({at - QPointF(half, half), QSizeF(2 * half, 2 * half)});
+    }
+    return found;
 }
 
 void CurveMarks::placeWords() {
@@ -170,11 +179,12 @@ void CurveMarks::placeWords() {
         if (!isInView) continue;
         const QSizeF size =
             QFontMetricsF(words->font()).size(0, words->text()) + QSizeF(2 * gapToPoint, 2 * gapToPoint);
+        const QVector<QRectF> others = taken + ownPointsBut(at);
         int least = std::numeric_limits<int>::max();
         QRectF best;
         for (const Qt::Alignment alignment : alignments) {
             const QRectF box = boxOf(at, size, alignment);
-            const int hits = hitsOf(box, curve, taken, inside);
+            const int hits = hitsOf(box, curve, others, inside);
             if (hits >= least) continue;
             least = hits;
             best = box;

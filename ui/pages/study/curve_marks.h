@@ -37,6 +37,7 @@ class CurveMarks : public QObject {
   private:
     void add(const CurveMark& mark, const QString& words);
     void applyStyle();
+    QVector<QRectF> ownPointsBut(QPointF named) const;
     void placeWords();
 
     QCPGraph* m_graph;

@@ -82,8 +82,6 @@ void RunMarks::draw() {
         m_plot->removeItem(drawn.name);
     }
     m_drawn.clear();
-    QColor behind = m_style.background;
-    behind.setAlpha(190);
     for (const auto& [mark, letters] : together(m_marks)) {
         const QColor colour = runPen(mark.number, m_style).color();
         auto* point = new QCPItemTracer(m_plot);
@@ -95,7 +93,7 @@ void RunMarks::draw() {
         text->setText(mark.title);
         text->setFont(m_style.font);
         text->setColor(colour);
-        text->setBrush(behind);
+        text->setBrush(m_style.behindWords());
         text->setPadding(QMargins(8, 2, 8, 2));  // beside the ring of the present scenario
         text->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
         for (QCPItemPosition* position : {point->position, text->position}) {

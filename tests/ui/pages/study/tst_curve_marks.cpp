@@ -60,6 +60,22 @@ class TestCurveMarks : public QObject {
         }
     }
 
+    /// Of a curve with an extreme and kinks on either side of it.
+    void wordsKeepOffOtherMarksOfTheirCurve() {
+        Plot drawn({0, 5}, {10, 5});
+        const QPointF extreme(5, 5);
+        drawn.marks.present({{CurveMark::Kind::extreme, extreme}}, {}, {});
+        drawn.plot.replot();
+        drawn.plot.replot();
+        const QPointF middle = drawn.box().center();
+        const QPointF there(drawn.plot.xAxis->pixelToCoord(middle.x()),
+                            drawn.plot.yAxis->pixelToCoord(middle.y()));
+        drawn.marks.present({{CurveMark::Kind::extreme, extreme}, {CurveMark::Kind::kink, there}}, {}, {});
+        drawn.plot.replot();
+        drawn.plot.replot();
+        QVERIFY(!drawn.words().visible() || !drawn.box().contains(middle));
+    }
+
     void wordsKeepOffMarkersOfOtherThings() {
         Plot drawn({0, 3}, {10, 7});
         const QPointF centre = drawn.box().center();
