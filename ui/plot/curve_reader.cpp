@@ -57,7 +57,8 @@ void CurveReader::clear() {
 }
 
 QCPGraph* CurveReader::graph() const {
-    if (m_graph && m_graph->realVisibility()) return m_graph;
+    for (QCPGraph* wanted : {m_graph.data(), m_usual.data()})
+        if (wanted && wanted->realVisibility()) return wanted;
     return visibleGraphs(m_plot).value(0);
 }
 

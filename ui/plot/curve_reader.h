@@ -35,8 +35,11 @@ class CurveReader : public QObject {
     const PlotCursors& cursors() const { return m_cursors; }
     void setStyle(const PlotStyle& style) { m_cursors.setStyle(style); }
 
-    /// The graph read at A and B: as chosen, else the first that is visible; nullptr without any.
+    /// The graph read at A and B: as chosen, else the usual one, else the first that is visible; nullptr
+    /// without any.
     QCPGraph* graph() const;
+    /// The one that is read until another is chosen; or none.
+    void setUsual(QCPGraph* graph) { m_usual = graph; }
     void setGraph(QCPGraph* graph);
     /// The curve below a point of the plot is read from now on, or one of the axes there. While there are
     /// cursors, a curve between the same axes stays.
@@ -73,6 +76,7 @@ class CurveReader : public QObject {
     PlotCursors m_cursors;
     CursorBar* m_bar;
     QPointer<QCPGraph> m_graph;
+    QPointer<QCPGraph> m_usual;
     bool m_tableShown;
 };
 

@@ -248,6 +248,7 @@ void StiffnessPage::draw() {
         plot()->setMeaning(m_stiffness->graphs()[i], meaning);
     }
     plot()->setAccessibleDescription(picture.summary);
+    plot()->reader().setUsual(picture.marked < 0 ? nullptr : m_stiffness->graphs()[picture.marked]);
     say(picture.summary);
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }

@@ -30,6 +30,7 @@ StiffnessPlot::StiffnessPlot(QCustomPlot* plot)
     : QObject(plot), m_plot(plot), m_message(nullptr), m_view(new FittedView(this)) {
     plot->setAutoAddPlottableToLegend(false);
     addRect();
+    m_bands = new PresetBands(m_rect);
     m_one = new QCPItemStraightLine(plot);
     m_one->setLayer(QStringLiteral("grid"));
     m_one->setSelectable(false);
@@ -47,7 +48,6 @@ StiffnessPlot::StiffnessPlot(QCustomPlot* plot)
     m_runs = new RunMarks(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
     m_message = new PlotMessage(plot);
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
-    connect(plot, &QCustomPlot::afterLayout, this, &StiffnessPlot::placeBands);
     connect(plot, &QCustomPlot::beforeReplot, this,
             [this] { wrapLegend(*m_legend, m_plot->width(), mostColumns); });
     setStyle(PlotStyle::forPaper());
@@ -89,7 +89,7 @@ void StiffnessPlot::present(const StiffnessPicture& picture) {
     for (const QPointF& point : picture.extremes) extremes.append({point.x(), point.y()});
     m_extremes->data()->set(extremes);
     showAxes();
-    addBandItems();
+    m_bands->present(picture.bands);
     m_one->setVisible(picture.output && picture.output->name == "cor");
     setStyle(m_style);
     if (m_view->isFitted() || otherAxes) fit();
@@ -104,7 +104,7 @@ void StiffnessPlot::showNothing(const QString& message) {
     m_picture = {};
     dropMarks();
     makeGraphs();
-    addBandItems();
+    m_bands->present({});
     m_extremes->data()->clear();
     m_one->setVisible(false);
     m_here->setPlace({}, {});
@@ -156,61 +156,6 @@ void StiffnessPlot::showAxes() {
         m_rect->axis(QCPAxis::atLeft)->setLabel(labelOf(outputName(*m_picture.output), m_picture.value));
 }
 
-void StiffnessPlot::addBandItems() {
-    const auto remove = [this](auto& items) {
-        for (auto* item : items) m_plot->removeItem(item);
-        items.clear();
-    };
-    remove(m_bands);
-    remove(m_bandNames);
-    const auto prepare = [this](QCPAbstractItem& item, const QString& layer,
-                                std::initializer_list<QCPItemPosition*> positions) {
-        item.setLayer(layer);
-        item.setSelectable(false);
-        item.setClipAxisRect(m_rect);
-        for (QCPItemPosition* position : positions) {
-            position->setAxes(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
-            position->setAxisRect(m_rect);
-            position->setTypeX(QCPItemPosition::ptPlotCoords);
-            position->setTypeY(QCPItemPosition::ptAxisRectRatio);
-        }
-    };
-    for (const StiffnessBand& band : m_picture.bands) {
-        auto* area = new QCPItemRect(m_plot);
-        prepare(*area, QStringLiteral("background"), {area->topLeft, area->bottomRight});
-        area->setPen(Qt::NoPen);
-        m_bands.append(area);
-        auto* name = new QCPItemText(m_plot);
-        prepare(*name, QStringLiteral("axes"), {name->position});
-        name->setText(band.name);
-        name->setPadding(QMargins(3, 2, 3, 2));
-        m_bandNames.append(name);
-    }
-}
-
-// As far as they are in view: files do not clip. Names stand in turns, so that neighbours have room.
-void StiffnessPlot::placeBands() {
-    const QCPRange view = m_rect->axis(QCPAxis::atBottom)->range();
-    for (int i = 0; i < m_bands.size(); ++i) {
-        const StiffnessBand& band = m_picture.bands[i];
-        const double from = std::max(band.from, view.lower), to = std::min(band.to, view.upper);
-        m_bands[i]->setVisible(from < to);
-        m_bands[i]->topLeft->setCoords(from, 0);
-        m_bands[i]->bottomRight->setCoords(to, 1);
-        const bool isInView = view.contains(band.at);
-        m_bandNames[i]->setVisible(isInView);
-        const double height = QFontMetricsF(m_bandNames[i]->font()).lineSpacing() + 4;
-        const int row = i % 2;
-        m_bandNames[i]->position->setCoords(band.at,
-                                            1 - (row + 0.2) * height / std::max(1, m_rect->height()));
-        const double share = (m_rect->axis(QCPAxis::atBottom)->coordToPixel(band.at) - m_rect->left()) /
-                             std::max(1, m_rect->width());
-        m_bandNames[i]->setPositionAlignment(Qt::AlignBottom | (share > 0.85   ? Qt::AlignRight
-                                                                : share < 0.15 ? Qt::AlignLeft
-                                                                               : Qt::AlignHCenter));
-    }
-}
-
 void StiffnessPlot::setHere(std::optional<double> x, std::optional<double> y) {
     m_here->setPlace(x, y);
 }
@@ -251,11 +196,7 @@ void StiffnessPlot::setStyle(const PlotStyle& style) {
     m_extremes->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(style.text, 1), style.background, 5));
     m_one->setPen(QPen(style.text, 1, Qt::DashDotLine));
-    for (int i = 0; i < m_bands.size(); ++i) {
-        m_bands[i]->setBrush(style.areaBrush(2));
-        m_bandNames[i]->setFont(style.font);
-        m_bandNames[i]->setColor(style.text);
-    }
+    m_bands->setStyle(style);
     if (m_marks) m_marks->setStyle(style);
     m_here->setStyle(style);
     m_runCurves->setStyle(style);

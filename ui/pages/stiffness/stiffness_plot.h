@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "ui/pages/run_graphs.h"
+#include "ui/pages/stiffness/preset_bands.h"
 #include "ui/pages/stiffness/stiffness_picture.h"
 #include "ui/pages/study/run_marks.h"
 #include "ui/plot/fitted_view.h"
@@ -57,10 +58,8 @@ class StiffnessPlot : public QObject {
 
   private:
     void addRect();
-    void addBandItems();
     void makeGraphs();
     void showAxes();
-    void placeBands();
     void dropMarks();
 
     QCustomPlot* m_plot;
@@ -69,8 +68,7 @@ class StiffnessPlot : public QObject {
     QVector<QCPGraph*> m_graphs;
     QCPGraph* m_extremes = nullptr;
     QCPItemStraightLine* m_one = nullptr;
-    QVector<QCPItemRect*> m_bands;
-    QVector<QCPItemText*> m_bandNames;
+    PresetBands* m_bands = nullptr;
     std::unique_ptr<CurveMarks> m_marks;
     HereMark* m_here = nullptr;
     RunGraphs* m_runCurves = nullptr;

@@ -66,6 +66,9 @@ class TestStiffnessPage : public QObject {
     void referencesOfScenariosWithUnitsStandAtTheirStiffness();
     void theClosedFormEndsWithItsDomain();
     void presetsAreNamedWhereTheyLie();
+    void namesOfPresetsKeepOffEachOther_data();
+    void namesOfPresetsKeepOffEachOther();
+    void theTableReadsTheCurveOfTheScenario();
     void whatCannotBeStudiedIsSaid();
     void aRangeThatCannotBeFollowedShowsNoCurve_data();
     void aRangeThatCannotBeFollowedShowsNoCurve();
@@ -331,6 +334,46 @@ void TestStiffnessPage::presetsAreNamedWhereTheyLie() {
     finish();
     m_page->setResult(solved(*m_document));
     QVERIFY(m_page->stiffnessPlot()->picture().bands.isEmpty());
+}
+
+void TestStiffnessPage::namesOfPresetsKeepOffEachOther_data() {
+    QTest::addColumn<int>("width");
+    for (const int width : {380, 600, 900}) QTest::addRow("%d", width) << width;
+}
+
+// Begins with the mechanism: names in turns of two rows, however near to each other.
+void TestStiffnessPage::namesOfPresetsKeepOffEachOther() {
+    QFETCH(int, width);
+    m_page->resize(width, 600);
+    showPage();
+    QCustomPlot* plot = m_page->plot();
+    const QStringList names = namesOf(m_page->stiffnessPlot()->picture().bands);
+    QVERIFY(names.size() >= 4);
+    plot->replot();
+    QVector<QRectF> taken;
+    for (int i = 0; i < plot->itemCount(); ++i) {
+        const auto* text = qobject_cast<QCPItemText*>(plot->item(i));
+        if (!text || !text->visible() || !names.contains(text->text())) continue;
+        const QRectF place(text->topLeft->pixelPosition(), text->bottomRight->pixelPosition());
+        QVERIFY2(
+            QRectF(plot->axisRects().first()->rect()).adjusted(-1, -1, 1, 1).contains(place),
+            qPrintable(QStringLiteral("%1: %2 … %3").arg(text->text()).arg(place.left()).arg(place.right())));
+        for (const QRectF& other : std::as_const(taken))
+            QVERIFY2(!other.adjusted(1, 1, -1, -1).intersects(place), qPrintable(text->text()));
+        taken.append(place);
+    }
+    QVERIFY(taken.size() >= 2);
+}
+
+void TestStiffnessPage::theTableReadsTheCurveOfTheScenario() {
+    showPage();
+    QVERIFY(m_page->plot()->graphCount() > 1);
+    QVERIFY2(m_page->plot()->reader().graph()->name().contains(QStringLiteral("this scenario")),
+             qPrintable(m_page->plot()->reader().graph()->name()));
+    QCPGraph* other = m_page->plot()->graph(1);
+    m_page->plot()->reader().setGraph(other);
+    m_page->setResult(solved(*m_document));
+    QCOMPARE(m_page->plot()->reader().graph(), other);
 }
 
 void TestStiffnessPage::whatCannotBeStudiedIsSaid() {
