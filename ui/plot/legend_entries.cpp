@@ -3,6 +3,8 @@
 
 #include <QSet>
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 namespace drillwave {
 namespace {
@@ -24,6 +26,16 @@ QList<QCPPlottableLegendItem*> entriesOf(const QCPLegend& legend) {
 bool hasPoints(const QCPAbstractPlottable& curve) {
     const auto* points = const_cast<QCPAbstractPlottable&>(curve).interface1D();
     return points && points->dataCount() > 0;
+}
+
+// Entries one after another in rows of so many.
+double widthIn(int columns, const std::vector<double>& entries) {
+    std::vector<double> widest(static_cast<std::size_t>(columns), 0);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        double& column = widest[i % static_cast<std::size_t>(columns)];
+        column = std::max(column, entries[i]);
+    }
+    return std::accumulate(widest.begin(), widest.end(), 0.0);
 }
 
 }  // namespace
@@ -57,13 +69,15 @@ QCPAbstractPlottable* legendEntryAt(const QCustomPlot& plot, QPointF point) {
 }
 
 void wrapLegend(QCPLegend& legend, double width, int mostColumns) {
-    double widest = 1;
     const QFontMetricsF metrics(legend.font());
+    constexpr double edges = 4;
+    const double besideName =
+        legend.iconSize().width() + legend.iconTextPadding() + legend.columnSpacing() + edges;
+    std::vector<double> widths;
     for (QCPPlottableLegendItem* entry : entriesOf(legend))
-        widest = std::max(widest, metrics.horizontalAdvance(entry->plottable()->name()));
-    const double item =
-        widest + legend.iconSize().width() + legend.iconTextPadding() + legend.columnSpacing() + 4;
-    const int columns = std::clamp(static_cast<int>(width / item), 1, mostColumns);
+        widths.push_back(besideName + metrics.horizontalAdvance(entry->plottable()->name()));
+    int columns = std::clamp(static_cast<int>(widths.size()), 1, mostColumns);
+    while (columns > 1 && widthIn(columns, widths) > width) --columns;
     if (columns == legend.wrap()) return;
     legend.setWrap(columns);
     legend.setFillOrder(QCPLayoutGrid::foColumnsFirst, true);

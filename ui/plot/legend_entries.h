@@ -18,7 +18,8 @@ QList<QCPAbstractPlottable*> visibleCurves(const QCustomPlot& plot);
 /// The curve whose legend entry is at a point of the plot, or nullptr.
 QCPAbstractPlottable* legendEntryAt(const QCustomPlot& plot, QPointF point);
 
-/// As many entries beside each other as have room in a width [px], at most so many.
+/// As many entries beside each other as have room in a width [px], at most so many: in columns that are each
+/// as wide as the widest of their entries.
 void wrapLegend(QCPLegend& legend, double width, int mostColumns);
 
 /// Fades and strikes out the entries of hidden curves. Changes nothing where nothing has changed.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ui/plot/curve_graph.h"
+#include "ui/plot/legend_entries.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -88,6 +89,7 @@ BlowPlots::BlowPlots(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(ne
     addPlot(momentumOfRod, {tr("momentum of the rod p")}, margins);
     linkTimeAxes();
     m_message = new PlotMessage(plot);
+    connect(plot, &QCustomPlot::beforeReplot, this, &BlowPlots::wrapLegends);
     setStyle(PlotStyle::forPaper());
 }
 
@@ -139,6 +141,22 @@ void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGr
     added.runs = new RunGraphs(added.rect->axis(QCPAxis::atBottom), added.rect->axis(QCPAxis::atLeft),
                                index == force || index == waves ? added.legend : nullptr);
     if (index == waves) added.runs->setBands(names.first());
+}
+
+// Of what is right of the title. Runs have letters where their names have no room, before a line is added.
+void BlowPlots::wrapLegends() {
+    for (const Plot& plot : m_plots) {
+        QStringList names;
+        for (QCPGraph* run : plot.runs->graphs()) {
+            names.append(run->name());
+            if (&plot == &m_plots[force]) run->setName(run->name().left(1));
+        }
+        const double title = QFontMetricsF(plot.title->font()).horizontalAdvance(plot.title->text());
+        const double left = plot.rect->margins().left() + plot.legend->margins().left() + title;
+        wrapLegend(*plot.legend, m_plot->viewport().width() - left - plot.rect->margins().right(),
+                   plot.legend->itemCount());
+        for (qsizetype i = 0; i < names.size(); ++i) plot.runs->graphs()[i]->setName(names[i]);
+    }
 }
 
 void BlowPlots::linkTimeAxes() {

@@ -72,6 +72,7 @@ class BlowPlots : public QObject {
         RunGraphs* runs = nullptr;
     };
     void addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins);
+    void wrapLegends();
     void linkTimeAxes();
     void showClosedForm();
     void nameWaves();

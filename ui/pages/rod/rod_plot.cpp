@@ -13,7 +13,8 @@
 namespace drillwave {
 namespace {
 
-constexpr int mostColumns = 6;      // of the legend of runs
+constexpr int usualColumns = 2;     // of the legend: compression and tension
+constexpr int mostColumns = 6;      // of that of runs
 constexpr double markReach = 12;    // of a click around a mark [px]
 constexpr double sameHeight = 0.5;  // of two marks or curves [px]
 /// A strength this many times the largest stress would squeeze the curves.
@@ -89,8 +90,10 @@ RodPlot::RodPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
     m_message = new PlotMessage(plot);
     for (const QCPAxis* axis : {plot->xAxis, plot->yAxis}) m_view->watch(axis);
     connect(plot, &QCustomPlot::beforeReplot, this, &RodPlot::followLegend);
-    connect(plot, &QCustomPlot::beforeReplot, this,
-            [this] { wrapLegend(*m_runLegend, m_plot->width(), mostColumns); });
+    connect(plot, &QCustomPlot::beforeReplot, this, [this] {
+        wrapLegend(*m_plot->legend, m_plot->width(), usualColumns);
+        wrapLegend(*m_runLegend, m_plot->width(), mostColumns);
+    });
     setStyle(PlotStyle::forPaper());
     showNothing({});
 }
@@ -412,12 +415,14 @@ void RodPlot::setStyle(const PlotStyle& style) {
         mark.ring->setBrush(style.background);
         mark.number->setFont(style.font);
         mark.number->setColor(style.text);
+        mark.number->setBrush(style.behindWords());
     }
     for (qsizetype i = 0; i < m_ghosts.size(); ++i) m_ghosts[i]->setPen(style.ghostPen(static_cast<int>(i)));
     for (const Strength* strength : {&m_yield, &m_fatigue}) {
         for (QCPItemStraightLine* line : strength->lines)
             line->setPen(QPen(style.text, 1, strength == &m_yield ? Qt::DashDotLine : Qt::DotLine));
         strength->name->setFont(style.font);
+        strength->name->setBrush(style.behindWords());
         strength->name->setColor(style.text);
     }
     styleSections();

@@ -5,11 +5,14 @@
 
 #include "ui/pages/thrust/regime_bands.h"
 #include "ui/plot/curve_graph.h"
+#include "ui/plot/legend_entries.h"
 #include "ui/plot/plot_header.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
 namespace {
+
+constexpr int mostColumns = 3;  // of the legend
 
 bool sameAxes(const ThrustPicture& a, const ThrustPicture& b) {
     return a.key == b.key && a.isLogarithmic == b.isLogarithmic && a.from == b.from && a.to == b.to &&
@@ -31,7 +34,9 @@ ThrustPlot::ThrustPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(
     m_caption = addPlotHeader(*plot, 2);
     m_caption->setText(tr("each need from full penetration to the bit back before the next blow undamped"));
     plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    plot->legend->setWrap(3);
+    plot->legend->setWrap(mostColumns);
+    connect(plot, &QCustomPlot::beforeReplot, this,
+            [plot] { wrapLegend(*plot->legend, plot->viewport().width(), mostColumns); });
     m_bands = new RegimeBands(plot);
     for (const ThrustCase which : thrustCases) {
         const auto i = static_cast<std::size_t>(which);

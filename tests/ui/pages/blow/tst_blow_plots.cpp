@@ -63,6 +63,7 @@ class TestBlowPlots : public QObject {
     void aGhostInOtherUnitsGoes();
     void aSectionIsNamedAsExactlyAsItWasChosen();
     void laterWavesAreNamedWhereThereAreSuch();
+    void theLegendTakesMoreLinesWhereOneHasNoRoom();
 
   private:
     QList<QCPLegend*> legends() const;
@@ -332,6 +333,36 @@ void TestBlowPlots::laterWavesAreNamedWhereThereAreSuch() {
     QVERIFY(isNamed(m_plots->waveGraph(3)));
     m_plots->present(curvesFor(0.5));
     QVERIFY(isNamed(m_plots->laterGraph(0)));
+}
+
+// Begins with the mechanism: one line of entries, of which the last were cut at the edge.
+void TestBlowPlots::theLegendTakesMoreLinesWhereOneHasNoRoom() {
+    for (const QString& name : {QStringLiteral("shpb_steel945_0"), QStringLiteral("shpb_steel945_1")})
+        m_plots->addOverlay(BlowPlots::Kind::waves, name);
+    const auto right = [&] {
+        double most = 0;
+        for (const QCPLegend* legend : legends())
+            for (int i = 0; i < legend->itemCount(); ++i)
+                if (auto* entry = qobject_cast<QCPPlottableLegendItem*>(legend->item(i))) {
+                    const QRect place = entry->rect();
+                    const QFontMetricsF metrics(entry->font());
+                    const double words = metrics.horizontalAdvance(entry->plottable()->name());
+                    most = std::max(
+                        most, place.left() + legend->iconSize().width() + legend->iconTextPadding() + words);
+                }
+        return most;
+    };
+    for (const int width : {1200, 700, 420}) {
+        m_widget->resize(width, 800);
+        m_widget->replot();
+        m_widget->replot();  // by the widths of the layout before
+        QVERIFY2(right() <= width, qPrintable(QStringLiteral("%1 of %2").arg(right()).arg(width)));
+    }
+    // As before where there is room again.
+    m_widget->resize(1200, 800);
+    m_widget->replot();
+    m_widget->replot();
+    for (const QCPLegend* legend : legends()) QCOMPARE(legend->rowCount(), 1);
 }
 
 QTEST_MAIN(TestBlowPlots)
