@@ -132,6 +132,18 @@ void fitLogarithmic(QCPAxis& axis) {
     axis.setRange(usableRange(fitted, axis.range(), axis.scaleType()));
 }
 
+bool setTickCount(QCPAxis& axis) {
+    if (axis.orientation() == Qt::Horizontal) return false;
+    constexpr int least = 3, most = 5;  // of two there may be one in view, which tells no scale
+    constexpr double linesApart = 2;    // between neighbours, of which there may be more than asked for
+    const double line = QFontMetricsF(axis.tickLabelFont()).height();
+    const int count =
+        std::clamp(static_cast<int>(axis.axisRect()->height() / (linesApart * line)), least, most);
+    if (axis.ticker()->tickCount() == count) return false;
+    axis.ticker()->setTickCount(count);
+    return true;
+}
+
 void setTickDigits(QCPAxis& axis) {
     if (axis.numberFormat().startsWith(QLatin1Char('e'))) return;  // powers of ten have none
     const QVector<double> ticks = axis.tickVector();

@@ -33,6 +33,10 @@ void setScale(QCPAxis& axis, QCPAxis::ScaleType scale);
 /// On a logarithmic axis the range of the positive values of the visible curves, at most 9 decades of them.
 void fitLogarithmic(QCPAxis& axis);
 
+/// As many ticks on a vertical axis as its height has room for numbers, at most five or so. Says whether that
+/// is another number than before.
+bool setTickCount(QCPAxis& axis);
+
 /// As many digits on the ticks as tell them apart, six at least; ticks that are powers of ten stay so.
 void setTickDigits(QCPAxis& axis);
 

@@ -29,6 +29,7 @@ PlotWidget::PlotWidget(QWidget* parent)
     setPlottingHint(QCP::phFastPolylines, true);
     setFocusPolicy(Qt::StrongFocus);
     connect(this, &QCustomPlot::beforeReplot, this, &PlotWidget::prepareReplot);
+    connect(this, &QCustomPlot::afterLayout, this, &PlotWidget::followHeights);
     connect(selectionRect(), &QCPSelectionRect::accepted, this,
             [this](const QRect& box) { m_view.zoomTo(box); });
     connect(&m_reader, &CurveReader::closed, this, [this] { setFocus(); });
@@ -87,6 +88,15 @@ void PlotWidget::prepareReplot() {
             if (axis->visible() && axis->tickLabels()) setTickDigits(*axis);
 }
 
+// Heights are known after the layout, of which ticks are a part: the next one has them.
+void PlotWidget::followHeights() {
+    bool isOther = false;
+    for (const QCPAxisRect* rect : axisRects())
+        for (QCPAxis* axis : rect->axes())
+            if (axis->visible() && axis->tickLabels()) isOther |= setTickCount(*axis);
+    if (isOther) replot(rpQueuedReplot);
+}
+
 void PlotWidget::resizeEvent(QResizeEvent* event) {
     QCustomPlot::resizeEvent(event);
     m_reader.placeBar();
@@ -137,6 +147,8 @@ QByteArray PlotWidget::drawing(const QString& format, Millimetres size, double d
     const QLocale shown = locale();
     const bool hadLocale = testAttribute(Qt::WA_SetLocale);
     setLocale(QLocale::c());
+    // The ticks are those on show, whatever the size on paper.
+    disconnect(this, &QCustomPlot::afterLayout, this, &PlotWidget::followHeights);
     m_hover.hide();
     const bool wasHidden = m_point->isHidden();
     m_point->setHidden(true);
@@ -153,6 +165,7 @@ QByteArray PlotWidget::drawing(const QString& format, Millimetres size, double d
     m_point->setHidden(wasHidden);
     // The layout is that of the picture until then.
     replot();
+    connect(this, &QCustomPlot::afterLayout, this, &PlotWidget::followHeights);
     return bytes;
 }
 

@@ -134,6 +134,7 @@ class PlotWidget : public QCustomPlot {
     void applyStyle(const PlotStyle& style);
     void followScreen();
     void prepareReplot();
+    void followHeights();
 
     Restyle m_restyle;
     DataText m_dataText;

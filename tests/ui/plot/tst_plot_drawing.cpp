@@ -19,6 +19,7 @@ class TestPlotDrawing : public QObject {
 
   private slots:
     void init();
+    void numbersOfALowAxisKeepApart();
     void linesAreAsThickWhereManyPointsMeet();
     void dashesStayDashesOnLongTables();
     void crowdedPointsLeaveNoHoleInTheirCurve();
@@ -38,6 +39,30 @@ void TestPlotDrawing::init() {
     m = std::make_unique<PlotScene>();
     QVERIFY(QTest::qWaitForWindowExposed(&m->plot));
     m->plot.replot();
+}
+
+/// As many ticks as on a high one stood over each other.
+void TestPlotDrawing::numbersOfALowAxisKeepApart() {
+    for (const int height : {600, 400, 600}) {
+        m->plot.resize(500, height);
+        QCoreApplication::processEvents();
+        m->plot.replot();
+        m->plot.replot();  // by the heights of the layout before
+        for (QCPAxisRect* rect : {m->upper, m->lower}) {
+            const QCPAxis* axis = m->y(rect);
+            const QVector<double> ticks = axis->tickVector();
+            QVERIFY(height < 600 || ticks.size() >= 4);
+            const double line = QFontMetricsF(axis->tickLabelFont()).height();
+            for (int i = 1; i < ticks.size(); ++i) {
+                const double apart =
+                    std::abs(axis->coordToPixel(ticks[i]) - axis->coordToPixel(ticks[i - 1]));
+                QVERIFY2(apart > line, qPrintable(QStringLiteral("%1 ticks on %2 pixels, %3 apart")
+                                                      .arg(ticks.size())
+                                                      .arg(rect->height())
+                                                      .arg(apart)));
+            }
+        }
+    }
 }
 
 // Begins with the mechanism: the plot draws a solid line of many points piece by piece, each piece over the
