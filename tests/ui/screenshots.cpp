@@ -48,6 +48,7 @@ void settle(MainWindow& window) {
 
 // Another rock, another rod, another blow.
 void pinRuns(MainWindow& window) {
+    settle(window);  // what is not solved yet is not pinned once something changes
     Document& document = window.document();
     part<PinnedRuns>(window).pinAction()->trigger();
     for (const auto& [key, si] :
