@@ -17,6 +17,10 @@ PlotWidget* PlotPage::makePlot() {
     return m_plot;
 }
 
+void PlotPage::setLeastLines(int lines) {
+    m_plot->setMinimumHeight(lines * fontMetrics().height());
+}
+
 void PlotPage::fit() {
     m_plot->fit();
 }

@@ -22,6 +22,9 @@ class PlotPage : public Page {
   protected:
     /// The page's plot, made by the page once, where it comes in the order of its widgets.
     PlotWidget* makePlot();
+    /// The plot is never lower than so many lines of text; what is above and below it gives way, and then the
+    /// page is scrolled.
+    void setLeastLines(int lines);
 
   private:
     PlotWidget* m_plot = nullptr;

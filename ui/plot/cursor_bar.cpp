@@ -88,30 +88,40 @@ CursorBar::CursorBar(QWidget* parent)
     arrange();
 }
 
-int CursorBar::leastWide() const {
-    const int cell = fontMetrics().horizontalAdvance(QStringLiteral("integral −88.8888 kN·ms"));
-    return choiceWidth + (cellColumns + 2) * (cell + m_grid->horizontalSpacing()) + 80;
+int CursorBar::leastWidth(Form form) const {
+    constexpr int buttons = 80;  // and what is around
+    const bool wide = form == Form::wide;
+    const int cell = fontMetrics().horizontalAdvance(wide ? QStringLiteral("integral −88.8888 kN·ms")
+                                                          : QStringLiteral("mean −888.88 MPa"));
+    return choiceWidth + (wide ? cellColumns + 2 : cellColumns) * (cell + m_grid->horizontalSpacing()) +
+           buttons;
 }
 
-bool CursorBar::isWide(int width) const {
-    return width >= leastWide();
+CursorBar::Form CursorBar::formFor(int width) const {
+    return width >= leastWidth(Form::wide)    ? Form::wide
+           : width >= leastWidth(Form::usual) ? Form::usual
+                                              : Form::narrow;
 }
 
 int CursorBar::heightFor(int width) const {
-    const int lines = isWide(width) ? 2 : 3;
+    const Form form = formFor(width);
+    const int lines = form == Form::wide ? 2 : 3;
     const int text = lines * fontMetrics().height() + (lines - 1) * lineGap;
-    return std::max(text, m_choice->sizeHint().height()) + 2 * margin + 2;
+    const int choice = m_choice->sizeHint().height();
+    return (form == Form::narrow ? text + lineGap + choice : std::max(text, choice)) + 2 * margin + 2;
 }
 
 // In five columns, or in three with what follows from both cursors below them.
 void CursorBar::arrange() {
-    const bool wide = isWide(width());
+    m_form = formFor(width());
+    const bool wide = m_form == Form::wide, narrow = m_form == Form::narrow;
     QFont small = font();
     if (!wide && fontMetrics().height() > largeType) small.setPointSizeF(shrunk * small.pointSizeF());
     for (QLabel* label : std::as_const(m_labels)) label->setFont(small);
     while (m_grid->count() > 0) delete m_grid->takeAt(0);
-    for (int column = 1; column <= cellColumns + 2; ++column)
-        m_grid->setColumnStretch(column, column <= cellColumns || wide ? 1 : 0);
+    for (int column = 0; column <= cellColumns + 2; ++column)
+        m_grid->setColumnStretch(column, (column == 0 && !narrow) || (column > cellColumns && !wide) ? 0 : 1);
+    if (narrow) return arrangeNarrow();
     m_grid->addWidget(m_choice, 0, 0, wide ? 2 : 3, 1);
     for (int i = 0; i < 2 * cellColumns; ++i) m_grid->addWidget(m_labels[i], i % 2, 1 + i / 2);
     for (int i = 0; i < cellColumns; ++i) {
@@ -125,11 +135,22 @@ void CursorBar::arrange() {
     m_grid->addWidget(m_close, 0, cellColumns + 4, wide ? 2 : 3, 1);
 }
 
+// The buttons are behind the curve, in the last column.
+void CursorBar::arrangeNarrow() {
+    m_grid->setColumnStretch(cellColumns, 0);
+    m_grid->addWidget(m_choice, 0, 0, Qt::AlignLeft);  // which leaves the column its width
+    m_grid->addWidget(m_copy, 0, 1, Qt::AlignRight);
+    m_grid->addWidget(m_close, 0, 2, Qt::AlignRight);
+    for (int i = 0; i < m_labels.size(); ++i)
+        m_grid->addWidget(m_labels[i], i < 2 * cellColumns ? 1 + i % 2 : 3,
+                          i < 2 * cellColumns ? i / 2 : i - 2 * cellColumns);
+}
+
 void CursorBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
-    const int spare = event->size().width() - leastWide();
+    const int spare = event->size().width() - leastWidth(Form::wide);
     m_choice->setFixedWidth(std::clamp(choiceWidth + spare, choiceWidth, mostChoiceWidth));
-    if (isWide(event->size().width()) != isWide(event->oldSize().width())) {
+    if (formFor(event->size().width()) != m_form) {
         arrange();
         writeCells();
     }
@@ -160,7 +181,9 @@ void CursorBar::present(const ReadingCells& cells, Of of) {
 }
 
 void CursorBar::writeCells() {
-    const int digits = isWide(width()) ? readingDigits : digitsWhereNarrow;
+    const int digits = m_form == Form::wide     ? readingDigits
+                       : m_form == Form::narrow ? digitsWhereNarrow - 1
+                                                : digitsWhereNarrow;
     for (qsizetype i = 0; i < m_labels.size(); ++i) {
         const ReadingCell cell = m_cells.value(i);
         m_labels[i]->setText(cellText(cell, locale(), digits));

@@ -34,7 +34,8 @@ class CursorBar : public QFrame {
     void copy() const;
     /// Whether the user may copy it.
     void setCopyEnabled(bool enabled);
-    /// [px] for a width [px]: two lines, three where that is narrow.
+    /// [px] for a width [px]: two lines, three where that is narrow, four where
+    /// the curve has a line of its own.
     int heightFor(int width) const;
 
   signals:
@@ -45,9 +46,12 @@ class CursorBar : public QFrame {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    int leastWide() const;
-    bool isWide(int width) const;
+    /// The cells beside the curve in five columns or in three, or in three below it.
+    enum class Form { wide, usual, narrow };
+    int leastWidth(Form form) const;
+    Form formFor(int width) const;
     void arrange();
+    void arrangeNarrow();
     void writeCells();
 
     QComboBox* m_choice;
@@ -55,6 +59,7 @@ class CursorBar : public QFrame {
     QList<QLabel*> m_labels;
     QToolButton* m_copy;
     QToolButton* m_close;
+    Form m_form = Form::usual;
     QList<QCPGraph*> m_curves;
     ReadingCells m_cells;
     QString m_text;

@@ -41,6 +41,7 @@
 #include "ui/window/file_notice.h"
 #include "ui/window/form_notice.h"
 #include "ui/window/help_menu.h"
+#include "ui/window/page_scroll.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
 #include "ui/window/recovery_offer.h"
@@ -179,7 +180,7 @@ void MainWindow::addCenter() {
     layout->addWidget(m_exampleNote);
     m_formNotice = new FormNotice(m_document);
     layout->addWidget(m_formNotice);
-    layout->addWidget(m_pages, 1);
+    layout->addWidget(new PageScroll(m_pages), 1);
     setCentralWidget(center);
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/notice.h"
-#include "core/model/alerts.h"
 
 #include <QAccessible>
 #include <QHBoxLayout>
@@ -9,10 +8,17 @@
 #include <QStyle>
 #include <QToolButton>
 
+#include "ui/text/scrolled_label.h"
+
 namespace drillwave {
+namespace {
+
+constexpr double mostOfWindow = 0.09;  // of its height: five lines of usual type in a usual window
+
+}  // namespace
 
 Notice::Notice(Tone tone, QWidget* parent)
-    : QFrame(parent), m_layout(new QHBoxLayout(this)), m_text(new QLabel(this)) {
+    : QFrame(parent), m_layout(new QHBoxLayout(this)), m_text(nullptr) {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base);
@@ -25,12 +31,14 @@ Notice::Notice(Tone tone, QWidget* parent)
         style()
             ->standardIcon(warns ? QStyle::SP_MessageBoxWarning : QStyle::SP_MessageBoxInformation)
             .pixmap(size));
-    m_text->setForegroundRole(QPalette::Text);
-    m_text->setObjectName(QStringLiteral("text"));
-    m_text->setTextFormat(Qt::PlainText);
-    m_text->setWordWrap(true);
-    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_text->setAccessibleName(warns ? tr("Warning") : tr("Note"));
+    auto* words = new QLabel;
+    words->setForegroundRole(QPalette::Text);
+    words->setObjectName(QStringLiteral("text"));
+    words->setTextFormat(Qt::PlainText);
+    words->setWordWrap(true);
+    words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    words->setAccessibleName(warns ? tr("Warning") : tr("Note"));
+    m_text = new ScrolledLabel(words, mostOfWindow, this);
     auto* dismiss = new QToolButton(this);
     dismiss->setObjectName(QStringLiteral("dismiss"));
     dismiss->setText(QStringLiteral("✕"));

@@ -5,12 +5,14 @@
 #include <QFrame>
 
 class QHBoxLayout;
-class QLabel;
 class QPushButton;
 
 namespace drillwave {
 
-/// Hidden until it has something to say; goes away by its last button. The text can be selected.
+class ScrolledLabel;
+
+/// Hidden until it has something to say; goes away by its last button. The text can be selected, and scrolls
+/// where it would leave the pages too little room.
 class Notice : public QFrame {
     Q_OBJECT
 
@@ -32,7 +34,7 @@ class Notice : public QFrame {
 
   private:
     QHBoxLayout* m_layout;
-    QLabel* m_text;
+    ScrolledLabel* m_text;
 };
 
 }  // namespace drillwave

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/page_tabs.h"
 
+#include <QLayout>
 #include <QMenu>
 #include <algorithm>
 
@@ -40,8 +41,10 @@ PageTabs::PageTabs(QWidget* parent)
     connect(m_strip, &TabStrip::refused, this, [this] {
         if (!m_ofString) emit stringWanted();
     });
-    connect(this, &QStackedWidget::currentChanged, m_strip,
-            [this] { m_strip->setCurrentIndex(m_strip->indexOf(currentWidget())); });
+    connect(this, &QStackedWidget::currentChanged, m_strip, [this] {
+        m_strip->setCurrentIndex(m_strip->indexOf(currentWidget()));
+        updateGeometry();  // the room that it needs is another one
+    });
 }
 
 void PageTabs::add(Page* page, PageGroup group) {
@@ -71,6 +74,16 @@ int PageTabs::addTab(Page* page, PageGroup group) {
 
 Page& PageTabs::current() const {
     return page(currentIndex());
+}
+
+QSize PageTabs::minimumSizeHint() const {
+    const int widest = layout()->minimumSize().width();
+    const QLayout* parts = count() > 0 ? current().layout() : nullptr;
+    if (!parts) return {widest, QStackedWidget::minimumSizeHint().height()};
+    // That of the room, which it is about to have.
+    const int width = std::max(widest, parentWidget() ? parentWidget()->width() : this->width());
+    return {widest, parts->hasHeightForWidth() ? parts->minimumHeightForWidth(width)
+                                               : current().minimumSizeHint().height()};
 }
 
 Page& PageTabs::page(int index) const {

@@ -30,6 +30,8 @@ class PageTabs : public QStackedWidget {
     void add(Page* page, PageGroup group);
     /// The one on show.
     Page& current() const;
+    /// As wide as any page needs, and as high as the one on show does at the width that there is.
+    QSize minimumSizeHint() const override;
     /// In the order of the tabs, from 0; count() says how many there are.
     Page& page(int index) const;
     /// The row of tabs, for the window to place.

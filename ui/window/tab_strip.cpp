@@ -22,7 +22,7 @@ QFont captionFont(const QTabBar& bar) {
 TabStrip::TabStrip(QWidget* parent) : QTabBar(parent) {
     setDrawBase(false);
     setExpanding(false);
-    setElideMode(Qt::ElideRight);
+    setElideMode(Qt::ElideNone);  // an initial names no page; where all have no room they are scrolled
     setUsesScrollButtons(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setFocusPolicy(Qt::StrongFocus);

@@ -13,6 +13,8 @@
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTabBar>
+#include <algorithm>
 #include <cmath>
 
 namespace drillwave {
@@ -121,6 +123,35 @@ QStringList clippedTexts(const QWidget& window) {
     appendClipped<QLabel>(window, found);
     appendClipped<QAbstractButton>(window, found);
     appendClipped<QAbstractSpinBox>(window, found);
+    return found;
+}
+
+QStringList cutTabs(const QWidget& window) {
+    QStringList found;
+    for (const QTabBar* bar : shownOf<QTabBar>(window))
+        for (int tab = 0; tab < bar->count(); ++tab) {
+            const int words = bar->fontMetrics().horizontalAdvance(bar->tabText(tab));
+            // Those that are scrolled out of sight are whole all the same; captions give way.
+            if (bar->isTabEnabled(tab) && bar->tabRect(tab).width() < words)
+                found.append(QStringLiteral("tab “%1” is cut").arg(bar->tabText(tab)));
+        }
+    return found;
+}
+
+QStringList flatPlots(const QWidget& window) {
+    constexpr int leastLines = 2, leastLinesOfOne = 3;
+    QStringList found;
+    for (const QCustomPlot* plot : shownOf<QCustomPlot>(window)) {
+        const int line = plot->fontMetrics().height();
+        int highest = 0;
+        for (const QCPAxisRect* rect : plot->axisRects()) {
+            highest = std::max(highest, rect->height());
+            if (rect->height() < leastLines * line)
+                found.append(describe(*plot, QStringLiteral("axes %1 high").arg(rect->height())));
+        }
+        if (highest < leastLinesOfOne * line)
+            found.append(describe(*plot, QStringLiteral("no axes higher than %1").arg(highest)));
+    }
     return found;
 }
 

@@ -12,6 +12,12 @@ namespace drillwave {
 /// of the panel they are in.
 QStringList clippedTexts(const QWidget& window);
 
+/// Tabs that have no room for their words.
+QStringList cutTabs(const QWidget& window);
+
+/// Plots with axes that are too low for numbers and curves, by lines of their text.
+QStringList flatPlots(const QWidget& window);
+
 /// Pairs of widgets of one layout that cover each other.
 QStringList overlaps(const QWidget& window);
 

@@ -104,7 +104,7 @@ void TestLayout::everythingCanBeReadAndReached_data() {
     };
     for (const char* example :
          {"t38_medium_rock", "t51_soft_rock", "paper_fig4b", "reference_case", "t38_string"})
-        for (const QSize size : {QSize(1000, 650), QSize(1440, 900)})
+        for (const QSize size : {QSize(800, 500), QSize(1000, 650), QSize(1440, 900)})
             for (const bool dark : {false, true}) add(example, size, dark, usualPoints, UnitSystem::si);
     for (const bool dark : {false, true})
         add("t38_medium_rock", {3200, 1800}, dark, usualPoints, UnitSystem::si);
@@ -143,8 +143,9 @@ void TestLayout::everythingCanBeReadAndReached() {
         QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(window).isBusy(), 60000);
         QCoreApplication::processEvents();
         QCoreApplication::processEvents();  // what the last event has asked for
-        const QStringList found = clippedTexts(window) + overlaps(window) + docksOverThePage(window) +
-                                  namelessControls(window) + faintTexts(window);
+        const QStringList found = clippedTexts(window) + cutTabs(window) + flatPlots(window) +
+                                  overlaps(window) + docksOverThePage(window) + namelessControls(window) +
+                                  faintTexts(window);
         for (const QString& each : found)
             problems.append(pages->page(page).title() + QStringLiteral(": ") + each);
         if (window.width() > size.width() || window.height() > size.height())

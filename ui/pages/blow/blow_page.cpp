@@ -51,6 +51,8 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     layout->addLayout(makeBar());
     layout->addWidget(m_instant);
     layout->addWidget(m_plot, 1);
+    constexpr int lines = 30;  // of four plots, each with its legend
+    setLeastLines(lines);
 
     m_plot->setAccessibleName(tr("Waves, impact force, impulse and momentum over time"));
     m_plot->followPalette([this](const PlotStyle& style) {

@@ -34,6 +34,8 @@ RockPage::RockPage(Observation& observation, QWidget* parent)
     layout->setSpacing(4);
     layout->addLayout(bar);
     layout->addWidget(m_plot, 1);
+    constexpr int lines = 17;  // with legend, axes and table
+    setLeastLines(lines);
 
     m_plot->setAccessibleName(tr("Impact force against penetration"));
     m_plot->followPalette([this](const PlotStyle& style) { m_rock->setStyle(style); });

@@ -52,6 +52,8 @@ RodPage::RodPage(Observation& observation, QWidget* parent)
     layout->addLayout(bar);
     layout->addWidget(m_readout);
     layout->addWidget(m_plot, 1);
+    constexpr int lines = 18;  // with legends, axes and table
+    setLeastLines(lines);
 
     m_plot->setAccessibleName(tr("Largest stresses along the rod"));
     m_plot->followPalette([this](const PlotStyle& style) { m_rod->setStyle(style); });

@@ -249,9 +249,12 @@ void StringDrawing::drawLegend(QPainter& painter) const {
     const double line = fontMetrics().lineSpacing();
     const QLocale locale;
     painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(QRectF(sideMargin, 3, width() - 2 * sideMargin, line), Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("Lengths to scale, diameters × %1; upper half tension, lower half compression")
-                         .arg(numberText(exaggeration(), 2, locale)));
+    const QRectF above(sideMargin, 3, width() - 2 * sideMargin, line);
+    const QString scaled = tr("Lengths to scale, diameters × %1").arg(numberText(exaggeration(), 2, locale));
+    const QString halves = scaled + tr("; upper half tension, lower half compression");
+    // The colours below say the same of the halves.
+    painter.drawText(above, Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().horizontalAdvance(halves) <= above.width() ? halves : scaled);
     if (!m_model.results()) return;
     const SolvedBlow& blow = *m_model.blow();
     const QString largest =
@@ -260,7 +263,9 @@ void StringDrawing::drawLegend(QPainter& painter) const {
     const QString right = tr("tension %1").arg(largest);
     const double leftWidth = fontMetrics().horizontalAdvance(left);
     const double y = height() - line - 4;
-    constexpr double bar = 140;
+    constexpr double usualBar = 140, leastBar = 20;
+    const double besideBar = 2 * sideMargin + leftWidth + fontMetrics().horizontalAdvance(right) + 12;
+    const double bar = std::clamp(width() - besideBar, leastBar, usualBar);
     const QRectF scale(sideMargin + leftWidth + 6, y + 2, bar, line - 4);
     painter.drawText(QRectF(sideMargin, y, leftWidth + 1, line), Qt::AlignVCenter, left);
     painter.drawText(QRectF(scale.right() + 6, y, width(), line), Qt::AlignVCenter, right);

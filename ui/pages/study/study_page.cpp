@@ -14,11 +14,14 @@
 #include "ui/pages/study/flow_layout.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/result/stale_veil.h"
+#include "ui/text/scrolled_label.h"
 
 namespace drillwave {
 namespace {
 
-constexpr int patienceMilliseconds = 150;  // as with a blow that is not solved yet
+constexpr int patienceMilliseconds = 150;      // as with a blow that is not solved yet
+constexpr double mostOfWindowForWords = 0.09;  // of its height
+constexpr int plotLines = 17;                  // with legend, axes and table
 
 }  // namespace
 
@@ -39,17 +42,16 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside)
     copy->setToolTip(tr("The command that writes the same numbers as CSV, for a terminal"));
     connect(copy, &QPushButton::clicked, this, &StudyPage::copyCommand);
     row->addWidget(copy);
-    m_words = new QLabel(this);
-    m_words->setObjectName(QStringLiteral("words"));
-    m_words->setWordWrap(true);
-    m_words->setMargin(4);
-    m_words->setMinimumHeight(2 * m_words->fontMetrics().lineSpacing() +
-                              8);  // so that the plot does not jump
-    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    auto* words = new QLabel;
+    words->setObjectName(QStringLiteral("words"));
+    words->setWordWrap(true);
+    words->setMargin(4);
+    words->setMinimumHeight(2 * words->fontMetrics().lineSpacing() + 8);  // so that the plot does not jump
+    words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_words = new ScrolledLabel(words, mostOfWindowForWords, this);
 
     PlotWidget* plot = makePlot();
-    constexpr int leastLines = 10;  // of text: tables and sentences in large type give way before the plot
-    plot->setMinimumHeight(leastLines * fontMetrics().height());
+    setLeastLines(plotLines);
     m_veil = new StaleVeil(plot);
     connect(&m_late, &QTimer::timeout, m_veil, [this] {
         m_veil->raise();

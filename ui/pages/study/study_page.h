@@ -9,10 +9,9 @@
 #include "ui/job/study_activity.h"
 #include "ui/pages/plot_page.h"
 
-class QLabel;
-
 namespace drillwave {
 
+class ScrolledLabel;
 class StaleVeil;
 
 /// A page around one plot of a study of the scenario that is being edited. Its controls stand above the plot,
@@ -97,7 +96,7 @@ class StudyPage : public PlotPage {
     StudyActivity* m_beside = nullptr;
     bool m_due = true;           // something has changed while the page could not be seen
     bool m_inputCurrent = true;  // the blow on show answers the present input
-    QLabel* m_words = nullptr;
+    ScrolledLabel* m_words = nullptr;
     QString m_sentence;
     QString m_refusal;  // why a value could not be taken over
     StaleVeil* m_veil = nullptr;

@@ -2,6 +2,7 @@
 #include "ui/pages/thrust/thrust_table.h"
 
 #include <QHeaderView>
+#include <QScrollBar>
 #include <cmath>
 
 #include "core/report/feed_words.h"
@@ -68,7 +69,7 @@ ThrustTable::ThrustTable(QWidget* parent) : QTableWidget(rows, int(thrustCaseCou
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // scrolled, never cut
     horizontalHeader()->setStretchLastSection(true);
     verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setWordWrap(false);
 }
 
@@ -114,7 +115,8 @@ QSize ThrustTable::sizeHint() const {
 }
 
 QSize ThrustTable::minimumSizeHint() const {
-    return {200, heightOf(2 * verticalHeader()->defaultSectionSize())};
+    // The page scrolls before its table does, which scrolls to the side alone.
+    return {200, sizeHint().height() + horizontalScrollBar()->sizeHint().height()};
 }
 
 int ThrustTable::heightOf(int contents) const {

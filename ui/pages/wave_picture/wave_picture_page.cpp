@@ -61,6 +61,8 @@ WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
     layout->addWidget(m_readout);
     constexpr int profiles = 5;  // as high as the picture
     layout->addWidget(m_plot, profiles);
+    constexpr int lines = 12;  // with its axis
+    setLeastLines(lines);
     layout->addWidget(m_profile, 1);
     layout->addWidget(m_strip);
     layout->addWidget(m_playBar);
