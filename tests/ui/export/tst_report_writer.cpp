@@ -6,8 +6,12 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBlock>
+#include <QTextDocument>
 #include <QToolBar>
 
+#include "core/report/blow_report.h"
+#include "core/report/report_html.h"
 #include "tests/support/files.h"
 #include "tests/support/program.h"
 #include "tests/support/window.h"
@@ -32,6 +36,7 @@ class TestReportWriter : public QObject {
     void groupsOnShowDoNotMatter();
     void unitsAndNumbersAreThoseOfTheWindow_data();
     void unitsAndNumbersAreThoseOfTheWindow();
+    void cellsOfTablesAreNotBrokenOnPaper();
     void aReportOpensAgain();
     void menuAndToolBarOfferIt();
     void ctrlPPrintsThePagesOfThePdf();
@@ -167,6 +172,21 @@ void TestReportWriter::unitsAndNumbersAreThoseOfTheWindow() {
         QVERIFY2(!words.contains(text), qPrintable(words.mid(words.indexOf(text) - 60, 120)));
     QVERIFY(page.contains(QStringLiteral("</h1>\n<p class=\"decision\">")));
     QVERIFY(read(path("own.pdf")).count("/Type /Page\n") <= 4);
+}
+
+// Begins with the mechanism: words without blanks between them, which were broken anywhere where a rounding
+// left a column too narrow.
+void TestReportWriter::cellsOfTablesAreNotBrokenOnPaper() {
+    const BlowReport report = studyReport(window().document().scenario());
+    QTextDocument paper;
+    paper.setHtml(QString::fromStdString(reportHtml(report, {}, ReportMedium::paper)));
+    int cells = 0;
+    for (QTextBlock block = paper.begin(); block.isValid(); block = block.next()) {
+        if (!block.text().contains(QChar(QChar::Nbsp))) continue;
+        QVERIFY2(block.blockFormat().nonBreakableLines(), qPrintable(block.text()));
+        ++cells;
+    }
+    QVERIFY(cells > 10);
 }
 
 void TestReportWriter::aReportOpensAgain() {
