@@ -16,21 +16,35 @@ namespace {
 /// How far a wave may bend off the chord between two instants, as a share of the peak force.
 constexpr double tolerance = 1e-4;
 
+/// k(k − 1), what the second derivative makes of the coefficient of u^k.
+constexpr auto bendFactors = [] {
+    std::array<double, 256> f{};
+    for (std::size_t i = 2; i < f.size(); ++i) f[i] = double(i * (i - 1));
+    return f;
+}();
+
 /// What the second derivative over u of a piece is at most, and what its values are at most.
 struct Sizes {
     double bend = 0, value = 0;
 
-    void add(std::span<const double> c, std::size_t k) {
-        static constexpr auto factors = [] {  // k(k − 1)
-            std::array<double, 256> f{};
-            for (std::size_t i = 2; i < f.size(); ++i) f[i] = double(i * (i - 1));
-            return f;
-        }();
-        assert(k < factors.size());
-        const double size = std::abs(c[k]);
-        value += size;
-        bend += factors[k] * size;
+    void add(double coefficient, double bent) {
+        value += std::abs(coefficient);
+        bend += std::abs(bent);
     }
+};
+
+/// The second derivative over u, 0 ≤ u ≤ 1, lies between the least and the largest partial sum of its
+/// coefficients: as 1 ≥ u ≥ u² ≥ … it is a mean of them.
+struct PartialSums {
+    double sum = 0, least = 0, most = 0;
+
+    void add(double coefficient) {
+        sum += coefficient;
+        least = std::min(least, sum);
+        most = std::max(most, sum);
+    }
+    /// A wave that bends downwards by c at most is above its chord by c/8 in the middle.
+    WaveBends bends() const { return {-least / 8, most / 8}; }
 };
 
 /// Into how many parts a piece is cut so that no extremum between them is missed by more than `tolerance`.
@@ -45,15 +59,34 @@ PieceBends bendsOfPiece(const Impact& impact, std::size_t index) {
     const double peak = std::max(impact.peakForce, std::numeric_limits<double>::min());
     const std::span<const double> g = impact.incident.coefficients(impact.incident.pieces()[index]);
     const std::span<const double> F = impact.force.coefficients(impact.force.pieces()[index]);
-    // sums that do not wait for each other; what is constant neither bends nor has any rounding
+    // what is constant neither bends nor has any rounding
     if (g.size() <= 1 && F.size() <= 1) return {};
-    Sizes incident, force;
     const std::size_t common = std::min(g.size(), F.size());
-    for (std::size_t k = 0; k < common; ++k) incident.add(g, k), force.add(F, k);
-    for (std::size_t k = common; k < g.size(); ++k) incident.add(g, k);
-    for (std::size_t k = common; k < F.size(); ++k) force.add(F, k);
-    constexpr double ofValue = 64 * std::numeric_limits<double>::epsilon();  // of a sum of 30 terms
-    return {incident.bend / 8, (incident.bend + force.bend) / 8, ofValue * (incident.value + force.value),
+    assert(std::max(g.size(), F.size()) <= bendFactors.size());
+    Sizes incident, force;
+    PartialSums ofIncident, ofReflected;
+    std::size_t k = 0;
+    for (; k < common; ++k) {
+        const double bentG = bendFactors[k] * g[k], bentF = bendFactors[k] * F[k];
+        incident.add(g[k], bentG);
+        force.add(F[k], bentF);
+        ofIncident.add(bentG);
+        ofReflected.add(bentF - bentG);
+    }
+    for (; k < g.size(); ++k) {
+        const double bent = bendFactors[k] * g[k];
+        incident.add(g[k], bent);
+        ofIncident.add(bent);
+        ofReflected.add(-bent);
+    }
+    for (; k < F.size(); ++k) {
+        const double bent = bendFactors[k] * F[k];
+        force.add(F[k], bent);
+        ofReflected.add(bent);
+    }
+    constexpr double ofSum = 64 * std::numeric_limits<double>::epsilon();  // of 30 terms
+    return {ofIncident.bends(), ofReflected.bends(),
+            ofSum * (incident.value + force.value + (incident.bend + force.bend) / 8),
             std::max(partsOf(incident.bend, peak), partsOf(force.bend, peak))};
 }
 

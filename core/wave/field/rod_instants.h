@@ -25,12 +25,16 @@ struct Instant {
     double reflected;  ///< r = F − g
 };
 
-/// How a piece of both waves bends, and into how many parts it is cut for that.
+/// How a piece of a wave bends: between two points it is nowhere further above their chord than a parabola of
+/// the height `above` times the square of their distance over its length, nor below it than one of `below`.
+struct WaveBends {
+    double above = 0, below = 0;
+};
+
+/// The same of both waves, and into how many parts their piece is cut for that.
 struct PieceBends {
-    /// Between two points of the piece no wave is further above the higher of them than this times the square
-    /// of their distance over its length, but for `rounding`.
-    double incident = 0, reflected = 0;
-    double rounding = 0;  ///< of their values; none where both are constant
+    WaveBends incident, reflected;
+    double rounding = 0;  ///< of their values and of their bends; none where both are constant
     int parts = 1;        ///< of equal length: chords miss the waves by no more than 1e-4 of the peak force
 };
 PieceBends bendsOfPiece(const Impact& impact, std::size_t index);

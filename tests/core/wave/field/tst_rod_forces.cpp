@@ -6,6 +6,7 @@
 #include "core/wave/field/rod_forces.h"
 #include "core/wave/field/rod_instants.h"
 #include "core/wave/field/wave_field.h"
+#include "core/wave/field/wave_spans.h"
 #include "tests/support/scenes.h"
 
 using namespace drillwave;
@@ -134,7 +135,29 @@ class TestRodForces : public QObject {
         long looked = 0, instants = 0;
         largestRodForces(impact, problemOf(scene).hammer, {true, true, false}, &looked);
         forEachInstant(impact, 0, {}, [&](const Instant&) { ++instants; });
-        QVERIFY2(looked > 0 && 3 * looked < instants, QByteArray::number(double(looked) / double(instants)));
+        // a sixth; more than a quarter where all that touches a largest force is halved down to its parts
+        QVERIFY2(looked > 0 && 5 * looked < instants, QByteArray::number(double(looked) / double(instants)));
+    }
+
+    /// What is left out by its bounds is less than what it is left out for.
+    void noWaveIsLargerThanTheBoundOfItsSpan_data() { addRodScenes(); }
+
+    void noWaveIsLargerThanTheBoundOfItsSpan() {
+        QFETCH(Scene, scene);
+        const Impact impact = solve(scene, Detail::histories);
+        std::vector<WaveSpan> spans = wholePieces(impact, 0, impact.incident.end()), parts;
+        for (int round = 0; round < 3; ++round, cut(impact, spans, parts), spans.swap(parts))
+            for (const WaveSpan& span : spans)
+                for (const double sign : {1.0, -1.0}) {
+                    const SpanBound bound = boundOf(span, sign);
+                    for (int i = 1; i < 16; ++i) {
+                        const double begin = span.begin.time, length = span.end.time - begin;
+                        const double x = begin + length * i / 16 - impact.incident.pieces()[span.piece].start;
+                        const Instant now = instantIn(impact, span.piece, x, Side::inside);
+                        QVERIFY(sign * now.incident <= bound.incident);
+                        QVERIFY(sign * now.reflected <= bound.reflected);
+                    }
+                }
     }
 
     void everySectionAndTimeStaysBelow_data() { addRodScenes(); }
