@@ -164,15 +164,25 @@ struct PowerSeries {
     /// ∫ f·g over [0, x]; both must have the same scale.
     static Real productIntegral(const PowerSeries& f, const PowerSeries& g, Real x) {
         assert(f.scale == g.scale);
+        if (f.isZero() || g.isZero()) return 0;
+        // all coefficients of the product at once: sums that do not wait for each other
+        std::array<Real, 2 * capacity - 1> product;
+        const int count = f.count + g.count - 1;
+        std::fill_n(product.begin(), count, Real(0));
+        int k = 0;
+        for (; k + 1 < f.count; k += 2) {  // two at a time: half of the time goes by reading and writing sums
+            const Real first = f.c[k], second = f.c[k + 1];
+            product[k] += first * g.c[0];
+            for (int j = 1; j < g.count; ++j)
+                product[k + j] = product[k + j] + first * g.c[j] + second * g.c[j - 1];
+            product[k + g.count] += second * g.c[g.count - 1];
+        }
+        for (; k < f.count; ++k)
+            for (int j = 0; j < g.count; ++j) product[k + j] += f.c[k] * g.c[j];
+        for (int n = 0; n < count; ++n) product[n] /= Real(n + 1);
         const Real u = x / f.scale;
         Real sum = 0;
-        for (int n = f.count + g.count - 2; n >= 0; --n) {
-            Real convolution = 0;
-            const int first = std::max(0, n - g.count + 1);
-            const int last = std::min(n, f.count - 1);
-            for (int k = first; k <= last; ++k) convolution += f.c[k] * g.c[n - k];
-            sum = sum * u + convolution / Real(n + 1);
-        }
+        for (int n = count; n-- > 0;) sum = sum * u + product[n];
         return sum * x;
     }
 };
