@@ -34,8 +34,13 @@ std::span<const double> PiecewisePolynomial::coefficients(const Piece& piece) co
 }
 
 double PiecewisePolynomial::value(const Piece& piece, double x) const {
+    if (x == 0) return piece.count > 0 ? m_coefficients[piece.first] : 0;
     const double u = x / piece.scale;
     double sum = 0;
+    if (u == 1) {  // where most pieces end
+        for (std::uint32_t k = piece.count; k-- > 0;) sum += m_coefficients[piece.first + k];
+        return sum;
+    }
     for (std::uint32_t k = piece.count; k-- > 0;) sum = sum * u + m_coefficients[piece.first + k];
     return sum;
 }
