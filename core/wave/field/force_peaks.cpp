@@ -93,6 +93,36 @@ bool keepsItsSign(const Bernstein& slope) {
     return *least >= 0 || *most <= 0;
 }
 
+int changesOfSign(const Bernstein& slope) {
+    int changes = 0;
+    double before = 0;
+    for (const double b : slope.values()) {
+        if (b * before < 0) ++changes;
+        if (b != 0) before = b > 0 ? 1 : -1;
+    }
+    return changes;
+}
+
+double steepestOf(const Bernstein& slope) {
+    double steepest = 0;
+    for (const double b : slope.values()) steepest = std::max(steepest, std::abs(b));
+    return steepest;
+}
+
+/// Where a slope, given as powers and as Bernstein coefficients, changes its sign, which it does once: so
+/// closely that what a wave rises or falls from there does not count.
+double turnOf(const Bernstein& powers, const Bernstein& slope, double negligible) {
+    const double first = *std::ranges::find_if(slope.values(), [](double b) { return b != 0; });
+    const double steepest = steepestOf(slope);
+    double before = 0, behind = 1;
+    while (steepest * (behind - before) > negligible) {
+        const double middle = (before + behind) / 2;
+        const double there = polynomialValue(powers.b.data(), static_cast<int>(powers.count), middle);
+        (there * first > 0 ? before : behind) = middle;
+    }
+    return behind;
+}
+
 /// Halves at v = 1/2, by de Casteljau: the left one; the right one takes the place of `slope`.
 Bernstein halve(Bernstein& slope) {
     Bernstein left;
@@ -109,9 +139,7 @@ Bernstein halve(Bernstein& slope) {
 /// count: the stretch from v to v + width has that slope.
 template <class Pass>
 void passTurns(Bernstein slope, double v, double width, double negligible, const Pass& pass) {
-    double steepest = 0;
-    for (const double b : slope.values()) steepest = std::max(steepest, std::abs(b));
-    if (keepsItsSign(slope) || steepest * width <= negligible) return pass(v + width);
+    if (keepsItsSign(slope) || steepestOf(slope) * width <= negligible) return pass(v + width);
     const Bernstein left = halve(slope);
     passTurns(left, v, width / 2, negligible, pass);
     passTurns(slope, v + width / 2, width / 2, negligible, pass);
@@ -132,10 +160,17 @@ int forcePeaks(const Impact& impact) {
         }
         Bernstein slope = slopeOf(c, piece.length / piece.scale);
         trim(slope, negligible / 1024);
-        if (hardlyTurns(slope, negligible))
+        if (hardlyTurns(slope, negligible)) {
             pass(1);
-        else
-            passTurns(fromPowers(slope), 0, 1, negligible, pass);
+            continue;
+        }
+        const Bernstein control = fromPowers(slope);
+        if (changesOfSign(control) == 1) {
+            pass(turnOf(slope, control, negligible));
+            pass(1);
+        } else {
+            passTurns(control, 0, 1, negligible, pass);
+        }
     }
     counter.pass(0);
     return counter.peaks();
