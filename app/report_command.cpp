@@ -8,6 +8,7 @@
 #include "app/interruption.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
+#include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/file/report_file.h"
 
@@ -65,9 +66,10 @@ void check(const ReportPlace& place, const std::string& input, const ScenarioDoc
         checkOutput(place.path, overwrite, reportFilesThere);
 }
 
-BlowReport study(const ScenarioDocument& document, const Interruption& interruption) {
+BlowReport study(const ScenarioDocument& document, const WorkLimits& limits,
+                 const Interruption& interruption) {
     ShareBar bar;
-    BlowReport report = reportOn(document, interruption.token(), bar.progress());
+    BlowReport report = reportOn(document, interruption.token(), bar.progress(), limits);
     interruption.check();
     return report;
 }
@@ -93,10 +95,13 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
 
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
-    const BlowReport report = study(document, interruption);
+    const BlowReport report = study(document, workLimitsOf(arguments), interruption);
     if (!report.blow.isSolved())
         throw CommandError(ExitCode::unsolvedOrFailed,
-                           path + ": could not be solved: " + report.blow.impact.reason);
+                           path + ": could not be solved: " + report.blow.impact.reason +
+                               (report.blow.impact.hindrance == Hindrance::workLimit
+                                    ? limitHint(arguments, document.scenario)
+                                    : std::string()));
     std::vector<NamedFile> files =
         drawing->report(report, {std::string(stem), place.formats, interruption.token()});
     interruption.check();
@@ -119,7 +124,8 @@ const Command& reportCommand() {
             "units, and those of `run --json`; the source of a value is the comment behind it in the file. "
             "Of a\n"
             "drill string also its sections, drawn to scale, with their largest stresses.",
-        .options = scenarioOptions({{"o", "DIR|FILE.html|FILE.pdf", "where to write; - prints the HTML"},
+        .options = scenarioOptions({workLimitSpec("the blow"),
+                                    {"o", "DIR|FILE.html|FILE.pdf", "where to write; - prints the HTML"},
                                     {"force", "", "overwrite existing files"}}),
         .leastOperands = 1,
         .mostOperands = 1,

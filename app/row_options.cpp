@@ -61,7 +61,13 @@ std::string reasonsOf(const RowCounts& counts, const std::string& noun, long wor
 }
 
 long workLimitOf(const Arguments& arguments, long fallback) {
-    return arguments.number("work-limit", fallback, 1, MethodSolver::defaultMostPieces);
+    return arguments.number("work-limit", fallback, 1, WorkLimits().pieces);
+}
+
+WorkLimits workLimitsOf(const Arguments& arguments) {
+    const long pieces = workLimitOf(arguments);
+    if (!arguments.has("work-limit")) return {.pieces = pieces};
+    return {.pieces = pieces, .cells = cellsOfPiece * pieces};
 }
 
 bool isAtLimit(const std::string& reason) {
@@ -70,6 +76,16 @@ bool isAtLimit(const std::string& reason) {
 
 std::string limitHint(long workLimit) {
     return "; --work-limit, now " + std::to_string(workLimit) + ", permits more";
+}
+
+std::string limitHint(const Arguments& arguments, const Scenario& scenario) {
+    const long ofString = WorkLimits().cells / cellsOfPiece;
+    return limitHint(workLimitOf(arguments, isString(scenario) ? ofString : defaultWorkLimit));
+}
+
+OptionSpec workLimitSpec(const std::string& blow) {
+    return {"work-limit", "N",
+            "wave pieces " + blow + " may take, 1000000 (at worst some seconds) if not given"};
 }
 
 std::vector<OptionSpec> rowOptionSpecs() {

@@ -63,10 +63,17 @@ std::string reasonsOf(const RowCounts& counts, const std::string& noun, long wor
 
 /// --work-limit, in wave pieces; `fallback` where it is not given.
 long workLimitOf(const Arguments& arguments, long fallback = defaultWorkLimit);
+/// The same for one blow of a command that is not about rows. A string takes seconds more often than a rod:
+/// it has the limit of the option only where that is given.
+WorkLimits workLimitsOf(const Arguments& arguments);
+/// The option of such a command, `blow` being what it limits: "the blow".
+OptionSpec workLimitSpec(const std::string& blow);
 /// Whether a reason is that limit.
 bool isAtLimit(const std::string& reason);
 /// What is told where that has stopped a blow: "; --work-limit, now 1000000, permits more".
 std::string limitHint(long workLimit);
+/// The same of a blow within workLimitsOf().
+std::string limitHint(const Arguments& arguments, const Scenario& scenario);
 
 /// The record of a run of `command` that writes these columns: all but its axes or cases. Throws
 /// ScenarioError where the scenario is too large for a file.

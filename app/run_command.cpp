@@ -57,17 +57,10 @@ void prepare(const RunFiles& files, const std::string& path, const ScenarioDocum
     checkFolder(files.directory, names, files.overwrite);
 }
 
-/// Within --work-limit. A string takes seconds more often than a rod.
-MethodSolver solverOf(const Arguments& arguments) {
-    const long limit = workLimitOf(arguments);
-    return MethodSolver(limit, arguments.has("work-limit") ? cellsOfPiece * limit : mostNetworkCells);
-}
-
 /// How to have a blow all the same that was given up.
 std::string hintFor(const Blow& blow, const Arguments& arguments) {
-    if (blow.impact.hindrance != Hindrance::workLimit) return {};
-    constexpr long ofString = mostNetworkCells / cellsOfPiece;
-    return limitHint(workLimitOf(arguments, isString(blow.scenario) ? ofString : defaultWorkLimit));
+    return blow.impact.hindrance == Hindrance::workLimit ? limitHint(arguments, blow.scenario)
+                                                         : std::string();
 }
 
 /// Solves, and times the solve alone: where it is quick, a second time, because the first one pays for fresh
@@ -118,7 +111,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
-    SolvedRun run{.blow = solve(solverOf(arguments), document.scenario, choice,
+    SolvedRun run{.blow = solve(MethodSolver(workLimitsOf(arguments)), document.scenario, choice,
                                 writesFiles ? Detail::histories : Detail::ledger, interruption.token()),
                   .scenarioText = {},
                   .units = files.units.value_or(customaryUnits(document.scenario))};
@@ -140,8 +133,7 @@ std::vector<OptionSpec> runOptions() {
     std::vector<OptionSpec> options =
         scenarioOptions({{"json", "", "print one JSON object in place of the summary"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
-    options.push_back(
-        {"work-limit", "N", "wave pieces the blow may take, 1000000 (at worst some seconds) if not given"});
+    options.push_back(workLimitSpec("the blow"));
     for (const OptionSpec& option :
          {OptionSpec{"o", "DIR", "write the files of the run into DIR; - writes none"},
           OptionSpec{"plots", "png,svg,pdf", "with -o, also plots in these formats"},

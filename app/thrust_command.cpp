@@ -44,18 +44,19 @@ std::optional<SweepAxis> axisOf(const Arguments& arguments) {
     return std::move(parsed.axis);
 }
 
-ThrustCurve curveAlong(const Scenario& scenario, const SweepAxis& axis, int jobs,
+ThrustCurve curveAlong(const Scenario& scenario, const SweepAxis& axis, int jobs, const WorkLimits& limits,
                        const Interruption& interruption) {
     ProgressBar bar(axis.count, "points");
     const auto progress = [&](const ThrustCurve& soFar) { bar.show(soFar.points.size()); };
     ThrustCurve curve =
-        thrustAlong(scenario, *axis.parameter, valuesOf(axis), jobs, interruption.token(), progress);
+        thrustAlong(scenario, *axis.parameter, valuesOf(axis), jobs, interruption.token(), progress, limits);
     interruption.check();
     return curve;
 }
 
 /// Throws where points have no numbers.
-void checkSolved(const ThrustCurve& curve, const std::string& path) {
+void checkSolved(const ThrustCurve& curve, const std::string& path, const Arguments& arguments,
+                 const Scenario& scenario) {
     std::size_t failed = 0;
     std::string reason;
     for (const ThrustPoint& point : curve.points) {
@@ -65,12 +66,14 @@ void checkSolved(const ThrustCurve& curve, const std::string& path) {
     if (failed == 0) return;
     throw CommandError(ExitCode::unsolvedOrFailed,
                        path + ": " + std::to_string(failed) + " of " + std::to_string(curve.points.size()) +
-                           " points could not be solved: their cells are empty; the first: " + reason);
+                           " points could not be solved: their cells are empty; the first: " + reason +
+                           (isAtLimit(reason) ? limitHint(arguments, scenario) : std::string()));
 }
 
-ThrustStudy study(const Scenario& scenario, const Interruption& interruption) {
+ThrustStudy study(const Scenario& scenario, const WorkLimits& limits, const Interruption& interruption) {
     ShareBar bar;
-    ThrustStudy found = studyThrust(scenario, interruption.token(), bar.progress());
+    ThrustStudy found =
+        studyThrust(scenario, interruption.token(), bar.progress(), anyNumberOfPieces, limits);
     interruption.check();
     return found;
 }
@@ -98,6 +101,7 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
         throw CommandError(ExitCode::usage, "--json and -o - would both print to standard output; take one");
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const int jobs = jobsOf(arguments);
+    const WorkLimits limits = workLimitsOf(arguments);
     const ScenarioDocument document = loadScenarioInput(path, arguments, DrillStrings::taken).document;
     ThrustReport report;
     report.scenario = document.scenario;
@@ -117,18 +121,22 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
     if (csvPath != "-") checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(report.scenario, path);
-    if (axis) report.along = ThrustAlong{*axis, curveAlong(report.scenario, *axis, jobs, interruption)};
+    if (axis)
+        report.along = ThrustAlong{*axis, curveAlong(report.scenario, *axis, jobs, limits, interruption)};
     if (csvPath)
         writeStudy(*csvPath, scenarioHeader(report.scenarioText) + thrustCsv(*report.along),
                    plots.draw(&report, drawing, interruption), overwrite, interruption);
     if (csvPath != "-") {
-        report.study = study(report.scenario, interruption);
+        report.study = study(report.scenario, limits, interruption);
         if (!report.study.reason.empty())
-            throw CommandError(ExitCode::unsolvedOrFailed,
-                               path + ": could not be solved: " + report.study.reason);
+            throw CommandError(
+                ExitCode::unsolvedOrFailed,
+                path + ": could not be solved: " + report.study.reason +
+                    (report.study.hindrance == Hindrance::workLimit ? limitHint(arguments, report.scenario)
+                                                                    : std::string()));
         printText(arguments.has("json") ? thrustJson(report) : thrustText(report));
     }
-    if (report.along) checkSolved(report.along->curve, path);
+    if (report.along) checkSolved(report.along->curve, path, arguments, report.scenario);
     return ExitCode::done;
 }
 
@@ -167,6 +175,7 @@ const Command& thrustCommand() {
                                      "or each whole number, if not given, or A,B,C"},
                                     {"frequency", "VALUES", "short for --along drill.blow_frequency=VALUES"},
                                     {"j", "N", "threads for --along, all of them if not given"},
+                                    workLimitSpec("a blow"),
                                     {"json", "", "print one JSON object in place of the tables"},
                                     {"o", "FILE.csv", "also write the table of --along; - prints it instead"},
                                     plotsOptionSpec(),

@@ -54,13 +54,17 @@ std::string methodRefusal(Method method, const Problem& problem);
 /// A wave piece of the exact solver is worth so many cells of a string.
 inline constexpr long cellsOfPiece = 30;
 
+/// What one blow may take; more, and it is not solved.
+struct WorkLimits {
+    long pieces = 30'000'000;       ///< of wave, of the exact solver
+    long cells = mostNetworkCells;  ///< of a string
+};
+
 /// Solves one blow after another by any method, keeping the workspace. One solver per thread.
 class MethodSolver {
   public:
-    /// `mostPieces` bounds the work of the exact solver, `mostCells` that of a string.
-    explicit MethodSolver(long mostPieces = defaultMostPieces, long mostCells = mostNetworkCells)
-        : m_exact(mostPieces), m_mostCells(mostCells) {}
-    static constexpr long defaultMostPieces = 30'000'000;
+    explicit MethodSolver(const WorkLimits& limits = {})
+        : m_exact(limits.pieces), m_mostCells(limits.cells) {}
 
     /// The problem is as for ExactSolver::solve(). A blow that the method refuses is not solved, with the
     /// reason. The closed form, which takes no time, does not look at `stop`.

@@ -33,7 +33,7 @@ std::optional<ThinningEffect> thinningEffect(const Scenario& scenario, const Sam
     whole.points = mostSamplesFollowed;
     const ShapedSignal all = shapedSignal(samples, whole, stop);
     if (!all.problem.empty()) return std::nullopt;
-    MethodSolver solver(mostPieces);
+    MethodSolver solver({.pieces = mostPieces});
     const std::optional<Impact> some = solved(scenario, kept.points, solver, stop);
     const std::optional<Impact> every = solved(scenario, all.points, solver, stop);
     if (!some || !every) return std::nullopt;

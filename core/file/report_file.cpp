@@ -237,8 +237,8 @@ std::vector<ReportInput> inputsOf(const Scenario& scenario, std::string_view tex
 }
 
 BlowReport reportOn(const ScenarioDocument& document, const std::stop_token& stop,
-                    const GapProgress& progress) {
-    BlowReport report = studyReport(document.scenario, stop, progress);
+                    const GapProgress& progress, const WorkLimits& limits) {
+    BlowReport report = studyReport(document.scenario, stop, progress, limits);
     report.scenarioText = completeScenarioText(document);
     report.inputs = inputsOf(document.scenario, report.scenarioText);
     report.sections = sectionsOf(document.scenario, report.scenarioText);

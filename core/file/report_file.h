@@ -14,7 +14,7 @@ namespace drillwave {
 /// studyReport() with the scenario itself and the sources of its values. Throws ScenarioError as
 /// completeScenarioText() does.
 BlowReport reportOn(const ScenarioDocument& document, const std::stop_token& stop = {},
-                    const GapProgress& progress = {});
+                    const GapProgress& progress = {}, const WorkLimits& limits = {});
 
 /// The values of a scenario as its text has them, in the order of a file. The source of each is the comment
 /// behind it; without one, the built-in preset that the scenario follows; "assumed by the program" for a

@@ -73,9 +73,11 @@ void addGap(BlowReport& report, const std::stop_token& stop, const GapProgress& 
 
 }  // namespace
 
-BlowReport studyReport(const Scenario& scenario, const std::stop_token& stop, const GapProgress& progress) {
+BlowReport studyReport(const Scenario& scenario, const std::stop_token& stop, const GapProgress& progress,
+                       const WorkLimits& limits) {
     BlowReport report;
-    report.blow = solveBlow(scenario, {}, Detail::histories, stop, Stresses::wanted);
+    MethodSolver solver(limits);
+    report.blow = solveBlow(scenario, {}, Detail::histories, stop, Stresses::wanted, solver);
     if (!report.blow.isSolved()) return report;
     addThrust(report, stop, partOf(progress, 0, shareOfThrust));
     if (!isString(scenario)) addGap(report, stop, partOf(progress, shareOfThrust, 1));

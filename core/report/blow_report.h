@@ -48,8 +48,9 @@ struct BlowReport {
 
 /// Solves a valid scenario and, unless that takes more than mostPiecesInPassing, follows it over the gap and
 /// the blow frequency: all but scenarioText, inputs and sections. A string has no curve over the gap. Where
-/// the blow is not solved there is nothing else. A stop leaves it unsolved, or without studies.
+/// the blow is not solved, within `limits`, there is nothing else. A stop leaves it unsolved, or without
+/// studies.
 BlowReport studyReport(const Scenario& scenario, const std::stop_token& stop = {},
-                       const GapProgress& progress = {});
+                       const GapProgress& progress = {}, const WorkLimits& limits = {});
 
 }  // namespace drillwave

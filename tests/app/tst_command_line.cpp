@@ -238,6 +238,21 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
         << "--work-limit, now 50000, permits more";
     QTest::newRow("a blow of very many pieces") << QStringList{"run", drill, "--set", "pulse.duration=200s"}
                                                 << 6 << "--work-limit, now 1000000, permits more";
+    QTest::newRow("a thrust of too many pieces")
+        << QStringList{"thrust", drill, "--set", "pulse.duration=200s", "--work-limit", "50000"} << 6
+        << "--work-limit, now 50000, permits more";
+    QTest::newRow("a thrust of very many pieces")
+        << QStringList{"thrust", drill, "--set", "pulse.duration=200s"} << 6
+        << "--work-limit, now 1000000, permits more";
+    QTest::newRow("thrusts along a blow of too many pieces")
+        << QStringList{"thrust", drill, "--along", "pulse.duration=200us,200s", "--work-limit", "1000"} << 6
+        << "--work-limit, now 1000, permits more";
+    QTest::newRow("a thrust of a string of too many cells")
+        << QStringList{"thrust", "t51_string", "--work-limit", "1"} << 6
+        << "--work-limit, now 1, permits more";
+    QTest::newRow("a report of too many pieces")
+        << QStringList{"report", drill, "--set", "pulse.duration=200s", "--work-limit", "50000", "-o", "-"}
+        << 6 << "--work-limit, now 50000, permits more";
     QTest::newRow("a string of too many cells")
         << QStringList{"run", "t51_string", "--work-limit", "1"} << 6 << "--work-limit, now 1, permits more";
     QTest::newRow("lattices that would take hours")

@@ -22,7 +22,7 @@ CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice
           std::ranges::any_of(columns, [](const OutputColumn& c) { return c.output->needsThrustStudy(); })),
       m_waveNumbers(waveNumbersFor(columns)),
       m_method(method),
-      m_solver(workLimit, cellsOfPiece * workLimit) {
+      m_solver({workLimit, cellsOfPiece * workLimit}) {
     const auto takesLedger = [](const OutputColumn& column) { return column.detail() == Detail::ledger; };
     if (least < Detail::ledger && std::ranges::none_of(columns, takesLedger)) m_solver.leaveOutLedger();
 }

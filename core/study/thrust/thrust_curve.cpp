@@ -48,10 +48,18 @@ bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const
     return first && first == blowAt(values.back());
 }
 
-ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, NetworkSolver& solver,
+/// For rods and for strings, with what they keep from point to point and what a blow may take.
+struct PointSolvers {
+    GapReboundFinder& finder;
+    NetworkSolver& strings;
+    WorkLimits limits = {};
+};
+
+ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, const PointSolvers& solvers,
                         const std::stop_token& stop) {
-    const StringBlow blow =
-        solveString(scenario, {.accuracy = NetworkAccuracy::quick, .wants = {}}, solver, stop);
+    const StringBlow blow = solveString(
+        scenario, {.accuracy = NetworkAccuracy::quick, .wants = {}, .mostCells = solvers.limits.cells},
+        solvers.strings, stop);
     point.reason = stop.stop_requested() ? "stopped" : blow.impact.reason;
     if (!point.reason.empty()) return point;
     const ImpactSummary summary = summarize(scenario, blow);
@@ -61,19 +69,13 @@ ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, NetworkSolv
     return point;
 }
 
-/// For rods and for strings, with what they keep from point to point.
-struct PointSolvers {
-    GapReboundFinder& finder;
-    NetworkSolver& strings;
-};
-
 ThrustPoint solvedPoint(const Scenario& scenario, double value, const PointSolvers& solvers,
                         const std::stop_token& stop) {
     assert(thrustProblem(scenario).empty());
     ThrustPoint point{.value = value, .needs = {}, .verdict = {}, .reason = {}};
-    if (isString(scenario)) return stringPoint(scenario, std::move(point), solvers.strings, stop);
+    if (isString(scenario)) return stringPoint(scenario, std::move(point), solvers, stop);
     const Problem problem = problemOf(scenario);
-    const Impact impact = ExactSolver().solve(problem, Detail::cor, stop);
+    const Impact impact = ExactSolver(solvers.limits.pieces).solve(problem, Detail::cor, stop);
     if (impact.outcome != Outcome::rebounded) {
         point.reason = impact.reason;
         return point;
@@ -104,7 +106,8 @@ struct Chunk {
 }  // namespace
 
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
-                        int jobs, const std::stop_token& stop, const ThrustCurveProgress& progress) {
+                        int jobs, const std::stop_token& stop, const ThrustCurveProgress& progress,
+                        const WorkLimits& limits) {
     assert(parameter.applies(base));
     ThrustCurve curve;
     if (values.empty()) return curve;
@@ -118,7 +121,7 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
     const auto makeWorker = [&] {
         return [&, finder = GapReboundFinder(), strings = NetworkSolver()](
                    Chunk& chunk, const std::stop_token& ending) mutable {
-            chunk.point = pointAt(base, parameter, chunk.value, {finder, strings}, ending);
+            chunk.point = pointAt(base, parameter, chunk.value, {finder, strings, limits}, ending);
         };
     };
     const auto deliver = [&](Chunk& chunk) {

@@ -27,12 +27,14 @@ class HalfProgress {
 };
 
 /// One blow, and no gaps.
-ThrustStudy studyStringThrust(const Scenario& scenario, const std::stop_token& stop) {
+ThrustStudy studyStringThrust(const Scenario& scenario, const std::stop_token& stop,
+                              const WorkLimits& limits) {
     ThrustStudy study;
     NetworkSolver solver;
-    const StringBlow blow = solveString(scenario, {}, solver, stop);
+    const StringBlow blow = solveString(scenario, {.wants = {}, .mostCells = limits.cells}, solver, stop);
     study.stopped = stop.stop_requested();
     study.reason = blow.impact.reason;
+    study.hindrance = impactOf(blow).hindrance;
     if (study.stopped || !study.reason.empty()) return study;
     const ImpactSummary summary = summarize(scenario, blow);
     study.transferred = summary.transferred();
@@ -49,15 +51,16 @@ std::optional<double> ThrustStudy::margin() const {
 }
 
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress,
-                        long mostPieces) {
+                        long mostPieces, const WorkLimits& limits) {
     assert(thrustProblem(scenario).empty());
-    if (isString(scenario)) return studyStringThrust(scenario, stop);
+    if (isString(scenario)) return studyStringThrust(scenario, stop, limits);
     const Problem problem = problemOf(scenario);
     ThrustStudy study;
-    const Impact impact = ExactSolver().solve(problem, Detail::cor, stop);
+    const Impact impact = ExactSolver(limits.pieces).solve(problem, Detail::cor, stop);
     if (impact.outcome != Outcome::rebounded) {
         study.stopped = stop.stop_requested();
         study.reason = impact.reason;
+        study.hindrance = impact.hindrance;
         return study;
     }
     const HalfProgress half(progress);

@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <string>
 
+#include "core/blow/method.h"
 #include "core/study/thrust/thrust_needs.h"
 
 namespace drillwave {
@@ -17,7 +18,8 @@ struct ThrustStudy {
     std::optional<double> shareFull;  ///< share of all gaps at which the effective force is ≥ f I0 (1+e)
     FeedVerdict verdict;              ///< by the e of the scenario's own blow
     std::string reason;               ///< why there is no result; empty when there is
-    bool stopped = false;             ///< on the stop token: no result
+    Hindrance hindrance = Hindrance::other;  ///< where the scenario's own blow is the reason
+    bool stopped = false;                    ///< on the stop token: no result
 
     const ThrustNeed& need(ThrustCase which) const { return needs[static_cast<std::size_t>(which)]; }
     const ThrustNeed& largestNeed() const { return largestOf(needs); }
@@ -27,8 +29,8 @@ struct ThrustStudy {
 };
 
 /// Requires thrustProblem() to be empty. Without a result where one of its two curves over the gap takes more
-/// wave pieces than `mostPieces`.
+/// wave pieces than `mostPieces`, or the scenario's own blow more than `limits`.
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {}, const GapProgress& progress = {},
-                        long mostPieces = anyNumberOfPieces);
+                        long mostPieces = anyNumberOfPieces, const WorkLimits& limits = {});
 
 }  // namespace drillwave

@@ -131,7 +131,7 @@ void TestBlow::aBlowWithoutWavesHasNoStresses() {
 
 void TestBlow::anUnsolvedBlowHasTheRemarksOnItsScenarioOnly() {
     const Scenario scenario = overloadedDrill();
-    MethodSolver solver(1);
+    MethodSolver solver({.pieces = 1});
     const Blow blow = solveBlow(scenario, {}, Detail::ledger, {}, Stresses::asNeeded, solver);
     QVERIFY(!blow.isSolved());
     QVERIFY(!blow.impact.reason.empty());
