@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/blow/blow.h"
 
+#include <algorithm>
 #include <cassert>
 #include <chrono>
 
 #include "core/blow/outputs.h"
 #include "core/blow/result_alerts.h"
+#include "core/blow/wave_numbers.h"
 #include "core/model/validation.h"
 
 namespace drillwave {
@@ -55,13 +57,19 @@ void solveStringBlow(Blow& blow, Detail detail, NetworkAccuracy accuracy, const 
     append(blow.alerts, stringAlerts(blow.scenario, *blow.string));
 }
 
-/// What follows from the solution.
+/// What follows from the solution, whose numbers are in the summary.
 void conclude(Blow& blow, Detail detail) {
-    blow.summary = summarizeWithWaves(blow.impact, blow.solved);
     if (!holdsNumbers(blow, detail)) return;
     blow.feed = judgeFeed(blow.scenario, blow.impact.cor);
     append(blow.alerts, resultAlerts(blow.scenario, blow.summary));
     if (blow.summary.rodForces) append(blow.alerts, stressAlerts(blow.scenario, *blow.summary.rodForces));
+}
+
+void concludeInPassing(Blow& blow, Detail detail, const std::stop_token& stop) {
+    blow.summary = summarizeInPassing(blow.impact, blow.solved, {}, stop);
+    if (!stop.stop_requested()) return conclude(blow, detail);
+    blow.impact.outcome = Outcome::notSolved;
+    blow.impact.reason = "stopped";
 }
 
 }  // namespace
@@ -87,11 +95,22 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
         return blow;
     }
     blow.solved = problemOf(scenario);
-    const bool keepsWaves = stresses == Stresses::wanted || hasStrength(scenario.rod);
-    solveTimed(blow, keepsWaves ? Detail::histories : detail, stop, solver);
+    const bool wantsForces = stresses == Stresses::wanted || hasStrength(scenario.rod);
+    const bool mayPass = wantsForces && detail < Detail::histories && method.method == Method::exact;
+    if (mayPass) {
+        solveTimed(blow, std::max(detail, Detail::ledger), stop, solver);
+        if (!blow.isSolved()) return blow;
+        if (isTooLongToKeep(blow.impact)) {
+            concludeInPassing(blow, detail, stop);
+            return blow;
+        }
+    }
+    solveTimed(blow, wantsForces ? Detail::histories : detail, stop, solver);
     if (blow.impact.hindrance == Hindrance::histories && detail != Detail::histories)
         solveTimed(blow, detail, stop, solver);
-    if (blow.isSolved()) conclude(blow, detail);
+    if (!blow.isSolved()) return blow;
+    blow.summary = summarizeWithWaves(blow.impact, blow.solved);
+    conclude(blow, detail);
     return blow;
 }
 

@@ -46,14 +46,15 @@ struct Blow {
     FeedDecision decision() const { return decideFeed(scenario, feed, widestNeed); }
 };
 
-/// Whether the largest forces in the rod are wanted of a blow, which take Detail::histories.
+/// Whether the largest forces in the rod are wanted of a blow, for which waves are recorded.
 enum class Stresses {
     asNeeded,  ///< for its alerts, where the rod has a strength
     wanted,    ///< wherever they can be had
 };
 
-/// Solves a valid scenario with `detail` or more. A blow whose waves are too many to be kept is solved
-/// without its stresses unless `detail` is Detail::histories. A stop leaves it unsolved.
+/// Solves a valid scenario with `detail` or more. Waves that are too many to be kept are looked at in passing
+/// unless `detail` is Detail::histories; by the lattice they are solved without stresses. A stop leaves a
+/// blow unsolved.
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
                const std::stop_token& stop = {}, Stresses stresses = Stresses::asNeeded);
 

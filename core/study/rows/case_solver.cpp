@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/blow/string_blow.h"
+#include "core/blow/wave_numbers.h"
 
 namespace drillwave {
 
@@ -32,12 +33,27 @@ std::string CaseSolver::solve(const Scenario& scenario, std::span<double> output
     assert(outputs.size() == m_columns.size());
     if (isString(scenario)) return solveDrillString(scenario, outputs, stop);
     m_problem = problemOf(std::move(m_problem.hammer), groupsOf(scenario));
+    if (m_detail == Detail::histories && m_method.method == Method::exact) {
+        m_impact = m_solver.solve(m_problem, Detail::cor, m_method, stop);  // a few percent of what follows
+        if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
+        if (isTooLongToKeep(m_impact)) {
+            m_impact = m_solver.solve(m_problem, Detail::ledger, m_method, stop);
+            m_scatter = m_impact.corError;
+            if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
+            return fillFrom(summarizeInPassing(m_impact, m_problem, m_waveNumbers, stop), scenario, outputs,
+                            stop);
+        }
+    }
     m_impact = m_solver.solve(m_problem, m_detail, m_method, stop);
     if (m_impact.hindrance == Hindrance::histories && m_needsLess)
         m_impact = m_solver.solve(m_problem, Detail::ledger, m_method, stop);
     m_scatter = m_impact.corError;
     if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
-    const ImpactSummary summary = summarizeWithWaves(m_impact, m_problem, m_waveNumbers);
+    return fillFrom(summarizeWithWaves(m_impact, m_problem, m_waveNumbers), scenario, outputs, stop);
+}
+
+std::string CaseSolver::fillFrom(const ImpactSummary& summary, const Scenario& scenario,
+                                 std::span<double> outputs, const std::stop_token& stop) {
     OutputSource source{summary, scenario};
     if (m_needsMargin)
         source.thrustMargin = m_margins.of(scenario, m_problem, {m_impact.cor, m_impact.corError}, stop);

@@ -40,6 +40,9 @@ class CaseSolver {
   private:
     std::string solveDrillString(const Scenario& scenario, std::span<double> outputs,
                                  const std::stop_token& stop);
+    /// Of the uniform rod last solved.
+    std::string fillFrom(const ImpactSummary& summary, const Scenario& scenario, std::span<double> outputs,
+                         const std::stop_token& stop);
     /// Returns why the numbers are no result, and puts none then.
     std::string fill(const OutputSource& source, std::span<double> outputs) const;
 

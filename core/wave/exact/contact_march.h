@@ -16,7 +16,9 @@ template <class Basis>
 bool ContactMarch<Basis>::solve(const Problem& problem, Detail detail, Impact& impact,
                                 const MarchLimits& limits) {
     m_limits = limits;
-    m_mostPieces = detail == Detail::histories ? std::min(limits.pieces, mostRecordedPieces) : limits.pieces;
+    const bool keepsAll = detail == Detail::histories && !limits.handOver;
+    m_mostPieces = keepsAll ? std::min(limits.pieces, mostRecordedPieces) : limits.pieces;
+    m_nextHandOver = piecesHandedOver;
     m_nextLook = std::min(m_mostPieces, piecesBetweenLooks);
     begin(problem, detail, impact);
     const bool isDecided = march();

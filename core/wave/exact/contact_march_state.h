@@ -13,6 +13,7 @@
 #include "core/model/scenario.h"
 #include "core/numeric/compensated_sum.h"
 #include "core/wave/exact/input_move.h"
+#include "core/wave/exact/passing_march.h"
 #include "core/wave/exact/wave_queue.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
@@ -24,6 +25,9 @@ struct MarchLimits {
     long pieces = 30'000'000;               ///< smooth pieces
     const std::stop_token* stop = nullptr;  ///< none: to the end
     InputMove move = {};
+    /// Where it is set, it is given what has been recorded whenever that has as many pieces as it returned
+    /// before (or piecesHandedOver): histories may then be as long as they like.
+    const HandOver* handOver = nullptr;
     bool ledger = true;  ///< the sums of Detail::ledger, where as much detail is asked for
     /// Of e: a march whose error has become larger is not wanted.
     double error = std::numeric_limits<double>::infinity();
@@ -75,7 +79,8 @@ class ContactMarch {
     static constexpr Real never = std::numeric_limits<Real>::infinity();
 
     static constexpr std::size_t mostWaiting = 400'000;
-    static constexpr long mostRecordedPieces = 4'000'000;  ///< some 600 MB of histories
+    /// 0.9 kB each while they grow: some 3.6 GB.
+    static constexpr long mostRecordedPieces = 4'000'000;
 
     void begin(const Problem& problem, Detail detail, Impact& impact);
     bool march();
@@ -134,7 +139,7 @@ class ContactMarch {
     }
 
     bool failAtLimit() {
-        const bool atMemory = m_detail == Detail::histories && m_limits.pieces > mostRecordedPieces;
+        const bool atMemory = m_mostPieces < m_limits.pieces;
         fail(atMemory ? "its histories need more than 4 million wave pieces"
                       : "it needs more wave pieces than permitted");
         m_impact->hindrance = atMemory ? Hindrance::histories : Hindrance::workLimit;
@@ -150,6 +155,7 @@ class ContactMarch {
     Impact* m_impact = nullptr;
     MarchLimits m_limits;
     long m_mostPieces = 0;
+    std::size_t m_nextHandOver = 0;
     long m_nextLook = 0;  ///< how many pieces may pass before lookForEnd()
     Detail m_detail = Detail::cor;
 

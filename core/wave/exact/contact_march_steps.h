@@ -122,8 +122,11 @@ void ContactMarch<Basis>::pass(const Piece& incident, const Piece* force, Real l
     m_s += length;
     if (force || m_touching) m_contactTime += length;
     if (!force && length > 0) m_eventsOnTheSpot = 0;
-    if (m_detail == Detail::histories && length > 0) [[unlikely]]
+    if (m_detail == Detail::histories && length > 0) [[unlikely]] {
         m_basis.record(incident, force, length, *m_impact);
+        if (m_limits.handOver && m_impact->incident.pieces().size() >= m_nextHandOver)
+            m_nextHandOver = (*m_limits.handOver)(*m_impact);
+    }
 }
 
 /// The first `length` of what arrives goes back into the rod as it came.

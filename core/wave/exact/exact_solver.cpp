@@ -7,6 +7,7 @@
 #include "core/wave/exact/contact_march.h"
 #include "core/wave/exact/exponential_basis.h"
 #include "core/wave/exact/exponential_domain.h"
+#include "core/wave/exact/passing_march.h"
 #include "core/wave/exact/series_basis.h"
 #include "core/wave/exact/soft_reference.h"
 
@@ -23,7 +24,7 @@ struct ExactSolver::Workspace {
 namespace {
 
 /// A blow that needs more exponential pieces than this is one for power series.
-constexpr long mostClosedPieces = 100'000;
+constexpr long mostClosedPieces = mostPiecesKept;
 
 /// Where the error of the closed form may be more than this, terms have cancelled: series keep the digits.
 constexpr double mostClosedError = 3e-13;

@@ -17,27 +17,6 @@ namespace {
 constexpr double leastPeak = 0.01;
 constexpr double leastDip = 1e-9;
 
-/// Counts the rises and falls in a row of values.
-class PeakCounter {
-  public:
-    explicit PeakCounter(double largest) : m_least(leastPeak * largest), m_dip(leastDip * largest) {}
-
-    void pass(double force) {
-        m_turn = m_rising ? std::max(m_turn, force) : std::min(m_turn, force);
-        if (std::abs(force - m_turn) <= m_dip) return;
-        if (m_rising && m_turn > m_least) ++m_peaks;
-        m_rising = !m_rising;
-        m_turn = force;
-    }
-    int peaks() const { return m_peaks; }
-
-  private:
-    double m_least, m_dip;
-    double m_turn = 0;  // the last extremum so far
-    bool m_rising = true;
-    int m_peaks = 0;
-};
-
 /// Bernstein coefficients, no more than a piece has terms.
 struct Bernstein {
     static constexpr std::size_t capacity = PowerSeries<double>::capacity;
@@ -147,33 +126,41 @@ void passTurns(Bernstein slope, double v, double width, double negligible, const
 
 }  // namespace
 
+ForcePeaks::ForcePeaks(double largest) : m_least(leastPeak * largest), m_dip(leastDip * largest) {}
+
+/// Of the rises and falls in a row of values.
+void ForcePeaks::pass(double force) {
+    m_turn = m_rising ? std::max(m_turn, force) : std::min(m_turn, force);
+    if (std::abs(force - m_turn) <= m_dip) return;
+    if (m_rising && m_turn > m_least) ++m_peaks;
+    m_rising = !m_rising;
+    m_turn = force;
+}
+
+void ForcePeaks::add(const PiecewisePolynomial& force, const PiecewisePolynomial::Piece& piece) {
+    const std::span<const double> c = force.coefficients(piece);
+    const auto passAt = [&](double v) { pass(force.value(piece, v * piece.length)); };
+    passAt(0);
+    if (c.size() <= 1) return passAt(1);
+    const double negligible = m_dip / 4;
+    Bernstein slope = slopeOf(c, piece.length / piece.scale);
+    trim(slope, negligible / 1024);
+    if (hardlyTurns(slope, negligible)) return passAt(1);
+    const Bernstein control = fromPowers(slope);
+    if (changesOfSign(control) != 1) return passTurns(control, 0, 1, negligible, passAt);
+    passAt(turnOf(slope, control, negligible));
+    passAt(1);
+}
+
+int ForcePeaks::count() {
+    pass(0);
+    return m_peaks;
+}
+
 int forcePeaks(const Impact& impact) {
-    PeakCounter counter(impact.peakForce);
-    const double negligible = leastDip / 4 * impact.peakForce;
-    for (const PiecewisePolynomial::Piece& piece : impact.force.pieces()) {
-        const std::span<const double> c = impact.force.coefficients(piece);
-        const auto pass = [&](double v) { counter.pass(impact.force.value(piece, v * piece.length)); };
-        pass(0);
-        if (c.size() <= 1) {
-            pass(1);
-            continue;
-        }
-        Bernstein slope = slopeOf(c, piece.length / piece.scale);
-        trim(slope, negligible / 1024);
-        if (hardlyTurns(slope, negligible)) {
-            pass(1);
-            continue;
-        }
-        const Bernstein control = fromPowers(slope);
-        if (changesOfSign(control) == 1) {
-            pass(turnOf(slope, control, negligible));
-            pass(1);
-        } else {
-            passTurns(control, 0, 1, negligible, pass);
-        }
-    }
-    counter.pass(0);
-    return counter.peaks();
+    ForcePeaks peaks(impact.peakForce);
+    for (const PiecewisePolynomial::Piece& piece : impact.force.pieces()) peaks.add(impact.force, piece);
+    return peaks.count();
 }
 
 }  // namespace drillwave

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/blow/wave_numbers.h"
+
+#include "core/wave/exact/passing_march.h"
+#include "core/wave/field/passing_waves.h"
+
+namespace drillwave {
+
+bool isTooLongToKeep(const Impact& impact) {
+    return impact.outcome == Outcome::rebounded && impact.pieces > mostPiecesKept;
+}
+
+ImpactSummary summarizeInPassing(const Impact& impact, const Problem& problem, const WaveNumbers& wanted,
+                                 const std::stop_token& stop) {
+    ImpactSummary summary = summarize(impact, problem);
+    PassingWaves waves(impact, problem.hammer, wanted.forces);
+    Impact rest = marchInPassing(
+        problem, impact.pieces, [&](Impact& recording) { return waves.take(recording); }, stop);
+    if (rest.outcome != Outcome::rebounded) return summary;
+    waves.takeLast(rest);
+    if (wanted.forcePeaks) summary.forcePeaks = waves.peaks();
+    summary.rodForces = waves.forces();
+    return summary;
+}
+
+}  // namespace drillwave
