@@ -64,11 +64,18 @@ void NetworkMarch::scheduleCensus() {
     double ahead = 0;
     for (std::size_t j = 0; j < m_plan.sections(); ++j)
         ahead = std::max(ahead, clocks.delays[j + 1] + clocks.transitTimes[j]);
-    const double now = m_lattice.clock(), time = now + ahead;
+    const double now = m_lattice.clock(), time = now + ahead, limit = m_plan.limitTime();
+    const double block = m_lattice.cuts().clock(m_lattice.step() + static_cast<long>(stepsOfBlock)) - now;
+    // The last one is taken at the limit itself, whatever happens until then, and has to begin in time.
+    const auto isLateAt = [&](double clock) { return clock + block + ahead > limit; };
+    if (isLateAt(now)) {
+        m_census.begin(problem, clocks, limit);
+        return;
+    }
     const BitNodeState& bit = m_lattice.bit();
     const bool isFree = bit.isApart() && bit.record.contacts > 0 && m_lattice.face().apart;
-    if (isFree ? !m_free && now >= m_landing : time >= m_plan.limitTime())
-        m_census.begin(problem, clocks, time);
+    if (isFree && !m_free && now >= m_landing)
+        m_census.begin(problem, clocks, isLateAt(time - clocks.earliest()) ? limit : time);
 }
 
 /// The waves of the block that was taken last.

@@ -60,6 +60,24 @@ class TestStringBlow : public QObject {
             QVERIFY(std::abs(efficiencyWith("string.coupling.diameter", diameter) - efficiency) < 6e-4);
     }
 
+    /// A bit that may come back after the next blow: quick and sure runs end at the same time.
+    void whatIsNotOverIsToldAtTheNextBlow() {
+        Scenario scenario = t38();
+        findParameter("string.rod.length")->assign(scenario, 10);
+        MethodSolver solver;
+        const Blow sure = solved(scenario);
+        const Blow quick =
+            solveBlow(scenario, {}, Detail::ledger, {}, Stresses::wanted, solver, NetworkAccuracy::quick);
+        for (const Blow* blow : {&sure, &quick}) {
+            QVERIFY(blow->isSolved());
+            QCOMPARE(blow->string->impact.end, NetworkEnd::nextBlow);
+            QVERIFY(std::abs(output(*blow, "end_time") * blow->scales.time - 1.0 / 60) < 1e-15);
+        }
+        const double error = std::abs(output(quick, "cor") - output(sure, "cor"));
+        QVERIFY(error <= output(quick, "cor_error") + output(sure, "cor_error"));
+        QVERIFY2(output(quick, "cor_error") < 1e-3, QByteArray::number(output(quick, "cor_error")));
+    }
+
     void historiesAtTheBitAreThoseOfTheBlow() {
         const Blow blow = solveBlow(t38(), {}, Detail::histories);
         QVERIFY(blow.impact.hasHistories() && blow.string->impact.waves);

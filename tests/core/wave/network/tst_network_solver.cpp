@@ -307,6 +307,9 @@ class TestNetworkSolver : public QObject {
                 const QByteArray number = "scene " + QByteArray::number(i);
                 QVERIFY2(impact.end != NetworkEnd::notSolved, number + ": " + impact.reason.c_str());
                 ++ends[std::size_t(impact.end)];
+                // at most to the next blow, and to that itself where bit or hammer may still meet again
+                if (problem.nextBlow) QVERIFY2(impact.endTime <= *problem.nextBlow, number);
+                if (impact.end == NetworkEnd::nextBlow) QCOMPARE(impact.endTime, *problem.nextBlow);
                 constexpr double closed = 1e-11;
                 QVERIFY2(std::abs(impact.momentumResidual) < closed,
                          number + " misses " + QByteArray::number(impact.momentumResidual));
