@@ -8,10 +8,8 @@
 namespace drillwave {
 namespace {
 
-using Kind = ScenarioError::Kind;
-
-[[noreturn]] void refuse(Kind kind, std::string_view text, const std::string& source, std::size_t offset,
-                         const std::string& reason) {
+[[noreturn]] void refuse(ScenarioError::Kind kind, std::string_view text, const std::string& source,
+                         std::size_t offset, const std::string& reason) {
     const TextPosition at = positionOf(text, offset);
     throw ScenarioError(kind, source, {{"", reason, at.line, at.column}});
 }
@@ -20,25 +18,26 @@ using Kind = ScenarioError::Kind;
 
 PresetFile parsePresets(std::string_view text, const std::string& source) {
     if (const TextProblem problem = checkText(text); !problem.reason.empty())
-        refuse(Kind::unreadable, text, source, problem.offset,
+        refuse(ScenarioError::Kind::unreadable, text, source, problem.offset,
                "is not a text file: it holds " + problem.reason);
     const YamlTree tree = parseYaml(text);
     if (!tree.problem.text.empty())
-        refuse(tree.problem.isYaml ? Kind::invalid : Kind::unreadable, text, source, tree.problem.offset,
-               tree.problem.text);
+        refuse(tree.problem.isYaml ? ScenarioError::Kind::invalid : ScenarioError::Kind::unreadable, text,
+               source, tree.problem.offset, tree.problem.text);
     PresetReader reader(text);
     PresetFile file;
     file.presets = reader.read(tree.root);
     file.sectionPresets = reader.takeSectionPresets();
     std::vector<InputProblem> problems = reader.takeProblems();
-    if (!problems.empty()) throw ScenarioError(Kind::invalid, source, std::move(problems));
+    if (!problems.empty()) throw ScenarioError(ScenarioError::Kind::invalid, source, std::move(problems));
     return file;
 }
 
 PresetFile loadPresets(const std::string& path) {
     const FileBytes file = readFile(path, maximumPresetBytes);
     if (!file.problem.empty())
-        throw ScenarioError(Kind::unreadable, path, {{"", "the file of presets " + file.problem}});
+        throw ScenarioError(ScenarioError::Kind::unreadable, path,
+                            {{"", "the file of presets " + file.problem}});
     return parsePresets(file.bytes, path);
 }
 

@@ -9,8 +9,6 @@
 
 namespace drillwave {
 
-using Kind = YamlNode::Kind;
-
 /// One list of the file. Its keys are those of a section of a scenario, and some more of `drill`.
 struct PresetReader::Section {
     std::string_view list;
@@ -33,7 +31,7 @@ std::vector<Preset> PresetReader::read(const YamlNode& root) {
     static const std::vector<Section> sections{{"rods", "rod", PresetKind::rod, {}},
                                                {"hammers", "pulse", PresetKind::hammer, {"blow_frequency"}},
                                                {"rocks", "bit_rock", PresetKind::rock, {}}};
-    if (root.kind != Kind::map) {
+    if (root.kind != YamlKind::map) {
         m_reader.problems().reportKey(root.offset, formatKey,
                                       "the file must begin with `drillwave_presets: 1`");
         return {};
@@ -64,14 +62,14 @@ bool PresetReader::readFormat(const YamlNode& root) {
 
 void PresetReader::readList(const YamlNode& list, const Section& section) {
     m_names.clear();
-    if (list.kind == Kind::sequence)
+    if (list.kind == YamlKind::sequence)
         for (const YamlNode& item : list.children) readPreset(item, section);
-    else if (list.kind != Kind::null)
+    else if (list.kind != YamlKind::null)
         m_reader.problems().reportKey(list.offset, section.list, "must be a list of presets, `- name: …`");
 }
 
 void PresetReader::readPreset(const YamlNode& item, const Section& section) {
-    if (item.kind != Kind::map) {
+    if (item.kind != YamlKind::map) {
         m_reader.problems().reportKey(item.offset, section.list, "each preset must begin with `name: …`");
         return;
     }
@@ -103,7 +101,7 @@ std::string PresetReader::readName(const YamlEntries& entries, const YamlNode& i
         return {};
     }
     const YamlNode& value = *found->second.value;
-    if (value.kind != Kind::scalar || value.text.empty())
+    if (value.kind != YamlKind::scalar || value.text.empty())
         m_reader.problems().reportKey(found->second.place(), key, "must be text");
     else if (const std::string problem = nameProblem(value.text); !problem.empty())
         m_reader.problems().reportValue(value.offset, key, value.text, problem);
@@ -118,8 +116,8 @@ YamlEntries PresetReader::valuesOf(const YamlEntries& entries, const Section& se
     for (const auto& [key, entry] : entries) {
         if (key == "name") continue;
         const YamlNode& pair = *entry.value;
-        const bool isPair = pair.kind == Kind::sequence && pair.children.size() == 2 &&
-                            itemOf(pair, 1).kind == Kind::scalar && !itemOf(pair, 1).text.empty();
+        const bool isPair = pair.kind == YamlKind::sequence && pair.children.size() == 2 &&
+                            itemOf(pair, 1).kind == YamlKind::scalar && !itemOf(pair, 1).text.empty();
         if (isPair) values.emplace(key, YamlEntry{entry.key, &itemOf(pair, 0)});
         if (const std::string problem = isPair ? nameProblem(itemOf(pair, 1).text) : std::string();
             !problem.empty())

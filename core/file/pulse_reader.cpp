@@ -10,8 +10,6 @@
 namespace drillwave {
 namespace {
 
-using Kind = YamlNode::Kind;
-
 constexpr std::size_t maximumWrongPoints = 20;
 
 /// The shape, or nullopt where it is missing or wrong, which is reported.
@@ -50,8 +48,8 @@ bool readCoordinate(SectionReader& reader, const YamlNode& node, Quantity quanti
 
 bool readPoint(SectionReader& reader, const YamlNode& item, TablePoint& point) {
     const auto& parts = item.children;
-    const bool pair = item.kind == Kind::sequence && parts.size() == 2 && parts[0].kind == Kind::scalar &&
-                      parts[1].kind == Kind::scalar;
+    const bool pair = item.kind == YamlKind::sequence && parts.size() == 2 &&
+                      parts[0].kind == YamlKind::scalar && parts[1].kind == YamlKind::scalar;
     if (!pair) {
         const std::string_view example = reader.dimensional() ? "[200 us, 255 kN]" : "[0.5, 1]";
         reader.problems().reportKey(item.offset, "pulse.points",
@@ -65,7 +63,7 @@ bool readPoint(SectionReader& reader, const YamlNode& item, TablePoint& point) {
 
 void readPoints(SectionReader& reader, const YamlEntry& entry) {
     reader.setPlace("pulse.points", entry.place());
-    if (entry.value->kind != Kind::sequence) {
+    if (entry.value->kind != YamlKind::sequence) {
         reader.problems().reportKey(entry.place(), "pulse.points", "must be a list of [time, force]");
         return;
     }
@@ -82,7 +80,7 @@ void readPoints(SectionReader& reader, const YamlEntry& entry) {
 bool readTableFile(SectionReader& reader, const YamlEntry& entry, const TableSource& tables) {
     reader.setPlace("pulse.points", entry.place());
     const std::string& file = entry.value->text;
-    if (entry.value->kind != Kind::scalar || file.empty()) {
+    if (entry.value->kind != YamlKind::scalar || file.empty()) {
         reader.problems().reportKey(entry.place(), "pulse.file", "must be the name of a CSV file");
         return false;
     }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t maximumTableBytes = std::size_t{16} << 20;
 constexpr std::size_t maximumRecordBytes = 4096;
-constexpr std::size_t maximumProblems = 20;
+constexpr std::size_t mostWrongRows = 20;
 
 class TableReader {
   public:
@@ -30,7 +30,7 @@ class TableReader {
             return std::move(m_table);
         }
         readHeader(record, csv.line());
-        while (m_table.problems.size() < maximumProblems && csv.next(record)) readPoint(record, csv.line());
+        while (m_table.problems.size() < mostWrongRows && csv.next(record)) readPoint(record, csv.line());
         if (m_table.problems.empty()) checkPoints(csv.line());
         return std::move(m_table);
     }

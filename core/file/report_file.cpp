@@ -13,8 +13,6 @@
 namespace drillwave {
 namespace {
 
-using Kind = YamlNode::Kind;
-
 /// The words of a comment, without its "#".
 std::string wordsOf(std::string_view comment) {
     const std::size_t first = comment.find_first_not_of("# \t");
@@ -36,7 +34,7 @@ class ScenarioRemarks {
     std::optional<Stated> find(std::string_view section, std::string_view key) const {
         const YamlNode* map = node(section);
         const YamlNode* value = map ? child(*map, key) : nullptr;
-        if (!value || value->kind != Kind::scalar) return std::nullopt;
+        if (!value || value->kind != YamlKind::scalar) return std::nullopt;
         const std::optional<TextExtent> extent = extentOf(m_text, *value);
         if (!extent) return Stated{value->text, {}};
         const std::size_t end = map->flow ? behindBrace(*map) : extent->end;
@@ -49,7 +47,7 @@ class ScenarioRemarks {
         const std::size_t dot = list.rfind('.');
         if (dot == std::string_view::npos) return {};
         const YamlNode* map = node(list.substr(0, dot));
-        if (!map || map->kind != Kind::map) return {};
+        if (!map || map->kind != YamlKind::map) return {};
         for (std::size_t i = 0; i + 1 < map->children.size(); i += 2) {
             const YamlNode& key = map->children[i];
             if (key.text != list.substr(dot + 1)) continue;
@@ -74,12 +72,12 @@ class ScenarioRemarks {
 
     /// Of a map by its key, of a list by its number from 0.
     static const YamlNode* child(const YamlNode& map, std::string_view key) {
-        if (map.kind == Kind::sequence) {
+        if (map.kind == YamlKind::sequence) {
             std::size_t index = map.children.size();
             std::from_chars(key.data(), key.data() + key.size(), index);
             return index < map.children.size() ? &map.children[index] : nullptr;
         }
-        if (map.kind != Kind::map) return nullptr;
+        if (map.kind != YamlKind::map) return nullptr;
         for (std::size_t i = 0; i + 1 < map.children.size(); i += 2)
             if (map.children[i].text == key) return &map.children[i + 1];
         return nullptr;

@@ -21,7 +21,7 @@ namespace {
 
 using Node = YamlNode;
 
-[[noreturn]] void refuse(const std::string& source, std::string reason) {
+[[noreturn]] void refuseResult(const std::string& source, std::string reason) {
     throw ScenarioError(ScenarioError::Kind::unreadable, source, {{"", std::move(reason)}});
 }
 
@@ -31,8 +31,8 @@ bool endsWith(std::string_view path, std::string_view suffix) {
     return std::ranges::equal(path.substr(path.size() - suffix.size()), suffix, {}, lower);
 }
 
-[[noreturn]] void refuseValue(const std::string& source, std::string_view key, std::string_view value,
-                              std::string_view reason) {
+[[noreturn]] void refuseResultValue(const std::string& source, std::string_view key, std::string_view value,
+                                    std::string_view reason) {
     throw ScenarioError(ScenarioError::Kind::invalid, source, {valueProblem(key, shortened(value), reason)});
 }
 
@@ -45,17 +45,18 @@ void checkRecord(const Node& record, const std::string& source) {
         for (std::size_t i = 0; i + 1 < record.children.size(); i += 2)
             times += record.children[i].text == key;
         if (times > 1)
-            refuseValue(source, key, "", "is given " + std::to_string(times) + " times; keep one of them");
+            refuseResultValue(source, key, "",
+                              "is given " + std::to_string(times) + " times; keep one of them");
     }
     if (const std::string* format = record.textOf(rowRecordFormatKey);
         format && *format != std::to_string(rowRecordFormat))
-        refuseValue(source, rowRecordFormatKey, *format,
-                    "this program reads the format " + std::to_string(rowRecordFormat));
+        refuseResultValue(source, rowRecordFormatKey, *format,
+                          "this program reads the format " + std::to_string(rowRecordFormat));
     if (const std::string* method = record.textOf("method"); method && *method != methodOfStrings)
         if (const std::string problem = methodProblem(*method); !problem.empty())
-            refuseValue(source, "method", *method, problem);
+            refuseResultValue(source, "method", *method, problem);
     if (const std::string* segments = record.textOf("segments"))
-        if (!segmentsIn(*segments)) refuseValue(source, "segments", *segments, segmentsProblem());
+        if (!segmentsIn(*segments)) refuseResultValue(source, "segments", *segments, segmentsProblem());
 }
 
 std::optional<MethodChoice> methodOf(const Node& record) {
@@ -85,12 +86,12 @@ std::optional<ScenarioInput> parseRecord(std::string_view text, const std::strin
 ScenarioInput parseCsv(std::string_view text, const std::string& source) {
     const std::string yaml = scenarioFromHeader(text);
     if (yaml.empty())
-        refuse(
+        refuseResult(
             source,
             "is taken for a result, as its name ends in .csv, and holds no scenario; only the CSV files of "
             "run, gap, thrust and accuracy begin with one (a sweep or table has it in the .yaml beside it)");
     const ResultRemarks remarks = remarksOf(yaml);
-    if (!remarks.problem.empty()) refuse(source, remarks.problem);
+    if (!remarks.problem.empty()) refuseResult(source, remarks.problem);
     return {.document = parseScenario(std::string_view(yaml).substr(remarks.length), source),
             .isResult = true,
             .version = remarks.version,
@@ -104,8 +105,9 @@ bool isPage(std::string_view text, const std::string& source) {
 ScenarioInput parsePage(std::string_view text, const std::string& source) {
     if (std::optional<ScenarioInput> input = parseRecord(reportRecord(text), source))
         return std::move(*input);
-    refuse(source,
-           "is a web page and holds no scenario; only the HTML files of `drillwave report` begin with one");
+    refuseResult(
+        source,
+        "is a web page and holds no scenario; only the HTML files of `drillwave report` begin with one");
 }
 
 /// Whether a text looks like a record or JSON; a scenario may be in braces too.
@@ -127,17 +129,19 @@ ScenarioInput parseInput(std::string_view text, const std::string& source) {
     if (isPage(plain, source)) return parsePage(plain, source);
     if (isCsvName(source) || plain.starts_with(csvRemarksBegin)) return parseCsv(plain, source);
     if (mayBeRecord(plain)) {
-        if (text.size() >= maximumInputBytes) refuse(source, "is larger than 4 MiB, too large to be meant");
+        if (text.size() >= maximumInputBytes)
+            refuseResult(source, "is larger than 4 MiB, too large to be meant");
         if (std::optional<ScenarioInput> input = parseRecord(plain, source)) return std::move(*input);
     }
     if (endsWith(source, ".json"))
-        refuse(source,
-               "is taken for a result, as its name ends in .json, and holds no `scenario`; give the scenario "
-               "file");
+        refuseResult(
+            source,
+            "is taken for a result, as its name ends in .json, and holds no `scenario`; give the scenario "
+            "file");
     if (text.size() > maximumScenarioBytes)
-        refuse(source, "the scenario file is larger than 1024 KiB, too large to be meant");
+        refuseResult(source, "the scenario file is larger than 1024 KiB, too large to be meant");
     const ResultRemarks remarks = remarksOf(plain);
-    if (!remarks.problem.empty()) refuse(source, remarks.problem);
+    if (!remarks.problem.empty()) refuseResult(source, remarks.problem);
     return {.document = parseScenario(text, source),
             .isResult = false,
             .version = remarks.version,
@@ -146,13 +150,13 @@ ScenarioInput parseInput(std::string_view text, const std::string& source) {
 
 ScenarioInput loadInput(const std::string& path) {
     const FileBytes file = readStart(path, maximumInputBytes);
-    if (!file.problem.empty()) refuse(path, "the scenario file " + file.problem);
+    if (!file.problem.empty()) refuseResult(path, "the scenario file " + file.problem);
     return parseInput(file.bytes, path);
 }
 
 ScenarioDocument loadResultScenario(const std::string& path) {
     ScenarioInput input = loadInput(path);
-    if (!input.isResult) refuse(path, "holds no scenario of a result");
+    if (!input.isResult) refuseResult(path, "holds no scenario of a result");
     return std::move(input.document);
 }
 

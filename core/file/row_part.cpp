@@ -34,7 +34,7 @@ std::vector<Entry> entriesOf(std::string_view record) {
     return entries;
 }
 
-[[noreturn]] void refuse(const std::string& file, const std::string& reason) {
+[[noreturn]] void refusePart(const std::string& file, const std::string& reason) {
     throw ScenarioError(ScenarioError::Kind::unreadable, file + ".yaml",
                         {{"", reason + "; parts are joined by the records that were written with them"}});
 }
@@ -62,24 +62,24 @@ std::string rangesOf(const std::vector<std::uint64_t>& numbers) {
 }  // namespace
 
 RowPart parseRowPart(std::string_view record, const std::string& file) {
-    if (!record.starts_with(rowRecordKey)) refuse(file, "is no record of rows");
+    if (!record.starts_with(rowRecordKey)) refusePart(file, "is no record of rows");
     const YamlTree tree = parseYaml(record);
-    if (!tree.problem.text.empty()) refuse(file, "cannot be read: " + tree.problem.text);
+    if (!tree.problem.text.empty()) refusePart(file, "cannot be read: " + tree.problem.text);
     const std::string* format = tree.root.textOf(rowRecordFormatKey);
     const std::string known = std::to_string(rowRecordFormat);
     if (!format || *format != known)
-        refuse(file, "is of another format than " + known + ", from a newer program");
+        refusePart(file, "is of another format than " + known + ", from a newer program");
     const std::string* command = tree.root.textOf("command");
     const std::string* rows = tree.root.textOf("rows");
     const YamlNode* part = tree.root.valueOf("part");
     RowPart read{.file = file, .command = {}, .rows = 0, .shard = {}, .record = std::string(record)};
-    if (!command) refuse(file, "has no command");
+    if (!command) refusePart(file, "has no command");
     const auto count = rows ? wholeNumberIn<std::uint64_t>(*rows) : std::nullopt;
-    if (!count) refuse(file, "has no number of rows");
+    if (!count) refusePart(file, "has no number of rows");
     read.rows = *count;
     if (part) {
         const std::optional<Shard> shard = parseShard(part->text);
-        if (!shard) refuse(file, "part: " + part->text + " is no part I/N");
+        if (!shard) refusePart(file, "part: " + part->text + " is no part I/N");
         read.shard = *shard;
     }
     read.command = *command;

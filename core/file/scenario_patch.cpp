@@ -11,7 +11,6 @@
 namespace drillwave {
 namespace {
 
-using Kind = YamlNode::Kind;
 using Extent = TextExtent;
 
 /// Thrown inside this file where the text would have to be written anew.
@@ -64,7 +63,7 @@ class Patcher {
     }
 
     /// The value of a key, which must be there and of that kind.
-    static const YamlNode& valueOf(const YamlNode& map, std::string_view key, Kind kind) {
+    static const YamlNode& valueOf(const YamlNode& map, std::string_view key, YamlKind kind) {
         const std::size_t at = indexOf(map, key);
         if (at >= map.children.size() || map.children[at + 1].kind != kind) throw NotPatchable();
         return map.children[at + 1];
@@ -74,11 +73,11 @@ class Patcher {
     /// anew.
     void patchDrillString(const YamlNode& root) {
         const DrillString& drillString = m_scenario.drillString;
-        const YamlNode& hammer = valueOf(root, "hammer", Kind::map);
+        const YamlNode& hammer = valueOf(root, "hammer", YamlKind::map);
         patchMap(hammer, "hammer");
-        patchList(valueOf(hammer, "sections", Kind::sequence), "hammer.sections",
+        patchList(valueOf(hammer, "sections", YamlKind::sequence), "hammer.sections",
                   drillString.hammer.sections.size());
-        const YamlNode& parts = valueOf(root, "string", Kind::sequence);
+        const YamlNode& parts = valueOf(root, "string", YamlKind::sequence);
         if (parts.children.size() != drillString.parts.size()) throw NotPatchable();
         for (std::size_t i = 0; i < drillString.parts.size(); ++i) {
             const StringPart& part = drillString.parts[i];
@@ -86,7 +85,8 @@ class Patcher {
             const std::string path = "string." + std::to_string(i);
             if (part.group != (indexOf(map, "of") < map.children.size())) throw NotPatchable();
             patchMap(map, path);
-            if (part.group) patchList(valueOf(map, "of", Kind::sequence), path + ".of", part.sections.size());
+            if (part.group)
+                patchList(valueOf(map, "of", YamlKind::sequence), path + ".of", part.sections.size());
         }
     }
 
@@ -101,9 +101,9 @@ class Patcher {
         // A section that is not there need not tell what its absence says.
         const bool wanted = std::ranges::any_of(
             m_values, [&](const SavedValue& v) { return v.section == section && (there || !v.isDefault); });
-        if (there && wanted && root.children[at + 1].kind == Kind::map)
+        if (there && wanted && root.children[at + 1].kind == YamlKind::map)
             patchMap(root.children[at + 1], section);
-        else if (there && (wanted || root.children[at + 1].kind != Kind::null))
+        else if (there && (wanted || root.children[at + 1].kind != YamlKind::null))
             removeSection(root, at, wanted);
         else if (wanted)
             appendSection(section);
@@ -112,7 +112,7 @@ class Patcher {
     /// A section of which nothing is left, as long as it is one line or a few.
     void removeSection(const YamlNode& root, std::size_t at, bool wanted) {
         const YamlNode& map = root.children[at + 1];
-        if (wanted || root.flow || map.kind != Kind::map) throw NotPatchable();
+        if (wanted || root.flow || map.kind != YamlKind::map) throw NotPatchable();
         if (!map.flow)
             for (std::size_t i = 0; i + 1 < map.children.size(); i += 2) removeLine(map, i);
         const Extent key = lineOf(literalExtent(m_text, root.children[at]));
@@ -130,7 +130,7 @@ class Patcher {
     }
 
     void patchMap(const YamlNode& map, std::string_view section) {
-        if (map.kind != Kind::map || map.children.empty()) throw NotPatchable();
+        if (map.kind != YamlKind::map || map.children.empty()) throw NotPatchable();
         for (std::size_t i = 0; i + 1 < map.children.size(); i += 2) patchEntry(map, i, section);
         const YamlNode* before = section.empty() ? &map.children.front() : nullptr;
         for (const SavedValue& value : m_values) {
@@ -148,7 +148,7 @@ class Patcher {
         const YamlNode& node = map.children[at + 1];
         if (section.empty() && key.text != "title" && key.text != "end_time") return;
         if (section == "pulse" && key.text == "points") return;
-        if (node.kind == Kind::sequence && (key.text == "sections" || key.text == "of")) return;
+        if (node.kind == YamlKind::sequence && (key.text == "sections" || key.text == "of")) return;
         const SavedValue* value = saved(section, key.text);
         if (!value && section.empty() && node.text.empty()) return;
         if (!value) {
@@ -163,7 +163,7 @@ class Patcher {
             const TypedQuantity old = parseQuantity(node.text, value->unit->quantity);
             if (old.valid() && old.si == value->number) return;
             unit = old.unit;
-        } else if (node.text == value->text && node.kind == Kind::scalar) {
+        } else if (node.text == value->text && node.kind == YamlKind::scalar) {
             return;
         }
         replace(literalExtent(m_text, node), valueText(*value, unit));
@@ -190,7 +190,7 @@ class Patcher {
         const Extent key = literalExtent(m_text, map.children[at]);
         const YamlNode& value = map.children[at + 1];
         const Extent line =
-            lineOf(value.kind == Kind::null ? key : Extent{key.begin, literalExtent(m_text, value).end});
+            lineOf(value.kind == YamlKind::null ? key : Extent{key.begin, literalExtent(m_text, value).end});
         const std::string_view indentation = m_text.substr(line.begin, key.begin - line.begin);
         const bool oneLine =
             m_text.substr(key.begin, line.end - key.begin).find('\n') + 1 == line.end - key.begin ||
@@ -254,7 +254,7 @@ class Patcher {
 
 std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario) {
     const YamlTree tree = parseYaml(text);
-    if (!tree.problem.text.empty() || tree.root.kind != Kind::map) return std::nullopt;
+    if (!tree.problem.text.empty() || tree.root.kind != YamlKind::map) return std::nullopt;
     try {
         return Patcher(text, scenario).patched(tree.root);
     } catch (const NotPatchable&) {

@@ -13,7 +13,6 @@
 namespace drillwave {
 namespace {
 
-using Kind = YamlNode::Kind;
 using Applicability = SectionReader::Applicability;
 
 constexpr std::string_view stringKeys[] = {"material", "hammer", "string", "end_time"};
@@ -76,8 +75,8 @@ std::optional<int> readFormat(SectionReader& reader, const YamlNode& root) {
 
 void readTitle(SectionReader& reader, const YamlEntries& file) {
     const auto found = file.find("title");
-    if (found == file.end() || found->second.value->kind == Kind::null) return;
-    if (found->second.value->kind != Kind::scalar)
+    if (found == file.end() || found->second.value->kind == YamlKind::null) return;
+    if (found->second.value->kind != YamlKind::scalar)
         reader.problems().reportKey(found->second.place(), "title", "must be text");
     reader.scenario().title = found->second.value->text;
 }
@@ -221,11 +220,11 @@ ReadScenario readScenario(std::string_view text, const std::string& source, cons
         result.unreadable = !tree.problem.isYaml;
         return result;
     }
-    if (tree.root.kind == Kind::null) return unreadableText({"", "the file is empty", 1, 1});
+    if (tree.root.kind == YamlKind::null) return unreadableText({"", "the file is empty", 1, 1});
 
     SectionReader reader(text);
     ReadScenario result;
-    if (tree.root.kind != Kind::map)
+    if (tree.root.kind != YamlKind::map)
         reader.problems().reportKey(tree.root.offset, "drillwave",
                                     "the file must be lines of `key: value`, the first `drillwave: 1`");
     else if (const std::optional<int> format = readFormat(reader, tree.root))

@@ -11,17 +11,15 @@
 namespace drillwave {
 namespace {
 
-using Kind = YamlNode::Kind;
-
 class ListReader {
   public:
     ListReader(SectionReader& reader, SectionPresetKind kind, std::string_view list)
         : m_reader(reader), m_kind(kind), m_list(list) {}
 
     std::vector<SectionPreset> read(const YamlNode& list) {
-        if (list.kind == Kind::sequence)
+        if (list.kind == YamlKind::sequence)
             for (const YamlNode& item : list.children) readPreset(item);
-        else if (list.kind != Kind::null)
+        else if (list.kind != YamlKind::null)
             m_reader.problems().reportKey(list.offset, m_list, "must be a list of presets, `- name: …`");
         return std::move(m_presets);
     }
@@ -30,7 +28,7 @@ class ListReader {
     std::string key(std::string_view local) const { return joinedKey(m_list, local); }
 
     void readPreset(const YamlNode& item) {
-        if (item.kind != Kind::map) {
+        if (item.kind != YamlKind::map) {
             m_reader.problems().reportKey(item.offset, m_list, "each preset must begin with `name: …`");
             return;
         }
@@ -58,7 +56,7 @@ class ListReader {
             return {};
         }
         const YamlNode& value = *found->second.value;
-        const bool isText = value.kind == Kind::scalar && !value.text.empty();
+        const bool isText = value.kind == YamlKind::scalar && !value.text.empty();
         const std::string problem = isText ? nameProblem(value.text) : std::string();
         if (!isText)
             m_reader.problems().reportKey(found->second.place(), key(local), "must be text");
@@ -83,7 +81,7 @@ class ListReader {
 
     void readSectionsOf(SectionPreset& preset, const YamlEntries& entries, const YamlNode& item) {
         const auto found = entries.find("sections");
-        if (found == entries.end() || found->second.value->kind != Kind::sequence ||
+        if (found == entries.end() || found->second.value->kind != YamlKind::sequence ||
             found->second.value->children.empty()) {
             const std::size_t place = found == entries.end() ? item.offset : found->second.place();
             m_reader.problems().reportKey(

@@ -10,8 +10,6 @@
 namespace drillwave {
 namespace {
 
-using Kind = YamlNode::Kind;
-
 std::string listOf(const std::vector<std::string_view>& names) {
     std::string text;
     for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
@@ -34,7 +32,7 @@ std::string example(const Parameter& parameter) {
 }  // namespace
 
 std::size_t YamlEntry::place() const {
-    return value->kind == Kind::null ? key->offset : value->offset;
+    return value->kind == YamlKind::null ? key->offset : value->offset;
 }
 
 std::string joinedKey(std::string_view section, std::string_view key) {
@@ -71,8 +69,8 @@ std::optional<YamlEntries> SectionReader::section(const YamlEntries& file, std::
     }
     const YamlEntry& entry = found->second;
     setPlace(name, entry.key->offset);
-    if (entry.value->kind == Kind::null) return YamlEntries();
-    if (entry.value->kind != Kind::map) {
+    if (entry.value->kind == YamlKind::null) return YamlEntries();
+    if (entry.value->kind != YamlKind::map) {
         m_problems.reportKey(entry.place(), name, "must be a section of `key: value` lines");
         return std::nullopt;
     }
@@ -98,8 +96,8 @@ void SectionReader::readParameters(const YamlEntries& entries, std::string_view 
 
 void SectionReader::readParameter(const Parameter& parameter, const YamlEntry& entry) {
     const YamlNode& value = *entry.value;
-    if (value.kind != Kind::scalar) {
-        const std::string_view what = value.kind == Kind::null ? "has no value" : "must be one value";
+    if (value.kind != YamlKind::scalar) {
+        const std::string_view what = value.kind == YamlKind::null ? "has no value" : "must be one value";
         m_problems.reportKey(entry.place(), pathOf(parameter), std::string(what) + example(parameter));
         return;
     }

@@ -10,7 +10,6 @@
 namespace drillwave {
 namespace {
 
-using Kind = YamlNode::Kind;
 using Chain = SectionAddress::Chain;
 
 constexpr std::string_view stringExample =
@@ -41,10 +40,10 @@ class SectionOfFile {
 
     void readName(const YamlEntries& entries) {
         const auto found = entries.find("name");
-        if (found == entries.end() || found->second.value->kind == Kind::null) return;
+        if (found == entries.end() || found->second.value->kind == YamlKind::null) return;
         const YamlEntry& entry = found->second;
         m_reader.setPlace(key("name"), entry.place());
-        const std::string reason = entry.value->kind != Kind::scalar ? "must be text"
+        const std::string reason = entry.value->kind != YamlKind::scalar ? "must be text"
                                    : entry.value->text.empty()
                                        ? "is empty; a section without a name is written without it"
                                        : sectionNameProblem(entry.value->text);
@@ -57,8 +56,8 @@ class SectionOfFile {
     void readNumber(const SectionField& field, const YamlEntry& entry) {
         m_reader.setPlace(key(field.key), entry.place());
         const YamlNode& value = *entry.value;
-        if (value.kind != Kind::scalar) {
-            const std::string_view what = value.kind == Kind::null ? "has no value" : "must be one value";
+        if (value.kind != YamlKind::scalar) {
+            const std::string_view what = value.kind == YamlKind::null ? "has no value" : "must be one value";
             m_reader.problems().reportKey(entry.place(), key(field.key), what);
             return;
         }
@@ -99,7 +98,7 @@ std::vector<Section> readSections(SectionReader& reader, const YamlNode& list, C
                 if (children[i].text == key) return true;
             return false;
         };
-        if (item.kind != Kind::map) {
+        if (item.kind != YamlKind::map) {
             reader.problems().reportKey(item.offset, path, sectionExample);
             sections.emplace_back();
         } else if (isRepeat("repeat") || isRepeat("of")) {
@@ -138,7 +137,7 @@ class StringReader {
         }
         const YamlEntry& entry = found->second;
         m_reader.setPlace("string", entry.key->offset);
-        if (entry.value->kind != Kind::sequence) {
+        if (entry.value->kind != YamlKind::sequence) {
             m_reader.problems().reportKey(entry.place(), "string", stringExample);
             return;
         }
@@ -176,7 +175,7 @@ class StringReader {
         }
         const YamlEntry& entry = found->second;
         m_reader.setPlace("hammer.sections", entry.key->offset);
-        if (entry.value->kind != Kind::sequence)
+        if (entry.value->kind != YamlKind::sequence)
             m_reader.problems().reportKey(
                 entry.place(), "hammer.sections",
                 "must be a list of sections: `- {length: 300 mm, diameter: 50 mm}`");
@@ -193,13 +192,13 @@ class StringReader {
                 if (children[i].text == key) return true;
             return false;
         };
-        if (item.kind == Kind::map && (has("repeat") || has("of"))) {
+        if (item.kind == YamlKind::map && (has("repeat") || has("of"))) {
             readRepeat(item);
             return;
         }
         const std::string path = sectionKey(Chain::string, m_place + 1);
         StringPart part;
-        if (item.kind == Kind::map)
+        if (item.kind == YamlKind::map)
             part.sections.push_back(SectionOfFile(m_reader, path).read(item));
         else
             m_reader.problems().reportKey(
@@ -221,7 +220,7 @@ class StringReader {
         if (const auto found = entries.find("of"); found == entries.end()) {
             if (!m_reader.isThere(entries, path, "of"))
                 m_reader.reportMissing(path, "of", "is missing: the list of the sections that come again");
-        } else if (found->second.value->kind != Kind::sequence || found->second.value->children.empty()) {
+        } else if (found->second.value->kind != YamlKind::sequence || found->second.value->children.empty()) {
             m_reader.problems().reportKey(found->second.place(), joinedKey(path, "of"),
                                           "must be a list of at least one section");
         } else {
@@ -261,7 +260,7 @@ std::vector<Section> readSectionList(SectionReader& reader, const YamlNode& list
     std::vector<Section> sections;
     for (const YamlNode& item : list.children) {
         const std::string path = joinedKey(key, std::to_string(sections.size() + 1));
-        if (item.kind != Kind::map)
+        if (item.kind != YamlKind::map)
             reader.problems().reportKey(item.offset, path, sectionExample);
         else
             sections.push_back(SectionOfFile(reader, path).read(item));

@@ -20,8 +20,6 @@ namespace drillwave {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = FolderEnd::Kind;
-
 /// Others hold the lock for the milliseconds of some renames; longer than this, one of them hangs.
 constexpr std::chrono::seconds longestWait{20};
 constexpr std::chrono::milliseconds lockPatience{10};  // between looks at the lock and at the stop token
@@ -30,7 +28,7 @@ constexpr std::chrono::milliseconds lockPatience{10};  // between looks at the l
 constexpr int mostAttempts = 5;
 
 FolderEnd failed(Message problem) {
-    return {Kind::failed, std::move(problem)};
+    return {FolderEnd::Kind::failed, std::move(problem)};
 }
 
 std::string reasonOf(int error) {
@@ -171,11 +169,11 @@ class Delivery {
         }
         if (!m_hidden.isMade()) return failed(notMade(m_folder, reason));
         for (const NamedFile& file : m_files.files) {
-            if (m_stop.stop_requested()) return {Kind::stopped, {}};
+            if (m_stop.stop_requested()) return {FolderEnd::Kind::stopped, {}};
             if (const WriteFailure failure = replaceFile(m_hidden.newFile(file.name), file.bytes))
                 return notWrittenHere(file.name, failure);
         }
-        if (m_stop.stop_requested()) return {Kind::stopped, {}};
+        if (m_stop.stop_requested()) return {FolderEnd::Kind::stopped, {}};
         if (!m_files.last) return {};
         const std::string name = nameOf(*m_files.last);
         const WriteFailure failure = m_files.last->commitAs(m_hidden.newFile(name));
@@ -184,7 +182,7 @@ class Delivery {
 
     /// Puts them in place: at once where the folder is not there yet.
     FolderEnd place() {
-        if (m_stop.stop_requested()) return {Kind::stopped, {}};
+        if (m_stop.stop_requested()) return {FolderEnd::Kind::stopped, {}};
         if (!isFolder(m_folder)) {
             // Takes the place of nothing, or of a folder made meanwhile if it is empty.
             const int error = renameEntry(m_hidden.newFolder(), m_folder);
@@ -198,7 +196,7 @@ class Delivery {
         FolderLock lock(m_folder);
         const auto end = std::chrono::steady_clock::now() + longestWait;
         while (const int error = lock.tryLock()) {
-            if (m_stop.stop_requested()) return {Kind::stopped, {}};
+            if (m_stop.stop_requested()) return {FolderEnd::Kind::stopped, {}};
             if (areLocksUnknown(error)) break;
             if (error != EWOULDBLOCK) return failed(notWritten(m_folder, {reasonOf(error), false}));
             if (std::chrono::steady_clock::now() > end)
@@ -208,7 +206,7 @@ class Delivery {
                      {m_folder, std::to_string(longestWait.count())}});
             std::this_thread::sleep_for(lockPatience);
         }
-        if (m_stop.stop_requested()) return {Kind::stopped, {}};
+        if (m_stop.stop_requested()) return {FolderEnd::Kind::stopped, {}};
         mendLockedFolder(m_folder);
         return exchange();
     }

@@ -6,7 +6,7 @@
 namespace drillwave {
 
 std::optional<TextExtent> extentOf(std::string_view text, const YamlNode& scalar) {
-    if (scalar.kind != YamlNode::Kind::scalar) return std::nullopt;
+    if (scalar.kind != YamlKind::scalar) return std::nullopt;
     const std::string_view rest = text.substr(scalar.offset);
     const bool quoted = rest.starts_with('"') || rest.starts_with('\'');
     const std::size_t begin = quoted ? 1 : 0;

@@ -60,25 +60,25 @@ class TreeBuilder final : public YAML::EventHandler {
     void OnDocumentStart(const YAML::Mark&) override {}
     void OnDocumentEnd() override {}
     void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-        add(node(YamlNode::Kind::null, mark, "", anchor));
+        add(node(YamlKind::null, mark, "", anchor));
     }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
         refuse(mark, "an alias (*) is not accepted here: write the value itself");
     }
     void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   const std::string& value) override {
-        YamlNode scalar = node(YamlNode::Kind::scalar, mark, tag, anchor);
+        YamlNode scalar = node(YamlKind::scalar, mark, tag, anchor);
         scalar.text = value;
         add(std::move(scalar));
     }
     void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                          YAML::EmitterStyle::value style) override {
-        open(YamlNode::Kind::sequence, mark, tag, anchor, style);
+        open(YamlKind::sequence, mark, tag, anchor, style);
     }
     void OnSequenceEnd() override { close(); }
     void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                     YAML::EmitterStyle::value style) override {
-        open(YamlNode::Kind::map, mark, tag, anchor, style);
+        open(YamlKind::map, mark, tag, anchor, style);
     }
     void OnMapEnd() override { close(); }
 
@@ -105,8 +105,7 @@ class TreeBuilder final : public YAML::EventHandler {
         throw Refusal{{offsetOf(mark), std::move(reason), true}};
     }
 
-    YamlNode node(YamlNode::Kind kind, const YAML::Mark& mark, const std::string& tag,
-                  YAML::anchor_t anchor) {
+    YamlNode node(YamlKind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
         if (anchor != 0) refuse(mark, "an anchor (&) is not accepted here: write the value itself");
         const std::size_t offset = offsetOf(mark);
         // A plain scalar has the tag "?", a quoted one "!", as has one with an explicit "!".
@@ -122,7 +121,7 @@ class TreeBuilder final : public YAML::EventHandler {
         return result;
     }
 
-    void open(YamlNode::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+    void open(YamlKind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
               YAML::EmitterStyle::value style) {
         if (m_open.size() >= maximumDepth) refuse(mark, tooDeep());
         YamlNode collection = node(kind, mark, tag, anchor);
@@ -142,8 +141,8 @@ class TreeBuilder final : public YAML::EventHandler {
             return;
         }
         YamlNode& parent = m_open.back();
-        const bool isKey = parent.kind == YamlNode::Kind::map && parent.children.size() % 2 == 0;
-        if (isKey && finished.kind != YamlNode::Kind::scalar)
+        const bool isKey = parent.kind == YamlKind::map && parent.children.size() % 2 == 0;
+        if (isKey && finished.kind != YamlKind::scalar)
             throw Refusal{{finished.offset, "a key must be a plain name", true}};
         parent.children.push_back(std::move(finished));
     }
@@ -180,7 +179,7 @@ class NoSecondDocument final : public YAML::EventHandler {
 }  // namespace
 
 const YamlNode* YamlNode::valueOf(std::string_view key) const {
-    if (kind != Kind::map) return nullptr;
+    if (kind != YamlKind::map) return nullptr;
     for (std::size_t i = 0; i + 1 < children.size(); i += 2)
         if (children[i].text == key) return &children[i + 1];
     return nullptr;
@@ -188,7 +187,7 @@ const YamlNode* YamlNode::valueOf(std::string_view key) const {
 
 const std::string* YamlNode::textOf(std::string_view key) const {
     const YamlNode* value = valueOf(key);
-    return value && value->kind == Kind::scalar ? &value->text : nullptr;
+    return value && value->kind == YamlKind::scalar ? &value->text : nullptr;
 }
 
 YamlTree parseYaml(std::string_view text) {

@@ -9,10 +9,11 @@
 
 namespace drillwave {
 
+enum class YamlKind : std::uint8_t { null, scalar, sequence, map };
+
 /// One value of a YAML text.
 struct YamlNode {
-    enum class Kind : std::uint8_t { null, scalar, sequence, map };
-    Kind kind = Kind::null;
+    YamlKind kind = YamlKind::null;
     bool flow = false;         ///< written with brackets or braces
     std::uint32_t offset = 0;  ///< first byte in the text
     std::string text;          ///< of a scalar, unquoted
