@@ -25,8 +25,7 @@ constexpr Range notNegative{0, infinity};
 constexpr double largestTime = 1e9;
 constexpr std::string_view lostPhase =
     "in a larger one the numbers of double precision are too coarse to place a wave";
-constexpr auto linear = SliderScale::linear;
-constexpr auto logarithmic = SliderScale::logarithmic;
+using enum SliderScale;
 
 bool dimensional(const S& s) {
     return s.form == ScenarioForm::dimensional;
@@ -109,7 +108,7 @@ void assignDelta(S& s, double value) {
 }
 
 // clang-format off
-constexpr std::array table{
+constexpr std::array parameterTable{
     Parameter{"rod.length", "length", "L", "Length of the rod or rod string, from the hammer to the bit",
               Quantity::length, "m", positive, {0.5, 40}, logarithmic, Scope::dimensional,
               [](const S& s) { return Value(s.rod.length); }, [](S& s, double v) { s.rod.length = v; }},
@@ -318,12 +317,12 @@ const Unit& Parameter::displayUnit() const {
 }
 
 std::span<const Parameter> parameters() {
-    return table;
+    return parameterTable;
 }
 
 const Parameter* findParameter(std::string_view key) {
-    const auto found = std::ranges::find(table, key, &Parameter::key);
-    return found == table.end() ? findSectionParameter(key) : &*found;
+    const auto found = std::ranges::find(parameterTable, key, &Parameter::key);
+    return found == parameterTable.end() ? findSectionParameter(key) : &*found;
 }
 
 std::string Range::problem(double value, const Unit& si) const {

@@ -12,10 +12,8 @@ namespace drillwave {
 namespace {
 
 using Value = std::optional<double>;
+using enum SliderScale;
 namespace ranges = string_ranges;
-
-constexpr auto linear = SliderScale::linear;
-constexpr auto logarithmic = SliderScale::logarithmic;
 
 Value diameter(const Section& s) {
     return s.area ? std::nullopt : Value(s.diameter);
@@ -26,7 +24,7 @@ void assignDiameter(Section& s, double value) {
 }
 
 // clang-format off
-constexpr std::array table{
+constexpr std::array fieldTable{
     SectionField{"length", "length", "L", "Length of the section",
                  Quantity::length, "mm", ranges::length, {0.01, 10}, logarithmic, Presence::required,
                  [](const Section& s) { return Value(s.length); }, [](Section& s, double v) { s.length = v; }},
@@ -77,12 +75,12 @@ const Unit& SectionField::displayUnit() const {
 }
 
 std::span<const SectionField> sectionFields() {
-    return table;
+    return fieldTable;
 }
 
 const SectionField* findSectionField(std::string_view key) {
-    const auto found = std::ranges::find(table, key, &SectionField::key);
-    return found == table.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(fieldTable, key, &SectionField::key);
+    return found == fieldTable.end() ? nullptr : &*found;
 }
 
 bool areRivals(const SectionField& a, const SectionField& b) {

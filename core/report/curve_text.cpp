@@ -10,14 +10,14 @@ namespace drillwave {
 
 namespace {
 
-constexpr int digits = 8;
+constexpr int curveDigits = 8;
 /// Features of an output of a line that are told one by one; JSON has all of them.
 constexpr std::size_t mostFeatures = 40;
 constexpr std::size_t mostStretches = 5;
 
 /// "0.29982658", in the unit that the heading has.
 std::string placeText(const SweepAxis& axis, double value) {
-    return rounded(axis.unit->fromSi(value), digits);
+    return rounded(axis.unit->fromSi(value), curveDigits);
 }
 
 std::string what(const CurveFeature& feature) {
@@ -40,7 +40,7 @@ std::string what(const CurveFeature& feature) {
 
 std::string remark(const CurveFeature& feature) {
     using Shape = CurveFeature::Shape;
-    if (feature.kind == CurveFeature::Kind::jump) return "to " + rounded(feature.valueAfter, digits);
+    if (feature.kind == CurveFeature::Kind::jump) return "to " + rounded(feature.valueAfter, curveDigits);
     switch (feature.shape) {
         case Shape::smooth:
             return "";
@@ -64,7 +64,8 @@ std::string featureTable(const CurveQuestion& question, const OutputColumn& colu
     for (const CurveFeature& feature : std::span(features).first(std::min(features.size(), mostFeatures)))
         grid.add({what(feature), placeText(question.along, feature.x.value),
                   boundText(question.along.unit->fromSi(feature.x.error)),
-                  rounded(feature.value.value, digits), boundText(feature.value.error), remark(feature)});
+                  rounded(feature.value.value, curveDigits), boundText(feature.value.error),
+                  remark(feature)});
     std::string text = grid.text();
     if (features.size() > mostFeatures)
         text += "  and " + std::to_string(features.size() - mostFeatures) + " more; --json has all\n";

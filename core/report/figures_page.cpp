@@ -32,14 +32,14 @@ std::string figureText(const Figure& figure, const std::vector<std::string>& for
     return text + "</figcaption>\n</figure>\n";
 }
 
-std::string numberText(const Discrepancy& number) {
+std::string rowOf(const Discrepancy& number) {
     const char* verdict = number.agrees() ? "agrees" : "differs";
     return std::string("<tr class=\"") + verdict + "\">" + cell(number.place) + cell(number.quantity) +
            cell(number.printed) + cell(rounded(number.computed, 8)) + cell(rounded(number.difference(), 2)) +
            cell(verdict) + cell(number.explanation) + "</tr>\n";
 }
 
-constexpr std::string_view style =
+constexpr std::string_view pageStyle =
     "body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em}"
     "table{border-collapse:collapse}td,th{border:1px solid #999;padding:.3em .5em;text-align:left;"
     "vertical-align:top}.differs{background:#fde8d8}figure{margin:2em 0}img{max-width:100%}";
@@ -52,12 +52,12 @@ std::string figuresPage(const std::vector<Figure>& figures, const std::vector<Di
     std::string page =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<title>The paper and the exact solution</title>\n<style>" +
-        std::string(style) + "</style>\n</head>\n<body>\n<h1>The paper and the exact solution</h1>\n<p>" +
+        std::string(pageStyle) + "</style>\n</head>\n<body>\n<h1>The paper and the exact solution</h1>\n<p>" +
         std::to_string(agreeing) + " of " + std::to_string(numbers.size()) +
         " printed numbers agree to half a unit of their last digit. Written by Drillwave " + versionText +
         ".</p>\n<table>\n<tr><th>place</th><th>quantity</th><th>printed</th><th>computed</th>"
         "<th>difference</th><th></th><th>explanation</th></tr>\n";
-    for (const Discrepancy& number : numbers) page += numberText(number);
+    for (const Discrepancy& number : numbers) page += rowOf(number);
     page += "</table>\n";
     for (const Figure& figure : figures) page += figureText(figure, formats);
     return page + "</body>\n</html>\n";

@@ -10,7 +10,7 @@ namespace drillwave {
 
 namespace {
 
-constexpr int digits = 6;
+constexpr int gapDigits = 6;
 constexpr double negligible = 1e-10;  // what the efficiency is known to: elastic rock keeps nothing
 
 /// The columns of the table: e, impulse, peak force, efficiency, each with how it is shown.
@@ -20,8 +20,8 @@ class GapTable {
         : m_dimensional(hasUnits(scenario)), m_scales(scalesOf(scenario)), m_style(style) {}
 
     std::string gap(double value) const {
-        return m_dimensional ? m_style.quantity(value * m_scales.penetration, Quantity::length, digits)
-                             : m_style.number(value, digits);
+        return m_dimensional ? m_style.quantity(value * m_scales.penetration, Quantity::length, gapDigits)
+                             : m_style.number(value, gapDigits);
     }
 
     void addHeading(const std::string& title) {
@@ -34,12 +34,12 @@ class GapTable {
     void add(const std::string& label, const Value& value) {
         const double impulse = 1 + value(GapOutput::cor), force = value(GapOutput::peakForce);
         const double efficiency = value(GapOutput::efficiency);
-        m_grid.add({label, m_style.number(value(GapOutput::cor), digits),
-                    m_dimensional ? m_style.quantity(impulse * m_scales.impulse, Quantity::impulse, digits)
-                                  : m_style.number(impulse, digits),
-                    m_dimensional ? m_style.quantity(force * m_scales.force, Quantity::force, digits)
-                                  : m_style.number(force, digits),
-                    m_style.number(efficiency > negligible ? efficiency : 0, digits)});
+        m_grid.add({label, m_style.number(value(GapOutput::cor), gapDigits),
+                    m_dimensional ? m_style.quantity(impulse * m_scales.impulse, Quantity::impulse, gapDigits)
+                                  : m_style.number(impulse, gapDigits),
+                    m_dimensional ? m_style.quantity(force * m_scales.force, Quantity::force, gapDigits)
+                                  : m_style.number(force, gapDigits),
+                    m_style.number(efficiency > negligible ? efficiency : 0, gapDigits)});
     }
 
     /// Where the extremes lie.
@@ -95,15 +95,15 @@ void fill(GapTable& table, const GapReport& report, const ReadingStyle& style) {
     }
 }
 
-std::string percent(double share, const ReadingStyle& style) {
+std::string shareOfGaps(double share, const ReadingStyle& style) {
     return style.number(share * 100, 5) + " %";
 }
 
 std::string superRebounds(const GapReport& report, const GapTable& table, const ReadingStyle& style) {
     const GapStatistics& statistics = report.statistics;
-    std::string text = "e > 1 at " + percent(statistics.shareAboveOne.value, style) + " of all gaps";
+    std::string text = "e > 1 at " + shareOfGaps(statistics.shareAboveOne.value, style) + " of all gaps";
     if (report.normal)
-        text += ", " + percent(statistics.normalShareAboveOne->value, style) + " of the scattered ones";
+        text += ", " + shareOfGaps(statistics.normalShareAboveOne->value, style) + " of the scattered ones";
     for (const GapCrossing& crossing : statistics.crossings)
         text += (&crossing == &statistics.crossings.front() ? ": " : ", ") +
                 std::string(crossing.rising ? "rises above 1 at " : "falls below 1 at ") +

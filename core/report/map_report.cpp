@@ -10,16 +10,17 @@ namespace drillwave {
 
 namespace {
 
-constexpr int digits = 6;
+constexpr int mapDigits = 6;
 
 /// The output in its units, for people.
 std::string outputText(const OutputColumn& column, double value) {
-    return column.hasUnit() ? inHandyUnit(value, column.output->quantity(), digits) : rounded(value, digits);
+    return column.hasUnit() ? inHandyUnit(value, column.output->quantity(), mapDigits)
+                            : rounded(value, mapDigits);
 }
 
 std::string placeText(const MapReport& report, const MapGrid::Place& place) {
     const auto valueText = [](const SweepAxis& axis, double value) {
-        return std::string(axis.key()) + " = " + inHandyUnit(value, axis.parameter->quantity, digits);
+        return std::string(axis.key()) + " = " + inHandyUnit(value, axis.parameter->quantity, mapDigits);
     };
     return valueText(report.study.x, report.grid.xs()[place.column]) + ", " +
            valueText(report.study.y, report.grid.ys()[place.row]);
@@ -104,7 +105,7 @@ JsonObject contourJson(const Contour& contour) {
 }  // namespace
 
 std::string axisText(const SweepAxis& axis) {
-    const auto value = [&](double si) { return inHandyUnit(si, axis.parameter->quantity, digits); };
+    const auto value = [&](double si) { return inHandyUnit(si, axis.parameter->quantity, mapDigits); };
     return std::string(axis.key()) + " = " + value(axis.start) + " to " + value(axis.stop) + ", " +
            counted(axis.count, "value") + (axis.kind == SweepAxis::Kind::logarithmic ? ", log" : "");
 }

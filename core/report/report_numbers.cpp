@@ -14,7 +14,7 @@ namespace drillwave {
 
 namespace {
 
-constexpr int digits = 5;
+constexpr int reportDigits = 5;
 
 bool isDimensional(const Blow& blow) {
     return hasUnits(blow.scenario);
@@ -71,14 +71,14 @@ std::string multipleText(const Output& output, double value, const Blow& blow, c
     if (output.measure == Measure::error) return style.bound(std::abs(value));
     // Shares are known to 1e-12: what is smaller is rounding.
     if (output.measure == Measure::share)
-        return style.number(std::abs(value) < 1e-12 ? 0 : 100 * value, digits) +
+        return style.number(std::abs(value) < 1e-12 ? 0 : 100 * value, reportDigits) +
                (string ? " % of E₀" : " % of W");
-    return style.number(value, digits) + std::string(measureText(output.measure, string.has_value()));
+    return style.number(value, reportDigits) + std::string(measureText(output.measure, string.has_value()));
 }
 
 /// In joules.
 ReportCell energyCell(double ofW0, const Blow& blow, const ReadingStyle& style) {
-    return {style.quantity(ofW0 * blow.scales.energy, Quantity::energy, digits), {}};
+    return {style.quantity(ofW0 * blow.scales.energy, Quantity::energy, reportDigits), {}};
 }
 
 /// What shares are of: of a string the energy of its hammer, of a rod the work of it, in W0.
@@ -100,7 +100,7 @@ ReportCell siCell(const Output& output, double value, const Blow& blow, const Re
             break;
     }
     const double si = inSi(output, value, blow);
-    return {style.quantity(si, output.quantity(), digits), si};
+    return {style.quantity(si, output.quantity(), reportDigits), si};
 }
 
 /// "in 7 rod, 1.2 m from its rear end, at 3.4 ms".
@@ -149,8 +149,8 @@ void addStringScales(const Blow& blow, const Add& add) {
 std::string placeText(const RodForce& found, const Blow& blow, const ReadingStyle& style) {
     if (!(found.size > 0)) return {};
     if (!isDimensional(blow))
-        return "at x/L = " + style.number(found.section, 4) + ", t = " + style.number(found.time, digits) +
-               " t₀";
+        return "at x/L = " + style.number(found.section, 4) +
+               ", t = " + style.number(found.time, reportDigits) + " t₀";
     return style.quantity(found.section * blow.scales.length, Quantity::length, 4) + " from the hammer, at " +
            style.quantity(found.time * blow.scales.time, Quantity::time, 4);
 }
@@ -174,7 +174,7 @@ std::vector<ReportRow> resultRows(const Blow& blow, const ReadingStyle& style) {
 std::vector<ReportRow> scaleRows(const Blow& blow, const ReadingStyle& style) {
     std::vector<ReportRow> rows;
     const auto add = [&](const char* symbol, const char* label, double value, Quantity quantity) {
-        rows.push_back({symbol, label, {{style.quantity(value, quantity, digits), value}}});
+        rows.push_back({symbol, label, {{style.quantity(value, quantity, reportDigits), value}}});
     };
     const Groups& groups = blow.groups;
     if (blow.string) {

@@ -17,12 +17,12 @@ namespace drillwave {
 namespace {
 
 /// A column of the CSV and a key of the JSON; no number where the check does not apply.
-struct Measure {
+struct StabilityColumn {
     const char* name;
     std::optional<double> (*value)(const StabilityRow&);
 };
 
-constexpr Measure measures[] = {
+constexpr StabilityColumn stabilityColumns[] = {
     {"cor", [](const StabilityRow& r) { return std::optional(r.cor); }},
     {"cor_error", [](const StabilityRow& r) { return std::optional(r.corError); }},
     {"pieces", [](const StabilityRow& r) { return std::optional(static_cast<double>(r.pieces)); }},
@@ -62,9 +62,9 @@ JsonObject jsonOf(const StabilityRow& row) {
                       {"solved", row.outcome == Outcome::rebounded},
                       {"passed", row.passed()},
                       {"failures", failuresOf(row)}};
-    for (const Measure& measure : measures) {
-        const std::optional<double> value = measure.value(row);
-        object[measure.name] = row.outcome == Outcome::rebounded ? Json(value) : Json();
+    for (const StabilityColumn& column : stabilityColumns) {
+        const std::optional<double> value = column.value(row);
+        object[column.name] = row.outcome == Outcome::rebounded ? Json(value) : Json();
     }
     return object;
 }
@@ -126,14 +126,14 @@ std::string kindsText(const StabilityReport& report) {
 
 std::string worstText(const StabilityReport& report) {
     using Value = std::optional<double>;
-    std::string text = "\n" + leftAligned("measure", 28) + " " + rightAligned("worst", 8) + " " +
+    std::string text = "\n" + leftAligned("column", 28) + " " + rightAligned("worst", 8) + " " +
                        rightAligned("mark", 8) + "  where\n";
-    const auto worst = [&](const char* title, auto measure, auto shown, Value mark = {}) {
+    const auto worst = [&](const char* title, auto column, auto shown, Value mark = {}) {
         const StabilityRow* most = nullptr;
         for (const StabilityRow& row : report.rows)
-            if (const Value value = measure(row); value && (!most || *value > *measure(*most))) most = &row;
+            if (const Value value = column(row); value && (!most || *value > *column(*most))) most = &row;
         if (!most) return;
-        text += "  " + leftAligned(title, 26) + " " + rightAligned(shown(*measure(*most)), 8) + " " +
+        text += "  " + leftAligned(title, 26) + " " + rightAligned(shown(*column(*most)), 8) + " " +
                 rightAligned(mark ? formatNumber(*mark) : std::string(), 8) + "  " + describe(*most) + "\n";
     };
     constexpr StabilityMarks marks = stabilityMarks;
@@ -192,14 +192,14 @@ std::string stabilityJson(const StabilityReport& report) {
 
 std::string stabilityCsv(const StabilityReport& report) {
     std::string csv = "case,pulse.shape,beta,gamma,tau,delta";
-    for (const Measure& measure : measures) csv += std::string(",") + measure.name;
+    for (const StabilityColumn& column : stabilityColumns) csv += std::string(",") + column.name;
     csv += ",failures\n";
     for (const StabilityRow& row : report.rows) {
         const Groups& g = row.stabilityCase.groups;
         csv += csvCell(row.stabilityCase.name) + "," + std::string(name(row.stabilityCase.shape));
         for (const double group : {g.beta, g.gamma, g.tau, g.delta}) csv += "," + formatNumber(group);
-        for (const Measure& measure : measures) {
-            const std::optional<double> value = measure.value(row);
+        for (const StabilityColumn& column : stabilityColumns) {
+            const std::optional<double> value = column.value(row);
             csv += value && row.outcome == Outcome::rebounded ? "," + formatNumber(*value) : ",";
         }
         csv += "," + csvCell(failuresOf(row)) + "\n";

@@ -45,7 +45,7 @@ void appendText(std::string& text, std::string_view value) {
 }
 
 /// The shortest text that reads back as the same double.
-void appendNumber(std::string& text, double value) {
+void appendJsonNumber(std::string& text, double value) {
     std::string number = formatNumber(value);
     if (std::abs(value) > largestWhole && number.find('e') == std::string::npos) {
         std::array<char, 32> buffer{};
@@ -97,7 +97,7 @@ void Json::append(std::string& text, int level) const {
     if (std::holds_alternative<std::nullptr_t>(m_value)) text += "null";
     if (const auto* truth = std::get_if<bool>(&m_value)) text += *truth ? "true" : "false";
     if (const auto* whole = std::get_if<std::int64_t>(&m_value)) text += std::to_string(*whole);
-    if (const auto* number = std::get_if<double>(&m_value)) appendNumber(text, *number);
+    if (const auto* number = std::get_if<double>(&m_value)) appendJsonNumber(text, *number);
     if (const auto* string = std::get_if<std::string>(&m_value)) appendText(text, *string);
     if (const auto* array = std::get_if<JsonArray>(&m_value)) {
         text += '[';

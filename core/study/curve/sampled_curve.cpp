@@ -21,7 +21,7 @@ constexpr std::size_t coarsest = 8;
 /// Nothing is told from a value that differs by less.
 constexpr double sameShare = 1e-9;
 
-struct PointTask {
+struct SampleTask {
     std::size_t line = 0, point = 0, stride = 0;
     std::vector<double> values = {};  // of the columns
     std::string reason = {};
@@ -42,7 +42,7 @@ class PointSampler {
           m_scenario(question.base, axes),
           m_solver(question.columns, question.method, question.workLimit) {}
 
-    void operator()(PointTask& task, const std::stop_token& stop) {
+    void operator()(SampleTask& task, const std::stop_token& stop) {
         std::vector<double> at;
         if (m_question.family) at.push_back(m_question.family->value(task.line));
         at.push_back(m_question.along.value(task.point));
@@ -62,8 +62,8 @@ class PointSampler {
 };
 
 /// The points in the order in which they are solved.
-std::vector<PointTask> tasksOf(std::size_t lines, std::size_t points) {
-    std::vector<PointTask> tasks;
+std::vector<SampleTask> tasksOf(std::size_t lines, std::size_t points) {
+    std::vector<SampleTask> tasks;
     for (std::size_t stride = coarsest; stride > 0; stride /= 2)
         for (std::size_t line = 0; line < lines; ++line)
             for (std::size_t point = 0; point < points; ++point) {
@@ -175,14 +175,14 @@ CurveStudy sampleCurve(const CurveQuestion& question, int jobs, std::stop_token 
         each.values.resize(question.along.count);
         each.reasons.resize(question.along.count);
     }
-    std::vector<PointTask> tasks = tasksOf(samples.size(), question.along.count);
+    std::vector<SampleTask> tasks = tasksOf(samples.size(), question.along.count);
     std::size_t next = 0, done = 0;
-    const auto fill = [&](PointTask& task) {
+    const auto fill = [&](SampleTask& task) {
         if (next == tasks.size()) return false;
         task = tasks[next++];
         return true;
     };
-    const auto deliver = [&](PointTask& task) {
+    const auto deliver = [&](SampleTask& task) {
         samples[task.line].values[task.point] = std::move(task.values);
         samples[task.line].reasons[task.point] = std::move(task.reason);
         ++done;
@@ -192,7 +192,7 @@ CurveStudy sampleCurve(const CurveQuestion& question, int jobs, std::stop_token 
         return true;
     };
     const auto makeWorker = [&] { return PointSampler(question, axes); };
-    const WorkEnd end = processInOrder<PointTask>(jobs, std::move(stop), fill, makeWorker, deliver);
+    const WorkEnd end = processInOrder<SampleTask>(jobs, std::move(stop), fill, makeWorker, deliver);
     if (end == WorkEnd::finished) return studyOf(question, samples, done);
     return {.question = question, .lines = {}, .solves = done, .stopped = true};
 }

@@ -25,10 +25,6 @@ std::string shown(double value, int digits = 7) {
     return rounded(value, digits);
 }
 
-double corAtBeta(double beta, double gamma = 1, double tau = paperElastic.tau) {
-    return paperCor({beta, gamma, tau, 0});
-}
-
 double workRatio(double tau) {
     Groups groups = paperElastic;
     groups.tau = tau;

@@ -155,10 +155,6 @@ void addReferences(FigurePanel& panel, const std::vector<double>& x,
     add("bilinear_reference_z_t0", "reference, gamma = 0.1, k0 = Z/t0", 0.1, other, {Line::dashed, 1});
 }
 
-double corAtBeta(double beta, double gamma) {
-    return paperCor({beta, gamma, paperElastic.tau, 0});
-}
-
 FigureCurve alongGap(const char* key, const char* label, const Groups& groups,
                      const std::vector<double>& gaps, int colour) {
     const GapCurve cor = gapCurve(paperProblem(groups), Detail::cor);
@@ -199,7 +195,7 @@ Figure figure6() {
     FigurePanel panel = corPanel("fig6", "beta", "spring stiffness beta");
     panel.logarithmicX = true;
     const std::vector<double> x = betas();
-    panel.curves = {curve("elastic", "blow, gamma = 1", x, [](double beta) { return corAtBeta(beta, 1); }),
+    panel.curves = {curve("elastic", "blow, gamma = 1", x, [](double beta) { return corAtBeta(beta); }),
                     curve("bilinear", "blow, gamma = 0.1", x,
                           [](double beta) { return corAtBeta(beta, 0.1); }, {Line::solid, 1})};
     addReferences(panel, x, [](double beta) { return beta; });
@@ -211,7 +207,7 @@ Figure figure7() {
     panel.logarithmicX = true;
     const std::vector<double> x = betas();
     const auto overlap = [](double beta) { return neglectedOverlap(beta, paperElastic.tau); };
-    panel.curves = {curve("exact", "exact", x, [](double beta) { return corAtBeta(beta, 1); }),
+    panel.curves = {curve("exact", "exact", x, [](double beta) { return corAtBeta(beta); }),
                     curve("closed_form", "closed form", x, closedFormRestitution, {Line::dashed, 1}),
                     curve("neglected_overlap", "neglected overlap", x, overlap, {Line::none})};
     return {

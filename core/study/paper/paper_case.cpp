@@ -29,6 +29,10 @@ double paperCor(const Groups& groups) {
     return corOf(solvePaperCase(groups, Detail::cor));
 }
 
+double corAtBeta(double beta, double gamma, double tau) {
+    return paperCor({beta, gamma, tau, 0});
+}
+
 double referenceCor(double beta, double gamma, ReferenceStiffness stiffness) {
     const double tau = stiffness == ReferenceStiffness::roundTrip ? 0.5 : paperElastic.tau;
     return corOf(solvePaperCase({beta, gamma, tau, 0}, Detail::cor, PulseShape::rigidBody));

@@ -26,6 +26,9 @@ Impact solvePaperCase(const Groups& groups, Detail detail, PulseShape shape = Pu
 /// e of the rectangular blow; NaN if it could not be solved.
 double paperCor(const Groups& groups);
 
+/// The same of no gap, over β.
+double corAtBeta(double beta, double gamma = 1, double tau = paperElastic.tau);
+
 /// What β = 1 stands for in the reference case, whose result depends on βτ alone.
 enum class ReferenceStiffness {
     roundTrip,  ///< k0 = Z/(2T): the paper's reference curves, its condition of equal work, τ = 1/2

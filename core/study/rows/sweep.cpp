@@ -36,20 +36,20 @@ class GridPoint {
     std::vector<std::uint64_t> m_index;
 };
 
-struct Chunk : RowChunk {
+struct GridChunk : RowChunk {
     RowRange points;
 };
 
 /// Turns points of the grid into rows. One for each thread.
-class RowMaker {
+class GridRowMaker {
   public:
-    explicit RowMaker(const Sweep& sweep)
+    explicit GridRowMaker(const Sweep& sweep)
         : m_sweep(sweep),
           m_scenario(sweep.base, sweep.axes),
           m_solver(sweep.columns, sweep.method, sweep.workLimit),
           m_values(sweep.axes.size()) {}
 
-    void operator()(Chunk& chunk, std::stop_token stop) {
+    void operator()(GridChunk& chunk, std::stop_token stop) {
         chunk.rows.restart(chunk.points.begin, m_values.size() + m_sweep.columns.size());
         GridPoint point(m_sweep.axes, chunk.points.begin);
         std::size_t changed = 0;
@@ -107,13 +107,13 @@ RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, RowSink& 
                    const RowProgress& progress) {
     const RowRange part = rowsOf(sweep.shard, pointCount(sweep));
     std::uint64_t next = part.begin;
-    const auto fill = [&](Chunk& chunk) {
+    const auto fill = [&](GridChunk& chunk) {
         chunk.points = {next, std::min(next + chunkPoints, part.end)};
         next = chunk.points.end;
         return chunk.points.size() > 0;
     };
-    return runRows<Chunk>(
-        jobs, stop, fill, [&] { return RowMaker(sweep); }, headerOf(sweep), sink, progress);
+    return runRows<GridChunk>(
+        jobs, stop, fill, [&] { return GridRowMaker(sweep); }, headerOf(sweep), sink, progress);
 }
 
 }  // namespace drillwave

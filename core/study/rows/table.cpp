@@ -19,7 +19,7 @@ constexpr std::size_t chunkRows = 256;
 constexpr std::size_t chunkBytes = 1 << 18;
 constexpr std::size_t maximumProblems = 20;
 
-struct Chunk : RowChunk {
+struct TableChunk : RowChunk {
     std::uint64_t first = 0;  // number of the first row of all rows
     std::vector<CsvRecord> records;
     std::vector<int> lines;  // of each record, from 1
@@ -35,7 +35,7 @@ class RowReader {
     bool header(CsvRecord& record) { return m_reader.next(record); }
     int line() const { return m_reader.line(); }
 
-    bool fill(Chunk& chunk) {
+    bool fill(TableChunk& chunk) {
         chunk.first = std::max(m_next, m_range.begin);
         chunk.used = 0;
         std::size_t bytes = 0;
@@ -61,9 +61,9 @@ class RowReader {
 };
 
 /// Solves rows. One for each thread.
-class RowMaker {
+class TableRowMaker {
   public:
-    RowMaker(const Table& table, const TableHeader& header)
+    TableRowMaker(const Table& table, const TableHeader& header)
         : m_assigner(table.base, table.source, header),
           m_outputs(table.columns.size()),
           m_movesPulse(header.assignments().movePulse()),
@@ -71,7 +71,7 @@ class RowMaker {
         m_solver.setPulse(table.base);
     }
 
-    void operator()(Chunk& chunk, std::stop_token stop) {
+    void operator()(TableChunk& chunk, std::stop_token stop) {
         chunk.rows.restart(chunk.first, m_outputs);
         chunk.rows.copy(std::span(chunk.records).first(chunk.used));
         for (std::size_t i = 0; i < chunk.used; ++i) {
@@ -154,7 +154,7 @@ TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::st
     if (!check.problems.empty()) return check;
 
     const auto makeWorker = [&] {
-        return [assigner = TableRowAssigner(table.base, table.source, header)](Chunk& chunk,
+        return [assigner = TableRowAssigner(table.base, table.source, header)](TableChunk& chunk,
                                                                                std::stop_token) mutable {
             chunk.problems.clear();
             for (std::size_t i = 0; i < chunk.used; ++i)
@@ -162,14 +162,14 @@ TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::st
                     chunk.problems.push_back(std::move(problem));
         };
     };
-    const auto deliver = [&](Chunk& chunk) {
+    const auto deliver = [&](TableChunk& chunk) {
         check.rows += chunk.used;
         for (std::string& problem : chunk.problems)
             if (check.problems.size() < maximumProblems) check.problems.push_back(std::move(problem));
         return check.problems.size() < maximumProblems;
     };
-    check.end = processInOrder<Chunk>(
-        jobs, stop, [&](Chunk& chunk) { return reader.fill(chunk); }, makeWorker, deliver);
+    check.end = processInOrder<TableChunk>(
+        jobs, stop, [&](TableChunk& chunk) { return reader.fill(chunk); }, makeWorker, deliver);
     return check;
 }
 
@@ -179,9 +179,9 @@ RowCounts runTable(const Table& table, std::istream& cases, std::uint64_t rows, 
     CsvRecord record;
     reader.header(record);
     const TableHeader header = readTableHeader(record.cells, table.columns);
-    return runRows<Chunk>(
-        jobs, stop, [&](Chunk& chunk) { return reader.fill(chunk); }, [&] { return RowMaker(table, header); },
-        headerOf(table, header), sink, progress);
+    return runRows<TableChunk>(
+        jobs, stop, [&](TableChunk& chunk) { return reader.fill(chunk); },
+        [&] { return TableRowMaker(table, header); }, headerOf(table, header), sink, progress);
 }
 
 }  // namespace drillwave

@@ -9,13 +9,11 @@
 namespace drillwave {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
 /// A sum of terms so much larger than any wave force cancels, and loses as many digits.
 constexpr double mostCancellation = 1024;
 
 /// Of the roundings that could be seen: terms of less are dropped.
-constexpr double negligible = 0x1p-62;
+constexpr double negligibleShare = 0x1p-62;
 
 /// F' + aF = 2a g for the terms of the same rate: F_{m+1} = 2 g_m; F_0 is left to the initial condition.
 bool resonant(const Coefficients& g, Coefficients& force) {
@@ -81,7 +79,7 @@ bool neverComesBack(const ExponentialSum& g) {
 /// g < 0, F' = a(2g − F) keeps it below zero until g comes back. Of sines it costs more than it saves.
 bool cannotVanish(const ExponentialBasis::Response& r) {
     if (r.incident->hasSine()) return false;
-    const double rounding = 16 * epsilon * r.force.magnitude();
+    const double rounding = 16 * doubleEpsilon * r.force.magnitude();
     return neverComesBack(*r.incident) && r.force.value(r.length) > rounding;
 }
 
@@ -94,7 +92,7 @@ void ExponentialBasis::begin(const Problem& problem, ContactRates<double> rates)
     m_scale = std::max(problem.hammer.peak, problem.transitTime < 0.5 || problem.hammer.isRigidBody()
                                                 ? 1 / (2 * problem.transitTime)
                                                 : 0.0);
-    m_negligible = negligible * m_scale;
+    m_negligible = negligibleShare * m_scale;
 }
 
 ExponentialSum ExponentialBasis::constant(double length, double value) const {
@@ -164,7 +162,7 @@ ExponentialBasis::Response& ExponentialBasis::respond(Piece& g, double rate, dou
     // the layer in which the force joins the slow solution; on stiff rock its rounding would seem an event
     forceSame.c[0] = 0;
     const double layer = force - r.force.startValue();
-    const bool isRounding = std::abs(layer) <= 4 * epsilon * (std::abs(force) + std::abs(r.force.c0));
+    const bool isRounding = std::abs(layer) <= 4 * doubleEpsilon * (std::abs(force) + std::abs(r.force.c0));
     if (!isRounding) forceSame.c[0] = layer;
     r.start = isRounding ? force - layer : force;
     r.dropped = isRounding ? std::abs(layer) : 0;
@@ -353,8 +351,8 @@ StretchEnd<double> ExponentialBasis::endAt(Response& r, double length) const {
     // an event at a force that is given has been found by the sum
     if (isSlow && isCut && r.rate == m_rates.elastic) size += 2 * constant;
     size += std::abs(end.force);
-    end.error =
-        4 * (epsilon * (stored + integrated + size / r.rate) + m_negligible * length) + r.dropped / r.rate;
+    end.error = 4 * (doubleEpsilon * (stored + integrated + size / r.rate) + m_negligible * length) +
+                r.dropped / r.rate;
     return end;
 }
 
@@ -376,7 +374,7 @@ double ExponentialBasis::largest(Response& r, double length, double before) {
     turning = slope;
     turning.shorten(length);
     // a drive that starts at zero mostly rises, and if not, has its zero there
-    bool isRising = turning.startValue() >= -4 * epsilon * turning.magnitude();
+    bool isRising = turning.startValue() >= -4 * doubleEpsilon * turning.magnitude();
     if (!isRising) negate(turning, turning);
     double start = 0;
     for (int turn = 0; turn < mostTurns; ++turn) {

@@ -9,6 +9,9 @@
 
 namespace drillwave {
 
+/// The distance from 1 to the next double.
+inline constexpr double doubleEpsilon = std::numeric_limits<double>::epsilon();
+
 /// Coefficients c_m, m = 0, 1, …, of one kind of term of one rate: of the decays φ_m(y) = e^{−y} y^m/m! or of
 /// the rises ω_m(y) = ∫0..y φ_m = 1 − Σ_{k≤m} φ_k(y), y = λx.
 ///

@@ -10,8 +10,6 @@
 namespace drillwave {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
 constexpr int mostSteps = 200;
 
 // A zero is near beyond doubt where the function falls, is hardly bent on the way to it, and no exponential
@@ -76,9 +74,9 @@ Zero<double> closeIn(const SearchedSum& f, double x, double step, const Exponent
 enum class Onward { down, up, tangentUp, unknown };
 
 Onward onwardFromZero(const SearchedSum& f, const ExponentialSample& s) {
-    if (std::abs(s.slope) > 16 * epsilon * (std::abs(f.slope.constant) + s.size * s.fastest))
+    if (std::abs(s.slope) > 16 * doubleEpsilon * (std::abs(f.slope.constant) + s.size * s.fastest))
         return s.slope < 0 ? Onward::down : Onward::up;
-    if (std::abs(s.curvature) > 64 * epsilon * (std::abs(f.c2) + s.size * s.fastest * s.fastest))
+    if (std::abs(s.curvature) > 64 * doubleEpsilon * (std::abs(f.c2) + s.size * s.fastest * s.fastest))
         return s.curvature < 0 ? Onward::down : Onward::tangentUp;
     return Onward::unknown;
 }
@@ -128,7 +126,7 @@ Zero<double> marchToZero(const SearchedSum& f, double x, ExponentialSample s, do
         if (!(x + safe <= f.f.length)) return {};
         const double halley = halleyStep(s);
         if (isNear(s, halley)) return closeIn(f, x, halley, s, samples);
-        x += std::max(safe, 4 * epsilon * x);
+        x += std::max(safe, 4 * doubleEpsilon * x);
         s = f.at(x);
         ++samples;
         if (mayEndEarly && s.size <= negligible && mostFrom(f.f, x) <= negligible) return {};

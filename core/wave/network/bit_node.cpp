@@ -13,10 +13,10 @@ namespace {
 using Powers = WaveCell::Powers;
 
 /// Waves smaller than that make no jump worth a cut [Zr v0].
-constexpr double leastJump = 1e-7;
+constexpr double leastBitJump = 1e-7;
 
 /// Differences of this share of what they are taken of are rounding, and decide nothing.
-constexpr double rounding = 256 * std::numeric_limits<double>::epsilon();
+constexpr double bitRounding = 256 * std::numeric_limits<double>::epsilon();
 
 double sumOf(const double* c, int count) {
     double sum = 0;
@@ -185,7 +185,7 @@ BitNode::EventPiece BitNode::nextPiece(const Powers& g, double width, double fro
         for (int k = 0; k < piece.count; ++k)
             piece.speed[k] = ((k < WaveCell::count ? wave[k] : 0) - piece.force[k]) / m_impedance;
         dropRounding(piece.speed.data(), piece.count,
-                     rounding * sumOf(piece.force.data(), piece.count) / m_impedance);
+                     bitRounding * sumOf(piece.force.data(), piece.count) / m_impedance);
     } else if (m_mass == 0) {
         const Powers wave = seenFrom(g, from, piece.width);
         for (int k = 0; k < WaveCell::count; ++k) piece.speed[k] = 2 / m_impedance * wave[k];
@@ -232,7 +232,7 @@ BitNode::LineEvent BitNode::nextEvent(const EventPiece& piece) {
         std::array<double, EventPiece::capacity> below{};
         for (int k = 0; k < piece.count; ++k) below[k] = -piece.force[k];
         below[0] += m_now.law.largestForce();
-        dropRounding(below.data(), piece.count, rounding * m_now.law.largestForce());
+        dropRounding(below.data(), piece.count, bitRounding * m_now.law.largestForce());
         meet(below.data(), piece.count, ContactLine::primary);
     }
     return event;
@@ -302,7 +302,7 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double time, CutAt cut
         if (found) {
             const bool turns = m_now.law.isOneWay(m_now.line) && end > 0;
             const bool isJump = m_now.isApart() && fastestRate() * width * (1 - to) > fastRise &&
-                                std::abs(piece.speedAt(end)) > leastJump;
+                                std::abs(piece.speedAt(end)) > leastBitJump;
             jump.offer(cutAt, isJump, to);
             enter(event.line, eventTime);
             if (turns) restAt(g.value(to), eventTime);

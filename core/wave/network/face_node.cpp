@@ -17,10 +17,10 @@ using Powers = WaveCell::Powers;
 constexpr double stillSpeed = 1e-12;
 
 /// Differences of this share of what they are taken of are rounding, and decide nothing.
-constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+constexpr double faceRounding = 64 * std::numeric_limits<double>::epsilon();
 
 /// A closing speed at a new contact that makes a jump worth a cut of the cells [v0].
-constexpr double leastJump = 1e-6;
+constexpr double leastFaceJump = 1e-6;
 
 bool isStill(const WaveCell& w) {
     return w.largest() <= stillSpeed;
@@ -48,7 +48,7 @@ WaveCell FaceNode::closingSpeed(const WaveCell& f1, const WaveCell& b2) const {
     WaveCell w;
     const double size = m_of1 * f1.largest() + m_of2 * b2.largest();
     for (int k = 0; k < WaveCell::count; ++k) w.c[k] = m_of1 * f1.c[k] + m_of2 * b2.c[k];
-    dropRounding(w.c.data(), WaveCell::count, rounding * size);
+    dropRounding(w.c.data(), WaveCell::count, faceRounding * size);
     return w;
 }
 
@@ -158,7 +158,7 @@ FaceNode::EventPiece FaceNode::nextPiece(const Powers& w, double width, double f
     // Where a wave changes its sign it is zero, not what rounding leaves: else the faces part and meet there.
     double size = 0;
     for (const double coefficient : piece.c) size += std::abs(coefficient);
-    dropRounding(piece.c.data(), piece.count, rounding * size);
+    dropRounding(piece.c.data(), piece.count, faceRounding * size);
     return piece;
 }
 
@@ -219,7 +219,7 @@ WaveCell FaceNode::follow(const WaveCell& w, double width, double time, CutAt cu
         }
         if (event.found && m_now.apart) {
             const bool rises = !m_stiffness || rate() * width * (1 - to) > fastRise;
-            jump.offer(cutAt, rises && w.value(to) > leastJump, to);
+            jump.offer(cutAt, rises && w.value(to) > leastFaceJump, to);
             m_now.apart = false;
             m_now.force = 0;
         } else if (event.found) {

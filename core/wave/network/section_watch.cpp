@@ -12,7 +12,7 @@ namespace {
 /// How many blocks of cells a pair of cells is worth that is looked at closely.
 constexpr long blocksOfPair = 6;
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What cells, pushing and pulling, are at most.
 struct CellBounds {
@@ -112,7 +112,7 @@ void SectionWatch::watchAnywhere(const Span& span, const Side& side, const Meeti
     };
 
     // the largest value on its way, the latest of several: any other makes no larger force
-    WaveCell::Peak most{0, -never};
+    WaveCell::Peak most{0, -infinity};
     long ofMost = 0;
     const auto mayHold = [&](double largest) {
         return largest > most.value && top.value + largest > span.peak.force;
@@ -215,7 +215,7 @@ void SectionWatch::meet(const Span& span, double sign, const Meeting& meeting, c
 /// comes to more than `known` with a
 /// wave of at most `down`.
 double SectionWatch::mostOnTheWay(const Side& side, double down, double known, long first, long behind) {
-    double most = -never;
+    double most = -infinity;
     side.maxima.search(
         first, behind,
         [&](double largest, long from, long to) {
@@ -240,7 +240,7 @@ void SectionWatch::setEndOfBlow(double time) {
 /// During the blow or after it, for what meets between two times.
 SectionWatch::Span SectionWatch::spanOf(Side& side, bool isAfter, double lastTime, double first,
                                         double last) const {
-    const double from = isAfter ? m_endOfBlow : -never;
+    const double from = isAfter ? m_endOfBlow : -infinity;
     const double until = isAfter ? lastTime : std::min(m_endOfBlow, lastTime);
     return {isAfter ? side.after : side.during, from, until, first <= from || last > until};
 }
