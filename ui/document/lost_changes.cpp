@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/lost_changes.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -9,20 +8,18 @@
 #include <QJsonObject>
 #include <algorithm>
 
+#include "ui/text/translation.h"
+
 namespace drillwave {
 namespace {
 
 constexpr int format = 1;
-constexpr qint64 mostBytes = qint64{8} << 20;  // the largest scenario with every byte escaped
+constexpr qint64 mostRecordBytes = qint64{8} << 20;  // the largest scenario with every byte escaped
 const QString formatKey = QStringLiteral("drillwave_recovery");
 const QString nameKey = QStringLiteral("name");
 const QString originKey = QStringLiteral("origin");
 const QString timeKey = QStringLiteral("time");
 const QString scenarioKey = QStringLiteral("scenario");
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::LostChanges", text);
-}
 
 // The scenario, or an empty text with the reason.
 UnsavedScenario readRecovery(const QString& path, QString& problem) {
@@ -31,7 +28,7 @@ UnsavedScenario readRecovery(const QString& path, QString& problem) {
         problem = file.errorString();
         return {};
     }
-    const QJsonObject object = QJsonDocument::fromJson(file.read(mostBytes)).object();
+    const QJsonObject object = QJsonDocument::fromJson(file.read(mostRecordBytes)).object();
     const QString scenario = object[scenarioKey].toString();
     if (object[formatKey].toInt() != format || scenario.isEmpty()) {
         problem = tr("it is damaged, or written by another version of the program");

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/import/import_preview.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <algorithm>
 #include <fstream>
 
 #include "core/text/text_input.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::ImportPreview", text);
-}
 
 // Of a record with more samples than pixels the lowest and the highest of each bunch.
 QPolygonF visibleRecord(const Samples& samples, const SignalRecipe& recipe, double zero) {

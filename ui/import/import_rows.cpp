@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/import/import_rows.h"
 
-#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "ui/text/translation.h"
+
 namespace drillwave {
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::ImportRows", text);
-}
 
 void nameControl(QWidget& control, const RowWords& words) {
     control.setObjectName(QLatin1String(words.name));

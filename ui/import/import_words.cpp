@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/import/import_words.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <cmath>
 
 #include "core/text/number_text.h"
 #include "ui/form/pulse_preview.h"
 #include "ui/text/number_text.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::ImportWords", text);
-}
 
 constexpr double muchOf = 0.05;  // the impulse, for what clipping adds
 

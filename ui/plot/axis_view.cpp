@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/axis_view.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
@@ -14,10 +15,6 @@ constexpr double leastRelativeSize = 1e-12;
 constexpr double mostDecades = 300;
 constexpr double mostFittedDecades = 9;
 const char* const linearTicker = "drillwave_linear_ticker";
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::AxisView", text);
-}
 
 // The smallest and largest number of the visible curves along an axis, and the smallest positive one.
 struct Extent {

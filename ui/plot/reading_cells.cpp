@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/reading_cells.h"
 
-#include <QCoreApplication>
 #include <cmath>
 
 #include "core/text/units.h"
 #include "ui/text/number_text.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
 
 constexpr qsizetype longestLabel = 4;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::CursorBar", text);
-}
 
 // One unit over or times another; nothing for mere numbers.
 QString joined(const QString& left, QChar sign, const QString& right) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/questions/picture_choice.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/plot/plot_rendering.h"
 #include "ui/text/settings.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
@@ -23,10 +23,6 @@ const QString formatKey = QStringLiteral("picture/format");
 const QString widthKey = QStringLiteral("picture/width");
 const QString heightKey = QStringLiteral("picture/height");
 const QString dpiKey = QStringLiteral("picture/dpi");
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::PictureChoice", text);
-}
 
 bool within(double value, double least, double most) {
     return value >= least && value <= most;

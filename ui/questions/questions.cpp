@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/questions/questions.h"
 
-#include <QCoreApplication>
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QGuiApplication>
@@ -14,13 +13,10 @@
 #include "ui/questions/export_dialog.h"
 #include "ui/questions/folder_dialog.h"
 #include "ui/questions/picture_dialog.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::Questions", text);
-}
 
 bool someoneIsThere() {
     const QString platform = QGuiApplication::platformName();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/run_name.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QLocale>
 #include <QStringList>
@@ -10,6 +9,7 @@
 #include "core/model/section_parameter.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
+#include "ui/text/translation.h"
 #include "ui/text/typed_text.h"
 #include "ui/text/unit_choice.h"
 
@@ -17,10 +17,6 @@ namespace drillwave {
 namespace {
 
 constexpr qsizetype mostChanges = 4;  // more are no name
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::RunName", text);
-}
 
 // "k", "blow frequency"; of a section "coupling ⌀", "rod length", "section 2 bore".
 QString nameWords(const Parameter& parameter, const Scenario& scenario) {

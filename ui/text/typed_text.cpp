@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/typed_text.h"
 #include "ui/text/shown_text.h"
+#include "ui/text/translation.h"
 
-#include <QCoreApplication>
 #include <QList>
 #include <algorithm>
 
@@ -60,8 +60,7 @@ Mantissa readMantissa(QStringView text) {
 
 QString ambiguous(const Mantissa& number, const QLocale& locale) {
     const QString decimals = number.runs[0] + locale.decimalPoint() + number.runs[1];
-    return QCoreApplication::translate("drillwave",
-                                       "can mean %1 or %2: write it without the separator, or as %3")
+    return tr("can mean %1 or %2: write it without the separator, or as %3")
         .arg(decimals, number.joined(2), decimals + QLatin1Char('0'));
 }
 
@@ -83,8 +82,7 @@ QString plainMantissa(const Mantissa& number, const QLocale& locale, QString& pr
     } else if (number.isGrouped(last) && number.separators.count(number.separators.front()) == last - 1) {
         return number.joined(last) + u'.' + number.runs[last];
     }
-    problem =
-        QCoreApplication::translate("drillwave", "is not one number: remove the separators of its digits");
+    problem = tr("is not one number: remove the separators of its digits");
     return {};
 }
 
@@ -117,8 +115,7 @@ LeadingNumber leadingNumber(QStringView text, const QLocale& locale) {
 
 PlainText plainText(const QString& typed, const QLocale& locale) {
     QString text = withoutInvisible(typed).trimmed();
-    if (holdsSeveralLines(text))
-        return {{}, QCoreApplication::translate("drillwave", "is more than one line: one value is needed")};
+    if (holdsSeveralLines(text)) return {{}, tr("is more than one line: one value is needed")};
     text.replace(u'−', u'-');
     const bool hasSign = text.startsWith(u'-') || text.startsWith(u'+');
     const QString sign = hasSign ? text.left(1) : QString();

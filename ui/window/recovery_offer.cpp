@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/recovery_offer.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QLocale>
 
 #include "ui/document/lost_changes.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::RecoveryOffer", text);
-}
 
 QString detailsOf(const UnsavedScenario& scenario) {
     const QString when = QLocale().toString(scenario.time, QLocale::ShortFormat);

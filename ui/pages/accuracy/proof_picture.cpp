@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/accuracy/proof_picture.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
 #include <array>
@@ -10,16 +9,13 @@
 
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
 
 constexpr double leastError = 1e-17;  // below, e as a double tells nothing
 constexpr double leastRatio = 1e-6;   // farther from a mark is all the same
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::ProofPicture", text);
-}
 
 bool isLattice(const AccuracyRow& row, LatticeWaves waves) {
     return row.choice.method == Method::lattice && row.choice.lattice.waves == waves;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/compare/compare_table.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +12,7 @@
 #include "ui/result/output_unit.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/shown_text.h"
+#include "ui/text/translation.h"
 #include "ui/text/typed_text.h"
 #include "ui/text/unit_choice.h"
 
@@ -20,10 +20,6 @@ namespace drillwave {
 namespace {
 
 using Columns = std::vector<CompareColumn>;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::CompareTable", text);
-}
 
 bool isSolved(const CompareColumn& column) {
     return column.blow && column.blow->problem.isEmpty();

@@ -3,20 +3,16 @@
 
 #include <qcustomplot.h>
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
 #include "core/blow/thrust.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
 
 constexpr int bands = 48;  // of values, for the distribution
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::GapPicture", text);
-}
 
 ShownUnit unitOf(GapOutput output, const ShownUnits& units) {
     return output == GapOutput::peakForce ? units.force : ShownUnit{};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/gap/gap_study.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <stdexcept>
 
@@ -9,15 +8,12 @@
 #include "core/model/parameter.h"
 #include "core/wave/exact/exact_solver.h"
 #include "ui/text/number_text.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
 
 constexpr double mostMean = 1e6;  // d0, as the command
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::GapStudy", text);
-}
 
 // A first look at a curve that takes seconds: gaps halved again and again, shown now and then.
 class Preview {

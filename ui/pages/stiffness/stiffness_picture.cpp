@@ -3,7 +3,6 @@
 
 #include <qcustomplot.h>
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -14,13 +13,10 @@
 #include "ui/result/output_unit.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::StiffnessPicture", text);
-}
 
 double largestOf(const CurveStudy& study) {
     double largest = 0;

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/string/string_rows.h"
 
-#include <QCoreApplication>
 #include <algorithm>
+
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::StringRows", text);
-}
 
 void take(RowPeak& peak, const RowPeak& other) {
     if (other.size > peak.size) peak = other;

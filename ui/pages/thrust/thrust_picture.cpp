@@ -3,22 +3,14 @@
 
 #include <qcustomplot.h>
 
-#include <QCoreApplication>
 #include <algorithm>
 
 #include "core/blow/thrust.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/text/shown_text.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
-namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("drillwave::ThrustPicture", text);
-}
-
-}  // namespace
-
 QString thrustCaseName(ThrustCase which) {
     switch (which) {
         case ThrustCase::scenario:
