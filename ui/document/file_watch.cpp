@@ -10,14 +10,14 @@
 namespace drillwave {
 namespace {
 
-constexpr int settleMilliseconds = 200;
-constexpr qint64 mostBytes = (qint64{1} << 20) + 1;  // a larger one is no scenario file, so it differs
+constexpr qint64 mostComparedBytes =
+    (qint64{1} << 20) + 1;  // a larger one is no scenario file, so it differs
 
 // Null when the file is gone, empty but not null when there is nothing in it.
 QByteArray bytesNow(const QString& path) {
     QFile file(path);
     if (!file.exists()) return {};
-    const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.read(mostBytes) : QByteArray();
+    const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.read(mostComparedBytes) : QByteArray();
     return bytes.isNull() ? QByteArray("") : bytes;
 }
 

@@ -11,6 +11,9 @@ namespace drillwave {
 
 class Document;
 
+/// How long a file must be left alone after a change before it is read [ms].
+inline constexpr int settleMilliseconds = 200;
+
 /// Watches the file of the document, also through editors that put a new file in its place, and looks again
 /// whenever the program becomes active, for file systems that report nothing. Compares bytes: saving from
 /// here or touching the file is no change.

@@ -8,11 +8,11 @@
 #include <algorithm>
 
 #include "ui/document/document.h"
+#include "ui/document/file_watch.h"
 
 namespace drillwave {
 namespace {
 
-constexpr int settleMilliseconds = 200;
 constexpr std::size_t mostReadings = 64;
 
 }  // namespace

@@ -13,6 +13,9 @@
 
 namespace drillwave {
 
+/// Columns of the grid of a section: name, slider, field, unit.
+inline constexpr int formColumns = 4;
+
 /// Made from an entry of the parameter table alone. Its widgets live in the grid of the section.
 class ParameterRow : public QObject {
     Q_OBJECT

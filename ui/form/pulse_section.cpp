@@ -9,12 +9,12 @@
 
 #include "core/model/parameter.h"
 #include "core/model/scales.h"
+#include "ui/form/parameter_row.h"
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
 
-constexpr int columns = 4;
 constexpr std::size_t mostPointsKept = 15'000;  // in a scenario itself, which may have 1 MiB
 
 QString tableText(const Scenario& scenario) {
@@ -37,7 +37,7 @@ PulseSection::PulseSection(Document& document, Questions& questions, QGridLayout
     : QObject(parent), m_document(document), m_questions(questions) {
     addShape(grid, parent);
     m_preview = new PulsePreview(parent);
-    grid->addWidget(m_preview, grid->rowCount(), 0, 1, columns);
+    grid->addWidget(m_preview, grid->rowCount(), 0, 1, formColumns);
     addTable(grid, parent);
     addImpulse(grid, parent);
 }
@@ -59,7 +59,7 @@ void PulseSection::addShape(QGridLayout* grid, QWidget* parent) {
     auto* shapes = new QHBoxLayout;
     shapes->addWidget(m_shape, 1);
     shapes->addWidget(measured);
-    grid->addLayout(shapes, row, 1, 1, columns - 1);
+    grid->addLayout(shapes, row, 1, 1, formColumns - 1);
     connect(measured, &QPushButton::clicked, this, &PulseSection::importRequested);
     connect(m_shape, &QComboBox::activated, this,
             [this](int index) { chooseShape(static_cast<PulseShape>(m_shape->itemData(index).toInt())); });
@@ -83,7 +83,7 @@ void PulseSection::addTable(QGridLayout* grid, QWidget* parent) {
     layout->addWidget(m_tableText, 1);
     layout->addWidget(m_reload, 0, Qt::AlignTop);
     layout->addWidget(choose, 0, Qt::AlignTop);
-    grid->addWidget(m_table, grid->rowCount(), 0, 1, columns);
+    grid->addWidget(m_table, grid->rowCount(), 0, 1, formColumns);
     connect(choose, &QPushButton::clicked, this, &PulseSection::chooseTable);
     connect(m_reload, &QPushButton::clicked, this, [this] { tellIfFailed(m_document.reloadTable()); });
 }

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/text/number_text.h"
+#include "ui/form/quantity_slider.h"
 #include "ui/form/unit_button.h"
 #include "ui/text/field_text.h"
 #include "ui/text/shown_text.h"
@@ -23,8 +24,7 @@
 namespace drillwave {
 namespace {
 
-constexpr int patienceMs = 500;    // a half-typed number is not called wrong before that
-constexpr int stepSeriesMs = 800;  // steps closer in time than this are one edit
+constexpr int patienceMs = 500;  // a half-typed number is not called wrong before that
 
 // One unit of the second digit, so that a step is a few per cent wherever the value lies.
 double stepSize(double value, int direction) {
@@ -49,7 +49,7 @@ QuantityField::QuantityField(Quantity quantity, const Unit& unit, QWidget* paren
     m_markTimer.setInterval(patienceMs);
     connect(&m_markTimer, &QTimer::timeout, this, &QuantityField::showProblem);
     m_stepTimer.setSingleShot(true);
-    m_stepTimer.setInterval(stepSeriesMs);
+    m_stepTimer.setInterval(stepSeriesMilliseconds);
     connect(&m_stepTimer, &QTimer::timeout, this, &QuantityField::editsEnded);
     connect(lineEdit(), &QLineEdit::textEdited, this, &QuantityField::readText);
     connect(this, &QAbstractSpinBox::editingFinished, this, &QuantityField::endEdits);

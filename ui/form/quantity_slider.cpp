@@ -13,8 +13,7 @@ namespace drillwave {
 namespace {
 constexpr int positions = 10000;  // a fine drag moves by less than a pixel
 constexpr double fineness = 10;
-constexpr int stepSeriesMs = 800;  // keys and turns closer in time than this are one edit
-constexpr int arrowSize = 9;
+constexpr int beyondArrowSize = 9;
 }  // namespace
 
 QuantitySlider::QuantitySlider(const Range& range, SliderScale scale, QWidget* parent)
@@ -24,7 +23,7 @@ QuantitySlider::QuantitySlider(const Range& range, SliderScale scale, QWidget* p
     setPageStep(positions / 20);
     setFocusPolicy(Qt::StrongFocus);
     m_stepTimer.setSingleShot(true);
-    m_stepTimer.setInterval(stepSeriesMs);
+    m_stepTimer.setInterval(stepSeriesMilliseconds);
     connect(&m_stepTimer, &QTimer::timeout, this, &QuantitySlider::dragEnded);
     connect(this, &QSlider::valueChanged, this, [this](int position) {
         if (!isSliderDown()) m_stepTimer.start();
@@ -135,7 +134,7 @@ void QuantitySlider::paintEvent(QPaintEvent* event) {
     QStylePainter painter(this);
     QStyleOption arrow;
     arrow.initFrom(this);
-    arrow.rect = QRect(m_beyond < 0 ? 0 : width() - arrowSize, 0, arrowSize, arrowSize);
+    arrow.rect = QRect(m_beyond < 0 ? 0 : width() - beyondArrowSize, 0, beyondArrowSize, beyondArrowSize);
     painter.drawPrimitive(m_beyond < 0 ? QStyle::PE_IndicatorArrowLeft : QStyle::PE_IndicatorArrowRight,
                           arrow);
 }

@@ -9,6 +9,9 @@
 
 namespace drillwave {
 
+/// Keys and turns of the wheel closer in time than this are one edit [ms].
+inline constexpr int stepSeriesMilliseconds = 800;
+
 /// A click in the groove brings the handle there; with Shift a drag is ten times finer.
 class QuantitySlider : public QSlider {
     Q_OBJECT

@@ -4,13 +4,12 @@
 #include <QLocale>
 
 #include "core/model/scales.h"
+#include "ui/form/parameter_row.h"
 #include "ui/text/number_text.h"
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
-
-constexpr int columns = 4;
 
 // In the unit in which it is best read.
 QString handyText(double si, UnitKind kind) {
@@ -36,8 +35,8 @@ StringSection::StringSection(Document& document, QGridLayout* grid, QWidget* par
     sections->setToolTip(tr("The page String: a drawing, and all sections in a table to edit"));
     connect(sections, &QPushButton::clicked, this, &StringSection::sectionsRequested);
     const int row = grid->rowCount();
-    grid->addWidget(m_summary, row, 0, 1, columns - 2);
-    grid->addWidget(sections, row, columns - 2, 1, 2, Qt::AlignTop);
+    grid->addWidget(m_summary, row, 0, 1, formColumns - 2);
+    grid->addWidget(sections, row, formColumns - 2, 1, 2, Qt::AlignTop);
 }
 
 void StringSection::addRestrike(QGridLayout* grid, QWidget* parent) {
@@ -47,7 +46,7 @@ void StringSection::addRestrike(QGridLayout* grid, QWidget* parent) {
     m_restrike->setToolTip(
         tr("The hammer stays where the string may meet it again; without it, it is withdrawn once they have "
            "parted"));
-    grid->addWidget(m_restrike, grid->rowCount(), 0, 1, columns);
+    grid->addWidget(m_restrike, grid->rowCount(), 0, 1, formColumns);
     connect(m_restrike, &QCheckBox::clicked, this, &StringSection::setRestrike);
 }
 

@@ -6,7 +6,7 @@
 
 namespace drillwave {
 namespace {
-constexpr int arrowSize = 8;
+constexpr int menuArrowSize = 8;
 constexpr int margin = 4;
 }  // namespace
 
@@ -17,7 +17,7 @@ UnitButton::UnitButton(QWidget* parent) : QToolButton(parent) {
 }
 
 QSize UnitButton::sizeHint() const {
-    return {fontMetrics().horizontalAdvance(text()) + arrowSize + 3 * margin,
+    return {fontMetrics().horizontalAdvance(text()) + menuArrowSize + 3 * margin,
             fontMetrics().height() + 2 * margin};
 }
 
@@ -33,7 +33,8 @@ void UnitButton::paintEvent(QPaintEvent* /*event*/) {
     painter.drawItemText(inside, Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(), text(),
                          QPalette::ButtonText);
     QStyleOption arrow = option;
-    arrow.rect = QRect(inside.right() - arrowSize + 1, (height() - arrowSize) / 2, arrowSize, arrowSize);
+    arrow.rect = QRect(inside.right() - menuArrowSize + 1, (height() - menuArrowSize) / 2, menuArrowSize,
+                       menuArrowSize);
     painter.drawPrimitive(QStyle::PE_IndicatorArrowDown, arrow);
 }
 

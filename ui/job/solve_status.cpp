@@ -6,13 +6,6 @@
 #include <utility>
 
 namespace drillwave {
-namespace {
-
-// Shorter waits are not noticed, and a mark that comes and goes is.
-constexpr std::chrono::milliseconds usualPatience{150};
-
-}  // namespace
-
 SolveStatus::SolveStatus(QWidget* parent)
     : QWidget(parent), m_text(new QLabel(this)), m_button(new QPushButton(this)) {
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);

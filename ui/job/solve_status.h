@@ -11,6 +11,9 @@
 
 namespace drillwave {
 
+/// Shorter waits are not noticed, and a mark or a line that comes and goes is.
+inline constexpr std::chrono::milliseconds usualPatience{150};
+
 /// Follows questions and answers. A late answer is said to be on its way, with a button to stop it; a stopped
 /// one stays out of date until it is asked for again. What must not be done with an old result waits here.
 class SolveStatus : public QWidget {

@@ -4,13 +4,12 @@
 #include <QHBoxLayout>
 #include <cmath>
 
+#include "ui/job/solve_status.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
 namespace {
 
-// Shorter studies are not noticed, and a line that comes and goes is.
-constexpr std::chrono::milliseconds usualPatience{150};
 // Before that, the rate is not known.
 constexpr double rateSeconds = 0.5;
 

@@ -9,7 +9,7 @@
 namespace drillwave {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double lineBreak = std::numeric_limits<double>::quiet_NaN();
 
 // An axis range as 0 to 1 along which lines are straight.
 class UnitScale {
@@ -91,7 +91,7 @@ QVector<QCPGraphData> clippedLine(const QCPGraphDataContainer& points, const QCP
             return QCPGraphData(keys.coordinate(place.x()), values.coordinate(place.y()));
         };
         if (!open) {
-            if (!line.isEmpty()) line.append(QCPGraphData(line.last().key, none));
+            if (!line.isEmpty()) line.append(QCPGraphData(line.last().key, lineBreak));
             line.append(isInside(a) ? from : at(inside.begin));
         }
         line.append(isInside(b) ? *to : at(inside.end));

@@ -17,7 +17,7 @@ bool isFinite(QPointF point) {
 }
 
 // Points of one column of pixels, in their order.
-class Column {
+class PixelColumn {
   public:
     void begin(qsizetype index) { m_kept.fill(index); }
     void add(const QVector<QPointF>& line, qsizetype index) {
@@ -130,7 +130,7 @@ void drawLine(QCPPainter& painter, const QVector<QPointF>& line) {
 QVector<QPointF> thinnedLine(const QVector<QPointF>& line, double pixel) {
     QVector<QPointF> thinned;
     thinned.reserve(line.size());
-    Column column;
+    PixelColumn column;
     bool open = false;
     double left = 0;
     for (qsizetype i = 0; i < line.size(); ++i) {

@@ -8,7 +8,7 @@
 namespace drillwave {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double noReading = std::numeric_limits<double>::quiet_NaN();
 
 using Point = QCPGraphDataContainer::const_iterator;
 
@@ -55,10 +55,10 @@ double coveredLength(const QCPGraphDataContainer& points, const CursorReading& e
 
 double chordValue(const QCPGraphDataContainer& points, double x) {
     const Point behind = pointBehind(points, x);
-    if (behind == points.constBegin()) return none;
+    if (behind == points.constBegin()) return noReading;
     const Point before = behind - 1;
     if (before->key == x) return before->value;
-    return behind == points.constEnd() ? none : between(*before, *behind, x);
+    return behind == points.constEnd() ? noReading : between(*before, *behind, x);
 }
 
 double chordIntegral(const QCPGraphDataContainer& points, double a, double b) {
@@ -78,7 +78,8 @@ double chordIntegral(const QCPGraphDataContainer& points, double a, double b) {
 
 CursorReading readCurve(const QCPGraphDataContainer& points, const CurveMeaning& meaning, double a,
                         double b) {
-    CursorReading reading{a, b, valueOf(points, meaning, a), valueOf(points, meaning, b), none, none, none};
+    CursorReading reading{
+        a, b, valueOf(points, meaning, a), valueOf(points, meaning, b), noReading, noReading, noReading};
     const double area = meaning.integral ? meaning.integral(a, b) : chordIntegral(points, a, b);
     const double covered = coveredLength(points, reading);
     reading.integral = area * meaning.integralFactor;

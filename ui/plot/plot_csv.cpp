@@ -13,7 +13,7 @@
 namespace drillwave {
 namespace {
 
-struct Column {
+struct CsvColumn {
     QString name;
     std::vector<double> numbers;
 };
@@ -47,8 +47,8 @@ QString valueName(const QCPAbstractPlottable& curve, const CurveMeanings& meanin
                                     : curve.name() + QStringLiteral(" [%1]").arg(meaning->yUnit);
 }
 
-std::vector<Column> columnsOf(const QCustomPlot& plot, const CurveMeanings& meanings) {
-    std::vector<Column> columns;
+std::vector<CsvColumn> columnsOf(const QCustomPlot& plot, const CurveMeanings& meanings) {
+    std::vector<CsvColumn> columns;
     std::size_t keys = 0;  // the column with the keys of the last curve
     for (const QCPAbstractPlottable* curve : visibleCurves(plot)) {
         auto [x, y] = numbersOf(*curve);
@@ -71,17 +71,17 @@ std::string cell(const QString& name, char separator) {
 }  // namespace
 
 QByteArray plotCsv(const QCustomPlot& plot, const CurveMeanings& meanings, char separator) {
-    const std::vector<Column> columns = columnsOf(plot, meanings);
+    const std::vector<CsvColumn> columns = columnsOf(plot, meanings);
     std::string text;
     std::size_t rows = 0;
-    for (const Column& column : columns) {
+    for (const CsvColumn& column : columns) {
         if (&column != &columns.front()) text += separator;
         text += cell(column.name, separator);
         rows = std::max(rows, column.numbers.size());
     }
     text += '\n';
     for (std::size_t row = 0; row < rows; ++row) {
-        for (const Column& column : columns) {
+        for (const CsvColumn& column : columns) {
             if (&column != &columns.front()) text += separator;
             if (row < column.numbers.size()) text += formatNumber(column.numbers[row]);
         }

@@ -15,8 +15,8 @@ QColor blend(const QColor& from, const QColor& to, double share) {
 }
 
 // Blue, vermilion, green, purple: distinguishable with the common colour vision deficiencies.
-constexpr QRgb onLight[PlotStyle::lineKinds] = {0xff0b62a8, 0xffb8430a, 0xff00725a, 0xff86358a};
-constexpr QRgb onDark[PlotStyle::lineKinds] = {0xff64b5f6, 0xffff9e64, 0xff4fd1a5, 0xffe39be0};
+constexpr QRgb linesOnLight[PlotStyle::lineKinds] = {0xff0b62a8, 0xffb8430a, 0xff00725a, 0xff86358a};
+constexpr QRgb linesOnDark[PlotStyle::lineKinds] = {0xff64b5f6, 0xffff9e64, 0xff4fd1a5, 0xffe39be0};
 
 void setColors(PlotStyle& style, const QColor& background, const QColor& text) {
     style.background = background;
@@ -25,7 +25,7 @@ void setColors(PlotStyle& style, const QColor& background, const QColor& text) {
     style.grid = blend(background, text, 0.12);
     style.zeroLine = blend(background, text, 0.35);
     const bool dark = background.lightness() < 128;
-    std::transform(std::begin(onLight), std::end(onLight), std::begin(onDark), style.lines,
+    std::transform(std::begin(linesOnLight), std::end(linesOnLight), std::begin(linesOnDark), style.lines,
                    [dark](QRgb light, QRgb bright) { return QColor::fromRgb(dark ? bright : light); });
 }
 

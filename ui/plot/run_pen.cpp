@@ -11,8 +11,8 @@ namespace {
 constexpr int kinds = 6;
 
 // Brown, magenta, teal, olive, violet, grey.
-constexpr QRgb onLight[kinds] = {0xff8a5a00, 0xffb0206e, 0xff00707c, 0xff5c6b00, 0xff5a4bc8, 0xff5a5a5a};
-constexpr QRgb onDark[kinds] = {0xffe0b050, 0xffff8ac0, 0xff5fd0dc, 0xffc3d24a, 0xffb3a8ff, 0xffc0c0c0};
+constexpr QRgb runsOnLight[kinds] = {0xff8a5a00, 0xffb0206e, 0xff00707c, 0xff5c6b00, 0xff5a4bc8, 0xff5a5a5a};
+constexpr QRgb runsOnDark[kinds] = {0xffe0b050, 0xffff8ac0, 0xff5fd0dc, 0xffc3d24a, 0xffb3a8ff, 0xffc0c0c0};
 
 const QList<qreal>& dashes(int kind) {
     static const QList<qreal> all[kinds] = {{7, 3}, {1.5, 2}, {9, 3, 1.5, 3}, {15, 4}, {9, 2, 1.5, 2, 1.5, 2},
@@ -25,7 +25,7 @@ const QList<qreal>& dashes(int kind) {
 QPen runPen(int number, const PlotStyle& style) {
     const bool isDark = style.background.lightness() < 128;
     const int colour = number % kinds;
-    QPen pen(QColor::fromRgb((isDark ? onDark : onLight)[colour]), style.lineWidth);
+    QPen pen(QColor::fromRgb((isDark ? runsOnDark : runsOnLight)[colour]), style.lineWidth);
     pen.setDashPattern(dashes(number + number / kinds));
     pen.setCapStyle(Qt::FlatCap);
     pen.setJoinStyle(Qt::BevelJoin);

@@ -14,7 +14,7 @@ namespace drillwave {
 namespace {
 
 // How long a list that has become shorter keeps its room.
-constexpr std::chrono::milliseconds rest{1500};
+constexpr std::chrono::milliseconds shorterListRest{1500};
 
 QString fieldName(std::string_view key) {
     const Parameter* parameter = findParameter(key);
@@ -31,7 +31,7 @@ AlertList::AlertList(QWidget* parent) : QWidget(parent) {
     layout->setAlignment(Qt::AlignTop);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     m_rest.setSingleShot(true);
-    m_rest.setInterval(rest);
+    m_rest.setInterval(shorterListRest);
     connect(&m_rest, &QTimer::timeout, this, [this] { setMinimumHeight(0); });
 }
 

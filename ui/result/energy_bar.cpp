@@ -60,7 +60,7 @@ void drawPart(QPainter& painter, const QRectF& rect, EnergyPart part, const QPal
     painter.drawRect(rect);
 }
 
-QString percentText(double share) {
+QString shareText(double share) {
     return numberText(std::round(1000 * share) / 10, 3, QLocale()) + QChar(QChar::Nbsp) + QLatin1Char('%');
 }
 
@@ -115,7 +115,7 @@ void EnergyBar::describe() {
     QStringList parts;
     for (const EnergyPart part : energyParts)
         if (m_shares[index(part)] > 0)
-            parts << energyPartName(part) + QLatin1Char(' ') + percentText(m_shares[index(part)]);
+            parts << energyPartName(part) + QLatin1Char(' ') + shareText(m_shares[index(part)]);
     const QString text = parts.isEmpty() ? tr("Energy: no result") : tr("Energy: %1").arg(parts.join(", "));
     setAccessibleName(text);
     setToolTip(text);
@@ -130,7 +130,7 @@ QRectF EnergyBar::partRect(EnergyPart part) const {
 QString EnergyBar::labelOf(EnergyPart part) const {
     const double share = m_shares[index(part)];
     const double room = partRect(part).width() - 10;
-    const QString number = percentText(share);
+    const QString number = shareText(share);
     for (const QString& text : {energyPartName(part) + QLatin1Char(' ') + number, energyPartName(part)})
         if (fontMetrics().horizontalAdvance(text) <= room) return text;
     return {};

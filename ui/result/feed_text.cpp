@@ -102,7 +102,7 @@ QString feedText(const SolvedBlow& blow) {
     return blow.feed ? fromView(feedWord(blow.feed->feed)) : QString();
 }
 
-QString feedMeaning(const SolvedBlow& blow) {
+QString feedMeaningText(const SolvedBlow& blow) {
     if (!blow.feed) return {};
     const std::optional<GapAtBlow> gap =
         gapAtBlow(blow.scenario, blow.summary.cor, blow.summary.transferred());

@@ -38,7 +38,7 @@ QString marginChangeText(double margin, double reference, const SolvedBlow& blow
 
 /// The verdict in a few words, and what it means at the rig.
 QString feedText(const SolvedBlow& blow);
-QString feedMeaning(const SolvedBlow& blow);
+QString feedMeaningText(const SolvedBlow& blow);
 
 /// The sentence to act on; with an ellipsis while what more than this blow needs is not known. Empty where
 /// the blow is not solved.

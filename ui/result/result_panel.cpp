@@ -125,7 +125,7 @@ void ResultPanel::addThrust() {
           tr("What the feed force does between the blows"),
           feedText,
           {},
-          feedMeaning,
+          feedMeaningText,
           Weight::usual},
          {tr("margin"),
           tr("Feed force less what this blow needs for full penetration, and as a share of that"),
@@ -284,7 +284,7 @@ void ResultPanel::addDecision() {
 
 void ResultPanel::showDecision() {
     m_decision->setText(decisionText(m_worst, *m_blow));
-    m_decision->setToolTip(m_blow->problem.isEmpty() ? feedMeaning(*m_blow) : QString());
+    m_decision->setToolTip(m_blow->problem.isEmpty() ? feedMeaningText(*m_blow) : QString());
 }
 
 void ResultPanel::goToAlerts() {

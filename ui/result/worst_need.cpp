@@ -7,13 +7,13 @@ namespace drillwave {
 namespace {
 
 // While values are dragged the study would only take the time of the blows.
-constexpr std::chrono::milliseconds rest{100};
+constexpr std::chrono::milliseconds blowRest{100};
 
 }  // namespace
 
 WorstNeed::WorstNeed(QObject* parent) : QObject(parent) {
     m_rest.setSingleShot(true);
-    m_rest.setInterval(rest);
+    m_rest.setInterval(blowRest);
     connect(&m_rest, &QTimer::timeout, this, &WorstNeed::run);
     connect(&m_job, &StudyActivity::changed, this, &WorstNeed::changed);
 }

@@ -6,9 +6,9 @@
 namespace drillwave {
 namespace {
 
-constexpr int plainMargin = 10;     // above the picture [px]
-constexpr double namePadding = 3;   // around a name [px]
-constexpr double leastSpacing = 2;  // of joints that are still drawn [px]
+constexpr int plainMargin = 10;          // above the picture [px]
+constexpr double namePadding = 3;        // around a name [px]
+constexpr double leastJointSpacing = 2;  // of joints that are still drawn [px]
 constexpr float jointOpacity = 0.4F, faceOpacity = 0.9F, haloOpacity = 0.9F;
 
 }  // namespace
@@ -86,7 +86,8 @@ QVector<double> JointMarksItem::lines() const {
     for (std::size_t j = 1; j < stretches.size(); ++j) {
         const double x = pixel(stretches[j].rear, 0).x();
         if (x < axes.left() || x > axes.right() + 1) continue;
-        if (places.isEmpty() || x - places.last() >= leastSpacing || stretches[j].rear == 0) places.append(x);
+        if (places.isEmpty() || x - places.last() >= leastJointSpacing || stretches[j].rear == 0)
+            places.append(x);
     }
     return places;
 }

@@ -15,7 +15,7 @@ namespace drillwave {
 namespace {
 
 constexpr int leastRows = 4;  // of names beside the curves
-constexpr int margin = 3;
+constexpr int profileMargin = 3;
 constexpr int sampleLength = 26;  // of the line before a name [px]
 constexpr double room = 1.06;     // above the largest value
 
@@ -38,7 +38,7 @@ RodProfile::RodProfile(QWidget* parent) : QWidget(parent) {
 }
 
 QSize RodProfile::sizeHint() const {
-    return {600, leastRows * fontMetrics().height() + 2 * margin};
+    return {600, leastRows * fontMetrics().height() + 2 * profileMargin};
 }
 
 void RodProfile::resizeEvent(QResizeEvent* event) {
@@ -72,7 +72,8 @@ void RodProfile::setRodEnds(int left, int right) {
 
 QRectF RodProfile::area() const {
     const int right = m_right > 0 ? m_right : width() - 2 * m_left;
-    return QRectF(m_left, margin, std::max(1, right - m_left), std::max(1, height() - 2 * margin));
+    return QRectF(m_left, profileMargin, std::max(1, right - m_left),
+                  std::max(1, height() - 2 * profileMargin));
 }
 
 double RodProfile::pixelOf(double xi) const {
@@ -177,7 +178,7 @@ void RodProfile::paintAxes(QPainter& painter, const PlotStyle& style) const {
     const QString end = numberText(m_limit, 3, locale());
     const QString name =
         picture().raster.quantity == WaveQuantity::force ? QStringLiteral("N") : QStringLiteral("v");
-    const QRectF beside(0, box.top(), box.left() - 2 * margin, box.height());
+    const QRectF beside(0, box.top(), box.left() - 2 * profileMargin, box.height());
     painter.drawText(beside, Qt::AlignRight | Qt::AlignTop, end);
     painter.drawText(beside, Qt::AlignRight | Qt::AlignVCenter, unit().axisLabel(name));
     painter.drawText(beside, Qt::AlignRight | Qt::AlignBottom, QStringLiteral("−") + end);
@@ -188,7 +189,7 @@ void RodProfile::paintNames(QPainter& painter, const PlotStyle& style) const {
     const QFontMetrics metrics = fontMetrics();
     const int row = metrics.height();
     const qsizetype rows = std::max(leastRows, static_cast<int>(area().height()) / row);
-    double left = area().right() + 2 * margin;
+    double left = area().right() + 2 * profileMargin;
     for (qsizetype first = 0; first < m_lines.size(); first += rows) {
         double widest = 0;
         const qsizetype end = std::min(first + rows, m_lines.size());
@@ -196,16 +197,16 @@ void RodProfile::paintNames(QPainter& painter, const PlotStyle& style) const {
             const Line& line = m_lines[i];
             const QString name = line.number < 0 ? tr("now") : line.title.left(1);
             const double width = metrics.horizontalAdvance(name);
-            if (left + sampleLength + margin + width > this->width()) return;
+            if (left + sampleLength + profileMargin + width > this->width()) return;
             widest = std::max(widest, width);
-            const double y = margin + (double(i - first) + 0.5) * row;
+            const double y = profileMargin + (double(i - first) + 0.5) * row;
             painter.setPen(penOf(line, style));
             painter.drawLine(QPointF(left, y), QPointF(left + sampleLength, y));
             painter.setPen(style.text);
-            painter.drawText(QRectF(left + sampleLength + margin, y - row / 2.0, width + 1, row),
+            painter.drawText(QRectF(left + sampleLength + profileMargin, y - row / 2.0, width + 1, row),
                              Qt::AlignLeft | Qt::AlignVCenter, name);
         }
-        left += sampleLength + widest + 4 * margin;
+        left += sampleLength + widest + 4 * profileMargin;
     }
 }
 

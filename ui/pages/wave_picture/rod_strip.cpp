@@ -12,7 +12,7 @@
 namespace drillwave {
 namespace {
 
-constexpr int rodHeight = 20, margin = 4;
+constexpr int rodHeight = 20, stripMargin = 4;
 constexpr int bitWidth = 10, rockWidth = 26, hammerWidth = 30;
 constexpr int mostGapShown = 14;  // [px]
 constexpr int hammerAway = 4;     // from the string while they do not touch [px]
@@ -29,7 +29,7 @@ RodStrip::RodStrip(QWidget* parent) : QWidget(parent) {
 QSize RodStrip::sizeHint() const {
     const int enough = m_blow && picture().string ? enoughOfString : enoughForOneLine;
     const int lines = width() < enough ? 2 : 1;
-    return {600, rodHeight + lines * fontMetrics().height() + 5 * margin};
+    return {600, rodHeight + lines * fontMetrics().height() + 5 * stripMargin};
 }
 
 void RodStrip::resizeEvent(QResizeEvent* event) {
@@ -72,8 +72,8 @@ void RodStrip::nameColours() {
 }
 
 QRect RodStrip::rodRect() const {
-    const int right = m_right > 0 ? m_right : width() - rockWidth - mostGapShown - bitWidth - margin;
-    return {m_left, 2 * margin, std::max(1, right - m_left), rodHeight};
+    const int right = m_right > 0 ? m_right : width() - rockWidth - mostGapShown - bitWidth - stripMargin;
+    return {m_left, 2 * stripMargin, std::max(1, right - m_left), rodHeight};
 }
 
 void RodStrip::compute() {
@@ -145,9 +145,9 @@ void RodStrip::paintEvent(QPaintEvent*) {
     }
     paintRock(painter, rod);
     painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(
-        QRect(margin, rod.bottom() + margin, width() - 2 * margin, height() - rod.bottom() - margin),
-        Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, stateText());
+    painter.drawText(QRect(stripMargin, rod.bottom() + stripMargin, width() - 2 * stripMargin,
+                           height() - rod.bottom() - stripMargin),
+                     Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, stateText());
 }
 
 void RodStrip::paintRod(QPainter& painter, const QRect& rod) const {
@@ -209,7 +209,7 @@ void RodStrip::paintRock(QPainter& painter, const QRect& rod) const {
     if (!hasBit) painter.drawRect(head);
     // Any gap can be seen, one of d0 or more at its widest.
     const int gap = bit.touching ? 0 : 1 + static_cast<int>((mostGapShown - 1) * std::min(1.0, bit.gap));
-    const QRect rock(head.right() + 1 + gap, margin / 2, rockWidth, rod.bottom() + margin);
+    const QRect rock(head.right() + 1 + gap, stripMargin / 2, rockWidth, rod.bottom() + stripMargin);
     painter.fillRect(rock, QBrush(line, Qt::BDiagPattern));
     painter.setPen(QPen(line, bit.touching ? 3 : 1));
     painter.drawLine(rock.topLeft(), rock.bottomLeft());

@@ -7,7 +7,7 @@
 namespace drillwave {
 namespace {
 
-constexpr double leastSpacing = 8;  // of fronts that are still drawn [px]
+constexpr double leastFrontSpacing = 8;  // of fronts that are still drawn [px]
 constexpr double leastSpacingOfNames = 60;
 constexpr int namedWaves = 8;
 constexpr int barGap = 4, barWidth = 9;  // beside the axes [px]
@@ -93,12 +93,12 @@ void WaveFieldItem::drawForFile(QCPPainter& painter) const {
 void WaveFrontsItem::draw(QCPPainter* painter) {
     if (!m_blow) return;
     const double spacing = std::abs(pixel(0, BlowWaves(*m_blow).roundTrip()).y() - pixel(0, 0).y());
-    if (!(spacing >= leastSpacing)) return;
+    if (!(spacing >= leastFrontSpacing)) return;
     painter->setBrush(Qt::NoBrush);
     QColor colour = m_style.text;
     colour.setAlpha(150);
     const std::vector<double>& fronts = picture().fronts;
-    const bool isCrowded = spacing < leastSpacing * double(fronts.size());
+    const bool isCrowded = spacing < leastFrontSpacing * double(fronts.size());
     for (std::size_t i = 0; i < fronts.size() && (i == 0 || !isCrowded); ++i) {
         QPen pen(colour, 1, i == 0 ? Qt::SolidLine : Qt::DashLine);
         painter->setPen(pen);
