@@ -22,7 +22,7 @@ namespace drillwave {
 namespace {
 
 constexpr std::size_t longestLadder = 30;
-constexpr char csvName[] = "accuracy.csv";
+constexpr char accuracyCsvName[] = "accuracy.csv";
 
 /// "100,200,500" in growing order.
 std::vector<int> ladderOf(const Arguments& arguments) {
@@ -117,9 +117,9 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     const ScenarioDocument document = loadScenarioInput(path, arguments, DrillStrings::taken).document;
     const bool inFolder = !directory.empty() && directory != "-";
     if (inFolder) {
-        checkOutputIsNoInput(directory + "/" + csvName, path, document);
+        checkOutputIsNoInput(directory + "/" + accuracyCsvName, path, document);
         std::vector<std::string> names = plots.names();
-        names.push_back(csvName);
+        names.push_back(accuracyCsvName);
         checkFolder(directory, names, overwrite);
         plots.check(path, document, overwrite);
     }
@@ -141,8 +141,8 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     }
     if (inFolder) {
         FolderFiles folder{std::move(files.pictures),
-                           [](const std::string& there) { return studyFilesThere(there, csvName); }};
-        folder.files.push_back({csvName, files.csv});
+                           [](const std::string& there) { return studyFilesThere(there, accuracyCsvName); }};
+        folder.files.push_back({accuracyCsvName, files.csv});
         writeFolder(directory, folder, overwrite, &interruption);
     }
     printText(files.words);

@@ -13,7 +13,7 @@ namespace drillwave {
 
 namespace {
 
-constexpr char csvName[] = "stability.csv";
+constexpr char stabilityCsvName[] = "stability.csv";
 
 ExitCode endOf(const StabilityReport& report) {
     return report.failed() + report.notSolved() > 0 ? ExitCode::unsolvedOrFailed : ExitCode::done;
@@ -25,7 +25,7 @@ ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
     const bool inFolder = !directory.empty() && directory != "-";
     const StudyPlots plots = StudyPlots::inFolder(arguments, "stability");
     std::vector<std::string> names = plots.names();
-    names.push_back(csvName);
+    names.push_back(stabilityCsvName);
     if (inFolder) checkFolder(directory, names, overwrite);
     checkStandardOutput();
     const Interruption interruption;
@@ -42,8 +42,8 @@ ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
     }
     if (inFolder) {
         FolderFiles folder{plots.draw(&report, drawing, interruption),
-                           [](const std::string& there) { return studyFilesThere(there, csvName); }};
-        folder.files.push_back({csvName, stabilityCsv(report)});
+                           [](const std::string& there) { return studyFilesThere(there, stabilityCsvName); }};
+        folder.files.push_back({stabilityCsvName, stabilityCsv(report)});
         writeFolder(directory, folder, overwrite, &interruption);
     }
     printText(arguments.has("json") ? stabilityJson(report) : stabilityText(report));

@@ -44,7 +44,7 @@ std::string placeOf(const Arguments& arguments, const char* what) {
 }
 
 /// "out/" of "out/map.csv", empty of "map.csv".
-std::string folderOf(const std::string& path) {
+std::string prefixOf(const std::string& path) {
     return path.substr(0, path.rfind('/') + 1);
 }
 
@@ -71,7 +71,7 @@ StudyPlots StudyPlots::besideFile(const Arguments& arguments) {
     if (isStream(path))
         throw CommandError(ExitCode::usage,
                            "--plots: there is no place for pictures beside " + path + "; give -o FILE.csv");
-    plots.m_folder = folderOf(path);
+    plots.m_folder = prefixOf(path);
     plots.m_order.stem = studyStem(path.substr(plots.m_folder.size()));
     plots.m_order.mark = studyPictureMark;
     return plots;
