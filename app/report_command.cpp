@@ -124,7 +124,7 @@ const Command& reportCommand() {
             "units, and those of `run --json`; the source of a value is the comment behind it in the file. "
             "Of a\n"
             "drill string also its sections, drawn to scale, with their largest stresses.",
-        .options = scenarioOptions({workLimitSpec("the blow"),
+        .options = scenarioOptions({workLimitSpec(),
                                     {"o", "DIR|FILE.html|FILE.pdf", "where to write; - prints the HTML"},
                                     {"force", "", "overwrite existing files"}}),
         .leastOperands = 1,

@@ -83,9 +83,8 @@ std::string limitHint(const Arguments& arguments, const Scenario& scenario) {
     return limitHint(workLimitOf(arguments, isString(scenario) ? ofString : defaultWorkLimit));
 }
 
-OptionSpec workLimitSpec(const std::string& blow) {
-    return {"work-limit", "N",
-            "wave pieces " + blow + " may take, 1000000 (at worst some seconds) if not given"};
+OptionSpec workLimitSpec() {
+    return {"work-limit", "N", "wave pieces a blow may take, 1000000 (at worst some seconds) if not given"};
 }
 
 std::vector<OptionSpec> rowOptionSpecs() {

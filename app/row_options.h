@@ -66,8 +66,8 @@ long workLimitOf(const Arguments& arguments, long fallback = defaultWorkLimit);
 /// The same for one blow of a command that is not about rows. A string takes seconds more often than a rod:
 /// it has the limit of the option only where that is given.
 WorkLimits workLimitsOf(const Arguments& arguments);
-/// The option of such a command, `blow` being what it limits: "the blow".
-OptionSpec workLimitSpec(const std::string& blow);
+/// The option of such a command.
+OptionSpec workLimitSpec();
 /// Whether a reason is that limit.
 bool isAtLimit(const std::string& reason);
 /// What is told where that has stopped a blow: "; --work-limit, now 1000000, permits more".

@@ -133,7 +133,7 @@ std::vector<OptionSpec> runOptions() {
     std::vector<OptionSpec> options =
         scenarioOptions({{"json", "", "print one JSON object in place of the summary"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
-    options.push_back(workLimitSpec("the blow"));
+    options.push_back(workLimitSpec());
     for (const OptionSpec& option :
          {OptionSpec{"o", "DIR", "write the files of the run into DIR; - writes none"},
           OptionSpec{"plots", "png,svg,pdf", "with -o, also plots in these formats"},

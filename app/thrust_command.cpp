@@ -175,7 +175,7 @@ const Command& thrustCommand() {
                                      "or each whole number, if not given, or A,B,C"},
                                     {"frequency", "VALUES", "short for --along drill.blow_frequency=VALUES"},
                                     {"j", "N", "threads for --along, all of them if not given"},
-                                    workLimitSpec("a blow"),
+                                    workLimitSpec(),
                                     {"json", "", "print one JSON object in place of the tables"},
                                     {"o", "FILE.csv", "also write the table of --along; - prints it instead"},
                                     plotsOptionSpec(),

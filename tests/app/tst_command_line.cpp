@@ -58,6 +58,9 @@ void TestCommandLine::helpAndVersionAreEverywhere() {
     const Finished help = run(words + QStringList{"--help"});
     QCOMPARE(help.exitCode, 0);
     QVERIFY(help.out.startsWith("Usage: drillwave"));
+    QVERIFY2(QString::fromUtf8(help.out).toUtf8() == help.out && help.out.endsWith('\n') &&
+                 !help.out.contains('\0'),
+             help.out);
     QCOMPARE(help.error, QByteArray());
     QCOMPARE(run(words + QStringList{"-h"}).out, help.out);
     QCOMPARE(run(QStringList{"help"} + words).out, help.out);
