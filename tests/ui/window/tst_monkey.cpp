@@ -134,7 +134,8 @@ void TestMonkey::makeWindow() {
     m_window.reset();
     // Scenes that take seconds are another matter: here they are given up and told of at once.
     constexpr long mostPieces = 100'000;
-    auto solver = std::make_shared<MethodSolver>(mostPieces, cellsOfPiece * mostPieces);
+    auto solver =
+        std::make_shared<MethodSolver>(WorkLimits{.pieces = mostPieces, .cells = cellsOfPiece * mostPieces});
     m_window = std::make_unique<MainWindow>(
         std::make_unique<ScriptedQuestions>(m_answers), [solver](const SolveRequest& request) {
             if (isLongBlow(request.scenario)) return failedBlow(request, QStringLiteral("too long a blow"));
