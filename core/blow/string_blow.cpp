@@ -43,7 +43,7 @@ Impact impactOf(const StringBlow& blow) {
     impact.pieces = from.cells;
     if (from.end == NetworkEnd::notSolved) {
         impact.reason = from.reason;
-        impact.hindrance = from.cells > 0 ? Hindrance::workLimit : Hindrance::other;
+        impact.hindrance = from.hindrance;
         return impact;
     }
     impact.outcome = Outcome::rebounded;

@@ -29,6 +29,7 @@ class TestCommandLine : public QObject {
     void helpAndVersionAreEverywhere();
     void mistakesGetOneLineAndTheirExitCode_data();
     void mistakesGetOneLineAndTheirExitCode();
+    void pointsBeyondTheLimitAreTold();
     void pointsThatCannotBeAreEmptyAndTold_data();
     void pointsThatCannotBeAreEmptyAndTold();
     void oneSetTakesSeveralAssignments();
@@ -247,9 +248,6 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("a thrust of very many pieces")
         << QStringList{"thrust", drill, "--set", "pulse.duration=200s"} << 6
         << "--work-limit, now 1000000, permits more";
-    QTest::newRow("thrusts along a blow of too many pieces")
-        << QStringList{"thrust", drill, "--along", "pulse.duration=200us,200s", "--work-limit", "1000"} << 6
-        << "--work-limit, now 1000, permits more";
     QTest::newRow("a thrust of a string of too many cells")
         << QStringList{"thrust", "t51_string", "--work-limit", "1"} << 6
         << "--work-limit, now 1, permits more";
@@ -297,6 +295,15 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("figures into no folder")
         << QStringList{"figures", "-o", "/dev/null/x"} << 4 << "cannot be made";
     QTest::newRow("unknown example") << QStringList{"examples", "t38_medium"} << 2 << "t38_medium";
+}
+
+void TestCommandLine::pointsBeyondTheLimitAreTold() {
+    const Finished finished = run({"thrust", example("t38_medium_rock"), "--along",
+                                   "pulse.duration=200us,200s", "--work-limit", "1000"});
+    QCOMPARE(finished.exitCode, 6);
+    QVERIFY2(finished.error.contains("1 of 2 points") &&
+                 finished.error.contains("--work-limit, now 1000, permits more"),
+             finished.error);
 }
 
 void TestCommandLine::mistakesGetOneLineAndTheirExitCode() {

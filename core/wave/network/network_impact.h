@@ -52,6 +52,7 @@ struct NetworkLedger {
 struct NetworkImpact {
     NetworkEnd end = NetworkEnd::notSolved;
     std::string reason;  ///< one sentence when not solved
+    Hindrance hindrance = Hindrance::other;
     double endTime = 0;  ///< the time of all that follows
 
     double hammerEnergy = 0;     ///< E0

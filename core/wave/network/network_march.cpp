@@ -39,14 +39,15 @@ NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
     begin(mostCells);
     while (true) {
         if (m_plan.wants().forcesIfTheyFit && work() > mostCells) m_recorder.leaveOutForces();
-        if (work() > mostCells) return notSolved(overspent());
+        if (work() > mostCells) return notSolved(overspent(), Hindrance::workLimit);
         if (!m_census.isUnderWay()) scheduleCensus();
         m_lattice.takeBlock(m_census, static_cast<double>(mostCells - flownCells() - m_cells), stop);
-        if (!m_lattice.trouble().empty()) return notSolved(std::string(m_lattice.trouble()));
+        if (!m_lattice.trouble().empty()) return notSolved(m_lattice.trouble(), Hindrance::other);
         m_cells += static_cast<long>(stepsOfBlock * (m_plan.sections() + 1));
         if (m_census.isUnderWay()) countBlock(stop);
         m_recorder.add(stop);
-        if (stop.stop_requested()) return notSolved("stopped");  // a block may be left unfinished
+        if (stop.stop_requested())
+            return notSolved("stopped", Hindrance::other);  // a block may be left unfinished
         m_lattice.advance();
         if (std::optional<NetworkImpact> impact = endOfBlow(stop)) return *std::move(impact);
     }
@@ -162,21 +163,21 @@ NetworkImpact NetworkMarch::result(const CensusResult& census, NetworkEnd end) {
     return impact;
 }
 
-NetworkImpact NetworkMarch::notSolved(std::string reason) {
+NetworkImpact NetworkMarch::notSolved(std::string_view reason, Hindrance hindrance) {
     m_recorder.abandon();
     NetworkImpact impact;
-    impact.reason = std::move(reason);
+    impact.reason = reason;
+    impact.hindrance = hindrance;
     impact.cells = m_cells;
     return impact;
 }
 
 /// What took most of the work, and what takes less.
-std::string NetworkMarch::overspent() const {
+std::string_view NetworkMarch::overspent() const {
     if (m_lattice.workOfEvents() > work() / 2)
         return "bit and rock, or hammer and string, meet and part too often, or a bit mass swings too fast, "
                "to be followed: a softer rock, a larger gamma, no bit mass or an earlier end_time needs less";
-    return "it takes more wave cells than permitted: fewer sections, lengths that share a unit or an earlier "
-           "end_time need fewer";
+    return tooManyCells;
 }
 
 long NetworkMarch::flownCells() const {

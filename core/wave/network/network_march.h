@@ -5,6 +5,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 
 #include "core/wave/network/cell_lattice.h"
 #include "core/wave/network/free_flight.h"
@@ -28,6 +29,9 @@ class NetworkMarch {
     const ForeseenWork& plan(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants);
     /// Follows the blow that was planned last, with at most as much work as `mostCells` cells times nodes.
     NetworkImpact run(long mostCells, const std::stop_token& stop);
+    static constexpr std::string_view tooManyCells =
+        "it takes more wave cells than permitted: fewer sections, lengths that share a unit or an earlier "
+        "end_time need fewer";
     /// Cells on their way at the end of the blow.
     double held() const { return m_lattice.held(); }
 
@@ -39,8 +43,8 @@ class NetworkMarch {
     bool isUntouchedSince(const CensusResult& census) const;
     bool fliesUntil(double time, const std::stop_token& stop);
     NetworkImpact result(const CensusResult& census, NetworkEnd end);
-    NetworkImpact notSolved(std::string reason);
-    std::string overspent() const;
+    NetworkImpact notSolved(std::string_view reason, Hindrance hindrance);
+    std::string_view overspent() const;
     long flownCells() const;
     long work() const;
 

@@ -25,6 +25,9 @@ constexpr Smoothness sureSmoothness{0.02, {0.15, 1.25, 100}, CutAt::corners};
 constexpr double mostSharedCells = 2e6;
 constexpr double roundedCells = 2e4;
 
+/// Of fewer no section keeps its length: rounding moves every joint by up to half a cell.
+constexpr double fewestRoundedCells = 100;
+
 /// Of the work that is permitted, as much may be foreseen for one run.
 constexpr double sharedShare = 0.5, roundedShare = 0.1;
 
@@ -83,6 +86,13 @@ NetworkWants wantsOf(NetworkWants wants, const Smoothness& smoothness) {
 
 double restitution(const NetworkImpact& impact) {
     return impact.faceImpulse > 0 ? -impact.stringMomentum / impact.faceImpulse : 0;
+}
+
+NetworkImpact notSolved(std::string_view reason, Hindrance hindrance = Hindrance::other) {
+    NetworkImpact impact;
+    impact.reason = reason;
+    impact.hindrance = hindrance;
+    return impact;
 }
 
 /// What is known of the error of any run.
@@ -166,11 +176,7 @@ class NetworkSolver::Workspace {
 
 NetworkImpact NetworkSolver::Workspace::solve(const NetworkProblem& problem, const NetworkSettings& settings,
                                               const std::stop_token& stop) {
-    if (const std::string_view refusal = networkRefusal(problem); !refusal.empty()) {
-        NetworkImpact refused;
-        refused.reason = refusal;
-        return refused;
-    }
+    if (const std::string_view refusal = networkRefusal(problem); !refusal.empty()) return notSolved(refusal);
     if (!usualGrid(problem, m_usual)) return solveRounded(problem, settings, stop);
     return solveShared(problem, settings, stop);
 }
@@ -206,6 +212,8 @@ NetworkImpact NetworkSolver::Workspace::solveRounded(const NetworkProblem& probl
     double cell = roundTripOf(problem) / roundedCells;
     const double foreseen = planRounded(problem, cell, wants).work;
     cell *= std::max(1.0, foreseen / roundedShare / static_cast<double>(settings.mostCells));
+    if (cell * fewestRoundedCells > roundTripOf(problem))
+        return notSolved(NetworkMarch::tooManyCells, Hindrance::workLimit);
     planRounded(problem, cell, wants);
     NetworkImpact impact = run(settings, stop);
     for (const double other : {0.83, 1.19}) {
@@ -238,9 +246,7 @@ NetworkImpact NetworkSolver::Workspace::run(const NetworkSettings& settings, con
     NetworkImpact impact = m_march.run(settings.mostCells, stop);
     m_held = std::max(m_held, m_march.held());
     if (impact.end == NetworkEnd::notSolved || impact.balances()) return impact;
-    NetworkImpact wrong;
-    wrong.reason = "its energies do not balance, so that its numbers are wrong";
-    return wrong;
+    return notSolved("its energies do not balance, so that its numbers are wrong");
 }
 
 NetworkSolver::NetworkSolver() = default;

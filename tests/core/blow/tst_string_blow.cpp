@@ -240,7 +240,7 @@ class TestStringBlow : public QObject {
         const StringBlow whole = solveString(scenario, {}, solver, {});
         QCOMPARE(whole.impact.sharedCell, 0.0);
         NetworkSettings settings;
-        settings.mostCells = whole.impact.cells / 50;
+        settings.mostCells = whole.impact.cells / 10;
         const StringBlow rounded = solveString(scenario, settings, solver, {});
         QVERIFY(rounded.impact.end != NetworkEnd::notSolved);
         QVERIFY(rounded.impact.rounding > 0 && rounded.impact.sharedCell > 0);
