@@ -96,18 +96,34 @@ void StudyStatus::update() {
     m_since.invalidate();
     clear();
     if (m_activity->state() != StudyState::stopped) return;
-    m_title->setText(tr("%1 stopped").arg(m_name));
     m_text->setText(progressText(m_activity->progress(), 0, locale()));
+    setTitle(tr("%1 stopped").arg(m_name), tr("stopped"));
 }
 
 void StudyStatus::showRunning() {
     if (!m_activity || m_activity->state() != StudyState::running) return;
     const StudyProgress progress = m_activity->progress();
-    m_title->setText(m_name);
     m_text->setText(progressText(progress, double(m_since.elapsed()) / 1000, locale()));
     m_bar->setVisible(progress.wanted > 0);
     if (progress.wanted > 0) m_bar->setValue(int(100.0 * double(progress.done) / double(progress.wanted)));
     m_button->show();
+    setTitle(m_name, {});
+}
+
+// The page on show has that name: where there is no room, it is the part that can be done without.
+void StudyStatus::setTitle(const QString& title, const QString& shortTitle) {
+    m_title->setText(title);
+    if (!fitsItsLine()) m_title->setText(shortTitle);
+}
+
+bool StudyStatus::fitsItsLine() const {
+    if (!parentWidget()) return true;
+    int needed = 0;
+    for (const QWidget* part : parentWidget()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+        constexpr int betweenParts = 6;
+        if (part == this || part->isVisible()) needed += part->sizeHint().width() + betweenParts;
+    }
+    return needed <= parentWidget()->width();
 }
 
 void StudyStatus::clear() {

@@ -39,6 +39,8 @@ class StudyStatus : public QWidget {
   private:
     void update();
     void showRunning();
+    void setTitle(const QString& title, const QString& shortTitle);
+    bool fitsItsLine() const;
     void clear();
 
     QPointer<StudyActivity> m_activity;

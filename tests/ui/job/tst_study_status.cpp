@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The line that says how far a study is.
+#include <QLabel>
+#include <QStatusBar>
 #include <QTest>
 
 #include "ui/job/study_status.h"
@@ -32,6 +34,7 @@ class TestStudyStatus : public QObject {
     void cancelStopsTheStudyAndSaysHowFarItWas();
     void anotherPageShowsItsOwnStudy();
     void theLineKeepsItsPlace();
+    void aNarrowLineDoesWithoutTheName();
 };
 
 void TestStudyStatus::progressIsACountAndTheTimeLeft_data() {
@@ -132,6 +135,30 @@ void TestStudyStatus::theLineKeepsItsPlace() {
     const int width = status.sizeHint().width();
     study.set(StudyState::running, {9, 9});
     QCOMPARE(status.sizeHint().width(), width);
+}
+
+void TestStudyStatus::aNarrowLineDoesWithoutTheName() {
+    FakeStudy study;
+    QStatusBar line;
+    auto* beside = new QLabel(QStringLiteral("solved in 12.3 µs, error 1e-14"));
+    line.addWidget(beside);
+    auto* status = new StudyStatus;
+    status->setPatience(std::chrono::milliseconds(0));
+    line.addPermanentWidget(status);
+    const QString name = QStringLiteral("Efficiency–stiffness");
+    status->follow(&study, name);
+    line.resize(1600, line.sizeHint().height());
+    line.show();
+    study.set(StudyState::running, {640, 1500});
+    QTRY_VERIFY(!status->button()->isHidden());
+    QVERIFY(status->text().startsWith(name));
+    // All but the name has room, and stays.
+    line.resize(status->sizeHint().width() + beside->sizeHint().width() - 20, line.height());
+    study.set(StudyState::running, {700, 1500});
+    QVERIFY2(status->text().startsWith(QStringLiteral("700/1500")), qPrintable(status->text()));
+    line.resize(1600, line.height());
+    study.set(StudyState::running, {800, 1500});
+    QVERIFY(status->text().startsWith(name));
 }
 
 QTEST_MAIN(TestStudyStatus)

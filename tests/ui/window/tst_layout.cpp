@@ -14,6 +14,7 @@
 #include "tests/ui/window/layout_check.h"
 #include "ui/job/solve_job.h"
 #include "ui/job/solve_status.h"
+#include "ui/job/study_status.h"
 #include "ui/text/settings.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
@@ -125,6 +126,7 @@ void TestLayout::everythingCanBeReadAndReached() {
     QApplication::setFont(font);
     MainWindow window(std::make_unique<ScriptedQuestions>(m_answers), exactSolve());
     part<UnitsChoice>(window).choose(units);
+    part<StudyStatus>(window).setPatience(std::chrono::milliseconds(0));  // as on a slow machine
     openExample(window, example);
     window.resize(size);
     window.show();
