@@ -269,6 +269,7 @@ void TestPageTabs::f6GoesRoundTheAreas() {
 void TestPageTabs::onlyTheStudyOfThePageOnShowIsFollowed() {
     const auto window = newWindow(m_answers);
     part<StudyStatus>(*window).setPatience(std::chrono::milliseconds(0));
+    window->resize(1440, 900);  // room for the name
     window->show();
     QVERIFY(QTest::qWaitForWindowActive(window.get()));
     auto& pages = part<PageTabs>(*window);
