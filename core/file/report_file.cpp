@@ -77,10 +77,7 @@ class ScenarioRemarks {
             std::from_chars(key.data(), key.data() + key.size(), index);
             return index < map.children.size() ? &map.children[index] : nullptr;
         }
-        if (map.kind != YamlKind::map) return nullptr;
-        for (std::size_t i = 0; i + 1 < map.children.size(); i += 2)
-            if (map.children[i].text == key) return &map.children[i + 1];
-        return nullptr;
+        return map.valueOf(key);
     }
 
     /// What stands behind values in braces is about all of them.

@@ -85,6 +85,10 @@ class SectionOfFile {
     Section m_section;
 };
 
+bool isRepeat(const YamlNode& item) {
+    return item.valueOf("repeat") || item.valueOf("of");
+}
+
 /// A list of sections from a place on; stops behind the most that there may be.
 std::vector<Section> readSections(SectionReader& reader, const YamlNode& list, Chain chain,
                                   std::uint64_t before) {
@@ -92,16 +96,10 @@ std::vector<Section> readSections(SectionReader& reader, const YamlNode& list, C
     for (const YamlNode& item : list.children) {
         const std::string path = sectionKey(chain, before + sections.size() + 1);
         if (sections.size() > maximumSections) break;
-        const auto isRepeat = [&](const char* key) {
-            const auto& children = item.children;
-            for (std::size_t i = 0; i + 1 < children.size(); i += 2)
-                if (children[i].text == key) return true;
-            return false;
-        };
         if (item.kind != YamlKind::map) {
             reader.problems().reportKey(item.offset, path, sectionExample);
             sections.emplace_back();
-        } else if (isRepeat("repeat") || isRepeat("of")) {
+        } else if (isRepeat(item)) {
             reader.problems().reportKey(item.offset, path,
                                         chain == Chain::hammer
                                             ? "a hammer has no repeats; write its sections out"
@@ -186,13 +184,7 @@ class StringReader {
     }
 
     void readPart(const YamlNode& item) {
-        const auto has = [&](const char* key) {
-            const auto& children = item.children;
-            for (std::size_t i = 0; i + 1 < children.size(); i += 2)
-                if (children[i].text == key) return true;
-            return false;
-        };
-        if (item.kind == YamlKind::map && (has("repeat") || has("of"))) {
+        if (isRepeat(item)) {
             readRepeat(item);
             return;
         }
