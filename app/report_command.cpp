@@ -99,9 +99,7 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
     if (!report.blow.isSolved())
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved: " + report.blow.impact.reason +
-                               (report.blow.impact.hindrance == Hindrance::workLimit
-                                    ? limitHint(arguments, document.scenario)
-                                    : std::string()));
+                               limitHint(arguments, document.scenario, report.blow.impact.hindrance));
     std::vector<NamedFile> files =
         drawing->report(report, {std::string(stem), place.formats, interruption.token()});
     interruption.check();

@@ -83,6 +83,10 @@ std::string limitHint(const Arguments& arguments, const Scenario& scenario) {
     return limitHint(workLimitOf(arguments, isString(scenario) ? ofString : defaultWorkLimit));
 }
 
+std::string limitHint(const Arguments& arguments, const Scenario& scenario, Hindrance hindrance) {
+    return hindrance == Hindrance::workLimit ? limitHint(arguments, scenario) : std::string();
+}
+
 OptionSpec workLimitSpec() {
     return {"work-limit", "N", "wave pieces a blow may take, 1000000 (at worst some seconds) if not given"};
 }

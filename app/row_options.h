@@ -74,6 +74,8 @@ bool isAtLimit(const std::string& reason);
 std::string limitHint(long workLimit);
 /// The same of a blow within workLimitsOf().
 std::string limitHint(const Arguments& arguments, const Scenario& scenario);
+/// The same where that has stopped it, else nothing.
+std::string limitHint(const Arguments& arguments, const Scenario& scenario, Hindrance hindrance);
 
 /// The record of a run of `command` that writes these columns: all but its axes or cases. Throws
 /// ScenarioError where the scenario is too large for a file.

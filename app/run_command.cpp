@@ -57,12 +57,6 @@ void prepare(const RunFiles& files, const std::string& path, const ScenarioDocum
     checkFolder(files.directory, names, files.overwrite);
 }
 
-/// How to have a blow all the same that was given up.
-std::string hintFor(const Blow& blow, const Arguments& arguments) {
-    return blow.impact.hindrance == Hindrance::workLimit ? limitHint(arguments, blow.scenario)
-                                                         : std::string();
-}
-
 /// Solves, and times the solve alone: where it is quick, a second time, because the first one pays for fresh
 /// memory.
 Blow solve(MethodSolver solver, const Scenario& scenario, const MethodChoice& choice, Detail detail,
@@ -120,9 +114,9 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     interruption.check();
     if (!run.blow.isSolved()) {
         if (json) print(run, {}, json);
-        throw CommandError(
-            ExitCode::unsolvedOrFailed,
-            path + ": could not be solved: " + run.blow.impact.reason + hintFor(run.blow, arguments));
+        throw CommandError(ExitCode::unsolvedOrFailed,
+                           path + ": could not be solved: " + run.blow.impact.reason +
+                               limitHint(arguments, run.blow.scenario, run.blow.impact.hindrance));
     }
     if (writesFiles) writeFiles(files, run, drawing, interruption);
     print(run, files, json);

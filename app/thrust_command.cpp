@@ -129,11 +129,9 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
     if (csvPath != "-") {
         report.study = study(report.scenario, limits, interruption);
         if (!report.study.reason.empty())
-            throw CommandError(
-                ExitCode::unsolvedOrFailed,
-                path + ": could not be solved: " + report.study.reason +
-                    (report.study.hindrance == Hindrance::workLimit ? limitHint(arguments, report.scenario)
-                                                                    : std::string()));
+            throw CommandError(ExitCode::unsolvedOrFailed,
+                               path + ": could not be solved: " + report.study.reason +
+                                   limitHint(arguments, report.scenario, report.study.hindrance));
         printText(arguments.has("json") ? thrustJson(report) : thrustText(report));
     }
     if (report.along) checkSolved(report.along->curve, path, arguments, report.scenario);
