@@ -97,17 +97,20 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
     blow.solved = problemOf(scenario);
     const bool wantsForces = stresses == Stresses::wanted || hasStrength(scenario.rod);
     const bool mayPass = wantsForces && detail < Detail::histories && method.method == Method::exact;
+    const auto solve = [&](Detail wanted) -> const Impact& {
+        solveTimed(blow, wanted, stop, solver);
+        return blow.impact;
+    };
     if (mayPass) {
-        solveTimed(blow, std::max(detail, Detail::ledger), stop, solver);
+        const bool tooLong = isTooLongToKeep(solve);
         if (!blow.isSolved()) return blow;
-        if (isTooLongToKeep(blow.impact)) {
+        if (tooLong) {
             concludeInPassing(blow, detail, stop);
             return blow;
         }
     }
-    solveTimed(blow, wantsForces ? Detail::histories : detail, stop, solver);
-    if (blow.impact.hindrance == Hindrance::histories && detail != Detail::histories)
-        solveTimed(blow, detail, stop, solver);
+    solve(wantsForces ? Detail::histories : detail);
+    if (blow.impact.hindrance == Hindrance::histories && detail != Detail::histories) solve(detail);
     if (!blow.isSolved()) return blow;
     blow.summary = summarizeWithWaves(blow.impact, blow.solved);
     conclude(blow, detail);

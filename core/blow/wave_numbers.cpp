@@ -6,8 +6,11 @@
 
 namespace drillwave {
 
-bool isTooLongToKeep(const Impact& impact) {
-    return impact.outcome == Outcome::rebounded && impact.pieces > mostPiecesKept;
+bool isTooLongToKeep(const std::function<const Impact&(Detail)>& solve) {
+    const Impact& least = solve(Detail::cor);
+    if (least.outcome != Outcome::rebounded || least.pieces <= mostPiecesKept) return false;
+    solve(Detail::ledger);
+    return true;
 }
 
 ImpactSummary summarizeInPassing(const Impact& impact, const Problem& problem, const WaveNumbers& wanted,

@@ -2,6 +2,7 @@
 // The numbers of a blow that follow from its waves, in memory that does not grow with the blow.
 #pragma once
 
+#include <functional>
 #include <stop_token>
 
 #include "core/blow/impact_summary.h"
@@ -10,11 +11,12 @@
 
 namespace drillwave {
 
-/// Whether the histories of a blow that the exact solver has solved are too long to be kept for some numbers.
-bool isTooLongToKeep(const Impact& impact);
+/// Finds out by the exact solver whether the histories of a blow are too long to be kept for some numbers;
+/// `solve` keeps what it solves. Leaves the ledger of such a blow, and of any other the least there is, which
+/// took a few percent of the time of its histories.
+bool isTooLongToKeep(const std::function<const Impact&(Detail)>& solve);
 
-/// As summarizeWithWaves(), of such a blow solved with Detail::ledger: solves it once more. After a stop
-/// without the numbers of the waves.
+/// As summarizeWithWaves(), of such a blow: solves it once more. After a stop without the numbers of the waves.
 ImpactSummary summarizeInPassing(const Impact& impact, const Problem& problem, const WaveNumbers& wanted,
                                  const std::stop_token& stop);
 

@@ -33,21 +33,19 @@ std::string CaseSolver::solve(const Scenario& scenario, std::span<double> output
     assert(outputs.size() == m_columns.size());
     if (isString(scenario)) return solveDrillString(scenario, outputs, stop);
     m_problem = problemOf(std::move(m_problem.hammer), groupsOf(scenario));
+    const auto solve = [&](Detail detail) -> const Impact& {
+        m_impact = m_solver.solve(m_problem, detail, m_method, stop);
+        m_scatter = m_impact.corError;
+        return m_impact;
+    };
     if (m_detail == Detail::histories && m_method.method == Method::exact) {
-        m_impact = m_solver.solve(m_problem, Detail::cor, m_method, stop);  // a few percent of what follows
+        const bool tooLong = isTooLongToKeep(solve);
         if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
-        if (isTooLongToKeep(m_impact)) {
-            m_impact = m_solver.solve(m_problem, Detail::ledger, m_method, stop);
-            m_scatter = m_impact.corError;
-            if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
+        if (tooLong)
             return fillFrom(summarizeInPassing(m_impact, m_problem, m_waveNumbers, stop), scenario, outputs,
                             stop);
-        }
     }
-    m_impact = m_solver.solve(m_problem, m_detail, m_method, stop);
-    if (m_impact.hindrance == Hindrance::histories && m_needsLess)
-        m_impact = m_solver.solve(m_problem, Detail::ledger, m_method, stop);
-    m_scatter = m_impact.corError;
+    if (solve(m_detail).hindrance == Hindrance::histories && m_needsLess) solve(Detail::ledger);
     if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
     return fillFrom(summarizeWithWaves(m_impact, m_problem, m_waveNumbers), scenario, outputs, stop);
 }
