@@ -20,6 +20,7 @@ namespace drillwave {
 namespace {
 
 namespace fs = std::filesystem;
+
 /// Others hold the lock for the milliseconds of some renames; longer than this, one of them hangs.
 constexpr std::chrono::seconds longestWait{20};
 constexpr std::chrono::milliseconds lockPatience{10};  // between looks at the lock and at the stop token

@@ -6,6 +6,7 @@
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {
+
 ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid,
                            QWidget* parent)
     : QObject(parent),

@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace drillwave {
+
 SolveStatus::SolveStatus(QWidget* parent)
     : QWidget(parent), m_text(new QLabel(this)), m_button(new QPushButton(this)) {
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -11,6 +11,7 @@
 #include "ui/text/translation.h"
 
 namespace drillwave {
+
 QString thrustCaseName(ThrustCase which) {
     switch (which) {
         case ThrustCase::scenario:
