@@ -9,7 +9,7 @@
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
-#include "core/file/result_scenario.h"
+#include "core/archive/result_scenario.h"
 #include "core/report/accuracy_json.h"
 #include "core/report/accuracy_text.h"
 #include "core/report/blow_csv.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/arguments.h"
-#include "core/file/row_record.h"
+#include "core/archive/row_record.h"
 #include "core/study/rows/sweep_axis.h"
 
 namespace drillwave {

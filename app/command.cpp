@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "app/output_file.h"
-#include "core/file/whole_file.h"
+#include "core/disk/whole_file.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {

@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
+#include "core/archive/picture_formats.h"
 #include "core/blow/blow.h"
-#include "core/file/picture_formats.h"
-#include "core/file/whole_folder.h"
+#include "core/disk/whole_folder.h"
 #include "core/study/paper/figure_data.h"
 
 namespace drillwave {

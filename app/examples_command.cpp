@@ -5,9 +5,9 @@
 
 #include "app/command.h"
 #include "app/output_folder.h"
-#include "core/file/examples.h"
 #include "core/text/decimal_text.h"
 #include "core/text/nearest_name.h"
+#include "core/yaml/examples.h"
 
 namespace drillwave {
 

@@ -8,7 +8,7 @@
 #include "app/interruption.h"
 #include "app/output_folder.h"
 #include "app/study_plots.h"
-#include "core/file/study_files.h"
+#include "core/archive/study_files.h"
 #include "core/report/figures_page.h"
 #include "core/study/paper/figures.h"
 

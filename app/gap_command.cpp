@@ -6,7 +6,7 @@
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
-#include "core/file/result_scenario.h"
+#include "core/archive/result_scenario.h"
 #include "core/model/scales.h"
 #include "core/report/blow_csv.h"
 #include "core/report/gap_json.h"

@@ -13,7 +13,7 @@
 #include <system_error>
 
 #include "app/command_error.h"
-#include "core/file/whole_file.h"
+#include "core/disk/whole_file.h"
 
 namespace drillwave {
 

@@ -10,8 +10,8 @@
 #include "app/output_file.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
-#include "core/file/result_scenario.h"
-#include "core/file/row_part.h"
+#include "core/archive/result_scenario.h"
+#include "core/archive/row_part.h"
 #include "core/text/text_input.h"
 
 namespace drillwave {

@@ -21,10 +21,10 @@
 #include "app/desktop.h"
 #include "app/help_text.h"
 #include "app/interruption.h"
-#include "core/file/scenario_file.h"
 #include "core/model/version.h"
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
+#include "core/yaml/scenario_file.h"
 
 namespace {
 

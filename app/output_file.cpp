@@ -11,7 +11,7 @@
 
 #include "app/command_error.h"
 #include "app/output_folder.h"
-#include "core/file/hidden_folder.h"
+#include "core/disk/hidden_folder.h"
 #include "core/text/text_input.h"
 
 namespace drillwave {

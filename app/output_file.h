@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/file/study_files.h"
-#include "core/file/whole_file.h"
-#include "core/file/whole_folder.h"
+#include "core/archive/study_files.h"
+#include "core/disk/whole_file.h"
+#include "core/disk/whole_folder.h"
 
 namespace drillwave {
 

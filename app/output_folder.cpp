@@ -2,7 +2,7 @@
 #include "app/output_folder.h"
 
 #include "app/command_error.h"
-#include "core/file/hidden_folder.h"
+#include "core/disk/hidden_folder.h"
 
 namespace drillwave {
 

@@ -7,7 +7,7 @@
 
 #include "app/interruption.h"
 #include "app/output_file.h"
-#include "core/file/whole_folder.h"
+#include "core/disk/whole_folder.h"
 
 namespace drillwave {
 

@@ -6,9 +6,9 @@
 #include "app/command_error.h"
 #include "app/input_text.h"
 #include "app/scenario_argument.h"
-#include "core/file/preset_file.h"
 #include "core/text/decimal_text.h"
 #include "core/text/nearest_name.h"
+#include "core/yaml/preset_file.h"
 
 namespace drillwave {
 

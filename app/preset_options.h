@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/arguments.h"
-#include "core/file/preset_file.h"
+#include "core/yaml/preset_file.h"
 
 namespace drillwave {
 

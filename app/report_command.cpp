@@ -10,7 +10,7 @@
 #include "app/progress_bar.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
-#include "core/file/report_file.h"
+#include "core/archive/report_file.h"
 
 namespace drillwave {
 

@@ -15,14 +15,14 @@
 #include "app/command_error.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
+#include "core/archive/row_record.h"
 #include "core/blow/method.h"
-#include "core/file/row_record.h"
-#include "core/file/scenario_file.h"
-#include "core/file/whole_folder.h"
+#include "core/disk/whole_folder.h"
 #include "core/report/row_csv.h"
 #include "core/study/rows/output_column.h"
 #include "core/study/rows/row_counts.h"
 #include "core/study/rows/shard.h"
+#include "core/yaml/scenario_file.h"
 
 namespace drillwave {
 

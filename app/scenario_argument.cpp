@@ -9,7 +9,6 @@
 #include "app/command_error.h"
 #include "app/input_text.h"
 #include "app/preset_options.h"
-#include "core/file/examples.h"
 #include "core/model/alerts.h"
 #include "core/model/assignments.h"
 #include "core/model/parameter.h"
@@ -20,6 +19,7 @@
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
 #include "core/text/nearest_name.h"
+#include "core/yaml/examples.h"
 
 namespace drillwave {
 

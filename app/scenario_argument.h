@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/arguments.h"
-#include "core/file/result_scenario.h"
+#include "core/archive/result_scenario.h"
 #include "core/study/rows/sweep_axis.h"
 
 namespace drillwave {

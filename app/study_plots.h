@@ -9,7 +9,7 @@
 #include "app/drawing.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
-#include "core/file/scenario_file.h"
+#include "core/yaml/scenario_file.h"
 
 namespace drillwave {
 

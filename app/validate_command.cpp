@@ -6,8 +6,8 @@
 #include "app/command.h"
 #include "app/preset_options.h"
 #include "app/scenario_argument.h"
-#include "core/file/preset_file.h"
 #include "core/text/name_text.h"
+#include "core/yaml/preset_file.h"
 
 namespace drillwave {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 
 namespace drillwave {
 

@@ -6,16 +6,13 @@
 #include "core/model/version.h"
 #include "core/text/decimal_text.h"
 #include "core/text/text_input.h"
+#include "core/yaml/remark_lines.h"
 
 namespace drillwave {
 namespace {
 
-constexpr std::string_view writtenBy = "# Written by Drillwave ";
-constexpr std::string_view solvedBy = "# Solved by method ";
-constexpr std::string_view columnsAre = "# Columns: ";
-
 std::string versionIn(std::string_view line) {
-    std::string_view version = line.substr(writtenBy.size());
+    std::string_view version = line.substr(writtenRemark.size());
     version = version.substr(0, std::min(version.find_first_of("; \r"), version.size()));
     while (version.ends_with('.')) version.remove_suffix(1);
     return std::string(version);
@@ -24,7 +21,7 @@ std::string versionIn(std::string_view line) {
 /// Reads "lattice, 500 segments." as describe() says it.
 void readMethod(std::string_view line, ResultRemarks& remarks) {
     constexpr std::string_view unit = " segments";
-    std::string_view words = line.substr(solvedBy.size());
+    std::string_view words = line.substr(solvedRemark.size());
     while (words.ends_with('\r') || words.ends_with('.')) words.remove_suffix(1);
     const std::size_t comma = std::min(words.find(", "), words.size());
     const std::string_view method = words.substr(0, comma);
@@ -50,28 +47,26 @@ void readMethod(std::string_view line, ResultRemarks& remarks) {
 }  // namespace
 
 std::string remarksText(std::string_view about, std::string_view method, std::string_view columns) {
-    std::string text = std::string(writtenBy) + versionText + std::string(about) + "\n";
+    std::string text = std::string(writtenRemark) + versionText + std::string(about) + "\n";
     if (!method.empty()) text += "# Solved by " + std::string(method) + ".\n";
-    if (!columns.empty()) text += std::string(columnsAre) + std::string(columns) + "\n";
+    if (!columns.empty()) text += std::string(columnsRemark) + std::string(columns) + "\n";
     return text;
 }
 
 ResultRemarks remarksOf(std::string_view yaml) {
     ResultRemarks remarks;
-    const std::size_t mark = byteOrderMarkLength(yaml);
-    if (!yaml.substr(mark).starts_with(writtenBy)) return remarks;
-    remarks.length = mark;
-    for (;;) {
-        const std::string_view rest = yaml.substr(remarks.length);
+    remarks.length = remarksLength(yaml);
+    std::string_view rest = yaml.substr(0, remarks.length);
+    rest.remove_prefix(byteOrderMarkLength(rest));
+    while (!rest.empty()) {
         const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size()));
-        if (line.starts_with(writtenBy))
+        if (line.starts_with(writtenRemark))
             remarks.version = versionIn(line);
-        else if (line.starts_with(solvedBy))
+        else if (line.starts_with(solvedRemark))
             readMethod(line, remarks);
-        else if (!line.starts_with(columnsAre))
-            return remarks;
-        remarks.length += std::min(line.size() + 1, rest.size());
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     }
+    return remarks;
 }
 
 }  // namespace drillwave

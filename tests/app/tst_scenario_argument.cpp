@@ -5,8 +5,8 @@
 
 #include "app/command_error.h"
 #include "app/scenario_argument.h"
-#include "core/file/examples.h"
 #include "core/model/scales.h"
+#include "core/yaml/examples.h"
 
 using namespace drillwave;
 

@@ -9,7 +9,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/bench/bench_program.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/quantity_field.h"

@@ -3,7 +3,7 @@
 # Checks what the include lines say about the house: check_includes.sh SOURCE_FOLDER [ROOMS]
 # - every file of core, ui and app is in a room of rooms.txt and includes only from its own room or one above it there;
 # - includes are root-relative;
-# - core includes no Qt, and of yaml-cpp only in core/file;
+# - core includes no Qt, and of yaml-cpp only in core/yaml;
 # - a source of core or ui begins with its own header, of the same name.
 set -euo pipefail
 source_folder=$1
@@ -32,5 +32,5 @@ find core ui app -name '*.h' -o -name '*.cpp' | sort | xargs awk -v rooms="$room
         }
     }
     /^#include <Q/ && own ~ /^core/ { complain("core knows no Qt") }
-    /^#include <yaml-cpp/ && own != "core/file" { complain("only core/file includes yaml-cpp") }
+    /^#include <yaml-cpp/ && own != "core/yaml" { complain("only core/yaml includes yaml-cpp") }
     END { if (NR == 0) { print "no sources found"; wrong = 1 } exit wrong }'

@@ -8,7 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/support/scripted_questions.h"
 #include "ui/form/scenario_panel.h"
 #include "ui/text/unit_choice.h"

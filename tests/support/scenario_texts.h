@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/file/scenario_file.h"
+#include "core/yaml/scenario_file.h"
 
 namespace drillwave::test {
 

@@ -10,7 +10,7 @@
 #include <QTest>
 #include <cstdio>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/support/themes.h"
 #include "tests/support/window_parts.h"
 #include "ui/job/solve_job.h"

@@ -7,9 +7,9 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "core/file/preset_remarks.h"
-#include "core/file/pulse_table.h"
-#include "core/file/result_scenario.h"
+#include "core/archive/result_scenario.h"
+#include "core/yaml/preset_remarks.h"
+#include "core/yaml/pulse_table.h"
 #include "ui/document/scenario_edit.h"
 #include "ui/document/table_name.h"
 #include "ui/document/whole_file.h"

@@ -10,10 +10,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/file/scenario_file.h"
 #include "core/model/parameter.h"
 #include "core/model/preset.h"
 #include "core/model/validation.h"
+#include "core/yaml/scenario_file.h"
 
 namespace drillwave {
 

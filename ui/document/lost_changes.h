@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/file/scenario_file.h"
+#include "core/yaml/scenario_file.h"
 
 namespace drillwave {
 

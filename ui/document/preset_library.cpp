@@ -7,7 +7,7 @@
 #include <QStandardPaths>
 #include <algorithm>
 
-#include "core/file/preset_file.h"
+#include "core/yaml/preset_file.h"
 #include "ui/text/settings.h"
 
 namespace drillwave {

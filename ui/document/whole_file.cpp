@@ -4,7 +4,7 @@
 #include <QFile>
 #include <string_view>
 
-#include "core/file/whole_file.h"
+#include "core/disk/whole_file.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {

@@ -8,7 +8,7 @@
 #include <QKeyEvent>
 #include <algorithm>
 
-#include "core/file/result_scenario.h"
+#include "core/archive/result_scenario.h"
 #include "core/study/thrust/thrust_margins.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/export_place.h"

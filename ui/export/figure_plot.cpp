@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/file/picture_formats.h"
+#include "core/archive/picture_formats.h"
 #include "ui/plot/plot_rendering.h"
 #include "ui/plot/plot_style.h"
 #include "ui/text/shown_text.h"

@@ -5,8 +5,8 @@
 #include <QString>
 #include <vector>
 
-#include "core/file/picture_formats.h"
-#include "core/file/whole_folder.h"
+#include "core/archive/picture_formats.h"
+#include "core/disk/whole_folder.h"
 #include "ui/plot/plot_rendering.h"
 
 namespace drillwave {

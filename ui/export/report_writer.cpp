@@ -6,7 +6,7 @@
 #include <QPrinter>
 #include <utility>
 
-#include "core/file/report_file.h"
+#include "core/archive/report_file.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/export_place.h"
 #include "ui/export/report_export.h"

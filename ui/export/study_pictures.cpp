@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/study_pictures.h"
 
-#include "core/file/preset_file.h"
+#include "core/yaml/preset_file.h"
 #include "ui/export/figure_plot.h"
 #include "ui/export/paper_plots.h"
 #include "ui/export/sweep_panels.h"

@@ -11,7 +11,7 @@
 #include <QSvgGenerator>
 #include <cmath>
 
-#include "core/file/picture_formats.h"
+#include "core/archive/picture_formats.h"
 #include "ui/plot/curve_clip.h"
 #include "ui/plot/plot_style.h"
 #include "ui/plot/svg_text.h"

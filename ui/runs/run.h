@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/file/kept_runs.h"
+#include "core/archive/kept_runs.h"
 #include "ui/job/solved_blow.h"
 
 namespace drillwave {

@@ -6,8 +6,8 @@
 #include <QFileInfo>
 #include <utility>
 
-#include "core/file/kept_runs.h"
-#include "core/file/scenario_reader.h"
+#include "core/archive/kept_runs.h"
+#include "core/yaml/scenario_reader.h"
 #include "ui/document/table_name.h"
 #include "ui/text/shown_text.h"
 

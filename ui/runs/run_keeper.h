@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/file/runs_folder.h"
+#include "core/archive/runs_folder.h"
 #include "ui/document/document.h"
 #include "ui/job/worker.h"
 #include "ui/runs/runs.h"

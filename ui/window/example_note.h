@@ -4,7 +4,7 @@
 
 #include <QAction>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "ui/window/notice.h"
 
 namespace drillwave {

@@ -4,7 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include "core/file/result_scenario.h"
+#include "core/archive/result_scenario.h"
 #include "ui/text/settings.h"
 
 namespace drillwave {

@@ -4,7 +4,7 @@
 
 #include <QMenu>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "ui/document/document.h"
 #include "ui/document/file_watch.h"
 #include "ui/questions/questions.h"

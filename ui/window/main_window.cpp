@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include "core/blow/string_curves.h"
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "ui/document/recovery.h"
 #include "ui/export/export_menu.h"
 #include "ui/export/report_writer.h"

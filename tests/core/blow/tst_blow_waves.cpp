@@ -4,8 +4,8 @@
 
 #include "core/blow/blow_waves.h"
 #include "core/blow/string_curves.h"
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 
 using namespace drillwave;
 

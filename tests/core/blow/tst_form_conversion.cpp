@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/blow/blow.h"
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/model/form_conversion.h"
 #include "core/model/validation.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 
 using namespace drillwave;
 

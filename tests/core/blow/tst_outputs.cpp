@@ -7,10 +7,10 @@
 #include "core/blow/blow.h"
 #include "core/blow/outputs.h"
 #include "core/blow/thrust.h"
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/model/drill_string.h"
 #include "core/wave/exact/exact_solver.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 
 using namespace drillwave;
 

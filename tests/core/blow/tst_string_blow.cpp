@@ -5,12 +5,12 @@
 #include "core/blow/blow.h"
 #include "core/blow/outputs.h"
 #include "core/blow/string_curves.h"
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/model/form_conversion.h"
 #include "core/model/parameter.h"
 #include "core/report/alert_words.h"
 #include "core/wave/field/bit_history.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 
 using namespace drillwave;
 

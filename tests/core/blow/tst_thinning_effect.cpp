@@ -7,8 +7,8 @@
 
 #include "core/blow/blow.h"
 #include "core/blow/thinning_effect.h"
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 
 using namespace drillwave;
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/model/section_choice.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 
 using namespace drillwave;
 

@@ -5,14 +5,14 @@
 #include <sstream>
 
 #include "core/blow/impact_summary.h"
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/report/blow_csv.h"
 #include "core/text/csv.h"
 #include "core/text/units.h"
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/field/bit_motion.h"
 #include "core/wave/field/wave_field.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 
 using namespace drillwave;
 

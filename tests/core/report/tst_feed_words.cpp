@@ -8,12 +8,12 @@
 
 #include "core/blow/blow.h"
 #include "core/blow/thrust.h"
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/report/feed_words.h"
 #include "core/report/report_text.h"
 #include "core/report/thrust_report.h"
 #include "core/study/gap/gap_statistics.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 
 using namespace drillwave;
 

@@ -5,7 +5,7 @@
 #include <QPoint>
 #include <random>
 
-#include "core/file/text_edit.h"
+#include "core/text/text_edit.h"
 #include "core/text/text_input.h"
 
 using namespace drillwave;

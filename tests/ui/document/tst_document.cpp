@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <csignal>
 
-#include "core/file/examples.h"
-#include "core/file/preset_file.h"
 #include "core/model/scales.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/preset_file.h"
 #include "tests/support/files.h"
 #include "ui/document/document.h"
 

@@ -9,7 +9,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/support/files.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"

@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/support/child_process.h"
 #include "tests/support/files.h"
 #include "tests/support/window.h"

@@ -16,8 +16,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/file/examples.h"
-#include "core/file/result_scenario.h"
+#include "core/archive/result_scenario.h"
+#include "core/yaml/examples.h"
 #include "tests/support/files.h"
 #include "tests/support/program.h"
 #include "tests/support/window.h"

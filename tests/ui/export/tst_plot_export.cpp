@@ -4,8 +4,8 @@
 #include <QTest>
 
 #include "core/blow/blow.h"
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "tests/support/svg_texts.h"
 #include "ui/export/plot_export.h"
 #include "ui/plot/plot_rendering.h"

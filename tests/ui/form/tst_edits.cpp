@@ -14,7 +14,7 @@
 #include <QWheelEvent>
 #include <bit>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/support/files.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"

@@ -7,7 +7,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/support/import_fixture.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/choice_box.h"

@@ -6,9 +6,9 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "core/file/examples.h"
 #include "core/model/scales.h"
 #include "core/wave/field/wave_field.h"
+#include "core/yaml/examples.h"
 #include "tests/support/import_fixture.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/choice_box.h"

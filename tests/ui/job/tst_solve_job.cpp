@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "tests/support/gap_watch.h"
 #include "ui/job/solve_job.h"
 

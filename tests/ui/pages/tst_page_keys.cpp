@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/support/window.h"
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/gap/gap_plot.h"

@@ -6,8 +6,8 @@
 #include <QTest>
 
 #include "core/blow/thrust.h"
-#include "core/file/examples.h"
 #include "core/wave/field/wave_field.h"
+#include "core/yaml/examples.h"
 #include "tests/support/window.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/blow/blow_plots.h"

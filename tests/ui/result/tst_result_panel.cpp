@@ -8,10 +8,10 @@
 #include <QTest>
 
 #include "core/blow/outputs.h"
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/model/alerts.h"
 #include "core/wave/exact/exact_solver.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "ui/result/place_link.h"
 #include "ui/result/result_panel.h"
 #include "ui/runs/difference_text.h"

@@ -7,8 +7,8 @@
 #include <QTest>
 
 #include "core/blow/string_curves.h"
-#include "core/file/examples.h"
 #include "core/model/alerts.h"
+#include "core/yaml/examples.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/scenario_panel.h"

@@ -12,8 +12,8 @@
 #include <atomic>
 #include <semaphore>
 
-#include "core/file/examples.h"
-#include "core/file/result_scenario.h"
+#include "core/archive/result_scenario.h"
+#include "core/yaml/examples.h"
 #include "tests/support/themes.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <thread>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/support/files.h"
 #include "tests/support/window.h"
 #include "ui/plot/run_pen.h"

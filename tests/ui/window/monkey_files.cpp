@@ -4,7 +4,7 @@
 #include <QDir>
 #include <QFile>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 
 namespace drillwave {
 namespace {

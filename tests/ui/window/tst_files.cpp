@@ -10,7 +10,7 @@
 #include <QToolButton>
 #include <QUrl>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/text/settings.h"

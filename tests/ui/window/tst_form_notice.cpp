@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <QTest>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "ui/window/form_notice.h"
 
 using namespace drillwave;

@@ -7,7 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/support/themes.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"

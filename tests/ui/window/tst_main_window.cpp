@@ -9,7 +9,7 @@
 #include <QStatusBar>
 #include <QTest>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/support/files.h"
 #include "tests/support/window.h"
 #include "tests/support/window_fixture.h"

@@ -12,10 +12,10 @@
 #include <ctime>
 #include <thread>
 
-#include "core/file/pulse_table.h"
-#include "core/file/scenario_file.h"
 #include "core/model/scales.h"
 #include "core/model/string_edit.h"
+#include "core/yaml/pulse_table.h"
+#include "core/yaml/scenario_file.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "tests/ui/window/monkey.h"

@@ -6,7 +6,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
-#include "core/file/preset_file.h"
+#include "core/yaml/preset_file.h"
 #include "tests/support/window_fixture.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/scenario_panel.h"

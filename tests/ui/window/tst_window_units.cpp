@@ -2,7 +2,7 @@
 // Units in the window: of fields, results and plots alike.
 #include <QTest>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/support/window.h"
 #include "tests/support/window_fixture.h"
 #include "tests/support/window_parts.h"

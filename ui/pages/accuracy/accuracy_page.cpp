@@ -7,7 +7,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include "core/file/result_scenario.h"
+#include "core/archive/result_scenario.h"
 #include "core/report/accuracy_json.h"
 #include "core/report/blow_csv.h"
 #include "core/report/stability_report.h"

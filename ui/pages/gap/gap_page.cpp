@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/file/result_scenario.h"
+#include "core/archive/result_scenario.h"
 #include "core/report/blow_csv.h"
 #include "core/report/gap_json.h"
 #include "ui/form/choice_box.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/file/preset_file.h"
 #include "core/model/scales.h"
+#include "core/yaml/preset_file.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/result/output_unit.h"

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <array>
 
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/model/form_conversion.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "ui/text/field_text.h"
 #include "ui/text/typed_text.h"
 #include "ui/text/unit_choice.h"

@@ -4,7 +4,7 @@
 #include <QDir>
 #include <QRegularExpression>
 
-#include "core/file/result_scenario.h"
+#include "core/archive/result_scenario.h"
 
 namespace drillwave {
 

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "core/file/scenario_file.h"
+#include "core/yaml/scenario_file.h"
 #include "ui/pages/study/command_text.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/plot/plot_widget.h"

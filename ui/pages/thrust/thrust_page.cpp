@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/archive/result_scenario.h"
 #include "core/blow/thrust.h"
-#include "core/file/result_scenario.h"
 #include "core/report/blow_csv.h"
 #include "core/report/feed_words.h"
 #include "core/report/thrust_report.h"

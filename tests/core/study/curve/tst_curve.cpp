@@ -5,12 +5,12 @@
 #include <cmath>
 #include <random>
 
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/report/curve_csv.h"
 #include "core/study/curve/curve.h"
 #include "core/study/curve/curve_sampler.h"
 #include "core/text/units.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "tests/support/scenario.h"
 
 using namespace drillwave;

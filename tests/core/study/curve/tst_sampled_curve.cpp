@@ -2,10 +2,10 @@
 // Curves of drill strings by points: the rows of a sweep, coarse points first.
 #include <QTest>
 
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/study/curve/sampled_curve.h"
 #include "core/study/rows/sweep.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "tests/support/sweep.h"
 
 using namespace drillwave;

@@ -2,10 +2,10 @@
 // Error against run time over a short ladder.
 #include <QtTest>
 
-#include "core/file/examples.h"
 #include "core/study/proof/accuracy.h"
 #include "core/study/proof/force_difference.h"
 #include "core/study/proof/string_accuracy.h"
+#include "core/yaml/examples.h"
 #include "tests/support/scenario.h"
 #include "tests/support/scenario_texts.h"
 #include "tests/support/scenes.h"

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <sstream>
 
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/report/row_csv.h"
 #include "core/study/rows/table.h"
 #include "core/study/rows/table_header.h"
 #include "core/text/csv.h"
 #include "core/wave/exact/exact_solver.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "tests/support/scenario.h"
 
 using namespace drillwave;

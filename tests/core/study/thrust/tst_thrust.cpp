@@ -6,13 +6,13 @@
 
 #include "core/blow/outputs.h"
 #include "core/blow/thrust.h"
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/model/scales.h"
 #include "core/study/thrust/thrust_curve.h"
 #include "core/study/thrust/thrust_margins.h"
 #include "core/study/thrust/thrust_study.h"
 #include "core/wave/exact/exact_solver.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 
 using namespace drillwave;
 

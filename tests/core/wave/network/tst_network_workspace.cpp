@@ -6,10 +6,10 @@
 #include <cstring>
 #include <new>
 
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/wave/network/network_solver.h"
 #include "core/wave/network/string_problem.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "tests/support/network_scenes.h"
 
 using namespace drillwave;

@@ -11,7 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/file/examples.h"
+#include "core/yaml/examples.h"
 #include "tests/support/program.h"
 #include "tests/support/window.h"
 #include "ui/document/document.h"

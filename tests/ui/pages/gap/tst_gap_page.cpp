@@ -7,8 +7,8 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "core/file/examples.h"
 #include "core/wave/exact/exact_solver.h"
+#include "core/yaml/examples.h"
 #include "tests/support/program.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/gap/gap_page.h"

@@ -9,10 +9,10 @@
 #include <QProcess>
 #include <QTest>
 
-#include "core/file/examples.h"
 #include "core/report/row_csv.h"
 #include "core/study/map/map_rows.h"
 #include "core/wave/exact/exact_solver.h"
+#include "core/yaml/examples.h"
 #include "tests/support/map.h"
 #include "ui/pages/map/level_field.h"
 #include "ui/pages/map/map_crosshair.h"

@@ -3,12 +3,12 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
 #include "core/model/scales.h"
 #include "core/wave/exact/exact_solver.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/plot/plot_widget.h"
 

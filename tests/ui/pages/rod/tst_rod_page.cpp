@@ -5,10 +5,10 @@
 
 #include "core/blow/result_alerts.h"
 #include "core/blow/string_curves.h"
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
 #include "core/model/drill_string.h"
 #include "core/wave/field/wave_field.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "tests/support/pinned_run.h"
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/rod/rod_plot.h"

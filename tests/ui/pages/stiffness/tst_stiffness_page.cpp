@@ -10,9 +10,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/file/examples.h"
 #include "core/model/section_choice.h"
 #include "core/report/curve_csv.h"
+#include "core/yaml/examples.h"
 #include "tests/support/window.h"
 #include "ui/pages/stiffness/stiffness_page.h"
 #include "ui/pages/stiffness/stiffness_plot.h"

@@ -11,8 +11,8 @@
 #include <QToolButton>
 
 #include "core/blow/string_curves.h"
-#include "core/file/examples.h"
 #include "core/model/section_parameter.h"
+#include "core/yaml/examples.h"
 #include "tests/support/window_fixture.h"
 #include "ui/export/export_menu.h"
 #include "ui/export/report_writer.h"

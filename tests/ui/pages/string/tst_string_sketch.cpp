@@ -3,8 +3,8 @@
 #include <QTest>
 #include <algorithm>
 
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "ui/export/paper_plots.h"
 #include "ui/pages/string/string_sketch.h"
 

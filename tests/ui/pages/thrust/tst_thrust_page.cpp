@@ -8,10 +8,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/file/examples.h"
 #include "core/report/feed_words.h"
 #include "core/report/thrust_report.h"
 #include "core/study/thrust/thrust_study.h"
+#include "core/yaml/examples.h"
 #include "tests/support/program.h"
 #include "tests/support/window.h"
 #include "ui/form/quantity_field.h"

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "core/blow/string_curves.h"
-#include "core/file/examples.h"
-#include "core/file/scenario_file.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "tests/support/pinned_run.h"
 #include "tests/support/svg_texts.h"
 #include "ui/pages/wave_picture/joint_marks.h"

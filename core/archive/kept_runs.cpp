@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/archive/kept_runs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "core/text/csv.h"
+#include "core/text/text_input.h"
+#include "core/text/units.h"
+#include "core/yaml/scenario_reader.h"
+
+namespace drillwave {
+namespace {
+
+constexpr char indexName[] = "runs.csv";
+constexpr char indexHeader[] = "file,name,shown,reference,cor";
+constexpr std::size_t indexColumns = 5;
+constexpr std::size_t maximumIndexBytes = std::size_t{1} << 16;
+constexpr char ending[] = ".yaml";
+
+/// The number of a file's letter; nothing where it is no file of a run.
+std::optional<int> numberOf(const std::string& file) {
+    for (int number = 0; number < mostRuns; ++number)
+        if (file == runFileName(number)) return number;
+    return std::nullopt;
+}
+
+std::string nameOf(const std::filesystem::path& folder) {
+    return folder.filename().string();
+}
+
+class Reader {
+  public:
+    Reader(std::string folder, std::string scenarioPath)
+        : m_folder(std::move(folder)), m_scenarioPath(std::move(scenarioPath)) {}
+
+    KeptRuns read() {
+        const FileBytes index = readFile(m_folder + "/" + indexName, maximumIndexBytes);
+        if (index.problem.empty())
+            readIndex(index.bytes);
+        else
+            refuse(indexName, index.problem + "; the runs in this folder are not shown");
+        for (int number = 0; number < mostRuns; ++number)
+            if (isThere(m_folder + "/" + runFileName(number)) && !has(number))
+                m_kept.foreign.push_back(number);
+        return std::move(m_kept);
+    }
+
+  private:
+    void readIndex(const std::string& bytes) {
+        std::istringstream in(bytes);
+        CsvReader reader(in, maximumIndexBytes);
+        CsvRecord record;
+        bool isHeader = true;
+        while (reader.next(record)) {
+            if (std::exchange(isHeader, false)) continue;
+            const std::string place = std::string(indexName) + ":" + std::to_string(reader.line());
+            if (!record.problem.empty())
+                return refuse(place, record.problem + "; this run and those below are left out");
+            readRow(place, record.cells);
+        }
+    }
+
+    void readRow(const std::string& place, const std::vector<std::string>& cells) {
+        if (cells.size() != indexColumns)
+            return refuse(place, "has " + std::to_string(cells.size()) + " cells in place of " + indexHeader +
+                                     "; this run is left out");
+        const std::optional<int> number = numberOf(cells[0]);
+        if (!number || has(*number))
+            return refuse(place, "`" + cells[0] +
+                                     "` is not the file of a run (A.yaml, B.yaml, …), or the second "
+                                     "row of it; this run is left out");
+        const FileBytes file = readFile(m_folder + "/" + cells[0], maximumScenarioBytes);
+        if (!file.problem.empty()) return refuse(cells[0], file.problem + "; this run is left out");
+        try {
+            m_kept.runs.push_back({.number = *number,
+                                   .name = cells[1],
+                                   .contents = parseScenario(file.bytes, m_scenarioPath),
+                                   .isShown = cells[2] != "no",
+                                   .isReference = cells[3] == "yes",
+                                   .cor = parseNumber(cells[4])});
+        } catch (const ScenarioError& error) {
+            // The text is not the scenario's, by which its tables are found.
+            const ScenarioError here(error.kind(), cells[0], error.problems());
+            refuse({}, here.lines().front() + "; this run is left out");
+        }
+    }
+
+    bool has(int number) const {
+        return std::ranges::find(m_kept.runs, number, &KeptRun::number) != m_kept.runs.end();
+    }
+
+    void refuse(const std::string& place, const std::string& reason) {
+        m_kept.problems.push_back(nameOf(m_folder) + "/" + place + (place.empty() ? "" : ": ") + reason);
+    }
+
+    std::string m_folder;
+    std::string m_scenarioPath;
+    KeptRuns m_kept;
+};
+
+}  // namespace
+
+std::string runLetter(int number) {
+    return std::string(1, static_cast<char>('A' + number));
+}
+
+std::string runFileName(int number) {
+    return runLetter(number) + ending;
+}
+
+// "t38.yaml" has the short name. Any other name keeps its ending, or is given one where it has none that a
+// scenario is known by; and what would be mistaken for one of those without its ".yaml" keeps that.
+std::string runsFolderOf(const std::string& scenarioPath) {
+    constexpr char otherEnding[] = ".scenario";
+    const auto isEndingOfOthers = [&](const std::filesystem::path& extension) {
+        return extension == ".yml" || extension == ".json";
+    };
+    const std::filesystem::path path(scenarioPath);
+    if (path.extension() == ending) {
+        const std::filesystem::path inner = path.stem().extension();
+        const bool isMistaken = isEndingOfOthers(inner) || inner == ending || inner == otherEnding;
+        return (isMistaken ? path : path.parent_path() / path.stem()).string() + ".runs";
+    }
+    return path.string() + (isEndingOfOthers(path.extension()) ? "" : otherEnding) + ".runs";
+}
+
+std::vector<NamedFile> runFiles(const std::vector<KeptRun>& runs) {
+    std::vector<NamedFile> files;
+    std::string index = std::string(indexHeader) + '\n';
+    for (const KeptRun& run : runs) {
+        files.push_back({runFileName(run.number), run.contents.text});
+        index += runFileName(run.number) + ',' + csvCell(run.name) + (run.isShown ? ",yes" : ",no") +
+                 (run.isReference ? ",yes," : ",no,") + (run.cor ? formatNumber(*run.cor) : std::string()) +
+                 '\n';
+    }
+    files.push_back({indexName, index});
+    return files;
+}
+
+KeptRuns readRuns(const std::string& folder, const std::string& scenarioPath) {
+    if (!isThere(folder)) return {};
+    return Reader(folder, scenarioPath).read();
+}
+
+}  // namespace drillwave

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs kept in a folder beside their scenario file (files §9): a scenario a run, and an index of them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/disk/whole_folder.h"
+#include "core/yaml/scenario_file.h"
+
+namespace drillwave {
+
+/// Runs have letters, by which their files are called: A.yaml, B.yaml …
+inline constexpr int mostRuns = 12;
+
+/// "A" for 0, the next for the next.
+std::string runLetter(int number);
+
+/// "A.yaml" for 0.
+std::string runFileName(int number);
+
+/// What is kept of a run: enough to solve it again.
+struct KeptRun {
+    int number = 0;             ///< 0 … mostRuns − 1, of its letter
+    std::string name;           ///< "k 300 MN/m"
+    ScenarioDocument contents;  ///< `text` is the file byte for byte
+    bool isShown = true;        ///< laid over the plots
+    bool isReference = false;   ///< that others are compared with
+    std::optional<double> cor;  ///< as it was solved; tells a table of the blow that has changed since
+};
+
+/// What a folder holds.
+struct KeptRuns {
+    std::vector<KeptRun> runs;
+    std::vector<std::string> problems;  ///< one line each, of what could not be taken
+    std::vector<int> foreign;           ///< numbers whose files are there, but not among `runs`: not to be
+                                        ///< written over
+};
+
+/// "t38.runs" beside "t38.yaml", "t38.yml.runs" beside "t38.yml", "t38.scenario.runs" beside "t38": no two
+/// files have the same one.
+std::string runsFolderOf(const std::string& scenarioPath);
+
+/// The files of the folder: the scenarios and, last, the index.
+std::vector<NamedFile> runFiles(const std::vector<KeptRun>& runs);
+
+/// The runs of a folder; none and no problem where it is not there. A table of the blow is read relative to
+/// the scenario file, as for the scenario itself.
+KeptRuns readRuns(const std::string& folder, const std::string& scenarioPath);
+
+}  // namespace drillwave

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/archive/report_file.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/archive/result_scenario.h"
+#include "core/yaml/preset_file.h"
+#include "core/yaml/preset_remarks.h"
+#include "core/yaml/scenario_text.h"
+#include "core/yaml/yaml_extent.h"
+
+namespace drillwave {
+namespace {
+
+/// The words of a comment, without its "#".
+std::string wordsOf(std::string_view comment) {
+    const std::size_t first = comment.find_first_not_of("# \t");
+    if (first == std::string_view::npos) return {};
+    return std::string(comment.substr(first, comment.find_last_not_of(" \t") + 1 - first));
+}
+
+/// A value as it stands in the text, and what is remarked behind it.
+struct Stated {
+    std::string text;
+    std::string comment;
+};
+
+class ScenarioRemarks {
+  public:
+    explicit ScenarioRemarks(std::string_view text) : m_text(text), m_tree(parseYaml(text)) {}
+
+    /// `section` is a path such as "rod" or "string.2.of.1", empty for the top level.
+    std::optional<Stated> find(std::string_view section, std::string_view key) const {
+        const YamlNode* map = node(section);
+        const YamlNode* value = map ? child(*map, key) : nullptr;
+        if (!value || value->kind != YamlKind::scalar) return std::nullopt;
+        const std::optional<TextExtent> extent = extentOf(m_text, *value);
+        if (!extent) return Stated{value->text, {}};
+        const std::size_t end = map->flow ? behindBrace(*map) : extent->end;
+        const TextExtent comment = commentBehind(m_text, end);
+        return Stated{value->text, wordsOf(m_text.substr(comment.begin, comment.end - comment.begin))};
+    }
+
+    /// Behind the key of a list: "hammer.sections".
+    std::string behindKey(std::string_view list) const {
+        const std::size_t dot = list.rfind('.');
+        if (dot == std::string_view::npos) return {};
+        const YamlNode* map = node(list.substr(0, dot));
+        if (!map || map->kind != YamlKind::map) return {};
+        for (std::size_t i = 0; i + 1 < map->children.size(); i += 2) {
+            const YamlNode& key = map->children[i];
+            if (key.text != list.substr(dot + 1)) continue;
+            const std::size_t colon = m_text.find(':', key.offset);
+            if (colon == std::string_view::npos) return {};
+            const TextExtent comment = commentBehind(m_text, colon + 1);
+            return wordsOf(m_text.substr(comment.begin, comment.end - comment.begin));
+        }
+        return {};
+    }
+
+  private:
+    const YamlNode* node(std::string_view path) const {
+        const YamlNode* at = &m_tree.root;
+        while (at && !path.empty()) {
+            const std::string_view step = path.substr(0, path.find('.'));
+            path.remove_prefix(std::min(step.size() + 1, path.size()));
+            at = child(*at, step);
+        }
+        return at;
+    }
+
+    /// Of a map by its key, of a list by its number from 0.
+    static const YamlNode* child(const YamlNode& map, std::string_view key) {
+        if (map.kind == YamlKind::sequence) {
+            std::size_t index = map.children.size();
+            std::from_chars(key.data(), key.data() + key.size(), index);
+            return index < map.children.size() ? &map.children[index] : nullptr;
+        }
+        return map.valueOf(key);
+    }
+
+    /// What stands behind values in braces is about all of them.
+    std::size_t behindBrace(const YamlNode& map) const {
+        const std::size_t brace = m_text.find('}', map.children.back().offset);
+        return brace == std::string_view::npos ? m_text.size() : brace + 1;
+    }
+
+    std::string_view m_text;
+    YamlTree m_tree;
+};
+
+/// "preset T38, round 38 mm: nominal" of the first preset that the scenario follows in everything.
+std::string presetSource(const Scenario& scenario, const SavedValue& saved) {
+    for (const Preset& preset : builtInPresets()) {
+        if (!matches(preset, scenario)) continue;
+        if (!saved.parameter && preset.shape && saved.key == "shape")
+            return presetRemark(preset, preset.shapeSource);
+        for (const PresetValue& value : preset.values)
+            if (value.parameter == saved.parameter && saved.parameter)
+                return presetRemark(preset, value.source);
+    }
+    return {};
+}
+
+std::string sourceOf(const Scenario& scenario, const SavedValue& saved, const std::optional<Stated>& stated) {
+    if (stated && !stated->comment.empty()) return stated->comment;
+    if (std::string source = presetSource(scenario, saved); !source.empty()) return source;
+    return stated ? "not stated" : "assumed by the program";
+}
+
+/// In the unit of the text where that says the same value.
+std::string shownValue(const SavedValue& saved, const std::optional<Stated>& stated) {
+    if (!saved.unit) return saved.text;
+    if (!stated) return valueText(saved);
+    const TypedQuantity typed = parseQuantity(stated->text, saved.unit->quantity);
+    return typed.valid() && typed.si == saved.number ? stated->text : valueText(saved);
+}
+
+/// "t₀" for "t0".
+std::string printedSymbol(std::string_view symbol) {
+    const std::size_t zero = symbol.find('0');
+    if (zero == std::string_view::npos) return std::string(symbol);
+    return std::string(symbol.substr(0, zero)) + "₀" + std::string(symbol.substr(zero + 1));
+}
+
+ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const ScenarioRemarks& remarks) {
+    const std::optional<Stated> stated = remarks.find(saved.section, saved.key);
+    const std::string key = std::string(saved.section) + "." + std::string(saved.key);
+    ReportInput input{key, {}, shownValue(saved, stated), {}, sourceOf(scenario, saved, stated)};
+    if (!saved.parameter) {
+        if (saved.key == "restrike") {
+            input.label = "hammer may strike again";
+            return input;
+        }
+        const bool isFile = saved.key != "shape";
+        input.label = isFile ? "table of the blow" : "shape of the blow";
+        if (isFile) input.source = "its points are in the scenario";
+        return input;
+    }
+    input.key = saved.parameter->key;
+    input.si = saved.number;
+    input.label = saved.parameter->label;
+    if (const std::string symbol = printedSymbol(saved.parameter->symbol); !symbol.empty())
+        input.label += " " + symbol;
+    return input;
+}
+
+/// A section of a list, or the number of its repeats.
+bool isOfList(const SavedValue& saved) {
+    return saved.section.find('.') != std::string::npos;
+}
+
+/// The preset that a section is, and its source.
+std::string presetSource(const Section& section) {
+    for (const SectionPreset& preset : builtInSectionPresets())
+        if (std::ranges::find(preset.sections, section) != preset.sections.end())
+            return "preset " + preset.name + ": " + preset.source;
+    return {};
+}
+
+/// What stands behind the values of a section, each remark once; else behind the list that it is in, else the
+/// preset that it is.
+std::string sourceOf(const Section& section, const std::string& path, const std::vector<std::string>& remarks,
+                     const ScenarioRemarks& text) {
+    std::string source;
+    for (auto remark = remarks.begin(); remark != remarks.end(); ++remark)
+        if (std::find(remarks.begin(), remark, *remark) == remark)
+            source += (source.empty() ? "" : "; ") + *remark;
+    if (source.empty()) source = text.behindKey(path.substr(0, path.rfind('.')));
+    if (source.empty()) source = presetSource(section);
+    return source.empty() ? "not stated" : source;
+}
+
+ReportSection sectionOf(const std::vector<SavedValue>& saved, const Section& section, const std::string& path,
+                        const ScenarioRemarks& text) {
+    ReportSection found;
+    found.name = section.name;
+    std::vector<std::string> remarks;
+    for (const SavedValue& value : saved) {
+        if (value.section != path || !value.unit || value.isDefault) continue;
+        const std::optional<Stated> stated = text.find(path, value.key);
+        if (stated && !stated->comment.empty()) remarks.push_back(stated->comment);
+        found.values.push_back({std::string(value.key), {}, shownValue(value, stated), value.number, {}});
+    }
+    found.source = sourceOf(section, path, remarks, text);
+    return found;
+}
+
+}  // namespace
+
+std::vector<ReportSection> sectionsOf(const Scenario& scenario, std::string_view text) {
+    if (!isString(scenario)) return {};
+    const ScenarioRemarks remarks(text);
+    const std::vector<SavedValue> saved = savedValues(scenario);
+    const DrillString& drill = scenario.drillString;
+    std::vector<ReportSection> found;
+    for (std::size_t i = 0; i < drill.hammer.sections.size(); ++i) {
+        const std::string number = std::to_string(i + 1);
+        found.push_back(
+            sectionOf(saved, drill.hammer.sections[i], "hammer.sections." + std::to_string(i), remarks));
+        found.back().key = "hammer." + number;
+        found.back().place = "hammer " + number;
+    }
+    std::size_t next = 0;
+    const std::vector<PlacedSection> placed = placedSections(drill);
+    for (std::size_t i = 0; i < drill.parts.size(); ++i) {
+        const StringPart& part = drill.parts[i];
+        const std::string path = "string." + std::to_string(i);
+        for (std::size_t k = 0; k < part.sections.size(); ++k) {
+            found.push_back(sectionOf(saved, part.sections[k],
+                                      part.group ? path + ".of." + std::to_string(k) : path, remarks));
+            found.back().place = std::to_string(placed[next++].place);
+            found.back().key = "string." + found.back().place;
+            found.back().times = part.repeat;
+        }
+    }
+    return found;
+}
+
+std::vector<ReportInput> inputsOf(const Scenario& scenario, std::string_view text) {
+    const ScenarioRemarks remarks(text);
+    std::vector<ReportInput> inputs;
+    for (const SavedValue& saved : savedValues(scenario))
+        if ((saved.parameter || !saved.section.empty()) && !isOfList(saved))
+            inputs.push_back(inputOf(scenario, saved, remarks));
+    if (const TablePoints& points = scenario.pulse.tablePoints;
+        scenario.pulse.shape == PulseShape::table && scenario.pulse.tableFile.empty())
+        inputs.push_back({"pulse.points", "points of the blow", std::to_string(points.size()) + " points",
+                          static_cast<double>(points.size()), "in the scenario"});
+    return inputs;
+}
+
+BlowReport reportOn(const ScenarioDocument& document, const std::stop_token& stop,
+                    const GapProgress& progress, const WorkLimits& limits) {
+    BlowReport report = studyReport(document.scenario, stop, progress, limits);
+    report.scenarioText = completeScenarioText(document);
+    report.inputs = inputsOf(document.scenario, report.scenarioText);
+    report.sections = sectionsOf(document.scenario, report.scenarioText);
+    if (report.thrust) report.thrust->scenarioText = report.scenarioText;
+    if (report.gap) report.gap->scenarioText = report.scenarioText;
+    return report;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/archive/result_scenario.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <utility>
+
+#include "core/archive/row_record.h"
+#include "core/report/blow_csv.h"
+#include "core/report/report_html.h"
+#include "core/report/result_remarks.h"
+#include "core/text/decimal_text.h"
+#include "core/text/text_input.h"
+#include "core/yaml/remark_lines.h"
+#include "core/yaml/scenario_reader.h"
+#include "core/yaml/yaml_tree.h"
+
+namespace drillwave {
+namespace {
+
+using Node = YamlNode;
+
+[[noreturn]] void refuseResult(const std::string& source, std::string reason) {
+    throw ScenarioError(ScenarioError::Kind::unreadable, source, {{"", std::move(reason)}});
+}
+
+bool endsWith(std::string_view path, std::string_view suffix) {
+    if (path.size() < suffix.size()) return false;
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::ranges::equal(path.substr(path.size() - suffix.size()), suffix, {}, lower);
+}
+
+[[noreturn]] void refuseResultValue(const std::string& source, std::string_view key, std::string_view value,
+                                    std::string_view reason) {
+    throw ScenarioError(ScenarioError::Kind::invalid, source, {valueProblem(key, shortened(value), reason)});
+}
+
+/// What a result says of itself is how it is solved again: nothing of it is passed over.
+void checkRecord(const Node& record, const std::string& source) {
+    for (const std::string_view key :
+         {rowRecordFormatKey, std::string_view("version"), std::string_view("method"),
+          std::string_view("segments"), std::string_view("scenario")}) {
+        int times = 0;
+        for (std::size_t i = 0; i + 1 < record.children.size(); i += 2)
+            times += record.children[i].text == key;
+        if (times > 1)
+            refuseResultValue(source, key, "",
+                              "is given " + std::to_string(times) + " times; keep one of them");
+    }
+    if (const std::string* format = record.textOf(rowRecordFormatKey);
+        format && *format != std::to_string(rowRecordFormat))
+        refuseResultValue(source, rowRecordFormatKey, *format,
+                          "this program reads the format " + std::to_string(rowRecordFormat));
+    if (const std::string* method = record.textOf("method"); method && *method != methodOfStrings)
+        if (const std::string problem = methodProblem(*method); !problem.empty())
+            refuseResultValue(source, "method", *method, problem);
+    if (const std::string* segments = record.textOf("segments"))
+        if (!segmentsIn(*segments)) refuseResultValue(source, "segments", *segments, segmentsProblem());
+}
+
+std::optional<MethodChoice> methodOf(const Node& record) {
+    const std::string* given = record.textOf("method");
+    const std::optional<Method> method = given ? findMethod(*given) : std::nullopt;
+    if (!method) return std::nullopt;
+    MethodChoice choice;
+    choice.method = *method;
+    if (const std::string* text = record.textOf("segments"))
+        choice.lattice.segments = segmentsIn(*text).value_or(choice.lattice.segments);
+    return choice;
+}
+
+/// JSON is YAML with braces: one reader does for both.
+std::optional<ScenarioInput> parseRecord(std::string_view text, const std::string& source) {
+    const YamlTree tree = parseYaml(text);
+    const std::string* scenario = tree.problem.text.empty() ? tree.root.textOf("scenario") : nullptr;
+    if (!scenario) return std::nullopt;
+    checkRecord(tree.root, source);
+    const std::string* version = tree.root.textOf("version");
+    return ScenarioInput{.document = parseScenario(*scenario, source),
+                         .isResult = true,
+                         .version = version ? *version : std::string(),
+                         .method = methodOf(tree.root)};
+}
+
+ScenarioInput parseCsv(std::string_view text, const std::string& source) {
+    const std::string yaml = scenarioFromHeader(text);
+    if (yaml.empty())
+        refuseResult(
+            source,
+            "is taken for a result, as its name ends in .csv, and holds no scenario; only the CSV files of "
+            "run, gap, thrust and accuracy begin with one (a sweep or table has it in the .yaml beside it)");
+    const ResultRemarks remarks = remarksOf(yaml);
+    if (!remarks.problem.empty()) refuseResult(source, remarks.problem);
+    return {.document = parseScenario(std::string_view(yaml).substr(remarks.length), source),
+            .isResult = true,
+            .version = remarks.version,
+            .method = remarks.method};
+}
+
+bool isPage(std::string_view text, const std::string& source) {
+    return text.starts_with("<!DOCTYPE html") || endsWith(source, ".html");
+}
+
+ScenarioInput parsePage(std::string_view text, const std::string& source) {
+    if (std::optional<ScenarioInput> input = parseRecord(reportRecord(text), source))
+        return std::move(*input);
+    refuseResult(
+        source,
+        "is a web page and holds no scenario; only the HTML files of `drillwave report` begin with one");
+}
+
+/// Whether a text looks like a record or JSON; a scenario may be in braces too.
+bool mayBeRecord(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first != std::string_view::npos && text[first] == '{')
+        return text.find("scenario") != std::string_view::npos;
+    return text.starts_with(rowRecordKey) || text.find("\n" + std::string(rowRecordKey)) < 1000;
+}
+
+}  // namespace
+
+bool isCsvName(std::string_view path) {
+    return endsWith(path, ".csv");
+}
+
+ScenarioInput parseInput(std::string_view text, const std::string& source) {
+    const std::string_view plain = text.substr(byteOrderMarkLength(text));
+    if (isPage(plain, source)) return parsePage(plain, source);
+    if (isCsvName(source) || plain.starts_with(csvRemarksBegin)) return parseCsv(plain, source);
+    if (mayBeRecord(plain)) {
+        if (text.size() >= maximumInputBytes)
+            refuseResult(source, "is larger than 4 MiB, too large to be meant");
+        if (std::optional<ScenarioInput> input = parseRecord(plain, source)) return std::move(*input);
+    }
+    if (endsWith(source, ".json"))
+        refuseResult(
+            source,
+            "is taken for a result, as its name ends in .json, and holds no `scenario`; give the scenario "
+            "file");
+    if (text.size() > maximumScenarioBytes)
+        refuseResult(source, "the scenario file is larger than 1024 KiB, too large to be meant");
+    const ResultRemarks remarks = remarksOf(plain);
+    if (!remarks.problem.empty()) refuseResult(source, remarks.problem);
+    return {.document = parseScenario(text, source),
+            .isResult = false,
+            .version = remarks.version,
+            .method = remarks.method};
+}
+
+ScenarioInput loadInput(const std::string& path) {
+    const FileBytes file = readStart(path, maximumInputBytes);
+    if (!file.problem.empty()) refuseResult(path, "the scenario file " + file.problem);
+    return parseInput(file.bytes, path);
+}
+
+ScenarioDocument loadResultScenario(const std::string& path) {
+    ScenarioInput input = loadInput(path);
+    if (!input.isResult) refuseResult(path, "holds no scenario of a result");
+    return std::move(input.document);
+}
+
+ScenarioDocument loadScenarioOrResult(const std::string& path) {
+    return loadInput(path).document;
+}
+
+bool isNewerVersion(std::string_view version, std::string_view than) {
+    using Numbers = std::array<int, 3>;
+    const auto numbersOf = [](std::string_view text) -> std::optional<Numbers> {
+        Numbers numbers{};
+        for (int& number : numbers) {
+            const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+            if (read.ec != std::errc()) return std::nullopt;
+            text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
+            if (text.starts_with('.')) text.remove_prefix(1);
+        }
+        return numbers;
+    };
+    const std::optional<Numbers> one = numbersOf(version), other = numbersOf(than);
+    return one && other && *one > *other;
+}
+
+std::string completeScenarioText(ScenarioDocument document) {
+    const std::string table = std::exchange(document.scenario.pulse.tableFile, {});
+    std::string text;
+    try {
+        text = writeScenario(document);
+    } catch (const ScenarioError&) {
+        if (table.empty()) throw;
+        const std::filesystem::path folder = std::filesystem::path(document.source).parent_path();
+        document.scenario.pulse.tableFile = std::filesystem::absolute(folder / table).string();
+        text = writeScenario(document);
+    }
+    // Of a result that was made a file: a new result says for itself what it is.
+    return text.substr(remarksLength(text));
+}
+
+}  // namespace drillwave

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scenario of an earlier run, from the files it left behind.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/blow/method.h"
+#include "core/yaml/scenario_file.h"
+
+namespace drillwave {
+
+/// Most bytes of an input that are read: a scenario may have 1 MiB, with "# " before each of its lines or as
+/// text in JSON, beside thousands of events, more; of a CSV file or a page only the top matters.
+inline constexpr std::size_t maximumInputBytes = std::size_t{1} << 22;
+
+/// A scenario, and what the file that held it says about itself.
+struct ScenarioInput {
+    ScenarioDocument document;
+    /// A result, whose bytes are not those of the scenario: JSON, CSV, or the record beside a CSV file.
+    bool isResult = false;
+    std::string version;                 ///< of the program that wrote the file; empty where it does not say
+    std::optional<MethodChoice> method;  ///< how it was solved; nothing where it does not say
+};
+
+/// Whether the name says that it is a CSV file ("….csv", however written).
+bool isCsvName(std::string_view path);
+
+/// The scenario of a text, whatever kind of file it is from: a scenario file; the JSON object of a command,
+/// with the scenario as its text; the record beside a CSV file of rows; a CSV file that begins with its
+/// scenario in "#" lines; a report in HTML. A byte order mark in front is skipped. `source` names the text in
+/// messages, and where it ends in ".csv", ".json" or ".html" the text is taken for a result. Throws
+/// ScenarioError.
+ScenarioInput parseInput(std::string_view text, const std::string& source);
+
+/// The same for a regular file of at most maximumInputBytes, of a CSV file or a page its top. Throws
+/// ScenarioError.
+ScenarioInput loadInput(const std::string& path);
+
+/// The scenario of a result. Throws ScenarioError: unreadable when the file holds none.
+ScenarioDocument loadResultScenario(const std::string& path);
+
+/// A scenario file or the scenario of a result. Throws ScenarioError.
+ScenarioDocument loadScenarioOrResult(const std::string& path);
+
+/// Whether a version ("0.2.0") is newer than another one; false where one of them is no version.
+bool isNewerVersion(std::string_view version, std::string_view than);
+
+/// The scenario as it is solved, complete in itself: points that came from a file are written out or, where
+/// that would be more than a scenario file may have, their file is named by its absolute path. Throws
+/// ScenarioError where there is no such file either.
+std::string completeScenarioText(ScenarioDocument document);
+
+}  // namespace drillwave

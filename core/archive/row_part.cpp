@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/archive/row_part.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/archive/row_record.h"
+#include "core/text/decimal_text.h"
+#include "core/yaml/scenario_file.h"
+#include "core/yaml/scenario_text.h"
+#include "core/yaml/yaml_tree.h"
+
+namespace drillwave {
+namespace {
+
+constexpr std::string_view itsOwn[] = {"rows", "part", "command"};
+
+/// The lines of a key at the top, with those that belong to it.
+struct Entry {
+    std::string_view key;
+    std::string_view lines;
+};
+
+std::vector<Entry> entriesOf(std::string_view record) {
+    std::vector<Entry> entries;
+    while (!record.empty()) {
+        std::size_t end = std::min(record.find('\n'), record.size() - 1) + 1;
+        while (end < record.size() && (record[end] == ' ' || record[end] == '\n'))
+            end = std::min(record.find('\n', end), record.size() - 1) + 1;
+        const std::string_view lines = record.substr(0, end);
+        entries.push_back({lines.substr(0, std::min(lines.find(':'), lines.size())), lines});
+        record.remove_prefix(end);
+    }
+    return entries;
+}
+
+[[noreturn]] void refusePart(const std::string& file, const std::string& reason) {
+    throw ScenarioError(ScenarioError::Kind::unreadable, file + ".yaml",
+                        {{"", reason + "; parts are joined by the records that were written with them"}});
+}
+
+std::string placeOf(const Shard& shard) {
+    return "part " + std::to_string(shard.index) + " of " + std::to_string(shard.count);
+}
+
+/// "3", "3, 5 to 9", at most some of them.
+std::string rangesOf(const std::vector<std::uint64_t>& numbers) {
+    constexpr int mostRanges = 20;
+    std::string text;
+    int ranges = 0;
+    for (std::size_t i = 0; i < numbers.size();) {
+        std::size_t end = i;
+        while (end + 1 < numbers.size() && numbers[end + 1] == numbers[end] + 1) ++end;
+        if (ranges++ == mostRanges) return text + " …";
+        text += (text.empty() ? "" : ", ") + std::to_string(numbers[i]);
+        if (end > i) text += (end == i + 1 ? ", " : " to ") + std::to_string(numbers[end]);
+        i = end + 1;
+    }
+    return text;
+}
+
+}  // namespace
+
+RowPart parseRowPart(std::string_view record, const std::string& file) {
+    if (!record.starts_with(rowRecordKey)) refusePart(file, "is no record of rows");
+    const YamlTree tree = parseYaml(record);
+    if (!tree.problem.text.empty()) refusePart(file, "cannot be read: " + tree.problem.text);
+    const std::string* format = tree.root.textOf(rowRecordFormatKey);
+    const std::string known = std::to_string(rowRecordFormat);
+    if (!format || *format != known)
+        refusePart(file, "is of another format than " + known + ", from a newer program");
+    const std::string* command = tree.root.textOf("command");
+    const std::string* rows = tree.root.textOf("rows");
+    const YamlNode* part = tree.root.valueOf("part");
+    RowPart read{.file = file, .command = {}, .rows = 0, .shard = {}, .record = std::string(record)};
+    if (!command) refusePart(file, "has no command");
+    const auto count = rows ? wholeNumberIn<std::uint64_t>(*rows) : std::nullopt;
+    if (!count) refusePart(file, "has no number of rows");
+    read.rows = *count;
+    if (part) {
+        const std::optional<Shard> shard = parseShard(part->text);
+        if (!shard) refusePart(file, "part: " + part->text + " is no part I/N");
+        read.shard = *shard;
+    }
+    read.command = *command;
+    return read;
+}
+
+std::string differingKey(const RowPart& one, const RowPart& other) {
+    std::map<std::string_view, std::string_view> left;
+    for (const Entry& entry : entriesOf(other.record)) left[entry.key] = entry.lines;
+    for (const Entry& entry : entriesOf(one.record)) {
+        const auto same = left.find(entry.key);
+        const bool isOwn = std::ranges::find(itsOwn, entry.key) != std::end(itsOwn);
+        if (!isOwn && (same == left.end() || same->second != entry.lines)) return std::string(entry.key);
+        if (same != left.end()) left.erase(same);
+    }
+    for (const std::string_view key : itsOwn) left.erase(key);
+    return left.empty() ? std::string() : std::string(left.begin()->first);
+}
+
+std::vector<std::string> wholeProblems(std::span<const RowPart> parts) {
+    std::vector<std::string> problems;
+    std::map<std::uint64_t, const RowPart*> byIndex;
+    std::uint64_t rows = 0;
+    for (const RowPart& part : parts) {
+        const auto [there, isNew] = byIndex.emplace(part.shard.index, &part);
+        if (isNew)
+            rows += part.rows;
+        else
+            problems.push_back(part.file + ": is " + placeOf(part.shard) + ", as " + there->second->file +
+                               " is; give each part once");
+    }
+    const std::uint64_t count = parts.front().shard.count;
+    std::vector<std::uint64_t> missing;
+    for (std::uint64_t index = 1; index <= count; ++index)
+        if (!byIndex.contains(index)) missing.push_back(index);
+    if (!missing.empty())
+        problems.push_back((missing.size() == 1 ? "part " : "parts ") + rangesOf(missing) + " of " +
+                           std::to_string(count) + (missing.size() == 1 ? " is" : " are") +
+                           " missing; run what is missing, or name it");
+    if (!problems.empty()) return problems;
+    for (const RowPart& part : parts)
+        if (const std::uint64_t own = rowsOf(part.shard, rows).size(); part.rows != own)
+            problems.push_back(part.file + ": has " + std::to_string(part.rows) + " rows, but " +
+                               placeOf(part.shard) + " of all " + std::to_string(rows) + " has " +
+                               std::to_string(own) + "; it is of another run");
+    return problems;
+}
+
+std::string wholeRecord(const RowPart& part, std::string_view command, std::uint64_t rows) {
+    std::string record;
+    for (const Entry& entry : entriesOf(part.record)) {
+        if (entry.key == "command")
+            record += "command: " + yamlScalar(command) + "\n";
+        else if (entry.key == "rows")
+            record += "rows: " + std::to_string(rows) + "\n";
+        else if (entry.key != "part")
+            record += entry.lines;
+    }
+    return record;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/disk/hidden_folder.h"
+
+#include <stdlib.h>  // mkdtemp() is POSIX
+#include <unistd.h>
+
+#include <cassert>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include "core/disk/whole_folder.h"
+#include "core/text/text_input.h"
+
+namespace drillwave {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view namesBegin = ".drillwave-";
+
+std::string listIn(const std::string& hidden) {
+    return hidden + "/exchange";
+}
+
+/// Names end with NUL, the only byte that they cannot hold.
+std::vector<std::string> namesIn(const std::string& hidden) {
+    constexpr std::size_t mostBytes = std::size_t{1} << 20;
+    std::vector<std::string> names;
+    const FileBytes list = readFile(listIn(hidden), mostBytes);
+    std::string_view rest = list.bytes;
+    for (std::size_t end = rest.find('\0'); end != std::string_view::npos; end = rest.find('\0')) {
+        names.emplace_back(rest.substr(0, end));
+        rest.remove_prefix(end + 1);
+    }
+    return names;
+}
+
+std::vector<std::string> filesIn(const std::string& folder) {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        names.push_back(entry->path().filename());
+    return names;
+}
+
+/// What other runs have hidden there, dead or alive.
+std::vector<std::string> hiddenIn(const std::string& folder) {
+    std::vector<std::string> paths;
+    std::error_code ignored;
+    for (const std::string& name : filesIn(folder))
+        if (name.starts_with(namesBegin) && fs::is_directory(pathInside(folder, name), ignored))
+            paths.push_back(pathInside(folder, name));
+    return paths;
+}
+
+/// As it was before the exchange. Can be interrupted and done again.
+void takeBack(const std::string& folder, const std::string& hidden) {
+    const std::string come = hidden + "/new", gone = hidden + "/old";
+    for (const std::string& name : namesIn(hidden))
+        if (!isThere(pathInside(come, name)))
+            std::rename(pathInside(folder, name).c_str(), pathInside(come, name).c_str());
+    // Whoever has put a file of that name there meanwhile knows better.
+    for (const std::string& name : filesIn(gone))
+        if (!isThere(pathInside(folder, name)))
+            std::rename(pathInside(gone, name).c_str(), pathInside(folder, name).c_str());
+}
+
+/// All but the lock: without it a mending run would see what is half gone.
+void removeContents(const std::string& hidden) {
+    std::error_code ignored;
+    fs::remove(listIn(hidden), ignored);
+    for (const std::string& name : filesIn(hidden))
+        if (name != FolderLock::fileName) fs::remove_all(pathInside(hidden, name), ignored);
+}
+
+void mend(const std::string& folder, const std::string& hidden) {
+    {
+        FolderLock lock(hidden);
+        if (lock.tryLock() != 0) return;
+        if (!filesIn(hidden + "/new").empty()) takeBack(folder, hidden);
+        removeContents(hidden);
+    }
+    // Stays where the run that is just making it has come to lock it.
+    ::rmdir(hidden.c_str());
+}
+
+/// One that can be locked, with what belongs into it. 0, or the errno: ENOENT or EWOULDBLOCK where a mending
+/// run found it before it was locked, and took it for that of a dead one.
+int makeLocked(const std::string& path, std::unique_ptr<FolderLock>& lock) {
+    lock = std::make_unique<FolderLock>(path);
+    int error = lock->tryLock();
+    // On a disk without locks it works as well, but for being mended.
+    if (areLocksUnknown(error)) error = 0;
+    for (const char* part : {"/new", "/old"}) {
+        std::error_code problem;
+        if (error == 0 && !fs::create_directory(path + part, problem)) error = problem.value();
+    }
+    return error;
+}
+
+}  // namespace
+
+HiddenFolder::~HiddenFolder() {
+    if (m_path.empty()) return;
+    removeContents(m_path);
+    m_lock.reset();
+    if (::rmdir(m_path.c_str()) == 0 || errno != ENOTEMPTY) return;
+    // With the open file of the lock to spare, which may have been the last one permitted.
+    removeContents(m_path);
+    ::rmdir(m_path.c_str());
+}
+
+int HiddenFolder::make(const std::string& parent) {
+    assert(!isMade());
+    constexpr int mostAttempts = 100;
+    int error = 0;
+    for (int attempt = 0; attempt < mostAttempts; ++attempt) {
+        std::string path = pathInside(parent, std::string(namesBegin) + "XXXXXX");
+        if (!::mkdtemp(path.data())) return errno;
+        error = makeLocked(path, m_lock);
+        if (error == 0) {
+            m_path = std::move(path);
+            return 0;
+        }
+        const bool isTaken = error == ENOENT || error == EWOULDBLOCK;
+        m_lock.reset();
+        std::error_code ignored;
+        if (!isTaken) fs::remove_all(path, ignored);
+        ::rmdir(path.c_str());  // needs no open file, of which there may be none left
+        if (!isTaken) break;
+    }
+    return error;
+}
+
+WriteFailure HiddenFolder::beginExchange(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) list += name + '\0';
+    return replaceFile(listIn(m_path), list);
+}
+
+void HiddenFolder::endExchange() {
+    ::unlink(listIn(m_path).c_str());
+}
+
+void mendLockedFolder(const std::string& folder) {
+    for (const std::string& hidden : hiddenIn(folder)) mend(folder, hidden);
+}
+
+void mendFolder(const std::string& folder) {
+    if (hiddenIn(folder).empty() && !isThere(pathInside(folder, std::string(FolderLock::fileName)))) return;
+    FolderLock lock(folder);
+    if (lock.tryLock() == 0) mendLockedFolder(folder);
+}
+
+}  // namespace drillwave

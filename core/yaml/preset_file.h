@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of presets: YAML read as strictly as scenarios. The format is explained in resources/presets.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/model/preset.h"
+#include "core/model/section_preset.h"
+#include "core/yaml/scenario_file.h"
+
+namespace drillwave {
+
+/// The newest format number of preset files that this program reads.
+inline constexpr int presetFormat = 1;
+
+/// A file that is larger is none.
+inline constexpr std::size_t maximumPresetBytes = std::size_t{1} << 20;
+
+/// The first key of such a file.
+inline constexpr std::string_view presetKey = "drillwave_presets:";
+
+/// What such a file holds, each kind in the order of the file.
+struct PresetFile {
+    std::vector<Preset> presets;                ///< of rods, hammers and rocks
+    std::vector<SectionPreset> sectionPresets;  ///< of pieces of drill strings
+};
+
+/// `source` names the text in messages. Throws ScenarioError with every problem and its place: unknown keys,
+/// values without a unit or a source, hammers, rods and sections that could not be.
+PresetFile parsePresets(std::string_view text, const std::string& source);
+
+/// The same for a file of at most 1 MiB.
+PresetFile loadPresets(const std::string& path);
+
+/// The presets of resources/presets, built into the program.
+const PresetFile& builtInPresetFile();
+std::span<const Preset> builtInPresets();
+std::span<const SectionPreset> builtInSectionPresets();
+
+}  // namespace drillwave

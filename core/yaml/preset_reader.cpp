@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/yaml/preset_reader.h"
+
+#include <algorithm>
+
+#include "core/text/name_text.h"
+#include "core/yaml/preset_file.h"
+#include "core/yaml/section_preset_reader.h"
+
+namespace drillwave {
+
+/// One list of the file. Its keys are those of a section of a scenario, and some more of `drill`.
+struct PresetReader::Section {
+    std::string_view list;
+    std::string_view section;
+    PresetKind kind;
+    std::vector<std::string_view> moreKeys;
+};
+
+namespace {
+
+constexpr std::string_view formatKey = "drillwave_presets";
+
+const YamlNode& itemOf(const YamlNode& pair, std::size_t index) {
+    return pair.children[index];
+}
+
+}  // namespace
+
+std::vector<Preset> PresetReader::read(const YamlNode& root) {
+    static const std::vector<Section> sections{{"rods", "rod", PresetKind::rod, {}},
+                                               {"hammers", "pulse", PresetKind::hammer, {"blow_frequency"}},
+                                               {"rocks", "bit_rock", PresetKind::rock, {}}};
+    if (root.kind != YamlKind::map) {
+        m_reader.problems().reportKey(root.offset, formatKey,
+                                      "the file must begin with `drillwave_presets: 1`");
+        return {};
+    }
+    if (!readFormat(root)) return {};
+    std::vector<std::string_view> lists{formatKey, "rods", "hammers", "rocks"};
+    lists.insert(lists.end(), sectionPresetLists().begin(), sectionPresetLists().end());
+    const YamlEntries file = m_reader.entriesOf(root, "", lists);
+    for (const Section& section : sections)
+        if (const auto found = file.find(section.list); found != file.end())
+            readList(*found->second.value, section);
+    m_sectionPresets = readSectionPresets(m_reader, file);
+    return std::move(m_presets);
+}
+
+bool PresetReader::readFormat(const YamlNode& root) {
+    if (root.children.empty() || itemOf(root, 0).text != formatKey) {
+        m_reader.problems().reportKey(root.offset, formatKey,
+                                      "is missing: the first line must be `drillwave_presets: 1`");
+        return true;
+    }
+    const YamlNode& value = itemOf(root, 1);
+    if (value.text == std::to_string(presetFormat)) return true;
+    m_reader.problems().reportValue(value.offset, formatKey, value.text,
+                                    "this program reads the format " + std::to_string(presetFormat));
+    return false;
+}
+
+void PresetReader::readList(const YamlNode& list, const Section& section) {
+    m_names.clear();
+    if (list.kind == YamlKind::sequence)
+        for (const YamlNode& item : list.children) readPreset(item, section);
+    else if (list.kind != YamlKind::null)
+        m_reader.problems().reportKey(list.offset, section.list, "must be a list of presets, `- name: …`");
+}
+
+void PresetReader::readPreset(const YamlNode& item, const Section& section) {
+    if (item.kind != YamlKind::map) {
+        m_reader.problems().reportKey(item.offset, section.list, "each preset must begin with `name: …`");
+        return;
+    }
+    std::vector<std::string_view> known{"name"};
+    if (section.kind == PresetKind::hammer) known.push_back("shape");
+    for (const Parameter& parameter : parameters())
+        if (parameter.section() == section.section) known.push_back(parameter.localKey());
+    known.insert(known.end(), section.moreKeys.begin(), section.moreKeys.end());
+
+    const YamlEntries entries = m_reader.entriesOf(item, section.section, known);
+    const YamlEntries values = valuesOf(entries, section);
+    m_reader.scenario() = Scenario();
+    m_reader.setPlace(section.section, item.offset);
+    Preset preset;
+    preset.kind = section.kind;
+    preset.name = readName(entries, item, section);
+    readShape(preset, values, entries);
+    readValues(preset, values, entries, section);
+    requireKeys(preset, entries, item);
+    checkPhysics(item, section);
+    m_presets.push_back(std::move(preset));
+}
+
+std::string PresetReader::readName(const YamlEntries& entries, const YamlNode& item, const Section& section) {
+    const auto found = entries.find("name");
+    const std::string key = joinedKey(section.list, "name");
+    if (found == entries.end()) {
+        m_reader.problems().reportKey(item.offset, key, "is missing");
+        return {};
+    }
+    const YamlNode& value = *found->second.value;
+    if (value.kind != YamlKind::scalar || value.text.empty())
+        m_reader.problems().reportKey(found->second.place(), key, "must be text");
+    else if (const std::string problem = nameProblem(value.text); !problem.empty())
+        m_reader.problems().reportValue(value.offset, key, value.text, problem);
+    else if (!m_names.insert(value.text).second)
+        m_reader.problems().reportValue(value.offset, key, value.text, "is the name of another preset too");
+    return value.text;
+}
+
+/// The values without their sources, as a scenario would have them. Pairs that are none are reported.
+YamlEntries PresetReader::valuesOf(const YamlEntries& entries, const Section& section) {
+    YamlEntries values;
+    for (const auto& [key, entry] : entries) {
+        if (key == "name") continue;
+        const YamlNode& pair = *entry.value;
+        const bool isPair = pair.kind == YamlKind::sequence && pair.children.size() == 2 &&
+                            itemOf(pair, 1).kind == YamlKind::scalar && !itemOf(pair, 1).text.empty();
+        if (isPair) values.emplace(key, YamlEntry{entry.key, &itemOf(pair, 0)});
+        if (const std::string problem = isPair ? nameProblem(itemOf(pair, 1).text) : std::string();
+            !problem.empty())
+            m_reader.problems().reportValue(itemOf(pair, 1).offset, joinedKey(section.section, key),
+                                            itemOf(pair, 1).text, "the source " + problem);
+        if (!isPair)
+            m_reader.problems().reportKey(
+                entry.place(), joinedKey(section.section, key),
+                "must be [value, source], the source being `assumed` where there is none");
+    }
+    return values;
+}
+
+void PresetReader::readShape(Preset& preset, const YamlEntries& values, const YamlEntries& entries) {
+    const auto found = values.find("shape");
+    if (found == values.end()) return;
+    const YamlNode& value = *found->second.value;
+    const std::optional<PulseShape> shape = findPulseShape(value.text);
+    if (!shape || shape == PulseShape::table || shape == PulseShape::rigidBody) {
+        m_reader.problems().reportValue(found->second.place(), pulseShapeKey, value.text,
+                                        "must be a shape of a hammer blow that needs no table");
+        return;
+    }
+    preset.shape = m_reader.scenario().pulse.shape = *shape;
+    preset.shapeSource = itemOf(*entries.at("shape").value, 1).text;
+}
+
+void PresetReader::readValues(Preset& preset, const YamlEntries& values, const YamlEntries& entries,
+                              const Section& section) {
+    // Without its shape there is no telling what applies to a hammer.
+    const auto applicability = section.kind == PresetKind::hammer && preset.shape
+                                   ? SectionReader::Applicability::checked
+                                   : SectionReader::Applicability::ignored;
+    m_reader.readParameters(values, section.section, applicability);
+    if (!section.moreKeys.empty()) {
+        YamlEntries more;
+        for (const std::string_view key : section.moreKeys)
+            if (const auto found = values.find(key); found != values.end()) more.insert(*found);
+        m_reader.readParameters(more, "drill", SectionReader::Applicability::ignored);
+    }
+    for (const Parameter& parameter : parameters()) {
+        const auto found = values.find(parameter.localKey());
+        const bool isMore =
+            parameter.section() == "drill" &&
+            std::ranges::find(section.moreKeys, parameter.localKey()) != section.moreKeys.end();
+        if (found == values.end() || (parameter.section() != section.section && !isMore)) continue;
+        if (!parameter.applies(m_reader.scenario())) continue;
+        if (const std::optional<double> si = parameter.value(m_reader.scenario()))
+            preset.values.push_back(
+                {&parameter, *si, itemOf(*entries.at(std::string(parameter.localKey())).value, 1).text});
+    }
+}
+
+void PresetReader::requireKeys(const Preset& preset, const YamlEntries& entries, const YamlNode& item) {
+    switch (preset.kind) {
+        case PresetKind::rod:
+            m_reader.requireOneOf(entries, "rod", "diameter", "area");
+            if (entries.contains("diameter")) m_reader.require(entries, *findParameter("rod.bore"));
+            if (entries.contains("area") && entries.contains("bore"))
+                m_reader.problems().reportKey(item.offset, "rod.bore",
+                                              "goes with a diameter, not with an area");
+            break;
+        case PresetKind::hammer:
+            m_reader.requireShape(entries);
+            if (preset.shape) m_reader.requireParameters(entries, "pulse");
+            break;
+        case PresetKind::rock:
+            m_reader.requireParameters(entries, "bit_rock");
+            break;
+    }
+}
+
+/// Values each of which may be while all of them together may not.
+void PresetReader::checkPhysics(const YamlNode& item, const Section& section) {
+    if (!m_reader.problems().empty()) return;
+    for (InputProblem& problem : validate(m_reader.scenario())) {
+        const TextPosition at =
+            m_reader.problems().position(m_reader.placeOf(problem.key).value_or(item.offset));
+        problem.line = at.line;
+        problem.column = at.column;
+        if (problem.key.starts_with(section.section)) m_reader.problems().report(std::move(problem));
+    }
+}
+
+}  // namespace drillwave

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the values of a preset are from, told by the file that has taken them.
+#pragma once
+
+#include <string>
+
+#include "core/model/preset.h"
+#include "core/yaml/scenario_file.h"
+
+namespace drillwave {
+
+/// "preset T38, round 38 mm: nominal", as it stands behind a value and in a report.
+std::string presetRemark(const Preset& preset, const std::string& source);
+
+/// The file of a scenario that has just taken the preset, as writeScenario() writes it, with that remark as a
+/// comment behind each value of the preset. A comment that is there stays in its place; values in braces, of
+/// which one comment would be about all, get none. Throws ScenarioError as writeScenario() does.
+std::string writeWithPreset(const ScenarioDocument& document, const Preset& preset);
+
+}  // namespace drillwave

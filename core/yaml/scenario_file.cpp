@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/yaml/scenario_file.h"
+
+#include <cassert>
+
+#include "core/model/validation.h"
+#include "core/text/text_input.h"
+#include "core/yaml/remark_lines.h"
+#include "core/yaml/scenario_patch.h"
+#include "core/yaml/scenario_reader.h"
+#include "core/yaml/scenario_text.h"
+
+namespace drillwave {
+namespace {
+
+std::string placed(const InputProblem& problem, const std::string& source) {
+    std::string place = problem.source.empty() ? source : problem.source;
+    if (problem.line > 0) place += (place.empty() ? "line " : ":") + std::to_string(problem.line);
+    if (problem.line > 0 && problem.column > 0) place += ":" + std::to_string(problem.column);
+    return place.empty() ? problem.text : place + ": " + problem.text;
+}
+
+std::string joinedLines(const std::vector<InputProblem>& problems, const std::string& source) {
+    std::string text;
+    for (const InputProblem& problem : problems) text += (text.empty() ? "" : "\n") + placed(problem, source);
+    return text;
+}
+
+/// Whether the text says exactly this scenario; a table file is taken to hold the scenario's points.
+bool says(std::string_view text, const Scenario& scenario, const std::string& source) {
+    const ReadScenario read = readScenario(text, source, &scenario.pulse.tablePoints);
+    return read.problems.empty() && read.scenario == scenario;
+}
+
+/// The comments in front of the first key: they explain the scenario and survive a file written anew.
+std::string_view leadingComments(std::string_view text) {
+    std::size_t at = 0;
+    while (at < text.size() && (text[at] == '#' || text[at] == '\n' || text[at] == '\r')) {
+        const std::size_t lineEnd = text.find('\n', at);
+        if (lineEnd == std::string_view::npos) return text;
+        at = lineEnd + 1;
+    }
+    return text.substr(0, at);
+}
+
+}  // namespace
+
+ScenarioError::ScenarioError(Kind kind, std::string source, std::vector<InputProblem> problems)
+    : std::runtime_error(joinedLines(problems, source)),
+      m_kind(kind),
+      m_source(std::move(source)),
+      m_problems(std::move(problems)) {}
+
+std::vector<std::string> ScenarioError::lines() const {
+    std::vector<std::string> lines;
+    for (const InputProblem& problem : m_problems) lines.push_back(placed(problem, m_source));
+    return lines;
+}
+
+ScenarioDocument loadScenario(const std::string& path) {
+    const FileBytes file = readFile(path, maximumScenarioBytes);
+    if (!file.problem.empty())
+        throw ScenarioError(ScenarioError::Kind::unreadable, path,
+                            {{"", "the scenario file " + file.problem}});
+    return parseScenario(file.bytes, path);
+}
+
+ScenarioDocument parseScenario(std::string_view text, const std::string& source) {
+    if (text.size() > maximumScenarioBytes)
+        throw ScenarioError(ScenarioError::Kind::unreadable, source,
+                            {{"", "the scenario is larger than 1 MiB"}});
+    ReadScenario read = readScenario(text, source);
+    if (!read.problems.empty())
+        throw ScenarioError(read.unreadable ? ScenarioError::Kind::unreadable : ScenarioError::Kind::invalid,
+                            source, std::move(read.problems));
+    return {std::move(read.scenario), std::string(text), source};
+}
+
+std::string writeScenario(const ScenarioDocument& document) {
+    assert(validate(document.scenario).empty());
+    const Scenario scenario = withoutUnusedValues(document.scenario);
+    if (!document.text.empty()) {
+        if (says(document.text, scenario, document.source)) return document.text;
+        // Who solved the scenario of a result, and how, is not true of another one.
+        const std::string_view text = std::string_view(document.text).substr(remarksLength(document.text));
+        const std::optional<std::string> patched = patchedText(text, scenario);
+        if (patched && patched->size() <= maximumScenarioBytes && says(*patched, scenario, document.source))
+            return *patched;
+    }
+    const std::string_view old = std::string_view(document.text).substr(remarksLength(document.text));
+    std::string text = std::string(leadingComments(old)) + scenarioText(scenario);
+    if (text.size() > maximumScenarioBytes)
+        throw ScenarioError(ScenarioError::Kind::invalid, document.source,
+                            {{"pulse.points",
+                              "the scenario is larger than 1 MiB, which no file may be; keep the points of a "
+                              "table in a CSV file"}});
+    return text;
+}
+
+}  // namespace drillwave

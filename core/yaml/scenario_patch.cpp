@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/yaml/scenario_patch.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/text/text_edit.h"
+#include "core/yaml/scenario_text.h"
+#include "core/yaml/yaml_extent.h"
+
+namespace drillwave {
+namespace {
+
+using Extent = TextExtent;
+
+/// Thrown inside this file where the text would have to be written anew.
+struct NotPatchable {};
+
+/// Where a scalar stands, with its quotes. Only scalars that stand there literally.
+Extent literalExtent(std::string_view text, const YamlNode& scalar) {
+    const std::optional<Extent> extent = extentOf(text, scalar);
+    if (!extent) throw NotPatchable();
+    return *extent;
+}
+
+class Patcher {
+  public:
+    Patcher(std::string_view text, const Scenario& scenario)
+        : m_text(text), m_scenario(scenario), m_values(savedValues(scenario)) {
+        m_lineEnd = text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
+    }
+
+    std::string patched(const YamlNode& root) {
+        // In another form little of the file stays: its sections are better put in order again.
+        if (m_scenario.form != formOf(root)) throw NotPatchable();
+        patchMap(root, "");
+        for (const std::string_view section :
+             {"dimensionless", "rod", "pulse", "material", "bit_rock", "drill"})
+            patchSection(root, section);
+        if (isString(m_scenario)) patchDrillString(root);
+        return edited(m_text, std::move(m_edits));
+    }
+
+  private:
+    const SavedValue* saved(std::string_view section, std::string_view key) const {
+        const auto same = [&](const SavedValue& value) {
+            return value.section == section && value.key == key;
+        };
+        const auto found = std::ranges::find_if(m_values, same);
+        return found == m_values.end() ? nullptr : &*found;
+    }
+
+    static std::size_t indexOf(const YamlNode& map, std::string_view key) {
+        std::size_t at = 0;
+        while (at < map.children.size() && map.children[at].text != key) at += 2;
+        return at;
+    }
+
+    static ScenarioForm formOf(const YamlNode& root) {
+        if (indexOf(root, "string") < root.children.size()) return ScenarioForm::string;
+        return indexOf(root, "dimensionless") < root.children.size() ? ScenarioForm::dimensionless
+                                                                     : ScenarioForm::dimensional;
+    }
+
+    /// The value of a key, which must be there and of that kind.
+    static const YamlNode& valueOf(const YamlNode& map, std::string_view key, YamlKind kind) {
+        const std::size_t at = indexOf(map, key);
+        if (at >= map.children.size() || map.children[at + 1].kind != kind) throw NotPatchable();
+        return map.children[at + 1];
+    }
+
+    /// Numbers and names in sections that stay where they are: with one more or less the list is written
+    /// anew.
+    void patchDrillString(const YamlNode& root) {
+        const DrillString& drillString = m_scenario.drillString;
+        const YamlNode& hammer = valueOf(root, "hammer", YamlKind::map);
+        patchMap(hammer, "hammer");
+        patchList(valueOf(hammer, "sections", YamlKind::sequence), "hammer.sections",
+                  drillString.hammer.sections.size());
+        const YamlNode& parts = valueOf(root, "string", YamlKind::sequence);
+        if (parts.children.size() != drillString.parts.size()) throw NotPatchable();
+        for (std::size_t i = 0; i < drillString.parts.size(); ++i) {
+            const StringPart& part = drillString.parts[i];
+            const YamlNode& map = parts.children[i];
+            const std::string path = "string." + std::to_string(i);
+            if (part.group != (indexOf(map, "of") < map.children.size())) throw NotPatchable();
+            patchMap(map, path);
+            if (part.group)
+                patchList(valueOf(map, "of", YamlKind::sequence), path + ".of", part.sections.size());
+        }
+    }
+
+    void patchList(const YamlNode& list, const std::string& path, std::size_t count) {
+        if (list.children.size() != count) throw NotPatchable();
+        for (std::size_t i = 0; i < count; ++i) patchMap(list.children[i], path + "." + std::to_string(i));
+    }
+
+    void patchSection(const YamlNode& root, std::string_view section) {
+        const std::size_t at = indexOf(root, section);
+        const bool there = at < root.children.size();
+        // A section that is not there need not tell what its absence says.
+        const bool wanted = std::ranges::any_of(
+            m_values, [&](const SavedValue& v) { return v.section == section && (there || !v.isDefault); });
+        if (there && wanted && root.children[at + 1].kind == YamlKind::map)
+            patchMap(root.children[at + 1], section);
+        else if (there && (wanted || root.children[at + 1].kind != YamlKind::null))
+            removeSection(root, at, wanted);
+        else if (wanted)
+            appendSection(section);
+    }
+
+    /// A section of which nothing is left, as long as it is one line or a few.
+    void removeSection(const YamlNode& root, std::size_t at, bool wanted) {
+        const YamlNode& map = root.children[at + 1];
+        if (wanted || root.flow || map.kind != YamlKind::map) throw NotPatchable();
+        if (!map.flow)
+            for (std::size_t i = 0; i + 1 < map.children.size(); i += 2) removeLine(map, i);
+        const Extent key = lineOf(literalExtent(m_text, root.children[at]));
+        const std::size_t end = map.flow ? lineOf({map.offset, flowEnd(map)}).end : key.end;
+        m_edits.push_back({key.begin, end - key.begin, ""});
+    }
+
+    void appendSection(std::string_view section) {
+        std::string text = sectionText(m_scenario, section);
+        if (m_lineEnd == "\r\n")
+            for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2))
+                text.replace(at, 1, "\r\n");
+        const bool open = !m_text.ends_with('\n');
+        m_edits.push_back({m_text.size(), 0, (open ? std::string(m_lineEnd) : "") + text});
+    }
+
+    void patchMap(const YamlNode& map, std::string_view section) {
+        if (map.kind != YamlKind::map || map.children.empty()) throw NotPatchable();
+        for (std::size_t i = 0; i + 1 < map.children.size(); i += 2) patchEntry(map, i, section);
+        const YamlNode* before = section.empty() ? &map.children.front() : nullptr;
+        for (const SavedValue& value : m_values) {
+            if (value.section != section) continue;
+            const std::size_t at = indexOf(map, value.key);
+            if (at < map.children.size())
+                before = &map.children[at];
+            else if (!value.isDefault)
+                insert(map, before, value);
+        }
+    }
+
+    void patchEntry(const YamlNode& map, std::size_t at, std::string_view section) {
+        const YamlNode& key = map.children[at];
+        const YamlNode& node = map.children[at + 1];
+        if (section.empty() && key.text != "title" && key.text != "end_time") return;
+        if (section == "pulse" && key.text == "points") return;
+        if (node.kind == YamlKind::sequence && (key.text == "sections" || key.text == "of")) return;
+        const SavedValue* value = saved(section, key.text);
+        if (!value && section.empty() && node.text.empty()) return;
+        if (!value) {
+            if (map.flow)
+                removeFromFlow(map, at);
+            else
+                removeLine(map, at);
+            return;
+        }
+        const Unit* unit = nullptr;
+        if (value->unit) {
+            const TypedQuantity old = parseQuantity(node.text, value->unit->quantity);
+            if (old.valid() && old.si == value->number) return;
+            unit = old.unit;
+        } else if (node.text == value->text && node.kind == YamlKind::scalar) {
+            return;
+        }
+        replace(literalExtent(m_text, node), valueText(*value, unit));
+    }
+
+    /// Exchanges a value. A comment behind it was about the value that was there.
+    void replace(Extent extent, std::string text) {
+        if (const Extent comment = commentBehind(m_text, extent.end); comment.begin < comment.end)
+            extent.end = comment.end;
+        m_edits.push_back({extent.begin, extent.end - extent.begin, std::move(text)});
+    }
+
+    /// The line(s) of an extent, from the first byte to behind the line end.
+    Extent lineOf(Extent extent) const {
+        const std::size_t before =
+            extent.begin == 0 ? std::string_view::npos : m_text.rfind('\n', extent.begin - 1);
+        const std::size_t after = m_text.find('\n', extent.end);
+        return {before == std::string_view::npos ? 0 : before + 1,
+                after == std::string_view::npos ? m_text.size() : after + 1};
+    }
+
+    /// The line of one entry of a block map that has it to itself.
+    Extent entryLine(const YamlNode& map, std::size_t at) const {
+        const Extent key = literalExtent(m_text, map.children[at]);
+        const YamlNode& value = map.children[at + 1];
+        const Extent line =
+            lineOf(value.kind == YamlKind::null ? key : Extent{key.begin, literalExtent(m_text, value).end});
+        const std::string_view indentation = m_text.substr(line.begin, key.begin - line.begin);
+        const bool oneLine =
+            m_text.substr(key.begin, line.end - key.begin).find('\n') + 1 == line.end - key.begin ||
+            line.end == m_text.size();
+        if (!oneLine || indentation.find_first_not_of(' ') != std::string_view::npos) throw NotPatchable();
+        return line;
+    }
+
+    void removeLine(const YamlNode& map, std::size_t at) {
+        const Extent line = entryLine(map, at);
+        m_edits.push_back({line.begin, line.end - line.begin, ""});
+    }
+
+    void removeFromFlow(const YamlNode& map, std::size_t at) {
+        const bool first = at == 0;
+        if (first && map.children.size() <= 2) throw NotPatchable();
+        const std::size_t begin =
+            first ? map.children[0].offset : literalExtent(m_text, map.children[at - 1]).end;
+        const std::size_t end =
+            first ? map.children[2].offset : literalExtent(m_text, map.children[at + 1]).end;
+        m_edits.push_back({begin, end - begin, ""});
+    }
+
+    std::size_t flowEnd(const YamlNode& map) const {
+        const std::size_t last =
+            map.children.empty() ? map.offset : literalExtent(m_text, map.children.back()).end;
+        const std::size_t brace = m_text.find('}', last);
+        if (brace == std::string_view::npos) throw NotPatchable();
+        return brace;
+    }
+
+    /// A new entry behind the entry with the key `before`, or in front of all of them.
+    void insert(const YamlNode& map, const YamlNode* before, const SavedValue& value) {
+        if (map.children.empty()) throw NotPatchable();
+        const std::string entry = std::string(value.key) + ": " + valueText(value);
+        const std::size_t at = before ? static_cast<std::size_t>(before - map.children.data()) : 0;
+        if (map.flow) {
+            const std::size_t place =
+                before ? literalExtent(m_text, map.children[at + 1]).end : map.children[0].offset;
+            m_edits.push_back({place, 0, before ? ", " + entry : entry + ", "});
+            return;
+        }
+        // The first entry of an item of a list stands behind its dash.
+        const bool behindDash = before && at == 0;
+        const Extent line = behindDash ? lineOf(literalExtent(m_text, map.children[1])) : entryLine(map, at);
+        const std::string indentation(map.children[at].offset - line.begin, ' ');
+        const bool open = before && m_text[line.end - 1] != '\n';
+        const std::string text = open ? std::string(m_lineEnd) + indentation + entry
+                                      : indentation + entry + std::string(m_lineEnd);
+        m_edits.push_back({before ? line.end : line.begin, 0, text});
+    }
+
+    std::string_view m_text;
+    const Scenario& m_scenario;
+    std::vector<SavedValue> m_values;
+    std::string_view m_lineEnd;
+    std::vector<TextEdit> m_edits;
+};
+
+}  // namespace
+
+std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario) {
+    const YamlTree tree = parseYaml(text);
+    if (!tree.problem.text.empty() || tree.root.kind != YamlKind::map) return std::nullopt;
+    try {
+        return Patcher(text, scenario).patched(tree.root);
+    } catch (const NotPatchable&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace drillwave

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/yaml/scenario_reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <span>
+
+#include "core/model/parameter.h"
+#include "core/yaml/pulse_reader.h"
+#include "core/yaml/section_reader.h"
+#include "core/yaml/string_reader.h"
+
+namespace drillwave {
+namespace {
+
+using Applicability = SectionReader::Applicability;
+
+constexpr std::string_view stringKeys[] = {"material", "hammer", "string", "end_time"};
+constexpr std::string_view rodKeys[] = {"dimensionless", "rod", "pulse"};
+
+/// The keys at the top level that a format has and the other one has not.
+std::span<const std::string_view> keysOf(int format) {
+    return format == rodFormat ? std::span<const std::string_view>(rodKeys) : stringKeys;
+}
+
+std::size_t indexOf(const YamlNode& root, std::string_view key) {
+    std::size_t at = 0;
+    while (at < root.children.size() && root.children[at].text != key) at += 2;
+    return at;
+}
+
+bool hasOneOf(const YamlNode& root, std::span<const std::string_view> keys) {
+    return std::ranges::any_of(
+        keys, [&](std::string_view key) { return indexOf(root, key) < root.children.size(); });
+}
+
+/// The number of the format that the keys would have, where the file does not say it.
+int likelyFormat(const YamlNode& root) {
+    return hasOneOf(root, stringKeys) && !hasOneOf(root, rodKeys) ? stringFormat : rodFormat;
+}
+
+/// The format of the file; nothing for a newer one, whose keys mean nothing to this program.
+std::optional<int> readFormat(SectionReader& reader, const YamlNode& root) {
+    const std::vector<YamlNode>& children = root.children;
+    const std::size_t at = indexOf(root, "drillwave");
+    ProblemList& problems = reader.problems();
+    const int likely = likelyFormat(root);
+    if (at >= children.size()) {
+        problems.reportKey(root.offset, "drillwave",
+                           "is missing: the first line must be `drillwave: " + std::to_string(likely) + "`");
+        return likely;
+    }
+    if (at > 0) problems.reportKey(children[at].offset, "drillwave", "must be the first key of the file");
+
+    const YamlEntry entry{&children[at], &children[at + 1]};
+    const std::string& text = entry.value->text;
+    long format = 0;
+    const auto number = std::from_chars(text.data(), text.data() + text.size(), format);
+    const bool whole = !text.empty() && number.ptr == text.data() + text.size();
+    if (whole && (number.ec == std::errc::result_out_of_range || format > newestFormat) &&
+        text.front() != '-') {
+        problems.reportValue(entry.place(), "drillwave", text,
+                             "this file says drillwave: " + text.substr(0, 20) +
+                                 "; this program reads up to " + std::to_string(newestFormat) +
+                                 ", use a newer one");
+        return std::nullopt;
+    }
+    for (const int known : {rodFormat, stringFormat})
+        if (text == std::to_string(known)) return known;
+    problems.reportValue(entry.place(), "drillwave", text,
+                         "the format number must be " + std::to_string(rodFormat) + " for a uniform rod or " +
+                             std::to_string(stringFormat) + " for a drill string");
+    return likely;
+}
+
+void readTitle(SectionReader& reader, const YamlEntries& file) {
+    const auto found = file.find("title");
+    if (found == file.end() || found->second.value->kind == YamlKind::null) return;
+    if (found->second.value->kind != YamlKind::scalar)
+        reader.problems().reportKey(found->second.place(), "title", "must be text");
+    reader.scenario().title = found->second.value->text;
+}
+
+/// Reports keys that belong to a file of the other format. False where there are none of its own, so that
+/// what is missing need not be told.
+bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int format) {
+    const auto refuse = [&](std::span<const std::string_view> keys, const std::string& reason) {
+        for (const std::string_view key : keys)
+            if (const auto found = file.find(key); found != file.end())
+                reader.problems().reportKey(found->second.key->offset, key, reason);
+    };
+    if (format == rodFormat)
+        refuse(stringKeys, "belongs to a drill string: a file that has it begins with `drillwave: 2`");
+    else
+        refuse(rodKeys,
+               "belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has "
+               "`hammer` and `string` in place of `rod` and `pulse`");
+    const auto isThere = [&](std::string_view key) { return file.contains(key); };
+    return !std::ranges::any_of(keysOf(format == rodFormat ? stringFormat : rodFormat), isThere) ||
+           std::ranges::any_of(keysOf(format), isThere);
+}
+
+void readGroups(SectionReader& reader, const YamlEntries& file) {
+    for (const std::string_view name : {"rod", "bit_rock", "drill"})
+        if (const auto found = file.find(name); found != file.end())
+            reader.problems().reportKey(found->second.key->offset, name,
+                                        "cannot stand beside `dimensionless`: give one or the other");
+    const std::optional<YamlEntries> entries = reader.section(file, "dimensionless", "groups");
+    if (!entries) return;
+    reader.readParameters(*entries, "groups", Applicability::checked);
+    reader.requireParameters(*entries, "groups");
+}
+
+void readRod(SectionReader& reader, const YamlEntries& file) {
+    const std::optional<YamlEntries> entries = reader.section(file, "rod", "rod");
+    if (!entries) return;
+    reader.readParameters(*entries, "rod", Applicability::ignored);
+    reader.requireParameters(*entries, "rod");
+    const auto bore = entries->find("bore");
+    if (entries->contains("area") && !entries->contains("diameter") && bore != entries->end())
+        reader.problems().reportKey(bore->second.key->offset, "rod.bore",
+                                    "goes with a diameter, not with an area");
+}
+
+void readBitRock(SectionReader& reader, const YamlEntries& file) {
+    const std::optional<YamlEntries> entries = reader.section(file, "bit_rock", "bit_rock");
+    if (!entries) return;
+    reader.readParameters(*entries, "bit_rock", Applicability::checked);
+    reader.requireParameters(*entries, "bit_rock");
+}
+
+void readDrill(SectionReader& reader, const YamlEntries& file) {
+    if (!file.contains("drill")) return;
+    const std::optional<YamlEntries> entries = reader.section(file, "drill", "drill");
+    if (!entries) return;
+    reader.readParameters(*entries, "drill", Applicability::checked);
+    reader.requireParameters(*entries, "drill");
+}
+
+/// Whether a finding of validate() is about values that were read: a default that stands in for a bad or
+/// missing value must raise no alarm.
+bool isAboutTheFile(SectionReader& reader, const InputProblem& problem) {
+    const auto read = [&](std::string_view key) {
+        return reader.placeOf(key).has_value() && !reader.problems().concerns(key);
+    };
+    if (problem.key == "rod.bore") return read("rod.diameter") && read("rod.bore");
+    if (problem.key.ends_with(".bore"))
+        return read(problem.key) && read(problem.key.substr(0, problem.key.size() - 4) + "diameter");
+    if (problem.key == "pulse.fall")
+        return !reader.problems().concerns("pulse.rise") && !reader.problems().concerns("pulse.fall");
+    return problem.key == "pulse.points" && read("pulse.points") && !reader.problems().concerns("pulse.file");
+}
+
+/// Where a group comes from in a dimensional scenario.
+std::string_view originOf(std::string_view key) {
+    const Parameter* parameter = findParameter(key);
+    return parameter && parameter->isGroup() ? parameter->rules.rival : key;
+}
+
+void checkWhole(SectionReader& reader) {
+    const bool clean = reader.problems().empty();
+    for (InputProblem& problem : validate(reader.scenario())) {
+        if (!clean && !isAboutTheFile(reader, problem)) continue;
+        const std::optional<std::size_t> place =
+            reader.placeOf(hasUnits(reader.scenario()) ? originOf(problem.key) : problem.key);
+        const TextPosition at = reader.problems().position(place.value_or(0));
+        problem.line = at.line;
+        problem.column = at.column;
+        reader.problems().report(std::move(problem));
+    }
+}
+
+ScenarioForm formOf(const YamlEntries& file, int format) {
+    if (format == stringFormat) return ScenarioForm::string;
+    return file.contains("dimensionless") ? ScenarioForm::dimensionless : ScenarioForm::dimensional;
+}
+
+/// True when all that is wrong is an unreadable table file.
+bool readFile(SectionReader& reader, const YamlNode& root, int format, const TableSource& tables) {
+    std::vector<std::string_view> known{"drillwave", "title", "bit_rock", "drill"};
+    known.insert(known.end(), keysOf(format).begin(), keysOf(format).end());
+    // Those of the other format are told of as such where they stand.
+    for (const std::string_view key : keysOf(format == rodFormat ? stringFormat : rodFormat))
+        if (indexOf(root, key) < root.children.size()) known.push_back(key);
+    const YamlEntries file = reader.entriesOf(root, "", known);
+    reader.scenario().form = formOf(file, format);
+    readTitle(reader, file);
+    if (!checkKeysOfFormat(reader, file, format)) return false;
+    if (reader.ofString()) readDrillString(reader, file);
+    if (reader.dimensional()) readRod(reader, file);
+    if (hasUnits(reader.scenario())) {
+        readBitRock(reader, file);
+        readDrill(reader, file);
+    } else {
+        readGroups(reader, file);
+    }
+    const bool unreadable = !reader.ofString() && readPulse(reader, file, tables);
+    checkWhole(reader);
+    return unreadable;
+}
+
+ReadScenario unreadableText(InputProblem problem) {
+    ReadScenario result;
+    result.unreadable = true;
+    result.problems.push_back(std::move(problem));
+    return result;
+}
+
+}  // namespace
+
+ReadScenario readScenario(std::string_view text, const std::string& source, const TablePoints* tablePoints) {
+    if (const TextProblem problem = checkText(text); !problem.reason.empty()) {
+        const TextPosition at = positionOf(text, problem.offset);
+        return unreadableText({"", "is not a text file: it holds " + problem.reason, at.line, at.column});
+    }
+    const YamlTree tree = parseYaml(text);
+    if (!tree.problem.text.empty()) {
+        const TextPosition at = positionOf(text, tree.problem.offset);
+        ReadScenario result = unreadableText({"", tree.problem.text, at.line, at.column});
+        result.unreadable = !tree.problem.isYaml;
+        return result;
+    }
+    if (tree.root.kind == YamlKind::null) return unreadableText({"", "the file is empty", 1, 1});
+
+    SectionReader reader(text);
+    ReadScenario result;
+    if (tree.root.kind != YamlKind::map)
+        reader.problems().reportKey(tree.root.offset, "drillwave",
+                                    "the file must be lines of `key: value`, the first `drillwave: 1`");
+    else if (const std::optional<int> format = readFormat(reader, tree.root))
+        result.unreadable = readFile(reader, tree.root, *format, {source, tablePoints});
+    result.problems = reader.problems().take();
+    result.scenario = std::move(reader.scenario());
+    return result;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/yaml/scenario_text.h"
+
+#include <algorithm>
+
+#include "core/model/scales.h"
+#include "core/model/section_field.h"
+#include "core/yaml/scenario_reader.h"
+
+namespace drillwave {
+namespace {
+
+/// A mean force is kept as such if it leads back to the same impulse, as every force that was given does.
+bool keepsForce(const Pulse& pulse) {
+    return pulse.impulseFromForce && meanForce(pulse) * pulse.duration == pulse.impulse;
+}
+
+bool isSaved(const Parameter& parameter, const Scenario& scenario) {
+    if (parameter.key == "pulse.impulse") return parameter.applies(scenario) && !keepsForce(scenario.pulse);
+    if (parameter.key == "pulse.force") return parameter.applies(scenario) && keepsForce(scenario.pulse);
+    return isGiven(parameter, scenario) && parameter.value(scenario).has_value();
+}
+
+SavedValue savedParameter(const Parameter& parameter, const Scenario& scenario) {
+    const double number = *parameter.value(scenario);
+    const Presence presence = parameter.rules.presence;
+    const bool mayBeMissing = presence == Presence::assumed || presence == Presence::unusual;
+    return {.section = std::string(parameter.fileSection()),
+            .key = parameter.localKey(),
+            .unit = SavedUnit{parameter.quantity, &parameter.displayUnit()},
+            .number = number,
+            .text = {},
+            .isDefault = mayBeMissing && number == parameter.value(Scenario()),
+            .isUnusual = presence == Presence::unusual,
+            .parameter = &parameter};
+}
+
+SavedValue savedText(std::string_view section, std::string_view key, std::string_view text) {
+    return {.section = std::string(section), .key = key, .unit = {}, .text = std::string(text)};
+}
+
+void addSection(std::vector<SavedValue>& values, const std::string& path, const Section& section) {
+    if (!section.name.empty()) values.push_back(savedText(path, "name", section.name));
+    for (const SectionField& field : sectionFields()) {
+        const std::optional<double> value = field.value(section);
+        if (!value) continue;
+        const bool isUnusual = field.presence == Presence::unusual;
+        values.push_back({.section = path,
+                          .key = field.key,
+                          .unit = SavedUnit{field.quantity, &field.displayUnit()},
+                          .number = *value,
+                          .text = {},
+                          .isDefault = isUnusual && value == field.value(Section()),
+                          .isUnusual = isUnusual});
+    }
+}
+
+void addSections(std::vector<SavedValue>& values, const std::string& path,
+                 const std::vector<Section>& sections) {
+    for (std::size_t i = 0; i < sections.size(); ++i)
+        addSection(values, path + "." + std::to_string(i), sections[i]);
+}
+
+void addParameters(std::vector<SavedValue>& values, const Scenario& scenario, std::string_view section) {
+    for (const Parameter& parameter : parameters())
+        if (parameter.fileSection() == section && isSaved(parameter, scenario))
+            values.push_back(savedParameter(parameter, scenario));
+}
+
+void addDrillString(std::vector<SavedValue>& values, const Scenario& scenario) {
+    const DrillString& drillString = scenario.drillString;
+    addParameters(values, scenario, "");
+    addParameters(values, scenario, "material");
+    addParameters(values, scenario, "hammer");
+    SavedValue restrike = savedText("hammer", "restrike", drillString.hammer.restrike ? "true" : "false");
+    restrike.isDefault = drillString.hammer.restrike;
+    restrike.isUnusual = true;
+    values.push_back(restrike);
+    addSections(values, "hammer.sections", drillString.hammer.sections);
+    for (std::size_t i = 0; i < drillString.parts.size(); ++i) {
+        const StringPart& part = drillString.parts[i];
+        const std::string path = "string." + std::to_string(i);
+        if (!part.group) {
+            addSection(values, path, part.sections.front());
+            continue;
+        }
+        values.push_back({.section = path,
+                          .key = "repeat",
+                          .unit = SavedUnit{Quantity::ratio, &unitsOf(Quantity::ratio).front()},
+                          .number = static_cast<double>(part.repeat),
+                          .text = {}});
+        addSections(values, path + ".of", part.sections);
+    }
+}
+
+/// The sections of a file, in order, that are no lists.
+std::vector<std::string_view> plainSections(ScenarioForm form) {
+    switch (form) {
+        case ScenarioForm::dimensional:
+            return {"rod", "pulse", "bit_rock", "drill"};
+        case ScenarioForm::dimensionless:
+            return {"dimensionless", "pulse", "bit_rock", "drill"};
+        case ScenarioForm::string:
+            return {"bit_rock", "drill"};
+    }
+    return {};
+}
+
+/// "[0 us, 0 kN]"; "[0, 0]" in a dimensionless scenario.
+std::string pointText(const TablePoint& point, ScenarioForm form) {
+    const bool dimensional = form == ScenarioForm::dimensional;
+    const auto text = [&](double value, Quantity quantity, std::string_view unit) {
+        const Quantity kind = dimensional ? quantity : Quantity::ratio;
+        return formatQuantity(value, kind, *findUnit(kind, dimensional ? unit : ""));
+    };
+    return "[" + text(point.time, Quantity::time, "us") + ", " + text(point.force, Quantity::force, "kN") +
+           "]";
+}
+
+std::string pointsText(const Scenario& scenario) {
+    std::string text = "  points:\n";
+    for (const TablePoint& point : scenario.pulse.tablePoints)
+        text += "    - " + pointText(point, scenario.form) + "\n";
+    return text;
+}
+
+bool hasInlinePoints(const Scenario& scenario) {
+    return scenario.pulse.shape == PulseShape::table && scenario.pulse.tableFile.empty();
+}
+
+/// A usual value that a new file does not tell.
+bool goesWithoutSaying(const SavedValue& value) {
+    return value.isDefault && value.isUnusual;
+}
+
+/// "length: 3660 mm, diameter: 39 mm" of the values of one section of a file.
+std::string flowEntries(const std::vector<SavedValue>& values, std::string_view section) {
+    std::string text;
+    for (const SavedValue& value : values)
+        if (value.section == section && !goesWithoutSaying(value))
+            text += (text.empty() ? "" : ", ") + std::string(value.key) + ": " + valueText(value);
+    return text;
+}
+
+std::string blockEntries(const std::vector<SavedValue>& values, std::string_view section) {
+    std::string text;
+    for (const SavedValue& value : values)
+        if (value.section == section && !goesWithoutSaying(value))
+            text += "  " + std::string(value.key) + ": " + valueText(value) + "\n";
+    return text;
+}
+
+std::string sectionItems(const std::vector<SavedValue>& values, const std::string& path, std::size_t count,
+                         const std::string& indentation) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i)
+        text += indentation + "- {" + flowEntries(values, path + "." + std::to_string(i)) + "}\n";
+    return text;
+}
+
+std::string drillStringText(const Scenario& scenario) {
+    const DrillString& drillString = scenario.drillString;
+    const std::vector<SavedValue> values = savedValues(scenario);
+    std::string text = "material: {" + flowEntries(values, "material") + "}\n";
+    text += "hammer:\n" + blockEntries(values, "hammer") + "  sections:\n" +
+            sectionItems(values, "hammer.sections", drillString.hammer.sections.size(), "    ");
+    text += "string:\n";
+    for (std::size_t i = 0; i < drillString.parts.size(); ++i) {
+        const StringPart& part = drillString.parts[i];
+        const std::string path = "string." + std::to_string(i);
+        if (part.group)
+            text += "  - repeat: " + std::to_string(part.repeat) + "\n    of:\n" +
+                    sectionItems(values, path + ".of", part.sections.size(), "      ");
+        else
+            text += "  - {" + flowEntries(values, path) + "}\n";
+    }
+    return text;
+}
+
+Section withoutUnusedValues(Section section) {
+    if (section.area) section.diameter = section.bore = 0;
+    return section;
+}
+
+DrillString withoutUnusedValues(DrillString drillString) {
+    for (Section& section : drillString.hammer.sections) section = withoutUnusedValues(std::move(section));
+    for (StringPart& part : drillString.parts)
+        for (Section& section : part.sections) section = withoutUnusedValues(std::move(section));
+    return drillString;
+}
+
+bool isNullWord(std::string_view text) {
+    return text == "~" || text == "null" || text == "Null" || text == "NULL";
+}
+
+bool isPlainScalar(std::string_view text) {
+    constexpr std::string_view indicators = "-?:,[]{}#&*!|>'\"%@` \t";
+    if (text.empty() || isNullWord(text) || indicators.find(text.front()) != std::string_view::npos)
+        return false;
+    if (text.back() == ' ' || text.back() == ':' || text.starts_with("...")) return false;
+    if (text.find(": ") != std::string_view::npos || text.find(" #") != std::string_view::npos) return false;
+    return std::ranges::none_of(text,
+                                [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+}
+
+std::string quotedScalar(std::string_view text) {
+    constexpr std::string_view hex = "0123456789ABCDEF";
+    std::string quoted = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\')
+            quoted += std::string("\\") + c;
+        else if (c == '\n')
+            quoted += "\\n";
+        else if (byte < 0x20 || byte == 0x7F)
+            quoted += std::string("\\x") + hex[byte / 16] + hex[byte % 16];
+        else
+            quoted += c;
+    }
+    return quoted + "\"";
+}
+
+}  // namespace
+
+std::vector<SavedValue> savedValues(const Scenario& scenario) {
+    std::vector<SavedValue> values;
+    if (!scenario.title.empty()) values.push_back(savedText("", "title", scenario.title));
+    if (isString(scenario)) addDrillString(values, scenario);
+    for (const std::string_view section : plainSections(scenario.form)) {
+        if (section == "pulse") values.push_back(savedText("pulse", "shape", name(scenario.pulse.shape)));
+        addParameters(values, scenario, section);
+        if (section == "pulse" && scenario.pulse.shape == PulseShape::table &&
+            !scenario.pulse.tableFile.empty())
+            values.push_back(savedText("pulse", "file", scenario.pulse.tableFile));
+    }
+    return values;
+}
+
+Scenario withoutUnusedValues(const Scenario& scenario) {
+    Scenario result;
+    result.title = scenario.title;
+    result.form = scenario.form;
+    if (isString(scenario))
+        result.drillString = withoutUnusedValues(scenario.drillString);
+    else
+        result.pulse.shape = scenario.pulse.shape;
+    for (const SavedValue& value : savedValues(scenario))
+        if (value.parameter) value.parameter->assign(result, value.number);
+    if (!isString(scenario) && scenario.pulse.shape == PulseShape::table) {
+        result.pulse.tableFile = scenario.pulse.tableFile;
+        result.pulse.tablePoints = scenario.pulse.tablePoints;
+    }
+    return result;
+}
+
+std::string valueText(const SavedValue& value, const Unit* unit) {
+    // A section of a list may stand in braces, where more characters mean something.
+    const bool inList = value.section.find('.') != std::string::npos;
+    if (!value.unit && inList && value.text.find_first_of(",[]{}:") != std::string::npos)
+        return quotedScalar(value.text);
+    if (!value.unit) return yamlScalar(value.text);
+    return formatQuantity(value.number, value.unit->quantity, unit ? *unit : *value.unit->customary);
+}
+
+std::string yamlScalar(std::string_view text) {
+    return isPlainScalar(text) ? std::string(text) : quotedScalar(text);
+}
+
+std::string sectionText(const Scenario& scenario, std::string_view section) {
+    if (section == "material") return "material: {" + flowEntries(savedValues(scenario), section) + "}\n";
+    const bool points = section == "pulse" && hasInlinePoints(scenario);
+    const bool flow = scenario.form == ScenarioForm::dimensionless && !points;
+    std::string lines;
+    for (const SavedValue& value : savedValues(scenario)) {
+        if (value.section != section || goesWithoutSaying(value)) continue;
+        const std::string line = std::string(value.key) + ": " + valueText(value);
+        lines += flow ? (lines.empty() ? "" : ", ") + line : "  " + line + "\n";
+    }
+    if (points) lines += pointsText(scenario);
+    if (lines.empty()) return {};
+    return std::string(section) + (flow ? ": {" + lines + "}\n" : ":\n" + lines);
+}
+
+std::string scenarioText(const Scenario& scenario) {
+    std::string text = "drillwave: " + std::to_string(isString(scenario) ? stringFormat : rodFormat) + "\n";
+    if (!scenario.title.empty()) text += "title: " + yamlScalar(scenario.title) + "\n";
+    for (const SavedValue& value : savedValues(scenario))
+        if (value.section.empty() && value.parameter)
+            text += std::string(value.key) + ": " + valueText(value) + "\n";
+    if (isString(scenario)) text += drillStringText(scenario);
+    for (const std::string_view section : plainSections(scenario.form))
+        text += sectionText(scenario, section);
+    return text;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sections of a scenario file: their keys checked, their values read through the parameter table.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/model/parameter.h"
+#include "core/model/scenario.h"
+#include "core/yaml/problem_list.h"
+#include "core/yaml/yaml_tree.h"
+
+namespace drillwave {
+
+/// One key of a map and its value.
+struct YamlEntry {
+    const YamlNode* key = nullptr;
+    const YamlNode* value = nullptr;
+    /// Where to point at: the value, or the key of an absent one.
+    std::size_t place() const;
+};
+using YamlEntries = std::map<std::string, YamlEntry, std::less<>>;
+
+/// "rod" and "length" are "rod.length".
+std::string joinedKey(std::string_view section, std::string_view key);
+
+/// Reads sections into a scenario, collecting problems.
+class SectionReader {
+  public:
+    explicit SectionReader(std::string_view text) : m_problems(text) {}
+
+    Scenario& scenario() { return m_scenario; }
+    ProblemList& problems() { return m_problems; }
+    bool dimensional() const { return m_scenario.form == ScenarioForm::dimensional; }
+    bool ofString() const { return isString(m_scenario); }
+
+    /// The entries of a map with known keys; reports the others, and keys that come twice.
+    YamlEntries entriesOf(const YamlNode& map, std::string_view section,
+                          const std::vector<std::string_view>& known);
+    /// The entries of a section whose keys are those parameters of `group` and some more; nullopt if it is
+    /// missing or no map, which is reported.
+    std::optional<YamlEntries> section(const YamlEntries& file, std::string_view name, std::string_view group,
+                                       std::vector<std::string_view> moreKeys = {});
+
+    /// Whether a parameter that does not apply to the scenario is reported as such.
+    enum class Applicability { checked, ignored };
+    /// Assigns every parameter of the group that is there, in the order of the table (a force needs its
+    /// duration).
+    void readParameters(const YamlEntries& entries, std::string_view group, Applicability applicability);
+
+    /// Reports what is missing from a section, of the parameters of the group that apply to the scenario, and
+    /// what stands beside its rival.
+    void requireParameters(const YamlEntries& entries, std::string_view group);
+    /// Reports the parameter where it is missing from its section.
+    void require(const YamlEntries& entries, const Parameter& parameter);
+    /// Likewise the shape of the pulse.
+    void requireShape(const YamlEntries& entries);
+    /// Reports it unless exactly one of the two keys is there.
+    void requireOneOf(const YamlEntries& entries, std::string_view section, std::string_view one,
+                      std::string_view other);
+    void reportMissing(std::string_view section, std::string_view key, std::string_view reason);
+    /// Given, or mistyped, which is reported already.
+    bool isThere(const YamlEntries& entries, std::string_view section, std::string_view key) const;
+
+    /// Remembers where a key of the scenario stands, for what is found out later.
+    void setPlace(std::string_view key, std::size_t offset) { m_places[std::string(key)] = offset; }
+    std::optional<std::size_t> placeOf(std::string_view key) const;
+
+  private:
+    void readParameter(const Parameter& parameter, const YamlEntry& entry);
+
+    ProblemList m_problems;
+    Scenario m_scenario;
+    std::map<std::string, std::size_t, std::less<>> m_places;
+    std::set<std::string, std::less<>> m_mistyped;  // keys that an unknown one is likely to mean
+};
+
+}  // namespace drillwave

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/yaml/string_reader.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/model/parameter_text.h"
+#include "core/model/section_parameter.h"
+
+namespace drillwave {
+namespace {
+
+using Chain = SectionAddress::Chain;
+
+constexpr std::string_view stringExample =
+    "must be a list of sections: `- {name: rod, length: 3660 mm, diameter: 39 mm}`";
+
+constexpr std::string_view sectionExample = "must be a section: `{length: 300 mm, diameter: 50 mm}`";
+
+/// One section, the place of whose keys is that of `path`: "string.3".
+class SectionOfFile {
+  public:
+    SectionOfFile(SectionReader& reader, std::string path) : m_reader(reader), m_path(std::move(path)) {}
+
+    Section read(const YamlNode& map) {
+        m_reader.setPlace(m_path, map.offset);
+        std::vector<std::string_view> known{"name"};
+        for (const SectionField& field : sectionFields()) known.push_back(field.key);
+        const YamlEntries entries = m_reader.entriesOf(map, m_path, known);
+        readName(entries);
+        for (const SectionField& field : sectionFields())
+            if (const auto found = entries.find(field.key); found != entries.end())
+                readNumber(field, found->second);
+        require(entries);
+        return std::move(m_section);
+    }
+
+  private:
+    std::string key(std::string_view local) const { return joinedKey(m_path, local); }
+
+    void readName(const YamlEntries& entries) {
+        const auto found = entries.find("name");
+        if (found == entries.end() || found->second.value->kind == YamlKind::null) return;
+        const YamlEntry& entry = found->second;
+        m_reader.setPlace(key("name"), entry.place());
+        const std::string reason = entry.value->kind != YamlKind::scalar ? "must be text"
+                                   : entry.value->text.empty()
+                                       ? "is empty; a section without a name is written without it"
+                                       : sectionNameProblem(entry.value->text);
+        if (reason.empty())
+            m_section.name = entry.value->text;
+        else
+            m_reader.problems().reportValue(entry.place(), key("name"), entry.value->text, reason);
+    }
+
+    void readNumber(const SectionField& field, const YamlEntry& entry) {
+        m_reader.setPlace(key(field.key), entry.place());
+        const YamlNode& value = *entry.value;
+        if (value.kind != YamlKind::scalar) {
+            const std::string_view what = value.kind == YamlKind::null ? "has no value" : "must be one value";
+            m_reader.problems().reportKey(entry.place(), key(field.key), what);
+            return;
+        }
+        const TypedQuantity typed =
+            parseQuantity(value.text, field.quantity, BareNumber::refused, &field.displayUnit());
+        const std::string reason = typed.valid() ? rangeProblem(field, typed.si) : typed.problem;
+        if (!reason.empty())
+            m_reader.problems().reportValue(entry.place(), key(field.key), value.text, reason);
+        else
+            field.assign(m_section, typed.si);
+    }
+
+    void require(const YamlEntries& entries) {
+        if (!m_reader.isThere(entries, m_path, "length"))
+            m_reader.reportMissing(m_path, "length", "is missing: write for example `length: 3660 mm`");
+        m_reader.requireOneOf(entries, m_path, "diameter", "area");
+        const auto bore = entries.find("bore");
+        if (entries.contains("area") && !entries.contains("diameter") && bore != entries.end())
+            m_reader.problems().reportKey(bore->second.key->offset, key("bore"),
+                                          "goes with a diameter, not with an area");
+    }
+
+    SectionReader& m_reader;
+    std::string m_path;
+    Section m_section;
+};
+
+bool isRepeat(const YamlNode& item) {
+    return item.valueOf("repeat") || item.valueOf("of");
+}
+
+/// A list of sections from a place on; stops behind the most that there may be.
+std::vector<Section> readSections(SectionReader& reader, const YamlNode& list, Chain chain,
+                                  std::uint64_t before) {
+    std::vector<Section> sections;
+    for (const YamlNode& item : list.children) {
+        const std::string path = sectionKey(chain, before + sections.size() + 1);
+        if (sections.size() > maximumSections) break;
+        if (item.kind != YamlKind::map) {
+            reader.problems().reportKey(item.offset, path, sectionExample);
+            sections.emplace_back();
+        } else if (isRepeat(item)) {
+            reader.problems().reportKey(item.offset, path,
+                                        chain == Chain::hammer
+                                            ? "a hammer has no repeats; write its sections out"
+                                            : "a repeat cannot stand inside another one");
+            sections.emplace_back();
+        } else {
+            sections.push_back(SectionOfFile(reader, path).read(item));
+        }
+    }
+    return sections;
+}
+
+class StringReader {
+  public:
+    explicit StringReader(SectionReader& reader)
+        : m_reader(reader), m_string(reader.scenario().drillString) {}
+
+    void readHammer(const YamlEntries& file) {
+        const std::optional<YamlEntries> entries =
+            m_reader.section(file, "hammer", "hammer", {"sections", "restrike"});
+        if (!entries) return;
+        m_reader.readParameters(*entries, "hammer", SectionReader::Applicability::checked);
+        m_reader.requireParameters(*entries, "hammer");
+        readRestrike(*entries);
+        readHammerSections(*entries);
+    }
+
+    void readString(const YamlEntries& file) {
+        const auto found = file.find("string");
+        if (found == file.end()) {
+            if (!m_reader.isThere(file, "", "string")) m_reader.reportMissing("", "string", "is missing");
+            return;
+        }
+        const YamlEntry& entry = found->second;
+        m_reader.setPlace("string", entry.key->offset);
+        if (entry.value->kind != YamlKind::sequence) {
+            m_reader.problems().reportKey(entry.place(), "string", stringExample);
+            return;
+        }
+        if (entry.value->children.empty())
+            m_reader.problems().reportKey(entry.place(), "string", "must have at least one section");
+        for (const YamlNode& item : entry.value->children) {
+            if (m_place > maximumSections) break;
+            readPart(item);
+        }
+        if (m_place > maximumSections)
+            m_reader.problems().reportKey(
+                entry.key->offset, "string",
+                "has more than " + std::to_string(maximumSections) + " sections, its repeats written out");
+    }
+
+  private:
+    void readRestrike(const YamlEntries& entries) {
+        const auto found = entries.find("restrike");
+        if (found == entries.end()) return;
+        const YamlEntry& entry = found->second;
+        const std::optional<bool> restrike = findTruth(entry.value->text);
+        if (restrike)
+            m_string.hammer.restrike = *restrike;
+        else
+            m_reader.problems().reportValue(entry.place(), restrikeKey, entry.value->text,
+                                            "must be true or false");
+    }
+
+    void readHammerSections(const YamlEntries& entries) {
+        const auto found = entries.find("sections");
+        if (found == entries.end()) {
+            if (!m_reader.isThere(entries, "hammer", "sections"))
+                m_reader.reportMissing("hammer", "sections", "is missing");
+            return;
+        }
+        const YamlEntry& entry = found->second;
+        m_reader.setPlace("hammer.sections", entry.key->offset);
+        if (entry.value->kind != YamlKind::sequence)
+            m_reader.problems().reportKey(
+                entry.place(), "hammer.sections",
+                "must be a list of sections: `- {length: 300 mm, diameter: 50 mm}`");
+        else if (entry.value->children.empty())
+            m_reader.problems().reportKey(entry.place(), "hammer.sections", "must have at least one section");
+        else
+            m_string.hammer.sections = readSections(m_reader, *entry.value, Chain::hammer, 0);
+    }
+
+    void readPart(const YamlNode& item) {
+        if (isRepeat(item)) {
+            readRepeat(item);
+            return;
+        }
+        const std::string path = sectionKey(Chain::string, m_place + 1);
+        StringPart part;
+        if (item.kind == YamlKind::map)
+            part.sections.push_back(SectionOfFile(m_reader, path).read(item));
+        else
+            m_reader.problems().reportKey(
+                item.offset, path,
+                "must be a section, `{name: rod, length: 3660 mm, diameter: 39 mm}`, or "
+                "`{repeat: 3, of: […]}`");
+        part.sections.resize(1);  // those behind it keep their places
+        ++m_place;
+        m_string.parts.push_back(std::move(part));
+    }
+
+    void readRepeat(const YamlNode& map) {
+        const std::string path = sectionKey(Chain::string, m_place + 1);
+        m_reader.setPlace(path, map.offset);
+        const YamlEntries entries = m_reader.entriesOf(map, path, {"repeat", "of"});
+        StringPart part;
+        part.group = true;
+        part.repeat = readCount(entries, path);
+        if (const auto found = entries.find("of"); found == entries.end()) {
+            if (!m_reader.isThere(entries, path, "of"))
+                m_reader.reportMissing(path, "of", "is missing: the list of the sections that come again");
+        } else if (found->second.value->kind != YamlKind::sequence || found->second.value->children.empty()) {
+            m_reader.problems().reportKey(found->second.place(), joinedKey(path, "of"),
+                                          "must be a list of at least one section");
+        } else {
+            part.sections = readSections(m_reader, *found->second.value, Chain::string, m_place);
+        }
+        m_place += static_cast<std::uint64_t>(part.repeat) * part.sections.size();
+        m_string.parts.push_back(std::move(part));
+    }
+
+    /// How often; once where that is missing or wrong, which is reported.
+    int readCount(const YamlEntries& entries, const std::string& path) {
+        const std::string key = joinedKey(path, "repeat");
+        const auto found = entries.find("repeat");
+        if (found == entries.end()) {
+            if (!m_reader.isThere(entries, path, "repeat"))
+                m_reader.reportMissing(path, "repeat", "is missing: write for example `repeat: 3`");
+            return 1;
+        }
+        const YamlEntry& entry = found->second;
+        m_reader.setPlace("string.repeat", entry.place());
+        const TypedQuantity typed = parseQuantity(entry.value->text, Quantity::ratio);
+        const std::string reason =
+            typed.valid() ? rangeProblem(*findParameter("string.repeat"), typed.si) : typed.problem;
+        if (reason.empty()) return static_cast<int>(typed.si);
+        m_reader.problems().reportValue(entry.place(), key, entry.value->text, reason);
+        return 1;
+    }
+
+    SectionReader& m_reader;
+    DrillString& m_string;
+    std::uint64_t m_place = 0;  // of the section read last, repeats written out
+};
+
+}  // namespace
+
+std::vector<Section> readSectionList(SectionReader& reader, const YamlNode& list, const std::string& key) {
+    std::vector<Section> sections;
+    for (const YamlNode& item : list.children) {
+        const std::string path = joinedKey(key, std::to_string(sections.size() + 1));
+        if (item.kind != YamlKind::map)
+            reader.problems().reportKey(item.offset, path, sectionExample);
+        else
+            sections.push_back(SectionOfFile(reader, path).read(item));
+        if (sections.size() > maximumSections) break;
+    }
+    return sections;
+}
+
+void readDrillString(SectionReader& reader, const YamlEntries& file) {
+    if (file.contains("material"))
+        if (const std::optional<YamlEntries> entries = reader.section(file, "material", "material"))
+            reader.readParameters(*entries, "material", SectionReader::Applicability::checked);
+    StringReader string(reader);
+    string.readHammer(file);
+    string.readString(file);
+    // At the top level, beside the sections.
+    reader.readParameters(file, "", SectionReader::Applicability::checked);
+}
+
+}  // namespace drillwave
