@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Checks what the include lines say about the house: check_includes.sh SOURCE_FOLDER [ROOMS]
-# - every file of core, ui and app is in a room of rooms.txt and includes only from its own room or one above it there;
+# - every file of core, ui and app is in a room of rooms.txt and includes only from its own room or one above it there, not
+#   from one beside it;
 # - includes are root-relative;
 # - core includes no Qt, and of yaml-cpp only in core/yaml;
 # - a source of core or ui begins with its own header, of the same name.
@@ -13,7 +14,14 @@ cd "$source_folder"
 find core ui app -name '*.h' -o -name '*.cpp' | sort | xargs awk -v rooms="$rooms" '
     function room(path) { sub(/\/[^\/]*$/, "", path); return path }
     function complain(text) { print FILENAME ":" FNR ": " text; wrong = 1 }
-    BEGIN { while ((getline line < rooms) > 0) if (line !~ /^#/) height[line] = ++count }
+    function mayReach(there) { return there == own || height[there] < height[own] }
+    BEGIN {
+        while ((getline line < rooms) > 0) {
+            if (line ~ /^#/) continue
+            ++count
+            for (i = split(line, beside, " "); i > 0; --i) height[beside[i]] = count
+        }
+    }
     FNR == 1 {
         own = room(FILENAME)
         included = 0
@@ -24,7 +32,7 @@ find core ui app -name '*.h' -o -name '*.cpp' | sort | xargs awk -v rooms="$room
         header = part[2]
         if (header !~ /^(core|ui|app)\//) complain("\"" header "\" is not root-relative")
         else if (!(room(header) in height)) complain("no room holds " header)
-        else if (height[room(header)] > height[own]) complain(own " must not include from " room(header) ": " header)
+        else if (!mayReach(room(header))) complain(own " must not include from " room(header) ": " header)
         if (FILENAME ~ /^(core|ui)\/.*\.cpp$/ && ++included == 1) {
             mine = FILENAME
             sub(/cpp$/, "h", mine)

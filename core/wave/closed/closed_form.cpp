@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/text/units.h"
-#include "core/wave/exact/decay_pieces.h"
+#include "core/wave/closed/decay_pieces.h"
 
 namespace drillwave {
 

@@ -2,8 +2,8 @@
 // The first zero of an exponential sum: where an event ends a piece of contact or of free flight.
 #pragma once
 
+#include "core/numeric/first_zero.h"
 #include "core/wave/exact/exponential_sum.h"
-#include "core/wave/exact/first_zero.h"
 
 namespace drillwave {
 

@@ -4,8 +4,8 @@
 
 #include "core/contact/contact_rates.h"
 #include "core/numeric/compensated_sum.h"
+#include "core/numeric/first_zero.h"
 #include "core/numeric/power_series.h"
-#include "core/wave/exact/first_zero.h"
 #include "core/wave/exact/joining_error.h"
 #include "core/wave/exact/series_joiner.h"
 #include "core/wave/exact/stretch_end.h"

@@ -13,8 +13,8 @@
 #include "core/model/scenario.h"
 #include "core/numeric/compensated_sum.h"
 #include "core/text/units.h"
-#include "core/wave/exact/hammer_cells.h"
 #include "core/wave/impact.h"
+#include "core/wave/lattice/hammer_cells.h"
 #include "core/wave/lattice/step_history.h"
 #include "core/wave/problem.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/wave/exact/hammer_cells.h"
+#include "core/wave/lattice/hammer_cells.h"
 
 namespace drillwave {
 

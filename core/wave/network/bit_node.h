@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/contact/bilinear_law.h"
-#include "core/wave/exact/first_zero.h"
+#include "core/numeric/first_zero.h"
 #include "core/wave/impact.h"
 #include "core/wave/network/cell_event.h"
 #include "core/wave/network/oscillation.h"

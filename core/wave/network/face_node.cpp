@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/wave/exact/first_zero.h"
+#include "core/numeric/first_zero.h"
 
 namespace drillwave {
 

@@ -2,7 +2,7 @@
 // Power series on a piece of time, and their first zero, against polynomials whose roots are known.
 #include <QtTest>
 
-#include "core/wave/exact/first_zero.h"
+#include "core/numeric/first_zero.h"
 #include "tests/support/series.h"
 
 using namespace drillwave;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/wave/exact/hammer_cells.h"
+#include "core/wave/lattice/hammer_cells.h"
 
 #include <algorithm>
 #include <cassert>

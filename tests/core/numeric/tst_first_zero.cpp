@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first zero of a polynomial is found wherever it lies, and none is found where there is none.
-#include "core/wave/exact/first_zero.h"
+#include "core/numeric/first_zero.h"
 
 #include <QTest>
 #include <algorithm>

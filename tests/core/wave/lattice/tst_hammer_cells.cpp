@@ -3,7 +3,7 @@
 #include <QtTest>
 
 #include "core/numeric/compensated_sum.h"
-#include "core/wave/exact/hammer_cells.h"
+#include "core/wave/lattice/hammer_cells.h"
 #include "tests/support/scenes.h"
 
 using namespace drillwave;

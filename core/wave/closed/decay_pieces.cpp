@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/wave/exact/decay_pieces.h"
+#include "core/wave/closed/decay_pieces.h"
 
 #include <algorithm>
 #include <span>
