@@ -7,14 +7,13 @@
 #include "app/input_text.h"
 #include "app/scenario_argument.h"
 #include "core/text/decimal_text.h"
+#include "core/text/enum_names.h"
 #include "core/text/nearest_name.h"
 #include "core/yaml/preset_file.h"
 
 namespace drillwave {
 
 namespace {
-
-constexpr PresetKind allKinds[] = {PresetKind::rod, PresetKind::hammer, PresetKind::rock};
 
 std::string lowerCase(std::string text) {
     for (char& c : text)
@@ -54,15 +53,9 @@ const Preset& presetNamed(const std::vector<Preset>& presets, PresetKind kind, c
 }  // namespace
 
 std::string_view name(PresetKind kind) {
-    switch (kind) {
-        case PresetKind::rod:
-            return "rod";
-        case PresetKind::hammer:
-            return "hammer";
-        case PresetKind::rock:
-            return "rock";
-    }
-    return {};
+    static constexpr EnumNames<PresetKind> names{
+        {{PresetKind::rod, "rod"}, {PresetKind::hammer, "hammer"}, {PresetKind::rock, "rock"}}};
+    return names[kind];
 }
 
 std::vector<OptionSpec> presetOptionSpecs() {
@@ -97,7 +90,7 @@ PresetFile parsedPresets(std::string_view text, const std::string& path) {
 void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path) {
     const std::string file = arguments.value("presets").value_or(std::string());
     std::vector<Preset> presets;
-    for (const PresetKind kind : allKinds) {
+    for (const PresetKind kind : allValues<PresetKind>) {
         const std::optional<std::string> wanted = arguments.value(name(kind));
         if (!wanted) continue;
         const std::string option = "--" + std::string(name(kind));
@@ -109,8 +102,8 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
         if (presets.empty()) presets = presetsOf(file).presets;
         scenario = withPreset(std::move(scenario), presetNamed(presets, kind, *wanted, file));
     }
-    const bool used =
-        std::ranges::any_of(allKinds, [&](PresetKind kind) { return arguments.has(name(kind)); });
+    const bool used = std::ranges::any_of(allValues<PresetKind>,
+                                          [&](PresetKind kind) { return arguments.has(name(kind)); });
     if (arguments.has("presets") && !used)
         throw CommandError(ExitCode::usage, "--presets is about --rod, --hammer and --rock; add one of them");
 }

@@ -2,12 +2,12 @@
 #include "core/blow/feed_verdict.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/blow/thrust.h"
 #include "core/blow/undamped_motion.h"
 #include "core/model/blow_interval.h"
 #include "core/model/scales.h"
+#include "core/text/enum_names.h"
 
 namespace drillwave {
 
@@ -24,9 +24,13 @@ Feed feedOf(const std::optional<double>& force, const FeedThresholds& thresholds
 }  // namespace
 
 std::string_view name(Feed feed) {
-    constexpr std::array<std::string_view, 6> names{"unknown",   "pushed_back",  "penetration_lost",
-                                                    "full_rate", "back_in_time", "back_in_time"};
-    return names[static_cast<std::size_t>(feed)];
+    static constexpr EnumNames<Feed> names{{{Feed::unknown, "unknown"},
+                                            {Feed::pushedBack, "pushed_back"},
+                                            {Feed::penetrationLost, "penetration_lost"},
+                                            {Feed::fullRate, "full_rate"},
+                                            {Feed::backInTime, "back_in_time"},
+                                            {Feed::resting, "back_in_time"}}};
+    return names[feed];
 }
 
 std::optional<double> FeedVerdict::effective() const {

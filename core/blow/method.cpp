@@ -1,39 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/blow/method.h"
 
-#include <algorithm>
-#include <array>
-
 #include "core/text/decimal_text.h"
+#include "core/text/enum_names.h"
 #include "core/wave/closed/closed_form.h"
 
 namespace drillwave {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> names{"exact", "lattice", "closed_form"};
+constexpr EnumNames<Method> names{
+    {{Method::exact, "exact"}, {Method::lattice, "lattice"}, {Method::closedForm, "closed_form"}}};
 
 }  // namespace
 
 std::string_view name(Method method) {
-    return names[static_cast<std::size_t>(method)];
+    return names[method];
 }
 
 std::optional<Method> findMethod(std::string_view name) {
-    const auto found = std::ranges::find(names, name);
-    if (found == names.end()) return std::nullopt;
-    return static_cast<Method>(found - names.begin());
+    return names.find(name);
 }
 
 std::span<const std::string_view> methodNames() {
-    return names;
+    return names.all();
 }
 
 std::string methodProblem(std::string_view name) {
     if (findMethod(name)) return {};
     std::string list;
-    for (const std::string_view known : names)
-        list += (list.empty() ? "" : known == names.back() ? " or " : ", ") + std::string(known);
+    for (const std::string_view known : names.all())
+        list += (list.empty() ? "" : known == names.all().back() ? " or " : ", ") + std::string(known);
     return "must be " + list;
 }
 

@@ -2,9 +2,10 @@
 // What the thrust is wanted for.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string_view>
+
+#include "core/text/enum_names.h"
 
 namespace drillwave {
 
@@ -15,15 +16,16 @@ enum class ThrustCase {
     rigidRock,     ///< e = 1, the usual estimate
     elasticWorst,  ///< γ = 1 at this stiffness, the worst of all gaps
 };
-inline constexpr std::array thrustCases{ThrustCase::scenario, ThrustCase::gapQuantile, ThrustCase::rigidRock,
-                                        ThrustCase::elasticWorst};
-inline constexpr std::size_t thrustCaseCount = thrustCases.size();
+inline constexpr auto thrustCases = allValues<ThrustCase>;
+inline constexpr std::size_t thrustCaseCount = valueCount<ThrustCase>;
 
 /// "scenario", "gap_95_percent", "rigid_rock", "elastic_worst_gap".
 constexpr std::string_view name(ThrustCase which) {
-    constexpr std::array<std::string_view, thrustCaseCount> names{"scenario", "gap_95_percent", "rigid_rock",
-                                                                  "elastic_worst_gap"};
-    return names[static_cast<std::size_t>(which)];
+    constexpr EnumNames<ThrustCase> names{{{ThrustCase::scenario, "scenario"},
+                                           {ThrustCase::gapQuantile, "gap_95_percent"},
+                                           {ThrustCase::rigidRock, "rigid_rock"},
+                                           {ThrustCase::elasticWorst, "elastic_worst_gap"}}};
+    return names[which];
 }
 
 }  // namespace drillwave

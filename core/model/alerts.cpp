@@ -2,7 +2,6 @@
 #include "core/model/alerts.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -11,6 +10,7 @@
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
 #include "core/model/section_parameter.h"
+#include "core/text/enum_names.h"
 
 namespace drillwave {
 namespace {
@@ -113,18 +113,25 @@ void addResidualWaves(const Scenario& scenario, std::vector<Alert>& alerts) {
 }  // namespace
 
 std::string_view name(AlertCode code) {
-    constexpr std::array<std::string_view, alertCodeCount> alertNames{
-        "outside_plausible_range", "pulse_longer_than_round_trip",
-        "default_hammer",          "piston_impedance_ratio",
-        "gap_without_effect",      "thrust_below_needed",
-        "super_rebound",           "several_contacts",
-        "closed_form_invalid",     "input_decides",
-        "reduced_accuracy",        "stress_above_yield",
-        "stress_above_fatigue",    "residual_waves",
-        "lengths_rounded",         "blow_not_over",
-        "stresses_left_out",
-    };
-    return alertNames[static_cast<std::size_t>(code)];
+    using enum AlertCode;
+    static constexpr EnumNames<AlertCode> alertNames{{{implausibleValue, "outside_plausible_range"},
+                                                      {longPulse, "pulse_longer_than_round_trip"},
+                                                      {defaultHammer, "default_hammer"},
+                                                      {pistonImpedance, "piston_impedance_ratio"},
+                                                      {gapWithoutEffect, "gap_without_effect"},
+                                                      {thrustBelowNeeded, "thrust_below_needed"},
+                                                      {superRebound, "super_rebound"},
+                                                      {severalContacts, "several_contacts"},
+                                                      {closedFormInvalid, "closed_form_invalid"},
+                                                      {inputDecides, "input_decides"},
+                                                      {reducedAccuracy, "reduced_accuracy"},
+                                                      {stressAboveYield, "stress_above_yield"},
+                                                      {stressAboveFatigue, "stress_above_fatigue"},
+                                                      {residualWaves, "residual_waves"},
+                                                      {lengthsRounded, "lengths_rounded"},
+                                                      {blowNotOver, "blow_not_over"},
+                                                      {stressesLeftOut, "stresses_left_out"}}};
+    return alertNames[code];
 }
 
 bool Alert::has(std::string_view argument) const {

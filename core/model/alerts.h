@@ -34,8 +34,6 @@ enum class AlertCode {
     stressesLeftOut,
 };
 
-inline constexpr int alertCodeCount = 17;
-
 /// "outside_plausible_range", "pulse_longer_than_round_trip", …
 std::string_view name(AlertCode code);
 

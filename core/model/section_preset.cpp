@@ -3,6 +3,7 @@
 
 #include <cassert>
 
+#include "core/text/enum_names.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -24,17 +25,11 @@ std::string sizeText(const Section& section) {
 }  // namespace
 
 std::string_view name(SectionPresetKind kind) {
-    switch (kind) {
-        case SectionPresetKind::piston:
-            return "piston";
-        case SectionPresetKind::adapter:
-            return "adapter";
-        case SectionPresetKind::coupling:
-            return "coupling";
-        case SectionPresetKind::bit:
-            return "bit";
-    }
-    return {};
+    static constexpr EnumNames<SectionPresetKind> names{{{SectionPresetKind::piston, "piston"},
+                                                         {SectionPresetKind::adapter, "adapter"},
+                                                         {SectionPresetKind::coupling, "coupling"},
+                                                         {SectionPresetKind::bit, "bit"}}};
+    return names[kind];
 }
 
 std::string description(const SectionPreset& preset) {

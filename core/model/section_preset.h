@@ -2,19 +2,18 @@
 // A named piece of a drill string: a piston, an adapter, a coupling, a bit.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/model/drill_string.h"
+#include "core/text/enum_names.h"
 
 namespace drillwave {
 
 enum class SectionPresetKind { piston, adapter, coupling, bit };
-inline constexpr std::array sectionPresetKinds{SectionPresetKind::piston, SectionPresetKind::adapter,
-                                               SectionPresetKind::coupling, SectionPresetKind::bit};
+inline constexpr auto sectionPresetKinds = allValues<SectionPresetKind>;
 
 /// "piston" and so on; its list in a file is called "pistons".
 std::string_view name(SectionPresetKind kind);

@@ -6,6 +6,7 @@
 
 #include "core/contact/bilinear_law.h"
 #include "core/report/result_remarks.h"
+#include "core/text/enum_names.h"
 #include "core/text/number_text.h"
 #include "core/wave/field/bit_motion.h"
 #include "core/wave/field/rod_state.h"
@@ -191,17 +192,12 @@ std::string eventsCsv(const Impact& impact, OutputUnits units, const Scales& sca
 }
 
 std::string_view name(ContactEvent event) {
-    switch (event) {
-        case ContactEvent::contact:
-            return "contact";
-        case ContactEvent::unloading:
-            return "unloading";
-        case ContactEvent::primaryLoading:
-            return "primary_loading";
-        case ContactEvent::separation:
-            return "separation";
-    }
-    return {};
+    using enum ContactEvent;
+    static constexpr EnumNames<ContactEvent> names{{{contact, "contact"},
+                                                    {unloading, "unloading"},
+                                                    {primaryLoading, "primary_loading"},
+                                                    {separation, "separation"}}};
+    return names[event];
 }
 
 }  // namespace drillwave

@@ -2,8 +2,9 @@
 #include "core/report/feed_words.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "core/text/enum_names.h"
 
 namespace drillwave {
 
@@ -150,13 +151,13 @@ std::string motionText(Feed feed, const GapAtBlow& found, const ReadingStyle& st
 }  // namespace
 
 std::string_view feedWord(Feed feed) {
-    constexpr std::array<std::string_view, 6> words{"",
-                                                    "machine pushed back",
-                                                    "penetration lost",
-                                                    "enough, bounces",
-                                                    "enough, may bounce",
-                                                    "enough, rests"};
-    return words[static_cast<std::size_t>(feed)];
+    static constexpr EnumNames<Feed> words{{{Feed::unknown, ""},
+                                            {Feed::pushedBack, "machine pushed back"},
+                                            {Feed::penetrationLost, "penetration lost"},
+                                            {Feed::fullRate, "enough, bounces"},
+                                            {Feed::backInTime, "enough, may bounce"},
+                                            {Feed::resting, "enough, rests"}}};
+    return words[feed];
 }
 
 std::string feedDecisionText(const FeedDecision& decision, const ReadingStyle& style) {

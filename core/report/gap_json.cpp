@@ -4,6 +4,7 @@
 #include "core/model/scales.h"
 #include "core/model/version.h"
 #include "core/report/json_value.h"
+#include "core/text/enum_names.h"
 #include "core/text/handy_text.h"
 #include "core/text/number_text.h"
 
@@ -26,11 +27,13 @@ JsonObject json(const Estimate& estimate, double plus = 0) {
 }
 
 JsonObject json(const GapExtreme& extreme, double plus) {
-    constexpr const char* kinds[] = {"smooth", "kink", "everywhere"};
+    using enum GapExtreme::Kind;
+    static constexpr EnumNames<GapExtreme::Kind> kinds{
+        {{smooth, "smooth"}, {kink, "kink"}, {everywhere, "everywhere"}}};
     JsonObject object = json(extreme.value, plus);
     object["gap"] = extreme.gap.value;
     object["gap_error"] = extreme.gap.error;
-    object["kind"] = kinds[static_cast<std::size_t>(extreme.kind)];
+    object["kind"] = kinds[extreme.kind];
     return object;
 }
 

@@ -12,6 +12,7 @@
 #include "core/report/feed_words.h"
 #include "core/report/json_value.h"
 #include "core/report/report_text.h"
+#include "core/text/enum_names.h"
 #include "core/text/number_text.h"
 
 namespace drillwave {
@@ -99,10 +100,11 @@ std::string bracketTable(const ThrustAlong& along) {
 
 JsonObject gapAtBlowJson(const GapAtBlow& found) {
     using Kind = UndampedMotion::Kind;
-    constexpr const char* kinds[] = {"pushed_back", "bouncing", "resting"};
+    static constexpr EnumNames<Kind> kinds{
+        {{Kind::pushedBack, "pushed_back"}, {Kind::bouncing, "bouncing"}, {Kind::resting, "resting"}}};
     const bool bounces = found.motion.kind == Kind::bouncing;
     const auto whereItBounces = [&](double value) { return bounces ? Json(value) : Json(); };
-    return {{"motion", kinds[static_cast<std::size_t>(found.motion.kind)]},
+    return {{"motion", kinds[found.motion.kind]},
             {"stable", found.motion.stable},
             {"gap", whereItBounces(found.gap)},
             {"gap_in_d0", whereItBounces(found.inD0)}};

@@ -5,11 +5,17 @@
 
 #include "core/model/parameter_text.h"
 #include "core/model/string_validation.h"
+#include "core/text/enum_names.h"
 #include "core/text/name_text.h"
 #include "core/yaml/string_reader.h"
 
 namespace drillwave {
 namespace {
+
+constexpr EnumNames<SectionPresetKind> listNames{{{SectionPresetKind::piston, "pistons"},
+                                                  {SectionPresetKind::adapter, "adapters"},
+                                                  {SectionPresetKind::coupling, "couplings"},
+                                                  {SectionPresetKind::bit, "bits"}}};
 
 class ListReader {
   public:
@@ -120,15 +126,14 @@ class ListReader {
 
 }  // namespace
 
-const std::vector<std::string_view>& sectionPresetLists() {
-    static const std::vector<std::string_view> lists{"pistons", "adapters", "couplings", "bits"};
-    return lists;
+std::span<const std::string_view> sectionPresetLists() {
+    return listNames.all();
 }
 
 std::vector<SectionPreset> readSectionPresets(SectionReader& reader, const YamlEntries& file) {
     std::vector<SectionPreset> presets;
     for (const SectionPresetKind kind : sectionPresetKinds) {
-        const std::string_view list = sectionPresetLists()[static_cast<std::size_t>(kind)];
+        const std::string_view list = listNames[kind];
         const auto found = file.find(list);
         if (found == file.end()) continue;
         std::vector<SectionPreset> read = ListReader(reader, kind, list).read(*found->second.value);

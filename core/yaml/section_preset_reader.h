@@ -2,6 +2,8 @@
 // Pistons, adapters, couplings and bits of a file of presets.
 #pragma once
 
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/model/section_preset.h"
@@ -10,7 +12,7 @@
 namespace drillwave {
 
 /// The keys of their lists: "pistons" and so on.
-const std::vector<std::string_view>& sectionPresetLists();
+std::span<const std::string_view> sectionPresetLists();
 
 /// Reads those lists. `file` are the entries of the whole file; problems go to the reader.
 std::vector<SectionPreset> readSectionPresets(SectionReader& reader, const YamlEntries& file);

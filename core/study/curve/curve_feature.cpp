@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/curve/curve_feature.h"
 
-#include <array>
+#include "core/text/enum_names.h"
 
 namespace drillwave {
 
 std::string_view name(CurveFeature::Kind kind) {
-    constexpr std::array<std::string_view, 5> names{"minimum", "maximum", "kink", "jump", "crossing"};
-    return names[static_cast<std::size_t>(kind)];
+    using enum CurveFeature::Kind;
+    static constexpr EnumNames<CurveFeature::Kind> names{
+        {{minimum, "minimum"}, {maximum, "maximum"}, {kink, "kink"}, {jump, "jump"}, {crossing, "crossing"}}};
+    return names[kind];
 }
 
 std::string_view name(CurveFeature::Shape shape) {
-    constexpr std::array<std::string_view, 5> names{"smooth", "cusp", "end", "grid", "everywhere"};
-    return names[static_cast<std::size_t>(shape)];
+    using enum CurveFeature::Shape;
+    static constexpr EnumNames<CurveFeature::Shape> names{
+        {{smooth, "smooth"}, {cusp, "cusp"}, {end, "end"}, {grid, "grid"}, {everywhere, "everywhere"}}};
+    return names[shape];
 }
 
 }  // namespace drillwave

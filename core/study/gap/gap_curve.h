@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/numeric/piecewise_fit.h"
+#include "core/text/enum_names.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
 
@@ -18,7 +19,7 @@ namespace drillwave {
 
 /// What is known along the gap. The impulse is 1 + e.
 enum class GapOutput : std::size_t { cor, peakForce, efficiency };
-inline constexpr std::size_t gapOutputCount = 3;
+inline constexpr std::size_t gapOutputCount = valueCount<GapOutput>;
 
 /// So many times at most may the wave of the hammer have returned before the hammer has ended.
 inline constexpr double maximumGapPeriodStart = 10'000;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/proof/string_accuracy.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/model/scales.h"
+#include "core/text/enum_names.h"
 #include "core/wave/network/network_solver.h"
 #include "core/wave/network/plain_lattice.h"
 #include "core/wave/network/string_problem.h"
@@ -26,8 +26,9 @@ RunTime timeOf(const auto& work, const std::stop_token& stop) {
 }  // namespace
 
 std::string_view name(StringMethod method) {
-    constexpr std::array<std::string_view, 3> names{"cells", "cells_cut", "plain"};
-    return names[static_cast<std::size_t>(method)];
+    static constexpr EnumNames<StringMethod> names{
+        {{StringMethod::quick, "cells"}, {StringMethod::sure, "cells_cut"}, {StringMethod::plain, "plain"}}};
+    return names[method];
 }
 
 StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_token& stop,
