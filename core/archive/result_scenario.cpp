@@ -161,10 +161,6 @@ ScenarioDocument loadResultScenario(const std::string& path) {
     return std::move(input.document);
 }
 
-ScenarioDocument loadScenarioOrResult(const std::string& path) {
-    return loadInput(path).document;
-}
-
 bool isNewerVersion(std::string_view version, std::string_view than) {
     using Numbers = std::array<int, 3>;
     const auto numbersOf = [](std::string_view text) -> std::optional<Numbers> {

@@ -41,9 +41,6 @@ ScenarioInput loadInput(const std::string& path);
 /// The scenario of a result. Throws ScenarioError: unreadable when the file holds none.
 ScenarioDocument loadResultScenario(const std::string& path);
 
-/// A scenario file or the scenario of a result. Throws ScenarioError.
-ScenarioDocument loadScenarioOrResult(const std::string& path);
-
 /// Whether a version ("0.2.0") is newer than another one; false where one of them is no version.
 bool isNewerVersion(std::string_view version, std::string_view than);
 
