@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "core/text/text_input.h"
+#include "core/disk/file_bytes.h"
 
 namespace drillwave {
 

@@ -12,7 +12,7 @@
 #include "app/scenario_argument.h"
 #include "core/archive/result_scenario.h"
 #include "core/archive/row_part.h"
-#include "core/text/text_input.h"
+#include "core/disk/file_bytes.h"
 
 namespace drillwave {
 

@@ -19,6 +19,7 @@
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
 #include "core/text/nearest_name.h"
+#include "core/text/text_input.h"
 #include "core/yaml/examples.h"
 
 namespace drillwave {

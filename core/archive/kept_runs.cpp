@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <sstream>
 
+#include "core/disk/file_bytes.h"
 #include "core/text/csv.h"
-#include "core/text/text_input.h"
 #include "core/text/units.h"
 #include "core/yaml/scenario_reader.h"
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/archive/row_record.h"
+#include "core/disk/file_bytes.h"
 #include "core/report/blow_csv.h"
 #include "core/report/report_html.h"
 #include "core/report/result_remarks.h"

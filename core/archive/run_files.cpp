@@ -5,10 +5,10 @@
 #include <iterator>
 
 #include "core/archive/picture_formats.h"
+#include "core/disk/file_bytes.h"
 #include "core/report/blow_csv.h"
 #include "core/report/blow_json.h"
 #include "core/report/result_remarks.h"
-#include "core/text/text_input.h"
 
 namespace drillwave {
 namespace {

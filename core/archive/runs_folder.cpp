@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/archive/kept_runs.h"
-#include "core/text/text_input.h"
+#include "core/disk/file_bytes.h"
 #include "core/yaml/scenario_reader.h"
 
 namespace drillwave {

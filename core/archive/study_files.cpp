@@ -5,10 +5,10 @@
 
 #include "core/archive/picture_formats.h"
 #include "core/archive/row_record.h"
+#include "core/disk/file_bytes.h"
 #include "core/disk/whole_folder.h"
 #include "core/report/map_report.h"
 #include "core/report/report_html.h"
-#include "core/text/text_input.h"
 
 namespace drillwave {
 namespace {

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "core/disk/file_bytes.h"
 #include "core/disk/whole_folder.h"
-#include "core/text/text_input.h"
 
 namespace drillwave {
 namespace {

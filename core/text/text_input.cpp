@@ -2,9 +2,6 @@
 #include "core/text/text_input.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <system_error>
 
 namespace drillwave {
 namespace {
@@ -35,32 +32,6 @@ std::string_view controlProblem(std::string_view text, std::size_t at) {
 }
 
 }  // namespace
-
-FileBytes readStart(const std::string& path, std::size_t bytes) {
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status))
-        return {{}, "cannot be opened: " + (error ? error.message() : "no such file")};
-    if (std::filesystem::is_directory(status)) return {{}, "is a folder, not a file"};
-    if (!std::filesystem::is_regular_file(status)) return {{}, "is not a regular file"};
-    std::ifstream in(path, std::ios::binary);
-    if (!in) return {{}, "cannot be opened: " + std::generic_category().message(errno)};
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    // One byte more than it should have, in case the file grows or its size was not told right.
-    std::string start(error ? bytes : std::min<std::uintmax_t>(size + 1, bytes), '\0');
-    in.read(start.data(), static_cast<std::streamsize>(start.size()));
-    if (in.bad()) return {{}, "cannot be read: " + std::generic_category().message(errno)};
-    start.resize(static_cast<std::size_t>(in.gcount()));
-    return {std::move(start), {}};
-}
-
-FileBytes readFile(const std::string& path, std::size_t maximumBytes) {
-    // One byte more than allowed tells a file at the limit from one beyond, whatever its size was said to be.
-    FileBytes file = readStart(path, maximumBytes + 1);
-    if (file.bytes.size() > maximumBytes)
-        return {{}, "is larger than " + std::to_string(maximumBytes / 1024) + " KiB, too large to be meant"};
-    return file;
-}
 
 TextProblem checkText(std::string_view text) {
     for (std::size_t at = 0; at < text.size();) {

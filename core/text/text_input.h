@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files read whole, within a limit, and checked to be text before anything interprets them.
+// Text as it is checked before anything interprets it: UTF-8, and where a byte of it is.
 #pragma once
 
 #include <cstddef>
@@ -7,19 +7,6 @@
 #include <string_view>
 
 namespace drillwave {
-
-/// What was read, or why not ("cannot be opened: No such file or directory").
-struct FileBytes {
-    std::string bytes;
-    std::string problem;
-};
-
-/// Reads a regular file of at most `maximumBytes`; anything else (a folder, a pipe, a device) is refused
-/// unread.
-FileBytes readFile(const std::string& path, std::size_t maximumBytes);
-
-/// The same without the limit, but no more than the first `bytes` of it.
-FileBytes readStart(const std::string& path, std::size_t bytes);
 
 /// The first byte at which the text is not UTF-8 text (NUL, control characters, malformed sequences, lone
 /// CR).

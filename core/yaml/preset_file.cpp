@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/yaml/preset_file.h"
 
+#include "core/disk/file_bytes.h"
 #include "core/text/text_input.h"
 #include "core/yaml/preset_reader.h"
 #include "core/yaml/preset_text.h"

@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "core/disk/file_bytes.h"
 #include "core/model/pulse_force.h"
 #include "core/text/csv.h"
 #include "core/text/decimal_text.h"

@@ -3,8 +3,8 @@
 
 #include <cassert>
 
+#include "core/disk/file_bytes.h"
 #include "core/model/validation.h"
-#include "core/text/text_input.h"
 #include "core/yaml/remark_lines.h"
 #include "core/yaml/scenario_patch.h"
 #include "core/yaml/scenario_reader.h"

@@ -15,8 +15,8 @@
 #include <QVBoxLayout>
 #include <sstream>
 
+#include "core/disk/file_bytes.h"
 #include "core/signal/text_lines.h"
-#include "core/text/text_input.h"
 #include "ui/form/pulse_preview.h"
 #include "ui/form/section_box.h"
 #include "ui/import/file_lines.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "core/text/text_input.h"
+#include "core/disk/file_bytes.h"
 #include "ui/text/translation.h"
 
 namespace drillwave {

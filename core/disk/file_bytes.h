@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files read whole, within a limit.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace drillwave {
+
+/// What was read, or why not ("cannot be opened: No such file or directory").
+struct FileBytes {
+    std::string bytes;
+    std::string problem;
+};
+
+/// Reads a regular file of at most `maximumBytes`; anything else (a folder, a pipe, a device) is refused
+/// unread.
+FileBytes readFile(const std::string& path, std::size_t maximumBytes);
+
+/// The same without the limit, but no more than the first `bytes` of it.
+FileBytes readStart(const std::string& path, std::size_t bytes);
+
+}  // namespace drillwave
