@@ -54,8 +54,8 @@ void TestRows::theReferenceCasesAgree() {
     QFETCH(QString, output);
     QFETCH(bool, relative);
     QFETCH(double, tolerance);
-    const auto rows =
-        rowsOf(::output({"table", example("paper_fig4a"), referenceCases, "--outputs", output}));
+    const auto rows = rowsOf(
+        drillwave::test::output({"table", example("paper_fig4a"), referenceCases, "--outputs", output}));
     QCOMPARE(rows.size(), 81);
     const qsizetype column = rows[0].indexOf(output.toUtf8());
     QCOMPARE(rows[0].last(), output.toUtf8());

@@ -18,7 +18,8 @@ inline void sayReady() {
 /// not within a minute.
 inline bool startChild(QProcess& child, const QStringList& words) {
     child.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    child.start(QCoreApplication::applicationFilePath(), words);
+    // Not the file, which may be that of many tests: the name says which.
+    child.start(QCoreApplication::arguments().constFirst(), words);
     while (child.waitForReadyRead(60000))
         if (child.readAllStandardOutput().contains("ready")) return true;
     return false;

@@ -22,7 +22,6 @@ class TestBrent : public QObject {
 };
 
 using Function = double (*)(double);
-Q_DECLARE_METATYPE(Function)
 
 void TestBrent::aRootIsFoundToTheLastDigits_data() {
     QTest::addColumn<Function>("f");
