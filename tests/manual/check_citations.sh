@@ -3,7 +3,7 @@
 # Holds citations to the manual: check_citations.sh ROOT
 #   theory §3, files §1.1, commands §4   a section must be a heading of resources/manual/<word>.md
 #   [paper (14)]                         an equation of the paper must stand in theory.md with that number
-#   (T14)                                an equation must stand in theory.md
+#   (T14), (S2)                          an equation must stand in theory.md, in strings.md
 # in sources, tests and the manual itself. Other ways to cite these are refused: they would go unchecked.
 set -u
 export LC_ALL=C
@@ -13,7 +13,7 @@ manual=resources/manual
 work=$(mktemp -d) || exit 2
 trap 'rm -rf "$work"' EXIT
 
-pages="theory files commands tutorial evidence"
+pages="theory strings files commands tutorial evidence"
 for page in $pages; do
     if [ ! -s "$manual/$page.md" ]; then
         echo "$manual/$page.md: is missing"
@@ -26,12 +26,13 @@ for page in $pages; do
 done | sed 's/\.$//' >"$work/there"
 # Lines of equations end in their number, behind the paper's own where it has one.
 sed -n '/  (T[0-9][0-9]*)$/p' "$manual/theory.md" >"$work/equations"
+sed -n '/  (S[0-9][0-9]*)$/p' "$manual/strings.md" >>"$work/equations"
 grep -o '\[paper ([0-9]*)\]' "$work/equations" >>"$work/there"
-sed 's/.*  \((T[0-9]*)\)$/\1/' "$work/equations" >"$work/numbers"
+sed 's/.*  \(([TS][0-9]*)\)$/\1/' "$work/equations" >"$work/numbers"
 cat "$work/numbers" >>"$work/there"
 twice=$(sort "$work/numbers" | uniq -d)
 if [ -n "$twice" ]; then
-    echo "$manual/theory.md: numbers two equations" $twice
+    echo "$manual: numbers two equations" $twice
     exit 1
 fi
 
@@ -43,9 +44,9 @@ citations() {
     tr '\n' '\0' <"$work/files" | xargs -0 grep -Hno "$1" /dev/null
 }
 {
-    citations '\(theory\|files\|commands\|tutorial\|evidence\) §[0-9][0-9.]*' | sed 's/\.$//'
+    citations '\(theory\|strings\|files\|commands\|tutorial\|evidence\) §[0-9][0-9.]*' | sed 's/\.$//'
     citations '\[paper ([0-9]*)\]'
-    citations '(T[0-9][0-9]*)'
+    citations '([TS][0-9][0-9]*)'
 } >"$work/cited"
 
 awk -F: -v list="$work/there" '

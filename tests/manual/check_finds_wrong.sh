@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The checks of the manual must be able to fail: check_finds_wrong.sh ROOT
+# The checks of the manual must be able to fail: check_finds_wrong.sh ROOT PROGRAM
 # Each line below is put into a copy of the sources as a comment, or a passage is taken out of its manual.
 set -u
-root=${1:?check_finds_wrong.sh ROOT}
+root=${1:?check_finds_wrong.sh ROOT PROGRAM}
+program=${2:?check_finds_wrong.sh ROOT PROGRAM}
 checks=$(cd "$(dirname "$0")" && pwd)
 copy=$(mktemp -d) || exit 2
 trap 'rm -rf "$copy"' EXIT
@@ -12,7 +13,7 @@ failed=0
 
 # refuses CHECK EXPECTED: the check must fail on the copy and say so.
 refuses() {
-    said=$("$checks/$1" "$copy" 2>&1) && said="nothing: $said"
+    said=$("$checks/$1" "$copy" "$program" 2>&1) && said="nothing: $said"
     case $said in
         nothing*) ;;
         *"$2"*) return ;;
@@ -31,6 +32,8 @@ see files §77|core/wrong.h:1: cites files §77
 see commands §4.40|core/wrong.h:1: cites commands §4.40
 F3 [paper (16)]|core/wrong.h:1: cites [paper (16)]
 e (T999)|core/wrong.h:1: cites (T999)
+see strings §99|core/wrong.h:1: cites strings §99
+e (S99)|core/wrong.h:1: cites (S99)
 F3 [paper, eq. (13)]|core/wrong.h:1:
 one number of contract §4|core/wrong.h:1:
 Theory, section 7|core/wrong.h:1:
@@ -56,9 +59,11 @@ refuses check_citations.sh "files.md: is missing"
 mv "$copy/files" "$copy/resources/manual/files.md"
 edit resources/manual/theory.md '/\[paper (14)\]   *(T/d'
 refuses check_citations.sh "cites [paper (14)]"
-edit resources/manual/files.md 's/`bit_rock.stiffness`//; s/peak_force//'
+edit resources/manual/files.md 's/`bit_rock.stiffness`//; s/peak_force//; s/string_momentum//; s/half_sine//'
 refuses check_names.sh "parameter bit_rock.stiffness"
 refuses check_names.sh "output peak_force"
+refuses check_names.sh "output string_momentum"
+refuses check_names.sh "shape half_sine"
 edit resources/manual/commands.md 's/--segments//'
 refuses check_names.sh "option --segments"
 
