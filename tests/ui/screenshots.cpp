@@ -15,7 +15,7 @@
 #include "tests/support/window_parts.h"
 #include "ui/job/solve_job.h"
 #include "ui/job/study_activity.h"
-#include "ui/pages/stiffness/stiffness_page.h"
+#include "ui/pages/curve/curve_page.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
 #include "ui/window/page_tabs.h"
@@ -40,7 +40,7 @@ void settle(MainWindow& window) {
     const auto isRunning = [](const StudyActivity* study) {
         return study && study->state() == StudyState::running;
     };
-    const auto* stiffness = qobject_cast<const StiffnessPage*>(&page);
+    const auto* stiffness = qobject_cast<const CurvePage*>(&page);
     do QTest::qWait(200);
     while (part<SolveJob>(window).isBusy() || isRunning(page.activity()) ||
            (stiffness && isRunning(&stiffness->runLines().activity())));

@@ -6,8 +6,8 @@
 #include "ui/export/paper_plots.h"
 #include "ui/export/sweep_panels.h"
 #include "ui/pages/accuracy/proof_plot.h"
+#include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/map/map_plot.h"
-#include "ui/pages/stiffness/stiffness_plot.h"
 
 namespace drillwave {
 namespace {
@@ -26,7 +26,7 @@ ShownUnits unitsFor(const Scenario& scenario) {
 // Of several outputs the first: the page shows one at a time.
 Pictures drawStudy(const CurveReport& report, const PictureOrder& order) {
     const CurveQuestion& asked = report.study.question;
-    StiffnessStudy study;
+    CurvePageStudy study;
     study.question.curve = asked;
     study.curve = report.study;
     std::optional<double> here;
@@ -36,8 +36,8 @@ Pictures drawStudy(const CurveReport& report, const PictureOrder& order) {
     const ShownUnits units =
         shownUnits(isSi ? UnitSystem::si : UnitSystem::dimensionless, scalesOf(asked.base));
     const Unit& unit = customaryUnit(*asked.along.parameter, UnitSystem::si);
-    return drawn(paperPlot<StiffnessPlot>(
-                     stiffnessPicture(study, units, unit, here, builtInPresets(), QLocale::c()), {180, 120}),
+    return drawn(paperPlot<CurvePlot>(curvePicture(study, units, unit, here, builtInPresets(), QLocale::c()),
+                                      {180, 120}),
                  asked.base.title, order);
 }
 

@@ -21,11 +21,11 @@
 #include "ui/job/study_status.h"
 #include "ui/pages/accuracy/accuracy_page.h"
 #include "ui/pages/blow/blow_page.h"
+#include "ui/pages/curve/curve_page.h"
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/rock/rock_page.h"
 #include "ui/pages/rod/rod_page.h"
-#include "ui/pages/stiffness/stiffness_page.h"
 #include "ui/pages/string/string_page.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
@@ -120,7 +120,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(m_rodPage, PageGroup::thisBlow);
     m_stringPage = new StringPage(m_document);
     m_pages->add(m_stringPage, PageGroup::thisBlow);
-    auto* stiffness = new StiffnessPage(m_document);
+    auto* stiffness = new CurvePage(m_document);
     m_pages->add(stiffness, PageGroup::studies);
     auto* gap = new GapPage(m_document);
     m_pages->add(gap, PageGroup::studies);

@@ -13,6 +13,8 @@ namespace drillwave {
 namespace {
 
 const QString pageKey = QStringLiteral("window/page");
+// What the page Curve was called by earlier versions.
+const QString formerCurve = QStringLiteral("drillwave::StiffnessPage");
 
 // What is kept of a page from one run to the next, in any language.
 QString nameOf(const Page& page) {
@@ -143,7 +145,8 @@ void PageTabs::setOutOfDate(bool outOfDate) {
 }
 
 void PageTabs::restoreChoice() {
-    const QString kept = Settings().value(pageKey).toString();
+    QString kept = Settings().value(pageKey).toString();
+    if (kept == formerCurve) kept = QStringLiteral("drillwave::CurvePage");
     for (int index = 0; index < count(); ++index)
         if (nameOf(page(index)) == kept) choose(index);
 }

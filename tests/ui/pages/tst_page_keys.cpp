@@ -8,14 +8,14 @@
 
 #include "core/yaml/examples.h"
 #include "tests/support/window.h"
+#include "ui/pages/curve/curve_page.h"
+#include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/gap/gap_plot.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/map/map_plot.h"
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/rod/rod_plot.h"
-#include "ui/pages/stiffness/stiffness_page.h"
-#include "ui/pages/stiffness/stiffness_plot.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/plot/plot_widget.h"
 
@@ -85,9 +85,9 @@ void TestPageKeys::init() {
 }
 
 void TestPageKeys::onStiffnessAMarkIsTakenAsOneStep() {
-    StiffnessPage page(*m_document);
+    CurvePage page(*m_document);
     show(page);
-    const StiffnessPicture& picture = page.stiffnessPlot()->picture();
+    const CurvePicture& picture = page.curvePlot()->picture();
     QVERIFY(!picture.marks.isEmpty());
     press(page, Qt::Key_Return);
     // It begins where the scenario is.
@@ -106,7 +106,7 @@ void TestPageKeys::onStiffnessAMarkIsTakenAsOneStep() {
 }
 
 void TestPageKeys::onStiffnessAnotherCurveBringsItsFamily() {
-    StiffnessPage page(*m_document);
+    CurvePage page(*m_document);
     show(page);
     press(page, Qt::Key_Return);
     const double x = place(page).x();

@@ -11,6 +11,8 @@
 #include "tests/support/window.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/blow/blow_plots.h"
+#include "ui/pages/curve/curve_page.h"
+#include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/gap/gap_plot.h"
 #include "ui/pages/map/map_page.h"
@@ -19,8 +21,6 @@
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/rod/rod_plot.h"
-#include "ui/pages/stiffness/stiffness_page.h"
-#include "ui/pages/stiffness/stiffness_plot.h"
 #include "ui/pages/study/run_marks.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/thrust/thrust_plot.h"
@@ -543,10 +543,10 @@ void TestRunOverlays::whatFailsIsNotStudiedAgain() {
 }
 
 void TestRunOverlays::stiffnessHasTheCurveOfTheRunsScenario() {
-    StiffnessPage page(*m_document);
+    CurvePage page(*m_document);
     show(page);
     present(page);
-    const auto& graphs = page.stiffnessPlot()->runCurves().graphs();
+    const auto& graphs = page.curvePlot()->runCurves().graphs();
     QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 2, patience);
     for (const int number : {0, 1}) {
         const QCPGraph* graph = graphs[number];
@@ -565,7 +565,7 @@ void TestRunOverlays::stiffnessHasTheCurveOfTheRunsScenario() {
         QVERIFY(graph->valueAxis()->range().contains(values.lower));
         QVERIFY(graph->valueAxis()->range().contains(values.upper));
         // The mark of the run lies on its curve.
-        QVERIFY(isNear(page.stiffnessPlot()->runs()[number].at.y(), run(number).blow->summary.cor));
+        QVERIFY(isNear(page.curvePlot()->runs()[number].at.y(), run(number).blow->summary.cor));
     }
     // One line each: no more work than a family of as many.
     std::uint64_t solves = 0;
@@ -575,10 +575,10 @@ void TestRunOverlays::stiffnessHasTheCurveOfTheRunsScenario() {
 }
 
 void TestRunOverlays::aDragOfTheScenarioStudiesNoRunAnew() {
-    StiffnessPage page(*m_document);
+    CurvePage page(*m_document);
     show(page);
     present(page);
-    const auto& graphs = page.stiffnessPlot()->runCurves().graphs();
+    const auto& graphs = page.curvePlot()->runCurves().graphs();
     QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 2, patience);
     const QPointer<QCPGraph> drawn = graphs[0];
     graphs[1]->setVisible(false);
@@ -601,7 +601,7 @@ void TestRunOverlays::aDragOfTheScenarioStudiesNoRunAnew() {
 }
 
 void TestRunOverlays::outOfSightNoStiffnessIsStudied() {
-    StiffnessPage page(*m_document);
+    CurvePage page(*m_document);
     present(page);
     QCOMPARE(page.runLines().started(), 0);
     page.show();
@@ -613,7 +613,7 @@ void TestRunOverlays::outOfSightNoStiffnessIsStudied() {
     QCOMPARE(page.runLines().started(), 1);
     // Seen again it goes on.
     page.show();
-    QTRY_COMPARE_WITH_TIMEOUT(page.stiffnessPlot()->runCurves().graphs().size(), 1, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.curvePlot()->runCurves().graphs().size(), 1, patience);
 }
 
 // The slope of a scenario in groups is no stiffness.
@@ -621,10 +621,10 @@ void TestRunOverlays::aRunWithoutTheParameterHasNoCurve() {
     m_document->startFrom(findExample("paper_fig4b")->text, "example");
     pin("beta", 0.7);
     m_document->startFrom(findExample("t38_medium_rock")->text, "example");
-    StiffnessPage page(*m_document);
+    CurvePage page(*m_document);
     show(page);
     present(page);
-    QTRY_COMPARE_WITH_TIMEOUT(page.stiffnessPlot()->runCurves().graphs().size(), 2, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.curvePlot()->runCurves().graphs().size(), 2, patience);
     QTRY_COMPARE_WITH_TIMEOUT(page.runLines().activity().state(), StudyState::finished, patience);
     QCOMPARE(page.runLines().answers()->size(), 2u);
 }
@@ -643,11 +643,11 @@ void TestRunOverlays::theMapHasThemByName() {
 }
 
 void TestRunOverlays::stiffnessAndThrustHaveTheirPoints() {
-    StiffnessPage stiffness(*m_document);
+    CurvePage stiffness(*m_document);
     stiffness.resize(900, 600);
     stiffness.show();
     present(stiffness);
-    auto* curves = stiffness.findChild<StiffnessPlot*>();
+    auto* curves = stiffness.findChild<CurvePlot*>();
     QTRY_COMPARE_WITH_TIMEOUT(curves->runs().size(), 2, patience);
     QVERIFY(isNear(curves->runs()[1].at.x(), 300));
     QCOMPARE(curves->runs()[1].at.y(), run(1).blow->summary.cor);

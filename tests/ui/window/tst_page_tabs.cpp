@@ -16,9 +16,9 @@
 #include "ui/form/scenario_panel.h"
 #include "ui/job/study_status.h"
 #include "ui/pages/compare/compare_page.h"
+#include "ui/pages/curve/curve_page.h"
+#include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/gap/gap_page.h"
-#include "ui/pages/stiffness/stiffness_page.h"
-#include "ui/pages/stiffness/stiffness_plot.h"
 #include "ui/pages/string/string_page.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/result/result_panel.h"
@@ -72,6 +72,7 @@ class TestPageTabs : public QObject {
     void theGapOfAStringIsVariedByOneClick();
     void aClickOnTheGreyedTabMakesAString();
     void aKeyHasOneMeaning();
+    void aPageIsFoundByItsFormerName();
 
   private:
     void press(QWidget& window, Qt::Key key, Qt::KeyboardModifiers modifiers) {
@@ -119,6 +120,14 @@ void TestPageTabs::aKeyHasOneMeaning() {
         different.removeDuplicates();
         QVERIFY2(different.size() == 1, qPrintable(key.key().toString() + ": " + different.join(", ")));
     }
+}
+
+// Kept by a version in which the page Curve had another name.
+void TestPageTabs::aPageIsFoundByItsFormerName() {
+    Settings().setValue(QStringLiteral("window/page"), QStringLiteral("drillwave::StiffnessPage"));
+    const auto window = newWindow(m_answers);
+    QCOMPARE(part<PageTabs>(*window).currentWidget(), static_cast<QWidget*>(&part<CurvePage>(*window)));
+    Settings().remove(QStringLiteral("window/page"));
 }
 
 void TestPageTabs::pagesStandInTheirGroups() {
@@ -337,7 +346,7 @@ void TestPageTabs::theGapOfAStringIsVariedByOneClick() {
     auto& gap = part<GapPage>(*window);
     pages.setCurrentWidget(&gap);
     QTest::mouseClick(gap.findChild<QPushButton*>("curve"), Qt::LeftButton);
-    auto& stiffness = part<StiffnessPage>(*window);
+    auto& stiffness = part<CurvePage>(*window);
     QCOMPARE(pages.currentWidget(), &stiffness);
     const StudyRange& range = stiffness.axis()->range();
     QCOMPARE(range.parameter->key, std::string_view("bit_rock.gap"));
@@ -345,7 +354,7 @@ void TestPageTabs::theGapOfAStringIsVariedByOneClick() {
     QCOMPARE(range.stop, 9e-3);  // 4 v0 t0 = 8.5 mm
     QCOMPARE(stiffness.study().started(), 1);
     QTRY_COMPARE_WITH_TIMEOUT(stiffness.activity()->state(), StudyState::finished, 60'000);
-    const QVector<QCPGraph*>& graphs = stiffness.stiffnessPlot()->graphs();
+    const QVector<QCPGraph*>& graphs = stiffness.curvePlot()->graphs();
     QTRY_VERIFY(!graphs.isEmpty() && graphs.first()->dataCount() > 100);
 }
 

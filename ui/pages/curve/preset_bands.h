@@ -8,7 +8,7 @@
 #include <QVector>
 #include <span>
 
-#include "ui/pages/stiffness/stiffness_picture.h"
+#include "ui/pages/curve/curve_picture.h"
 #include "ui/plot/plot_style.h"
 
 namespace drillwave {
@@ -22,12 +22,12 @@ class PresetBands : public QObject {
     explicit PresetBands(QCPAxisRect* rect);
 
     /// These in place of the last ones.
-    void present(const QVector<StiffnessBand>& bands);
+    void present(const QVector<PresetBand>& bands);
     void setStyle(const PlotStyle& style);
 
   private:
     struct Drawn {
-        StiffnessBand band;
+        PresetBand band;
         QCPItemRect* area;
         QCPItemText* name;
     };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/stiffness/run_lines.h"
+#include "ui/pages/curve/run_lines.h"
 
-#include "ui/pages/stiffness/stiffness_study.h"
+#include "ui/pages/curve/curve_study.h"
 
 namespace drillwave {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/stiffness/preset_bands.h"
+#include "ui/pages/curve/preset_bands.h"
 
 #include <algorithm>
 #include <array>
@@ -29,14 +29,14 @@ void PresetBands::prepare(QCPAbstractItem& item, const QString& layer) {
     }
 }
 
-void PresetBands::present(const QVector<StiffnessBand>& bands) {
+void PresetBands::present(const QVector<PresetBand>& bands) {
     QCustomPlot* plot = m_rect->parentPlot();
     for (const Drawn& drawn : std::as_const(m_drawn)) {
         plot->removeItem(drawn.area);
         plot->removeItem(drawn.name);
     }
     m_drawn.clear();
-    for (const StiffnessBand& band : bands) {
+    for (const PresetBand& band : bands) {
         auto* area = new QCPItemRect(plot);
         prepare(*area, QStringLiteral("background"));
         area->setPen(Qt::NoPen);

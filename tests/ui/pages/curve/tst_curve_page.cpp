@@ -14,8 +14,8 @@
 #include "core/report/curve_csv.h"
 #include "core/yaml/examples.h"
 #include "tests/support/window.h"
-#include "ui/pages/stiffness/stiffness_page.h"
-#include "ui/pages/stiffness/stiffness_plot.h"
+#include "ui/pages/curve/curve_page.h"
+#include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/family_fields.h"
 #include "ui/pages/study/output_box.h"
@@ -39,15 +39,15 @@ SolvedBlowPtr solved(const Document& document) {
     return solved(document, naturalUnits(document.scenario()));
 }
 
-QStringList namesOf(const QVector<StiffnessBand>& bands) {
+QStringList namesOf(const QVector<PresetBand>& bands) {
     QStringList names;
-    for (const StiffnessBand& band : bands) names << band.name;
+    for (const PresetBand& band : bands) names << band.name;
     return names;
 }
 
 }  // namespace
 
-class TestStiffnessPage : public QObject {
+class TestCurvePage : public QObject {
     Q_OBJECT
 
   private slots:
@@ -99,48 +99,48 @@ class TestStiffnessPage : public QObject {
     void finish();
     QString words() const { return m_page->findChild<QLabel*>("words")->text(); }
     const QCPGraph* graphOf(double family) const;
-    const StiffnessStudy& study() const { return *m_page->study().value(); }
+    const CurvePageStudy& study() const { return *m_page->study().value(); }
 
     QTemporaryDir m_settings;
     std::unique_ptr<Document> m_document;
-    std::unique_ptr<StiffnessPage> m_page;
+    std::unique_ptr<CurvePage> m_page;
 };
 
-void TestStiffnessPage::initTestCase() {
+void TestCurvePage::initTestCase() {
     test::keepSettingsIn(m_settings.path());
     qputenv("XDG_CONFIG_HOME", m_settings.path().toUtf8());
     QLocale::setDefault(QLocale::c());
 }
 
-void TestStiffnessPage::init() {
+void TestCurvePage::init() {
     m_page.reset();
     m_document = std::make_unique<Document>();
     m_document->start();
-    m_page = std::make_unique<StiffnessPage>(*m_document);
+    m_page = std::make_unique<CurvePage>(*m_document);
     m_page->resize(900, 700);
 }
 
-void TestStiffnessPage::open(const char* text) {
+void TestCurvePage::open(const char* text) {
     QCOMPARE(m_document->startFrom(text, QStringLiteral("test")), QString());
 }
 
-void TestStiffnessPage::openElastic() {
+void TestCurvePage::openElastic() {
     open(
         "drillwave: 1\ndimensionless: {beta: 0.5, gamma: 1, tau: 10, delta: 0}\n"
         "pulse: {shape: rectangular}\n");
 }
 
-void TestStiffnessPage::finish() {
+void TestCurvePage::finish() {
     QTRY_COMPARE_WITH_TIMEOUT(m_page->activity()->state(), StudyState::finished, 60000);
 }
 
-void TestStiffnessPage::showPage() {
+void TestCurvePage::showPage() {
     m_page->setResult(solved(*m_document));
     m_page->show();
     finish();
 }
 
-void TestStiffnessPage::theNumbersAreThoseOfTheStudy() {
+void TestCurvePage::theNumbersAreThoseOfTheStudy() {
     openElastic();
     showPage();
     const CurveQuestion& asked = study().question.curve;
@@ -152,20 +152,20 @@ void TestStiffnessPage::theNumbersAreThoseOfTheStudy() {
         QVERIFY(study().curve.lines[line].outputs[0].features == direct.lines[line].outputs[0].features);
     }
     // dimensionless e is shown as it is
-    const QVector<QCPGraph*>& graphs = m_page->stiffnessPlot()->graphs();
+    const QVector<QCPGraph*>& graphs = m_page->curvePlot()->graphs();
     QVERIFY(graphs.size() >= int(direct.lines.size()));
     for (int i = 0; i < int(direct.lines.size()); ++i)
         for (int n = 0; n < graphs[i]->dataCount(); ++n)
             QCOMPARE(graphs[i]->data()->at(n)->value, direct.lines[std::size_t(i)].values[0][std::size_t(n)]);
 }
 
-void TestStiffnessPage::theFileIsThatOfTheCommand_data() {
+void TestCurvePage::theFileIsThatOfTheCommand_data() {
     QTest::addColumn<bool>("dimensional");
     QTest::newRow("groups") << false;
     QTest::newRow("units") << true;
 }
 
-void TestStiffnessPage::theFileIsThatOfTheCommand() {
+void TestCurvePage::theFileIsThatOfTheCommand() {
     QFETCH(bool, dimensional);
     if (!dimensional) openElastic();
     if (dimensional) m_page->output()->setOutput(*findOutput("peak_force"));
@@ -181,7 +181,7 @@ void TestStiffnessPage::theFileIsThatOfTheCommand() {
     QCOMPARE(m_page->exports().first().csv(), written);
 }
 
-void TestStiffnessPage::outOfSightNothingIsComputed() {
+void TestCurvePage::outOfSightNothingIsComputed() {
     for (const double stiffness : {2e8, 3e8})
         m_document->assign(*findParameter("rod.length"), stiffness / 1e8, m_document->newGesture());
     m_page->setResult(solved(*m_document));
@@ -194,7 +194,7 @@ void TestStiffnessPage::outOfSightNothingIsComputed() {
     QCOMPARE(m_page->study().started(), 1);
 }
 
-void TestStiffnessPage::aDragOfWhatIsVariedAsksNothing() {
+void TestCurvePage::aDragOfWhatIsVariedAsksNothing() {
     showPage();
     for (const double stiffness : {1.2e8, 1.4e8, 1.6e8})
         m_document->assign(*findParameter("bit_rock.stiffness"), stiffness, m_document->newGesture());
@@ -204,24 +204,24 @@ void TestStiffnessPage::aDragOfWhatIsVariedAsksNothing() {
     finish();
 }
 
-void TestStiffnessPage::whereTheScenarioIsFollowsTheBlow() {
+void TestCurvePage::whereTheScenarioIsFollowsTheBlow() {
     showPage();
     m_document->assign(*findParameter("bit_rock.stiffness"), 2e8, m_document->newGesture());
     m_page->setResult(solved(*m_document));
-    const auto* here = m_page->stiffnessPlot()->findChild<HereMark*>();
+    const auto* here = m_page->curvePlot()->findChild<HereMark*>();
     if (!here) here = m_page->plot()->findChild<HereMark*>();
     QVERIFY(here && here->x() && here->y());
     QVERIFY(std::abs(*here->x() - 200) < 1e-9);  // MN/m
-    const StiffnessPicture& picture = m_page->stiffnessPlot()->picture();
+    const CurvePicture& picture = m_page->curvePlot()->picture();
     const CurveLine& own = study().curve.lines[std::size_t(picture.markedLine()->number)];
     QVERIFY(std::abs(*here->y() - *own.value(2e8, 0)) < 1e-9);
 }
 
-void TestStiffnessPage::aClickOnACurveIsOneUndoStep() {
+void TestCurvePage::aClickOnACurveIsOneUndoStep() {
     showPage();
     const QUndoStack& undo = m_document->undoStack();
     const int before = undo.count();
-    const StiffnessPlot* plot = m_page->stiffnessPlot();
+    const CurvePlot* plot = m_page->curvePlot();
     const QCPGraph* elastic = nullptr;
     for (int i = 0; i < plot->graphs().size(); ++i)
         if (plot->picture().lines[i].name.contains("1") && study().curve.lines[std::size_t(i)].family == 1.0)
@@ -245,32 +245,32 @@ void TestStiffnessPage::aClickOnACurveIsOneUndoStep() {
     finish();
 }
 
-void TestStiffnessPage::aClickNearAMarkTakesItsPlace() {
+void TestCurvePage::aClickNearAMarkTakesItsPlace() {
     openElastic();
     showPage();
-    const StiffnessPlot* plot = m_page->stiffnessPlot();
+    const CurvePlot* plot = m_page->curvePlot();
     const CurveFeature* largest = study().curve.lines.back().outputs[0].extreme(CurveFeature::Kind::maximum);
     QVERIFY(largest);
-    const StiffnessPlot::Target target = plot->targetAt({largest->x.value * 1.002, largest->value.value});
+    const CurvePlot::Target target = plot->targetAt({largest->x.value * 1.002, largest->value.value});
     QCOMPARE(target.x, largest->x.value);
     emit m_page->plot()->clicked(nullptr, {largest->x.value * 1.002, largest->value.value}, Qt::NoModifier);
     QCOMPARE(m_document->scenario().groups.beta, largest->x.value);
     finish();
 }
 
-void TestStiffnessPage::theScenarioHasItsOwnCurve() {
+void TestCurvePage::theScenarioHasItsOwnCurve() {
     m_document->assign(*findParameter("bit_rock.gamma"), 0.2, m_document->newGesture());
     showPage();
     QCOMPARE(study().curve.lines.size(), 5u);
     QCOMPARE(*study().curve.lines.back().family, 0.2);
-    QVERIFY(m_page->stiffnessPlot()->picture().markedLine()->isHere);
+    QVERIFY(m_page->curvePlot()->picture().markedLine()->isHere);
     m_page->findChild<QCheckBox*>("own")->setChecked(false);
     finish();
     QCOMPARE(study().curve.lines.size(), 4u);
 }
 
 /// Half a unit of the last digit in theory §7.
-void TestStiffnessPage::referencesHaveTheirLeastReboundWhereThePaperHasIt() {
+void TestCurvePage::referencesHaveTheirLeastReboundWhereThePaperHasIt() {
     openElastic();
     showPage();
     m_page->findChild<QComboBox*>("reference")->setCurrentIndex(1);
@@ -285,13 +285,13 @@ void TestStiffnessPage::referencesHaveTheirLeastReboundWhereThePaperHasIt() {
     QVERIFY(std::abs(*study().reference->lines.back().value(2.57847 / 20, 0) - 0.9710054) < 5e-8);
 }
 
-void TestStiffnessPage::referencesOfScenariosWithUnitsStandAtTheirStiffness() {
+void TestCurvePage::referencesOfScenariosWithUnitsStandAtTheirStiffness() {
     showPage();
     m_page->findChild<QComboBox*>("reference")->setCurrentIndex(2);
     finish();
-    const auto& lines = m_page->stiffnessPlot()->picture().lines;
-    const auto elastic = std::ranges::find_if(lines, [](const StiffnessLine& line) {
-        return line.kind == StiffnessLine::Kind::reference && line.number == 3;
+    const auto& lines = m_page->curvePlot()->picture().lines;
+    const auto elastic = std::ranges::find_if(lines, [](const DrawnCurve& line) {
+        return line.kind == DrawnCurve::Kind::reference && line.number == 3;
     });
     QVERIFY(elastic != lines.end());
     // the same rod without waves by its own scenario
@@ -304,15 +304,13 @@ void TestStiffnessPage::referencesOfScenariosWithUnitsStandAtTheirStiffness() {
     QVERIFY(std::abs(blow.summary.cor - point->value) < 1e-9);
 }
 
-void TestStiffnessPage::theClosedFormEndsWithItsDomain() {
+void TestCurvePage::theClosedFormEndsWithItsDomain() {
     openElastic();
     showPage();
     m_page->findChild<QCheckBox*>("closedForm")->setChecked(true);
     finish();
-    const auto isClosed = [](const StiffnessLine& line) {
-        return line.kind == StiffnessLine::Kind::closedForm;
-    };
-    const auto& lines = m_page->stiffnessPlot()->picture().lines;
+    const auto isClosed = [](const DrawnCurve& line) { return line.kind == DrawnCurve::Kind::closedForm; };
+    const auto& lines = m_page->curvePlot()->picture().lines;
     QCOMPARE(std::ranges::count_if(lines, isClosed), 1);  // γ = 1 alone
     const CurveLine& closed = study().closedForm->lines.back();
     const CurveLine& exact = study().curve.lines.back();
@@ -321,33 +319,33 @@ void TestStiffnessPage::theClosedFormEndsWithItsDomain() {
     QVERIFY(std::abs(*closed.value(1, 0) - *exact.value(1, 0)) < 1e-8);
 }
 
-void TestStiffnessPage::presetsAreNamedWhereTheyLie() {
+void TestCurvePage::presetsAreNamedWhereTheyLie() {
     showPage();
-    const StiffnessPicture& picture = m_page->stiffnessPlot()->picture();
+    const CurvePicture& picture = m_page->curvePlot()->picture();
     QVERIFY(picture.bands.size() >= 4);
     QCOMPARE(picture.aboveName, QString("β"));
-    for (const StiffnessBand& band : picture.bands) {
+    for (const PresetBand& band : picture.bands) {
         QVERIFY(band.from <= band.at && band.at <= band.to && band.to < 1.2 * band.from);
         QVERIFY(!band.name.isEmpty());
     }
     openElastic();
     finish();
     m_page->setResult(solved(*m_document));
-    QVERIFY(m_page->stiffnessPlot()->picture().bands.isEmpty());
+    QVERIFY(m_page->curvePlot()->picture().bands.isEmpty());
 }
 
-void TestStiffnessPage::namesOfPresetsKeepOffEachOther_data() {
+void TestCurvePage::namesOfPresetsKeepOffEachOther_data() {
     QTest::addColumn<int>("width");
     for (const int width : {380, 600, 900}) QTest::addRow("%d", width) << width;
 }
 
 // Begins with the mechanism: names in turns of two rows, however near to each other.
-void TestStiffnessPage::namesOfPresetsKeepOffEachOther() {
+void TestCurvePage::namesOfPresetsKeepOffEachOther() {
     QFETCH(int, width);
     m_page->resize(width, 600);
     showPage();
     QCustomPlot* plot = m_page->plot();
-    const QStringList names = namesOf(m_page->stiffnessPlot()->picture().bands);
+    const QStringList names = namesOf(m_page->curvePlot()->picture().bands);
     QVERIFY(names.size() >= 4);
     plot->replot();
     QVector<QRectF> taken;
@@ -365,7 +363,7 @@ void TestStiffnessPage::namesOfPresetsKeepOffEachOther() {
     QVERIFY(taken.size() >= 2);
 }
 
-void TestStiffnessPage::theTableReadsTheCurveOfTheScenario() {
+void TestCurvePage::theTableReadsTheCurveOfTheScenario() {
     showPage();
     QVERIFY(m_page->plot()->graphCount() > 1);
     QVERIFY2(m_page->plot()->reader().graph()->name().contains(QStringLiteral("this scenario")),
@@ -376,28 +374,28 @@ void TestStiffnessPage::theTableReadsTheCurveOfTheScenario() {
     QCOMPARE(m_page->plot()->reader().graph(), other);
 }
 
-void TestStiffnessPage::whatCannotBeStudiedIsSaid() {
+void TestCurvePage::whatCannotBeStudiedIsSaid() {
     showPage();
     StudyFamily family{findParameter("beta"), {1, 2}};
     m_page->family()->setFamily(family);
     QTRY_VERIFY(m_page->findChild<QLabel*>("words")->text().contains("set the same thing"));
-    QCOMPARE(m_page->stiffnessPlot()->graphs().size(), 0);
+    QCOMPARE(m_page->curvePlot()->graphs().size(), 0);
     QVERIFY(!m_page->exports().first().obstacle().isEmpty());
     m_page->family()->setFamily({});
     finish();
-    QCOMPARE(m_page->stiffnessPlot()->graphs().size(), 1);
+    QCOMPARE(m_page->curvePlot()->graphs().size(), 1);
 }
 
-const QCPGraph* TestStiffnessPage::graphOf(double family) const {
-    const StiffnessPlot& plot = *m_page->stiffnessPlot();
+const QCPGraph* TestCurvePage::graphOf(double family) const {
+    const CurvePlot& plot = *m_page->curvePlot();
     for (int i = 0; i < plot.graphs().size(); ++i) {
-        const StiffnessLine& line = plot.picture().lines[i];
+        const DrawnCurve& line = plot.picture().lines[i];
         if (study().curve.lines[std::size_t(line.number)].family == family) return plot.graphs()[i];
     }
     return nullptr;
 }
 
-void TestStiffnessPage::aRangeThatCannotBeFollowedShowsNoCurve_data() {
+void TestCurvePage::aRangeThatCannotBeFollowedShowsNoCurve_data() {
     QTest::addColumn<double>("start");
     QTest::addColumn<double>("stop");
     QTest::addColumn<QString>("problem");
@@ -405,46 +403,46 @@ void TestStiffnessPage::aRangeThatCannotBeFollowedShowsNoCurve_data() {
     QTest::newRow("narrow") << 1e8 << 1.00001e8 << "too narrow";
 }
 
-void TestStiffnessPage::aRangeThatCannotBeFollowedShowsNoCurve() {
+void TestCurvePage::aRangeThatCannotBeFollowedShowsNoCurve() {
     QFETCH(double, start);
     QFETCH(double, stop);
     QFETCH(QString, problem);
     showPage();
     const StudyRange good = m_page->axis()->range();
-    const qsizetype curves = m_page->stiffnessPlot()->graphs().size();
+    const qsizetype curves = m_page->curvePlot()->graphs().size();
     QVERIFY(curves > 1 && !m_page->command().isEmpty());
     m_page->axis()->setRange({good.parameter, start, stop, true});
     QVERIFY2(words().contains(problem), qPrintable(words()));
     const auto* message = m_page->plot()->findChild<PlotMessage*>();
     QVERIFY(message->item().visible() &&
             message->item().text().simplified().contains(problem.section(' ', 0, 1)));
-    QVERIFY(m_page->stiffnessPlot()->graphs().isEmpty());
+    QVERIFY(m_page->curvePlot()->graphs().isEmpty());
     QVERIFY(m_page->command().isEmpty());
     for (const PageExport& each : m_page->exports()) QVERIFY(each.obstacle().contains(problem));
     // neither a blow nor a click brings the last curve back
     m_page->setResult(solved(*m_document));
     const int steps = m_document->undoStack().count();
     emit m_page->plot()->clicked(nullptr, {150, 1}, Qt::NoModifier);
-    QVERIFY(m_page->stiffnessPlot()->graphs().isEmpty());
+    QVERIFY(m_page->curvePlot()->graphs().isEmpty());
     QCOMPARE(m_document->undoStack().count(), steps);
     QCOMPARE(m_page->study().started(), 1);
     m_page->axis()->setRange(good);
-    QCOMPARE(m_page->stiffnessPlot()->graphs().size(), curves);
+    QCOMPARE(m_page->curvePlot()->graphs().size(), curves);
     QVERIFY(!message->item().visible() && !words().contains(problem));
     QCOMPARE(m_page->exports().first().obstacle(), QString());
     QCOMPARE(m_page->study().started(), 1);
 }
 
-void TestStiffnessPage::familiesOutOfRangeAreSaid() {
+void TestCurvePage::familiesOutOfRangeAreSaid() {
     showPage();
     m_page->family()->setFamily({findParameter("bit_rock.gamma"), {0.5, 2}});
     QVERIFY2(words().contains("must be in (0, 1]"), qPrintable(words()));
-    QVERIFY(m_page->stiffnessPlot()->graphs().isEmpty());
+    QVERIFY(m_page->curvePlot()->graphs().isEmpty());
     QVERIFY(m_page->command().isEmpty());
     QCOMPARE(m_page->study().started(), 1);
 }
 
-void TestStiffnessPage::whatTakesAStudyAtEveryPointIsNotOffered() {
+void TestCurvePage::whatTakesAStudyAtEveryPointIsNotOffered() {
     m_document->assign(*findParameter("drill.blow_frequency"), 50, m_document->newGesture());
     m_document->assign(*findParameter("drill.thrust"), 8e3, m_document->newGesture());
     showPage();
@@ -455,7 +453,7 @@ void TestStiffnessPage::whatTakesAStudyAtEveryPointIsNotOffered() {
     QCOMPARE(m_page->output()->count(), all.count() - 1);
 }
 
-void TestStiffnessPage::anotherValueOfTheFamilyIsThisScenario() {
+void TestCurvePage::anotherValueOfTheFamilyIsThisScenario() {
     showPage();
     QVERIFY(words().contains("0.1, this scenario"));
     m_document->assign(*findParameter("bit_rock.gamma"), 0.3, m_document->newGesture());
@@ -471,11 +469,11 @@ void TestStiffnessPage::anotherValueOfTheFamilyIsThisScenario() {
     QCOMPARE(m_document->scenario().bitRock.gamma, 0.1);
 }
 
-void TestStiffnessPage::otherUnitsAreShownWithoutAnotherStudy() {
+void TestCurvePage::otherUnitsAreShownWithoutAnotherStudy() {
     showPage();
     m_page->output()->setOutput(*findOutput("peak_force"));
     finish();
-    const StiffnessPicture& picture = m_page->stiffnessPlot()->picture();
+    const CurvePicture& picture = m_page->curvePlot()->picture();
     QCOMPARE(picture.value.unit, QString("kN"));
     const double before = graphOf(0.1)->data()->at(10)->value;
     const auto restore = qScopeGuard([] { UnitChoice::shared().choose(UnitSystem::si); });
@@ -491,7 +489,7 @@ void TestStiffnessPage::otherUnitsAreShownWithoutAnotherStudy() {
     QVERIFY(std::abs(shown / (inPounds * factor) - 1) < 1e-12);
 }
 
-void TestStiffnessPage::aStudyBeforeItsBlowIsShownInItsOwnScales() {
+void TestCurvePage::aStudyBeforeItsBlowIsShownInItsOwnScales() {
     showPage();
     m_page->output()->setOutput(*findOutput("peak_force"));
     finish();
@@ -500,7 +498,7 @@ void TestStiffnessPage::aStudyBeforeItsBlowIsShownInItsOwnScales() {
                        m_document->newGesture());
     finish();
     QVERIFY(scalesOf(m_document->scenario()).force < 0.7 * scalesOf(before).force);
-    const StiffnessPicture& picture = m_page->stiffnessPlot()->picture();
+    const CurvePicture& picture = m_page->curvePlot()->picture();
     const auto isInKilonewtons = [&] {
         const CurveLine& line = study().curve.lines[2];
         const QCPGraph* graph = graphOf(*line.family);
@@ -513,7 +511,7 @@ void TestStiffnessPage::aStudyBeforeItsBlowIsShownInItsOwnScales() {
     QVERIFY(isInKilonewtons());
 }
 
-void TestStiffnessPage::presetsAreReadAsThePageIsShown() {
+void TestCurvePage::presetsAreReadAsThePageIsShown() {
     showPage();
     QVERIFY(QDir().mkpath(PresetLibrary::folder()));
     QFile file(QDir(PresetLibrary::folder()).filePath("presets.yaml"));
@@ -527,7 +525,7 @@ void TestStiffnessPage::presetsAreReadAsThePageIsShown() {
     m_document->assign(*findParameter("rod.length"), 4, m_document->newGesture());
     finish();
     m_page->setResult(solved(*m_document));
-    const StiffnessPicture& picture = m_page->stiffnessPlot()->picture();
+    const CurvePicture& picture = m_page->curvePlot()->picture();
     QVERIFY(!namesOf(picture.bands).join(' ').contains("my own rock"));
     m_page->hide();
     m_page->show();
@@ -537,13 +535,13 @@ void TestStiffnessPage::presetsAreReadAsThePageIsShown() {
 }
 
 // As by hand.
-void TestStiffnessPage::varyBy(const char* key) {
+void TestCurvePage::varyBy(const char* key) {
     auto* box = m_page->axis()->findChild<QComboBox*>("parameter");
     QVERIFY2(box->findData(QLatin1String(key)) >= 0, key);
     box->setCurrentIndex(box->findData(QLatin1String(key)));
 }
 
-QByteArray TestStiffnessPage::outputOf(const QString& command, QByteArray* errors) {
+QByteArray TestCurvePage::outputOf(const QString& command, QByteArray* errors) {
     QProcess shell;
     QStringList path{QFileInfo(QStringLiteral(DRILLWAVE_PROGRAM)).path(), qEnvironmentVariable("PATH")};
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -556,7 +554,7 @@ QByteArray TestStiffnessPage::outputOf(const QString& command, QByteArray* error
     return problem + shell.readAllStandardOutput();
 }
 
-void TestStiffnessPage::aStringIsAskedForItsEfficiencyOverTheRock() {
+void TestCurvePage::aStringIsAskedForItsEfficiencyOverTheRock() {
     QCOMPARE(m_page->title(), QStringLiteral("COR–stiffness"));
     openString();
     QCOMPARE(m_page->title(), QStringLiteral("Efficiency–stiffness"));
@@ -576,12 +574,12 @@ void TestStiffnessPage::aStringIsAskedForItsEfficiencyOverTheRock() {
     for (const char* ofRods : {"reference", "closedForm"})
         QVERIFY2(m_page->findChild<QWidget*>(QLatin1String(ofRods))->isHidden(), ofRods);
     QVERIFY2(words().contains(QStringLiteral("101 points")), qPrintable(words()));
-    QVERIFY(!namesOf(m_page->stiffnessPlot()->picture().bands).isEmpty());  // rocks
+    QVERIFY(!namesOf(m_page->curvePlot()->picture().bands).isEmpty());  // rocks
     const auto* here = m_page->plot()->findChild<HereMark*>();
     QVERIFY(here && here->y() && std::abs(*here->y() - 0.501587377477) < 1e-7);
 }
 
-void TestStiffnessPage::sectionsOfAStringAreOffered() {
+void TestCurvePage::sectionsOfAStringAreOffered() {
     openString();
     showPage();
     for (const char* key :
@@ -593,7 +591,7 @@ void TestStiffnessPage::sectionsOfAStringAreOffered() {
     finish();
 }
 
-void TestStiffnessPage::theFileOfAStringIsThatOfTheCommand_data() {
+void TestCurvePage::theFileOfAStringIsThatOfTheCommand_data() {
     QTest::addColumn<QString>("along");
     QTest::addColumn<QString>("output");
     QTest::addColumn<bool>("family");
@@ -605,7 +603,7 @@ void TestStiffnessPage::theFileOfAStringIsThatOfTheCommand_data() {
                                                    << "efficiency" << true;
 }
 
-void TestStiffnessPage::theFileOfAStringIsThatOfTheCommand() {
+void TestCurvePage::theFileOfAStringIsThatOfTheCommand() {
     QFETCH(QString, along);
     QFETCH(QString, output);
     QFETCH(bool, family);
@@ -624,7 +622,7 @@ void TestStiffnessPage::theFileOfAStringIsThatOfTheCommand() {
     QCOMPARE(m_page->exports().first().csv(), written);
 }
 
-void TestStiffnessPage::rodsOfAStringAreWholeNumbers() {
+void TestCurvePage::rodsOfAStringAreWholeNumbers() {
     openString();
     showPage();
     varyBy("string.repeat");
@@ -634,7 +632,7 @@ void TestStiffnessPage::rodsOfAStringAreWholeNumbers() {
     QCOMPARE(m_page->exports().first().csv(), outputOf(m_page->command()));
 }
 
-void TestStiffnessPage::rangesAroundSectionsAreOnesThatTheyCanTake() {
+void TestCurvePage::rangesAroundSectionsAreOnesThatTheyCanTake() {
     for (const char* name : {"t38_string", "r32_string", "t51_string"}) {
         openExample(name);
         const Scenario& scenario = m_document->scenario();
@@ -656,7 +654,7 @@ void TestStiffnessPage::rangesAroundSectionsAreOnesThatTheyCanTake() {
     }
 }
 
-void TestStiffnessPage::aPinnedRodIsLaidOverAString() {
+void TestCurvePage::aPinnedRodIsLaidOverAString() {
     Run rod;
     rod.number = 1;
     rod.contents = m_document->contents();
@@ -666,10 +664,10 @@ void TestStiffnessPage::aPinnedRodIsLaidOverAString() {
     runs->push_back(rod);
     m_page->setRuns(runs);
     showPage();
-    QTRY_COMPARE(m_page->stiffnessPlot()->runCurves().graphs().size(), 1);
+    QTRY_COMPARE(m_page->curvePlot()->runCurves().graphs().size(), 1);
 }
 
-void TestStiffnessPage::theFormOfTheScenarioIsFollowedBack() {
+void TestCurvePage::theFormOfTheScenarioIsFollowedBack() {
     openString();
     showPage();
     openExample("t38_medium_rock");
@@ -682,5 +680,5 @@ void TestStiffnessPage::theFormOfTheScenarioIsFollowedBack() {
     QVERIFY(m_page->command().startsWith("drillwave curve"));
 }
 
-QTEST_MAIN(TestStiffnessPage)
-#include "tst_stiffness_page.moc"
+QTEST_MAIN(TestCurvePage)
+#include "tst_curve_page.moc"

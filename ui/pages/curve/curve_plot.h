@@ -8,9 +8,9 @@
 #include <memory>
 #include <optional>
 
+#include "ui/pages/curve/curve_picture.h"
+#include "ui/pages/curve/preset_bands.h"
 #include "ui/pages/run_graphs.h"
-#include "ui/pages/stiffness/preset_bands.h"
-#include "ui/pages/stiffness/stiffness_picture.h"
 #include "ui/pages/study/run_marks.h"
 #include "ui/plot/fitted_view.h"
 #include "ui/plot/here_mark.h"
@@ -22,14 +22,14 @@ namespace drillwave {
 
 /// Draws the picture of a study along a parameter, on screen and in files alike. Lives as a child of the
 /// plot.
-class StiffnessPlot : public QObject {
+class CurvePlot : public QObject {
     Q_OBJECT
 
   public:
-    explicit StiffnessPlot(QCustomPlot* plot);
+    explicit CurvePlot(QCustomPlot* plot);
 
     /// Shows the picture; the view stays where it is unless it was fitted, or axes or units changed.
-    void present(const StiffnessPicture& picture);
+    void present(const CurvePicture& picture);
     /// No curves, and `message` in their place (why there are none).
     void showNothing(const QString& message);
     /// Where the present scenario is, in shown units.
@@ -42,8 +42,8 @@ class StiffnessPlot : public QObject {
     /// The whole range in view.
     void fit();
 
-    const StiffnessPicture& picture() const { return m_picture; }
-    /// In the order of StiffnessPicture::lines.
+    const CurvePicture& picture() const { return m_picture; }
+    /// In the order of CurvePicture::lines.
     const QVector<QCPGraph*>& graphs() const { return m_graphs; }
 
     /// What a click means: the nearest place worth it within some pixels of it, a mark or a curve.
@@ -74,7 +74,7 @@ class StiffnessPlot : public QObject {
     RunGraphs* m_runCurves = nullptr;
     RunMarks* m_runs = nullptr;
     PlotMessage* m_message;
-    StiffnessPicture m_picture;
+    CurvePicture m_picture;
     PlotStyle m_style;
     FittedView* m_view;
 };

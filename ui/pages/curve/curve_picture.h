@@ -9,14 +9,14 @@
 #include <span>
 
 #include "core/model/preset.h"
-#include "ui/pages/stiffness/stiffness_study.h"
+#include "ui/pages/curve/curve_study.h"
 #include "ui/pages/study/curve_marks.h"
 #include "ui/plot/graph_data.h"
 
 namespace drillwave {
 
 /// One curve.
-struct StiffnessLine {
+struct DrawnCurve {
     enum class Kind { curve, reference, closedForm } kind = Kind::curve;
     QString name;
     GraphData points;
@@ -25,14 +25,14 @@ struct StiffnessLine {
 };
 
 /// A name on a part of the range.
-struct StiffnessBand {
+struct PresetBand {
     QString name;
     double from = 0, to = 0;  ///< as shown
     double at = 0;            ///< the value itself
 };
 
 /// All in the units of `x` and `value`; never changed once built.
-struct StiffnessPicture {
+struct CurvePicture {
     QString xName;  ///< "stiffness k"
     ShownUnit x;
     double from = 0, to = 0;  ///< the range as shown
@@ -42,14 +42,14 @@ struct StiffnessPicture {
     const Output* output = nullptr;
     ShownUnit value;
     double valueFactor = 1;  ///< what is shown over what the study has
-    QVector<StiffnessLine> lines;
+    QVector<DrawnCurve> lines;
     int marked = -1;            ///< the line that the marks are of
     QVector<CurveMark> marks;   ///< by place
     QVector<QPointF> extremes;  ///< of the other lines
-    QVector<StiffnessBand> bands;
+    QVector<PresetBand> bands;
     QString summary;
 
-    const StiffnessLine* markedLine() const { return marked < 0 ? nullptr : &lines[marked]; }
+    const DrawnCurve* markedLine() const { return marked < 0 ? nullptr : &lines[marked]; }
 };
 
 /// The first output of a line as drawn, with a gap where there is no answer; nullptr where there is none
@@ -58,8 +58,7 @@ GraphData linePoints(const CurveLine& line, double xFactor, double valueFactor);
 
 /// `here` is the value of the family in the present scenario: its line is the one that is marked; without a
 /// line of that value the last is. Presets are named where they set the parameter.
-StiffnessPicture stiffnessPicture(const StiffnessStudy& study, const ShownUnits& units, const Unit& xUnit,
-                                  std::optional<double> here, std::span<const Preset> presets,
-                                  const QLocale& locale);
+CurvePicture curvePicture(const CurvePageStudy& study, const ShownUnits& units, const Unit& xUnit,
+                          std::optional<double> here, std::span<const Preset> presets, const QLocale& locale);
 
 }  // namespace drillwave

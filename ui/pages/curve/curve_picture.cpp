@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/stiffness/stiffness_picture.h"
+#include "ui/pages/curve/curve_picture.h"
 
 #include <qcustomplot.h>
 
@@ -27,7 +27,7 @@ double largestOf(const CurveStudy& study) {
 }
 
 /// A group that goes with the parameter, as the axis above shows it.
-void addAbove(StiffnessPicture& picture, const CurveQuestion& question) {
+void addAbove(CurvePicture& picture, const CurveQuestion& question) {
     if (!hasUnits(question.base)) return;
     const Scales scales = scalesOf(question.base);
     const auto show = [&](const char* group, double perSi) {
@@ -55,14 +55,14 @@ QString familyName(const CurveStudy& study, const CurveLine& line, const QLocale
     return text;
 }
 
-QString nameOf(StiffnessLine::Kind kind, const QString& family, bool isHere) {
+QString nameOf(DrawnCurve::Kind kind, const QString& family, bool isHere) {
     switch (kind) {
-        case StiffnessLine::Kind::curve:
+        case DrawnCurve::Kind::curve:
             if (family.isEmpty()) return tr("this scenario");
             return isHere ? tr("%1, this scenario").arg(family) : family;
-        case StiffnessLine::Kind::reference:
+        case DrawnCurve::Kind::reference:
             return family.isEmpty() ? tr("rod without waves") : tr("%1, no waves").arg(family);
-        case StiffnessLine::Kind::closedForm:
+        case DrawnCurve::Kind::closedForm:
             return family.isEmpty() ? tr("closed form") : tr("%1, closed form").arg(family);
     }
     return {};
@@ -82,7 +82,7 @@ bool isMarked(const CurveFeature& feature) {
     return feature.shape != CurveFeature::Shape::end && feature.shape != CurveFeature::Shape::everywhere;
 }
 
-void addLines(StiffnessPicture& picture, const CurveStudy& study, StiffnessLine::Kind kind, double xFactor,
+void addLines(CurvePicture& picture, const CurveStudy& study, DrawnCurve::Kind kind, double xFactor,
               std::optional<double> here, const QLocale& locale) {
     for (std::size_t i = 0; i < study.lines.size(); ++i) {
         const CurveLine& from = study.lines[i];
@@ -90,13 +90,13 @@ void addLines(StiffnessPicture& picture, const CurveStudy& study, StiffnessLine:
         GraphData points = linePoints(from, xFactor, picture.valueFactor);
         if (!points) continue;
         picture.lines.append({kind, nameOf(kind, familyName(study, from, locale), isHere), points,
-                              static_cast<int>(i), isHere && kind == StiffnessLine::Kind::curve});
+                              static_cast<int>(i), isHere && kind == DrawnCurve::Kind::curve});
     }
 }
 
-void addMarks(StiffnessPicture& picture, const StiffnessStudy& study) {
+void addMarks(CurvePicture& picture, const CurvePageStudy& study) {
     for (int i = 0; i < picture.lines.size(); ++i)
-        if (picture.lines[i].kind == StiffnessLine::Kind::curve &&
+        if (picture.lines[i].kind == DrawnCurve::Kind::curve &&
             (picture.lines[i].isHere || picture.marked < 0 || !picture.lines[picture.marked].isHere))
             picture.marked = i;
     for (std::size_t i = 0; i < study.curve.lines.size(); ++i) {
@@ -113,7 +113,7 @@ void addMarks(StiffnessPicture& picture, const StiffnessStudy& study) {
 }
 
 /// Around the value of each preset, as wide as can be seen, but no further than halfway to the next.
-void addBands(StiffnessPicture& picture, const CurveQuestion& question, std::span<const Preset> presets) {
+void addBands(CurvePicture& picture, const CurveQuestion& question, std::span<const Preset> presets) {
     constexpr double halfWidth = 0.012;  // of the range
     const CurveRange range{picture.from, picture.to, question.range().spacing};
     const std::vector<PresetPlace> places = presetPlaces(presets, *question.along.parameter, question.base);
@@ -130,8 +130,8 @@ void addBands(StiffnessPicture& picture, const CurveQuestion& question, std::spa
 }
 
 /// Of the line that is marked.
-QString summaryOf(const StiffnessPicture& picture, const StiffnessStudy& study, const QLocale& locale) {
-    const StiffnessLine* line = picture.markedLine();
+QString summaryOf(const CurvePicture& picture, const CurvePageStudy& study, const QLocale& locale) {
+    const DrawnCurve* line = picture.markedLine();
     if (!line) return tr("There is no answer anywhere in this range.");
     const CurveOutput& output = study.curve.lines[static_cast<std::size_t>(line->number)].outputs.front();
     const auto shown = [&](double value, const ShownUnit& unit) {
@@ -180,12 +180,12 @@ GraphData linePoints(const CurveLine& line, double xFactor, double valueFactor) 
     return any ? graphData(points) : GraphData();
 }
 
-StiffnessPicture stiffnessPicture(const StiffnessStudy& study, const ShownUnits& units, const Unit& xUnit,
-                                  std::optional<double> here, std::span<const Preset> presets,
-                                  const QLocale& locale) {
+CurvePicture curvePicture(const CurvePageStudy& study, const ShownUnits& units, const Unit& xUnit,
+                          std::optional<double> here, std::span<const Preset> presets,
+                          const QLocale& locale) {
     const CurveQuestion& question = study.question.curve;
     const OutputColumn& column = question.columns.front();
-    StiffnessPicture picture;
+    CurvePicture picture;
     picture.xName = parameterName(*question.along.parameter);
     picture.x = shownUnit(xUnit);
     picture.from = question.along.start * picture.x.factor;
@@ -198,16 +198,16 @@ StiffnessPicture stiffnessPicture(const StiffnessStudy& study, const ShownUnits&
     picture.valueFactor =
         picture.value.factor / (isScaled ? column.output->scale(scalesOf(question.base)) : 1);
     addAbove(picture, question);
-    addLines(picture, study.curve, StiffnessLine::Kind::curve, picture.x.factor, here, locale);
+    addLines(picture, study.curve, DrawnCurve::Kind::curve, picture.x.factor, here, locale);
     addMarks(picture, study);
     if (study.reference) {
         const bool isStiffness = question.along.key() == "bit_rock.stiffness";
         const double perBeta = isStiffness ? scalesOf(question.base).stiffness : 1;
-        addLines(picture, *study.reference, StiffnessLine::Kind::reference, perBeta * picture.x.factor, here,
+        addLines(picture, *study.reference, DrawnCurve::Kind::reference, perBeta * picture.x.factor, here,
                  locale);
     }
     if (study.closedForm)
-        addLines(picture, *study.closedForm, StiffnessLine::Kind::closedForm, picture.x.factor, here, locale);
+        addLines(picture, *study.closedForm, DrawnCurve::Kind::closedForm, picture.x.factor, here, locale);
     addBands(picture, question, presets);
     picture.summary = summaryOf(picture, study, locale);
     return picture;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/stiffness/stiffness_plot.h"
+#include "ui/pages/curve/curve_plot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 constexpr double nearPixels = 9;
 constexpr int mostColumns = 5;  // of the legend
 
-bool sameAxes(const StiffnessPicture& a, const StiffnessPicture& b) {
+bool sameAxes(const CurvePicture& a, const CurvePicture& b) {
     return a.xName == b.xName && a.x == b.x && a.from == b.from && a.to == b.to &&
            a.logarithmic == b.logarithmic && a.output == b.output && a.value.unit == b.value.unit;
 }
@@ -26,7 +26,7 @@ QString labelOf(const QString& words, const ShownUnit& unit) {
 
 }  // namespace
 
-StiffnessPlot::StiffnessPlot(QCustomPlot* plot)
+CurvePlot::CurvePlot(QCustomPlot* plot)
     : QObject(plot), m_plot(plot), m_message(nullptr), m_view(new FittedView(this)) {
     plot->setAutoAddPlottableToLegend(false);
     addRect();
@@ -53,7 +53,7 @@ StiffnessPlot::StiffnessPlot(QCustomPlot* plot)
     setStyle(PlotStyle::forPaper());
 }
 
-void StiffnessPlot::addRect() {
+void CurvePlot::addRect() {
     m_plot->plotLayout()->clear();
     m_legend = new QCPLegend;
     m_legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
@@ -80,7 +80,7 @@ void StiffnessPlot::addRect() {
             });
 }
 
-void StiffnessPlot::present(const StiffnessPicture& picture) {
+void CurvePlot::present(const CurvePicture& picture) {
     const bool otherAxes = m_picture.lines.isEmpty() || !sameAxes(m_picture, picture);
     m_picture = picture;
     m_message->hide();
@@ -100,7 +100,7 @@ void StiffnessPlot::present(const StiffnessPicture& picture) {
     m_marks->present(picture.marks, picture.x, picture.value);
 }
 
-void StiffnessPlot::showNothing(const QString& message) {
+void CurvePlot::showNothing(const QString& message) {
     m_picture = {};
     dropMarks();
     makeGraphs();
@@ -112,24 +112,23 @@ void StiffnessPlot::showNothing(const QString& message) {
     m_message->show(message);
 }
 
-void StiffnessPlot::dropMarks() {
+void CurvePlot::dropMarks() {
     if (m_marks) m_marks->clear();
     m_marks.reset();
 }
 
 // The ones there are stay as long as their names do: what was hidden by its legend entry stays hidden.
-void StiffnessPlot::makeGraphs() {
-    const bool sameNames = m_graphs.size() == m_picture.lines.size() &&
-                           std::equal(m_graphs.begin(), m_graphs.end(), m_picture.lines.begin(),
-                                      [](const QCPGraph* graph, const StiffnessLine& line) {
-                                          return graph->name() == line.name;
-                                      });
+void CurvePlot::makeGraphs() {
+    const bool sameNames =
+        m_graphs.size() == m_picture.lines.size() &&
+        std::equal(m_graphs.begin(), m_graphs.end(), m_picture.lines.begin(),
+                   [](const QCPGraph* graph, const DrawnCurve& line) { return graph->name() == line.name; });
     if (!sameNames) {
         dropMarks();
         for (QCPGraph* graph : m_graphs) m_plot->removeGraph(graph);
         m_legend->clearItems();
         m_graphs.clear();
-        for (const StiffnessLine& line : m_picture.lines) {
+        for (const DrawnCurve& line : m_picture.lines) {
             QCPGraph* graph = addCurve(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
             graph->setAdaptiveSampling(false);
             graph->setName(line.name);
@@ -141,7 +140,7 @@ void StiffnessPlot::makeGraphs() {
     for (int i = 0; i < m_graphs.size(); ++i) m_graphs[i]->setData(m_picture.lines[i].points);
 }
 
-void StiffnessPlot::showAxes() {
+void CurvePlot::showAxes() {
     QCPAxis* below = m_rect->axis(QCPAxis::atBottom);
     QCPAxis* above = m_rect->axis(QCPAxis::atTop);
     m_view->adjust([&] {
@@ -156,17 +155,17 @@ void StiffnessPlot::showAxes() {
         m_rect->axis(QCPAxis::atLeft)->setLabel(labelOf(outputName(*m_picture.output), m_picture.value));
 }
 
-void StiffnessPlot::setHere(std::optional<double> x, std::optional<double> y) {
+void CurvePlot::setHere(std::optional<double> x, std::optional<double> y) {
     m_here->setPlace(x, y);
 }
 
-void StiffnessPlot::setRuns(const QVector<RunCurve>& curves, const QVector<RunMark>& marks) {
+void CurvePlot::setRuns(const QVector<RunCurve>& curves, const QVector<RunMark>& marks) {
     m_runCurves->present(curves);
     m_runs->present(marks);
     if (m_view->isFitted()) fit();
 }
 
-void StiffnessPlot::setStyle(const PlotStyle& style) {
+void CurvePlot::setStyle(const PlotStyle& style) {
     m_style = style;
     if (m_message) m_message->setStyle(style);
     m_plot->setBackground(style.background);
@@ -174,18 +173,18 @@ void StiffnessPlot::setStyle(const PlotStyle& style) {
     m_rect->axis(QCPAxis::atTop)->grid()->setVisible(false);
     style.applyTo(*m_legend);
     for (int i = 0; i < m_graphs.size(); ++i) {
-        const StiffnessLine& line = m_picture.lines[i];
+        const DrawnCurve& line = m_picture.lines[i];
         QPen pen = style.linePen(line.number);
         switch (line.kind) {
-            case StiffnessLine::Kind::curve:
+            case DrawnCurve::Kind::curve:
                 if (line.isHere) pen.setWidthF(1.6 * pen.widthF());
                 break;
-            case StiffnessLine::Kind::reference:
+            case DrawnCurve::Kind::reference:
                 pen.setWidthF(0.6 * pen.widthF());
                 pen.setDashPattern({2, 3});
                 pen.setCapStyle(Qt::FlatCap);
                 break;
-            case StiffnessLine::Kind::closedForm:
+            case DrawnCurve::Kind::closedForm:
                 pen = QPen(style.text, pen.widthF());
                 pen.setDashPattern({7, 5});
                 pen.setCapStyle(Qt::FlatCap);
@@ -203,7 +202,7 @@ void StiffnessPlot::setStyle(const PlotStyle& style) {
     m_runs->setStyle(style);
 }
 
-void StiffnessPlot::fit() {
+void CurvePlot::fit() {
     m_view->fit([&] {
         if (m_picture.lines.isEmpty()) return;
         const double room = 0.02;
@@ -231,7 +230,7 @@ void StiffnessPlot::fit() {
     });
 }
 
-KeyPlaces StiffnessPlot::keyPlaces() const {
+KeyPlaces CurvePlot::keyPlaces() const {
     KeyPlaces places;
     places.rect = m_rect;
     places.start = [this] { return m_here->place(); };
@@ -244,7 +243,7 @@ KeyPlaces StiffnessPlot::keyPlaces() const {
     return places;
 }
 
-StiffnessPlot::Target StiffnessPlot::targetAt(QPointF coordinates) const {
+CurvePlot::Target CurvePlot::targetAt(QPointF coordinates) const {
     const QCPAxis* x = m_rect->axis(QCPAxis::atBottom);
     const QCPAxis* y = m_rect->axis(QCPAxis::atLeft);
     const auto distance = [&](QPointF other) {
@@ -260,7 +259,7 @@ StiffnessPlot::Target StiffnessPlot::targetAt(QPointF coordinates) const {
     }
     if (target.line >= 0) return target;
     for (int i = 0; i < m_graphs.size(); ++i) {
-        if (m_picture.lines[i].kind != StiffnessLine::Kind::curve || !m_graphs[i]->realVisibility()) continue;
+        if (m_picture.lines[i].kind != DrawnCurve::Kind::curve || !m_graphs[i]->realVisibility()) continue;
         const auto data = m_graphs[i]->data();
         auto after = data->findBegin(coordinates.x(), false);
         if (after == data->constEnd()) continue;

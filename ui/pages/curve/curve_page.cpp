@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/stiffness/stiffness_page.h"
+#include "ui/pages/curve/curve_page.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -9,7 +9,7 @@
 
 #include "core/report/curve_csv.h"
 #include "ui/form/choice_box.h"
-#include "ui/pages/stiffness/stiffness_plot.h"
+#include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/family_fields.h"
 #include "ui/pages/study/labelled_control.h"
@@ -29,14 +29,14 @@ std::vector<StudyFamily> preferredFamilies() {
 /// How many points a curve of a drill string may have.
 constexpr int pointsOfCurve[] = {51, 101, 201, 401, 1001};
 
-StiffnessStudy solve(const StiffnessQuestion& question, const StudyFeed<StiffnessStudy>& feed) {
+CurvePageStudy solve(const CurvePageQuestion& question, const StudyFeed<CurvePageStudy>& feed) {
     constexpr double parts = 1000;
-    return studyStiffness(
+    return studyCurvePage(
         question, std::max(1, QThread::idealThreadCount()), feed.stop,
         [&](double done) {
             feed.tell({static_cast<std::size_t>(done * parts), static_cast<std::size_t>(parts)});
         },
-        [&](const StiffnessStudy& soFar) { feed.show(soFar); });
+        [&](const CurvePageStudy& soFar) { feed.show(soFar); });
 }
 
 /// As many digits as a pixel is worth.
@@ -46,22 +46,22 @@ double readable(double value) {
 
 }  // namespace
 
-StiffnessPage::StiffnessPage(Document& document, QWidget* parent)
+CurvePage::CurvePage(Document& document, QWidget* parent)
     : StudyPage(document, parent), m_study(solve), m_runLines(runLine) {
     PlotWidget* plot = arrange(makeControls());
-    m_stiffness = new StiffnessPlot(plot);
+    m_plot = new CurvePlot(plot);
     watch(m_study.job());
     watchBeside(m_runLines.activity());
     plot->setAccessibleName(tr("A result over a parameter"));
-    plot->followPalette([this](const PlotStyle& style) { m_stiffness->setStyle(style); });
-    connect(plot, &PlotWidget::fitRequested, m_stiffness, &StiffnessPlot::fit);
-    connect(plot, &PlotWidget::clicked, this, &StiffnessPage::click);
-    plot->keyPoint().offer(m_stiffness->keyPlaces());
-    connect(&UnitChoice::shared(), &UnitChoice::changed, this, &StiffnessPage::askSoon);
-    connect(&document, &Document::scenarioChanged, this, &StiffnessPage::followForm);
+    plot->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
+    connect(plot, &PlotWidget::fitRequested, m_plot, &CurvePlot::fit);
+    connect(plot, &PlotWidget::clicked, this, &CurvePage::click);
+    plot->keyPoint().offer(m_plot->keyPlaces());
+    connect(&UnitChoice::shared(), &UnitChoice::changed, this, &CurvePage::askSoon);
+    connect(&document, &Document::scenarioChanged, this, &CurvePage::followForm);
 }
 
-QList<QWidget*> StiffnessPage::makeControls() {
+QList<QWidget*> CurvePage::makeControls() {
     m_axis = new AxisFields(tr("vary"), {"bit_rock.stiffness", "beta"}, this);
     m_family = new FamilyFields(tr("family"), preferredFamilies(), this);
     m_own = new QCheckBox(tr("this scenario"), this);
@@ -81,34 +81,33 @@ QList<QWidget*> StiffnessPage::makeControls() {
     m_reference->addItem(tr("no rod without waves"));
     m_reference->addItem(tr("rod without waves, k₀ = Z/(2T)"));
     m_reference->addItem(tr("rod without waves, k₀ = Z/t₀"));
-    connect(m_axis, &AxisFields::changed, this, &StiffnessPage::askSoon);
-    connect(m_family, &FamilyFields::changed, this, &StiffnessPage::askSoon);
-    connect(m_output, &OutputBox::changed, this, &StiffnessPage::askSoon);
-    connect(m_reference, &QComboBox::currentIndexChanged, this, &StiffnessPage::askSoon);
-    for (QCheckBox* box : {m_own, m_closedForm})
-        connect(box, &QCheckBox::toggled, this, &StiffnessPage::askSoon);
+    connect(m_axis, &AxisFields::changed, this, &CurvePage::askSoon);
+    connect(m_family, &FamilyFields::changed, this, &CurvePage::askSoon);
+    connect(m_output, &OutputBox::changed, this, &CurvePage::askSoon);
+    connect(m_reference, &QComboBox::currentIndexChanged, this, &CurvePage::askSoon);
+    for (QCheckBox* box : {m_own, m_closedForm}) connect(box, &QCheckBox::toggled, this, &CurvePage::askSoon);
     m_pointsPart = makePointsBox();
     return {m_axis, m_output, m_family, m_own, m_pointsPart, m_closedForm, m_reference};
 }
 
-QWidget* StiffnessPage::makePointsBox() {
+QWidget* CurvePage::makePointsBox() {
     m_points = new ChoiceBox(this);
     m_points->setObjectName(QStringLiteral("points"));
     m_points->setAccessibleName(tr("Points of a curve"));
     m_points->setToolTip(tr("How many blows are solved along a curve of a drill string"));
     for (const int points : pointsOfCurve) m_points->addItem(QString::number(points), points);
     m_points->setCurrentIndex(m_points->findData(int(sampledPoints)));
-    connect(m_points, &QComboBox::currentIndexChanged, this, &StiffnessPage::askSoon);
+    connect(m_points, &QComboBox::currentIndexChanged, this, &CurvePage::askSoon);
     QWidget* part = labelled(tr("points"), m_points, this);
     part->hide();
     return part;
 }
 
-QString StiffnessPage::title() const {
+QString CurvePage::title() const {
     return m_ofString ? tr("Efficiency–stiffness") : tr("COR–stiffness");
 }
 
-void StiffnessPage::varyGap() {
+void CurvePage::varyGap() {
     constexpr double blows = 4;  // d0: beyond, the bit hardly ever is
     const std::string_view key = hasUnits(scenario()) ? "bit_rock.gap" : "delta";
     const Parameter& gap = *findParameter(key);
@@ -119,7 +118,7 @@ void StiffnessPage::varyGap() {
 }
 
 // The paper's curves and its family of elasticities are of uniform rods.
-void StiffnessPage::followForm() {
+void CurvePage::followForm() {
     const bool ofString = isString(scenario());
     if (ofString == m_ofString) return;
     m_ofString = ofString;
@@ -134,20 +133,20 @@ void StiffnessPage::followForm() {
 }
 
 /// As the command has it: a range to be followed, or with a number of points.
-std::string StiffnessPage::axisText() const {
+std::string CurvePage::axisText() const {
     const StudyRange& range = m_axis->range();
     if (!m_ofString) return range.text() + range.tail();
     const auto most = static_cast<std::uint64_t>(m_points->currentData().toInt());
     return range.text() + ":" + std::to_string(range.pointsWithin(most)) + range.tail();
 }
 
-std::optional<double> StiffnessPage::hereOf(const Parameter* parameter) const {
+std::optional<double> CurvePage::hereOf(const Parameter* parameter) const {
     if (!parameter || !parameter->applies(scenario())) return std::nullopt;
     return parameter->value(scenario());
 }
 
 /// With that of the scenario among its values, where it is wanted.
-StudyFamily StiffnessPage::askedFamily() const {
+StudyFamily CurvePage::askedFamily() const {
     StudyFamily family = m_family->family();
     const std::optional<double> own = hereOf(family.parameter);
     if (!m_own->isChecked() || !own) return family;
@@ -156,12 +155,12 @@ StudyFamily StiffnessPage::askedFamily() const {
 }
 
 // Of the words of the command, so that both have the same values.
-StiffnessPage::Wish StiffnessPage::wish() const {
+CurvePage::Wish CurvePage::wish() const {
     const StudyRange& range = m_axis->range();
     if (!range.parameter) return {};
     const bool isPhysical =
         hasUnits(scenario()) && UnitChoice::shared().system() != UnitSystem::dimensionless;
-    StiffnessQuestion asked;
+    CurvePageQuestion asked;
     CurveQuestion& curve = asked.curve;
     curve.base = scenario();
     curve.base.title.clear();
@@ -185,7 +184,7 @@ StiffnessPage::Wish StiffnessPage::wish() const {
     return {std::move(asked), {}};
 }
 
-void StiffnessPage::ask() {
+void CurvePage::ask() {
     followForm();
     m_axis->present(scenario());
     m_family->present(scenario());
@@ -199,15 +198,15 @@ void StiffnessPage::ask() {
 }
 
 // In the place of the curves, and none of them to be clicked or written.
-void StiffnessPage::refuse(const QString& problem) {
+void CurvePage::refuse(const QString& problem) {
     m_shown = {};
-    m_stiffness->showNothing(problem);
+    m_plot->showNothing(problem);
     plot()->setAccessibleDescription(problem);
     say(problem);
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
-StiffnessPage::Shown StiffnessPage::wanted() const {
+CurvePage::Shown CurvePage::wanted() const {
     Shown shown;
     shown.study = m_study.job().value();
     const CurveQuestion& asked = shown.study->question.curve;
@@ -222,7 +221,7 @@ StiffnessPage::Shown StiffnessPage::wanted() const {
     return shown;
 }
 
-void StiffnessPage::present() {
+void CurvePage::present() {
     if (!m_problem.isEmpty()) return refuse(m_problem);
     if (m_study.job().state() == StudyState::failed) return refuse(m_study.job().problem());
     if (!m_study.value() || m_study.value()->curve.stopped || !blow()) return;
@@ -235,32 +234,32 @@ void StiffnessPage::present() {
     showRuns();
 }
 
-void StiffnessPage::draw() {
-    const StiffnessPicture picture = stiffnessPicture(*m_shown.study, m_shown.units, *m_shown.xUnit,
-                                                      m_shown.here, m_shown.presets, QLocale());
-    m_stiffness->present(picture);
+void CurvePage::draw() {
+    const CurvePicture picture =
+        curvePicture(*m_shown.study, m_shown.units, *m_shown.xUnit, m_shown.here, m_shown.presets, QLocale());
+    m_plot->present(picture);
     m_shownRuns.reset();  // over another range or in other units
     for (int i = 0; i < picture.lines.size(); ++i) {
         CurveMeaning meaning;
         meaning.xUnit = picture.x.unit;
         meaning.yUnit = picture.value.unit;
         meaning.integralFactor = 0;
-        plot()->setMeaning(m_stiffness->graphs()[i], meaning);
+        plot()->setMeaning(m_plot->graphs()[i], meaning);
     }
     plot()->setAccessibleDescription(picture.summary);
-    plot()->reader().setUsual(picture.marked < 0 ? nullptr : m_stiffness->graphs()[picture.marked]);
+    plot()->reader().setUsual(picture.marked < 0 ? nullptr : m_plot->graphs()[picture.marked]);
     say(picture.summary);
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
 /// By the blow that is on show, which follows the hand.
-void StiffnessPage::showHere() {
+void CurvePage::showHere() {
     const Point here = pointOf(*blow());
-    m_stiffness->setHere(here.x, here.y);
+    m_plot->setHere(here.x, here.y);
 }
 
 // Along the range that is drawn, so that nothing is solved for a range that is passed by.
-void StiffnessPage::askRuns() {
+void CurvePage::askRuns() {
     std::vector<CurveQuestion> questions;
     for (const Run& run : runs()) {
         if (!run.isShown || !run.isSolved()) continue;
@@ -270,11 +269,11 @@ void StiffnessPage::askRuns() {
     m_runLines.ask(questions);
 }
 
-void StiffnessPage::showRuns() {
+void CurvePage::showRuns() {
     if (m_shownRuns == runList() && m_shownLines == m_runLines.answers()) return;
     m_shownRuns = runList();
     m_shownLines = m_runLines.answers();
-    const StiffnessPicture& picture = m_stiffness->picture();
+    const CurvePicture& picture = m_plot->picture();
     QVector<RunCurve> curves;
     QVector<RunMark> marks;
     for (const Run& run : runs()) {
@@ -287,18 +286,18 @@ void StiffnessPage::showRuns() {
         GraphData points = linePoints(found->lines.front(), picture.x.factor, picture.valueFactor);
         if (points) curves.append({run.number, run.title(), std::move(points)});
     }
-    m_stiffness->setRuns(curves, marks);
+    m_plot->setRuns(curves, marks);
     CurveMeaning meaning;
     meaning.xUnit = picture.x.unit;
     meaning.yUnit = picture.value.unit;
     meaning.integralFactor = 0;
-    for (QCPGraph* graph : m_stiffness->runCurves().graphs()) plot()->setMeaning(graph, meaning);
+    for (QCPGraph* graph : m_plot->runCurves().graphs()) plot()->setMeaning(graph, meaning);
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 
 // Where a blow lies on the plot.
-StiffnessPage::Point StiffnessPage::pointOf(const SolvedBlow& blow) const {
-    const StiffnessPicture& picture = m_stiffness->picture();
+CurvePage::Point CurvePage::pointOf(const SolvedBlow& blow) const {
+    const CurvePicture& picture = m_plot->picture();
     if (!picture.output || !m_shown.study) return {};
     const CurveQuestion& asked = m_shown.study->question.curve;
     const Parameter& along = *asked.along.parameter;
@@ -313,22 +312,22 @@ StiffnessPage::Point StiffnessPage::pointOf(const SolvedBlow& blow) const {
             y ? std::optional(*y * picture.valueFactor) : std::nullopt};
 }
 
-void StiffnessPage::showEvent(QShowEvent* event) {
+void CurvePage::showEvent(QShowEvent* event) {
     if (!event->spontaneous()) m_presets.reload();
     StudyPage::showEvent(event);
 }
 
-QString StiffnessPage::obstacle() const {
+QString CurvePage::obstacle() const {
     return m_problem.isEmpty() ? StudyPage::obstacle() : m_problem;
 }
 
-QByteArray StiffnessPage::csv() const {
-    const StiffnessStudy* study = m_study.value();
+QByteArray CurvePage::csv() const {
+    const CurvePageStudy* study = m_study.value();
     return study ? QByteArray::fromStdString(curveCsv(study->curve)) : QByteArray();
 }
 
-QStringList StiffnessPage::commandWords() const {
-    const std::optional<StiffnessQuestion> asked = wish().question;
+QStringList CurvePage::commandWords() const {
+    const std::optional<CurvePageQuestion> asked = wish().question;
     if (!asked) return {};
     const QString along = fromView(axisText()), family = fromView(askedFamily().text());
     QStringList words;
@@ -348,10 +347,10 @@ QStringList StiffnessPage::commandWords() const {
     return words;
 }
 
-void StiffnessPage::click(QCPAxisRect*, QPointF coordinates, Qt::KeyboardModifiers modifiers) {
+void CurvePage::click(QCPAxisRect*, QPointF coordinates, Qt::KeyboardModifiers modifiers) {
     if ((modifiers & ~Qt::ShiftModifier) || !m_shown.study) return;
-    const StiffnessPlot::Target target = m_stiffness->targetAt(coordinates);
-    const StiffnessPicture& picture = m_stiffness->picture();
+    const CurvePlot::Target target = m_plot->targetAt(coordinates);
+    const CurvePicture& picture = m_plot->picture();
     const CurveQuestion& asked = m_shown.study->question.curve;
     std::vector<ParameterValue> values;
     if (target.line >= 0 && asked.family && !picture.lines[target.line].isHere)

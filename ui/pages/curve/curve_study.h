@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page COR–stiffness computes: an output along a parameter, and what it is compared with.
+// What the page Curve computes: an output along a parameter, and what it is compared with.
 #pragma once
 
 #include <functional>
@@ -18,11 +18,11 @@ enum class ReferenceScale {
     byPulse,    ///< in k0 = Z/t0, as everything else
 };
 
-struct StiffnessQuestion {
+struct CurvePageQuestion {
     CurveQuestion curve;
     ReferenceScale reference = ReferenceScale::none;
     bool closedForm = false;  ///< where it holds
-    bool operator==(const StiffnessQuestion&) const = default;
+    bool operator==(const CurvePageQuestion&) const = default;
 
     /// Whether it is of a drill string: its curve is solved at CurveQuestion::along.count points.
     bool isSampled() const { return isString(curve.base); }
@@ -30,8 +30,8 @@ struct StiffnessQuestion {
     bool hasReference() const;
 };
 
-struct StiffnessStudy {
-    StiffnessQuestion question;
+struct CurvePageStudy {
+    CurvePageQuestion question;
     CurveStudy curve;
     /// Of e along β, for the same family; β is k over the k0 of the ReferenceScale.
     std::optional<CurveStudy> reference;
@@ -42,14 +42,14 @@ struct StiffnessStudy {
 void takeOut(Scenario& scenario, const Parameter& parameter, double value);
 
 /// What makes it unusable; empty when it can be studied.
-std::vector<std::string> problemsOf(const StiffnessQuestion& question);
+std::vector<std::string> problemsOf(const CurvePageQuestion& question);
 
 /// Told what there is of a curve that grows.
-using StiffnessPreview = std::function<void(const StiffnessStudy& soFar)>;
+using CurvePagePreview = std::function<void(const CurvePageStudy& soFar)>;
 
 /// The curve is that of studyCurve(), or of sampleCurve() where it is sampled, bit for bit. Requires
 /// problemsOf() to be empty.
-StiffnessStudy studyStiffness(const StiffnessQuestion& question, int jobs, std::stop_token stop = {},
-                              const CurveProgress& progress = {}, const StiffnessPreview& preview = {});
+CurvePageStudy studyCurvePage(const CurvePageQuestion& question, int jobs, std::stop_token stop = {},
+                              const CurveProgress& progress = {}, const CurvePagePreview& preview = {});
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/stiffness/stiffness_study.h"
+#include "ui/pages/curve/curve_study.h"
 
 #include <utility>
 
@@ -22,7 +22,7 @@ SweepAxis inGroups(SweepAxis axis, std::string_view group, double unit) {
 }
 
 /// By its groups alone, which is all that e depends on.
-CurveQuestion referenceOf(const StiffnessQuestion& question) {
+CurveQuestion referenceOf(const CurvePageQuestion& question) {
     CurveQuestion reference = question.curve;
     const Groups groups = groupsOf(question.curve.base);
     reference.base = {};
@@ -48,9 +48,9 @@ CurveQuestion closedFormOf(const CurveQuestion& question) {
     return closed;
 }
 
-StiffnessStudy sampleStiffness(const StiffnessQuestion& question, int jobs, std::stop_token stop,
-                               const CurveProgress& progress, const StiffnessPreview& preview) {
-    const auto studyOf = [&](CurveStudy curve) { return StiffnessStudy{question, std::move(curve), {}, {}}; };
+CurvePageStudy sampleCurvePage(const CurvePageQuestion& question, int jobs, std::stop_token stop,
+                               const CurveProgress& progress, const CurvePagePreview& preview) {
+    const auto studyOf = [&](CurveStudy curve) { return CurvePageStudy{question, std::move(curve), {}, {}}; };
     SampledProgress told;
     if (progress) told.tell = [&](std::size_t done, std::size_t of) { progress(double(done) / double(of)); };
     if (preview) told.show = [&](CurveStudy soFar) { preview(studyOf(std::move(soFar))); };
@@ -63,7 +63,7 @@ bool isGamma(const SweepAxis& axis) {
 
 }  // namespace
 
-bool StiffnessQuestion::hasReference() const {
+bool CurvePageQuestion::hasReference() const {
     const std::string_view along = curve.along.key();
     return (along == "beta" || along == "bit_rock.stiffness") && (!curve.family || isGamma(*curve.family)) &&
            curve.columns.front().output->name == "cor";
@@ -74,19 +74,19 @@ void takeOut(Scenario& scenario, const Parameter& parameter, double value) {
     if (!Assignments({parameter.key}).movePulse()) parameter.assign(scenario, value);
 }
 
-std::vector<std::string> problemsOf(const StiffnessQuestion& question) {
+std::vector<std::string> problemsOf(const CurvePageQuestion& question) {
     return question.isSampled() ? sampledProblemsOf(question.curve) : problemsOf(question.curve);
 }
 
-StiffnessStudy studyStiffness(const StiffnessQuestion& question, int jobs, std::stop_token stop,
-                              const CurveProgress& progress, const StiffnessPreview& preview) {
-    if (question.isSampled()) return sampleStiffness(question, jobs, std::move(stop), progress, preview);
+CurvePageStudy studyCurvePage(const CurvePageQuestion& question, int jobs, std::stop_token stop,
+                              const CurveProgress& progress, const CurvePagePreview& preview) {
+    if (question.isSampled()) return sampleCurvePage(question, jobs, std::move(stop), progress, preview);
     const auto part = [&](double before, double share) {
         return [&progress, before, share](double done) {
             if (progress) progress(before + share * done);
         };
     };
-    StiffnessStudy study{.question = question,
+    CurvePageStudy study{.question = question,
                          .curve = studyCurve(question.curve, jobs, stop, part(0, shareOfCurve)),
                          .reference = {},
                          .closedForm = {}};

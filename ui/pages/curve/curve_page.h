@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Page COR–stiffness: any result over any parameter, at first e over the stiffness of the rock, of a drill
-// string the efficiency.
+// Page Curve, whose tab is COR–stiffness: any result over any parameter, at first e over the stiffness of the
+// rock, of a drill string the efficiency.
 #pragma once
 
 #include "ui/document/preset_library.h"
 #include "ui/job/asked_study.h"
-#include "ui/pages/stiffness/run_lines.h"
-#include "ui/pages/stiffness/stiffness_study.h"
+#include "ui/pages/curve/curve_study.h"
+#include "ui/pages/curve/run_lines.h"
 #include "ui/pages/study/study_page.h"
 #include "ui/pages/study/study_range.h"
 #include "ui/text/shown_units.h"
@@ -20,22 +20,22 @@ namespace drillwave {
 class AxisFields;
 class FamilyFields;
 class OutputBox;
-class StiffnessPlot;
+class CurvePlot;
 
 /// A click loads the point under it, on a curve with the value of its family.
-class StiffnessPage : public StudyPage {
+class CurvePage : public StudyPage {
     Q_OBJECT
 
   public:
-    explicit StiffnessPage(Document& document, QWidget* parent = nullptr);
+    explicit CurvePage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override;
     bool shows(const Scenario&) const override { return true; }
-    StiffnessPlot* stiffnessPlot() const { return m_stiffness; }
+    CurvePlot* curvePlot() const { return m_plot; }
     AxisFields* axis() const { return m_axis; }
     FamilyFields* family() const { return m_family; }
     OutputBox* output() const { return m_output; }
-    const AskedStudy<StiffnessQuestion, StiffnessStudy>& study() const { return m_study; }
+    const AskedStudy<CurvePageQuestion, CurvePageStudy>& study() const { return m_study; }
     /// Varies the gap, from none to a few times what the bit moves in a blow.
     void varyGap();
     const RunLines& runLines() const { return m_runLines; }
@@ -51,12 +51,12 @@ class StiffnessPage : public StudyPage {
   private:
     /// What the controls say: a question, or why there is none. Neither before the first scenario.
     struct Wish {
-        std::optional<StiffnessQuestion> question;
+        std::optional<CurvePageQuestion> question;
         QString problem;
     };
     /// All that the picture is made of.
     struct Shown {
-        std::shared_ptr<const StiffnessStudy> study;
+        std::shared_ptr<const CurvePageStudy> study;
         ShownUnits units;
         const Unit* xUnit = nullptr;
         std::optional<double> here;  // of the family, in the present scenario
@@ -93,13 +93,13 @@ class StiffnessPage : public StudyPage {
     QComboBox* m_points;  // of a curve that is sampled
     QWidget* m_pointsPart = nullptr;
     bool m_ofString = false;
-    StiffnessPlot* m_stiffness = nullptr;
+    CurvePlot* m_plot = nullptr;
     PresetLibrary m_presets;
     QString m_problem;  // why the controls say no curve
     Shown m_shown;
     std::shared_ptr<const RunLines::Answers> m_shownLines;  // of runs, as they are drawn
     RunListPtr m_shownRuns;
-    AskedStudy<StiffnessQuestion, StiffnessStudy> m_study;  // goes first: its threads work
+    AskedStudy<CurvePageQuestion, CurvePageStudy> m_study;  // goes first: its threads work
     RunLines m_runLines;                                    // likewise
 };
 
