@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/archive/picture_formats.h"
+#include "ui/plot/axis_rect.h"
 #include "ui/plot/plot_rendering.h"
 #include "ui/plot/plot_style.h"
 #include "ui/text/shown_text.h"
@@ -104,14 +105,8 @@ void addTitle(QCustomPlot& plot, const std::string& text, const PlotStyle& style
 
 void addPanel(QCustomPlot& plot, const FigurePanel& panel, const PlotStyle& style) {
     if (!panel.title.empty()) addTitle(plot, panel.title, style);
-    auto* rect = new QCPAxisRect(&plot);
-    rect->setupFullAxesBox(true);
+    QCPAxisRect* rect = newAxisRect(plot, Sides::linked);
     rect->setMinimumMargins(QMargins(4, 6, 16, 2));
-    // Drawn in the order of these lines: axes() comes in another order in every run of the program.
-    for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight, QCPAxis::atTop, QCPAxis::atBottom}) {
-        rect->axis(side)->setLayer(QStringLiteral("axes"));
-        rect->axis(side)->grid()->setLayer(QStringLiteral("grid"));
-    }
     addRow(plot, rect, Height::rest);
     auto* legend = new QCPLegend;
     legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);

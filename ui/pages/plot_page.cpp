@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "ui/plot/plot_widget.h"
+#include "ui/plot/study_frame.h"
 
 namespace drillwave {
 
@@ -15,6 +16,19 @@ PlotWidget* PlotPage::makePlot() {
     connect(m_plot, &PlotWidget::savePictureRequested, this,
             [this] { emit exportRequested(exports().last()); });
     return m_plot;
+}
+
+void PlotPage::useFrame(StudyFrame& frame, const QString& accessibleName) {
+    m_frame = &frame;
+    m_plot->setAccessibleName(accessibleName);
+    m_plot->followPalette([&frame](const PlotStyle& style) { frame.setStyle(style); });
+    connect(m_plot, &PlotWidget::fitRequested, &frame, &StudyFrame::fit);
+    m_plot->keyPoint().offer(frame.keyPlaces());
+}
+
+void PlotPage::redraw() {
+    m_plot->setAccessibleDescription(m_frame->textSummary());
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void PlotPage::setLeastLines(int lines) {

@@ -7,6 +7,7 @@
 namespace drillwave {
 
 class PlotWidget;
+class StudyFrame;
 
 class PlotPage : public Page {
     Q_OBJECT
@@ -22,12 +23,18 @@ class PlotPage : public Page {
   protected:
     /// The page's plot, made by the page once, where it comes in the order of its widgets.
     PlotWidget* makePlot();
+    /// What draws in the plot takes the window's style, is fitted, and says where keys may go.
+    void useFrame(StudyFrame& frame, const QString& accessibleName);
+    /// Shows what the frame has drawn since, in words as well.
+    void redraw();
+    StudyFrame& frame() const { return *m_frame; }
     /// The plot is never lower than so many lines of text; what is above and below it gives way, and then the
     /// page is scrolled.
     void setLeastLines(int lines);
 
   private:
     PlotWidget* m_plot = nullptr;
+    StudyFrame* m_frame = nullptr;
 };
 
 }  // namespace drillwave

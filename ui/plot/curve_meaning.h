@@ -11,19 +11,24 @@ namespace drillwave {
 struct CurveMeaning {
     QString xName = {};  ///< "t"; empty: what the axis says
     QString yName = {};  ///< "F"; likewise
-    QString xUnit;       ///< "ms"; empty for a mere number
-    QString yUnit;       ///< "kN"
+    QString xUnit = {};  ///< "ms"; empty for a mere number
+    QString yUnit = {};  ///< "kN"
     /// Shown slope = slopeFactor · dy/dx, followed by slopeUnit; without a unit "kN/ms".
-    QString slopeUnit;
+    QString slopeUnit = {};
     double slopeFactor = 1;
     /// Shown integral = integralFactor · ∫y dx, followed by integralUnit ("N s"); without a unit "kN·ms".
     /// Factor 0: over such an axis, a parameter or a frequency, neither integral nor mean says anything.
-    QString integralUnit;
+    QString integralUnit = {};
     double integralFactor = 1;
     /// Exact y(x); without it values are read from the drawn chords.
-    std::function<double(double x)> value;
+    std::function<double(double x)> value = {};
     /// Exact ∫ y dx from a to b, negative of that from b to a; without it the drawn chords are integrated.
-    std::function<double(double a, double b)> integral;
+    std::function<double(double a, double b)> integral = {};
+
+    /// A result over a parameter.
+    static CurveMeaning overParameter(const QString& xUnit, const QString& yUnit) {
+        return {.xUnit = xUnit, .yUnit = yUnit, .integralFactor = 0};
+    }
 };
 
 }  // namespace drillwave

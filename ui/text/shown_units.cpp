@@ -19,6 +19,7 @@ UnitSystem naturalUnits(const Scenario& scenario) {
 }
 
 QString ShownUnit::axisLabel(const QString& words) const {
+    if (unit.isEmpty()) return words;
     return dimensionless ? QStringLiteral("%1 / %2").arg(words, unit)
                          : QStringLiteral("%1 [%2]").arg(words, unit);
 }

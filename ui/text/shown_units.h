@@ -30,7 +30,7 @@ struct ShownUnit {
     std::optional<Prefixes> prefixes = {};
     bool operator==(const ShownUnit&) const = default;
 
-    /// "time t [ms]" or "time t / t₀".
+    /// "time t [ms]" or "time t / t₀"; the words alone without a unit.
     QString axisLabel(const QString& words) const;
 };
 

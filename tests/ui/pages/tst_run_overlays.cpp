@@ -21,7 +21,6 @@
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/rod/rod_plot.h"
-#include "ui/pages/study/run_marks.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/thrust/thrust_plot.h"
 #include "ui/pages/wave_picture/rod_profile.h"
@@ -29,6 +28,7 @@
 #include "ui/pages/wave_picture/wave_picture_plot.h"
 #include "ui/plot/legend_entries.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/plot/run_marks.h"
 #include "ui/plot/run_pen.h"
 #include "ui/runs/runs.h"
 
@@ -448,9 +448,9 @@ void TestRunOverlays::theGapHasTheCurveOfTheRunsScenario() {
     GapPage page(*m_document);
     show(page);
     present(page);
-    QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runs().graphs().size(), 2, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runCurves().size(), 2, patience);
     for (const int number : {0, 1}) {
-        const QCPGraph* graph = page.gapPlot()->runs().graphs()[number];
+        const QCPGraph* graph = page.gapPlot()->runCurves()[number];
         QVERIFY(graph->dataCount() > 200);
         const auto point = graph->data()->at(graph->dataCount() / 3);
         Scenario scenario = run(number).contents.scenario;
@@ -459,7 +459,7 @@ void TestRunOverlays::theGapHasTheCurveOfTheRunsScenario() {
         QVERIFY(std::abs(point->value - solveBlow(scenario, {}, Detail::cor).summary.cor) < 2e-10);
     }
     // The first repeats within the range of the present one, which has twice the impulse.
-    const QCPGraph* half = page.gapPlot()->runs().graphs()[0];
+    const QCPGraph* half = page.gapPlot()->runCurves()[0];
     const QCPGraph* present = page.gapPlot()->graph();
     bool found = false;
     QVERIFY(half->getKeyRange(found).upper > 0.99 * present->getKeyRange(found).upper);
@@ -469,16 +469,16 @@ void TestRunOverlays::curvesFarBelowSuperReboundHaveTheHeight() {
     GapPage page(*m_document);
     page.show();
     present(page);
-    QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runs().graphs().size(), 2, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runCurves().size(), 2, patience);
     const QCPAxis* values = page.gapPlot()->graph()->valueAxis();
     const auto curve = [](double from, double to) {
         const GraphData data = GraphData::create();
         data->set({{0, from}, {1, to}}, true);
         return QVector<RunCurve>{{0, "A", data}};
     };
-    page.gapPlot()->setRuns(curve(0.2, 0.7), {});
+    page.gapPlot()->setRuns({}, curve(0.2, 0.7));
     QVERIFY(0.5 > 0.75 * values->range().size());
-    page.gapPlot()->setRuns(curve(0.2, 0.95), {});
+    page.gapPlot()->setRuns({}, curve(0.2, 0.95));
     QVERIFY(values->range().upper > 1);  // near to it, where it begins is in view
 }
 
@@ -487,7 +487,7 @@ void TestRunOverlays::outOfSightNoGapIsStudied() {
     present(page);
     QCOMPARE(page.runStudies(), 0);
     page.show();
-    QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runs().graphs().size(), 2, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runCurves().size(), 2, patience);
     QCOMPARE(page.runStudies(), 1);
     page.hide();
     m_runs->setShown(0, false);
@@ -546,7 +546,7 @@ void TestRunOverlays::stiffnessHasTheCurveOfTheRunsScenario() {
     CurvePage page(*m_document);
     show(page);
     present(page);
-    const auto& graphs = page.curvePlot()->runCurves().graphs();
+    const auto& graphs = page.curvePlot()->runCurves();
     QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 2, patience);
     for (const int number : {0, 1}) {
         const QCPGraph* graph = graphs[number];
@@ -565,7 +565,7 @@ void TestRunOverlays::stiffnessHasTheCurveOfTheRunsScenario() {
         QVERIFY(graph->valueAxis()->range().contains(values.lower));
         QVERIFY(graph->valueAxis()->range().contains(values.upper));
         // The mark of the run lies on its curve.
-        QVERIFY(isNear(page.curvePlot()->runs()[number].at.y(), run(number).blow->summary.cor));
+        QVERIFY(isNear(page.curvePlot()->runMarks()[number].at.y(), run(number).blow->summary.cor));
     }
     // One line each: no more work than a family of as many.
     std::uint64_t solves = 0;
@@ -578,7 +578,7 @@ void TestRunOverlays::aDragOfTheScenarioStudiesNoRunAnew() {
     CurvePage page(*m_document);
     show(page);
     present(page);
-    const auto& graphs = page.curvePlot()->runCurves().graphs();
+    const auto& graphs = page.curvePlot()->runCurves();
     QTRY_COMPARE_WITH_TIMEOUT(graphs.size(), 2, patience);
     const QPointer<QCPGraph> drawn = graphs[0];
     graphs[1]->setVisible(false);
@@ -613,7 +613,7 @@ void TestRunOverlays::outOfSightNoStiffnessIsStudied() {
     QCOMPARE(page.runLines().started(), 1);
     // Seen again it goes on.
     page.show();
-    QTRY_COMPARE_WITH_TIMEOUT(page.curvePlot()->runCurves().graphs().size(), 1, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.curvePlot()->runCurves().size(), 1, patience);
 }
 
 // The slope of a scenario in groups is no stiffness.
@@ -624,7 +624,7 @@ void TestRunOverlays::aRunWithoutTheParameterHasNoCurve() {
     CurvePage page(*m_document);
     show(page);
     present(page);
-    QTRY_COMPARE_WITH_TIMEOUT(page.curvePlot()->runCurves().graphs().size(), 2, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.curvePlot()->runCurves().size(), 2, patience);
     QTRY_COMPARE_WITH_TIMEOUT(page.runLines().activity().state(), StudyState::finished, patience);
     QCOMPARE(page.runLines().answers()->size(), 2u);
 }
@@ -633,13 +633,13 @@ void TestRunOverlays::theMapHasThemByName() {
     MapPage page(*m_document);
     show(page);
     present(page);
-    QTRY_COMPARE_WITH_TIMEOUT(page.map()->runs().size(), 2, patience);
-    QCOMPARE(page.map()->runs()[0].title, run(0).title());
-    QVERIFY(isNear(page.map()->runs()[0].at.x(), 300));  // MN/m
-    QVERIFY(isNear(page.map()->runs()[0].at.y(), 0.1));
+    QTRY_COMPARE_WITH_TIMEOUT(page.map()->runMarks().size(), 2, patience);
+    QCOMPARE(page.map()->runMarks()[0].title, run(0).title());
+    QVERIFY(isNear(page.map()->runMarks()[0].at.x(), 300));  // MN/m
+    QVERIFY(isNear(page.map()->runMarks()[0].at.y(), 0.1));
     m_runs->setShown(0, false);
     page.setRuns(m_runs->list());
-    QCOMPARE(page.map()->runs().size(), 1);
+    QCOMPARE(page.map()->runMarks().size(), 1);
 }
 
 void TestRunOverlays::stiffnessAndThrustHaveTheirPoints() {
@@ -648,19 +648,19 @@ void TestRunOverlays::stiffnessAndThrustHaveTheirPoints() {
     stiffness.show();
     present(stiffness);
     auto* curves = stiffness.findChild<CurvePlot*>();
-    QTRY_COMPARE_WITH_TIMEOUT(curves->runs().size(), 2, patience);
-    QVERIFY(isNear(curves->runs()[1].at.x(), 300));
-    QCOMPARE(curves->runs()[1].at.y(), run(1).blow->summary.cor);
+    QTRY_COMPARE_WITH_TIMEOUT(curves->runMarks().size(), 2, patience);
+    QVERIFY(isNear(curves->runMarks()[1].at.x(), 300));
+    QCOMPARE(curves->runMarks()[1].at.y(), run(1).blow->summary.cor);
     stiffness.hide();
     ThrustPage thrust(*m_document);
     thrust.resize(900, 600);
     thrust.show();
     present(thrust);
     auto* needs = thrust.findChild<ThrustPlot*>();
-    QTRY_COMPARE_WITH_TIMEOUT(needs->runs().size(), 2, patience);
-    QVERIFY(isNear(needs->runs()[0].at.x(), 60));  // Hz
+    QTRY_COMPARE_WITH_TIMEOUT(needs->runMarks().size(), 2, patience);
+    QVERIFY(isNear(needs->runMarks()[0].at.x(), 60));  // Hz
     const double need = *thrustNeeded(run(0).contents.scenario, run(0).blow->summary.cor);
-    QVERIFY(isNear(needs->runs()[0].at.y(), need / 1e3));
+    QVERIFY(isNear(needs->runMarks()[0].at.y(), need / 1e3));
 }
 
 void TestRunOverlays::shiftAndAClickPin() {

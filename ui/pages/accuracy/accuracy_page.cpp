@@ -30,8 +30,8 @@ AccuracyPage::AccuracyPage(Document& document, QWidget* parent)
     m_run->setObjectName(QStringLiteral("run"));
     PlotWidget* plot = arrange({m_run});
     m_plot = new ProofPlot(plot);
-    plot->setAccessibleName(tr("Error against run time, or the hardest cases against their marks"));
-    plot->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
+    m_plot->setNames([this](int row) { return nameOf(std::size_t(row)); });
+    useFrame(*m_plot, tr("Error against run time, or the hardest cases against their marks"));
     m_tabs->setObjectName(QStringLiteral("proofs"));
     m_tabs->setDocumentMode(true);
     addTable(m_accuracyTable, QStringLiteral("accuracyTable"), tr("This scenario"));
@@ -42,13 +42,11 @@ AccuracyPage::AccuracyPage(Document& document, QWidget* parent)
     watch(m_study.job());
     connect(m_run, &QPushButton::clicked, this, &AccuracyPage::runOrCancel);
     connect(m_tabs, &QTabWidget::currentChanged, this, &AccuracyPage::present);
-    connect(plot, &PlotWidget::fitRequested, m_plot, &ProofPlot::fit);
     connect(plot, &PlotWidget::clicked, this, [this, plot](const QCPAxisRect*, QPointF at) {
         const QPointF pixel(plot->xAxis->coordToPixel(at.x()), plot->yAxis->coordToPixel(at.y()));
         if (proof() != Proof::stability || !m_stability) return;
         if (const std::optional<int> row = m_plot->rowAt(pixel)) loadCase(static_cast<std::size_t>(*row));
     });
-    plot->keyPoint().offer(m_plot->keyPlaces([this](int row) { return nameOf(std::size_t(row)); }));
     connect(cases, &QTableView::clicked, this,
             [this](const QModelIndex& index) { loadCase(m_stabilityTable->studyRow(index.row())); });
     connect(cases, &QTableView::activated, this,
@@ -151,7 +149,7 @@ void AccuracyPage::presentAccuracy() {
             isRunning() ? first : tr("Run compares all methods on this scenario: error against time."));
         if (m_accuracyTable->rowCount() > 0) m_accuracyTable->clear();
     }
-    plot()->replot(QCustomPlot::rpQueuedReplot);
+    redraw();
 }
 
 void AccuracyPage::presentStability() {
@@ -167,7 +165,7 @@ void AccuracyPage::presentStability() {
         m_plot->showNothing(tr("Run solves and checks some thousand stiff and extreme cases."));
         if (m_stabilityTable->rowCount() > 0) m_stabilityTable->clear();
     }
-    plot()->replot(QCustomPlot::rpQueuedReplot);
+    redraw();
 }
 
 // Once: then the widths are the user's.

@@ -54,14 +54,13 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     constexpr int lines = 30;  // of four plots, each with its legend
     setLeastLines(lines);
 
-    m_plot->setAccessibleName(tr("Waves, impact force, impulse and momentum over time"));
+    useFrame(*m_plots, tr("Waves, impact force, impulse and momentum over time"));
     m_plot->followPalette([this](const PlotStyle& style) {
         m_plots->setStyle(style);
         m_measuredCurves->setStyle(style);
     });
     connect(&observation, &Observation::sectionChanged, this, &BlowPage::showSection);
     connect(&observation, &Observation::timeChanged, this, &BlowPage::showInstant);
-    connect(m_plot, &PlotWidget::fitRequested, m_plots, &BlowPlots::fit);
     connect(m_plot, &PlotWidget::timeCursorDragged, this, [this](double x) {
         if (m_blow) m_observation.setTime(x / m_blow->units.time.factor);
     });
@@ -174,8 +173,7 @@ void BlowPage::setResult(const SolvedBlowPtr& blow) {
     }
     showPlace();
     showInstant();
-    m_plot->setAccessibleDescription(m_plots->textSummary());
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    redraw();
 }
 
 // In other units the cursors A and B stay where they are in the blow.

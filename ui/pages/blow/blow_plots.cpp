@@ -77,10 +77,8 @@ void setData(QCPGraph& graph, const GraphData& data) {
 
 }  // namespace
 
-BlowPlots::BlowPlots(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
-    plot->setAutoAddPlottableToLegend(false);
-    plot->plotLayout()->clear();
-    plot->plotLayout()->setRowSpacing(0);
+BlowPlots::BlowPlots(QCustomPlot* plot) : StudyFrame(plot) {
+    layOutAnew();
     auto* margins = new QCPMarginGroup(plot);
     addPlot(waves, waveNames, margins);
     addPlot(force, {tr("impact force F"), tr("closed form"), tr("force of the hammer on the string")},
@@ -88,7 +86,6 @@ BlowPlots::BlowPlots(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(ne
     addPlot(impulse, {tr("impulse of the impact force I")}, margins);
     addPlot(momentumOfRod, {tr("momentum of the rod p")}, margins);
     linkTimeAxes();
-    m_message = new PlotMessage(plot);
     connect(plot, &QCustomPlot::beforeReplot, this, &BlowPlots::wrapLegends);
     setStyle(PlotStyle::forPaper());
 }
@@ -117,15 +114,9 @@ void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGr
     header->setColumnStretchFactor(1, 1e-3);
     added.legend->setLayer(QStringLiteral("legend"));
 
-    added.rect = new QCPAxisRect(m_plot);
-    added.rect->setupFullAxesBox(true);
+    added.rect = newAxisRect(*m_plot, Sides::linked);
     added.rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
     added.rect->setMinimumMargins(QMargins(4, 2, 10, 2));
-    // Drawn in the order of these lines: axes() comes in another order in every run of the program.
-    for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight, QCPAxis::atTop, QCPAxis::atBottom}) {
-        added.rect->axis(side)->setLayer(QStringLiteral("axes"));
-        added.rect->axis(side)->grid()->setLayer(QStringLiteral("grid"));
-    }
     // The lowest plot alone carries the numbers of the common time axis.
     added.rect->axis(QCPAxis::atBottom)->setTickLabels(index + 1 == plotCount);
     m_plot->plotLayout()->addElement(row + 1, 0, added.rect);
@@ -187,11 +178,10 @@ void BlowPlots::present(const BlowCurves& curves) {
     setData(*impulseGraph(), curves.impulse);
     setData(*momentumGraph(), curves.momentum);
     showClosedForm();
-    m_message->hide();
     m_timeEnd = curves.timeEnd > 0 ? curves.timeEnd : 1;
     setLabels();
     summarize();
-    if (m_view->isFitted() || unitsChanged) fit();
+    finish(unitsChanged);
 }
 
 void BlowPlots::showClosedForm() {
@@ -259,7 +249,7 @@ void BlowPlots::setGhost(const BlowCurves* before) {
         addGhost(momentumOfRod, 0, before->momentum);
         m_ghostEnd = before->timeEnd;
     }
-    if (m_view->isFitted()) fit();
+    fitUnlessZoomed();
 }
 
 void BlowPlots::addGhost(std::size_t index, int kind, const GraphData& data) {
@@ -288,17 +278,11 @@ void BlowPlots::removeOverlay(QCPGraph* overlay) {
     m_plot->removeGraph(overlay);
 }
 
-void BlowPlots::fitUnlessZoomed() {
-    if (m_view->isFitted()) fit();
-}
-
-void BlowPlots::showNothing(const QString& message) {
+void BlowPlots::clear() {
     for (const Plot& plot : m_plots)
         for (QCPGraph* graph : plot.graphs) graph->setData(GraphData::create());
     m_curves.runs.clear();
     showRuns();
-    m_message->show(message);
-    m_summary = message;
 }
 
 void BlowPlots::setLabels() {
@@ -360,32 +344,24 @@ void BlowPlots::summarize() {
                     .arg(shown(largestMagnitude(curves.sectionForce), curves.units.force));
 }
 
-void BlowPlots::setStyle(const PlotStyle& style) {
-    m_style = style;
-    m_plot->setBackground(style.background);
+void BlowPlots::restyle() {
     for (const Plot& plot : m_plots) {
-        style.applyTo(*plot.rect);
-        style.applyTo(*plot.legend);
-        style.applyTo(*plot.title);
+        m_style.applyTo(*plot.legend);
+        m_style.applyTo(*plot.title);
         const bool isWaves = &plot == &m_plots[waves];
         for (int i = 0; i < plot.graphs.size(); ++i)
-            plot.graphs[i]->setPen(isWaves ? wavePen(style, i) : style.linePen(i));
-        for (int i = 0; i < plot.ghosts.size(); ++i) plot.ghosts[i]->setPen(style.ghostPen(i));
-        plot.runs->setStyle(style);
+            plot.graphs[i]->setPen(isWaves ? wavePen(m_style, i) : m_style.linePen(i));
+        for (int i = 0; i < plot.ghosts.size(); ++i) plot.ghosts[i]->setPen(m_style.ghostPen(i));
+        plot.runs->setStyle(m_style);
     }
     if (m_curves.force) setLabels();  // files have another locale
-    m_message->setStyle(style);
 }
 
-void BlowPlots::fit() {
-    m_view->fit([this] {
-        m_plots[waves]
-            .rect->axis(QCPAxis::atBottom)
-            ->setRange(0, std::max({m_timeEnd, m_ghostEnd, m_runsEnd}));
-        for (const Plot& plot : m_plots)
-            plot.rect->axis(QCPAxis::atLeft)
-                ->setRange(valueRange(plot.graphs + plot.ghosts + plot.overlays + plot.runs->graphs()));
-    });
+void BlowPlots::setRanges() {
+    m_plots[waves].rect->axis(QCPAxis::atBottom)->setRange(0, std::max({m_timeEnd, m_ghostEnd, m_runsEnd}));
+    for (const Plot& plot : m_plots)
+        plot.rect->axis(QCPAxis::atLeft)
+            ->setRange(valueRange(plot.graphs + plot.ghosts + plot.overlays + plot.runs->graphs()));
 }
 
 }  // namespace drillwave

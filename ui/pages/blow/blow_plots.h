@@ -2,20 +2,15 @@
 // The four plots of a blow on one time axis: the same drawing code for the page and for files.
 #pragma once
 
-#include <QObject>
-#include <QString>
 #include <array>
 
 #include "ui/pages/blow/blow_curves.h"
-#include "ui/pages/run_graphs.h"
-#include "ui/plot/fitted_view.h"
-#include "ui/plot/plot_message.h"
-#include "ui/plot/plot_style.h"
+#include "ui/plot/study_frame.h"
 
 namespace drillwave {
 
-/// Lays four axis rects with linked time axes into a plot and fills them. Lives as a child of the plot.
-class BlowPlots : public QObject {
+/// Lays four axis rects with linked time axes into a plot and fills them: fitted, all curves are in view.
+class BlowPlots : public StudyFrame {
     Q_OBJECT
 
   public:
@@ -32,17 +27,8 @@ class BlowPlots : public QObject {
     enum class Kind { waves, impactForce };
     QCPGraph* addOverlay(Kind kind, const QString& name);
     void removeOverlay(QCPGraph* overlay);
-    /// No curves, and `message` in their place (why there are none).
-    void showNothing(const QString& message);
-    void setStyle(const PlotStyle& style);
-    /// All curves in view.
-    void fit();
-    /// The same, unless the user has chosen another view.
-    void fitUnlessZoomed();
     /// Where in a drill string the waves of these curves are.
     static QString placeText(const BlowCurves& curves, const QLocale& locale);
-    /// What the plots show, in words, for assistive tools.
-    QString textSummary() const { return m_summary; }
     QCPAxisRect* axisRect(int index) const { return m_plots.at(static_cast<std::size_t>(index)).rect; }
     /// N at the section, the sum of all waves there.
     QCPGraph* sectionForceGraph() const { return m_plots[0].graphs.first(); }
@@ -71,6 +57,9 @@ class BlowPlots : public QObject {
         QVector<QCPGraph*> overlays;
         RunGraphs* runs = nullptr;
     };
+    void clear() override;
+    void restyle() override;
+    void setRanges() override;
     void addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins);
     void wrapLegends();
     void linkTimeAxes();
@@ -84,16 +73,11 @@ class BlowPlots : public QObject {
     void setLabels();
     void summarize();
 
-    QCustomPlot* m_plot;
     std::array<Plot, plotCount> m_plots;
-    PlotMessage* m_message;
-    PlotStyle m_style;
     BlowCurves m_curves;
     double m_timeEnd = 1;
     double m_ghostEnd = 0;
     double m_runsEnd = 0;
-    FittedView* m_view;
-    QString m_summary;
 };
 
 }  // namespace drillwave

@@ -52,11 +52,8 @@ CurvePage::CurvePage(Document& document, QWidget* parent)
     m_plot = new CurvePlot(plot);
     watch(m_study.job());
     watchBeside(m_runLines.activity());
-    plot->setAccessibleName(tr("A result over a parameter"));
-    plot->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
-    connect(plot, &PlotWidget::fitRequested, m_plot, &CurvePlot::fit);
+    useFrame(*m_plot, tr("A result over a parameter"));
     connect(plot, &PlotWidget::clicked, this, &CurvePage::click);
-    plot->keyPoint().offer(m_plot->keyPlaces());
     connect(&UnitChoice::shared(), &UnitChoice::changed, this, &CurvePage::askSoon);
     connect(&document, &Document::scenarioChanged, this, &CurvePage::followForm);
 }
@@ -200,10 +197,7 @@ void CurvePage::ask() {
 // In the place of the curves, and none of them to be clicked or written.
 void CurvePage::refuse(const QString& problem) {
     m_shown = {};
-    m_plot->showNothing(problem);
-    plot()->setAccessibleDescription(problem);
-    say(problem);
-    plot()->replot(QCustomPlot::rpQueuedReplot);
+    showNothing(problem);
 }
 
 CurvePage::Shown CurvePage::wanted() const {
@@ -239,17 +233,11 @@ void CurvePage::draw() {
         curvePicture(*m_shown.study, m_shown.units, *m_shown.xUnit, m_shown.here, m_shown.presets, QLocale());
     m_plot->present(picture);
     m_shownRuns.reset();  // over another range or in other units
-    for (int i = 0; i < picture.lines.size(); ++i) {
-        CurveMeaning meaning;
-        meaning.xUnit = picture.x.unit;
-        meaning.yUnit = picture.value.unit;
-        meaning.integralFactor = 0;
-        plot()->setMeaning(m_plot->graphs()[i], meaning);
-    }
-    plot()->setAccessibleDescription(picture.summary);
+    for (const QCPGraph* graph : m_plot->graphs())
+        plot()->setMeaning(graph, CurveMeaning::overParameter(picture.x.unit, picture.value.unit));
     plot()->reader().setUsual(picture.marked < 0 ? nullptr : m_plot->graphs()[picture.marked]);
     say(picture.summary);
-    plot()->replot(QCustomPlot::rpQueuedReplot);
+    redraw();
 }
 
 /// By the blow that is on show, which follows the hand.
@@ -286,12 +274,9 @@ void CurvePage::showRuns() {
         GraphData points = linePoints(found->lines.front(), picture.x.factor, picture.valueFactor);
         if (points) curves.append({run.number, run.title(), std::move(points)});
     }
-    m_plot->setRuns(curves, marks);
-    CurveMeaning meaning;
-    meaning.xUnit = picture.x.unit;
-    meaning.yUnit = picture.value.unit;
-    meaning.integralFactor = 0;
-    for (QCPGraph* graph : m_plot->runCurves().graphs()) plot()->setMeaning(graph, meaning);
+    m_plot->setRuns(marks, curves);
+    for (const QCPGraph* graph : m_plot->runCurves())
+        plot()->setMeaning(graph, CurveMeaning::overParameter(picture.x.unit, picture.value.unit));
     plot()->replot(QCustomPlot::rpQueuedReplot);
 }
 

@@ -20,79 +20,50 @@ bool sameAxes(const CurvePicture& a, const CurvePicture& b) {
            a.logarithmic == b.logarithmic && a.output == b.output && a.value.unit == b.value.unit;
 }
 
-QString labelOf(const QString& words, const ShownUnit& unit) {
-    return unit.unit.isEmpty() ? words : unit.axisLabel(words);
-}
-
 }  // namespace
 
-CurvePlot::CurvePlot(QCustomPlot* plot)
-    : QObject(plot), m_plot(plot), m_message(nullptr), m_view(new FittedView(this)) {
-    plot->setAutoAddPlottableToLegend(false);
+CurvePlot::CurvePlot(QCustomPlot* plot) : StudyFrame(plot) {
+    layOutAnew();
     addRect();
     m_bands = new PresetBands(m_rect);
-    m_one = new QCPItemStraightLine(plot);
-    m_one->setLayer(QStringLiteral("grid"));
-    m_one->setSelectable(false);
-    for (QCPItemPosition* position : {m_one->point1, m_one->point2}) {
-        position->setTypeX(QCPItemPosition::ptAxisRectRatio);
-        position->setTypeY(QCPItemPosition::ptPlotCoords);
-    }
-    m_one->point1->setCoords(0, 1);
-    m_one->point2->setCoords(1, 1);
-    m_extremes = plot->addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+    m_one = addLevel(m_rect, QStringLiteral("grid"));
+    m_extremes = plot->addGraph(x(), y());
     m_extremes->setLineStyle(QCPGraph::lsNone);
-    m_here = new HereMark(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
-    m_runCurves = new RunGraphs(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft), m_legend,
-                                RunGraphs::thin);
-    m_runs = new RunMarks(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
-    m_message = new PlotMessage(plot);
-    for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
+    addHere();
+    addRunCurves(RunGraphs::thin);
+    addRunMarks();
     connect(plot, &QCustomPlot::beforeReplot, this,
             [this] { wrapLegend(*m_legend, m_plot->width(), mostColumns); });
     setStyle(PlotStyle::forPaper());
 }
 
 void CurvePlot::addRect() {
-    m_plot->plotLayout()->clear();
-    m_legend = new QCPLegend;
-    m_legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    m_legend->setMargins(QMargins(7, 6, 7, 4));
-    m_plot->plotLayout()->addElement(0, 0, m_legend);
+    useLegend(QMargins(7, 6, 7, 4));
+    insertAbove(m_legend);
     m_legend->setLayer(QStringLiteral("legend"));
-    m_plot->plotLayout()->setRowStretchFactor(0, 1e-3);
-    m_plot->plotLayout()->setRowSpacing(0);
-    m_rect = new QCPAxisRect(m_plot);
-    m_rect->setupFullAxesBox(false);
-    // Drawn in the order of these lines: axes() comes in another order in every run of the program.
-    for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight, QCPAxis::atTop, QCPAxis::atBottom}) {
-        m_rect->axis(side)->setLayer(QStringLiteral("axes"));
-        m_rect->axis(side)->grid()->setLayer(QStringLiteral("grid"));
-    }
+    view(newAxisRect(*m_plot, Sides::free));
     m_rect->setMinimumMargins(QMargins(4, 4, 14, 4));
     m_rect->axis(QCPAxis::atRight)->setTicks(false);
     m_plot->plotLayout()->addElement(1, 0, m_rect);
-    using Changed = void (QCPAxis::*)(const QCPRange&);
-    connect(m_rect->axis(QCPAxis::atBottom), static_cast<Changed>(&QCPAxis::rangeChanged), this,
-            [this](const QCPRange& range) {
-                m_rect->axis(QCPAxis::atTop)
-                    ->setRange(range.lower * m_picture.aboveFactor, range.upper * m_picture.aboveFactor);
-            });
+    connect(x(), qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, [this](const QCPRange& range) {
+        m_rect->axis(QCPAxis::atTop)
+            ->setRange(range.lower * m_picture.aboveFactor, range.upper * m_picture.aboveFactor);
+    });
 }
 
 void CurvePlot::present(const CurvePicture& picture) {
     const bool otherAxes = m_picture.lines.isEmpty() || !sameAxes(m_picture, picture);
     m_picture = picture;
-    m_message->hide();
+    m_summary = picture.summary;
     makeGraphs();
     QVector<QCPGraphData> extremes;
     for (const QPointF& point : picture.extremes) extremes.append({point.x(), point.y()});
     m_extremes->data()->set(extremes);
     showAxes();
     m_bands->present(picture.bands);
-    m_one->setVisible(picture.output && picture.output->name == "cor");
+    setLevel(*m_one, picture.output && picture.output->name == "cor" ? std::optional(1.0) : std::nullopt);
     setStyle(m_style);
-    if (m_view->isFitted() || otherAxes) fit();
+    finish(otherAxes);
     dropMarks();
     if (picture.marked < 0) return;
     m_marks = std::make_unique<CurveMarks>(m_graphs[picture.marked]);
@@ -100,16 +71,13 @@ void CurvePlot::present(const CurvePicture& picture) {
     m_marks->present(picture.marks, picture.x, picture.value);
 }
 
-void CurvePlot::showNothing(const QString& message) {
+void CurvePlot::clear() {
     m_picture = {};
     dropMarks();
     makeGraphs();
     m_bands->present({});
     m_extremes->data()->clear();
-    m_one->setVisible(false);
-    m_here->setPlace({}, {});
-    setRuns({}, {});
-    m_message->show(message);
+    setLevel(*m_one, {});
 }
 
 void CurvePlot::dropMarks() {
@@ -129,49 +97,33 @@ void CurvePlot::makeGraphs() {
         m_legend->clearItems();
         m_graphs.clear();
         for (const DrawnCurve& line : m_picture.lines) {
-            QCPGraph* graph = addCurve(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+            QCPGraph* graph = addCurve(x(), y());
             graph->setAdaptiveSampling(false);
             graph->setName(line.name);
             graph->addToLegend(m_legend);
             m_graphs.append(graph);
         }
-        m_runCurves->standLast();
+        standRunsLast();
     }
     for (int i = 0; i < m_graphs.size(); ++i) m_graphs[i]->setData(m_picture.lines[i].points);
 }
 
 void CurvePlot::showAxes() {
-    QCPAxis* below = m_rect->axis(QCPAxis::atBottom);
     QCPAxis* above = m_rect->axis(QCPAxis::atTop);
     m_view->adjust([&] {
         const auto scale = m_picture.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear;
-        if (below->scaleType() != scale) below->setRange(m_picture.from, m_picture.to);
-        setScale(*below, scale);
+        if (x()->scaleType() != scale) x()->setRange(m_picture.from, m_picture.to);
+        setScale(*x(), scale);
     });
-    below->setLabel(labelOf(m_picture.xName, m_picture.x));
+    x()->setLabel(m_picture.x.axisLabel(m_picture.xName));
     above->setLabel(m_picture.aboveName);
     above->setTickLabels(!m_picture.aboveName.isEmpty());
-    if (m_picture.output)
-        m_rect->axis(QCPAxis::atLeft)->setLabel(labelOf(outputName(*m_picture.output), m_picture.value));
+    if (m_picture.output) y()->setLabel(m_picture.value.axisLabel(outputName(*m_picture.output)));
 }
 
-void CurvePlot::setHere(std::optional<double> x, std::optional<double> y) {
-    m_here->setPlace(x, y);
-}
-
-void CurvePlot::setRuns(const QVector<RunCurve>& curves, const QVector<RunMark>& marks) {
-    m_runCurves->present(curves);
-    m_runs->present(marks);
-    if (m_view->isFitted()) fit();
-}
-
-void CurvePlot::setStyle(const PlotStyle& style) {
-    m_style = style;
-    if (m_message) m_message->setStyle(style);
-    m_plot->setBackground(style.background);
-    style.applyTo(*m_rect);
+void CurvePlot::restyle() {
+    const PlotStyle& style = m_style;
     m_rect->axis(QCPAxis::atTop)->grid()->setVisible(false);
-    style.applyTo(*m_legend);
     for (int i = 0; i < m_graphs.size(); ++i) {
         const DrawnCurve& line = m_picture.lines[i];
         QPen pen = style.linePen(line.number);
@@ -197,43 +149,36 @@ void CurvePlot::setStyle(const PlotStyle& style) {
     m_one->setPen(QPen(style.text, 1, Qt::DashDotLine));
     m_bands->setStyle(style);
     if (m_marks) m_marks->setStyle(style);
-    m_here->setStyle(style);
-    m_runCurves->setStyle(style);
-    m_runs->setStyle(style);
 }
 
-void CurvePlot::fit() {
-    m_view->fit([&] {
-        if (m_picture.lines.isEmpty()) return;
-        const double room = 0.02;
-        const double span = m_picture.to - m_picture.from;
-        const double ratio = std::pow(m_picture.to / m_picture.from, room);
-        m_rect->axis(QCPAxis::atBottom)
-            ->setRange(m_picture.logarithmic ? m_picture.from / ratio : m_picture.from - room * span,
-                       m_picture.logarithmic ? m_picture.to * ratio : m_picture.to + room * span);
-        std::optional<QCPRange> values;
-        for (const auto& graphs : {m_graphs, m_runCurves->graphs()})
-            for (const QCPGraph* graph : graphs) {
-                bool found = false;
-                const QCPRange own = graph->getValueRange(found);
-                if (!found || !graph->visible()) continue;
-                if (values)
-                    values->expand(own);
-                else
-                    values = own;
-            }
-        if (!values) values = QCPRange(0, 1);
-        const double size = std::max(values->size(), 0.02 * std::abs(values->upper));
-        // Names of presets stand at the bottom.
-        const double below = m_picture.bands.isEmpty() ? 0.06 : 0.16;
-        m_rect->axis(QCPAxis::atLeft)->setRange(values->lower - below * size, values->upper + 0.08 * size);
-    });
+void CurvePlot::setRanges() {
+    if (m_picture.lines.isEmpty()) return;
+    const double room = 0.02;
+    const double span = m_picture.to - m_picture.from;
+    const double ratio = std::pow(m_picture.to / m_picture.from, room);
+    x()->setRange(m_picture.logarithmic ? m_picture.from / ratio : m_picture.from - room * span,
+                  m_picture.logarithmic ? m_picture.to * ratio : m_picture.to + room * span);
+    std::optional<QCPRange> values;
+    for (const QCPGraph* graph : m_graphs + runCurves()) {
+        bool found = false;
+        const QCPRange own = graph->getValueRange(found);
+        if (!found || !graph->visible()) continue;
+        if (values)
+            values->expand(own);
+        else
+            values = own;
+    }
+    if (!values) values = QCPRange(0, 1);
+    const double size = std::max(values->size(), 0.02 * std::abs(values->upper));
+    // Names of presets stand at the bottom.
+    const double below = m_picture.bands.isEmpty() ? 0.06 : 0.16;
+    y()->setRange(values->lower - below * size, values->upper + 0.08 * size);
 }
 
 KeyPlaces CurvePlot::keyPlaces() const {
     KeyPlaces places;
     places.rect = m_rect;
-    places.start = [this] { return m_here->place(); };
+    places.start = [this] { return here().place(); };
     places.marks = [this] {
         QVector<QPointF> marks;
         if (m_picture.marked >= 0 && m_graphs[m_picture.marked]->visible())
@@ -244,11 +189,8 @@ KeyPlaces CurvePlot::keyPlaces() const {
 }
 
 CurvePlot::Target CurvePlot::targetAt(QPointF coordinates) const {
-    const QCPAxis* x = m_rect->axis(QCPAxis::atBottom);
-    const QCPAxis* y = m_rect->axis(QCPAxis::atLeft);
     const auto distance = [&](QPointF other) {
-        return std::hypot(x->coordToPixel(other.x()) - x->coordToPixel(coordinates.x()),
-                          y->coordToPixel(other.y()) - y->coordToPixel(coordinates.y()));
+        return QLineF(pixelOf(other), pixelOf(coordinates)).length();
     };
     Target target{.x = coordinates.x()};
     double nearest = nearPixels;

@@ -44,18 +44,15 @@ GapPage::GapPage(Document& document, QWidget* parent)
     PlotWidget* plot =
         arrange(QList<QWidget*>{m_output, m_scatter} + m_scatter->fields() + QList<QWidget*>{m_curve});
     m_plot = new GapPlot(plot);
-    plot->setAccessibleName(tr("Result over the gap, and how its values are distributed"));
-    plot->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
+    useFrame(*m_plot, tr("Result over the gap, and how its values are distributed"));
     watch(m_study.job());
     watchBeside(m_runGaps.activity());
     connect(m_output, &QComboBox::currentIndexChanged, this, &GapPage::present);
     connect(m_scatter, &ScatterFields::changed, this, &GapPage::askSoon);
-    connect(plot, &PlotWidget::fitRequested, m_plot, &GapPlot::fit);
     connect(plot, &PlotWidget::clicked, this,
             [this](const QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
                 if (!m_plot->isDistribution(rect)) takeGap(at.x(), modifiers);
             });
-    plot->keyPoint().offer(m_plot->keyPlaces());
 }
 
 ChoiceBox* GapPage::outputBox() {
@@ -157,14 +154,14 @@ void GapPage::showRuns() {
                 {run.number, run.letter(),
                  QPointF(own * units->penetration.factor, curve.value(m_shown.output, own) * value)});
     }
-    m_plot->setRuns(curves, marks);
-    for (QCPGraph* graph : m_plot->runs().graphs()) {
-        CurveMeaning meaning;
-        meaning.xUnit = m_picture.gap.dimensionless ? QString() : m_picture.gap.unit;
-        meaning.yUnit = m_picture.value.unit;
-        plot()->setMeaning(graph, meaning);
-    }
+    m_plot->setRuns(marks, curves);
+    for (const QCPGraph* graph : m_plot->runCurves()) plot()->setMeaning(graph, meaning());
     plot()->replot(QCustomPlot::rpQueuedReplot);
+}
+
+CurveMeaning GapPage::meaning() const {
+    return {.xUnit = m_picture.gap.dimensionless ? QString() : m_picture.gap.unit,
+            .yUnit = m_picture.value.unit};
 }
 
 void GapPage::draw() {
@@ -173,18 +170,15 @@ void GapPage::draw() {
                                    : gapPreview(found.samples, m_shown.output, m_shown.units);
     m_plot->present(m_picture);
     m_shownRuns.reset();  // over other gaps or in other units
-    CurveMeaning meaning;
-    if (!m_picture.gap.dimensionless) meaning.xUnit = m_picture.gap.unit;
-    meaning.yUnit = m_picture.value.unit;
+    CurveMeaning meaning = this->meaning();
     if (found.isComplete())
         meaning.value = [answer = m_shown.answer, output = m_shown.output, gap = m_picture.gap.factor,
                          value = m_picture.value.factor, from = found.report.curve.start](double x) {
             return answer->report.curve.value(output, std::max(from, x / gap)) * value;
         };
     plot()->setMeaning(m_plot->graph(), meaning);
-    plot()->setAccessibleDescription(m_plot->textSummary());
     say(sentence());
-    plot()->replot(QCustomPlot::rpQueuedReplot);
+    redraw();
 }
 
 void GapPage::showNothing(const QString& why) {
@@ -204,12 +198,11 @@ QString GapPage::obstacle() const {
 // On the curve that is shown, and in its period: beyond it everything repeats.
 void GapPage::placeHere() {
     const GapCurve& curve = m_shown.answer->report.curve;
-    if (!m_shown.answer->isComplete()) return m_plot->setHere({});
+    if (!m_shown.answer->isComplete()) return m_plot->setHere({}, {});
     double gap = groupsOf(scenario()).delta;
-    if (gap < curve.start) return m_plot->setHere({});  // before all periods
+    if (gap < curve.start) return m_plot->setHere({}, {});  // before all periods
     if (gap >= curve.end) gap = curve.periodStart + (gap - std::floor(gap));
-    m_plot->setHere(
-        QPointF(gap * m_picture.gap.factor, curve.value(m_shown.output, gap) * m_picture.value.factor));
+    m_plot->setHere(gap * m_picture.gap.factor, curve.value(m_shown.output, gap) * m_picture.value.factor);
 }
 
 // A click in the plot.

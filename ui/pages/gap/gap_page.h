@@ -7,6 +7,7 @@
 #include "ui/pages/gap/gap_study.h"
 #include "ui/pages/gap/run_gaps.h"
 #include "ui/pages/study/study_page.h"
+#include "ui/plot/curve_meaning.h"
 
 class QPushButton;
 
@@ -55,6 +56,7 @@ class GapPage : public StudyPage {
     void followForm();
     GapOutput output() const;
     Shown wanted() const;
+    CurveMeaning meaning() const;
     void draw();
     void showNothing(const QString& why);
     void placeHere();

@@ -21,17 +21,6 @@ bool sameAxes(const GapPicture& a, const GapPicture& b) {
            a.from == b.from && a.to == b.to;
 }
 
-QCPAxisRect* newRect(QCustomPlot* plot) {
-    auto* rect = new QCPAxisRect(plot);
-    rect->setupFullAxesBox(false);
-    // Drawn in the order of these lines: axes() comes in another order in every run of the program.
-    for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight, QCPAxis::atTop, QCPAxis::atBottom}) {
-        rect->axis(side)->setLayer(QStringLiteral("axes"));
-        rect->axis(side)->grid()->setLayer(QStringLiteral("grid"));
-    }
-    return rect;
-}
-
 QVector<QCPCurveData> curveData(const QVector<QPointF>& points) {
     QVector<QCPCurveData> data;
     for (const QPointF& point : points) data.append(QCPCurveData(double(data.size()), point.x(), point.y()));
@@ -40,54 +29,34 @@ QVector<QCPCurveData> curveData(const QVector<QPointF>& points) {
 
 }  // namespace
 
-GapPlot::GapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
-    plot->setAutoAddPlottableToLegend(false);
-    plot->plotLayout()->clear();
-    addLegend();
+GapPlot::GapPlot(QCustomPlot* plot) : StudyFrame(plot) {
+    layOutAnew();
+    addHeader(4);
+    m_legend->setWrap(3);  // as many as fit beside each other with their names
     addRects();
     linkAxes();
     addLines();
-    m_graph = addCurve(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+    m_graph = addCurve(x(), y());
     m_graph->setAdaptiveSampling(false);
+    m_graph->addToLegend(m_legend);
     m_shares = new QCPCurve(m_beside->axis(QCPAxis::atBottom), m_beside->axis(QCPAxis::atLeft));
     m_shares->setName(tr("share in a band"));
+    m_shares->addToLegend(m_legend);
     m_below = new QCPCurve(m_beside->axis(QCPAxis::atTop), m_beside->axis(QCPAxis::atLeft));
     m_below->setName(tr("share below"));
-    for (QCPAbstractPlottable* curve :
-         {static_cast<QCPAbstractPlottable*>(m_graph), static_cast<QCPAbstractPlottable*>(m_shares),
-          static_cast<QCPAbstractPlottable*>(m_below)})
-        curve->addToLegend(m_legend);
+    m_below->addToLegend(m_legend);
     m_marks = new CurveMarks(m_graph);
-    m_here = new HereMark(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
-    m_runs = new RunGraphs(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft), m_legend);
-    m_runMarks = new RunMarks(plot, m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
-    m_message = new PlotMessage(plot);
-    for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_rect->axis(side));
+    addHere();
+    addRunCurves();
+    addRunMarks();
     connect(plot, &QCustomPlot::afterLayout, this, &GapPlot::placeBands);
     connect(plot, &QCustomPlot::beforeReplot, this, &GapPlot::breakCaption);
     setStyle(PlotStyle::forPaper());
 }
 
-void GapPlot::addLegend() {
-    auto* header = new QCPLayoutGrid;
-    header->setRowSpacing(0);
-    m_plot->plotLayout()->addElement(0, 0, header);
-    m_plot->plotLayout()->setRowStretchFactor(0, 1e-3);
-    m_plot->plotLayout()->setRowSpacing(0);
-    m_legend = new QCPLegend;
-    m_legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    m_legend->setMargins(QMargins(7, 6, 0, 0));
-    m_caption = new QCPTextElement(m_plot);
-    m_caption->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
-    m_caption->setMargins(QMargins(7, 0, 0, 4));
-    header->addElement(0, 0, m_legend);
-    header->addElement(1, 0, m_caption);
-    m_legend->setLayer(QStringLiteral("legend"));
-}
-
 void GapPlot::addRects() {
-    m_rect = newRect(m_plot);
-    m_beside = newRect(m_plot);
+    view(newAxisRect(*m_plot, Sides::free));
+    m_beside = newAxisRect(*m_plot, Sides::free);
     auto* row = new QCPLayoutGrid;
     m_plot->plotLayout()->addElement(1, 0, row);
     row->addElement(0, 0, m_rect);
@@ -98,12 +67,10 @@ void GapPlot::addRects() {
     for (QCPAxisRect* rect : {m_rect, m_beside}) {
         rect->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
         rect->setMinimumMargins(QMargins(4, 4, 14, 4));
+        rect->axis(QCPAxis::atRight)->setTicks(false);
+        rect->axis(QCPAxis::atTop)->setTickLabels(true);
     }
-    m_rect->axis(QCPAxis::atTop)->setTickLabels(true);
-    m_rect->axis(QCPAxis::atRight)->setTicks(false);
     m_beside->axis(QCPAxis::atLeft)->setTickLabels(false);
-    m_beside->axis(QCPAxis::atRight)->setTicks(false);
-    m_beside->axis(QCPAxis::atTop)->setTickLabels(true);
     m_beside->axis(QCPAxis::atBottom)->ticker()->setTickCount(2);
     auto halves = QSharedPointer<QCPAxisTickerFixed>::create();
     halves->setTickStep(50);
@@ -117,12 +84,12 @@ void GapPlot::addRects() {
 void GapPlot::linkAxes() {
     using Changed = void (QCPAxis::*)(const QCPRange&);
     constexpr auto changed = static_cast<Changed>(&QCPAxis::rangeChanged);
-    QCPAxis* values = m_rect->axis(QCPAxis::atLeft);
+    QCPAxis* values = y();
     QCPAxis* same = m_beside->axis(QCPAxis::atLeft);
     connect(values, changed, same, [same](const QCPRange& range) { same->setRange(range); });
     connect(same, changed, values, [values](const QCPRange& range) { values->setRange(range); });
     QCPAxis* top = m_rect->axis(QCPAxis::atTop);
-    connect(m_rect->axis(QCPAxis::atBottom), changed, this, [this, top](const QCPRange& range) {
+    connect(x(), changed, this, [this, top](const QCPRange& range) {
         top->setRange(range.lower / m_picture.gap.factor, range.upper / m_picture.gap.factor);
     });
 }
@@ -130,85 +97,45 @@ void GapPlot::linkAxes() {
 void GapPlot::addLines() {
     for (const int side : {0, 1}) {
         QCPAxisRect* rect = side == 0 ? m_rect : m_beside;
-        QCPAxis* x = rect->axis(QCPAxis::atBottom);
-        QCPAxis* y = rect->axis(QCPAxis::atLeft);
-        const auto place = [&](QCPItemPosition& position) {
-            position.setAxes(x, y);
-            position.setAxisRect(rect);
-            position.setTypeX(QCPItemPosition::ptAxisRectRatio);
-            position.setTypeY(QCPItemPosition::ptPlotCoords);
-        };
-        auto* band = m_bands[side] = new QCPItemRect(m_plot);
-        band->setLayer(QStringLiteral("background"));
-        band->setSelectable(false);
-        band->setClipAxisRect(rect);
-        place(*band->topLeft);
-        place(*band->bottomRight);
-        for (QCPItemStraightLine*& line : m_lines[side]) {
-            line = new QCPItemStraightLine(m_plot);
-            line->setLayer(QStringLiteral("grid"));
-            line->setSelectable(false);
-            line->setClipAxisRect(rect);
-            place(*line->point1);
-            place(*line->point2);
-        }
-        if (side == 0) continue;
-        for (QCPItemText*& name : m_lineNames) {
-            name = new QCPItemText(m_plot);
-            name->setLayer(QStringLiteral("legend"));  // above the curves
-            name->setSelectable(false);
-            name->setClipAxisRect(rect);
-            name->setPadding(QMargins(4, 1, 4, 1));
-            name->setPositionAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            place(*name->position);
-        }
+        m_bands[side] = addItem<QCPItemRect>(rect, QStringLiteral("background"));
+        for (QCPItemPosition* corner : m_bands[side]->positions()) setAcross(*corner);
+        for (QCPItemStraightLine*& line : m_lines[side]) line = addLevel(rect, QStringLiteral("grid"));
     }
-    m_bandName = new QCPItemText(m_plot);
-    m_bandName->setSelectable(false);
+    for (QCPItemText*& name : m_lineNames) {
+        name = addText(m_beside, QMargins(4, 1, 4, 1), Qt::AlignRight | Qt::AlignVCenter);
+        name->setLayer(QStringLiteral("legend"));  // above the curves
+        setAcross(*name->position);
+    }
+    m_bandName = addText(m_rect, QMargins(6, 3, 6, 3), Qt::AlignHCenter | Qt::AlignTop);
     m_bandName->setText(tr("super rebound, e > 1"));
-    m_bandName->setPadding(QMargins(6, 3, 6, 3));
-    m_bandName->setPositionAlignment(Qt::AlignHCenter | Qt::AlignTop);
-    m_bandName->setClipAxisRect(m_rect);
-    m_bandName->position->setAxes(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
-    m_bandName->position->setAxisRect(m_rect);
-    m_bandName->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
-    m_bandName->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    m_bandName->position->setType(QCPItemPosition::ptAxisRectRatio);
     m_bandName->position->setCoords(0.5, 0);
 }
 
 void GapPlot::present(const GapPicture& picture) {
     const bool otherAxes = !m_picture.curve || !sameAxes(m_picture, picture);
     m_picture = picture;
-    m_message->hide();
     setFramesVisible(true);
     m_graph->setData(picture.curve);
     m_graph->setName(gapOutputName(picture.output));
-    m_rect->axis(QCPAxis::atLeft)
-        ->setLabel(picture.value.unit.isEmpty() ? gapOutputName(picture.output)
-                                                : picture.value.axisLabel(gapOutputName(picture.output)));
-    m_rect->axis(QCPAxis::atBottom)->setLabel(picture.gap.axisLabel(tr("gap d")));
+    y()->setLabel(picture.value.axisLabel(gapOutputName(picture.output)));
+    x()->setLabel(picture.gap.axisLabel(tr("gap d")));
     QCPAxis* top = m_rect->axis(QCPAxis::atTop);
     top->setTickLabels(!picture.gap.dimensionless);
     top->setLabel(picture.gap.dimensionless ? QString() : tr("δ = gap / d₀"));
     m_shares->data()->set(curveData(picture.shares), true);
     m_below->data()->set(curveData(picture.below), true);
     showSpread();
-    if (m_view->isFitted() || otherAxes) fit();
+    finish(otherAxes);
     m_marks->present(picture.marks, picture.gap, picture.value);
 }
 
-void GapPlot::showNothing(const QString& message) {
+void GapPlot::clear() {
     m_picture = {};
     m_graph->data()->clear();
     m_shares->data()->clear();
     m_below->data()->clear();
-    m_runs->present({});
-    m_runMarks->present({});
     m_marks->clear();
-    m_here->setPlace({}, {});
-    m_caption->setText({});
-    m_summary = message;
-    m_message->show(message);
     setFramesVisible(false);
     showSpread();
 }
@@ -220,20 +147,6 @@ void GapPlot::setFramesVisible(bool visible) {
     m_legend->setVisible(visible);
 }
 
-void GapPlot::setHere(const std::optional<QPointF>& place) {
-    if (place)
-        m_here->setPlace(place->x(), place->y());
-    else
-        m_here->setPlace({}, {});
-}
-
-void GapPlot::setRuns(const QVector<RunCurve>& curves, const QVector<RunMark>& marks) {
-    m_legend->setWrap(3);  // as many as fit beside each other with their names
-    m_runs->present(curves);
-    m_runMarks->present(marks);
-    if (m_view->isFitted()) fit();
-}
-
 // 5 %, mean and 95 %, through both rects.
 void GapPlot::showSpread() {
     const bool isShown = m_picture.curve && m_picture.marks.size() > 0;
@@ -243,11 +156,7 @@ void GapPlot::showSpread() {
     const QString names[] = {tr("5 %"), tr("mean"), tr("95 %")};
     for (int i = 0; i < 3; ++i) {
         const double at = values[i] * m_picture.value.factor;
-        for (const auto& side : m_lines) {
-            side[i]->setVisible(isShown);
-            side[i]->point1->setCoords(0, at);
-            side[i]->point2->setCoords(1, at);
-        }
+        for (const auto& side : m_lines) setLevel(*side[i], isShown ? std::optional(at) : std::nullopt);
         m_lineNames[i]->setVisible(isShown);
         m_lineNames[i]->setText(names[i]);
         m_lineNames[i]->position->setCoords(1, at);
@@ -288,7 +197,7 @@ QString GapPlot::summary() const {
 
 // Above 1, as far as that is in view: files do not clip.
 void GapPlot::placeBands() {
-    const QCPRange view = m_rect->axis(QCPAxis::atLeft)->range();
+    const QCPRange view = y()->range();
     const bool isShown = m_picture.curve && m_picture.output == GapOutput::cor && view.upper > 1;
     for (QCPItemRect* band : m_bands) {
         band->setVisible(isShown);
@@ -298,36 +207,21 @@ void GapPlot::placeBands() {
     m_bandName->setVisible(isShown);
 }
 
-void GapPlot::setStyle(const PlotStyle& style) {
-    m_style = style;
-    m_message->setStyle(style);
-    m_plot->setBackground(style.background);
-    for (QCPAxisRect* rect : {m_rect, m_beside}) style.applyTo(*rect);
+void GapPlot::restyle() {
     m_beside->axis(QCPAxis::atTop)->grid()->setVisible(false);
-    style.applyTo(*m_legend);
-    style.applyTo(*m_caption);
-    m_graph->setPen(style.linePen(0));
-    m_shares->setPen(QPen(style.lines[0], 1));
-    m_shares->setBrush(style.areaBrush(0));
-    m_below->setPen(style.linePen(1));
+    m_graph->setPen(m_style.linePen(0));
+    m_shares->setPen(QPen(m_style.lines[0], 1));
+    m_shares->setBrush(m_style.areaBrush(0));
+    m_below->setPen(m_style.linePen(1));
     for (QCPItemRect* band : m_bands) {
         band->setPen(Qt::NoPen);
-        band->setBrush(style.areaBrush(2));
+        band->setBrush(m_style.areaBrush(2));
     }
     for (const auto& side : m_lines)
         for (int i = 0; i < 3; ++i)
-            side[i]->setPen(QPen(style.zeroLine, 1, i == 1 ? Qt::DashDotLine : Qt::DashLine));
-    QColor behind = style.background;
-    behind.setAlpha(190);
-    for (QCPItemText* name : {m_lineNames[0], m_lineNames[1], m_lineNames[2], m_bandName}) {
-        name->setFont(style.font);
-        name->setColor(style.text);
-    }
-    for (QCPItemText* name : m_lineNames) name->setBrush(behind);
-    m_marks->setStyle(style);
-    m_here->setStyle(style);
-    m_runs->setStyle(style);
-    m_runMarks->setStyle(style);
+            side[i]->setPen(QPen(m_style.zeroLine, 1, i == 1 ? Qt::DashDotLine : Qt::DashLine));
+    for (QCPItemText* name : m_lineNames) name->setBrush(m_style.behindWords());
+    m_marks->setStyle(m_style);
     if (!m_picture.curve) return;
     showSpread();  // files have another locale
     m_marks->present(m_picture.marks, m_picture.gap, m_picture.value);
@@ -336,7 +230,7 @@ void GapPlot::setStyle(const PlotStyle& style) {
 KeyPlaces GapPlot::keyPlaces() const {
     KeyPlaces places;
     places.rect = m_rect;
-    places.start = [this] { return m_here->place(); };
+    places.start = [this] { return here().place(); };
     places.marks = [this] {
         QVector<QPointF> marks;
         for (const CurveMark& mark : m_picture.marks) marks.append(mark.at);
@@ -345,28 +239,26 @@ KeyPlaces GapPlot::keyPlaces() const {
     return places;
 }
 
-void GapPlot::fit() {
-    m_view->fit([&] {
-        const double room = 0.02 * (m_picture.to - m_picture.from);
-        m_rect->axis(QCPAxis::atBottom)->setRange(m_picture.from - room, m_picture.to + room);
-        bool found = false;
-        QCPRange values = m_graph->getValueRange(found);
-        if (!found) values = {0, 1};
-        for (QCPGraph* run : m_runs->graphs()) {
-            bool isThere = false;
-            const QCPRange range = run->getValueRange(isThere);
-            if (isThere) values.expand(range);
-        }
-        const double size = std::max(values.size(), 0.02 * std::abs(values.upper));
-        // Where super rebound begins, if that leaves the curves most of the height.
-        constexpr double share = 0.25;
-        const bool isNear = values.upper > 1 - share * size && values.lower < 1 + share * size;
-        if (m_picture.output == GapOutput::cor && isNear) values.expand(1);
-        m_rect->axis(QCPAxis::atLeft)->setRange(values.lower - 0.1 * size, values.upper + 0.1 * size);
-        const auto shares = m_shares->getKeyRange(found);
-        m_beside->axis(QCPAxis::atBottom)->setRange(0, found && shares.upper > 0 ? 1.05 * shares.upper : 100);
-        m_beside->axis(QCPAxis::atTop)->setRange(0, 105);
-    });
+void GapPlot::setRanges() {
+    const double room = 0.02 * (m_picture.to - m_picture.from);
+    x()->setRange(m_picture.from - room, m_picture.to + room);
+    bool found = false;
+    QCPRange values = m_graph->getValueRange(found);
+    if (!found) values = {0, 1};
+    for (QCPGraph* run : runCurves()) {
+        bool isThere = false;
+        const QCPRange range = run->getValueRange(isThere);
+        if (isThere) values.expand(range);
+    }
+    const double size = std::max(values.size(), 0.02 * std::abs(values.upper));
+    // Where super rebound begins, if that leaves the curves most of the height.
+    constexpr double share = 0.25;
+    const bool isNear = values.upper > 1 - share * size && values.lower < 1 + share * size;
+    if (m_picture.output == GapOutput::cor && isNear) values.expand(1);
+    y()->setRange(values.lower - 0.1 * size, values.upper + 0.1 * size);
+    const auto shares = m_shares->getKeyRange(found);
+    m_beside->axis(QCPAxis::atBottom)->setRange(0, found && shares.upper > 0 ? 1.05 * shares.upper : 100);
+    m_beside->axis(QCPAxis::atTop)->setRange(0, 105);
 }
 
 }  // namespace drillwave

@@ -55,8 +55,7 @@ MapPage::MapPage(Document& document, QWidget* parent)
         arrange({m_x, m_y, labelled(tr("colour"), m_output, this), labelled(tr("contours"), m_levels, this),
                  labelled(tr("points"), m_points, this)});
     m_plot = new MapPlot(plot);
-    plot->setAccessibleName(tr("Result over two parameters"));
-    plot->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
+    useFrame(*m_plot, tr("Result over two parameters"));
     plot->setDataText([this](char separator) {
         QByteArray text = csv();
         return separator == ',' ? text : text.replace(',', separator);
@@ -85,7 +84,6 @@ void MapPage::wire() {
         takeUsualLevels();
         askSoon();
     });
-    connect(plot(), &PlotWidget::fitRequested, m_plot, &MapPlot::fit);
     connect(plot(), &PlotWidget::clicked, this,
             [this](const QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
                 if (!m_plot->isMap(rect)) return;
@@ -94,7 +92,6 @@ void MapPage::wire() {
                     take(inOrder(grid.xs()[place->column], grid.ys()[place->row]), modifiers);
                 }
             });
-    plot()->keyPoint().offer(m_plot->keyPlaces());
     MapCrosshair* crosshair = m_plot->crosshair();
     connect(crosshair, &MapCrosshair::dragStarted, this, [this] { m_gesture = document().newGesture(); });
     connect(crosshair, &MapCrosshair::dragged, this, &MapPage::dragTo);
@@ -180,9 +177,8 @@ void MapPage::ask() {
 void MapPage::present() {
     if (!m_problem.isEmpty()) {
         m_shown.reset();
-        m_plot->showNothing(m_problem);
+        showNothing(m_problem);
         say(QString());
-        plot()->replot(QCustomPlot::rpQueuedReplot);
         return;
     }
     const std::shared_ptr<const MapReport> report = m_study.job().value();
@@ -193,7 +189,7 @@ void MapPage::present() {
         m_shownUnits = units;
         draw();
     }
-    m_plot->setHere(m_plot->picture()->placeOf(scenario()));
+    m_plot->setCrosshair(m_plot->picture()->placeOf(scenario()));
     QVector<RunMark> marks;
     for (const Run& run : runs())
         if (const auto place = m_plot->picture()->placeOf(run.contents.scenario); place && run.isShown)
@@ -205,12 +201,8 @@ void MapPage::present() {
 void MapPage::draw() {
     const MapPicture picture = mapPicture(m_shown, m_shownUnits);
     m_plot->present(picture);
-    CurveMeaning meaning;
-    meaning.xUnit = picture.x.unit;
-    meaning.yUnit = picture.output.unit;
-    plot()->setMeaning(m_plot->cutAlongX(), meaning);
-    plot()->setAccessibleDescription(m_plot->textSummary());
-    plot()->replot(QCustomPlot::rpQueuedReplot);
+    plot()->setMeaning(m_plot->cutAlongX(), {.xUnit = picture.x.unit, .yUnit = picture.output.unit});
+    redraw();
 }
 
 void MapPage::speak() {

@@ -20,10 +20,6 @@ namespace {
 /// shall not look as far from it as those on the other side.
 constexpr double leastSide = 0.1;
 
-QString label(const QString& name, const ShownUnit& unit) {
-    return unit.unit.isEmpty() ? name : unit.axisLabel(name);
-}
-
 QString text(const QString& name, double value, const ShownUnit& unit, const QLocale& locale) {
     const QString number = numberText(value * unit.factor, 5, locale);
     return name + QStringLiteral(" = ") +
@@ -78,15 +74,15 @@ QCPColorGradient MapColours::gradient() const {
 }
 
 QString MapPicture::xLabel() const {
-    return label(name(report->study.x), x);
+    return x.axisLabel(name(report->study.x));
 }
 
 QString MapPicture::yLabel() const {
-    return label(name(report->study.y), y);
+    return y.axisLabel(name(report->study.y));
 }
 
 QString MapPicture::outputLabel() const {
-    return label(outputName(*report->study.output.output), output);
+    return output.axisLabel(outputName(*report->study.output.output));
 }
 
 QString MapPicture::xText(double si, const QLocale& locale) const {

@@ -16,19 +16,7 @@ namespace {
 
 constexpr double cutShare = 0.28;  // of the map's size
 
-QCPAxisRect* newRect(QCustomPlot* plot) {
-    auto* rect = new QCPAxisRect(plot);
-    rect->setupFullAxesBox(false);
-    // Drawn in the order of these lines: axes() comes in another order in every run of the program.
-    for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight, QCPAxis::atTop, QCPAxis::atBottom}) {
-        rect->axis(side)->setLayer(QStringLiteral("axes"));
-        rect->axis(side)->grid()->setLayer(QStringLiteral("grid"));
-    }
-    for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) rect->axis(side)->setTicks(false);
-    return rect;
-}
-
-void setScale(QCPAxis* axis, SweepAxis::Kind kind) {
+void setKind(QCPAxis* axis, SweepAxis::Kind kind) {
     const bool logarithmic = kind == SweepAxis::Kind::logarithmic;
     axis->setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     axis->setTicker(logarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
@@ -54,20 +42,17 @@ bool isSameMap(const MapPicture& a, const MapPicture& b) {
 
 }  // namespace
 
-MapPlot::MapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
-    plot->setAutoAddPlottableToLegend(false);
-    plot->plotLayout()->clear();
+MapPlot::MapPlot(QCustomPlot* plot) : StudyFrame(plot) {
+    layOutAnew();
     addRects();
-    m_raster = new MapRaster(plot, m_map);
+    m_raster = new MapRaster(plot, m_rect);
     m_raster->setLayer(QStringLiteral("background"));
     linkAxes();
     addCuts();
-    m_contours = std::make_unique<MapContours>(m_map);
-    m_presets = std::make_unique<MapPresets>(m_map);
-    m_crosshair = new MapCrosshair(plot, m_map, m_below, m_beside);
-    m_runs = new RunMarks(plot, m_map->axis(QCPAxis::atBottom), m_map->axis(QCPAxis::atLeft));
-    m_message = new PlotMessage(plot);
-    for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) m_view->watch(m_map->axis(side));
+    m_contours = std::make_unique<MapContours>(m_rect);
+    m_presets = std::make_unique<MapPresets>(m_rect);
+    m_crosshair = new MapCrosshair(plot, m_rect, m_below, m_beside);
+    addRunMarks();
     m_view->setEmpty(true);
     setStyle(PlotStyle::forPaper());
     m_bar->setVisible(false);
@@ -76,16 +61,16 @@ MapPlot::MapPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
 MapPlot::~MapPlot() = default;
 
 void MapPlot::addRects() {
-    m_map = newRect(m_plot);
-    m_below = newRect(m_plot);
-    m_beside = newRect(m_plot);
+    view(newAxisRect(*m_plot, Sides::free));
+    m_below = newAxisRect(*m_plot, Sides::free);
+    m_beside = newAxisRect(*m_plot, Sides::free);
     m_bar = new QCPColorScale(m_plot);
     m_bar->setType(QCPAxis::atRight);
     m_bar->setBarWidth(14);
     m_bar->setRangeDrag(false);
     m_bar->setRangeZoom(false);
     QCPLayoutGrid* grid = m_plot->plotLayout();
-    grid->addElement(0, 0, m_map);
+    grid->addElement(0, 0, m_rect);
     grid->addElement(0, 1, m_beside);
     grid->addElement(0, 2, m_bar);
     grid->addElement(1, 0, m_below);
@@ -93,15 +78,17 @@ void MapPlot::addRects() {
     grid->setColumnStretchFactor(2, 1e-3);
     grid->setRowStretchFactor(1, cutShare);
     grid->setColumnSpacing(0);
-    grid->setRowSpacing(0);
     auto* sides = new QCPMarginGroup(m_plot);
     auto* ends = new QCPMarginGroup(m_plot);
-    for (QCPAxisRect* rect : {m_map, m_below}) rect->setMarginGroup(QCP::msLeft | QCP::msRight, sides);
-    for (QCPLayoutElement* element : std::initializer_list<QCPLayoutElement*>{m_map, m_beside, m_bar})
+    for (QCPAxisRect* rect : {m_rect, m_below}) rect->setMarginGroup(QCP::msLeft | QCP::msRight, sides);
+    for (QCPLayoutElement* element : std::initializer_list<QCPLayoutElement*>{m_rect, m_beside, m_bar})
         element->setMarginGroup(QCP::msTop | QCP::msBottom, ends);
-    for (QCPAxisRect* rect : {m_map, m_below, m_beside}) rect->setMinimumMargins(QMargins(4, 10, 12, 4));
+    for (QCPAxisRect* rect : {m_rect, m_below, m_beside}) {
+        rect->setMinimumMargins(QMargins(4, 10, 12, 4));
+        for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) rect->axis(side)->setTicks(false);
+    }
     m_below->setMinimumMargins(QMargins(4, 4, 12, 4));
-    m_map->axis(QCPAxis::atBottom)->setTickLabels(false);  // they stand below the cut
+    x()->setTickLabels(false);  // they stand below the cut
     m_beside->axis(QCPAxis::atLeft)->setTickLabels(false);
     m_beside->axis(QCPAxis::atBottom)->ticker()->setTickCount(3);
     m_below->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
@@ -122,8 +109,8 @@ void MapPlot::linkAxes() {
         connect(b, changed, a, [a](const QCPRange& range) { a->setRange(range); });
         connect(a, &QCPAxis::scaleTypeChanged, b, [b](QCPAxis::ScaleType type) { b->setScaleType(type); });
     };
-    link(m_map->axis(QCPAxis::atBottom), m_below->axis(QCPAxis::atBottom));
-    link(m_map->axis(QCPAxis::atLeft), m_beside->axis(QCPAxis::atLeft));
+    link(x(), m_below->axis(QCPAxis::atBottom));
+    link(y(), m_beside->axis(QCPAxis::atLeft));
 }
 
 void MapPlot::present(const MapPicture& picture) {
@@ -131,15 +118,14 @@ void MapPlot::present(const MapPicture& picture) {
     const bool hasOtherPresets = isOther || m_picture->presets != picture.presets;
     m_picture = picture;
     if (!m_crosshair->place()) m_crosshair->setPlace(picture.placeOf(picture.report->study.base));
-    m_message->hide();
     m_bar->setVisible(true);
     m_view->setEmpty(false);
     m_raster->present(&picture);
     if (isOther) {
         const MapStudy& study = picture.report->study;
         m_view->adjust([&] {
-            for (QCPAxisRect* rect : {m_map, m_below}) setScale(rect->axis(QCPAxis::atBottom), study.x.kind);
-            for (QCPAxisRect* rect : {m_map, m_beside}) setScale(rect->axis(QCPAxis::atLeft), study.y.kind);
+            for (QCPAxisRect* rect : {m_rect, m_below}) setKind(rect->axis(QCPAxis::atBottom), study.x.kind);
+            for (QCPAxisRect* rect : {m_rect, m_beside}) setKind(rect->axis(QCPAxis::atLeft), study.y.kind);
         });
     }
     if (hasOtherPresets) m_presets->present(m_picture, m_style);
@@ -147,10 +133,10 @@ void MapPlot::present(const MapPicture& picture) {
     m_contours->present(m_picture, m_style);
     showCuts();
     m_summary = summary();
-    if (m_view->isFitted() || isOther) fit();
+    finish(isOther);
 }
 
-void MapPlot::showNothing(const QString& message) {
+void MapPlot::clear() {
     m_picture.reset();
     m_view->setEmpty(true);
     m_raster->present(nullptr);
@@ -161,16 +147,13 @@ void MapPlot::showNothing(const QString& message) {
     m_contours->present(m_picture, m_style);
     m_presets->present(m_picture, m_style);
     m_crosshair->setPlace({});
-    m_runs->present({});
-    m_summary = message;
-    m_message->show(message);
 }
 
 void MapPlot::setLabels() {
     const MapPicture& picture = *m_picture;
     const double factor = picture.output.factor;
     const QCPRange values(picture.colours.least * factor, picture.colours.largest * factor);
-    m_map->axis(QCPAxis::atLeft)->setLabel(picture.yLabel());
+    y()->setLabel(picture.yLabel());
     m_below->axis(QCPAxis::atBottom)->setLabel(picture.xLabel());
     m_below->axis(QCPAxis::atLeft)->setLabel(picture.outputLabel());
     m_beside->axis(QCPAxis::atBottom)->setLabel(picture.outputLabel());
@@ -225,7 +208,7 @@ bool MapPlot::nameCuts() {
     return true;
 }
 
-void MapPlot::setHere(const std::optional<QPointF>& place) {
+void MapPlot::setCrosshair(const std::optional<QPointF>& place) {
     m_crosshair->setPlace(place);
     if (!m_picture || !place) return;
     const bool isOtherCut = pointAt(*place) != m_cut;
@@ -233,41 +216,31 @@ void MapPlot::setHere(const std::optional<QPointF>& place) {
     if ((nameCuts() || isOtherCut) && m_plot->isVisible()) m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void MapPlot::setRuns(const QVector<RunMark>& marks) {
-    if (m_runs->present(marks)) m_plot->replot(QCustomPlot::rpQueuedReplot);
-}
-
-void MapPlot::setStyle(const PlotStyle& style) {
-    m_style = style;
-    m_message->setStyle(style);
-    m_plot->setBackground(style.background);
+void MapPlot::restyle() {
     QCPAxisRect* bar = m_bar->axis()->axisRect();
-    for (QCPAxisRect* rect : {m_map, m_below, m_beside, bar}) style.applyTo(*rect);
-    for (QCPAxis* axis : m_map->axes()) axis->grid()->setVisible(false);
-    for (QCPAxis* axis : m_map->axes() + bar->axes()) {
+    m_style.applyTo(*bar);
+    for (QCPAxis* axis : m_rect->axes()) axis->grid()->setVisible(false);
+    for (QCPAxis* axis : m_rect->axes() + bar->axes()) {
         // Outside: inside they would be lost in the colours.
         axis->setTickLength(0, axis->tickLabels() ? 4 : 0);
         axis->setSubTickLength(0, axis->tickLabels() ? 2 : 0);
     }
-    m_alongX->setPen(style.linePen(0));
-    m_alongY->setPen(style.linePen(0));
-    m_raster->setStyle(style);
-    m_crosshair->setStyle(style);
+    m_alongX->setPen(m_style.linePen(0));
+    m_alongY->setPen(m_style.linePen(0));
+    m_raster->setStyle(m_style);
+    m_crosshair->setStyle(m_style);
     m_contours->present(m_picture, m_style);
     m_presets->present(m_picture, m_style);
-    m_runs->setStyle(style);
     if (!m_picture) return;
     showCuts();  // files have another locale
     m_summary = summary();
 }
 
-void MapPlot::fit() {
-    m_view->fit([&] {
-        if (!m_picture) return;
-        const MapStudy& study = m_picture->report->study;
-        m_map->axis(QCPAxis::atBottom)->setRange(rangeOf(study.x, m_picture->x.factor));
-        m_map->axis(QCPAxis::atLeft)->setRange(rangeOf(study.y, m_picture->y.factor));
-    });
+void MapPlot::setRanges() {
+    if (!m_picture) return;
+    const MapStudy& study = m_picture->report->study;
+    x()->setRange(rangeOf(study.x, m_picture->x.factor));
+    y()->setRange(rangeOf(study.y, m_picture->y.factor));
 }
 
 std::optional<MapGrid::Place> MapPlot::pointAt(QPointF shown) const {
@@ -279,9 +252,8 @@ std::optional<MapGrid::Place> MapPlot::pointAt(QPointF shown) const {
 }
 
 QString MapPlot::readout(QPointF pixel) const {
-    if (!m_picture || !m_map->rect().contains(pixel.toPoint())) return {};
-    const auto place = pointAt({m_map->axis(QCPAxis::atBottom)->pixelToCoord(pixel.x()),
-                                m_map->axis(QCPAxis::atLeft)->pixelToCoord(pixel.y())});
+    if (!m_picture || !m_rect->rect().contains(pixel.toPoint())) return {};
+    const auto place = pointAt({x()->pixelToCoord(pixel.x()), y()->pixelToCoord(pixel.y())});
     if (!place) return {};
     const MapGrid& grid = m_picture->grid();
     const QLocale locale = m_plot->locale();
@@ -300,7 +272,7 @@ QString MapPlot::readout(QPointF pixel) const {
 
 KeyPlaces MapPlot::keyPlaces() const {
     KeyPlaces places;
-    places.rect = m_map;
+    places.rect = m_rect;
     places.on = KeyPlaces::On::area;
     places.start = [this] { return m_crosshair->place(); };
     places.marks = [this] {
@@ -312,9 +284,7 @@ KeyPlaces MapPlot::keyPlaces() const {
     };
     // As narrow as it can be: it stands beside the point.
     places.words = [this](QPointF place) {
-        return readout({m_map->axis(QCPAxis::atBottom)->coordToPixel(place.x()),
-                        m_map->axis(QCPAxis::atLeft)->coordToPixel(place.y())})
-            .replace(QStringLiteral(" · "), QStringLiteral("\n"));
+        return readout(pixelOf(place)).replace(QStringLiteral(" · "), QStringLiteral("\n"));
     };
     return places;
 }

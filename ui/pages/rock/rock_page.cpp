@@ -37,13 +37,11 @@ RockPage::RockPage(Observation& observation, QWidget* parent)
     constexpr int lines = 17;  // with legend, axes and table
     setLeastLines(lines);
 
-    m_plot->setAccessibleName(tr("Impact force against penetration"));
-    m_plot->followPalette([this](const PlotStyle& style) { m_rock->setStyle(style); });
+    useFrame(*m_rock, tr("Impact force against penetration"));
     connect(&observation, &Observation::timeChanged, this, [this] {
         showTime();
         m_plot->layer(QStringLiteral("overlay"))->replot();
     });
-    connect(m_plot, &PlotWidget::fitRequested, m_rock, &RockPlot::fit);
     connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
     showTime();
 }
@@ -72,9 +70,7 @@ void RockPage::setResult(const SolvedBlowPtr& blow) {
         m_rock->showNothing(tr("Nothing to show: the waves of this blow are more than can be kept."));
     } else if (curve) {
         m_rock->present(*curve);
-        CurveMeaning meaning;
-        meaning.xUnit = blow->units.penetration.unit;
-        meaning.yUnit = blow->units.force.unit;
+        const CurveMeaning meaning{.xUnit = blow->units.penetration.unit, .yUnit = blow->units.force.unit};
         m_plot->setMeaning(m_rock->path(), meaning);
         for (QCPCurve* run : m_rock->runs()) m_plot->setMeaning(run, meaning);
     } else if (!blow->problem.isEmpty()) {
@@ -84,8 +80,7 @@ void RockPage::setResult(const SolvedBlowPtr& blow) {
     }
     m_blow = blow;
     showTime();
-    m_plot->setAccessibleDescription(m_rock->textSummary());
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    redraw();
 }
 
 void RockPage::showTime() {

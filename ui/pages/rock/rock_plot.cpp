@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "ui/plot/curve_graph.h"
-#include "ui/plot/plot_header.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -37,51 +36,32 @@ bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
 
 }  // namespace
 
-RockPlot::RockPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
+RockPlot::RockPlot(QCustomPlot* plot) : StudyFrame(plot) {
     plot->axisRect()->setupFullAxesBox(true);
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
-    m_path = new CurvePath(plot->xAxis, plot->yAxis);
+    view(plot->axisRect());
+    m_path = new CurvePath(x(), y());
     m_path->setName(tr("impact force F"));
-    m_caption = addPlotHeader(*plot, 4);
-    m_runs = new RunPaths(plot->xAxis, plot->yAxis, plot->legend);
-    addDropLines();
-    m_peakName = addLabel();
-    m_peakName->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
+    addHeader(4);
+    m_runs = new RunPaths(x(), y(), m_legend);
+    // From the peak to both axes: where its numbers are read off.
+    m_toForceAxis = addItem<QCPItemLine>(m_rect);
+    m_toPenetrationAxis = addItem<QCPItemLine>(m_rect);
+    const QMargins padding(5, 2, 5, 2);
+    m_peakName = addText(m_rect, padding, Qt::AlignRight | Qt::AlignBottom);
     m_peakName->setTextAlignment(Qt::AlignRight);
-    m_residualName = addLabel();
-    m_loadingName = addLabel();
-    m_loadingName->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
-    m_unloadingName = addLabel();
-    m_unloadingName->setPositionAlignment(Qt::AlignHCenter | Qt::AlignTop);
-    m_message = new PlotMessage(plot);
+    m_residualName = addText(m_rect, padding, Qt::AlignCenter);
+    m_loadingName = addText(m_rect, padding, Qt::AlignHCenter | Qt::AlignBottom);
+    m_unloadingName = addText(m_rect, padding, Qt::AlignHCenter | Qt::AlignTop);
     for (QCPItemTracer** tracer : {&m_peak, &m_residual, &m_point}) {
-        *tracer = new QCPItemTracer(plot);
+        *tracer = addItem<QCPItemTracer>(m_rect);
         (*tracer)->setStyle(QCPItemTracer::tsCircle);
-        (*tracer)->setSelectable(false);
     }
     m_point->setLayer(QStringLiteral("overlay"));
     m_point->setVisible(false);
     connect(plot, &QCustomPlot::afterLayout, this, &RockPlot::placeLabels);
-    for (const QCPAxis* axis : {plot->xAxis, plot->yAxis}) m_view->watch(axis);
     setStyle(PlotStyle::forPaper());
     setMarksVisible(false);
-}
-
-QCPItemText* RockPlot::addLabel() {
-    auto* label = new QCPItemText(m_plot);
-    label->setSelectable(false);
-    label->setPadding(QMargins(5, 2, 5, 2));
-    return label;
-}
-
-// From the peak to both axes: where its numbers are read off.
-void RockPlot::addDropLines() {
-    for (QCPItemLine** line : {&m_toForceAxis, &m_toPenetrationAxis}) {
-        *line = new QCPItemLine(m_plot);
-        (*line)->setSelectable(false);
-        (*line)->start->setType(QCPItemPosition::ptPlotCoords);
-        (*line)->end->setType(QCPItemPosition::ptPlotCoords);
-    }
 }
 
 void RockPlot::present(const RockCurve& curve) {
@@ -91,23 +71,19 @@ void RockPlot::present(const RockCurve& curve) {
     m_curve = curve;
     m_path->setData(curve.outline);
     if (hasOtherRuns) showRuns();
-    m_plot->xAxis->setLabel(curve.units.penetration.axisLabel(tr("penetration U")));
-    m_plot->yAxis->setLabel(curve.units.force.axisLabel(tr("impact force F")));
-    m_message->hide();
+    x()->setLabel(curve.units.penetration.axisLabel(tr("penetration U")));
+    y()->setLabel(curve.units.force.axisLabel(tr("impact force F")));
     setMarksVisible(curve.peakForce > 0);
     nameNumbers(curve);
-    if (m_view->isFitted() || unitsChanged) fit();
+    finish(unitsChanged);
 }
 
-void RockPlot::showNothing(const QString& message) {
+void RockPlot::clear() {
     m_path->setData(QSharedPointer<QCPCurveDataContainer>::create());
     setMarksVisible(false);
     m_point->setVisible(false);
-    m_caption->setText({});
     m_curve = {};
     showRuns();
-    m_message->show(message);
-    m_summary = message;
 }
 
 void RockPlot::nameNumbers(const RockCurve& curve) {
@@ -136,9 +112,7 @@ void RockPlot::nameNumbers(const RockCurve& curve) {
 // penetration on the side on which its text fits, and the peak in one line where two would be cut off.
 void RockPlot::placeLabels() {
     if (!m_peak->visible()) return;
-    const QCPAxis* x = m_plot->xAxis;
-    const QCPAxis* y = m_plot->yAxis;
-    const auto pixel = [&](double u, double f) { return QPointF(x->coordToPixel(u), y->coordToPixel(f)); };
+    const auto pixel = [&](double u, double f) { return pixelOf({u, f}); };
     const double um = m_curve.maxPenetration;
     const double ur = m_curve.residualPenetration;
     const double fm = m_curve.peakForce;
@@ -152,7 +126,7 @@ void RockPlot::placeLabels() {
     m_residualName->setPositionAlignment((fitsLeft ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
     const double twoLines =
         2 * QFontMetricsF(m_peakName->font()).lineSpacing() + 2 * m_peakName->padding().top();
-    const bool fitsAbove = pixel(um, fm).y() - m_plot->axisRect()->top() >= twoLines;
+    const bool fitsAbove = pixel(um, fm).y() - m_rect->top() >= twoLines;
     m_peakName->setText(m_peakNumbers.join(fitsAbove ? QStringLiteral("\n") : QStringLiteral(",  ")));
 }
 
@@ -180,7 +154,7 @@ void RockPlot::setGhost(const RockCurve* before) {
     m_ghost = nullptr;
     m_ghostSize = {};
     if (before && sameUnits(before->units, m_curve.units)) {
-        m_ghost = new CurvePath(m_plot->xAxis, m_plot->yAxis);
+        m_ghost = new CurvePath(x(), y());
         m_ghost->removeFromLegend();
         m_ghost->setSelectable(QCP::stNone);
         m_ghost->setLayer(ghostLayer(*m_plot));
@@ -188,7 +162,7 @@ void RockPlot::setGhost(const RockCurve* before) {
         m_ghost->setData(before->outline);
         m_ghostSize = {before->maxPenetration, before->peakForce};
     }
-    if (m_view->isFitted()) fit();
+    fitUnlessZoomed();
 }
 
 void RockPlot::showRuns() {
@@ -197,8 +171,8 @@ void RockPlot::showRuns() {
         paths.append({run.number, run.title, run.curves->outline});
     m_runs->present(paths);
     // Beside each other as far as the narrowest page has room: names of a few, letters of more.
-    m_plot->legend->setWrap(m_curve.runs.size() > 3 ? 5 : 2);
-    m_plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    m_legend->setWrap(m_curve.runs.size() > 3 ? 5 : 2);
+    m_legend->setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
 }
 
 void RockPlot::setPoint(const std::optional<QPointF>& point) {
@@ -206,20 +180,12 @@ void RockPlot::setPoint(const std::optional<QPointF>& point) {
     if (point) m_point->position->setCoords(*point);
 }
 
-void RockPlot::setStyle(const PlotStyle& style) {
-    m_message->setStyle(style);
-    m_style = style;
-    m_plot->setBackground(style.background);
-    style.applyTo(*m_plot->axisRect());
+void RockPlot::restyle() {
+    const PlotStyle& style = m_style;
     m_runs->setStyle(style);
     m_path->setPen(style.linePen(0));
     m_path->setBrush(style.areaBrush(0));
-    style.applyTo(*m_caption);
     if (m_ghost) m_ghost->setPen(style.ghostPen(0));
-    for (QCPItemText* label : {m_peakName, m_residualName, m_loadingName, m_unloadingName}) {
-        label->setFont(style.font);
-        label->setColor(style.text);
-    }
     QColor behind = style.background;
     behind.setAlpha(170);
     m_residualName->setBrush(behind);  // lines of earlier contacts may pass there
@@ -236,7 +202,7 @@ void RockPlot::setStyle(const PlotStyle& style) {
     if (m_curve.path) nameNumbers(m_curve);  // files have another locale
 }
 
-void RockPlot::fit() {
+void RockPlot::setRanges() {
     double penetration = m_ghostSize.width(), force = m_ghostSize.height();  // of others than the present
     for (const RunOverlay<RockCurve>& run : m_curve.runs) {
         penetration = std::max(penetration, run.curves->maxPenetration);
@@ -246,10 +212,8 @@ void RockPlot::fit() {
         const double size = std::max(present, other);
         return size > 0 ? QCPRange(-0.03 * size, 1.14 * size) : QCPRange(0, 1);
     };
-    m_view->fit([&] {
-        m_plot->xAxis->setRange(range(m_curve.maxPenetration, penetration));
-        m_plot->yAxis->setRange(range(m_curve.peakForce, force));
-    });
+    x()->setRange(range(m_curve.maxPenetration, penetration));
+    y()->setRange(range(m_curve.peakForce, force));
 }
 
 }  // namespace drillwave

@@ -55,14 +55,11 @@ RodPage::RodPage(Observation& observation, QWidget* parent)
     constexpr int lines = 18;  // with legends, axes and table
     setLeastLines(lines);
 
-    m_plot->setAccessibleName(tr("Largest stresses along the rod"));
-    m_plot->followPalette([this](const PlotStyle& style) { m_rod->setStyle(style); });
+    useFrame(*m_rod, tr("Largest stresses along the rod"));
     connect(&observation, &Observation::sectionChanged, this, &RodPage::showHere);
     connect(&observation, &Observation::timeChanged, this, &RodPage::showHere);
-    connect(m_plot, &PlotWidget::fitRequested, m_rod, &RodPlot::fit);
     connect(m_plot, &PlotWidget::clicked, this,
             [this](QCPAxisRect* /*rect*/, QPointF coordinates) { goTo(coordinates); });
-    m_plot->keyPoint().offer(m_rod->keyPlaces());
     showReadout();
 }
 
@@ -94,9 +91,7 @@ void RodPage::setResult(const SolvedBlowPtr& blow) {
         m_plot->setDataText({});
     } else if (curves) {
         m_rod->present(*curves);
-        CurveMeaning meaning;
-        meaning.xUnit = blow->units.length.unit;
-        meaning.yUnit = blow->units.stress.unit;
+        const CurveMeaning meaning{.xUnit = blow->units.length.unit, .yUnit = blow->units.stress.unit};
         for (const RodLine line : rodLines) m_plot->setMeaning(m_rod->graph(line), meaning);
         for (QCPCurve* run : m_rod->runs()) m_plot->setMeaning(run, meaning);
         m_plot->setDataText([blow](char separator) { return rodCsv(*blow->page<RodCurves>(), separator); });
@@ -108,8 +103,7 @@ void RodPage::setResult(const SolvedBlowPtr& blow) {
     }
     m_blow = blow;
     showHere();
-    m_plot->setAccessibleDescription(m_rod->textSummary());
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    redraw();
 }
 
 void RodPage::setGhost(const SolvedBlowPtr& before) {

@@ -7,7 +7,6 @@
 
 #include "ui/plot/curve_graph.h"
 #include "ui/plot/legend_entries.h"
-#include "ui/plot/plot_header.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -70,28 +69,26 @@ QSharedPointer<QCPCurveDataContainer> outlineOf(const RodCurves& curves) {
 
 }  // namespace
 
-RodPlot::RodPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
+RodPlot::RodPlot(QCustomPlot* plot) : StudyFrame(plot) {
     plot->axisRect()->setupFullAxesBox(true);
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
-    m_caption = addPlotHeader(*plot, 2);
-    plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    plot->legend->setWrap(2);
+    view(plot->axisRect());
+    m_header = addHeader(2);
+    m_legend->setWrap(usualColumns);
     addRunLegend();
-    m_runs = new RunPaths(plot->xAxis, plot->yAxis, m_runLegend, RunPaths::thin);
+    m_runs = new RunPaths(x(), y(), m_runLegend, RunPaths::thin);
     for (const RodLine line : rodLines) {
-        QCPGraph* graph = addCurve(plot->xAxis, plot->yAxis);
+        QCPGraph* graph = addCurve(x(), y());
         graph->setName(nameOf(line));
         m_graphs[static_cast<std::size_t>(line)] = graph;
     }
     addStrength(m_yield);
     addStrength(m_fatigue);
     for (Mark& mark : m_marks) addMark(mark);
-    m_here = new HereMark(plot, plot->xAxis, plot->yAxis);
-    m_message = new PlotMessage(plot);
-    for (const QCPAxis* axis : {plot->xAxis, plot->yAxis}) m_view->watch(axis);
+    addHere();
     connect(plot, &QCustomPlot::beforeReplot, this, &RodPlot::followLegend);
     connect(plot, &QCustomPlot::beforeReplot, this, [this] {
-        wrapLegend(*m_plot->legend, m_plot->width(), usualColumns);
+        wrapLegend(*m_legend, m_plot->width(), usualColumns);
         wrapLegend(*m_runLegend, m_plot->width(), mostColumns);
     });
     setStyle(PlotStyle::forPaper());
@@ -100,7 +97,6 @@ RodPlot::RodPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new Fi
 
 // Below that of the page, above the caption.
 void RodPlot::addRunLegend() {
-    m_header = static_cast<QCPLayoutGrid*>(m_caption->layout());
     m_runLegend = new QCPLegend;
     m_runLegend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
     m_runLegend->setMargins(QMargins(7, 0, 0, 0));
@@ -110,30 +106,15 @@ void RodPlot::addRunLegend() {
 }
 
 void RodPlot::addStrength(Strength& strength) {
-    for (QCPItemStraightLine*& line : strength.lines) {
-        line = new QCPItemStraightLine(m_plot);
-        line->setSelectable(false);
-        line->setClipAxisRect(m_plot->axisRect());
-        for (QCPItemPosition* end : {line->point1, line->point2}) {
-            end->setTypeX(QCPItemPosition::ptAxisRectRatio);
-            end->setTypeY(QCPItemPosition::ptPlotCoords);
-        }
-    }
-    strength.name = new QCPItemText(m_plot);
-    strength.name->setSelectable(false);
-    strength.name->setPadding(QMargins(6, 1, 6, 1));
-    strength.name->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
-    strength.name->position->setTypeY(QCPItemPosition::ptPlotCoords);
-    strength.name->setClipAxisRect(m_plot->axisRect());
+    for (QCPItemStraightLine*& line : strength.lines) line = addLevel(m_rect);
+    strength.name = addText(m_rect, QMargins(6, 1, 6, 1), Qt::AlignCenter);
+    setAcross(*strength.name->position);
 }
 
 void RodPlot::addMark(Mark& mark) {
-    mark.ring = new QCPItemTracer(m_plot);
+    mark.ring = addItem<QCPItemTracer>(m_rect);
     mark.ring->setStyle(QCPItemTracer::tsCircle);
-    mark.ring->setSelectable(false);
-    mark.number = new QCPItemText(m_plot);
-    mark.number->setSelectable(false);
-    mark.number->setPadding(QMargins(6, 3, 6, 3));
+    mark.number = addText(m_rect, QMargins(6, 3, 6, 3), Qt::AlignCenter);
 }
 
 void RodPlot::present(const RodCurves& curves) {
@@ -146,29 +127,28 @@ void RodPlot::present(const RodCurves& curves) {
     showLegendOf(curves);
     showSections();
     nameAxes();
-    m_message->hide();
     placeMarks();
     nameNumbers();
     summarize();
-    if (m_view->isFitted() || unitsChanged) fit();
+    finish(unitsChanged);
 }
 
 void RodPlot::nameAxes() {
     const ShownUnits& units = m_curves.units;
     const bool isString = m_curves.string.has_value();
-    m_plot->xAxis->setLabel(units.length.axisLabel(isString ? tr("position x from the shank, hammer below 0")
-                                                            : tr("position x from the struck end")));
+    x()->setLabel(units.length.axisLabel(isString ? tr("position x from the shank, hammer below 0")
+                                                  : tr("position x from the struck end")));
     const QString stress = !units.stress.dimensionless ? tr("stress (tension positive)")
                            : isString                  ? tr("stress, as force in the rod (tension positive)")
                                                        : tr("force N (tension positive)");
-    m_plot->yAxis->setLabel(units.stress.axisLabel(stress));
+    y()->setLabel(units.stress.axisLabel(stress));
 }
 
 // Only of lines that are there.
 void RodPlot::showLegendOf(const RodCurves& curves) {
     const bool isWanted = curves.lines().size() == rodLines.size();
     for (const RodLine line : {RodLine::compressionAfter, RodLine::tensionAfter}) {
-        const bool isThere = m_plot->legend->hasItemWithPlottable(graph(line));
+        const bool isThere = m_legend->hasItemWithPlottable(graph(line));
         if (!isWanted && isThere) graph(line)->removeFromLegend();
         if (isWanted && !isThere) graph(line)->addToLegend();
     }
@@ -185,10 +165,7 @@ void RodPlot::showSections() {
     const std::vector<RodStretch>& stretches = m_curves.string->stretches;
     const double length = m_curves.units.length.factor;
     for (std::size_t j = 1; j < stretches.size(); ++j) {
-        auto* joint = new QCPItemStraightLine(m_plot);
-        joint->setLayer(QStringLiteral("grid"));
-        joint->setSelectable(false);
-        joint->setClipAxisRect(m_plot->axisRect());
+        auto* joint = addItem<QCPItemStraightLine>(m_rect, QStringLiteral("grid"));
         joint->point1->setCoords(stretches[j].rear * length, 0);
         joint->point2->setCoords(stretches[j].rear * length, 1);
         m_joints.append(joint);
@@ -203,9 +180,7 @@ void RodPlot::showSections() {
             const double shown = *m_curves.shownStrength(stretches[from].*strength);
             for (const double sign : {1.0, -1.0}) {
                 if (sign < 0 && !alsoCompression) continue;
-                auto* step = new QCPItemLine(m_plot);
-                step->setSelectable(false);
-                step->setClipAxisRect(m_plot->axisRect());
+                auto* step = addItem<QCPItemLine>(m_rect);
                 step->start->setCoords(stretches[from].rear * length, sign * shown);
                 step->end->setCoords(stretches[to - 1].front * length, sign * shown);
                 steps.append(step);
@@ -230,7 +205,7 @@ void RodPlot::styleSections() {
     for (QCPItemLine* step : std::as_const(m_fatigueSteps)) step->setPen(QPen(m_style.text, 1, Qt::DotLine));
 }
 
-void RodPlot::showNothing(const QString& message) {
+void RodPlot::clear() {
     m_curves = {};
     showRuns();
     for (QCPGraph* graph : m_graphs) graph->setData(GraphData::create());
@@ -238,10 +213,6 @@ void RodPlot::showNothing(const QString& message) {
     placeMarks();
     placeStrength(m_yield, {}, {});
     placeStrength(m_fatigue, {}, {});
-    m_caption->setText({});
-    m_here->setPlace({}, {});
-    m_message->show(message);
-    m_summary = message;
 }
 
 // What stays in the rod after the blow is left out: with it there would be four lines for each run.
@@ -267,7 +238,7 @@ void RodPlot::setGhost(const RodCurves* before) {
     m_ghosts.clear();
     if (before && sameUnits(before->units, m_curves.units)) {
         for (const RodLine line : {RodLine::compression, RodLine::tension}) {
-            QCPGraph* ghost = addCurve(m_plot->xAxis, m_plot->yAxis);
+            QCPGraph* ghost = addCurve(x(), y());
             ghost->removeFromLegend();
             ghost->setLayer(ghostLayer(*m_plot));
             ghost->setSelectable(QCP::stNone);
@@ -276,11 +247,7 @@ void RodPlot::setGhost(const RodCurves* before) {
             m_ghosts.append(ghost);
         }
     }
-    if (m_view->isFitted()) fit();
-}
-
-void RodPlot::setHere(std::optional<double> position, std::optional<double> stress) {
-    m_here->setPlace(position, stress);
+    fitUnlessZoomed();
 }
 
 QString RodPlot::stressText(double stress) const {
@@ -289,15 +256,8 @@ QString RodPlot::stressText(double stress) const {
 
 void RodPlot::placeStrength(const Strength& strength, const std::optional<double>& value,
                             const QString& name) {
-    const bool isYield = &strength == &m_yield;
-    for (std::size_t i = 0; i < strength.lines.size(); ++i) {
-        QCPItemStraightLine* line = strength.lines[i];
-        line->setVisible(value && (i == 0 || isYield));
-        if (!value) continue;
-        const double stress = i == 0 ? *value : -*value;
-        line->point1->setCoords(0, stress);
-        line->point2->setCoords(1, stress);
-    }
+    setLevel(*strength.lines[0], value);
+    setLevel(*strength.lines[1], value && &strength == &m_yield ? std::optional(-*value) : std::nullopt);
     strength.name->setVisible(value.has_value());
     if (!value) return;
     strength.name->setText(name.arg(stressText(*value)));
@@ -398,14 +358,9 @@ void RodPlot::summarize() {
     m_summary = tr("Largest stresses along the rod, tension positive: %1.").arg(extremes.join(u"; "));
 }
 
-void RodPlot::setStyle(const PlotStyle& style) {
-    m_message->setStyle(style);
-    m_style = style;
-    m_plot->setBackground(style.background);
+void RodPlot::restyle() {
+    const PlotStyle& style = m_style;
     m_runs->setStyle(style);
-    style.applyTo(*m_plot->axisRect());
-    style.applyTo(*m_plot->legend);
-    style.applyTo(*m_caption);
     for (const RodLine line : rodLines) {
         const QPen pen = penOf(style, line);
         graph(line)->setPen(pen);
@@ -413,70 +368,63 @@ void RodPlot::setStyle(const PlotStyle& style) {
         mark.ring->setSize(isAfter(line) ? 6 : 8);
         mark.ring->setPen(QPen(pen.color(), 1.5));
         mark.ring->setBrush(style.background);
-        mark.number->setFont(style.font);
-        mark.number->setColor(style.text);
         mark.number->setBrush(style.behindWords());
     }
     for (qsizetype i = 0; i < m_ghosts.size(); ++i) m_ghosts[i]->setPen(style.ghostPen(static_cast<int>(i)));
     for (const Strength* strength : {&m_yield, &m_fatigue}) {
         for (QCPItemStraightLine* line : strength->lines)
             line->setPen(QPen(style.text, 1, strength == &m_yield ? Qt::DashDotLine : Qt::DotLine));
-        strength->name->setFont(style.font);
         strength->name->setBrush(style.behindWords());
-        strength->name->setColor(style.text);
     }
     styleSections();
-    m_here->setStyle(style);
     if (m_curves.curves.front()) nameNumbers();  // files have another locale
 }
 
-void RodPlot::fit() {
-    m_view->fit([&] {
-        double low = 0, high = 0;
-        double length = m_curves.curves.front() ? m_curves.units.length.factor : 1;
-        double rear = m_curves.curves.front() ? m_curves.rear() * length : 0;
-        for (QCPCurve* run : m_runs->graphs()) {
-            bool found = false;
-            const QCPRange values = run->getValueRange(found);
-            if (!found || !run->visible()) continue;
-            low = std::min(low, values.lower);
-            high = std::max(high, values.upper);
-            length = std::max(length, run->getKeyRange(found).upper);
-            rear = std::min(rear, run->getKeyRange(found).lower);
-        }
-        for (const auto& graphs : {QVector<QCPGraph*>(m_graphs.begin(), m_graphs.end()), m_ghosts})
-            for (const QCPGraph* graph : graphs)
-                for (const QCPGraphData& point : *graph->data()) {
-                    low = std::min(low, point.value);
-                    high = std::max(high, point.value);
-                }
-        const double largest = std::max(-low, high);
-        const auto take = [&](const std::optional<double>& strength, bool alsoCompression) {
-            if (!strength || *strength > strengthInView * largest) return;
-            high = std::max(high, *strength);
-            if (alsoCompression) low = std::min(low, -*strength);
-        };
-        take(m_curves.yieldStrength, true);
-        take(m_curves.fatigueStrength, false);
-        if (m_curves.string)
-            for (const RodStretch& stretch : m_curves.string->stretches) {
-                take(m_curves.shownStrength(stretch.yieldStrength), true);
-                take(m_curves.shownStrength(stretch.fatigueStrength), false);
+void RodPlot::setRanges() {
+    double low = 0, high = 0;
+    double length = m_curves.curves.front() ? m_curves.units.length.factor : 1;
+    double rear = m_curves.curves.front() ? m_curves.rear() * length : 0;
+    for (QCPCurve* run : m_runs->graphs()) {
+        bool found = false;
+        const QCPRange values = run->getValueRange(found);
+        if (!found || !run->visible()) continue;
+        low = std::min(low, values.lower);
+        high = std::max(high, values.upper);
+        length = std::max(length, run->getKeyRange(found).upper);
+        rear = std::min(rear, run->getKeyRange(found).lower);
+    }
+    for (const auto& graphs : {QVector<QCPGraph*>(m_graphs.begin(), m_graphs.end()), m_ghosts})
+        for (const QCPGraph* graph : graphs)
+            for (const QCPGraphData& point : *graph->data()) {
+                low = std::min(low, point.value);
+                high = std::max(high, point.value);
             }
-        const double size = high - low;
-        m_plot->xAxis->setRange(rear, length);
-        if (size > 0)
-            m_plot->yAxis->setRange(low - 0.1 * size, high + 0.1 * size);
-        else
-            m_plot->yAxis->setRange(-1, 1);
-    });
+    const double largest = std::max(-low, high);
+    const auto take = [&](const std::optional<double>& strength, bool alsoCompression) {
+        if (!strength || *strength > strengthInView * largest) return;
+        high = std::max(high, *strength);
+        if (alsoCompression) low = std::min(low, -*strength);
+    };
+    take(m_curves.yieldStrength, true);
+    take(m_curves.fatigueStrength, false);
+    if (m_curves.string)
+        for (const RodStretch& stretch : m_curves.string->stretches) {
+            take(m_curves.shownStrength(stretch.yieldStrength), true);
+            take(m_curves.shownStrength(stretch.fatigueStrength), false);
+        }
+    const double size = high - low;
+    x()->setRange(rear, length);
+    if (size > 0)
+        y()->setRange(low - 0.1 * size, high + 0.1 * size);
+    else
+        y()->setRange(-1, 1);
 }
 
 KeyPlaces RodPlot::keyPlaces() const {
     KeyPlaces places;
-    places.rect = m_plot->axisRect();
+    places.rect = m_rect;
     places.start = [this] {
-        return m_here->x() ? std::optional(QPointF(*m_here->x(), m_here->y().value_or(0))) : std::nullopt;
+        return here().x() ? std::optional(QPointF(*here().x(), here().y().value_or(0))) : std::nullopt;
     };
     places.marks = [this] {
         QVector<QPointF> marks;
@@ -490,9 +438,6 @@ KeyPlaces RodPlot::keyPlaces() const {
 
 std::optional<RodForce> RodPlot::forceAt(QPointF coordinates) const {
     if (!m_curves.curves.front()) return {};
-    const auto pixelOf = [this](QPointF at) {
-        return QPointF(m_plot->xAxis->coordToPixel(at.x()), m_plot->yAxis->coordToPixel(at.y()));
-    };
     const QPointF pixel = pixelOf(coordinates);
     std::optional<RodForce> nearest;
     double distance = markReach;

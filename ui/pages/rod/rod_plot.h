@@ -2,28 +2,20 @@
 // The largest stresses along rod or string: the same drawing code for the page and for files.
 #pragma once
 
-#include <qcustomplot.h>
-
-#include <QObject>
-#include <QString>
 #include <array>
 #include <optional>
 
 #include "ui/pages/rod/rod_curves.h"
-#include "ui/pages/run_graphs.h"
-#include "ui/plot/fitted_view.h"
-#include "ui/plot/here_mark.h"
-#include "ui/plot/key_point.h"
-#include "ui/plot/plot_message.h"
-#include "ui/plot/plot_style.h"
+#include "ui/plot/study_frame.h"
 
 namespace drillwave {
 
 /// Largest tension above and largest compression below zero over the position in the rod, while the blow
 /// lasts (solid) and of the waves left (dashed), with the strengths of the rod and a mark at each extreme.
 /// A string has its hammer at negative positions, a line where sections meet, and the strengths of each.
-/// Lives as a child of the plot.
-class RodPlot : public QObject {
+/// Fitted, all curves are in view, and the strengths that are not far from them. One is at a position and,
+/// where a time is chosen, the stress there and then.
+class RodPlot : public StudyFrame {
     Q_OBJECT
 
   public:
@@ -31,26 +23,17 @@ class RodPlot : public QObject {
 
     /// Shows the curves; the view stays where it is unless it was fitted or the units changed.
     void present(const RodCurves& curves);
-    /// No curves, and `message` in their place (why there are none).
-    void showNothing(const QString& message);
     /// The curves of another blow faintly behind, in no legend; nullptr takes them away.
     void setGhost(const RodCurves* before);
-    /// Where one looks: a position and, where a time is chosen, the stress there and then; in shown units.
-    void setHere(std::optional<double> position, std::optional<double> stress);
-    void setStyle(const PlotStyle& style);
-    /// All curves in view, and the strengths that are not far from them.
-    void fit();
 
     /// What a point of the plot stands for, in its coordinates: the extreme that is marked near it, or the
     /// largest stress at that position by the curve nearest to it. Nothing beside the rod.
     std::optional<RodForce> forceAt(QPointF coordinates) const;
-    /// Where keys may go: along the curves, to the extremes that are marked.
-    KeyPlaces keyPlaces() const;
+    /// Along the curves, to the extremes that are marked.
+    KeyPlaces keyPlaces() const override;
     QCPGraph* graph(RodLine line) const { return m_graphs[static_cast<std::size_t>(line)]; }
     /// Those of pinned runs: compression to the bit and tension back from it.
     const QVector<QCPCurve*>& runs() const { return m_runs->graphs(); }
-    /// What the plot shows, in words, for assistive tools.
-    QString textSummary() const { return m_summary; }
 
   private:
     /// A value of strength of the rod: a line across the plot with its name.
@@ -63,6 +46,9 @@ class RodPlot : public QObject {
         QCPItemText* number = nullptr;
     };
 
+    void clear() override;
+    void restyle() override;
+    void setRanges() override;
     void addRunLegend();
     void addStrength(Strength& strength);
     void addMark(Mark& mark);
@@ -81,7 +67,6 @@ class RodPlot : public QObject {
     bool isNumbered(RodLine line) const;
     QString stressText(double stress) const;
 
-    QCustomPlot* m_plot;
     std::array<QCPGraph*, rodLines.size()> m_graphs{};
     std::array<Mark, rodLines.size()> m_marks;
     Strength m_yield, m_fatigue;
@@ -91,13 +76,7 @@ class RodPlot : public QObject {
     QCPLayoutGrid* m_header = nullptr;
     QCPLegend* m_runLegend = nullptr;  // in the header while there are runs
     RunPaths* m_runs = nullptr;
-    QCPTextElement* m_caption = nullptr;
-    HereMark* m_here;
-    PlotMessage* m_message;
-    PlotStyle m_style;
     RodCurves m_curves;
-    FittedView* m_view;
-    QString m_summary;
 };
 
 }  // namespace drillwave

@@ -13,6 +13,7 @@
 #include "ui/pages/study/command_text.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/plot/study_frame.h"
 #include "ui/result/stale_veil.h"
 #include "ui/text/scrolled_label.h"
 
@@ -147,6 +148,12 @@ void StudyPage::hideEvent(QHideEvent* event) {
 void StudyPage::say(const QString& sentence) {
     m_sentence = sentence;
     showWords();
+}
+
+void StudyPage::showNothing(const QString& why) {
+    frame().showNothing(why);
+    say(why);
+    redraw();
 }
 
 void StudyPage::showWords() {

@@ -67,6 +67,8 @@ class StudyPage : public PlotPage {
     void askSoon();
     /// Words below the controls: what the study says in a sentence. Its problem is shown in their place.
     void say(const QString& sentence);
+    /// No curves: the reason is in their place, and below the controls.
+    void showNothing(const QString& why);
     /// Takes over values of parameters as one undo step, as a click in the plot does; says why not.
     void load(const std::vector<ParameterValue>& values);
     /// Pins the scenario with those values, which stays as it is; says why not.

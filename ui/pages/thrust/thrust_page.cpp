@@ -50,19 +50,16 @@ ThrustPage::ThrustPage(Document& document, QWidget* parent)
     static_cast<QBoxLayout*>(layout())->addWidget(m_table);
     m_plot = new ThrustPlot(widget);
     m_drag = new ThrustDrag(*widget, *m_plot);
-    widget->setAccessibleName(tr("Needs of the thrust"));
-    widget->followPalette([this](const PlotStyle& style) { m_plot->setStyle(style); });
+    useFrame(*m_plot, tr("Needs of the thrust"));
     watch(m_study.job());
     connect(m_axis, &AxisFields::changed, this, &ThrustPage::askSoon);
     connect(m_missing, &MissingFields::entered, this, [this](const Parameter* parameter, double si) {
         load({{parameter, si}});
     });
-    connect(widget, &PlotWidget::fitRequested, m_plot, &ThrustPlot::fit);
     connect(widget, &PlotWidget::clicked, this,
             [this](const QCPAxisRect*, QPointF at, Qt::KeyboardModifiers modifiers) {
                 takeParameter(at.x(), modifiers);
             });
-    widget->keyPoint().offer(m_plot->keyPlaces());
     connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
         if (isVisible()) present();
     });
@@ -85,8 +82,8 @@ void ThrustPage::present() {
     const std::shared_ptr<const ThrustAnswer> answer = m_study.job().value();
     if (!answer) return;
     if (!answer->problem.empty())
-        return showNothing(QString::fromStdString(feedDecisionText(decideFeed(answer->scenario, {}))));
-    if (!answer->here.reason.empty()) return showNothing(QString::fromStdString(answer->here.reason));
+        return refuse(QString::fromStdString(feedDecisionText(decideFeed(answer->scenario, {}))));
+    if (!answer->here.reason.empty()) return refuse(QString::fromStdString(answer->here.reason));
     const UnitChoice& choice = UnitChoice::shared();
     const ThrustUnits units =
         thrustUnits(answer->scenario, choice.fieldUnit(*answer->along.axis.parameter),
@@ -119,21 +116,17 @@ void ThrustPage::showRuns(const ThrustAnswer& answer) {
 void ThrustPage::draw(const ThrustAnswer& answer) {
     m_plot->present(thrustPicture(answer.along, m_units));
     for (const ThrustCase which : thrustCases) {
-        CurveMeaning meaning;
-        meaning.xUnit = m_units.along.unit;
-        meaning.yUnit = m_units.force.unit;
-        meaning.integralFactor = 0;
+        const CurveMeaning meaning = CurveMeaning::overParameter(m_units.along.unit, m_units.force.unit);
         plot()->setMeaning(m_plot->need(which), meaning);
         plot()->setMeaning(m_plot->feed(), meaning);
     }
-    plot()->setAccessibleDescription(m_plot->textSummary());
     m_table->present(answer.here.needs, m_units);
     QStringList words;
     for (const std::string& sentence : verdictSentences(
              {answer.scenario, answer.here.needs, answer.here.verdict, {}}, LocalStyle::present()))
         words << QString::fromStdString(sentence);
     say(words.join(QLatin1Char(' ')));
-    plot()->replot(QCustomPlot::rpQueuedReplot);
+    redraw();
 }
 
 void ThrustPage::placeHere(const ThrustAnswer& answer) {
@@ -144,14 +137,11 @@ void ThrustPage::placeHere(const ThrustAnswer& answer) {
     m_drag->setEnabled(force && answer.along.axis.key() != thrustKey);
 }
 
-void ThrustPage::showNothing(const QString& why) {
+void ThrustPage::refuse(const QString& why) {
     m_shown = nullptr;
     m_drag->setEnabled(false);
-    m_plot->showNothing(why);
     m_table->clearNumbers();
-    say(why);
-    plot()->setAccessibleDescription(why);
-    plot()->replot(QCustomPlot::rpQueuedReplot);
+    showNothing(why);
 }
 
 // A click in the plot.

@@ -38,7 +38,7 @@ class ThrustPage : public StudyPage {
     void draw(const ThrustAnswer& answer);
     void showRuns(const ThrustAnswer& answer);
     void placeHere(const ThrustAnswer& answer);
-    void showNothing(const QString& why);
+    void refuse(const QString& why);
     void takeParameter(double shown, Qt::KeyboardModifiers modifiers);
     void hold(double shownForce);
     void moveHeld(double shownForce);

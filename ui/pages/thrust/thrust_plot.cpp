@@ -6,7 +6,6 @@
 #include "ui/pages/thrust/regime_bands.h"
 #include "ui/plot/curve_graph.h"
 #include "ui/plot/legend_entries.h"
-#include "ui/plot/plot_header.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -27,14 +26,13 @@ GraphData dataOf(const QVector<QPointF>& line) {
 
 }  // namespace
 
-ThrustPlot::ThrustPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(new FittedView(this)) {
+ThrustPlot::ThrustPlot(QCustomPlot* plot) : StudyFrame(plot) {
     plot->axisRect()->setupFullAxesBox(true);
     for (QCPAxis* far : {plot->xAxis2, plot->yAxis2}) far->setTicks(false);
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
-    m_caption = addPlotHeader(*plot, 2);
-    m_caption->setText(tr("each need from full penetration to the bit back before the next blow undamped"));
-    plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    plot->legend->setWrap(mostColumns);
+    view(plot->axisRect());
+    addHeader(2);
+    m_legend->setWrap(mostColumns);
     connect(plot, &QCustomPlot::beforeReplot, this,
             [plot] { wrapLegend(*plot->legend, plot->viewport().width(), mostColumns); });
     m_bands = new RegimeBands(plot);
@@ -47,14 +45,9 @@ ThrustPlot::ThrustPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(
         m_lower[i]->setName(thrustCaseName(which));
     }
     m_feed = addCurve(plot->xAxis, plot->yAxis);
-    m_feedName = new QCPItemText(plot);
-    m_feedName->setSelectable(false);
-    m_feedName->setPadding(QMargins(6, 2, 6, 2));
-    m_feedName->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
-    m_here = new HereMark(plot, plot->xAxis, plot->yAxis);
-    m_runs = new RunMarks(plot, plot->xAxis, plot->yAxis);
-    m_message = new PlotMessage(plot);
-    for (const QCPAxis* axis : {plot->xAxis, plot->yAxis}) m_view->watch(axis);
+    m_feedName = addText(m_rect, QMargins(6, 2, 6, 2), Qt::AlignLeft | Qt::AlignBottom);
+    addHere();
+    addRunMarks();
     connect(plot, &QCustomPlot::beforeReplot, this, &ThrustPlot::followLegend);
     setStyle(PlotStyle::forPaper());
     showNothing({});
@@ -63,7 +56,6 @@ ThrustPlot::ThrustPlot(QCustomPlot* plot) : QObject(plot), m_plot(plot), m_view(
 void ThrustPlot::present(const ThrustPicture& picture) {
     const bool otherAxes = !sameAxes(m_picture, picture);
     m_picture = picture;
-    m_message->hide();
     for (std::size_t i = 0; i < thrustCaseCount; ++i) {
         m_lower[i]->setData(picture.needs[i].fullRate);
         m_upper[i]->setData(picture.needs[i].returned);
@@ -72,13 +64,12 @@ void ThrustPlot::present(const ThrustPicture& picture) {
     m_feed->setData(dataOf(picture.feed));
     m_feed->setName(picture.isWeighted ? tr("effective force, with weight along the hole")
                                        : tr("installed thrust"));
-    m_plot->xAxis->setScaleType(picture.isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-    m_plot->xAxis->setTicker(picture.isLogarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
-                                                   : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
-    m_plot->xAxis->setLabel(
-        picture.units.along.unit.isEmpty() ? picture.along : picture.units.along.axisLabel(picture.along));
-    m_plot->yAxis->setLabel(picture.units.force.axisLabel(tr("thrust")));
-    if (m_view->isFitted() || otherAxes) fit();
+    x()->setScaleType(picture.isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    x()->setTicker(picture.isLogarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
+                                         : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+    x()->setLabel(picture.units.along.axisLabel(picture.along));
+    y()->setLabel(picture.units.force.axisLabel(tr("thrust")));
+    finish(otherAxes);
     m_bands->present(picture);
     nameFeed();
     QStringList cases;
@@ -93,9 +84,7 @@ void ThrustPlot::present(const ThrustPicture& picture) {
 // The legend has the needs that can be told, and the feed behind them.
 void ThrustPlot::listKnown() {
     const auto isKnown = [this](std::size_t i) { return m_picture.needs[i].known; };
-    const auto isListed = [this](const QCPGraph* graph) {
-        return m_plot->legend->hasItemWithPlottable(graph);
-    };
+    const auto isListed = [this](const QCPGraph* graph) { return m_legend->hasItemWithPlottable(graph); };
     bool isRight = true;
     for (std::size_t i = 0; i < thrustCaseCount; ++i) isRight &= isListed(m_lower[i]) == isKnown(i);
     if (isRight) return;
@@ -106,22 +95,14 @@ void ThrustPlot::listKnown() {
     m_feed->addToLegend();
 }
 
-void ThrustPlot::showNothing(const QString& message) {
+void ThrustPlot::clear() {
+    m_caption->setText(tr("each need from full penetration to the bit back before the next blow undamped"));
     m_picture = {};
-    const auto nothing = QSharedPointer<QCPGraphDataContainer>::create();
-    for (QCPGraph* graph : m_lower) graph->setData(nothing);
-    for (QCPGraph* graph : m_upper) graph->setData(nothing);
-    m_feed->setData(nothing);
+    for (const auto& graphs : {m_lower, m_upper})
+        for (QCPGraph* graph : graphs) graph->setData(GraphData::create());
+    m_feed->setData(GraphData::create());
     m_bands->clear();
-    m_here->setPlace({}, {});
-    m_runs->present({});
     nameFeed();
-    m_message->show(message);
-    m_summary = message;
-}
-
-void ThrustPlot::setHere(std::optional<double> along, std::optional<double> force) {
-    m_here->setPlace(along, force);
 }
 
 // Both ends of a bracket are one entry.
@@ -140,26 +121,17 @@ void ThrustPlot::nameFeed() {
 }
 
 std::optional<double> ThrustPlot::heightAboveFeed(QPointF pixel) const {
-    if (m_picture.feed.isEmpty() || !m_plot->axisRect()->rect().contains(pixel.toPoint()))
-        return std::nullopt;
-    const double x = m_plot->xAxis->pixelToCoord(pixel.x());
-    const auto next = std::ranges::lower_bound(m_picture.feed, x, {}, &QPointF::x);
+    if (m_picture.feed.isEmpty() || !m_rect->rect().contains(pixel.toPoint())) return std::nullopt;
+    const double at = x()->pixelToCoord(pixel.x());
+    const auto next = std::ranges::lower_bound(m_picture.feed, at, {}, &QPointF::x);
     if (next == m_picture.feed.end() || next == m_picture.feed.begin()) return std::nullopt;
     const QPointF before = *std::prev(next);
-    const double share = (x - before.x()) / (next->x() - before.x());
-    return m_plot->yAxis->coordToPixel(before.y() + share * (next->y() - before.y())) - pixel.y();
+    const double share = (at - before.x()) / (next->x() - before.x());
+    return y()->coordToPixel(before.y() + share * (next->y() - before.y())) - pixel.y();
 }
 
-void ThrustPlot::setRuns(const QVector<RunMark>& marks) {
-    if (m_runs->present(marks)) m_plot->replot(QCustomPlot::rpQueuedReplot);
-}
-
-void ThrustPlot::setStyle(const PlotStyle& style) {
-    m_message->setStyle(style);
-    m_plot->setBackground(style.background);
-    style.applyTo(*m_plot->axisRect());
-    style.applyTo(*m_plot->legend);
-    style.applyTo(*m_caption);
+void ThrustPlot::restyle() {
+    const PlotStyle& style = m_style;
     m_bands->setStyle(style);
     for (std::size_t i = 0; i < thrustCaseCount; ++i) {
         const int kind = static_cast<int>(i);
@@ -173,29 +145,23 @@ void ThrustPlot::setStyle(const PlotStyle& style) {
         m_lower[i]->setChannelFillGraph(isFilled ? m_upper[i] : nullptr);
     }
     m_feed->setPen(QPen(style.text, 2.4));
-    m_feedName->setFont(style.font);
-    m_feedName->setColor(style.text);
-    m_here->setStyle(style);
-    m_runs->setStyle(style);
     if (!m_picture.feed.isEmpty()) nameFeed();  // files have another locale
 }
 
 KeyPlaces ThrustPlot::keyPlaces() const {
     KeyPlaces places;
-    places.rect = m_plot->axisRect();
-    places.start = [this] { return m_here->place(); };
+    places.rect = m_rect;
+    places.start = [this] { return here().place(); };
     return places;
 }
 
-void ThrustPlot::fit() {
-    m_view->fit([&] {
-        double most = 0;
-        for (const QCPGraph* graph : m_upper)
-            for (const QCPGraphData& point : *graph->data()) most = std::max(most, point.value);
-        for (const QPointF& point : m_picture.feed) most = std::max(most, point.y());
-        m_plot->xAxis->setRange(m_picture.from, m_picture.to);
-        m_plot->yAxis->setRange(0, most > 0 ? 1.06 * most : 1);
-    });
+void ThrustPlot::setRanges() {
+    double most = 0;
+    for (const QCPGraph* graph : m_upper)
+        for (const QCPGraphData& point : *graph->data()) most = std::max(most, point.value);
+    for (const QPointF& point : m_picture.feed) most = std::max(most, point.y());
+    x()->setRange(m_picture.from, m_picture.to);
+    y()->setRange(0, most > 0 ? 1.06 * most : 1);
 }
 
 }  // namespace drillwave

@@ -66,7 +66,7 @@ WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
     layout->addWidget(m_profile, 1);
     layout->addWidget(m_strip);
     layout->addWidget(m_playBar);
-    m_plot->setAccessibleName(tr("Waves in the rod over position and time"));
+    useFrame(*m_picture, tr("Waves in the rod over position and time"));
     m_plot->followPalette([this](const PlotStyle& style) {
         m_picture->setStyle(style);
         m_cursors->setStyle(style);
@@ -134,7 +134,6 @@ void WavePicturePage::wire() {
     });
     connect(m_picture, &WavePicturePlot::needChanged, this, &Page::needsChanged);
     connect(m_picture, &WavePicturePlot::viewChanged, this, &WavePicturePage::showSpan);
-    connect(m_plot, &PlotWidget::fitRequested, m_picture, &WavePicturePlot::fit);
     connect(m_plot, &QCustomPlot::afterReplot, this, &WavePicturePage::alignStrip);
 
     connect(m_cursors, &PictureCursors::sectionMoved, &m_observation, &Observation::setSection);
@@ -177,8 +176,7 @@ void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
     m_strip->setBlow(m_picture->shown());
     showSpan();
     showTime();
-    m_plot->setAccessibleDescription(m_picture->textSummary());
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    redraw();
 }
 
 // While nobody has chosen a time: when the blow is on its way to the bit.

@@ -19,10 +19,10 @@ QString fieldWords(WaveQuantity field) {
 
 }  // namespace
 
-WavePicturePlot::WavePicturePlot(QCustomPlot* plot)
-    : QObject(plot), m_plot(plot), m_bar(new QCPColorScale(plot)), m_view(new FittedView(this)) {
+WavePicturePlot::WavePicturePlot(QCustomPlot* plot) : StudyFrame(plot), m_bar(new QCPColorScale(plot)) {
     plot->setAutoAddPlottableToLegend(false);
     QCPAxisRect* rect = plot->axisRect();
+    view(rect);
     rect->setupFullAxesBox(true);
     rect->setMinimumMargins(QMargins(64, 10, ContactBarsItem::width, 4));
     for (QCPAxis* axis : rect->axes()) axis->grid()->setVisible(false);
@@ -46,11 +46,9 @@ void WavePicturePlot::addItems() {
     m_joints = new JointMarksItem(m_plot);  // names over the fronts
     m_contacts = new ContactBarsItem(m_plot);
     m_marks = new ScaleMarksItem(m_plot, m_bar);
-    m_message = new PlotMessage(m_plot);
 }
 
 void WavePicturePlot::followAxes() {
-    for (const QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) m_view->watch(axis);
     m_view->setEmpty(true);
     connect(m_view, &FittedView::chosen, this, &WavePicturePlot::takeRanges);
     // Drawing for a file lays out for another size and back again: asked about when that is over.
@@ -69,7 +67,7 @@ void WavePicturePlot::checkNeed() {
 }
 
 WavePictureNeed WavePicturePlot::need() const {
-    const QSize size = m_plot->axisRect()->size();
+    const QSize size = m_rect->size();
     const double ratio = m_plot->bufferDevicePixelRatio();
     const auto pixels = [ratio](int length) {
         return std::max(1, static_cast<int>(std::lround(length * ratio)));
@@ -86,33 +84,26 @@ void WavePicturePlot::present(const SolvedBlowPtr& blow) {
     m_view->setEmpty(false);
     if (blow->page<WavePicture>()->need == m_announced) m_announced.reset();
     for (WavePictureItem* item : items()) item->setBlow(blow);
-    m_message->hide();
     m_bar->setVisible(true);
-    if (m_view->isFitted() || isOther)
-        fit();
-    else
-        setRanges();
+    finish(isOther);
+    if (!m_view->isFitted()) showWindow();
     setLabels();
     summarize();
 }
 
-void WavePicturePlot::showNothing(const QString& message) {
+void WavePicturePlot::clear() {
     m_blow.reset();
     m_view->setEmpty(true);
     for (WavePictureItem* item : items()) item->setBlow(nullptr);
-    m_message->show(message);
     m_bar->setVisible(false);
-    m_summary = message;
 }
 
 // Views are kept dimensionless: units may change below them.
-void WavePicturePlot::setRanges() {
+void WavePicturePlot::showWindow() {
     const PictureUnits& units = picture()->units;
     m_view->adjust([&] {
-        m_plot->xAxis->setRange(m_window.xiBegin * units.position.factor,
-                                m_window.xiEnd * units.position.factor);
-        m_plot->yAxis->setRange(m_window.time.begin * units.time.factor,
-                                m_window.time.end * units.time.factor);
+        x()->setRange(m_window.xiBegin * units.position.factor, m_window.xiEnd * units.position.factor);
+        y()->setRange(m_window.time.begin * units.time.factor, m_window.time.end * units.time.factor);
     });
     emit viewChanged();
 }
@@ -120,12 +111,12 @@ void WavePicturePlot::setRanges() {
 void WavePicturePlot::takeRanges() {
     const PictureUnits& units = picture()->units;
     const double rear = picture()->rear;
-    const QCPRange x = m_plot->xAxis->range().bounded(rear * units.position.factor, units.position.factor);
-    const QCPRange y = m_plot->yAxis->range();
-    m_window = {std::max(rear, x.lower / units.position.factor),
-                std::min(1.0, x.upper / units.position.factor),
-                {y.lower / units.time.factor, y.upper / units.time.factor}};
-    setRanges();
+    const QCPRange place = x()->range().bounded(rear * units.position.factor, units.position.factor);
+    const QCPRange time = y()->range();
+    m_window = {std::max(rear, place.lower / units.position.factor),
+                std::min(1.0, place.upper / units.position.factor),
+                {time.lower / units.time.factor, time.upper / units.time.factor}};
+    showWindow();
 }
 
 void WavePicturePlot::setField(WaveQuantity field) {
@@ -141,10 +132,10 @@ void WavePicturePlot::setFrontsShown(bool shown) {
 void WavePicturePlot::setLabels() {
     const WavePicture& picture = *this->picture();
     const ShownUnit& unit = picture.units.of(picture.raster.quantity);
-    m_plot->xAxis->setLabel(
-        picture.units.position.axisLabel(picture.string ? tr("position x from the shank, hammer below 0")
-                                                        : tr("position x from the struck end")));
-    m_plot->yAxis->setLabel(picture.units.time.axisLabel(tr("time t")));
+    x()->setLabel(picture.units.position.axisLabel(picture.string
+                                                       ? tr("position x from the shank, hammer below 0")
+                                                       : tr("position x from the struck end")));
+    y()->setLabel(picture.units.time.axisLabel(tr("time t")));
     m_bar->setDataRange({-picture.limit * unit.factor, picture.limit * unit.factor});
     m_bar->setLabel(unit.axisLabel(fieldWords(picture.raster.quantity)));
 }
@@ -152,38 +143,33 @@ void WavePicturePlot::setLabels() {
 QByteArray WavePicturePlot::csv(char separator) const {
     if (!m_blow) return {};
     return wavePictureCsv(*m_blow, picture()->raster.quantity, m_window,
-                          {m_plot->xAxis->label(), m_plot->yAxis->label(), m_bar->label()}, separator);
+                          {x()->label(), y()->label(), m_bar->label()}, separator);
 }
 
-void WavePicturePlot::setStyle(const PlotStyle& style) {
-    m_plot->setBackground(style.background);
-    style.applyTo(*m_plot->axisRect());
+void WavePicturePlot::restyle() {
     QCPAxisRect* bar = m_bar->axis()->axisRect();
-    style.applyTo(*bar);
-    for (QCPAxis* axis : m_plot->axisRect()->axes() + bar->axes()) {
+    m_style.applyTo(*bar);
+    for (QCPAxis* axis : m_rect->axes() + bar->axes()) {
         // Outside: inside they would be lost in the colours.
         axis->setTickLength(0, axis->tickLabels() ? 4 : 0);
         axis->setSubTickLength(0, axis->tickLabels() ? 2 : 0);
     }
-    m_bar->setGradient(ColourScale::forBackground(style.background).gradient());
-    for (WavePictureItem* item : items()) item->setStyle(style);
-    m_message->setStyle(style);
+    m_bar->setGradient(ColourScale::forBackground(m_style.background).gradient());
+    for (WavePictureItem* item : items()) item->setStyle(m_style);
 }
 
-void WavePicturePlot::fit() {
-    m_view->fit([this] {
-        if (!m_blow) return;
-        m_window = picture()->whole();
-        setRanges();
-    });
+void WavePicturePlot::setRanges() {
+    if (!m_blow) return;
+    m_window = picture()->whole();
+    showWindow();
 }
 
 QString WavePicturePlot::readout(const QPointF& pixel) const {
-    if (!m_blow || !m_plot->axisRect()->rect().contains(pixel.toPoint())) return {};
+    if (!m_blow || !m_rect->rect().contains(pixel.toPoint())) return {};
     const WavePicture& picture = *this->picture();
     const PictureUnits& units = picture.units;
-    const double xi = m_plot->xAxis->pixelToCoord(pixel.x()) / units.position.factor;
-    const double t = m_plot->yAxis->pixelToCoord(pixel.y()) / units.time.factor;
+    const double xi = x()->pixelToCoord(pixel.x()) / units.position.factor;
+    const double t = y()->pixelToCoord(pixel.y()) / units.time.factor;
     if (picture.string) return stringReadout(xi, t);
     const WaveQuantity field = picture.raster.quantity;
     const QLocale locale = m_plot->locale();

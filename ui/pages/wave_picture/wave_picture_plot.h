@@ -2,21 +2,18 @@
 // The x–t picture of a blow with axes and colour bar: the same drawing code for the page and for files.
 #pragma once
 
-#include <QObject>
-#include <QString>
 #include <optional>
 
 #include "ui/pages/wave_picture/joint_marks.h"
 #include "ui/pages/wave_picture/scale_marks.h"
 #include "ui/pages/wave_picture/wave_picture_items.h"
-#include "ui/plot/fitted_view.h"
-#include "ui/plot/plot_message.h"
+#include "ui/plot/study_frame.h"
 
 namespace drillwave {
 
-/// Position in the rod to the right, time upward, force or particle velocity as colour. Lives as a child of
-/// the plot.
-class WavePicturePlot : public QObject {
+/// Position in the rod to the right, time upward, force or particle velocity as colour. Fitted, the whole
+/// rod, or hammer and string, is in view over all the time of interest.
+class WavePicturePlot : public StudyFrame {
     Q_OBJECT
 
   public:
@@ -26,8 +23,6 @@ class WavePicturePlot : public QObject {
     WavePictureNeed need() const;
     /// Shows a blow that comes with a picture; the view stays where it is unless it was fitted.
     void present(const SolvedBlowPtr& blow);
-    /// No picture, and `message` in its place (why there is none).
-    void showNothing(const QString& message);
     /// What is on show, or nullptr.
     const SolvedBlowPtr& shown() const { return m_blow; }
     /// Its picture, or nullptr.
@@ -39,16 +34,11 @@ class WavePicturePlot : public QObject {
     /// The joints of a string, none of a rod.
     const JointMarksItem& joints() const { return *m_joints; }
     bool frontsShown() const { return m_fronts->visible(); }
-    void setStyle(const PlotStyle& style);
-    /// The whole rod, or hammer and string, over all the time of interest.
-    void fit();
 
     /// The times in view, t/t0.
     TimeSpan timeInView() const { return m_window.time; }
     /// The field over the part in view; see wavePictureCsv(). Empty while nothing is on show.
     QByteArray csv(char separator) const;
-    /// What the picture shows, in words, for assistive tools.
-    QString textSummary() const { return m_summary; }
     /// The extremes in view and where the colours end, in words; empty while nothing is on show.
     QString rangeText() const;
     /// The place below a point of the plot and the field there, in words; of a string the section and all
@@ -61,31 +51,30 @@ class WavePicturePlot : public QObject {
     void viewChanged();
 
   private:
+    void clear() override;
+    void restyle() override;
+    void setRanges() override;
     void addItems();
     QList<WavePictureItem*> items() const { return {m_waves, m_fronts, m_joints, m_contacts, m_marks}; }
     void followAxes();
     void takeRanges();
-    void setRanges();
+    void showWindow();
     void checkNeed();
     void setLabels();
     void summarize();
     QString stringReadout(double x, double t) const;
 
-    QCustomPlot* m_plot;
     QCPColorScale* m_bar;
     WaveFieldItem* m_waves;
     JointMarksItem* m_joints;
     WaveFrontsItem* m_fronts;
     ContactBarsItem* m_contacts;
     ScaleMarksItem* m_marks;
-    PlotMessage* m_message;
     SolvedBlowPtr m_blow;
     WaveQuantity m_field = WaveQuantity::force;
     PictureWindow m_window;
     std::optional<WavePictureNeed> m_announced;  // by needChanged(), not answered yet
-    FittedView* m_view;
     bool m_checking = false;
-    QString m_summary;
 };
 
 }  // namespace drillwave

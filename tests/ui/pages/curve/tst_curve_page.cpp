@@ -664,7 +664,7 @@ void TestCurvePage::aPinnedRodIsLaidOverAString() {
     runs->push_back(rod);
     m_page->setRuns(runs);
     showPage();
-    QTRY_COMPARE(m_page->curvePlot()->runCurves().graphs().size(), 1);
+    QTRY_COMPARE(m_page->curvePlot()->runCurves().size(), 1);
 }
 
 void TestCurvePage::theFormOfTheScenarioIsFollowedBack() {

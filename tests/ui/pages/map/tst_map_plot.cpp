@@ -144,11 +144,11 @@ void TestMapPlot::aMapOfOneValueIsDrawn() {
 void TestMapPlot::cutsSayWhereTheyAreNotThroughTheScenario() {
     Drawn drawn(reportOf({0.2, 0.6, 1.1, 1.4}));
     const auto name = [&] { return drawn.plot.cutAlongX()->name(); };
-    drawn.plot.setHere(QPointF(1, 1));
+    drawn.plot.setCrosshair(QPointF(1, 1));
     QVERIFY2(!name().contains("nearest") && name().endsWith('1'), qPrintable(name()));
-    drawn.plot.setHere(QPointF(1, 0.9));
+    drawn.plot.setCrosshair(QPointF(1, 0.9));
     QVERIFY2(name().startsWith("nearest: ") && name().endsWith('1'), qPrintable(name()));
-    drawn.plot.setHere(QPointF(1, 0));
+    drawn.plot.setCrosshair(QPointF(1, 0));
     QVERIFY2(!name().contains("nearest") && name().endsWith('0'), qPrintable(name()));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/run_graphs.h"
+#include "ui/plot/run_graphs.h"
 
 namespace drillwave {
 

@@ -9,7 +9,6 @@
 #include <QVector>
 
 #include "ui/plot/plot_style.h"
-#include "ui/runs/run.h"
 
 namespace drillwave {
 

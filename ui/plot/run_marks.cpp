@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/study/run_marks.h"
+#include "ui/plot/run_marks.h"
 
 #include <algorithm>
 #include <cmath>
