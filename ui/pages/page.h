@@ -21,9 +21,12 @@ class Page : public QWidget {
 
     /// Name on the tab.
     virtual QString title() const = 0;
-    /// Whether it has something to show of such a scenario; a page that has not cannot be chosen, and is
-    /// asked for nothing.
-    virtual bool shows(const Scenario& scenario) const { return !isString(scenario); }
+    /// Whether it has something to show of such a scenario; a page that has not cannot be chosen, has no tab
+    /// where its answer is elsewhere(), and is asked for nothing.
+    virtual bool shows(const Scenario& /*scenario*/) const { return true; }
+    /// Of scenarios that it does not show: why not and where the answer is, in one line. Empty where the user
+    /// makes one that it shows by its tab.
+    virtual QString elsewhere() const { return {}; }
     /// How what this page needs now is made from a blow; asked for only while the page can be seen. Empty
     /// where it needs nothing but the blow.
     virtual PreparePage prepare() const = 0;
@@ -50,6 +53,8 @@ class Page : public QWidget {
     void titleChanged();
     /// The user pins what the page shows of another scenario than the present one.
     void pinRequested(const drillwave::ScenarioDocument& contents);
+    /// The user wants to go to where the answer is.
+    void elsewhereRequested();
     /// The user wants one of the exports.
     void exportRequested(const drillwave::PageExport& wanted);
 };

@@ -35,6 +35,7 @@
 #include "ui/text/unit_choice.h"
 #include "ui/window/area_keys.h"
 #include "ui/window/blow_ghost.h"
+#include "ui/window/elsewhere_notice.h"
 #include "ui/window/example_note.h"
 #include "ui/window/file_drop.h"
 #include "ui/window/file_menu.h"
@@ -120,13 +121,13 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(m_rodPage, PageGroup::thisBlow);
     m_stringPage = new StringPage(m_document);
     m_pages->add(m_stringPage, PageGroup::thisBlow);
-    auto* stiffness = new CurvePage(m_document);
-    m_pages->add(stiffness, PageGroup::studies);
+    auto* curve = new CurvePage(m_document);
+    m_pages->add(curve, PageGroup::studies);
     auto* gap = new GapPage(m_document);
     m_pages->add(gap, PageGroup::studies);
-    connect(gap, &GapPage::curveRequested, this, [this, stiffness] {
-        stiffness->varyGap();
-        m_pages->setCurrentWidget(stiffness);
+    connect(gap, &Page::elsewhereRequested, this, [this, curve] {
+        curve->varyGap();
+        m_pages->setCurrentWidget(curve);
     });
     m_pages->add(new MapPage(m_document), PageGroup::studies);
     m_pages->add(new ThrustPage(m_document), PageGroup::studies);
@@ -180,6 +181,7 @@ void MainWindow::addCenter() {
     layout->addWidget(m_exampleNote);
     m_formNotice = new FormNotice(m_document);
     layout->addWidget(m_formNotice);
+    layout->addWidget(new ElsewhereNotice(*m_pages));
     layout->addWidget(new PageScroll(m_pages), 1);
     setCentralWidget(center);
 }

@@ -40,9 +40,7 @@ PageTabs::PageTabs(QWidget* parent)
     connect(m_strip, &QTabBar::currentChanged, this, [this](int tab) {
         if (QWidget* page = m_strip->pageAt(tab)) setCurrentWidget(page);
     });
-    connect(m_strip, &TabStrip::refused, this, [this] {
-        if (!m_ofString) emit stringWanted();
-    });
+    connect(m_strip, &TabStrip::refused, this, &PageTabs::stringWanted);
     connect(this, &QStackedWidget::currentChanged, m_strip, [this] {
         m_strip->setCurrentIndex(m_strip->indexOf(currentWidget()));
         updateGeometry();  // the room that it needs is another one
@@ -104,15 +102,16 @@ void PageTabs::setCurrent(bool current) {
 }
 
 void PageTabs::follow(const Scenario& scenario) {
-    m_ofString = isString(scenario);
+    Page* gone = nullptr;
     if (!current().shows(scenario)) {
         Page* next = replacementFor(scenario);
-        m_left = &current();
+        m_left = gone = &current();
         m_strip->setTabEnabled(m_strip->indexOf(next), true);
         setCurrentWidget(next);
     }
     for (int index = 0; index < count(); ++index) offer(page(index), scenario);
     emit offersChanged();
+    if (gone && !gone->elsewhere().isEmpty()) emit absent(gone);
 }
 
 Page* PageTabs::replacementFor(const Scenario& scenario) const {
@@ -125,10 +124,10 @@ Page* PageTabs::replacementFor(const Scenario& scenario) const {
 void PageTabs::offer(Page& page, const Scenario& scenario) {
     m_strip->setOffered(
         m_strip->indexOf(&page), page.shows(scenario),
-        m_ofString ? tr("of uniform rods alone, and this scenario is a drill string: Edit ▸ Simplify to a "
-                        "uniform rod")
-                   : tr("of drill strings alone, and this scenario is a uniform rod: a click makes a "
-                        "drill string of it, as Edit ▸ Make a drill string of this does"));
+        page.elsewhere().isEmpty()
+            ? tr("of drill strings alone, and this scenario is a uniform rod: a click makes a "
+                 "drill string of it, as Edit ▸ Make a drill string of this does")
+            : QString());
 }
 
 bool PageTabs::isOffered(int index) const {
@@ -136,7 +135,8 @@ bool PageTabs::isOffered(int index) const {
 }
 
 void PageTabs::choose(int index) {
-    if (isOffered(index)) setCurrentIndex(index);
+    if (isOffered(index)) return setCurrentIndex(index);
+    if (!page(index).elsewhere().isEmpty()) emit absent(&page(index));
 }
 
 void PageTabs::setOutOfDate(bool outOfDate) {

@@ -43,11 +43,11 @@ class PageTabs : public QStackedWidget {
     /// Only the pages that show such a scenario can be chosen from now on. Where the one on show cannot, the
     /// one that was last on show for such a scenario takes its place.
     void follow(const Scenario& scenario);
-    /// Whether a page can be chosen.
+    /// Whether a page can be chosen, of the scenario that is there.
     bool isOffered(int index) const;
     /// Veils what is shown.
     void setOutOfDate(bool outOfDate);
-    /// Puts a page on show, where it can be chosen.
+    /// Puts a page on show; where it cannot be chosen, says where its answer is.
     void choose(int index);
     /// The page shown last in an earlier run of the program.
     void restoreChoice();
@@ -59,6 +59,8 @@ class PageTabs : public QStackedWidget {
     void exportRequested(const drillwave::PageExport& wanted);
     /// Other pages can be chosen than before.
     void offersChanged();
+    /// A page that was on show or is wanted has its answer elsewhere.
+    void absent(drillwave::Page* page);
     /// The user wants a page that only drill strings have, and the scenario is none.
     void stringWanted();
 
@@ -74,7 +76,6 @@ class PageTabs : public QStackedWidget {
     QList<Group> m_groups;  // that have pages, in the order of the tabs
     TabStrip* m_strip;
     StaleVeil* m_veil;
-    bool m_ofString = false;
     QPointer<Page> m_left;  // was on show before one that shows the other form of scenario
 };
 

@@ -31,10 +31,8 @@ StudyPage* StudyMenu::current() const {
 void StudyMenu::update() {
     const StudyPage* page = current();
     m_copy->setEnabled(page);
-    for (const auto& [index, action] : std::as_const(m_choose)) {
+    for (const auto& [index, action] : std::as_const(m_choose))
         action->setText(m_pages.page(index).title());  // another one for strings
-        action->setEnabled(m_pages.isOffered(index));
-    }
     m_cancel->setEnabled(page && page->activity()->state() == StudyState::running);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Study menu: the pages of studies, and what can be done with the one on show.
+// The Study menu: the pages of studies, or where their answers are, and what can be done with the one on
+// show.
 #pragma once
 
 #include <QMenu>

@@ -47,6 +47,7 @@ void TabStrip::rename(int index, const QString& title) {
 
 void TabStrip::setOffered(int index, bool offered, const QString& why) {
     setTabEnabled(index, offered);
+    setTabVisible(index, offered || !why.isEmpty());
     setTabToolTip(index, offered ? tabText(index) : QStringLiteral("%1: %2").arg(tabText(index), why));
 }
 
@@ -75,7 +76,8 @@ int TabStrip::captionWidth(int index) const {
 bool TabStrip::hasRoomForCaptions() const {
     int wanted = 0;
     for (int index = 0; index < count(); ++index)
-        wanted += isCaption(index) ? captionWidth(index) : QTabBar::tabSizeHint(index).width();
+        if (isTabVisible(index))
+            wanted += isCaption(index) ? captionWidth(index) : QTabBar::tabSizeHint(index).width();
     return wanted <= width();
 }
 

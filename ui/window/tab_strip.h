@@ -23,7 +23,8 @@ class TabStrip : public QTabBar {
     QWidget* pageAt(int index) const;
     /// Where the tab of a page is; −1 where there is none.
     void rename(int index, const QString& title);
-    /// Whether a page can be chosen; `why` not is said by its tab.
+    /// Whether a page can be chosen; `why` not is said by its tab, which is away where there is nothing to
+    /// say.
     void setOffered(int index, bool offered, const QString& why);
     int indexOf(const QWidget* page) const;
     /// Chooses the tab `step` tabs of pages further on, round the row.

@@ -23,6 +23,7 @@
 #include "ui/pages/study/axis_fields.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
+#include "ui/window/elsewhere_notice.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/study_menu.h"
 #include "ui/window/tab_strip.h"
@@ -70,6 +71,7 @@ class TestPageTabs : public QObject {
     void theStudyMenuHasTheStudies();
     void noPageIsChosenThatShowsNothingOfAString();
     void theGapOfAStringIsVariedByOneClick();
+    void aPageThatIsAbsentSaysWhereItsAnswerIs();
     void aClickOnTheGreyedTabMakesAString();
     void aKeyHasOneMeaning();
     void aPageIsFoundByItsFormerName();
@@ -343,9 +345,8 @@ void TestPageTabs::theGapOfAStringIsVariedByOneClick() {
     auto& pages = part<PageTabs>(*window);
     const Example& example = *findExample("t38_string");
     QCOMPARE(window->document().startFrom(example.text, QStringLiteral("t38")), QString());
-    auto& gap = part<GapPage>(*window);
-    pages.setCurrentWidget(&gap);
-    QTest::mouseClick(gap.findChild<QPushButton*>("curve"), Qt::LeftButton);
+    pages.choose(pages.indexOf(&part<GapPage>(*window)));
+    QTest::mouseClick(window->findChild<QPushButton*>("goThere"), Qt::LeftButton);
     auto& stiffness = part<CurvePage>(*window);
     QCOMPARE(pages.currentWidget(), &stiffness);
     const StudyRange& range = stiffness.axis()->range();
@@ -356,6 +357,38 @@ void TestPageTabs::theGapOfAStringIsVariedByOneClick() {
     QTRY_COMPARE_WITH_TIMEOUT(stiffness.activity()->state(), StudyState::finished, 60'000);
     const QVector<QCPGraph*>& graphs = stiffness.curvePlot()->graphs();
     QTRY_VERIFY(!graphs.isEmpty() && graphs.first()->dataCount() > 100);
+}
+
+// By the menu, by the scenario that takes its place, and by the keys, which pass it over.
+void TestPageTabs::aPageThatIsAbsentSaysWhereItsAnswerIs() {
+    const auto window = newWindow(m_answers);
+    window->show();
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    auto& pages = part<PageTabs>(*window);
+    auto& gap = part<GapPage>(*window);
+    const auto& notice = part<ElsewhereNotice>(*window);
+    const int tab = pages.strip()->indexOf(&gap);
+    pages.setCurrentWidget(&gap);
+    QVERIFY(pages.strip()->isTabVisible(tab));
+    QVERIFY(notice.isHidden());
+    const Example& example = *findExample("t38_string");
+    QCOMPARE(window->document().startFrom(example.text, QStringLiteral("t38")), QString());
+    QVERIFY(pages.currentWidget() != &gap);
+    QVERIFY(!pages.strip()->isTabVisible(tab));
+    QVERIFY(notice.isVisible());
+    QCOMPARE(notice.text(), gap.elsewhere());
+    QVERIFY(!notice.text().contains(u'\n'));
+    for (int i = 0; i < pages.count(); ++i) {
+        press(*window, Qt::Key_Tab, Qt::ControlModifier);
+        QVERIFY(pages.currentWidget() != &gap);
+    }
+    QVERIFY(notice.isHidden());  // another page is on show
+    for (QAction* action : part<StudyMenu>(*window).actions())
+        if (action->text() == gap.title()) action->trigger();
+    QVERIFY(notice.isVisible());
+    window->document().startFrom(findExample("t38_medium_rock")->text, QStringLiteral("t38"));
+    QVERIFY(notice.isHidden());
+    QVERIFY(pages.strip()->isTabVisible(tab));
 }
 
 QTEST_MAIN(TestPageTabs)

@@ -23,7 +23,6 @@ class AccuracyPage : public StudyPage {
     explicit AccuracyPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Accuracy"); }
-    bool shows(const Scenario& /*scenario*/) const override { return true; }
     QString command() const override;
     /// How many studies were started.
     int studies() const { return m_study.started(); }

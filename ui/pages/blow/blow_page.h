@@ -25,7 +25,6 @@ class BlowPage : public PlotPage {
     explicit BlowPage(Observation& observation, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Blow"); }
-    bool shows(const Scenario& /*scenario*/) const override { return true; }
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;

@@ -25,7 +25,6 @@ class ComparePage : public Page {
 
     QString title() const override;
     /// Runs of any form side by side.
-    bool shows(const Scenario& /*scenario*/) const override { return true; }
     PreparePage prepare() const override { return {}; }
     void setResult(const SolvedBlowPtr& blow) override;
     void fit() override;

@@ -30,7 +30,6 @@ class CurvePage : public StudyPage {
     explicit CurvePage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override;
-    bool shows(const Scenario&) const override { return true; }
     CurvePlot* curvePlot() const { return m_plot; }
     AxisFields* axis() const { return m_axis; }
     FamilyFields* family() const { return m_family; }

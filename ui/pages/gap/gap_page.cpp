@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/gap/gap_page.h"
 
-#include <QPushButton>
 #include <algorithm>
 #include <cmath>
 
@@ -38,11 +37,9 @@ GapPage::GapPage(Document& document, QWidget* parent)
     : StudyPage(document, parent),
       m_output(outputBox()),
       m_scatter(new ScatterFields(this)),
-      m_curve(curveButton()),
       m_study(&answer),
       m_runGaps(runGap) {
-    PlotWidget* plot =
-        arrange(QList<QWidget*>{m_output, m_scatter} + m_scatter->fields() + QList<QWidget*>{m_curve});
+    PlotWidget* plot = arrange(QList<QWidget*>{m_output, m_scatter} + m_scatter->fields());
     m_plot = new GapPlot(plot);
     useFrame(*m_plot, tr("Result over the gap, and how its values are distributed"));
     watch(m_study.job());
@@ -65,35 +62,17 @@ ChoiceBox* GapPage::outputBox() {
     return box;
 }
 
-QPushButton* GapPage::curveButton() {
-    auto* button = new QPushButton(tr("Results over the gap"), this);
-    button->setObjectName(QStringLiteral("curve"));
-    button->setToolTip(tr("The page Efficiency–stiffness with the gap as what is varied"));
-    button->hide();
-    connect(button, &QPushButton::clicked, this, &GapPage::curveRequested);
-    return button;
+QString GapPage::elsewhere() const {
+    return tr(
+        "COR–gap is of uniform rods, whose results repeat over the gap; those of a drill string do not, and "
+        "Efficiency–stiffness shows them over the gap point by point.");
 }
 
 GapOutput GapPage::output() const {
     return static_cast<GapOutput>(m_output->currentData().toInt());
 }
 
-// Its controls are of gaps that have a period.
-void GapPage::followForm() {
-    const bool ofString = isString(scenario());
-    m_curve->setVisible(ofString);
-    findChild<QPushButton*>(QStringLiteral("copyCommand"))->setVisible(!ofString);
-    m_output->setVisible(!ofString);
-    m_scatter->setVisible(!ofString);
-    for (QWidget* box : m_scatter->fields()) box->setVisible(!ofString && m_scatter->normal().has_value());
-}
-
 void GapPage::ask() {
-    followForm();
-    if (isString(scenario())) {
-        m_study.ask(gapQuestion(scenario(), {}));
-        return;
-    }
     m_scatter->present(scenario());
     m_study.ask(gapQuestion(scenario(), m_scatter->normal()));
 }
@@ -114,12 +93,7 @@ void GapPage::present() {
     if (!shown.answer) return;
     const bool isNew = !(shown == m_shown);
     if (isNew) m_shown = std::move(shown);
-    if (const QString& why = m_shown.answer->problem; !why.isEmpty()) {
-        if (isNew) showNothing(why);
-        return;
-    }
     if (isNew) draw();
-    if (isString(scenario())) return;  // its answer is on the way
     placeHere();
     askRuns();
     showRuns();
@@ -181,20 +155,6 @@ void GapPage::draw() {
     redraw();
 }
 
-void GapPage::showNothing(const QString& why) {
-    m_plot->showNothing(why);
-    plot()->setAccessibleDescription(why);
-    say(
-        tr("A drill string has no curve of gaps that repeat. “Results over the gap” shows any result over "
-           "the gap point by point, without a distribution."));
-    plot()->replot(QCustomPlot::rpQueuedReplot);
-}
-
-QString GapPage::obstacle() const {
-    if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
-    return m_shown.answer ? m_shown.answer->problem : QString();
-}
-
 // On the curve that is shown, and in its period: beyond it everything repeats.
 void GapPage::placeHere() {
     const GapCurve& curve = m_shown.answer->report.curve;
@@ -207,7 +167,7 @@ void GapPage::placeHere() {
 
 // A click in the plot.
 void GapPage::takeGap(double shownGap, Qt::KeyboardModifiers modifiers) {
-    if (!m_shown.answer || isString(scenario())) return;
+    if (!m_shown.answer) return;
     const double gap = std::max(0.0, shownGap / m_picture.gap.factor);
     if (isDimensional(scenario()))
         take({{findParameter("bit_rock.gap"), gap * scalesOf(scenario()).penetration}}, modifiers);
@@ -236,7 +196,6 @@ QByteArray GapPage::csv() const {
 }
 
 QStringList GapPage::commandWords() const {
-    if (isString(scenario())) return {};
     QStringList words{QStringLiteral("gap")};
     words << m_scatter->commandWords();
     if (isDimensional(scenario())) words << QStringLiteral("--si");

@@ -9,8 +9,6 @@
 #include "ui/pages/study/study_page.h"
 #include "ui/plot/curve_meaning.h"
 
-class QPushButton;
-
 namespace drillwave {
 
 class ChoiceBox;
@@ -24,8 +22,8 @@ class GapPage : public StudyPage {
     explicit GapPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("COR–gap"); }
-    /// Of a drill string it says why it has nothing to show, and where a curve over the gap is.
-    bool shows(const Scenario& /*scenario*/) const override { return true; }
+    bool shows(const Scenario& scenario) const override { return !isString(scenario); }
+    QString elsewhere() const override;
     /// How many studies were started.
     int studies() const { return m_study.started(); }
 
@@ -33,14 +31,9 @@ class GapPage : public StudyPage {
     int runStudies() const { return m_runGaps.started(); }
     GapPlot* gapPlot() const { return m_plot; }
 
-  signals:
-    /// The user wants results over the gap of a drill string, which another page shows.
-    void curveRequested();
-
   protected:
     void ask() override;
     void present() override;
-    QString obstacle() const override;
     QByteArray csv() const override;
     QStringList commandWords() const override;
 
@@ -52,13 +45,10 @@ class GapPage : public StudyPage {
         bool operator==(const Shown&) const = default;
     };
     ChoiceBox* outputBox();
-    QPushButton* curveButton();
-    void followForm();
     GapOutput output() const;
     Shown wanted() const;
     CurveMeaning meaning() const;
     void draw();
-    void showNothing(const QString& why);
     void placeHere();
     void askRuns();
     void showRuns();
@@ -67,7 +57,6 @@ class GapPage : public StudyPage {
 
     ChoiceBox* m_output;
     ScatterFields* m_scatter;
-    QPushButton* m_curve;
     GapPlot* m_plot = nullptr;
     Shown m_shown;
     GapPicture m_picture;

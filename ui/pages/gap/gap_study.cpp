@@ -38,8 +38,7 @@ class Preview {
                                     .statistics = {},
                                     .runTime = 0,
                                     .scenarioText = {}},
-                         .samples = m_samples,
-                         .problem = {}});
+                         .samples = m_samples});
         }
     }
 
@@ -87,23 +86,13 @@ QString scatterProblem(const NormalGap& normal) {
 }
 
 GapQuestion gapQuestion(Scenario scenario, const std::optional<NormalGap>& normal) {
-    if (!isString(scenario)) findParameter("delta")->assign(scenario, 0);
+    findParameter("delta")->assign(scenario, 0);
     scenario.title.clear();  // says that an example was changed, be it the gap
     return {std::move(scenario), normal};
 }
 
 GapAnswer answer(const GapQuestion& question, const StudyFeed<GapAnswer>& feed) {
     constexpr std::size_t parts = 1000;  // of the work
-    if (isString(question.scenario)) {
-        GapAnswer none{};
-        none.report.scenario = question.scenario;
-        none.problem = tr(
-            "Results of a uniform rod repeat over the gap, with every round trip of its waves. Those of a "
-            "drill "
-            "string do not: there is no period over which values could be counted, and so no share of gaps, "
-            "no mean and no worst gap.");
-        return none;
-    }
     if (question.normal)
         if (const QString problem = scatterProblem(*question.normal); !problem.isEmpty())
             throw std::runtime_error(problem.toStdString());
@@ -112,8 +101,7 @@ GapAnswer answer(const GapQuestion& question, const StudyFeed<GapAnswer>& feed) 
         feed.tell({.done = static_cast<std::size_t>(done * parts), .wanted = parts});
     };
     GapAnswer found{.report = studyGap(question.scenario, question.normal, feed.stop, progress),
-                    .samples = {},
-                    .problem = {}};
+                    .samples = {}};
     if (!feed.stop.stop_requested() && !found.isComplete())
         throw std::runtime_error(tr("Not solved at all gaps: %1")
                                      .arg(QString::fromStdString(found.report.curve.reason))

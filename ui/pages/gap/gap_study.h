@@ -21,6 +21,7 @@ struct GapQuestion {
 /// Why a scatter cannot be studied, in a sentence; empty when it can.
 QString scatterProblem(const NormalGap& normal);
 
+/// Requires a uniform rod.
 GapQuestion gapQuestion(Scenario scenario, const std::optional<NormalGap>& normal);
 
 /// Outputs at one gap, in the order of GapOutput.
@@ -33,7 +34,6 @@ struct GapSample {
 struct GapAnswer {
     GapReport report;                ///< of the question's scenario
     std::vector<GapSample> samples;  ///< ascending, while there is no more: the report holds no curve then
-    QString problem;                 ///< why there is nothing at all, of a drill string; else empty
     bool isComplete() const { return report.curve.isComplete(); }
 };
 

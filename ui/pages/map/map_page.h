@@ -23,7 +23,6 @@ class MapPage : public StudyPage {
     explicit MapPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Map"); }
-    bool shows(const Scenario&) const override { return true; }
     MapPlot* map() const { return m_plot; }
     /// How many studies were started.
     int studies() const { return m_study.started(); }

@@ -19,7 +19,6 @@ class RockPage : public PlotPage {
     explicit RockPage(Observation& observation, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Rock"); }
-    bool shows(const Scenario& /*scenario*/) const override { return true; }
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;

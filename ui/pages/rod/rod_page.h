@@ -20,7 +20,6 @@ class RodPage : public PlotPage {
     explicit RodPage(Observation& observation, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Rod"); }
-    bool shows(const Scenario& /*scenario*/) const override { return true; }
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
     void setGhost(const SolvedBlowPtr& before) override;

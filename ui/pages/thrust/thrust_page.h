@@ -22,7 +22,6 @@ class ThrustPage : public StudyPage {
     explicit ThrustPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Thrust"); }
-    bool shows(const Scenario& /*scenario*/) const override { return true; }
     /// How many studies were started.
     int studies() const { return m_study.started(); }
     const ThrustPlot& thrustPlot() const { return *m_plot; }

@@ -29,7 +29,6 @@ class WavePicturePage : public PlotPage {
     /// The observation must outlive the page.
     explicit WavePicturePage(Observation& observation, QWidget* parent = nullptr);
 
-    bool shows(const Scenario& /*scenario*/) const override { return true; }
     QString title() const override { return tr("Wave picture"); }
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
