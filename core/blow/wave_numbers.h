@@ -16,7 +16,8 @@ namespace drillwave {
 /// took a few percent of the time of its histories.
 bool isTooLongToKeep(const std::function<const Impact&(Detail)>& solve);
 
-/// As summarizeWithWaves(), of such a blow: solves it once more. After a stop without the numbers of the waves.
+/// As summarizeWithWaves(), of such a blow: solves it once more. After a stop without the numbers of the
+/// waves.
 ImpactSummary summarizeInPassing(const Impact& impact, const Problem& problem, const WaveNumbers& wanted,
                                  const std::stop_token& stop);
 
