@@ -5,8 +5,9 @@
 #include <cassert>
 #include <limits>
 
+#include "core/contact/bilinear_law.h"
 #include "core/wave/field/wave_field.h"
-#include "core/wave/network/string_problem.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 namespace {
@@ -62,7 +63,7 @@ double BlowWaves::value(WaveQuantity quantity, double x, double t) const {
 }
 
 TimeSpan BlowWaves::interesting() const {
-    if (!m_string) return interestingTime(m_blow->impact, m_blow->solved.hammer);
+    if (!m_string) return interestingTime(m_blow->impact, m_blow->solved.force());
     const std::vector<ContactInterval> touching = contacts();
     const TimeSpan contact =
         touching.empty() ? TimeSpan{unknown, unknown} : TimeSpan{touching.front().begin, touching.back().end};
@@ -81,7 +82,7 @@ double BlowWaves::roundTrip() const {
 
 std::vector<double> BlowWaves::fronts() const {
     if (m_string) return {0, m_string->hammerRoundTrip()};
-    return pulseFronts(m_blow->solved.hammer);
+    return pulseFronts(m_blow->solved.force());
 }
 
 std::vector<FrontRun> BlowWaves::frontRuns(double start, double begin, double end) const {
@@ -116,14 +117,14 @@ BitState BlowWaves::bit(const std::vector<ContactInterval>& contacts, double t) 
     if (!m_string) return bitState(m_blow->impact, contacts, m_blow->solved.gap, t);
     const StringWaves& waves = stringWaves(*m_blow);
     const auto displacement = [&](double time) {
-        return waves.bitVelocity().integral(std::clamp(time, 0.0, waves.end()));
+        return waves.bitVelocity().integral(std::clamp(time, 0.0, waves.end())) * lawUnitOfPenetration;
     };
     return bitState(displacement, contacts, m_blow->string->problem.gap, t);
 }
 
 double BlowWaves::impactForce(double t) const {
     if (!m_string) return WaveField(m_blow->impact).impactForce(t);
-    return std::max(0.0, networkForce * stringWaves(*m_blow).bitForce()(t));
+    return std::max(0.0, stringWaves(*m_blow).bitForce()(t));
 }
 
 }  // namespace drillwave

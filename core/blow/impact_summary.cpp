@@ -17,7 +17,7 @@ ImpactSummary summarize(const Impact& impact, const Problem& problem) {
             .firstContactTime = impact.firstContactTime,
             .separationTime = impact.separationTime,
             .contactDuration = impact.contactDuration,
-            .workRatio = impact.hammerWork * 2 * problem.transitTime,  // [paper (2)]
+            .workRatio = impact.hammerWork * 2 * problem.transitTime(),  // [paper (2)]
             .energy = ledgerOf(impact, problem),
             .momentumResidual = 1 - impact.impulse - impact.finalMomentum,  // [paper (10)]
             .corError = impact.corError,
@@ -31,7 +31,7 @@ ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem, c
     ImpactSummary summary = summarize(impact, problem);
     if (impact.incident.empty()) return summary;
     if (wanted.forcePeaks) summary.forcePeaks = forcePeaks(impact);
-    summary.rodForces = largestRodForces(impact, problem.hammer, wanted.forces);
+    summary.rodForces = largestRodForces(impact, problem.force(), wanted.forces);
     return summary;
 }
 

@@ -45,9 +45,9 @@ void addRebound(const ImpactSummary& summary, std::vector<Alert>& alerts) {
 
 /// The group that is to blame where the closed form is not for a rectangular blow on elastic rock.
 std::optional<AlertArgument> closedFormObstacle(const Problem& problem) {
-    if (problem.transitTime < 0.5) return AlertArgument{"tau", problem.transitTime};
+    if (problem.transitTime() < 0.5) return AlertArgument{"tau", problem.transitTime()};
     if (!closedFormRefusal(problem).empty()) return AlertArgument{"delta", problem.gap};
-    if (overlapIsSmall(problem.law.beta, problem.transitTime)) return std::nullopt;
+    if (overlapIsSmall(problem.law.beta, problem.transitTime())) return std::nullopt;
     return AlertArgument{"beta", problem.law.beta};
 }
 

@@ -7,32 +7,16 @@
 #include <limits>
 #include <utility>
 
+#include "core/contact/bilinear_law.h"
 #include "core/model/scales.h"
 #include "core/model/section_parameter.h"
-#include "core/wave/network/string_problem.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
-namespace {
-
-/// A force of the network in F0.
-PiecewisePolynomial scaled(const PiecewisePolynomial& force) {
-    PiecewisePolynomial result;
-    result.clear(force.start());
-    std::vector<double> c;
-    for (const PiecewisePolynomial::Piece& piece : force.pieces()) {
-        c.clear();
-        for (const double coefficient : force.coefficients(piece)) c.push_back(networkForce * coefficient);
-        result.append(piece.length, piece.scale, c);
-    }
-    return result;
-}
-
-}  // namespace
-
 StringBlow solveString(const Scenario& scenario, const NetworkSettings& settings, NetworkSolver& solver,
                        const std::stop_token& stop) {
-    StringBlow blow{networkProblemOf(scenario), {}};
+    StringBlow blow{problemOf(scenario), {}};
     blow.impact = solver.solve(blow.problem, settings, stop);
     return blow;
 }
@@ -51,7 +35,7 @@ Impact impactOf(const StringBlow& blow) {
     impact.impulse = from.rockImpulse / p0;
     impact.cor = from.faceImpulse > 0 ? -from.stringMomentum / from.faceImpulse : 0;
     impact.corError = from.corError;
-    impact.peakForce = networkForce * from.peakForce;
+    impact.peakForce = from.peakForce;
     const double never = std::numeric_limits<double>::quiet_NaN();
     impact.firstContactTime = from.firstContact >= 0 ? from.firstContact : never;
     impact.separationTime = from.lastSeparation >= 0 ? from.lastSeparation : never;
@@ -59,8 +43,8 @@ Impact impactOf(const StringBlow& blow) {
     impact.contacts = from.contacts;
     impact.events = from.events;
     if (from.waves) {
-        impact.incident = scaled(from.waves->bitWave());
-        impact.force = scaled(from.waves->bitForce());
+        impact.incident = from.waves->bitWave();
+        impact.force = from.waves->bitForce();
     }
     return impact;
 }
@@ -72,8 +56,8 @@ ImpactSummary summarize(const Scenario& scenario, const StringBlow& blow) {
     summary.cor = impact.cor;
     summary.impulse = impact.impulse;
     summary.peakForce = impact.peakForce;
-    summary.maxPenetration = from.largestPenetration;
-    summary.residualPenetration = from.residualPenetration;
+    summary.maxPenetration = from.largestPenetration * lawUnitOfPenetration;
+    summary.residualPenetration = from.residualPenetration * lawUnitOfPenetration;
     summary.firstContactTime = impact.firstContactTime;
     summary.separationTime = impact.separationTime;
     summary.contactDuration = impact.contactDuration;
@@ -83,7 +67,7 @@ ImpactSummary summarize(const Scenario& scenario, const StringBlow& blow) {
     summary.workRatio = 1 - from.energy.hammer - from.energy.face;
 
     double stringMass = 0;
-    for (std::size_t j = blow.problem.hammerSections; j < blow.problem.sections.size(); ++j)
+    for (std::size_t j = blow.problem.hammerSections(); j < blow.problem.sections.size(); ++j)
         stringMass += blow.problem.sections[j].mass() + blow.problem.sections[j].massAfter;
     const double rebound = from.stringMomentum * from.stringMomentum / (2 * stringMass) / from.hammerEnergy;
     summary.energy = {from.energy.rock, rebound, from.energy.string - rebound, from.energyResidual};
@@ -94,7 +78,7 @@ ImpactSummary summarize(const Scenario& scenario, const StringBlow& blow) {
     string.efficiency = from.energy.rock;
     string.efficiencyError = from.efficiencyError;
     const double back = -from.pistonMomentum / from.hammerMass;
-    string.hammerReboundVelocity = back;
+    string.hammerReboundVelocity = back / blow.problem.hammer().velocity;
     string.hammerReboundEnergy = from.hammerMass * back * back / 2 / from.hammerEnergy;
     string.hammerWaveEnergy = from.energy.hammer - string.hammerReboundEnergy;
     string.efficiencyRecovered = from.energy.rock + string.hammerReboundEnergy;
@@ -131,7 +115,7 @@ std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Strin
     assert(sections.size() == forces.size());
     std::vector<SectionStress> stresses;
     for (std::size_t j = 0; j < sections.size(); ++j) {
-        const double toStress = networkForce * scales.force / propertiesOf(*sections[j], drill.material).area;
+        const double toStress = scales.force / propertiesOf(*sections[j], drill.material).area;
         const auto inSi = [&](const SectionPeak& peak) {
             return StressPeak{peak.force * toStress, peak.place * sections[j]->length,
                               peak.time * scales.time};

@@ -14,9 +14,9 @@
 
 namespace drillwave {
 
-/// What was solved, and how it came out. Units of NetworkProblem.
+/// What was solved, and how it came out. Units of Problem.
 struct StringBlow {
-    NetworkProblem problem;
+    Problem problem;
     NetworkImpact impact;
 };
 

@@ -5,8 +5,9 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/contact/bilinear_law.h"
 #include "core/model/scales.h"
-#include "core/wave/network/string_problem.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -76,22 +77,22 @@ StringInstant StringHistory::at(double time, TimeSide side) const {
     const StringWaves& waves = *m_waves;
     const double t = std::clamp(time, 0.0, waves.end());
     const double beside = side == TimeSide::after ? t + waves.rounding() : t - waves.rounding();
-    const std::size_t face = m_blow->problem.hammerSections - 1;
-    const double momentum = m_blow->impact.hammerMomentum;
+    const std::size_t face = m_blow->problem.hammerSections() - 1;
+    const double momentum = m_blow->impact.hammerMomentum, v0 = m_blow->problem.hammer().velocity;
     StringInstant now;
     now.time = t;
-    now.impactForce = std::max(0.0, networkForce * waves.bitForce()(beside));
+    now.impactForce = std::max(0.0, waves.bitForce()(beside));
     now.impulse = waves.bitForce().integral(t) / momentum;
     now.momentum = waves.faceForce().integral(t) / momentum - now.impulse;
-    now.penetration = waves.bitVelocity().integral(t) - m_blow->problem.gap;
-    now.frontVelocity = waves.bitVelocity()(beside);
-    now.faceForce = std::max(0.0, networkForce * waves.force(face, 1, t, side));
+    now.penetration = waves.bitVelocity().integral(t) * lawUnitOfPenetration - m_blow->problem.gap;
+    now.frontVelocity = waves.bitVelocity()(beside) / v0;
+    now.faceForce = std::max(0.0, waves.force(face, 1, t, side));
     const double down = waves.down(m_place.section, m_place.share, t, side);
     const double up = waves.up(m_place.section, m_place.share, t, side);
-    now.positiveWave = 0 - networkForce * down;
-    now.negativeWave = 0 - networkForce * up;
-    now.normalForce = 0 - networkForce * (down + up);
-    now.velocity = (down - up) / m_blow->problem.sections[m_place.section].impedance;
+    now.positiveWave = 0 - down;
+    now.negativeWave = 0 - up;
+    now.normalForce = 0 - (down + up);
+    now.velocity = (down - up) / (m_blow->problem.sections[m_place.section].impedance * v0);
     return now;
 }
 

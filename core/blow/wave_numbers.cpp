@@ -16,7 +16,7 @@ bool isTooLongToKeep(const std::function<const Impact&(Detail)>& solve) {
 ImpactSummary summarizeInPassing(const Impact& impact, const Problem& problem, const WaveNumbers& wanted,
                                  const std::stop_token& stop) {
     ImpactSummary summary = summarize(impact, problem);
-    PassingWaves waves(impact, problem.hammer, wanted.forces);
+    PassingWaves waves(impact, problem.force(), wanted.forces);
     Impact rest = marchInPassing(
         problem, impact.pieces, [&](Impact& recording) { return waves.take(recording); }, stop);
     if (rest.outcome != Outcome::rebounded) return summary;

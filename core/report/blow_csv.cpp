@@ -101,7 +101,7 @@ std::string historiesCsv(const Impact& impact, const Problem& problem, OutputUni
             history.time[i] * scale.time,
             force * scale.force,
             history.impulse[i] * scale.impulse,
-            rodMomentum(problem.hammer, history.time[i], history.impulse[i]) * scale.impulse,
+            rodMomentum(problem.force(), history.time[i], history.impulse[i]) * scale.impulse,
             (incident == 0 ? 0 : -incident) * scale.force,
             front.penetration(history.time[i], force) * scale.penetration,
             (incident - force / 2) * (scale.penetration / scale.time)};

@@ -7,12 +7,57 @@
 
 namespace drillwave {
 
-Problem problemOf(const Scenario& scenario) {
-    return problemOf(pulseForceOf(scenario), groupsOf(scenario));
+namespace {
+
+UniformSection uniformSection(const Section& section, const DrillString& drill, double impedance,
+                              double time) {
+    const RodProperties properties = propertiesOf(section, drill.material);
+    return {.impedance = properties.impedance / impedance,
+            .transitTime = properties.transitTime / time,
+            .decay = section.attenuation * section.length,
+            .massAfter = section.massAfter / (impedance * time),
+            .loss = section.loss};
 }
 
-Problem problemOf(PulseForce hammer, const Groups& groups) {
-    return {std::move(hammer), groups.tau, {groups.beta, groups.gamma}, groups.delta};
+Problem stringProblem(const Scenario& scenario) {
+    const DrillString& drill = scenario.drillString;
+    const double impedance = propertiesOf(ruleSection(drill), drill.material).impedance;
+    const double time = pulseDuration(scenario);
+    const double slope = time / impedance;
+
+    ElasticHammer hammer{.sections = drill.hammer.sections.size(), .face = {}};
+    if (drill.hammer.faceStiffness) hammer.face.stiffness = *drill.hammer.faceStiffness * slope;
+    hammer.face.restrike = drill.hammer.restrike;
+    Problem problem;
+    problem.drive = hammer;
+    problem.sections.clear();
+    for (const Section* section : allSections(drill))
+        problem.sections.push_back(uniformSection(*section, drill, impedance, time));
+    problem.law = {scenario.bitRock.stiffness * slope, scenario.bitRock.gamma};
+    problem.gap = scenario.bitRock.gap / (drill.hammer.velocity * time);
+    if (drill.endTime) problem.endTime = *drill.endTime / time;
+    if (scenario.drill.blowFrequency) problem.nextBlow = 1 / (*scenario.drill.blowFrequency * time);
+    return problem;
+}
+
+}  // namespace
+
+Problem problemOf(const Scenario& scenario) {
+    return isString(scenario) ? stringProblem(scenario)
+                              : problemOf(pulseForceOf(scenario), groupsOf(scenario));
+}
+
+Problem problemOf(PulseForce force, const Groups& groups) {
+    Problem problem;
+    problem.drive = std::move(force);
+    setGroups(problem, groups);
+    return problem;
+}
+
+void setGroups(Problem& rod, const Groups& groups) {
+    rod.sections.assign(1, {.transitTime = groups.tau});
+    rod.law = {groups.beta, groups.gamma};
+    rod.gap = groups.delta;
 }
 
 }  // namespace drillwave

@@ -88,10 +88,10 @@ class EventChanges {
     /// Each end of a segment of the hammer force comes back after every round trip.
     static double frontsBefore(const Problem& problem, double time) {
         const auto comes = [&](double start) {
-            return time < start ? 0 : 1 + std::floor((time - start) / (2 * problem.transitTime));
+            return time < start ? 0 : 1 + std::floor((time - start) / (2 * problem.transitTime()));
         };
-        double fronts = comes(problem.hammer.end);
-        for (const PulseSegment& segment : problem.hammer.segments) fronts += comes(segment.start);
+        double fronts = comes(problem.force().end);
+        for (const PulseSegment& segment : problem.force().segments) fronts += comes(segment.start);
         return fronts;
     }
 

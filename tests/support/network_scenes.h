@@ -16,11 +16,11 @@
 
 namespace drillwave::test {
 
-/// What one dimensionless unit of a network is in SI.
+/// What one dimensionless unit of a problem is in SI.
 struct NetworkUnits {
     double impedance = 1;  ///< Zr [kg/s]
     double time = 1;       ///< t0 [s]
-    double velocity = 1;   ///< v0 [m/s]
+    double velocity = 1;   ///< F0/Zr, half the impact velocity [m/s]
 
     double force() const { return impedance * velocity; }
     double momentum() const { return force() * time; }
@@ -28,10 +28,22 @@ struct NetworkUnits {
     double length() const { return velocity * time; }
 };
 
+/// Of a hammer of one section that strikes; sections are to be added.
+inline Problem struck() {
+    Problem problem;
+    problem.drive = ElasticHammer{};
+    problem.sections.clear();
+    return problem;
+}
+
+inline ElasticHammer& hammerOf(Problem& problem) {
+    return std::get<ElasticHammer>(problem.drive);
+}
+
 /// One of tests/cases/string_cases.json.
 struct NetworkCase {
     std::string id;
-    NetworkProblem problem;
+    Problem problem = struck();
     NetworkUnits units;
     std::vector<double> areas;  ///< of the sections [m²]
     QJsonObject reference;
@@ -40,14 +52,14 @@ struct NetworkCase {
 inline NetworkCase networkCase(const QJsonObject& json) {
     NetworkCase scene;
     scene.id = json["id"].toString().toStdString();
-    NetworkProblem& problem = scene.problem;
+    Problem& problem = scene.problem;
     NetworkUnits& units = scene.units;
-    units.velocity = json["velocity"].toDouble();
+    units.velocity = json["velocity"].toDouble() / hammerOf(problem).velocity;
     const QJsonArray hammer = json["piston"].toArray(), string = json["string"].toArray();
-    problem.hammerSections = std::size_t(hammer.size());
+    hammerOf(problem).sections = std::size_t(hammer.size());
     const auto add = [&](const QJsonValue& value) {
         const double modulus = value["youngs_modulus"].toDouble(), density = value["density"].toDouble();
-        NetworkSection section;
+        UniformSection section;
         section.impedance = value["area"].toDouble() * std::sqrt(modulus * density);
         section.transitTime = value["length"].toDouble() / std::sqrt(modulus / density);
         section.decay = value["attenuation"].toDouble() * value["length"].toDouble();
@@ -57,26 +69,28 @@ inline NetworkCase networkCase(const QJsonObject& json) {
     for (const QJsonValue value : hammer) add(value);
     for (const QJsonValue value : string) add(value);
     for (const QJsonValue value : json["joints"].toArray()) {
-        NetworkSection& near = problem.sections[problem.hammerSections + std::size_t(value["after"].toInt())];
+        UniformSection& near =
+            problem.sections[problem.hammerSections() + std::size_t(value["after"].toInt())];
         near.massAfter = value["mass"].toDouble();
         near.loss = value["loss"].toDouble();
     }
     problem.sections.back().massAfter = json["bit_mass"].toDouble();
     units.time = 0;
-    for (std::size_t j = 0; j < problem.hammerSections; ++j)
+    for (std::size_t j = 0; j < problem.hammerSections(); ++j)
         units.time += 2 * problem.sections[j].transitTime;
     units.impedance = problem.sections.back().impedance;
-    for (NetworkSection& section : problem.sections) {
+    for (UniformSection& section : problem.sections) {
         section.impedance /= units.impedance;
         section.transitTime /= units.time;
         section.massAfter /= units.impedance * units.time;
     }
     const double scale = units.time / units.impedance;
     const QJsonObject contact = json["contact"].toObject(), rock = json["rock"].toObject();
-    if (contact["stiffness"].toDouble() > 0) problem.face.stiffness = contact["stiffness"].toDouble() * scale;
-    problem.face.restrike = contact["restrike"].toBool();
+    if (contact["stiffness"].toDouble() > 0)
+        hammerOf(problem).face.stiffness = contact["stiffness"].toDouble() * scale;
+    hammerOf(problem).face.restrike = contact["restrike"].toBool();
     problem.law = {rock["stiffness"].toDouble() * scale, rock["gamma"].toDouble()};
-    problem.gap = rock["gap"].toDouble() / units.length();
+    problem.gap = rock["gap"].toDouble() / (2 * units.length());
     problem.endTime = json["end_time"].toDouble() / units.time;
     scene.reference = json["reference"].toObject();
     return scene;
@@ -93,23 +107,23 @@ inline std::vector<NetworkCase> networkCases() {
 
 /// A random string: a few sections of hammer and string with round trips that share a cell, every option now
 /// and then.
-inline NetworkProblem randomNetwork(Chance& chance) {
-    NetworkProblem problem;
+inline Problem randomNetwork(Chance& chance) {
+    Problem problem = struck();
     const double cell = 0.05;
-    problem.hammerSections = 1 + chance.below(3);
-    const std::size_t count = problem.hammerSections + 1 + chance.below(7);
+    hammerOf(problem).sections = 1 + chance.below(3);
+    const std::size_t count = problem.hammerSections() + 1 + chance.below(7);
     for (std::size_t j = 0; j < count; ++j) {
-        NetworkSection section;
+        UniformSection section;
         section.impedance = chance.below(4) == 0 ? 1 : chance.logarithmic(0.3, 4);
-        const bool hammer = j < problem.hammerSections;
+        const bool hammer = j < problem.hammerSections();
         section.transitTime = cell / 2 * (1 + chance.below(hammer ? 10 : 60));
         if (chance.below(8) == 0) section.massAfter = chance.logarithmic(1e-3, 0.5);
         if (!hammer && chance.below(10) == 0) section.loss = 0.1 * chance.fraction();
         if (!hammer && chance.below(10) == 0) section.decay = 0.1 * chance.fraction();
         problem.sections.push_back(section);
     }
-    if (chance.below(5) == 0) problem.face.stiffness = chance.logarithmic(1, 100);
-    problem.face.restrike = chance.below(4) != 0;
+    if (chance.below(5) == 0) hammerOf(problem).face.stiffness = chance.logarithmic(1, 100);
+    hammerOf(problem).face.restrike = chance.below(4) != 0;
     problem.law = {chance.logarithmic(0.01, 30), chance.below(5) == 0 ? 1 : chance.logarithmic(0.05, 1)};
     if (chance.below(3) == 0) problem.gap = chance.fraction();
     problem.endTime = 10 + 30 * chance.fraction();
@@ -124,17 +138,17 @@ inline const NetworkCase& caseCalled(const std::string& id) {
 
 /// The uniform rod of the groups, struck as by a rectangular pulse: by a hammer of its impedance, as long as
 /// half the pulse, that strikes once. Followed until `endTime`.
-inline NetworkProblem rodAsString(const Groups& groups, double endTime) {
-    NetworkProblem problem;
+inline Problem rodAsString(const Groups& groups, double endTime) {
+    Problem problem = struck();
     problem.sections = {{.impedance = 1, .transitTime = 0.5}, {.impedance = 1, .transitTime = groups.tau}};
-    problem.face.restrike = false;
+    hammerOf(problem).face.restrike = false;
     problem.law = {groups.beta, groups.gamma};
     problem.gap = groups.delta;
     problem.endTime = endTime;
     return problem;
 }
 
-inline NetworkImpact solvedWithWaves(const NetworkProblem& problem) {
+inline NetworkImpact solvedWithWaves(const Problem& problem) {
     NetworkSettings settings;
     settings.wants = {.events = true, .forces = true, .histories = true};
     return solveNetwork(problem, settings);

@@ -71,7 +71,7 @@ inline constexpr Domain extremeDomain{1e-7, 1e9, 1e-6, 0.05, 1000, 1000};
 
 /// Long blows on rods shorter than them take up to a million wave pieces: too slow for thousands of scenes.
 inline bool isQuick(const Problem& problem) {
-    if (problem.transitTime < 1.5 && problem.hammer.end > 1) return false;
+    if (problem.transitTime() < 1.5 && problem.force().end > 1) return false;
     return problem.law.beta > 1e-5 || problem.law.gamma > 0.3;
 }
 

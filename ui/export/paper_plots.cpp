@@ -64,8 +64,9 @@ PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader) {
 
 PaperPlot blowPaperPlot(const Scenario& scenario, const Impact& impact, const PaperReader& reader) {
     const Problem problem = problemOf(scenario);
-    return paperPlot<BlowPlots>(blowCurves(impact, problem.hammer, reader.unitsFor(scenario), 0.5, Tail::cut),
-                                {180, 240}, reader.locale);
+    return paperPlot<BlowPlots>(
+        blowCurves(impact, problem.force(), reader.unitsFor(scenario), 0.5, Tail::cut), {180, 240},
+        reader.locale);
 }
 
 PaperPlot rockPaperPlot(const Scenario& scenario, const Impact& impact, const PaperReader& reader) {
@@ -76,7 +77,7 @@ PaperPlot rockPaperPlot(const Scenario& scenario, const Impact& impact, const Pa
 PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std::stop_token& stop,
                        const PaperReader& reader) {
     const Problem problem = problemOf(scenario);
-    return paperPlot<RodPlot>(rodCurves(impact, problem.hammer, scenario, reader.unitsFor(scenario), stop),
+    return paperPlot<RodPlot>(rodCurves(impact, problem.force(), scenario, reader.unitsFor(scenario), stop),
                               {180, 110}, reader.locale);
 }
 

@@ -62,7 +62,7 @@ class GapSampler {
         }
         const ImpactSummary summary = summarize(impact, m_problem);
         sample.values = {summary.cor, summary.peakForce, summary.energy.rockWork};
-        sample.order = eventOrder(impact, m_problem.hammer);
+        sample.order = eventOrder(impact, m_problem.force());
         return sample;
     }
 
@@ -105,7 +105,7 @@ void addPeriods(std::vector<double>& borders, double start, double end) {
 }  // namespace
 
 double gapPeriodStart(const Problem& problem) {
-    const PulseForce& pulse = problem.hammer;
+    const PulseForce& pulse = problem.force();
     if (pulse.isRigidBody()) return 0;
     // What is still to come of a pulse with a long tail when it makes no difference any more.
     const auto left = [&](double t) { return 1 - pulse.impulseUntil(t) - negligibleImpulse; };
@@ -113,7 +113,7 @@ double gapPeriodStart(const Problem& problem) {
     // The free front end has moved G(s) d0 at time s, G(s) = A(s) + G(s − 2τ), A the impulse of the hammer
     // until then. After a contact at s everything happens as after one at s + 2τ, if the hammer has ended by
     // then.
-    const double roundTrip = 2 * problem.transitTime;
+    const double roundTrip = 2 * problem.transitTime();
     if (end / roundTrip > maximumGapPeriodStart) return std::numeric_limits<double>::infinity();
     double moved = 0;
     for (double s = end - roundTrip; s > 0; s -= roundTrip) moved += pulse.impulseUntil(s);
@@ -132,7 +132,7 @@ GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop
     curve.start = std::min(std::floor(start), curve.periodStart);
     curve.end = curve.periodStart + 1;
     curve.outputCount = detail == Detail::cor ? 1 : gapOutputCount;
-    curve.dependsOnGap = !problem.hammer.isRigidBody();
+    curve.dependsOnGap = !problem.force().isRigidBody();
     const FitSettings settings{
         .count = curve.outputCount,
         .scale = {1, 0, 1},
@@ -144,7 +144,7 @@ GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop
         if (progress) progress((gap - curve.start) / (curve.end - curve.start));
     };
     PiecewiseFit fit = curve.dependsOnGap
-                           ? fitPiecewise(settings, firstCuts(curve, problem.hammer), sample, stop, upTo)
+                           ? fitPiecewise(settings, firstCuts(curve, problem.force()), sample, stop, upTo)
                            : fitConstant(settings, curve.start, curve.end, sample, stop);
     curve.pieces = std::move(fit.pieces);
     curve.borders = std::move(fit.borders);

@@ -97,7 +97,7 @@ FigurePanel blowPanel(const char* name, const char* title, const Groups& groups)
                       .curves = {{.key = "impact_force", .label = "impact force F", .x = {}, .y = {}},
                                  {.key = "impulse", .label = "impulse of F", .x = {}, .y = {}, .colour = 1},
                                  {.key = "momentum", .label = "momentum p", .x = {}, .y = {}, .colour = 2}}};
-    const PulseForce pulse = paperProblem(groups).hammer;
+    const PulseForce pulse = paperProblem(groups).force();
     const auto add = [&](double time, double force, double impulse) {
         const double values[] = {force, impulse, rodMomentum(pulse, time, impulse)};
         for (std::size_t i = 0; i < panel.curves.size(); ++i) {

@@ -32,8 +32,8 @@ class Checker {
   public:
     Checker(const Impact& impact, const Problem& problem)
         : m_impact(impact),
-          m_hammer(problem.hammer),
-          m_roundTrip(2 * problem.transitTime),
+          m_hammer(problem.force()),
+          m_roundTrip(2 * problem.transitTime()),
           m_beta(problem.law.beta),
           m_unloading(problem.law.beta / problem.law.gamma),
           m_weight(1 / (1 + problem.law.beta / problem.law.gamma)),

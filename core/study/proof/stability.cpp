@@ -82,7 +82,7 @@ void checkContinuity(StabilityRow& row, const Problem& problem, ExactSolver& sol
     std::array<Problem, 4> neighbours{problem, problem, problem, problem};
     neighbours[0].law.beta *= 1 + near;
     neighbours[1].law.gamma *= 1 - near;
-    neighbours[2].transitTime *= 1 + near;
+    neighbours[2].sections[0].transitTime *= 1 + near;
     neighbours[3].gap += near;
     for (const Problem& neighbour : neighbours) {
         const Impact impact = solver.solve(neighbour, Detail::cor, stop);
@@ -96,9 +96,9 @@ void checkContinuity(StabilityRow& row, const Problem& problem, ExactSolver& sol
 /// Rigid rock: e → 1 once the blow ends before it returns. Soft rock, reference case: e → √γ.
 void checkLimits(StabilityRow& row, const Problem& problem) {
     const Groups& g = row.stabilityCase.groups;
-    if (g.beta >= 1e5 && problem.hammer.end <= 2 * g.tau)
+    if (g.beta >= 1e5 && problem.force().end <= 2 * g.tau)
         row.limitDistance = std::abs(row.cor - 1) * std::sqrt(g.beta) / 10;
-    if (problem.hammer.isRigidBody() && g.beta * g.tau <= 1e-3)
+    if (problem.force().isRigidBody() && g.beta * g.tau <= 1e-3)
         row.limitDistance =
             std::abs(row.cor - std::sqrt(g.gamma)) / (10 * std::sqrt(g.beta * g.tau / g.gamma));
     if (row.limitDistance)
@@ -111,7 +111,7 @@ void checkLattice(StabilityRow& row, const Problem& problem, LatticeSolver& latt
     const Groups& g = row.stabilityCase.groups;
     const double step = g.tau / latticeSegments;
     const bool resolved = BilinearLaw<>(problem.law).slopes().elastic * step < 0.05 && step < 0.01 &&
-                          problem.hammer.end < 20 * g.tau;
+                          problem.force().end < 20 * g.tau;
     if (!resolved || g.beta * g.tau < 1e-3 || g.delta > 100) return;
     const Impact impact = lattice.solve(problem, Detail::cor, {.segments = latticeSegments}, stop);
     if (impact.outcome != Outcome::rebounded || !(impact.corError > 0)) return;

@@ -8,7 +8,7 @@
 #include "core/text/enum_names.h"
 #include "core/wave/network/network_solver.h"
 #include "core/wave/network/plain_lattice.h"
-#include "core/wave/network/string_problem.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -34,7 +34,7 @@ std::string_view name(StringMethod method) {
 StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_token& stop,
                                      const StringAccuracyRows& onRow) {
     StringAccuracy accuracy;
-    NetworkProblem problem = networkProblemOf(scenario);
+    Problem problem = problemOf(scenario);
     NetworkSettings finest;
     finest.halvings = sureHalvings + 1;
     NetworkSolver solver;

@@ -23,7 +23,7 @@ class CaseSolver {
 
     /// Must be called before solve() whenever the hammer blow may have changed.
     void setPulse(const Scenario& scenario) {
-        if (!isString(scenario)) m_problem.hammer = pulseForceOf(scenario);
+        if (!isString(scenario)) m_problem.drive = pulseForceOf(scenario);
     }
 
     /// Puts a number for each column into `outputs`, NaN where there is none. Returns why the case could not

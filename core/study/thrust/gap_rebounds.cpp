@@ -46,8 +46,8 @@ GapRebound worstOf(const GapCurve& elastic) {
 }
 
 GapRebounds GapReboundFinder::of(const Problem& problem, const std::stop_token& stop) {
-    forgetOtherThan(problem.hammer);
-    const double beta = problem.law.beta, gamma = problem.law.gamma, tau = problem.transitTime;
+    forgetOtherThan(problem.force());
+    const double beta = problem.law.beta, gamma = problem.law.gamma, tau = problem.transitTime();
     return {.quantile = remembered(m_quantiles, {beta, gamma, tau},
                                    [&] { return quantileOf(rockCurve(problem, stop, {}, m_mostPieces)); }),
             .worst = remembered(m_worst, {beta, tau},
@@ -55,8 +55,8 @@ GapRebounds GapReboundFinder::of(const Problem& problem, const std::stop_token& 
 }
 
 void GapReboundFinder::remember(const Problem& problem, const GapRebounds& rebounds) {
-    forgetOtherThan(problem.hammer);
-    const double beta = problem.law.beta, gamma = problem.law.gamma, tau = problem.transitTime;
+    forgetOtherThan(problem.force());
+    const double beta = problem.law.beta, gamma = problem.law.gamma, tau = problem.transitTime();
     m_quantiles[{beta, gamma, tau}] = rebounds.quantile;
     m_worst[{beta, tau}] = rebounds.worst;
 }

@@ -168,12 +168,12 @@ std::string closedFormRefusal(const Problem& problem) {
     constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
     std::string found;
     const auto add = [&](const std::string& text) { found += (found.empty() ? "" : ", ") + text; };
-    if (problem.hammer.shape != PulseShape::rectangular)
-        add("pulse.shape = " + std::string(name(problem.hammer.shape)));
+    if (problem.force().shape != PulseShape::rectangular)
+        add("pulse.shape = " + std::string(name(problem.force().shape)));
     if (problem.law.gamma != 1) add("gamma = " + formatNumber(problem.law.gamma));
     if (std::abs(problem.gap - std::round(problem.gap)) > rounding * std::max(1.0, problem.gap))
         add("delta = " + formatNumber(problem.gap));
-    if (problem.transitTime < 0.5) add("tau = " + formatNumber(problem.transitTime));
+    if (problem.transitTime() < 0.5) add("tau = " + formatNumber(problem.transitTime()));
     if (found.empty()) return found;
     return "the closed form is for a rectangular pulse, gamma = 1, a whole number as delta and tau >= 0.5, "
            "not " +
@@ -185,7 +185,7 @@ Impact solveClosedForm(const Problem& problem, Detail detail) {
     impact.reason = closedFormRefusal(problem);
     if (!impact.reason.empty()) return impact;
     const double beta = problem.law.beta;
-    if (!overlapIsSmall(beta, problem.transitTime)) {
+    if (!overlapIsSmall(beta, problem.transitTime())) {
         impact.reason =
             "the reflections overlap, which the closed form neglects: the contact is not over when the third "
             "wave arrives; use the exact method or the lattice";
@@ -195,16 +195,16 @@ Impact solveClosedForm(const Problem& problem, Detail detail) {
     impact.cor = closedFormRestitution(beta);
     impact.impulse = 1 + impact.cor;
     impact.corError =
-        neglectedOverlap(beta, problem.transitTime) + 8 * std::numeric_limits<double>::epsilon();
+        neglectedOverlap(beta, problem.transitTime()) + 8 * std::numeric_limits<double>::epsilon();
     impact.pieces = 4;
     impact.contacts = 1;
     if (detail == Detail::cor) return impact;
 
-    impact.frontArrival = problem.transitTime;
-    impact.roundTrip = 2 * problem.transitTime;
+    impact.frontArrival = problem.transitTime();
+    impact.roundTrip = 2 * problem.transitTime();
     impact.peakForce = 2 * saturation(beta);  // of the first pulse; the second is never as high
     const double periods = std::round(problem.gap);
-    const double loading = problem.transitTime + periods * impact.roundTrip;
+    const double loading = problem.transitTime() + periods * impact.roundTrip;
     // A gap of whole δ closes with the end of a wave, and nothing happens until the next one.
     impact.firstContactTime = periods > 0 ? loading - impact.roundTrip + 1 : loading;
     impact.separationTime = loading + impact.roundTrip + secondPulseEnd(beta);

@@ -57,7 +57,7 @@ bool ContactMarch<Basis>::march() {
 
 template <class Basis>
 void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& impact) {
-    m_pulse = &problem.hammer;
+    m_pulse = &problem.force();
     m_impact = &impact;
     m_detail = detail;
     const auto moved = [](double value, int units) {
@@ -65,9 +65,9 @@ void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& i
     };
     const Real beta = moved(problem.law.beta, m_limits.move.beta);
     m_law = BilinearLaw<Real>(beta, Real(problem.law.gamma)).limitedTo(fastestRate);
-    const Real transit = moved(problem.transitTime, m_limits.move.tau);
+    const Real transit = moved(problem.transitTime(), m_limits.move.tau);
     m_roundTrip = 2 * transit;
-    m_arrival = problem.hammer.isRigidBody() ? Real(0) : transit;
+    m_arrival = problem.force().isRigidBody() ? Real(0) : transit;
     m_s = 0;
     m_hammerTime = 0;
     m_hammerPiece = 0;
@@ -78,7 +78,7 @@ void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& i
     // Free flight advances by 2 in each period once the hammer has ended: whole periods of the gap beyond
     // that are kept apart, exactly.
     const double gap = problem.firstGap();
-    const double hammerPeriods = std::ceil(problem.hammer.end / (2 * problem.transitTime)) + 2;
+    const double hammerPeriods = std::ceil(problem.force().end / (2 * problem.transitTime())) + 2;
     const double whole = std::floor(gap);
     m_periodsAhead = Real(std::max(0.0, whole - hammerPeriods));
     m_gap = 2 * (Real(std::min(whole, hammerPeriods)) + Real(gap - whole));
@@ -90,13 +90,13 @@ void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& i
     m_waves.clear();
     incident() = Piece::zero(0);
     m_basis.begin(problem, m_law.slopes());
-    if (problem.hammer.isRigidBody())
+    if (problem.force().isRigidBody())
         m_waves.pushBack(m_basis.constant(m_roundTrip, 1 / m_roundTrip));
     else
         m_waves.pushBack(Piece::zero(m_roundTrip));
     impact.frontArrival = double(m_arrival);
     impact.roundTrip = double(m_roundTrip);
-    if (problem.hammer.isRigidBody())
+    if (problem.force().isRigidBody())
         impact.hammerWork = double(1 / m_roundTrip);  // ½ m v0²: the rod arrives with it
 }
 

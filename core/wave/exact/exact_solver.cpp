@@ -80,14 +80,14 @@ ExactSolver& ExactSolver::operator=(ExactSolver&&) noexcept = default;
 
 Impact ExactSolver::solve(const Problem& problem, Detail detail, const std::stop_token& stop) {
     Impact impact;  // the only one returned: a move of it would be seen in sweeps
-    if (problem.hammer.isRigidBody() && isSoftReference(problem)) {
+    if (problem.force().isRigidBody() && isSoftReference(problem)) {
         impact = softReference(problem, detail);
         refuseOverflow(impact);
         return impact;
     }
     m_workspace->march(problem, detail, {.pieces = m_mostPieces, .stop = &stop, .ledger = m_ledger}, impact);
     if (!isSolved(impact)) return impact;
-    impact.corError += roundingOfHammer(problem.hammer);
+    impact.corError += roundingOfHammer(problem.force());
     if (impact.growth > 1) m_workspace->coverGrowthOf(impact, problem, {m_mostPieces, &stop});
     refuseOverflow(impact);
     return impact;

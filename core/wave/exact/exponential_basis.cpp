@@ -89,9 +89,9 @@ void ExponentialBasis::begin(const Problem& problem, ContactRates<double> rates)
     m_failed = false;
     m_count = {};
     m_rates = rates;
-    m_scale = std::max(problem.hammer.peak, problem.transitTime < 0.5 || problem.hammer.isRigidBody()
-                                                ? 1 / (2 * problem.transitTime)
-                                                : 0.0);
+    m_scale = std::max(problem.force().peak, problem.transitTime() < 0.5 || problem.force().isRigidBody()
+                                                 ? 1 / (2 * problem.transitTime())
+                                                 : 0.0);
     m_negligible = negligibleShare * m_scale;
 }
 

@@ -50,13 +50,13 @@ constexpr double leastDetuning = 0.1;
 
 bool suitsExponentials(const Problem& problem) {
     const auto [beta, gamma] = problem.law;
-    const double decay = beta * problem.transitTime;
+    const double decay = beta * problem.transitTime();
     if (decay < leastForElasticSteps.decay || beta < leastForElasticSteps.beta) return false;
     if (gamma < 1 && gamma > (decay < leastStiffDecay ? largestGamma : largestStiffGamma)) return false;
-    if (problem.hammer.segments.size() > mostSegments) return false;
-    const Stiffness least = leastFor(problem.hammer, gamma == 1);
+    if (problem.force().segments.size() > mostSegments) return false;
+    const Stiffness least = leastFor(problem.force(), gamma == 1);
     if (decay < least.decay || beta < least.beta) return false;
-    if (problem.hammer.shape == PulseShape::exponential) {
+    if (problem.force().shape == PulseShape::exponential) {
         const auto isDetuned = [](double rate) { return std::abs(rate - 1) > leastDetuning; };
         return isDetuned(beta) && isDetuned(beta / gamma);
     }

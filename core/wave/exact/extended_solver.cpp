@@ -16,7 +16,7 @@ Impact solveInExtendedPrecision(const Problem& problem, Detail detail, const std
         return impact;
     };
     Impact impact = solve(detail, {});
-    impact.corError += roundingOfHammer(problem.hammer);
+    impact.corError += roundingOfHammer(problem.force());
     coverGrowth(impact, [&](const InputMove& move) { return solve(Detail::cor, move); });
     return impact;
 }

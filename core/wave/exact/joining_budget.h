@@ -21,7 +21,7 @@ struct JoiningBudget {
     double loadingWeight = 1;  ///< of an impulse displaced before the last peak on that of the rebound
 
     explicit JoiningBudget(const Problem& problem) {
-        const double beta = problem.law.beta, gamma = problem.law.gamma, tau = problem.transitTime;
+        const double beta = problem.law.beta, gamma = problem.law.gamma, tau = problem.transitTime();
         const double trips = std::max(1.0, 1.6 / std::sqrt(beta * tau));
         passes =
             std::max(1.0, 1.6 / std::sqrt(beta * std::clamp(100 * gamma * tau, std::min(tau, 1.0), tau)));
@@ -35,7 +35,7 @@ struct JoiningBudget {
         const double perDisplacement = std::min(1.0, std::sqrt(beta * tau / gamma));
         const double peaks = std::max(16.0, trips / 12) * std::clamp(2000 * gamma, 1.0, 4.0);
         mostDisplaced = error / (perDisplacement * peaks);
-        const double waveForce = std::max(problem.hammer.peak, 1 / (2 * tau));
+        const double waveForce = std::max(problem.force().peak, 1 / (2 * tau));
         mostDeviation = 1e-9 * std::min(waveForce, std::sqrt(beta / tau)) + 1e-5 * waveForce * share;
         loadingWeight = std::sqrt(gamma);
     }

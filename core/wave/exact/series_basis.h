@@ -42,8 +42,9 @@ class SeriesBasis {
     void begin(const Problem& problem, ContactRates<Real> rates) {
         m_undecided = false;
         m_count = {};
-        m_scale = std::max(Real(problem.hammer.peak), 1 / (2 * Real(problem.transitTime)));
-        if (!problem.hammer.isRigidBody() && problem.transitTime >= 0.5) m_scale = Real(problem.hammer.peak);
+        m_scale = std::max(Real(problem.force().peak), 1 / (2 * Real(problem.transitTime())));
+        if (!problem.force().isRigidBody() && problem.transitTime() >= 0.5)
+            m_scale = Real(problem.force().peak);
         const JoiningBudget budget(problem);
         m_joiner.begin(budget, rates.elastic);
         m_joiningError.begin(budget, rates.elastic);

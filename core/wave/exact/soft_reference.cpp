@@ -9,13 +9,13 @@ namespace drillwave {
 
 bool isSoftReference(const Problem& problem) {
     constexpr double softest = 1e-12;
-    return problem.law.beta * problem.transitTime / problem.law.gamma <= softest;
+    return problem.law.beta * problem.transitTime() / problem.law.gamma <= softest;
 }
 
 Impact softReference(const Problem& problem, Detail detail) {
     Impact impact;
     impact.frontArrival = 0;
-    impact.roundTrip = 2 * problem.transitTime;
+    impact.roundTrip = 2 * problem.transitTime();
     if (detail == Detail::histories) {
         impact.hindrance = Hindrance::histories;
         impact.reason =
@@ -23,7 +23,7 @@ Impact softReference(const Problem& problem, Detail detail) {
             "rod millions of times in one contact; a stiffer rock needs fewer";
         return impact;
     }
-    const double softness = problem.law.beta * problem.transitTime;
+    const double softness = problem.law.beta * problem.transitTime();
     const double root = std::sqrt(problem.law.gamma);
     impact.outcome = Outcome::rebounded;
     impact.cor = root + (1 - problem.law.gamma) * softness / (6 * root);
@@ -34,12 +34,12 @@ Impact softReference(const Problem& problem, Detail detail) {
     impact.pieces = 1;
     if (detail == Detail::cor) return impact;
 
-    const double quarter = std::numbers::pi / 2 * std::sqrt(problem.transitTime / problem.law.beta);
+    const double quarter = std::numbers::pi / 2 * std::sqrt(problem.transitTime() / problem.law.beta);
     const double loading = quarter * (1 + softness / 6);
     const double unloading = quarter * root * (1 + softness / (6 * problem.law.gamma));
-    impact.peakForce = std::sqrt(problem.law.beta / problem.transitTime) * (1 - softness / 6);
+    impact.peakForce = std::sqrt(problem.law.beta / problem.transitTime()) * (1 - softness / 6);
     impact.contactDuration = impact.separationTime = loading + unloading;
-    const double work = 1 / (2 * problem.transitTime);  // ½ m v0²
+    const double work = 1 / (2 * problem.transitTime());  // ½ m v0²
     impact.hammerWork = work;
     impact.rockWork = (1 - problem.law.gamma) * work * (1 - softness / 3);  // (1 − γ)Fm²/(2β)
     impact.finalMomentum = -impact.cor;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/numeric/stride_search.h"
-#include "core/wave/network/string_problem.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 namespace {
@@ -84,8 +84,7 @@ struct StringField::Column {
     }
     // v0 has as many F0/Z as a force of 1 has F0.
     double valueOf(WaveQuantity quantity, double down, double up) const {
-        return quantity == WaveQuantity::force ? 0 - networkForce * (down + up)
-                                               : networkForce * (down - up) / section->impedance;
+        return quantity == WaveQuantity::force ? 0 - (down + up) : (down - up) / section->impedance;
     }
 };
 

@@ -48,8 +48,8 @@ std::vector<int> comparisonLattices(const Problem& problem, int segments) {
     constexpr double shares[wanted] = {0.4127, 0.7291, 0.5503, 0.4619, 0.6413, 0.5099, 0.6867, 0.5923};
     constexpr double exact = 1e-6, rough = 1.0 / 32;
     const int radius = segments / 40;
-    const double tau = problem.transitTime;
-    const bool jumps = hasJumps(problem.hammer);
+    const double tau = problem.transitTime();
+    const bool jumps = hasJumps(problem.force());
     const bool isAligned = jumps && phaseDistance(segments, tau, 0) <= exact;
     std::vector<int> spread, aligned;
     for (int i = 0; i < wanted; ++i) {

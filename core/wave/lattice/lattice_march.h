@@ -100,7 +100,7 @@ void LatticeMarch<Waves>::solve(const Problem& problem, int segments, Detail det
                                 const std::stop_token& stop, Impact& impact) {
     begin(problem, segments, detail, impact);
     if (!isFeasible(problem, segments)) return;
-    if (!problem.hammer.isRigidBody()) reachFrontEnd(segments, stop);
+    if (!problem.force().isRigidBody()) reachFrontEnd(segments, stop);
     while (!m_over) {
         step();
         countWork(stop);
@@ -111,15 +111,15 @@ void LatticeMarch<Waves>::solve(const Problem& problem, int segments, Detail det
 
 template <class Waves>
 void LatticeMarch<Waves>::begin(const Problem& problem, int segments, Detail detail, Impact& impact) {
-    const bool isRigidBody = problem.hammer.isRigidBody();
-    const double uniform = isRigidBody ? 1 / (2 * problem.transitTime) : 0;
+    const bool isRigidBody = problem.force().isRigidBody();
+    const double uniform = isRigidBody ? 1 / (2 * problem.transitTime()) : 0;
     m_impact = &impact;
     m_detail = detail;
     m_over = false;
-    m_duration = problem.transitTime / segments;
-    m_arrival = isRigidBody ? 0 : problem.transitTime;
+    m_duration = problem.transitTime() / segments;
+    m_arrival = isRigidBody ? 0 : problem.transitTime();
     m_skipped = 0;
-    m_negligible = std::ldexp(std::max(problem.hammer.peak, 1 / (2 * problem.transitTime)), -62);
+    m_negligible = std::ldexp(std::max(problem.force().peak, 1 / (2 * problem.transitTime())), -62);
     m_step = 0;
     m_period = 2L * segments;
     m_movesPerStep = Waves::movesPerStep(segments);
@@ -131,14 +131,14 @@ void LatticeMarch<Waves>::begin(const Problem& problem, int segments, Detail det
     m_freeMomentum = m_freeEnergy = m_farthest = 0;
     // Free flight advances by 2 in each period once the hammer has ended: whole periods of the gap beyond
     // that are kept apart, exactly.
-    const double hammerPeriods = std::ceil(problem.hammer.end / (2 * problem.transitTime)) + 2;
+    const double hammerPeriods = std::ceil(problem.force().end / (2 * problem.transitTime())) + 2;
     m_periodsAhead = std::max(0.0, std::floor(problem.gap) - hammerPeriods);
     const double gap = isRigidBody ? 0 : 2 * (problem.gap - m_periodsAhead);
     m_law = StepLaw(BilinearLaw<>(problem.law), m_duration, gap, m_negligible);
-    m_hammer = HammerCells(problem.hammer, m_duration);
+    m_hammer = HammerCells(problem.force(), m_duration);
     m_history.begin(m_duration);
     impact.frontArrival = m_arrival;
-    impact.roundTrip = 2 * problem.transitTime;
+    impact.roundTrip = 2 * problem.transitTime();
     impact.hammerWork = uniform;  // ½ m v0²: the rod arrives with it
 }
 
@@ -147,19 +147,20 @@ template <class Waves>
 bool LatticeMarch<Waves>::isFeasible(const Problem& problem, int segments) {
     const double steepest = BilinearLaw<>(problem.law).slopes().elastic * m_duration;
     if (!(steepest <= 2)) {
-        fail("a step of the lattice is too long for the rock: (beta/gamma) tau/N = " +
-             formatNumber(steepest) + " must not exceed 2; it takes at least " +
-             formatNumber(std::ceil(BilinearLaw<>(problem.law).slopes().elastic * problem.transitTime / 2)) +
-             " segments");
+        fail(
+            "a step of the lattice is too long for the rock: (beta/gamma) tau/N = " + formatNumber(steepest) +
+            " must not exceed 2; it takes at least " +
+            formatNumber(std::ceil(BilinearLaw<>(problem.law).slopes().elastic * problem.transitTime() / 2)) +
+            " segments");
         return false;
     }
-    if (!(problem.hammer.end / m_duration + double(m_period) < mostSteps)) {
+    if (!(problem.force().end / m_duration + double(m_period) < mostSteps)) {
         fail("the lattice would need more than the permitted number of steps; use fewer than " +
              formatNumber(segments) + " segments, or the exact method");
         return false;
     }
-    m_waves.begin(segments, problem.hammer.isRigidBody() ? 1 / (2 * problem.transitTime) : 0, problem.hammer,
-                  m_duration);
+    m_waves.begin(segments, problem.force().isRigidBody() ? 1 / (2 * problem.transitTime()) : 0,
+                  problem.force(), m_duration);
     return true;
 }
 

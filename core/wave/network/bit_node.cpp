@@ -12,8 +12,8 @@ namespace {
 
 using Powers = WaveCell::Powers;
 
-/// Waves smaller than that make no jump worth a cut [Zr v0].
-constexpr double leastBitJump = 1e-7;
+/// Waves smaller than that make no jump worth a cut [F0].
+constexpr double leastBitJump = 2e-7;
 
 /// Differences of this share of what they are taken of are rounding, and decide nothing.
 constexpr double bitRounding = 256 * std::numeric_limits<double>::epsilon();

@@ -40,7 +40,7 @@ class CellFit {
     double m_product = 0, m_square = 0;
 };
 
-double largestRounding(const std::vector<NetworkSection>& sections, const CellGrid& grid) {
+double largestRounding(const std::vector<UniformSection>& sections, const CellGrid& grid) {
     double largest = 0;
     for (std::size_t j = 0; j < sections.size(); ++j)
         largest = std::max(largest, std::abs(2 * sections[j].transitTime -
@@ -55,13 +55,13 @@ void CellGrid::halve() {
     for (long& count : roundTrips) count *= 2;
 }
 
-bool shareGrid(const std::vector<NetworkSection>& sections, double leastCell, CellGrid& grid) {
+bool shareGrid(const std::vector<UniformSection>& sections, double leastCell, CellGrid& grid) {
     double longest = 0;
-    for (const NetworkSection& section : sections) longest = std::max(longest, 2 * section.transitTime);
+    for (const UniformSection& section : sections) longest = std::max(longest, 2 * section.transitTime);
     // Euclid's rounding grows from division to division: what fits all round trips so far has none of it
     CellFit fit;
     fit.add(longest, 1);
-    for (const NetworkSection& section : sections) {
+    for (const UniformSection& section : sections) {
         const double roundTrip = 2 * section.transitTime;
         const double cell = sharedMeasure(fit.cell(), roundTrip, longest * sameLength);
         if (cell < leastCell) return false;
@@ -69,16 +69,16 @@ bool shareGrid(const std::vector<NetworkSection>& sections, double leastCell, Ce
         fit.add(roundTrip, std::round(roundTrip / cell));
     }
     CellFit ofSections;
-    for (const NetworkSection& section : sections)
+    for (const UniformSection& section : sections)
         ofSections.add(2 * section.transitTime, std::round(2 * section.transitTime / fit.cell()));
     roundGrid(sections, ofSections.cell(), grid);
     return grid.rounding <= longest * sameLength;
 }
 
-void roundGrid(const std::vector<NetworkSection>& sections, double cell, CellGrid& grid) {
+void roundGrid(const std::vector<UniformSection>& sections, double cell, CellGrid& grid) {
     grid.cell = cell;
     grid.roundTrips.clear();
-    for (const NetworkSection& section : sections)
+    for (const UniformSection& section : sections)
         grid.roundTrips.push_back(std::max(1L, std::lround(2 * section.transitTime / cell)));
     grid.rounding = largestRounding(sections, grid);
 }

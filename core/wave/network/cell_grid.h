@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/wave/network/network_problem.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -22,9 +22,9 @@ struct CellGrid {
 
 /// The largest cell that divides all round trips to 1e-9 of the longest. False where there is none of at
 /// least `leastCell` [t0]: `grid` then is of no use.
-bool shareGrid(const std::vector<NetworkSection>& sections, double leastCell, CellGrid& grid);
+bool shareGrid(const std::vector<UniformSection>& sections, double leastCell, CellGrid& grid);
 
 /// Round trips rounded to whole cells of that size, at least one each.
-void roundGrid(const std::vector<NetworkSection>& sections, double cell, CellGrid& grid);
+void roundGrid(const std::vector<UniformSection>& sections, double cell, CellGrid& grid);
 
 }  // namespace drillwave

@@ -25,7 +25,7 @@ double endOf(CellCuts::Walk at) {
 
 void CellLattice::begin(const MarchPlan& plan, long mostRecut) {
     m_plan = &plan;
-    const NetworkProblem& problem = plan.problem();
+    const Problem& problem = plan.problem();
     m_count = plan.sections();
     m_mostRecut = mostRecut;
     m_step = m_recut = 0;
@@ -34,24 +34,26 @@ void CellLattice::begin(const MarchPlan& plan, long mostRecut) {
     m_cuts = plan.cuts();
     // copies keep the memory for what has a map for every width
     const FaceNode face(problem.sections[faceSection() - 1].impedance,
-                        problem.sections[faceSection()].impedance, problem.face);
+                        problem.sections[faceSection()].impedance, problem.hammer().face);
     const BitNode bit(problem.sections.back().impedance, problem.sections.back().massAfter, problem.law,
-                      problem.gap);
+                      problem.distance());
     m_face = face;
     m_bit = bit;
     m_bit.setEvents(plan.wants().events ? &m_events : nullptr);
     m_passing.clear();
+    const double velocity = problem.hammer().velocity;
     if (m_lines.size() < m_count) m_lines.resize(m_count);
     if (m_joints.size() < m_count - 1) m_joints.resize(m_count - 1);
     for (std::size_t j = 0; j < m_count; ++j) {
-        const NetworkSection& section = problem.sections[j];
+        const UniformSection& section = problem.sections[j];
         const bool hammer = j < faceSection();
         m_passing.push_back(std::exp(-section.decay));
         m_lines[j].restart(static_cast<std::size_t>(plan.grid().roundTrips[j]) * m_cuts.count(),
                            stepsOfBlock);
-        std::ranges::fill(m_lines[j].content(), WaveCell::constant(hammer ? -section.impedance / 2 : 0));
+        std::ranges::fill(m_lines[j].content(),
+                          WaveCell::constant(hammer ? -velocity * section.impedance / 2 : 0));
         if (j + 1 == m_count) continue;
-        const Joint joint(section, problem.sections[j + 1], hammer ? 1 : 0);
+        const Joint joint(section, problem.sections[j + 1], hammer ? velocity : 0);
         m_joints[j] = joint;
     }
     m_downs.resize(m_count * stepsOfBlock);

@@ -93,7 +93,7 @@ class CellLattice {
     bool isAffordable(double time, double spareWork) const;
     double jumpPlace(std::size_t part, double place) const;
     WaveCell* toDown(std::size_t section) { return m_downs.data() + section * stepsOfBlock; }
-    std::size_t faceSection() const { return m_plan->problem().hammerSections; }
+    std::size_t faceSection() const { return m_plan->problem().hammerSections(); }
 
     const MarchPlan* m_plan = nullptr;
     std::size_t m_count = 0;        ///< of sections; lines and joints may be kept of more

@@ -8,8 +8,8 @@
 
 #include "core/wave/network/bit_node.h"
 #include "core/wave/network/face_node.h"
-#include "core/wave/network/network_problem.h"
 #include "core/wave/network/wave_cell.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -63,7 +63,7 @@ class LineCensus {
     std::optional<Entered> m_entered;
 };
 
-/// What moves at one time, all over the string. Units of NetworkProblem.
+/// What moves at one time, all over the string. Units of Problem.
 struct CensusResult {
     double time = 0;
     BitNodeState bit = {};

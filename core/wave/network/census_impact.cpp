@@ -3,13 +3,14 @@
 
 namespace drillwave {
 
-NetworkImpact impactOf(const NetworkProblem& problem, const CensusResult& census) {
+NetworkImpact impactOf(const Problem& problem, const CensusResult& census) {
     NetworkImpact impact;
     impact.endTime = census.time;
-    for (std::size_t j = 0; j < problem.hammerSections; ++j)
+    for (std::size_t j = 0; j < problem.hammerSections(); ++j)
         impact.hammerMass += problem.sections[j].mass() + problem.sections[j].massAfter;
-    impact.hammerMomentum = impact.hammerMass;
-    impact.hammerEnergy = impact.hammerMass / 2;
+    const double velocity = problem.hammer().velocity;
+    impact.hammerMomentum = impact.hammerMass * velocity;
+    impact.hammerEnergy = impact.hammerMomentum * velocity / 2;
     const double e0 = impact.hammerEnergy;
 
     BilinearLaw<double> law = census.bit.law;
@@ -35,7 +36,7 @@ NetworkImpact impactOf(const NetworkProblem& problem, const CensusResult& census
     impact.firstContact = rock.firstContact;
     impact.lastSeparation = rock.lastSeparation;
     if (census.bit.isApart() && rock.contacts > 0)
-        impact.endOfBlow = rock.lastSeparation + stringTransit(problem);
+        impact.endOfBlow = rock.lastSeparation + problem.transitTime();
     impact.contactDuration = rock.contactDuration;
     impact.contacts = rock.contacts;
     const FaceRecord& face = census.face.record;

@@ -4,11 +4,11 @@
 
 #include "core/wave/network/census.h"
 #include "core/wave/network/network_impact.h"
-#include "core/wave/network/network_problem.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
 /// Energies, momenta and records at the time of the census; the rest is left as it is.
-NetworkImpact impactOf(const NetworkProblem& problem, const CensusResult& census);
+NetworkImpact impactOf(const Problem& problem, const CensusResult& census);
 
 }  // namespace drillwave

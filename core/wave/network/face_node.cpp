@@ -13,14 +13,14 @@ namespace {
 
 using Powers = WaveCell::Powers;
 
-/// Closing speeds below that are rounding: the faces rest against each other without force [v0].
-constexpr double stillSpeed = 1e-12;
+/// Closing speeds below that are rounding: the faces rest against each other without force [F0/Zr].
+constexpr double stillSpeed = 2e-12;
 
 /// Differences of this share of what they are taken of are rounding, and decide nothing.
 constexpr double faceRounding = 64 * std::numeric_limits<double>::epsilon();
 
-/// A closing speed at a new contact that makes a jump worth a cut of the cells [v0].
-constexpr double leastFaceJump = 1e-6;
+/// A closing speed at a new contact that makes a jump worth a cut of the cells [F0/Zr].
+constexpr double leastFaceJump = 2e-6;
 
 bool isStill(const WaveCell& w) {
     return w.largest() <= stillSpeed;
@@ -28,7 +28,7 @@ bool isStill(const WaveCell& w) {
 
 }  // namespace
 
-FaceNode::FaceNode(double impedance1, double impedance2, const NetworkFace& face)
+FaceNode::FaceNode(double impedance1, double impedance2, const HammerFace& face)
     : m_impedance1(impedance1),
       m_impedance2(impedance2),
       m_of1(2 / impedance1),

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/wave/network/cell_event.h"
-#include "core/wave/network/network_problem.h"
 #include "core/wave/network/relaxation.h"
 #include "core/wave/network/wave_cell.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -35,7 +35,7 @@ struct FaceNodeState {
 class FaceNode {
   public:
     FaceNode() : FaceNode(1, 1, {}) {}
-    FaceNode(double impedance1, double impedance2, const NetworkFace& face);
+    FaceNode(double impedance1, double impedance2, const HammerFace& face);
 
     void setWidths(const std::vector<double>& widths);
 

@@ -6,29 +6,28 @@
 
 namespace drillwave {
 
-bool FreeFlight::suits(const NetworkProblem& problem) {
-    return std::none_of(problem.sections.begin(), problem.sections.end(), [](const NetworkSection& section) {
+bool FreeFlight::suits(const Problem& problem) {
+    return std::none_of(problem.sections.begin(), problem.sections.end(), [](const UniformSection& section) {
         return section.massAfter > 0 || section.loss > 0 || section.decay > 0;
     });
 }
 
-FreeFlight::Margins FreeFlight::margins(const NetworkProblem& problem, double cell,
-                                        const FlightStart& start) {
+FreeFlight::Margins FreeFlight::margins(const Problem& problem, double cell, const FlightStart& start) {
     const auto margin = [&](double energy, std::size_t j) {
         return std::sqrt(cell * std::max(0.0, energy) / problem.sections[j].impedance);
     };
-    const std::size_t face = problem.hammerSections;
+    const std::size_t face = problem.hammerSections();
     return {margin(start.hammerEnergy, face - 1) + margin(start.stringEnergy, face),
             margin(start.stringEnergy, problem.sections.size() - 1)};
 }
 
-bool FreeFlight::isClear(const NetworkProblem& problem, double cell, const FlightStart& start) {
+bool FreeFlight::isClear(const Problem& problem, double cell, const FlightStart& start) {
     const Margins needed = margins(problem, cell, start);
     return start.bitDistance > needed.bit && (start.released || start.faceGap > needed.face);
 }
 
-void FreeFlight::begin(const NetworkProblem& problem, const CellGrid& grid, const FlightStart& start) {
-    m_face = problem.hammerSections;
+void FreeFlight::begin(const Problem& problem, const CellGrid& grid, const FlightStart& start) {
+    m_face = problem.hammerSections();
     m_count = problem.sections.size();
     m_cell = grid.cell;
     m_released = start.released;

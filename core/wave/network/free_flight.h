@@ -8,8 +8,8 @@
 
 #include "core/wave/network/cell_grid.h"
 #include "core/wave/network/delay_line.h"
-#include "core/wave/network/network_problem.h"
 #include "core/wave/network/node_turns.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -27,13 +27,13 @@ struct FlightStart {
 class FreeFlight {
   public:
     /// Whether that can be told of a string: it needs joints without mass or loss.
-    static bool suits(const NetworkProblem& problem);
+    static bool suits(const Problem& problem);
 
     /// Whether everything is so far apart that it can be told; the waves are not looked at.
-    static bool isClear(const NetworkProblem& problem, double cell, const FlightStart& start);
+    static bool isClear(const Problem& problem, double cell, const FlightStart& start);
 
     /// Begins a flight in the memory that it has. Its waves are to be written before it goes on.
-    void begin(const NetworkProblem& problem, const CellGrid& grid, const FlightStart& start);
+    void begin(const Problem& problem, const CellGrid& grid, const FlightStart& start);
     /// Means of the cells of a section on their way back, the oldest first, as many as its round trip has.
     std::span<double> waves(std::size_t section) { return m_lines[section].content(); }
 
@@ -46,7 +46,7 @@ class FreeFlight {
     struct Margins {
         double face = 0, bit = 0;
     };
-    static Margins margins(const NetworkProblem& problem, double cell, const FlightStart& start);
+    static Margins margins(const Problem& problem, double cell, const FlightStart& start);
     /// Cells taken by one node before the next one follows.
     static constexpr std::size_t block = 128;
 

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/wave/network/network_problem.h"
 #include "core/wave/network/relaxation.h"
 #include "core/wave/network/wave_cell.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -21,7 +21,7 @@ namespace drillwave {
 class Joint {
   public:
     Joint() = default;
-    Joint(const NetworkSection& near, const NetworkSection& far, double velocity)
+    Joint(const UniformSection& near, const UniformSection& far, double velocity)
         : m_impedance1(near.impedance),
           m_impedance2(far.impedance),
           m_toVelocity(2 / (near.impedance + far.impedance)),

@@ -18,14 +18,14 @@ constexpr double mostRoundTrips = 40;
 /// What every node takes for every block of cells, in cells.
 constexpr long workOfBlock = 4;
 
-bool losesEnergy(const NetworkProblem& problem) {
+bool losesEnergy(const Problem& problem) {
     return std::any_of(problem.sections.begin(), problem.sections.end(),
-                       [](const NetworkSection& section) { return section.loss > 0 || section.decay > 0; });
+                       [](const UniformSection& section) { return section.loss > 0 || section.decay > 0; });
 }
 
 }  // namespace
 
-void MarchPlan::begin(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants) {
+void MarchPlan::begin(const Problem& problem, const CellGrid& grid, const NetworkWants& wants) {
     m_problem = problem;
     m_grid = grid;
     m_wants = wants;
@@ -34,10 +34,10 @@ void MarchPlan::begin(const NetworkProblem& problem, const CellGrid& grid, const
         m_transitTimes.push_back(static_cast<double>(grid.roundTrips[j]) * grid.cell / 2);
         m_problem.sections[j].transitTime = m_transitTimes[j];
     }
-    m_problem.sections[m_problem.hammerSections - 1].loss = 0;
+    m_problem.sections[m_problem.hammerSections() - 1].loss = 0;
     m_problem.sections.back().loss = 0;
     m_lossy = losesEnergy(m_problem);
-    m_clocks.begin(m_problem.hammerSections, m_transitTimes);
+    m_clocks.begin(m_problem.hammerSections(), m_transitTimes);
     takeRates();
     m_cuts.begin(grid.cell, m_rates, wants.grading);
     foresee();
@@ -50,11 +50,12 @@ void MarchPlan::begin(const NetworkProblem& problem, const CellGrid& grid, const
 }
 
 void MarchPlan::takeRates() {
-    const std::vector<NetworkSection>& all = m_problem.sections;
+    const std::vector<UniformSection>& all = m_problem.sections;
     m_rates.clear();
-    BitNode(all.back().impedance, all.back().massAfter, m_problem.law, m_problem.gap).addRates(m_rates);
-    const std::size_t h = m_problem.hammerSections;
-    const FaceNode face(all[h - 1].impedance, all[h].impedance, m_problem.face);
+    BitNode(all.back().impedance, all.back().massAfter, m_problem.law, m_problem.distance())
+        .addRates(m_rates);
+    const std::size_t h = m_problem.hammerSections();
+    const FaceNode face(all[h - 1].impedance, all[h].impedance, m_problem.hammer().face);
     if (face.rate() > 0) m_rates.push_back(face.rate());
     for (std::size_t j = 0; j + 1 < all.size(); ++j)
         if (all[j].massAfter > 0) m_rates.push_back(Joint(all[j], all[j + 1], 0).rate());

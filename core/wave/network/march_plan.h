@@ -8,8 +8,8 @@
 #include "core/wave/network/cell_cuts.h"
 #include "core/wave/network/cell_event.h"
 #include "core/wave/network/cell_grid.h"
-#include "core/wave/network/network_problem.h"
 #include "core/wave/network/string_census.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -39,11 +39,11 @@ inline constexpr long workOfForces = 8;
 /// Plans one blow after another in the same memory, and takes none for waves.
 class MarchPlan {
   public:
-    void begin(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants);
+    void begin(const Problem& problem, const CellGrid& grid, const NetworkWants& wants);
 
     /// The string as its cells have it: round trips are whole cells, and behind the last section of hammer or
     /// string there is no joint.
-    const NetworkProblem& problem() const { return m_problem; }
+    const Problem& problem() const { return m_problem; }
     std::size_t sections() const { return m_problem.sections.size(); }
     const CellGrid& grid() const { return m_grid; }
     const NetworkWants& wants() const { return m_wants; }
@@ -58,7 +58,7 @@ class MarchPlan {
     void takeRates();
     void foresee();
 
-    NetworkProblem m_problem;
+    Problem m_problem;
     CellGrid m_grid;
     NetworkWants m_wants;
     bool m_lossy = false;

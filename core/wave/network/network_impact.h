@@ -23,7 +23,7 @@ enum class NetworkEnd {
 
 /// The largest force of one sign in a section, and where.
 struct SectionPeak {
-    double force = 0;  ///< [Zr v0], of either sign ≥ 0
+    double force = 0;  ///< [F0], of either sign ≥ 0
     double place = 0;  ///< ξ in the section, 0 at its rear end … 1
     double time = 0;   ///< [t0]
 };
@@ -48,7 +48,7 @@ struct NetworkLedger {
     double face = 0;    ///< in the stiffness of the faces
 };
 
-/// Result of one blow. Units of NetworkProblem.
+/// Result of one blow. Units of Problem.
 struct NetworkImpact {
     NetworkEnd end = NetworkEnd::notSolved;
     std::string reason;  ///< one sentence when not solved

@@ -20,7 +20,7 @@ constexpr double flownOfCell = 8;
 
 }  // namespace
 
-const ForeseenWork& NetworkMarch::plan(const NetworkProblem& problem, const CellGrid& grid,
+const ForeseenWork& NetworkMarch::plan(const Problem& problem, const CellGrid& grid,
                                        const NetworkWants& wants) {
     m_plan.begin(problem, grid, wants);
     return m_plan.foreseen();
@@ -55,7 +55,7 @@ NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
 
 /// Decides when all that moves is counted next: all of it must lie ahead.
 void NetworkMarch::scheduleCensus() {
-    const NetworkProblem& problem = m_plan.problem();
+    const Problem& problem = m_plan.problem();
     const StringClocks& clocks = m_plan.clocks();
     if (problem.endTime ||
         m_plan.isLossy()) {  // no proof for what loses: what passes counts from the beginning on
@@ -132,7 +132,7 @@ bool NetworkMarch::isUntouchedSince(const CensusResult& census) const {
 
 /// Whether nothing touches until then, told by the means of the waves where those are all that is wanted.
 bool NetworkMarch::fliesUntil(double time, const std::stop_token& stop) {
-    const NetworkProblem& problem = m_plan.problem();
+    const Problem& problem = m_plan.problem();
     const double now = m_lattice.clock(), cell = m_plan.grid().cell;
     if (m_recorder.hasForces() || m_plan.wants().histories || now < m_landing || !FreeFlight::suits(problem))
         return false;

@@ -26,7 +26,7 @@ class NetworkMarch {
     NetworkMarch& operator=(const NetworkMarch&) = delete;
 
     /// What it will take; no memory is taken for waves yet.
-    const ForeseenWork& plan(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants);
+    const ForeseenWork& plan(const Problem& problem, const CellGrid& grid, const NetworkWants& wants);
     /// Follows the blow that was planned last, with at most as much work as `mostCells` cells times nodes.
     NetworkImpact run(long mostCells, const std::stop_token& stop);
     static constexpr std::string_view tooManyCells =

@@ -58,19 +58,19 @@ constexpr double coveringRoot = 0.06;
 /// Less than that a balance cannot tell.
 constexpr double leastResidual = std::numeric_limits<double>::epsilon();
 
-double roundTripOf(const NetworkProblem& problem) {
+double roundTripOf(const Problem& problem) {
     double sum = 0;
-    for (const NetworkSection& section : problem.sections) sum += 2 * section.transitTime;
+    for (const UniformSection& section : problem.sections) sum += 2 * section.transitTime;
     return sum;
 }
 
 /// How fast the force of a bit without a mass follows the wave on the steepest line [1/t0].
-double elasticRate(const NetworkProblem& problem) {
+double elasticRate(const Problem& problem) {
     return problem.law.beta / problem.law.gamma / problem.sections.back().impedance;
 }
 
 /// Halves cells until the waves that the rock makes are smooth in them, as far as that is worth the work.
-void makeFine(CellGrid& grid, const NetworkProblem& problem, double mostChange) {
+void makeFine(CellGrid& grid, const Problem& problem, double mostChange) {
     constexpr double enoughCells = 4000;  // to all round trips: beyond it the parts behind fronts must do
     const double rate = elasticRate(problem);
     const double roundTrip = roundTripOf(problem);
@@ -96,7 +96,7 @@ NetworkImpact notSolved(std::string_view reason, Hindrance hindrance = Hindrance
 }
 
 /// What is known of the error of any run.
-void stateError(NetworkImpact& impact, const NetworkProblem& problem) {
+void stateError(NetworkImpact& impact, const Problem& problem) {
     const double missed = std::abs(impact.energyResidual);
     impact.efficiencyError = std::max({leastError, impact.efficiencyError, missed});
     // the rounding of time moves a contact, and the force with it by as much as it rises meanwhile
@@ -105,7 +105,7 @@ void stateError(NetworkImpact& impact, const NetworkProblem& problem) {
 }
 
 /// What its energy balance misses is what a quick run alone can tell of its error.
-void stateErrorOfQuickRun(NetworkImpact& impact, const NetworkProblem& problem) {
+void stateErrorOfQuickRun(NetworkImpact& impact, const Problem& problem) {
     stateError(impact, problem);
     const double missed = std::abs(impact.energyResidual);
     double error = balanceError(impact);
@@ -116,7 +116,7 @@ void stateErrorOfQuickRun(NetworkImpact& impact, const NetworkProblem& problem) 
 }
 
 /// And what another run makes of it.
-void stateError(NetworkImpact& impact, const NetworkProblem& problem, const NetworkImpact& other) {
+void stateError(NetworkImpact& impact, const Problem& problem, const NetworkImpact& other) {
     stateError(impact, problem);
     const auto widen = [](double& error, double difference) {
         error = std::max(error, covering * std::abs(difference));
@@ -131,9 +131,10 @@ double balanceError(const NetworkImpact& impact) {
     return std::max(leastError, coveringResidual * std::abs(impact.energyResidual));
 }
 
-std::string_view networkRefusal(const NetworkProblem& problem) {
-    for (std::size_t j = 0; j < problem.hammerSections; ++j)
-        if (problem.sections[j].decay > 0 || (j + 1 < problem.hammerSections && problem.sections[j].loss > 0))
+std::string_view networkRefusal(const Problem& problem) {
+    for (std::size_t j = 0; j < problem.hammerSections(); ++j)
+        if (problem.sections[j].decay > 0 ||
+            (j + 1 < problem.hammerSections() && problem.sections[j].loss > 0))
             return "losses inside the hammer are not part of the model: give loss and attenuation to the "
                    "string only";
     const double mass = problem.sections.back().massAfter;
@@ -147,26 +148,25 @@ std::string_view networkRefusal(const NetworkProblem& problem) {
     return {};
 }
 
-bool usualGrid(const NetworkProblem& problem, CellGrid& grid) {
+bool usualGrid(const Problem& problem, CellGrid& grid) {
     return shareGrid(problem.sections, roundTripOf(problem) / mostSharedCells, grid);
 }
 
 /// One blow is all that its functions are about: problem, settings and stop stay the same.
 class NetworkSolver::Workspace {
   public:
-    NetworkImpact solve(const NetworkProblem& problem, const NetworkSettings& settings,
-                        const std::stop_token& stop);
+    NetworkImpact solve(const Problem& problem, const NetworkSettings& settings, const std::stop_token& stop);
     /// Cells that it has room for.
     double held() const { return m_held; }
 
   private:
-    NetworkImpact solveShared(const NetworkProblem& problem, const NetworkSettings& settings,
+    NetworkImpact solveShared(const Problem& problem, const NetworkSettings& settings,
                               const std::stop_token& stop);
-    NetworkImpact solveRounded(const NetworkProblem& problem, const NetworkSettings& settings,
+    NetworkImpact solveRounded(const Problem& problem, const NetworkSettings& settings,
                                const std::stop_token& stop);
-    const ForeseenWork& planFine(const NetworkProblem& problem, const NetworkSettings& settings,
+    const ForeseenWork& planFine(const Problem& problem, const NetworkSettings& settings,
                                  const Smoothness& smoothness);
-    const ForeseenWork& planRounded(const NetworkProblem& problem, double cell, const NetworkWants& wants);
+    const ForeseenWork& planRounded(const Problem& problem, double cell, const NetworkWants& wants);
     NetworkImpact run(const NetworkSettings& settings, const std::stop_token& stop);
 
     NetworkMarch m_march;
@@ -174,7 +174,7 @@ class NetworkSolver::Workspace {
     double m_held = 0;
 };
 
-NetworkImpact NetworkSolver::Workspace::solve(const NetworkProblem& problem, const NetworkSettings& settings,
+NetworkImpact NetworkSolver::Workspace::solve(const Problem& problem, const NetworkSettings& settings,
                                               const std::stop_token& stop) {
     if (const std::string_view refusal = networkRefusal(problem); !refusal.empty()) return notSolved(refusal);
     if (!usualGrid(problem, m_usual)) return solveRounded(problem, settings, stop);
@@ -182,8 +182,7 @@ NetworkImpact NetworkSolver::Workspace::solve(const NetworkProblem& problem, con
 }
 
 /// Round trips that share a cell.
-NetworkImpact NetworkSolver::Workspace::solveShared(const NetworkProblem& problem,
-                                                    const NetworkSettings& settings,
+NetworkImpact NetworkSolver::Workspace::solveShared(const Problem& problem, const NetworkSettings& settings,
                                                     const std::stop_token& stop) {
     const ForeseenWork& foreseen = planFine(problem, settings, quickSmoothness);
     if (foreseen.work > sharedShare * static_cast<double>(settings.mostCells) || foreseen.held > mostHeld) {
@@ -205,8 +204,7 @@ NetworkImpact NetworkSolver::Workspace::solveShared(const NetworkProblem& proble
 }
 
 /// Round trips that share no cell: rounded, and rounded otherwise.
-NetworkImpact NetworkSolver::Workspace::solveRounded(const NetworkProblem& problem,
-                                                     const NetworkSettings& settings,
+NetworkImpact NetworkSolver::Workspace::solveRounded(const Problem& problem, const NetworkSettings& settings,
                                                      const std::stop_token& stop) {
     const NetworkWants wants = wantsOf(settings.wants, quickSmoothness);
     double cell = roundTripOf(problem) / roundedCells;
@@ -227,7 +225,7 @@ NetworkImpact NetworkSolver::Workspace::solveRounded(const NetworkProblem& probl
 }
 
 /// On cells that all round trips share, as fine as is wanted.
-const ForeseenWork& NetworkSolver::Workspace::planFine(const NetworkProblem& problem,
+const ForeseenWork& NetworkSolver::Workspace::planFine(const Problem& problem,
                                                        const NetworkSettings& settings,
                                                        const Smoothness& smoothness) {
     m_grid = m_usual;
@@ -236,7 +234,7 @@ const ForeseenWork& NetworkSolver::Workspace::planFine(const NetworkProblem& pro
     return m_march.plan(problem, m_grid, wantsOf(settings.wants, smoothness));
 }
 
-const ForeseenWork& NetworkSolver::Workspace::planRounded(const NetworkProblem& problem, double cell,
+const ForeseenWork& NetworkSolver::Workspace::planRounded(const Problem& problem, double cell,
                                                           const NetworkWants& wants) {
     roundGrid(problem.sections, cell, m_grid);
     return m_march.plan(problem, m_grid, wants);
@@ -254,7 +252,7 @@ NetworkSolver::~NetworkSolver() = default;
 NetworkSolver::NetworkSolver(NetworkSolver&&) noexcept = default;
 NetworkSolver& NetworkSolver::operator=(NetworkSolver&&) noexcept = default;
 
-NetworkImpact NetworkSolver::solve(const NetworkProblem& problem, const NetworkSettings& settings,
+NetworkImpact NetworkSolver::solve(const Problem& problem, const NetworkSettings& settings,
                                    const std::stop_token& stop) {
     if (!m_workspace) m_workspace = std::make_unique<Workspace>();
     NetworkImpact impact = m_workspace->solve(problem, settings, stop);
@@ -262,7 +260,7 @@ NetworkImpact NetworkSolver::solve(const NetworkProblem& problem, const NetworkS
     return impact;
 }
 
-NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings& settings,
+NetworkImpact solveNetwork(const Problem& problem, const NetworkSettings& settings,
                            const std::stop_token& stop) {
     return NetworkSolver().solve(problem, settings, stop);
 }

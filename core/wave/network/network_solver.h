@@ -9,7 +9,7 @@
 #include "core/wave/network/cell_grid.h"
 #include "core/wave/network/march_plan.h"
 #include "core/wave/network/network_impact.h"
-#include "core/wave/network/network_problem.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -32,10 +32,10 @@ struct NetworkSettings {
 
 /// Why this is no problem that can be solved: losses inside the hammer, a section without length. Empty where
 /// it is one.
-std::string_view networkRefusal(const NetworkProblem& problem);
+std::string_view networkRefusal(const Problem& problem);
 
 /// Writes the cell that all round trips share into `grid`. False where they share none.
-bool usualGrid(const NetworkProblem& problem, CellGrid& grid);
+bool usualGrid(const Problem& problem, CellGrid& grid);
 
 /// How far the shares of E₀ of a quick run may be off, as the energy it neither kept nor lost tells (strings
 /// §11).
@@ -57,7 +57,7 @@ class NetworkSolver {
     NetworkSolver& operator=(NetworkSolver&&) noexcept;
 
     /// A stop ends it within milliseconds as not solved.
-    NetworkImpact solve(const NetworkProblem& problem, const NetworkSettings& settings,
+    NetworkImpact solve(const Problem& problem, const NetworkSettings& settings,
                         const std::stop_token& stop = {});
 
   private:
@@ -66,7 +66,7 @@ class NetworkSolver {
 };
 
 /// One blow by a solver of its own.
-NetworkImpact solveNetwork(const NetworkProblem& problem, const NetworkSettings& settings,
+NetworkImpact solveNetwork(const Problem& problem, const NetworkSettings& settings,
                            const std::stop_token& stop = {});
 
 }  // namespace drillwave

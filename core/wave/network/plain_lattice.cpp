@@ -41,11 +41,11 @@ class Ring {
 /// Bit and rock, from step to step.
 class PlainBit {
   public:
-    PlainBit(const NetworkProblem& problem)
+    PlainBit(const Problem& problem)
         : m_impedance(problem.sections.back().impedance),
           m_mass(problem.sections.back().massAfter),
           m_law(problem.law),
-          m_distance(problem.gap) {}
+          m_distance(problem.distance()) {}
 
     double step(double g, double step) {
         const double before = m_force;
@@ -102,7 +102,7 @@ class PlainBit {
 /// The face of the hammer.
 class PlainFace {
   public:
-    PlainFace(double z1, double z2, const NetworkFace& face)
+    PlainFace(double z1, double z2, const HammerFace& face)
         : m_z1(z1), m_z2(z2), m_common(z1 * z2 / (z1 + z2)), m_face(face) {}
 
     /// P, the mean over the step.
@@ -115,7 +115,7 @@ class PlainFace {
             return 0;
         }
         double force = m_common * w;
-        bool parts = w <= 1e-12;
+        bool parts = w <= 2e-12;
         if (m_face.stiffness) {
             const Step p = follow(m_force, force, *m_face.stiffness / m_common, step);
             m_force = p.end;
@@ -132,31 +132,32 @@ class PlainFace {
 
   private:
     double m_z1, m_z2, m_common;
-    NetworkFace m_face;
+    HammerFace m_face;
     bool m_apart = false, m_released = false;
     double m_gap = 0, m_force = 0;
 };
 
 }  // namespace
 
-PlainBlow solvePlainLattice(const NetworkProblem& problem, const CellGrid& grid,
-                            const std::stop_token& stop) {
+PlainBlow solvePlainLattice(const Problem& problem, const CellGrid& grid, const std::stop_token& stop) {
     assert(problem.endTime);
-    const std::vector<NetworkSection>& sections = problem.sections;
-    const std::size_t last = sections.size() - 1, h = problem.hammerSections;
+    const std::vector<UniformSection>& sections = problem.sections;
+    const std::size_t last = sections.size() - 1, h = problem.hammerSections();
     std::vector<Ring> rings;
     std::vector<double> velocities(sections.size(), 0), kept, passing;
+    const double velocity = problem.hammer().velocity;
     double stringTime = 0, hammerMass = 0;
     for (std::size_t j = 0; j <= last; ++j) {
         const double transit = static_cast<double>(grid.roundTrips[j]) * grid.cell / 2;
-        rings.emplace_back(grid.roundTrips[j], j < h ? -sections[j].impedance / 2 : 0);
+        rings.emplace_back(grid.roundTrips[j], j < h ? -velocity * sections[j].impedance / 2 : 0);
         kept.push_back(std::exp(-sections[j].decay));
         passing.push_back(std::sqrt(1 - sections[j].loss));
-        if (j < h) velocities[j] = 1, hammerMass += sections[j].impedance * transit + sections[j].massAfter;
+        if (j < h)
+            velocities[j] = velocity, hammerMass += sections[j].impedance * transit + sections[j].massAfter;
         if (j >= h) stringTime += transit;
     }
     PlainBit bit(problem);
-    PlainFace face(sections[h - 1].impedance, sections[h].impedance, problem.face);
+    PlainFace face(sections[h - 1].impedance, sections[h].impedance, problem.hammer().face);
     PlainBlow blow;
     const long steps = std::lround((*problem.endTime - stringTime) / grid.cell);
     for (long i = 0; i < steps; ++i) {
@@ -186,8 +187,8 @@ PlainBlow solvePlainLattice(const NetworkProblem& problem, const CellGrid& grid,
         rings[last].leave(bit.step(kept[last] * f, grid.cell));
     }
     blow.isSolved = true;
-    blow.efficiency = bit.work() / (hammerMass / 2);
-    blow.rockImpulse = bit.impulse() / hammerMass;
+    blow.efficiency = bit.work() / (hammerMass * velocity * velocity / 2);
+    blow.rockImpulse = bit.impulse() / (hammerMass * velocity);
     blow.peakForce = bit.peak();
     blow.cells = std::max(0L, steps) * static_cast<long>(sections.size() + 1);
     return blow;

@@ -5,7 +5,7 @@
 #include <stop_token>
 
 #include "core/wave/network/cell_grid.h"
-#include "core/wave/network/network_problem.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -14,13 +14,12 @@ struct PlainBlow {
     bool isSolved = false;
     double efficiency = 0;   ///< work on the rock [E0]
     double rockImpulse = 0;  ///< [p0]
-    double peakForce = 0;    ///< [Zr v0]
+    double peakForce = 0;    ///< [F0]
     long cells = 0;          ///< times nodes
 };
 
 /// One value of a wave for each cell, events at the ends of cells: first order in the cell. To compare with;
 /// it shares no code with NetworkMarch. Requires an end time.
-PlainBlow solvePlainLattice(const NetworkProblem& problem, const CellGrid& grid,
-                            const std::stop_token& stop = {});
+PlainBlow solvePlainLattice(const Problem& problem, const CellGrid& grid, const std::stop_token& stop = {});
 
 }  // namespace drillwave

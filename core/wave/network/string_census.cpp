@@ -19,21 +19,22 @@ void StringClocks::begin(std::size_t hammerSections, const std::vector<double>& 
     }
 }
 
-void StringCensus::begin(const NetworkProblem& problem, const StringClocks& clocks, double time) {
+void StringCensus::begin(const Problem& problem, const StringClocks& clocks, double time) {
     m_problem = &problem;
     m_clocks = &clocks;
     m_isUnderWay = true;
-    m_result = {.time = time, .bit = BitNodeState(BilinearLaw<double>(problem.law), problem.gap)};
+    m_result = {.time = time, .bit = BitNodeState(BilinearLaw<double>(problem.law), problem.distance())};
     m_down.clear();
     m_up.clear();
     m_massVelocities.clear();
     for (std::size_t j = 0; j < problem.sections.size(); ++j) {
-        const NetworkSection& section = problem.sections[j];
-        const bool hammer = j < problem.hammerSections;
-        const double wave = hammer ? section.impedance / 2 : 0;
+        const UniformSection& section = problem.sections[j];
+        const bool hammer = j < problem.hammerSections();
+        const double v = hammer ? problem.hammer().velocity : 0;
+        const double wave = v * section.impedance / 2;
         m_down.emplace_back(clockOf(j + 1), clockOf(j), section.decay, wave);
         m_up.emplace_back(clockOf(j + 1) - clocks.transitTimes[j], clockOf(j + 1), section.decay, -wave);
-        m_massVelocities.push_back(hammer ? 1 : 0);
+        m_massVelocities.push_back(v);
     }
 }
 
@@ -41,7 +42,7 @@ CensusResult StringCensus::finish() {
     m_isUnderWay = false;
     CensusResult result = m_result;
     for (std::size_t j = 0; j < m_down.size(); ++j) {
-        const NetworkSection& section = m_problem->sections[j];
+        const UniformSection& section = m_problem->sections[j];
         const LineSums& down = m_down[j].sums();
         const LineSums& up = m_up[j].sums();
         const double z = section.impedance;
@@ -49,7 +50,7 @@ CensusResult StringCensus::finish() {
         const double v = isBit ? result.bit.velocity : m_massVelocities[j];
         const double momentum = down.present - up.present + section.massAfter * v;
         const double energy = (down.presentSquare + up.presentSquare) / z + section.massAfter * v * v / 2;
-        const bool hammer = j < m_problem->hammerSections;
+        const bool hammer = j < m_problem->hammerSections();
         (hammer ? result.hammerMomentum : result.stringMomentum) += momentum;
         (hammer ? result.hammerEnergy : result.stringEnergy) += energy;
         if (section.decay > 0) {
@@ -73,8 +74,8 @@ CensusResult StringCensus::finish() {
                 (1 - passing) * ((down.passed + down.entered) / passing - kept * up.passed);
         }
     }
-    if (m_problem->face.stiffness && !result.face.apart)
-        result.faceEnergy = result.face.force * result.face.force / (2 * *m_problem->face.stiffness);
+    if (m_problem->hammer().face.stiffness && !result.face.apart)
+        result.faceEnergy = result.face.force * result.face.force / (2 * *m_problem->hammer().face.stiffness);
     return result;
 }
 
@@ -86,13 +87,13 @@ struct FreeBody {
     double frontCompliance = 0, rearCompliance = 0;  ///< ∫(M/m)² dx/(EA), M behind or before x
 };
 
-FreeBody freeBody(const NetworkProblem& problem, std::size_t first, std::size_t last) {
+FreeBody freeBody(const Problem& problem, std::size_t first, std::size_t last) {
     FreeBody body;
     for (std::size_t j = first; j < last; ++j)
         body.mass += problem.sections[j].mass() + problem.sections[j].massAfter;
     double behind = 0;
     for (std::size_t j = first; j < last; ++j) {
-        const NetworkSection& section = problem.sections[j];
+        const UniformSection& section = problem.sections[j];
         const double compliance = section.transitTime / section.impedance, mass = section.mass();
         const auto square = [mass](double m) { return m * m + m * mass + mass * mass / 3; };
         body.frontCompliance += compliance * square(behind);
@@ -119,10 +120,10 @@ std::optional<double> timeToLose(double way, double speed) {
 
 }  // namespace
 
-std::optional<double> restTime(const NetworkProblem& problem, const CensusResult& census) {
+std::optional<double> restTime(const Problem& problem, const CensusResult& census) {
     if (!census.bit.isApart() || !census.face.apart) return {};
-    const FreeBody string = freeBody(problem, problem.hammerSections, problem.sections.size());
-    const FreeBody hammer = freeBody(problem, 0, problem.hammerSections);
+    const FreeBody string = freeBody(problem, problem.hammerSections(), problem.sections.size());
+    const FreeBody hammer = freeBody(problem, 0, problem.hammerSections());
     const double stringSpeed = census.stringMomentum / string.mass;
     const double hammerSpeed = census.hammerMomentum / hammer.mass;
     const BitRecord& rock = census.bit.record;
@@ -131,11 +132,11 @@ std::optional<double> restTime(const NetworkProblem& problem, const CensusResult
     const double pushed = census.time * face.impulse - face.impulseMoment;
     const double held = census.time * rock.impulse - rock.impulseMoment;
     const double stringWay = (pushed - held) / string.mass;
-    const double hammerWay = census.time - pushed / hammer.mass;
+    const double hammerWay = problem.hammer().velocity * census.time - pushed / hammer.mass;
     const double front =
         deviation(census.stringEnergy, census.stringMomentum, string.mass, string.frontCompliance);
-    const auto rockRest =
-        timeToLose(stringWay + front - problem.gap - census.bit.law.residualPenetration(), -stringSpeed);
+    const auto rockRest = timeToLose(
+        stringWay + front - problem.distance() - census.bit.law.residualPenetration(), -stringSpeed);
     if (!rockRest || census.face.released) return rockRest ? census.time + *rockRest : rockRest;
     const double rear =
         deviation(census.stringEnergy, census.stringMomentum, string.mass, string.rearCompliance);

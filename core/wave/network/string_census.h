@@ -7,7 +7,7 @@
 
 #include "core/wave/network/census.h"
 #include "core/wave/network/joint.h"
-#include "core/wave/network/network_problem.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -27,7 +27,7 @@ struct StringClocks {
 class StringCensus {
   public:
     /// `problem` and `clocks` must outlive it.
-    void begin(const NetworkProblem& problem, const StringClocks& clocks, double time);
+    void begin(const Problem& problem, const StringClocks& clocks, double time);
     /// From begin() to finish(). The rest only then.
     bool isUnderWay() const { return m_isUnderWay; }
     void abandon() { m_isUnderWay = false; }
@@ -50,7 +50,7 @@ class StringCensus {
     CensusResult finish();
 
   private:
-    const NetworkProblem* m_problem = nullptr;
+    const Problem* m_problem = nullptr;
     const StringClocks* m_clocks = nullptr;
     bool m_isUnderWay = false;
     std::vector<LineCensus> m_down, m_up;
@@ -60,6 +60,6 @@ class StringCensus {
 
 /// The time from which on neither the rock nor the hammer can be met again by a string that loses nothing,
 /// provided that neither is met between the census and then (strings §8). Nothing where that cannot be told.
-std::optional<double> restTime(const NetworkProblem& problem, const CensusResult& census);
+std::optional<double> restTime(const Problem& problem, const CensusResult& census);
 
 }  // namespace drillwave

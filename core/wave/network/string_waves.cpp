@@ -51,17 +51,18 @@ double integralOf(const WaveCell& cell, double share) {
 
 }  // namespace
 
-StringWaves::StringWaves(const NetworkProblem& problem, const std::vector<double>& rearTimes)
-    : m_hammerSections(problem.hammerSections) {
+StringWaves::StringWaves(const Problem& problem, const std::vector<double>& rearTimes)
+    : m_hammerSections(problem.hammerSections()) {
     for (std::size_t j = 0; j < problem.sections.size(); ++j) {
-        const NetworkSection& section = problem.sections[j];
-        m_sections.push_back({.impedance = section.impedance,
-                              .transitTime = section.transitTime,
-                              .decay = section.decay,
-                              .rearTime = rearTimes[j],
-                              .first = j < m_hammerSections ? section.impedance / 2 : 0,
-                              .down = {},
-                              .up = {}});
+        const UniformSection& section = problem.sections[j];
+        m_sections.push_back(
+            {.impedance = section.impedance,
+             .transitTime = section.transitTime,
+             .decay = section.decay,
+             .rearTime = rearTimes[j],
+             .first = j < m_hammerSections ? problem.hammer().velocity * section.impedance / 2 : 0,
+             .down = {},
+             .up = {}});
     }
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/numeric/piecewise.h"
-#include "core/wave/network/network_problem.h"
 #include "core/wave/network/wave_cell.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -26,7 +26,7 @@ struct SectionWaves {
     std::vector<WaveCell> down, up;
 };
 
-/// Looks up what hammer and string do. Units of NetworkProblem, times global, from the first touch; sections
+/// Looks up what hammer and string do. Units of Problem, times global, from the first touch; sections
 /// as in the problem, ξ = 0 at the rear end of a section and 1 at its front end. Compression and motion
 /// towards the rock are positive:
 ///
@@ -39,7 +39,7 @@ class StringWaves {
     /// What is kept is at most about so many bytes.
     static constexpr std::size_t mostBytes = 40'000'000;
 
-    StringWaves(const NetworkProblem& problem, const std::vector<double>& rearTimes);
+    StringWaves(const Problem& problem, const std::vector<double>& rearTimes);
 
     // While it is recorded
 

@@ -23,13 +23,13 @@ void WaveRecorder::begin(const MarchPlan& plan, const CellLattice& lattice) {
     m_waves.reset();
     m_hasForces = plan.wants().forces;
     m_leftOutForces = false;
-    const NetworkProblem& problem = plan.problem();
+    const Problem& problem = plan.problem();
     if (plan.wants().histories) m_waves = std::make_shared<StringWaves>(problem, plan.clocks().delays);
     if (!m_hasForces) return;
-    m_stringTransit = stringTransit(problem);
+    m_stringTransit = problem.transitTime();
     m_endOfBlow = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < plan.sections(); ++j) {
-        const NetworkSection& section = problem.sections[j];
+        const UniformSection& section = problem.sections[j];
         m_watches.emplace_back(WatchedSection{section.transitTime, section.decay, plan.clocks().delays[j]});
         if (plan.wants().reflections && j + 1 < plan.sections())
             m_alone.emplace_back(section, problem.sections[j + 1], 0);
@@ -52,7 +52,7 @@ void WaveRecorder::add(const std::stop_token& stop) {
 
 void WaveRecorder::addForces(const std::stop_token& stop) {
     if (m_parts != m_lattice->cuts().count()) restartWatches();
-    const NetworkProblem& problem = m_plan->problem();
+    const Problem& problem = m_plan->problem();
     const double lastTime = problem.endTime.value_or(std::numeric_limits<double>::infinity());
     // the bit is known for all that meets in this block, and for longer
     const BitNodeState& bit = m_lattice->bit();
@@ -64,7 +64,7 @@ void WaveRecorder::addForces(const std::stop_token& stop) {
         const DelayLine<WaveCell>& line = m_lattice->line(j);
         m_watches[j].add({m_lattice->down(j), stepsOfBlock}, {line.arriving(), line.delay() + stepsOfBlock},
                          m_lattice->step(), m_lattice->cuts(), lastTime);
-        if (j >= problem.hammerSections && j < m_alone.size()) addReflection(j);
+        if (j >= problem.hammerSections() && j < m_alone.size()) addReflection(j);
     }
 }
 
@@ -110,7 +110,7 @@ double WaveRecorder::wantedTime() const {
 }
 
 void WaveRecorder::finish(double time, NetworkImpact& impact) {
-    const NetworkProblem& problem = m_plan->problem();
+    const Problem& problem = m_plan->problem();
     const double passed = m_lattice->clock() + m_plan->clocks().earliest();
     const double end = problem.endTime ? time : std::max(time, std::min(wantedTime(), passed));
     impact.forcesEnd = end;
@@ -118,7 +118,7 @@ void WaveRecorder::finish(double time, NetworkImpact& impact) {
         impact.sections.push_back(watch.forces());
         impact.cellsLookedInto += watch.cellsLookedInto();
     }
-    for (std::size_t j = problem.hammerSections; j < m_alone.size(); ++j)
+    for (std::size_t j = problem.hammerSections(); j < m_alone.size(); ++j)
         impact.jointReflection.push_back(m_reflected[j] / problem.sections[j].impedance /
                                          impact.hammerEnergy);
     impact.leftOutForces = m_leftOutForces;

@@ -77,7 +77,7 @@ void TestBlow::itsPartsAreThoseOfTheSolverAndTheSummary() {
     QCOMPARE(blow.impact.events, impact.events);
     QCOMPARE(blow.summary.peakForce, impact.peakForce);
     QCOMPARE(blow.summary.energy, ledgerOf(impact, problem));
-    QCOMPARE(*blow.summary.rodForces, largestRodForces(impact, problem.hammer));
+    QCOMPARE(*blow.summary.rodForces, largestRodForces(impact, problem.force()));
     QCOMPARE(*blow.feed, *judgeFeed(scenario, impact.cor));
     // [paper (9)], by hand
     QVERIFY(std::abs(blow.feed->fullRate / (50 * scenario.pulse.impulse * (1 + impact.cor)) - 1) < 1e-15);

@@ -138,11 +138,11 @@ class TestBlowWaves : public QObject {
         const BlowWaves waves(blow);
         QCOMPARE(waves.rear(), 0.0);
         QVERIFY(std::isinf(waves.end()));
-        QVERIFY(waves.interesting() == interestingTime(blow.impact, blow.solved.hammer));
+        QVERIFY(waves.interesting() == interestingTime(blow.impact, blow.solved.force()));
         const RasterGrid grid{0, 1, 20, 0, 30, 20};
         QVERIFY(waves.raster(WaveQuantity::force, grid).values ==
                 waveRaster(blow.impact, WaveQuantity::force, grid).values);
-        QCOMPARE(waves.fronts(), pulseFronts(blow.solved.hammer));
+        QCOMPARE(waves.fronts(), pulseFronts(blow.solved.force()));
     }
 
     void wavesThatWereNotKeptCannotBeRead() {

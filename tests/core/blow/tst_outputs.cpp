@@ -139,7 +139,7 @@ void TestOutputs::stressIsTheForceInTheRodOverItsArea() {
     const Blow blow = solveBlow(scenario, {}, Detail::histories);
     const Problem problem = problemOf(scenario);
     const RodForces forces =
-        largestRodForces(ExactSolver().solve(problem, Detail::histories), problem.hammer);
+        largestRodForces(ExactSolver().solve(problem, Detail::histories), problem.force());
     QCOMPARE(*valueOf(blow, "peak_compression"), forces.compression.size);
     QCOMPARE(*valueOf(blow, "peak_tension"), forces.tension.size);
     QCOMPARE(*valueOf(blow, "peak_compression_after"), forces.compressionAfter.size);

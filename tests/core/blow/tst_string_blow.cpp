@@ -136,7 +136,7 @@ class TestStringBlow : public QObject {
         // the first wave of the hammer arrives after its way through adapter, coupling and half a rod
         const auto first =
             std::ranges::find_if(rows, [](const StringInstant& now) { return now.normalForce < -1e-6; });
-        const std::vector<NetworkSection>& sections = blow.string->problem.sections;
+        const std::vector<UniformSection>& sections = blow.string->problem.sections;
         const double way = sections[2].transitTime + sections[3].transitTime + sections[4].transitTime / 2;
         QVERIFY(std::abs(first->time - way) < 1e-9);
     }

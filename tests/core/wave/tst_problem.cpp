@@ -33,10 +33,10 @@ class TestProblem : public QObject {
         scenario.pulse.tablePoints = {{0, 0}, {1e-4, 3e5}, {3e-4, 1e5}, {4e-4, 0}};
         const Groups groups = groupsOf(scenario);
         const Problem problem = problemOf(scenario);
-        QVERIFY(problem.hammer == pulseForceOf(scenario));
+        QVERIFY(problem.force() == pulseForceOf(scenario));
         QCOMPARE(problem.law.beta, groups.beta);
         QCOMPARE(problem.law.gamma, groups.gamma);
-        QCOMPARE(problem.transitTime, groups.tau);
+        QCOMPARE(problem.transitTime(), groups.tau);
         QCOMPARE(problem.gap, groups.delta);
         QVERIFY(problem == problemOf(pulseForceOf(scenario), groups));
     }
@@ -55,9 +55,9 @@ class TestProblem : public QObject {
         const Problem problem = problemOf(pulseForceOf(PulseShape::rectangular), {0.5, 0.1, 10, 0.3});
         Problem other = problem;
         QVERIFY(other == problem);
-        other.hammer = pulseForceOf(PulseShape::halfSine);
+        other.drive = pulseForceOf(PulseShape::halfSine);
         QVERIFY(other != problem);
-        for (double* part : {&other.transitTime, &other.law.beta, &other.law.gamma, &other.gap}) {
+        for (double* part : {&other.sections[0].transitTime, &other.law.beta, &other.law.gamma, &other.gap}) {
             other = problem;
             *part *= 1 + 1e-15;
             QVERIFY(other != problem);

@@ -94,7 +94,7 @@ BlowCurves stringCurves(const Blow& blow, const ShownUnits& units, double sectio
 
 BlowCurves blowCurves(const Blow& blow, const ShownUnits& units, double section, Tail tail) {
     return blow.string ? stringCurves(blow, units, section, tail)
-                       : blowCurves(blow.impact, blow.solved.hammer, units, std::max(0.0, section), tail);
+                       : blowCurves(blow.impact, blow.solved.force(), units, std::max(0.0, section), tail);
 }
 
 BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const ShownUnits& units, double section,

@@ -115,7 +115,7 @@ BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
     meanings.impulse =
         momentumLike(units, [blow](double t) { return WaveField(blow->impact).impactImpulse(t); });
     meanings.momentum =
-        momentumLike(units, [blow](double t) { return rodMomentum(blow->impact, blow->solved.hammer, t); });
+        momentumLike(units, [blow](double t) { return rodMomentum(blow->impact, blow->solved.force(), t); });
     return meanings;
 }
 

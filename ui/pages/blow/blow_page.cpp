@@ -132,7 +132,8 @@ void BlowPage::showPlace() {
 // Nothing where the waves of a string were not kept.
 std::optional<RodState> BlowPage::stateAt(double time) const {
     const double section = m_observation.section();
-    if (!m_blow->string) return rodState(m_blow->impact, m_blow->solved.hammer, std::max(0.0, section), time);
+    if (!m_blow->string)
+        return rodState(m_blow->impact, m_blow->solved.force(), std::max(0.0, section), time);
     if (!m_blow->string->impact.waves) return {};
     const StringPlace place = stringPlace(m_blow->request.scenario.drillString, section);
     const StringInstant now = StringHistory(*m_blow->string, place).at(time);

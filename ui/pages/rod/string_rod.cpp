@@ -11,7 +11,7 @@
 #include "core/model/scales.h"
 #include "core/model/section_size.h"
 #include "core/wave/network/string_envelope.h"
-#include "core/wave/network/string_problem.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 namespace {
@@ -47,7 +47,7 @@ QString sectionName(const RodStretch& section) {
 }
 
 double stressOf(const RodStretch& section, double force) {
-    return force / networkForce * section.toStress;
+    return force * section.toStress;
 }
 
 std::size_t StringRod::sectionAt(double place) const {
@@ -84,8 +84,7 @@ StringRod stringRod(const Blow& blow) {
         RodStretch stretch;
         stretch.rear = joints[static_cast<std::size_t>(j)];
         stretch.front = joints[static_cast<std::size_t>(j) + 1];
-        stretch.toStress =
-            networkForce * scales.force / propertiesOf(section, drill.material).area / scales.stress;
+        stretch.toStress = scales.force / propertiesOf(section, drill.material).area / scales.stress;
         stretch.diameter = outerDiameter(section);
         stretch.number = j < ofHammer ? -(j + 1) : j - ofHammer + 1;
         stretch.name = QString::fromStdString(section.name);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/model/scales.h"
-#include "core/wave/network/string_problem.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 namespace {
@@ -18,13 +18,13 @@ double largestForce(const Blow& blow) {
     if (blow.string)
         for (const SectionForces& section : blow.string->impact.sections)
             largest = std::max({largest, section.compression.force, section.tension.force});
-    return networkForce * largest;
+    return largest;
 }
 
 /// What is known of the field without looking for it: the forces, and that the hammer of a string moves with
 /// v0, twice F0/Z.
 double knownMagnitude(const Blow& blow, WaveQuantity field) {
-    if (field == WaveQuantity::velocity) return blow.string ? networkForce : 0;
+    if (field == WaveQuantity::velocity) return blow.string ? blow.string->problem.hammer().velocity : 0;
     return std::max(blow.impact.peakForce, largestForce(blow));
 }
 

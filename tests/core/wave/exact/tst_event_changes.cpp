@@ -186,7 +186,7 @@ class TestEventChanges : public QObject {
             ++found;
             for (const Scene& neighbour : change->neighbours(3)) {
                 const Impact truth = solveInExtendedPrecision(problemOf(neighbour), Detail::cor);
-                NetworkProblem rod = rodAsString(neighbour.groups, 0);
+                Problem rod = rodAsString(neighbour.groups, 0);
                 rod.endTime.reset();
                 for (const auto accuracy : {NetworkAccuracy::quick, NetworkAccuracy::sure}) {
                     const NetworkImpact impact = solver.solve(rod, {.accuracy = accuracy, .wants = {}});

@@ -22,7 +22,7 @@ struct Solved {
 
 Solved solved(const Scene& scene) {
     Solved blow{solve(scene, Detail::histories), {}};
-    blow.envelope = rodEnvelope(blow.impact, problemOf(scene).hammer);
+    blow.envelope = rodEnvelope(blow.impact, problemOf(scene).force());
     return blow;
 }
 
@@ -61,7 +61,7 @@ double largestBeside(const Impact& impact, double sign, const RodForce& at) {
 
 /// Chords miss each of two waves by 1e-4 of the largest force, more where a piece has as many as it may have.
 double tolerance(const Scene& scene, const Impact& impact) {
-    return 1e-3 * std::max({impact.peakForce, problemOf(scene).hammer.peak, incidentWave(impact, 0)});
+    return 1e-3 * std::max({impact.peakForce, problemOf(scene).force().peak, incidentWave(impact, 0)});
 }
 
 /// The largest of sign·(−N) at a section while the blow lasts, or in the round trips after it: at all
@@ -95,7 +95,7 @@ void staysAboveTheScan(const Scene& scene, const Solved& blow) {
     const double tau = blow.impact.roundTrip / 2;
     // What the hammer still adds is in neither.
     const bool hammerEnds =
-        problemOf(scene).hammer.end + blow.impact.frontArrival <= blow.impact.separationTime;
+        problemOf(scene).force().end + blow.impact.frontArrival <= blow.impact.separationTime;
     for (const Line& line : linesOf(blow.envelope)) {
         if (line.after && !hammerEnds) continue;
         for (const double xi : {0.003, 0.1234, 0.25, 0.381, 0.5, 0.67, 0.75, 0.912, 0.999}) {
@@ -133,7 +133,7 @@ void isThereWhereItSays(const Scene& scene, const Solved& blow) {
 }
 
 void hasTheLargest(const Scene& scene, const Solved& blow) {
-    const RodForces expected = largestRodForces(blow.impact, problemOf(scene).hammer);
+    const RodForces expected = largestRodForces(blow.impact, problemOf(scene).force());
     QCOMPARE(blow.envelope.largest, expected);
     for (const Line& line : linesOf(blow.envelope)) {
         QVERIFY(!line.points.empty());
@@ -214,7 +214,7 @@ class TestRodEnvelope : public QObject {
             .forEachSolved(400, Detail::histories, [&](const Scene& scene, const Impact& impact) {
                 // Hundreds of pieces take long to be looked at everywhere.
                 if (impact.incident.pieces().size() > fewPieces) return;
-                const Solved blow{impact, rodEnvelope(impact, problemOf(scene).hammer)};
+                const Solved blow{impact, rodEnvelope(impact, problemOf(scene).force())};
                 QVERIFY(blow.envelope.steps <= 4'000'000);
                 QCOMPARE(blow.envelope.missed, 0.0);
                 hasTheLargest(scene, blow);
@@ -229,7 +229,7 @@ class TestRodEnvelope : public QObject {
         // Without enough of it the lines are too low by no more than is said.
         const Scene scene{PulseShape::halfSine, {2, 0.05, 3.3, 0.9}};
         const Impact impact = solve(scene, Detail::histories);
-        const PulseForce hammer = problemOf(scene).hammer;
+        const PulseForce hammer = problemOf(scene).force();
         const RodEnvelope whole = rodEnvelope(impact, hammer);
         const RodEnvelope few = rodEnvelope(impact, hammer, {}, 40);
         QVERIFY(few.steps <= 4 * 40);

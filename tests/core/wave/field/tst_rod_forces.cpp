@@ -15,7 +15,7 @@ using namespace drillwave::test;
 namespace {
 
 RodForces forcesOf(const Scene& scene) {
-    return largestRodForces(solve(scene, Detail::histories), problemOf(scene).hammer);
+    return largestRodForces(solve(scene, Detail::histories), problemOf(scene).force());
 }
 
 /// Compressive force at a place and time.
@@ -88,7 +88,7 @@ class TestRodForces : public QObject {
     void aPeriodThatBeginsAtAJumpIsSeenWhole() {
         const Scene scene{PulseShape::rectangular, {1.5022634244953927, 0.3, 3.9312780479059333, 0}};
         const Impact impact = solve(scene, Detail::histories);
-        const RodForces forces = largestRodForces(impact, problemOf(scene).hammer);
+        const RodForces forces = largestRodForces(impact, problemOf(scene).force());
         const double begin = impact.incident.end() - impact.roundTrip;
         double least = 0, most = 0;
         for (int i = 0; i <= 100'000; ++i) {
@@ -104,7 +104,7 @@ class TestRodForces : public QObject {
     void whatIsLeftOutIsNeverTheLargest() {
         QFETCH(Scene, scene);
         const Impact impact = solve(scene, Detail::histories);
-        const PulseForce hammer = problemOf(scene).hammer;
+        const PulseForce hammer = problemOf(scene).force();
         const RodForces found = largestRodForces(impact, hammer);
         const double pushed = std::max(hammer.peak, largestOfAllPairs(impact, 1));
         // to the last digit: the same instants
@@ -116,7 +116,7 @@ class TestRodForces : public QObject {
     void onlyWhatIsWantedIsLookedFor() {
         const Scene scene{PulseShape::halfSine, {0.5, 0.2, 3, 0.3}};
         const Impact impact = solve(scene, Detail::histories);
-        const PulseForce hammer = problemOf(scene).hammer;
+        const PulseForce hammer = problemOf(scene).force();
         const RodForces all = largestRodForces(impact, hammer);
         RodForces some = largestRodForces(impact, hammer, {false, true, false});
         QCOMPARE(some.tension, all.tension);
@@ -133,7 +133,7 @@ class TestRodForces : public QObject {
         const Scene scene{PulseShape::rectangular, {0.5, 0.1, 5, 0.3}};
         const Impact impact = solve(scene, Detail::histories);
         long looked = 0, instants = 0;
-        largestRodForces(impact, problemOf(scene).hammer, {true, true, false}, &looked);
+        largestRodForces(impact, problemOf(scene).force(), {true, true, false}, &looked);
         forEachInstant(impact, 0, {}, [&](const Instant&) { ++instants; });
         // a sixth; more than a quarter where all that touches a largest force is halved down to its parts
         QVERIFY2(looked > 0 && 5 * looked < instants, QByteArray::number(double(looked) / double(instants)));
@@ -165,7 +165,7 @@ class TestRodForces : public QObject {
     void everySectionAndTimeStaysBelow() {
         QFETCH(Scene, scene);
         const Impact impact = solve(scene, Detail::histories);
-        const RodForces found = largestRodForces(impact, problemOf(scene).hammer);
+        const RodForces found = largestRodForces(impact, problemOf(scene).force());
         const double tolerance = 2e-4 * impact.peakForce + 1e-12;
         const double blowEnd = impact.separationTime + impact.roundTrip / 2;
         const double end = timeOfRecorded(impact, impact.incident.end()) + 2 * impact.roundTrip;
@@ -187,7 +187,7 @@ class TestRodForces : public QObject {
             QVERIFY(force.time <= blowEnd + 1e-9);
         for (const RodForce& force : {found.compressionAfter, found.tensionAfter})
             QVERIFY(force.size == 0 || force.time >= blowEnd - 1e-9);
-        QVERIFY(found.compression.size >= problemOf(scene).hammer.peak);  // at the struck end
+        QVERIFY(found.compression.size >= problemOf(scene).force().peak);  // at the struck end
         // and the place and time that are told do have it
         QVERIFY(std::abs(nearby(impact, 1, found.compression) - found.compression.size) <= tolerance);
         QVERIFY(std::abs(nearby(impact, -1, found.tension) - found.tension.size) <= tolerance);

@@ -35,7 +35,7 @@ class RodStateTest : public QObject {
   private slots:
     void givenIsTakenAndLeft() {
         for (const Scene& scene : scenes) {
-            const PulseForce pulse = problemOf(scene).hammer;
+            const PulseForce pulse = problemOf(scene).force();
             const Impact impact = solve(scene, Detail::histories);
             for (const double t : {0.4, 3.7, 9.1, 500.25}) {
                 const RodState atBit = rodState(impact, pulse, 1, t);
@@ -49,7 +49,7 @@ class RodStateTest : public QObject {
 
     void theMomentumIsThatOfTheWaves() {
         for (const Scene& scene : scenes) {
-            const PulseForce pulse = problemOf(scene).hammer;
+            const PulseForce pulse = problemOf(scene).force();
             const Impact impact = solve(scene, Detail::histories);
             // A jump within one of 4000 cells: forces of order one times τ/4000, for a handful of fronts.
             for (const double t : {0.4, 1.9, 3.7, 9.1, 20.3})
@@ -61,15 +61,15 @@ class RodStateTest : public QObject {
     void theRodLeavesWithTheRestitution() {
         for (const Scene& scene : scenes) {
             const Impact impact = solve(scene, Detail::histories);
-            QVERIFY(std::abs(rodState(impact, problemOf(scene).hammer, 0.5, 500).momentum + impact.cor) <
+            QVERIFY(std::abs(rodState(impact, problemOf(scene).force(), 0.5, 500).momentum + impact.cor) <
                     1e-13);
         }
     }
 
     void aRigidBodyBringsItsMomentum() {
         const Scene scene = scenes[2];
-        QCOMPARE(rodMomentum(solve(scene, Detail::histories), problemOf(scene).hammer, 0), 1.0);
-        QCOMPARE(rodMomentum(problemOf(scenes[0]).hammer, 0, 0), 0.0);
+        QCOMPARE(rodMomentum(solve(scene, Detail::histories), problemOf(scene).force(), 0), 1.0);
+        QCOMPARE(rodMomentum(problemOf(scenes[0]).force(), 0, 0), 0.0);
     }
 };
 

@@ -68,7 +68,7 @@ class TestSectionForce : public QObject {
             QVERIFY(found.force.time.front() <= 0);
             QVERIFY(std::abs(found.force.time.back() - end) < 1e-9 * end);
             // Chords follow each wave to about 1e-4 of its pieces' size.
-            const double tolerance = 5e-4 * std::max(1.0, problemOf(scene).hammer.peak);
+            const double tolerance = 5e-4 * std::max(1.0, problemOf(scene).force().peak);
             for (double t = anyStep; t < end; t += anyStep)
                 QVERIFY2(std::abs(chordAt(found.force, t) - field.force(xi, t)) < tolerance,
                          qPrintable(QString("x/L %1, t %2: %3 for %4")

@@ -77,10 +77,10 @@ class TestWaveFronts : public QObject {
     void theInterestingTimeEndsARoundTripAfterTheBlow() {
         const Scene near{PulseShape::rectangular, {0.5, 0.1, 3, 0}};
         const Impact impact = solve(near, Detail::events);
-        QVERIFY(interestingTime(impact, problemOf(near).hammer) == (TimeSpan{0, impact.separationTime + 6}));
+        QVERIFY(interestingTime(impact, problemOf(near).force()) == (TimeSpan{0, impact.separationTime + 6}));
         const Scene far{PulseShape::rectangular, {0.5, 0.1, 3, 100.25}};
         const Impact late = solve(far, Detail::events);
-        const TimeSpan span = interestingTime(late, problemOf(far).hammer);
+        const TimeSpan span = interestingTime(late, problemOf(far).force());
         QCOMPARE(span.begin, late.firstContactTime - 9);
         QCOMPARE(span.end, late.separationTime + 6);
     }

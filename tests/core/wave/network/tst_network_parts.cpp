@@ -32,7 +32,7 @@ std::vector<NodeTurn> turnsOf(const std::vector<std::size_t>& delays) {
 }
 
 std::optional<CellGrid> grid(const std::vector<double>& lengths) {
-    std::vector<NetworkSection> sections;
+    std::vector<UniformSection> sections;
     for (const double length : lengths) sections.push_back({.impedance = 1, .transitTime = length});
     CellGrid shared;
     return shareGrid(sections, 1e-6, shared) ? std::optional(shared) : std::nullopt;

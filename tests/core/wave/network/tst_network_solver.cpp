@@ -17,10 +17,10 @@ using namespace drillwave::test;
 namespace {
 
 /// The string that is a uniform rod: a hammer of its impedance that is withdrawn after its blow.
-NetworkProblem uniformRod(const Groups& groups) {
-    NetworkProblem problem;
+Problem uniformRod(const Groups& groups) {
+    Problem problem = struck();
     problem.sections = {{.impedance = 1, .transitTime = 0.5}, {.impedance = 1, .transitTime = groups.tau}};
-    problem.face.restrike = false;
+    hammerOf(problem).face.restrike = false;
     problem.law = {groups.beta, groups.gamma};
     problem.gap = groups.delta;  // d0 = 2 I0/Z = v0 t0
     return problem;
@@ -39,8 +39,7 @@ double leastOf(const PiecewisePolynomial& force) {
     return least;
 }
 
-NetworkImpact march(const NetworkProblem& problem, const CellGrid& grid, const NetworkWants& wants,
-                    long mostCells) {
+NetworkImpact march(const Problem& problem, const CellGrid& grid, const NetworkWants& wants, long mostCells) {
     NetworkMarch march;
     march.plan(problem, grid, wants);
     return march.run(mostCells, {});
@@ -153,10 +152,10 @@ class TestNetworkSolver : public QObject {
         constexpr double bend = 2e-3;  // a wave may bend within a cell of the quicker run, which keeps them
         int compared = 0, larger = 0;
         for (const char* id : {"t38_medium", "t38_gap", "t38_hard", "near_commensurate"}) {
-            NetworkProblem problem = caseCalled(id).problem;
+            Problem problem = caseCalled(id).problem;
             problem.endTime = {};
             const NetworkImpact impact = solvedWithWaves(problem);
-            const double transit = stringTransit(problem), end = impact.endOfBlow;
+            const double transit = problem.transitTime(), end = impact.endOfBlow;
             QVERIFY(std::abs(end - impact.lastSeparation - transit) < 1e-9);
             QVERIFY(impact.forcesEnd >= end + 2 * transit - 1e-9);
             for (std::size_t j = 0; j < impact.sections.size(); ++j) {
@@ -191,7 +190,7 @@ class TestNetworkSolver : public QObject {
                                 chance.below(3) ? chance.logarithmic(0.05, 1) : 1,
                                 0.5 * (2 + chance.below(20)), chance.below(2) ? 0 : chance.fraction()};
             const Impact exact = solve({PulseShape::rectangular, groups}, Detail::summary);
-            NetworkProblem problem = uniformRod(groups);
+            Problem problem = uniformRod(groups);
             problem.endTime = exact.separationTime + 0.1;
             const NetworkImpact impact = solveNetwork(problem, {});
             QCOMPARE(impact.end, NetworkEnd::endTime);
@@ -213,13 +212,13 @@ class TestNetworkSolver : public QObject {
 
     void splittingASectionChangesNothing() {
         const NetworkCase scene = networkCases().at(7);  // t38_medium
-        NetworkProblem split = scene.problem;
+        Problem split = scene.problem;
         for (std::size_t j : {4u, 0u}) {
-            NetworkSection& section = split.sections[j];
+            UniformSection& section = split.sections[j];
             section.transitTime /= 2;
             split.sections.insert(split.sections.begin() + std::ptrdiff_t(j), section);
         }
-        ++split.hammerSections;
+        ++hammerOf(split).sections;
         NetworkSettings quick{.accuracy = NetworkAccuracy::quick, .wants = {}};
         const NetworkImpact whole = solveNetwork(scene.problem, quick), parts = solveNetwork(split, quick);
         QVERIFY(std::abs(whole.energy.rock - parts.energy.rock) < 1e-14);
@@ -231,7 +230,7 @@ class TestNetworkSolver : public QObject {
         const int scenes = scenesOr(80);
         int uncovered = 0, inexact = 0;
         for (int i = 0; i < scenes; ++i) {
-            const NetworkProblem problem = randomNetwork(chance);
+            const Problem problem = randomNetwork(chance);
             NetworkSettings settings;
             settings.mostCells = 200'000'000;
             const NetworkImpact sure = solveNetwork(problem, settings);
@@ -299,7 +298,7 @@ class TestNetworkSolver : public QObject {
         const int scenes = scenesOr(120);
         std::array<int, 3> ends{};
         for (int i = 0; i < scenes; ++i) {
-            NetworkProblem problem = randomNetwork(chance);
+            Problem problem = randomNetwork(chance);
             if (chance.below(3) != 0) problem.nextBlow = std::exchange(problem.endTime, {});
             for (const NetworkAccuracy accuracy : {NetworkAccuracy::quick, NetworkAccuracy::sure}) {
                 if (accuracy == NetworkAccuracy::sure && i % 4 != 0) continue;
@@ -329,7 +328,7 @@ class TestNetworkSolver : public QObject {
         Chance chance(6);
         int looked = 0;
         for (int i = 0; i < 20; ++i) {
-            NetworkProblem problem = randomNetwork(chance);
+            Problem problem = randomNetwork(chance);
             problem.endTime = 10;  // most are short enough for all cells of a sure run to be kept
             NetworkSettings settings;
             settings.wants.histories = true;
@@ -348,7 +347,7 @@ class TestNetworkSolver : public QObject {
     }
 
     void nothingFollowsWhatIsProvenToBeOver() {
-        NetworkProblem problem = networkCases().at(7).problem;
+        Problem problem = networkCases().at(7).problem;
         problem.endTime.reset();
         const NetworkImpact proven = solveNetwork(problem, {.accuracy = NetworkAccuracy::quick, .wants = {}});
         QCOMPARE(proven.end, NetworkEnd::proven);
@@ -366,9 +365,9 @@ class TestNetworkSolver : public QObject {
         int flown = 0, proven = 0;
         constexpr int scenes = 60;
         for (int i = 0; i < scenes; ++i) {
-            NetworkProblem problem = randomNetwork(chance);
+            Problem problem = randomNetwork(chance);
             problem.endTime.reset();
-            for (NetworkSection& section : problem.sections)
+            for (UniformSection& section : problem.sections)
                 section.loss = section.decay = section.massAfter = 0;
             NetworkSettings settings{.accuracy = NetworkAccuracy::quick, .wants = {}};
             const NetworkImpact quick = solveNetwork(problem, settings);
@@ -390,7 +389,7 @@ class TestNetworkSolver : public QObject {
 
     /// Half of the T38 blow is the proof that nothing follows.
     void theT38StringTakesAsManyCellsAsItIsInContact() {
-        NetworkProblem problem = networkCases().at(7).problem;
+        Problem problem = networkCases().at(7).problem;
         problem.endTime.reset();
         const NetworkImpact impact = solveNetwork(problem, {.accuracy = NetworkAccuracy::quick, .wants = {}});
         const double steps = (impact.lastSeparation + 10) / impact.cell;
@@ -401,10 +400,10 @@ class TestNetworkSolver : public QObject {
     /// What was counted while the bit was on the rock says nothing of a bit that has left it since.
     void aBlowDoesNotEndWithTheCountOfAContact() {
         Chance chance(1);
-        NetworkProblem problem;
+        Problem problem = struck();
         for (int i = 0; i < 15; ++i) problem = randomNetwork(chance);
         problem.endTime.reset();
-        for (NetworkSection& section : problem.sections) section.loss = section.decay = 0;
+        for (UniformSection& section : problem.sections) section.loss = section.decay = 0;
         NetworkSettings settings{.accuracy = NetworkAccuracy::quick, .wants = {}};
         settings.wants.events = true;
         const NetworkImpact impact = solveNetwork(problem, settings);
@@ -427,7 +426,7 @@ class TestNetworkSolver : public QObject {
     }
 
     void cutsThatCannotBeFollowedToTheEndAreNotMade() {
-        const NetworkProblem problem = networkCases().at(7).problem;
+        const Problem problem = networkCases().at(7).problem;
         NetworkWants wants;
         wants.cutAt = CutAt::corners;
         wants.grading = {0.15, 1.25, 100};
@@ -442,7 +441,7 @@ class TestNetworkSolver : public QObject {
     }
 
     void whatTakesTooMuchWorkSaysWhatTookIt() {
-        NetworkProblem problem = networkCases().at(7).problem;
+        Problem problem = networkCases().at(7).problem;
         CellGrid grid;
         QVERIFY(usualGrid(problem, grid));
         const NetworkImpact whole = march(problem, grid, {}, mostNetworkCells);
@@ -456,7 +455,7 @@ class TestNetworkSolver : public QObject {
     }
 
     void theLargestForcesAreLeftOutRatherThanTheBlow() {
-        const NetworkProblem problem = networkCases().at(7).problem;
+        const Problem problem = networkCases().at(7).problem;
         CellGrid grid;
         QVERIFY(usualGrid(problem, grid));
         NetworkWants wants;
@@ -474,7 +473,7 @@ class TestNetworkSolver : public QObject {
     }
 
     void lossesInsideTheHammerAreRefused() {
-        NetworkProblem problem = networkCases().at(7).problem;
+        Problem problem = networkCases().at(7).problem;
         problem.sections[0].loss = 0.01;
         const NetworkImpact impact = solveNetwork(problem, {});
         QCOMPARE(impact.end, NetworkEnd::notSolved);
@@ -482,7 +481,7 @@ class TestNetworkSolver : public QObject {
     }
 
     void lengthsThatShareNoCellAreRoundedWithAnError() {
-        NetworkProblem problem = networkCases().at(7).problem;
+        Problem problem = networkCases().at(7).problem;
         for (std::size_t j = 0; j < problem.sections.size(); ++j)
             problem.sections[j].transitTime *= 1 + 0.01 * std::sin(double(j * j + 1));
         const NetworkImpact impact = solveNetwork(problem, {});

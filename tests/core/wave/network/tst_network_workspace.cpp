@@ -7,7 +7,7 @@
 #include <new>
 
 #include "core/wave/network/network_solver.h"
-#include "core/wave/network/string_problem.h"
+#include "core/wave/problem.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 #include "tests/support/network_scenes.h"
@@ -21,22 +21,22 @@ long allocations = 0;
 std::size_t bytesHeld = 0;
 constexpr std::size_t sizeOfSize = alignof(std::max_align_t);  ///< in front of what is given away
 
-NetworkProblem t38() {
-    return networkProblemOf(parseScenario(findExample("t38_string")->text, "t38_string").scenario);
+Problem t38() {
+    return problemOf(parseScenario(findExample("t38_string")->text, "t38_string").scenario);
 }
 
 /// As t38(), with couplings that are lumped masses, a mass at the bit, and faces with a stiffness.
-NetworkProblem withMasses() {
-    NetworkProblem problem = t38();
-    for (std::size_t j = problem.hammerSections; j < problem.sections.size(); ++j)
+Problem withMasses() {
+    Problem problem = t38();
+    for (std::size_t j = problem.hammerSections(); j < problem.sections.size(); ++j)
         problem.sections[j].massAfter = 0.2;
-    problem.face.stiffness = 5;
+    hammerOf(problem).face.stiffness = 5;
     return problem;
 }
 
-NetworkProblem withLosses() {
-    NetworkProblem problem = t38();
-    for (std::size_t j = problem.hammerSections; j < problem.sections.size(); ++j) {
+Problem withLosses() {
+    Problem problem = t38();
+    for (std::size_t j = problem.hammerSections(); j < problem.sections.size(); ++j) {
         problem.sections[j].decay = 0.01;
         if (j + 1 < problem.sections.size()) problem.sections[j].loss = 0.02;
     }
@@ -44,15 +44,15 @@ NetworkProblem withLosses() {
 }
 
 /// Only the hammer, a rod and the bit of it.
-NetworkProblem withFewSections() {
-    NetworkProblem problem = t38();
-    problem.sections.resize(problem.hammerSections + 2);
+Problem withFewSections() {
+    Problem problem = t38();
+    problem.sections.resize(problem.hammerSections() + 2);
     return problem;
 }
 
 /// Lengths of which none is a multiple of the same.
-NetworkProblem withOddLengths() {
-    NetworkProblem problem = t38();
+Problem withOddLengths() {
+    Problem problem = t38();
     for (std::size_t j = 0; j < problem.sections.size(); ++j)
         problem.sections[j].transitTime *= 1 + 1e-5 * std::sqrt(static_cast<double>(2 + j));
     return problem;
@@ -106,7 +106,7 @@ class TestNetworkWorkspace : public QObject {
     void aBlowOnTheSameStringAllocatesNothing() {
         QFETCH(int, string);
         QFETCH(int, accuracy);
-        const NetworkProblem problem = problems().at(std::size_t(string));
+        const Problem problem = problems().at(std::size_t(string));
         NetworkSolver solver;
         const NetworkSettings settings = settingsOf(NetworkAccuracy(accuracy));
         const NetworkImpact first = solver.solve(problem, settings);
@@ -121,10 +121,10 @@ class TestNetworkWorkspace : public QObject {
     void stringsThatTakeTurnsAllocateNothing() {
         const NetworkSettings settings = settingsOf(NetworkAccuracy::quick);
         NetworkSolver solver;
-        for (const NetworkProblem& problem : problems()) solver.solve(problem, settings);
-        const std::vector<NetworkProblem> again = problems();
+        for (const Problem& problem : problems()) solver.solve(problem, settings);
+        const std::vector<Problem> again = problems();
         const long before = allocations;
-        for (const NetworkProblem& problem : again) solver.solve(problem, settings);
+        for (const Problem& problem : again) solver.solve(problem, settings);
         QCOMPARE(allocations - before, 0);
     }
 
@@ -138,7 +138,7 @@ class TestNetworkWorkspace : public QObject {
         few.mostCells = 5000;  // other cells
         std::stop_source stopped;
         stopped.request_stop();
-        for (const NetworkProblem& problem : problems()) {
+        for (const Problem& problem : problems()) {
             const NetworkImpact alone = solveNetwork(problem, settings);
             compareSums(solver.solve(problem, settings), alone);
             solver.solve(problem, few);
@@ -152,7 +152,7 @@ class TestNetworkWorkspace : public QObject {
     }
 
     void whatAVeryLongStringTookIsGivenBack() {
-        NetworkProblem problem = t38();
+        Problem problem = t38();
         problem.sections.back().transitTime *= 100'000;
         problem.law.beta = 1e-3;  // cells in one part
         problem.endTime = 1;
@@ -176,7 +176,7 @@ class TestNetworkWorkspace : public QObject {
     }
 
   private:
-    static std::vector<NetworkProblem> problems() {
+    static std::vector<Problem> problems() {
         return {t38(), withMasses(), withLosses(), withFewSections(), withOddLengths()};
     }
     static void strings() {

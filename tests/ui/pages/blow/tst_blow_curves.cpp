@@ -30,7 +30,7 @@ Solved solved(Groups groups, PulseShape shape = PulseShape::rectangular) {
 }
 
 BlowCurves curvesOf(const Solved& blow, double section = 0.5) {
-    return blowCurves(blow.impact, blow.problem.hammer, shownUnits(UnitSystem::dimensionless, {}), section);
+    return blowCurves(blow.impact, blow.problem.force(), shownUnits(UnitSystem::dimensionless, {}), section);
 }
 
 double largest(const GraphData& data) {
@@ -137,7 +137,7 @@ void TestBlowCurves::curvesScaleWithTheirUnits() {
     const Problem problem = problemOf(scenario);
     const Impact impact = ExactSolver().solve(problem, Detail::histories);
     const Scales scales = scalesOf(scenario);
-    const BlowCurves curves = blowCurves(impact, problem.hammer, shownUnits(UnitSystem::si, scales), 0.5);
+    const BlowCurves curves = blowCurves(impact, problem.force(), shownUnits(UnitSystem::si, scales), 0.5);
     QCOMPARE(curves.units.force.unit, QStringLiteral("kN"));
     QCOMPARE(curves.units.time.unit, QStringLiteral("ms"));
     QVERIFY(std::abs(largest(curves.force) / (impact.peakForce * scales.force / 1000) - 1) < 1e-3);
@@ -155,8 +155,8 @@ void TestBlowCurves::everyPointIsFinite() {
 void TestBlowCurves::aCutTailEndsOnTheCurve() {
     const Solved blow = solved({0.5, 0.3, 0.4, 0}, PulseShape::exponential);
     const ShownUnits units = shownUnits(UnitSystem::dimensionless, {});
-    const BlowCurves kept = blowCurves(blow.impact, blow.problem.hammer, units, 0.5);
-    const BlowCurves cut = blowCurves(blow.impact, blow.problem.hammer, units, 0.5, Tail::cut);
+    const BlowCurves kept = blowCurves(blow.impact, blow.problem.force(), units, 0.5);
+    const BlowCurves cut = blowCurves(blow.impact, blow.problem.force(), units, 0.5, Tail::cut);
     QVERIFY((kept.momentum->constEnd() - 1)->key > kept.timeEnd);
     QCOMPARE((cut.momentum->constEnd() - 1)->key, cut.timeEnd);
     QVERIFY(std::abs(last(cut.momentum) - valueAt(kept.momentum, cut.timeEnd)) < 1e-12);

@@ -20,7 +20,7 @@ BlowCurves curvesFor(double beta, double gamma = 1) {
     const Problem problem = problemOf(scenario);
     const Impact impact = ExactSolver().solve(problem, Detail::histories);
     const ShownUnits units = shownUnits(UnitSystem::dimensionless, {});
-    BlowCurves curves = blowCurves(impact, problem.hammer, units, 0.5);
+    BlowCurves curves = blowCurves(impact, problem.force(), units, 0.5);
     curves.closedForm = closedFormCurve(problem, units, curves.timeEnd);
     return curves;
 }

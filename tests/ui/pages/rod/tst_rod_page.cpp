@@ -111,7 +111,7 @@ void TestRodPage::askedForItsCurvesTheWorkerBuildsThem() {
     std::stop_source stop;
     stop.request_stop();
     const RodCurves none =
-        rodCurves(blow->impact, blow->solved.hammer, blow->scenario, blow->units, stop.get_token());
+        rodCurves(blow->impact, blow->solved.force(), blow->scenario, blow->units, stop.get_token());
     QCOMPARE(none.envelope.steps, 0);
 }
 

@@ -611,7 +611,7 @@ void TestStringPage::theFormShowsWhatAppliesToAString() {
     type(field("end_time"), QStringLiteral("5"));
     settle();
     QCOMPARE(window().shown()->problem, QString());
-    QVERIFY(window().shown()->string->problem.face.stiffness.has_value());
+    QVERIFY(window().shown()->string->problem.hammer().face.stiffness.has_value());
     while (document().undoStack().canUndo()) document().undoStack().undo();
     openExample("t38_medium_rock");
     for (const char* gone : {"string", "hammer"})

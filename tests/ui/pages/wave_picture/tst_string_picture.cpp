@@ -129,7 +129,7 @@ void TestStringPicture::hammerAndAllSectionsAreInView() {
     // The colours go as far as the largest force, alike on both sides.
     double largest = 0;
     for (const SectionForces& section : blow->string->impact.sections)
-        largest = std::max({largest, 2 * section.compression.force, 2 * section.tension.force});
+        largest = std::max({largest, section.compression.force, section.tension.force});
     QCOMPARE(picture().limit, largest);
     QVERIFY(double(std::max(-picture().least, picture().largest)) <= largest * (1 + 1e-6));
     QVERIFY(!m_page->plot()->accessibleDescription().isEmpty());
