@@ -42,6 +42,13 @@ Problem stringProblem(const Scenario& scenario) {
 
 }  // namespace
 
+std::string_view rodRefusal(const Problem& problem) {
+    const UniformSection plain{.transitTime = problem.sections.front().transitTime};
+    if (problem.isForced() && problem.sections.size() == 1 && problem.sections.front() == plain) return {};
+    return "a hammer that strikes, several sections, masses and losses are not for this method, which "
+           "follows a force on a uniform rod";
+}
+
 Problem problemOf(const Scenario& scenario) {
     return isString(scenario) ? stringProblem(scenario)
                               : problemOf(pulseForceOf(scenario), groupsOf(scenario));

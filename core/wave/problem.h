@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -68,6 +69,10 @@ struct Problem {
     /// The gap that has to close before anything happens: the reference case begins in contact.
     double firstGap() const { return isForced() && force().isRigidBody() ? 0 : gap; }
 };
+
+/// Why this is no force on one uniform section and nothing else, which is all that solvers of rods take.
+/// Empty where it is.
+std::string_view rodRefusal(const Problem& problem);
 
 /// The blow of a valid scenario. The pulse may hold 100 000 points: to solve many blows of one pulse, change
 /// one problem.

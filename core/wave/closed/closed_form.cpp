@@ -165,6 +165,7 @@ bool overlapIsSmall(double beta, double tau) {
 }
 
 std::string closedFormRefusal(const Problem& problem) {
+    if (const std::string_view refusal = rodRefusal(problem); !refusal.empty()) return std::string(refusal);
     constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
     std::string found;
     const auto add = [&](const std::string& text) { found += (found.empty() ? "" : ", ") + text; };

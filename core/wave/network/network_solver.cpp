@@ -132,6 +132,8 @@ double balanceError(const NetworkImpact& impact) {
 }
 
 std::string_view networkRefusal(const Problem& problem) {
+    if (problem.isForced())
+        return "a force on the rear end is not for polynomial cells, which follow a hammer that strikes";
     for (std::size_t j = 0; j < problem.hammerSections(); ++j)
         if (problem.sections[j].decay > 0 ||
             (j + 1 < problem.hammerSections() && problem.sections[j].loss > 0))

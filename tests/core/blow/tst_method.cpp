@@ -49,6 +49,27 @@ class TestMethod : public QObject {
         QCOMPARE(impact.outcome, Outcome::notSolved);
         QCOMPARE(impact.reason, refusal);
     }
+
+    void everySolverTakesAProblemOrRefusesIt() {
+        const Problem rod = problemOf(Scene{PulseShape::rectangular, {0.5, 1, 10, 0}});
+        Problem two = rod, heavy = rod, struckRod = rod;
+        two.sections.push_back({.transitTime = 1});
+        heavy.sections[0].massAfter = 0.1;
+        struckRod.drive = ElasticHammer{};
+        struckRod.sections.insert(struckRod.sections.begin(), {.transitTime = 0.5});
+        MethodSolver solver;
+        for (const MethodChoice& choice : {MethodChoice{}, MethodChoice{Method::lattice, {.segments = 10}},
+                                           MethodChoice{Method::closedForm, {}}})
+            for (const Problem& other : {two, heavy, struckRod}) {
+                const Impact impact = solver.solve(other, Detail::cor, choice);
+                QCOMPARE(impact.outcome, Outcome::notSolved);
+                QVERIFY(impact.reason == rodRefusal(other) && !impact.reason.empty());
+                QCOMPARE(impact.hindrance, Hindrance::other);
+            }
+        QVERIFY(rodRefusal(rod).empty() && networkRefusal(struckRod).empty());
+        const NetworkImpact refused = solver.strings().solve(rod, {});
+        QVERIFY(refused.end == NetworkEnd::notSolved && refused.reason == networkRefusal(rod));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestMethod)
