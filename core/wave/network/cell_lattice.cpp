@@ -33,15 +33,21 @@ void CellLattice::begin(const MarchPlan& plan, long mostRecut) {
     m_events.clear();
     m_cuts = plan.cuts();
     // copies keep the memory for what has a map for every width
-    const FaceNode face(problem.sections[faceSection() - 1].impedance,
-                        problem.sections[faceSection()].impedance, problem.hammer().face);
+    if (problem.isForced()) {
+        m_force.emplace(problem.force(), problem.sections.front().impedance);
+        m_face = FaceNode();
+    } else {
+        m_force.reset();
+        const FaceNode face(problem.sections[faceSection() - 1].impedance,
+                            problem.sections[faceSection()].impedance, problem.hammer().face);
+        m_face = face;
+    }
     const BitNode bit(problem.sections.back().impedance, problem.sections.back().massAfter, problem.law,
                       problem.distance());
-    m_face = face;
     m_bit = bit;
     m_bit.setEvents(plan.wants().events ? &m_events : nullptr);
     m_passing.clear();
-    const double velocity = problem.hammer().velocity;
+    const double velocity = problem.isForced() ? 0 : problem.hammer().velocity;
     if (m_lines.size() < m_count) m_lines.resize(m_count);
     if (m_joints.size() < m_count - 1) m_joints.resize(m_count - 1);
     for (std::size_t j = 0; j < m_count; ++j) {
@@ -76,7 +82,7 @@ void CellLattice::orderTurns() {
 }
 
 void CellLattice::keepNodes() {
-    m_before.face = m_face.state();
+    m_before.face = face();
     m_before.bit = m_bit.state();
     m_before.events = m_events.size();
     m_before.massVelocities.clear();
@@ -84,7 +90,10 @@ void CellLattice::keepNodes() {
 }
 
 void CellLattice::restoreNodes() {
-    m_face.setState(m_before.face);
+    if (m_force)
+        m_force->setState(m_before.face);
+    else
+        m_face.setState(m_before.face);
     m_bit.setState(m_before.bit);
     m_events.resize(m_before.events);
     for (std::size_t j = 0; j + 1 < m_count; ++j) m_joints[j].setVelocity(m_before.massVelocities[j]);
@@ -98,7 +107,7 @@ double CellLattice::jumpPlace(std::size_t part, double place) const {
 CellLattice::NodeJump CellLattice::stepBlock(StringCensus& census, const std::stop_token& stop) {
     for (const NodeTurn& turn : m_turns) {
         if (stop.stop_requested()) return {};
-        const NodeJump jump = turn.node == 0               ? stepRear(turn)
+        const NodeJump jump = turn.node == 0               ? stepRear(turn, census)
                               : turn.node == m_count       ? stepBit(turn, census, stop)
                               : turn.node == faceSection() ? stepFace(turn, census)
                                                            : stepJoint(turn, census);
@@ -107,9 +116,26 @@ CellLattice::NodeJump CellLattice::stepBlock(StringCensus& census, const std::st
     return {};
 }
 
-CellLattice::NodeJump CellLattice::stepRear(const NodeTurn& turn) {
+/// A free end, or one that a force pushes.
+CellLattice::NodeJump CellLattice::stepRear(const NodeTurn& turn, StringCensus& census) {
     const WaveCell* back = m_lines[0].arriving();
-    for (std::size_t i = turn.from; i < turn.behind(); ++i) toDown(0)[i] = -m_passing[0] * back[i];
+    if (!m_force) {
+        for (std::size_t i = turn.from; i < turn.behind(); ++i) toDown(0)[i] = -m_passing[0] * back[i];
+        return {};
+    }
+    CellCuts::Walk at(m_cuts, m_step + static_cast<long>(turn.from));
+    const double censusClock = census.isUnderWay() ? census.time() : never;
+    for (std::size_t i = turn.from; i < turn.behind(); ++i, at.next()) {
+        const double time = at.clock(), width = at.width();
+        const WaveCell arriving = m_passing[0] * back[i];
+        if (censusClock >= time && censusClock < endOf(at)) {
+            const double share = std::min(1.0, (censusClock - time) / width);
+            ForceNode first = *m_force;
+            census.down(0).setEntered(first.step(arriving.part(0, share), time, share * width), time);
+            census.setFace(first.state());
+        }
+        toDown(0)[i] = m_force->step(arriving, time, width);
+    }
     return {};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "core/wave/network/cell_cuts.h"
 #include "core/wave/network/delay_line.h"
 #include "core/wave/network/face_node.h"
+#include "core/wave/network/force_node.h"
 #include "core/wave/network/joint.h"
 #include "core/wave/network/march_plan.h"
 #include "core/wave/network/node_turns.h"
@@ -46,7 +48,8 @@ class CellLattice {
 
     // Behind it
 
-    const FaceNodeState& face() const { return m_face.state(); }
+    /// Of the hammer, or of the force in its place.
+    const FaceNodeState& face() const { return m_force ? m_force->state() : m_face.state(); }
     const BitNodeState& bit() const { return m_bit.state(); }
     const std::vector<ImpactEvent>& events() const { return m_events; }  ///< where they are wanted
 
@@ -80,7 +83,7 @@ class CellLattice {
     void orderTurns();
     NodeJump stepBlock(StringCensus& census, const std::stop_token& stop);
     const WaveCell* arriving(std::size_t section, const NodeTurn& turn);
-    NodeJump stepRear(const NodeTurn& turn);
+    NodeJump stepRear(const NodeTurn& turn, StringCensus& census);
     NodeJump stepJoint(const NodeTurn& turn, StringCensus& census);
     NodeJump stepFace(const NodeTurn& turn, StringCensus& census);
     NodeJump stepBit(const NodeTurn& turn, StringCensus& census, const std::stop_token& stop);
@@ -101,6 +104,7 @@ class CellLattice {
     CellCuts m_cuts;
     std::vector<Joint> m_joints;  ///< in front of section j + 1 at [j]; that of the face is not used
     FaceNode m_face;
+    std::optional<ForceNode> m_force;  ///< in front of the first section, in place of hammer and face
     BitNode m_bit;
     std::vector<DelayLine<WaveCell>> m_lines;  ///< waves back, of each section
     std::vector<WaveCell> m_downs;             ///< waves down over the block, of one section after the other

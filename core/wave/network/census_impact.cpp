@@ -8,9 +8,15 @@ NetworkImpact impactOf(const Problem& problem, const CensusResult& census) {
     impact.endTime = census.time;
     for (std::size_t j = 0; j < problem.hammerSections(); ++j)
         impact.hammerMass += problem.sections[j].mass() + problem.sections[j].massAfter;
-    const double velocity = problem.hammer().velocity;
-    impact.hammerMomentum = impact.hammerMass * velocity;
-    impact.hammerEnergy = impact.hammerMomentum * velocity / 2;
+    const FaceRecord& face = census.face.record;
+    if (problem.isForced()) {
+        impact.hammerMomentum = face.impulse;
+        impact.hammerEnergy = face.work;
+    } else {
+        const double velocity = problem.hammer().velocity;
+        impact.hammerMomentum = impact.hammerMass * velocity;
+        impact.hammerEnergy = impact.hammerMomentum * velocity / 2;
+    }
     const double e0 = impact.hammerEnergy;
 
     BilinearLaw<double> law = census.bit.law;
@@ -39,7 +45,6 @@ NetworkImpact impactOf(const Problem& problem, const CensusResult& census) {
         impact.endOfBlow = rock.lastSeparation + problem.transitTime();
     impact.contactDuration = rock.contactDuration;
     impact.contacts = rock.contacts;
-    const FaceRecord& face = census.face.record;
     impact.faceImpulse = face.impulse;
     impact.faceSeparation = face.firstSeparation;
     return impact;

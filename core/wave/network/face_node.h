@@ -17,6 +17,7 @@ namespace drillwave {
 struct FaceRecord {
     double impulse = 0;           ///< ∫P dt
     double impulseMoment = 0;     ///< ∫P t dt
+    double work = 0;              ///< of a force in place of a hammer: ∫Fa v dt
     double firstRelease = -1;     ///< when P first fell to zero; negative: never
     double firstSeparation = -1;  ///< when the faces first moved apart; negative: never
 };

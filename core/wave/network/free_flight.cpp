@@ -17,7 +17,8 @@ FreeFlight::Margins FreeFlight::margins(const Problem& problem, double cell, con
         return std::sqrt(cell * std::max(0.0, energy) / problem.sections[j].impedance);
     };
     const std::size_t face = problem.hammerSections();
-    return {margin(start.hammerEnergy, face - 1) + margin(start.stringEnergy, face),
+    const double hammer = face > 0 ? margin(start.hammerEnergy, face - 1) : 0;
+    return {hammer + margin(start.stringEnergy, face),
             margin(start.stringEnergy, problem.sections.size() - 1)};
 }
 
@@ -62,14 +63,14 @@ bool FreeFlight::staysClear(double cells, const std::stop_token& stop) {
 }
 
 bool FreeFlight::step(const NodeTurn& turn) {
-    if (turn.node == m_face) return stepFace(turn);
     if (turn.node == m_count) return stepBit(turn);
-    if (turn.node == 0) {
+    if (turn.node == 0) {  // free: a force in place of the hammer is over
         const double* back = m_lines[0].arriving();
         double* f = down(0);
         for (std::size_t i = turn.from; i < turn.behind(); ++i) f[i] = -back[i];
         return true;
     }
+    if (turn.node == m_face) return stepFace(turn);
     const double r = m_reflections[turn.node];
     const double* f1 = down(turn.node - 1) + turn.from;
     const double* b2 = m_lines[turn.node].arriving() + turn.from;

@@ -15,6 +15,9 @@ namespace {
 /// Without another limit a blow is followed for so many round trips of the string.
 constexpr double mostRoundTrips = 40;
 
+/// Less than that of the largest force is no jump of it.
+constexpr double leastFront = 1e-9;
+
 /// What every node takes for every block of cells, in cells.
 constexpr long workOfBlock = 4;
 
@@ -34,12 +37,13 @@ void MarchPlan::begin(const Problem& problem, const CellGrid& grid, const Networ
         m_transitTimes.push_back(static_cast<double>(grid.roundTrips[j]) * grid.cell / 2);
         m_problem.sections[j].transitTime = m_transitTimes[j];
     }
-    m_problem.sections[m_problem.hammerSections() - 1].loss = 0;
+    if (!m_problem.isForced()) m_problem.sections[m_problem.hammerSections() - 1].loss = 0;
     m_problem.sections.back().loss = 0;
     m_lossy = losesEnergy(m_problem);
     m_clocks.begin(m_problem.hammerSections(), m_transitTimes);
     takeRates();
     m_cuts.begin(grid.cell, m_rates, wants.grading);
+    if (problem.isForced()) cutAtFronts(problem.force());
     foresee();
     // what is counted at the end shall not depend on how a wave runs within a part
     if (problem.endTime && wants.cutAt == CutAt::corners)
@@ -55,10 +59,33 @@ void MarchPlan::takeRates() {
     BitNode(all.back().impedance, all.back().massAfter, m_problem.law, m_problem.distance())
         .addRates(m_rates);
     const std::size_t h = m_problem.hammerSections();
-    const FaceNode face(all[h - 1].impedance, all[h].impedance, m_problem.hammer().face);
-    if (face.rate() > 0) m_rates.push_back(face.rate());
+    if (h > 0) {
+        const FaceNode face(all[h - 1].impedance, all[h].impedance, m_problem.hammer().face);
+        if (face.rate() > 0) m_rates.push_back(face.rate());
+    }
     for (std::size_t j = 0; j + 1 < all.size(); ++j)
         if (all[j].massAfter > 0) m_rates.push_back(Joint(all[j], all[j + 1], 0).rate());
+}
+
+/// Between the parts of the force, at jumps first: as many places are left for what contacts make.
+void MarchPlan::cutAtFronts(const PulseForce& force) {
+    if (m_wants.cutAt == CutAt::nothing) return;
+    int left = m_wants.grading.mostCuts / 2;
+    for (const bool jumps : {true, false}) {
+        double before = 0;
+        for (const PulseSegment& segment : force.segments) {
+            const double jump = std::abs(segment.forceAt(0) - before);
+            before = segment.forceAt(segment.length);
+            if (left == 0 || (jump > leastFront * force.peak) != jumps) continue;
+            if (!jumps && m_wants.cutAt != CutAt::corners) continue;
+            const double cells = segment.start / m_grid.cell;
+            if (m_cuts.cutAt(cells - std::floor(cells))) --left;
+        }
+        if (left > 0 && (before > leastFront * force.peak) == jumps) {
+            const double cells = force.end / m_grid.cell;
+            if (m_cuts.cutAt(cells - std::floor(cells))) --left;
+        }
+    }
 }
 
 void MarchPlan::foresee() {
@@ -75,7 +102,8 @@ void MarchPlan::foresee() {
 
 double MarchPlan::limitTime() const {
     if (m_problem.endTime) return *m_problem.endTime;
-    return m_problem.nextBlow.value_or(mostRoundTrips * 2 * m_clocks.bit());
+    const double forced = m_problem.isForced() ? m_problem.force().end : 0;
+    return m_problem.nextBlow.value_or(forced + mostRoundTrips * 2 * m_clocks.bit());
 }
 
 }  // namespace drillwave

@@ -56,6 +56,7 @@ class MarchPlan {
 
   private:
     void takeRates();
+    void cutAtFronts(const PulseForce& force);
     void foresee();
 
     Problem m_problem;

@@ -17,9 +17,13 @@ struct Smoothness {
     double mostChange;
     Grading grading;
     CutAt cutAt;
+    double cellOfForce;  ///< longest for a force of a few smooth parts [t0]
 };
-constexpr Smoothness quickSmoothness{0.2, {0.3, 1.5, 24}, CutAt::jumps};
-constexpr Smoothness sureSmoothness{0.02, {0.15, 1.25, 100}, CutAt::corners};
+constexpr Smoothness quickSmoothness{0.2, {0.3, 1.5, 24}, CutAt::jumps, 1 / 8.0};
+constexpr Smoothness sureSmoothness{0.02, {0.15, 1.25, 100}, CutAt::corners, 1 / 64.0};
+
+/// A force of more parts than that bends more often.
+constexpr double segmentsOfShape = 8;
 
 /// Round trips of hammer and string are at most so many cells; what shares none is rounded to that.
 constexpr double mostSharedCells = 2e6;
@@ -69,12 +73,24 @@ double elasticRate(const Problem& problem) {
     return problem.law.beta / problem.law.gamma / problem.sections.back().impedance;
 }
 
-/// Halves cells until the waves that the rock makes are smooth in them, as far as that is worth the work.
-void makeFine(CellGrid& grid, const Problem& problem, double mostChange) {
+/// Halves cells until the waves that force and rock make are smooth in them, as far as that is worth the
+/// work.
+void makeFine(CellGrid& grid, const Problem& problem, const Smoothness& smoothness) {
     constexpr double enoughCells = 4000;  // to all round trips: beyond it the parts behind fronts must do
     const double rate = elasticRate(problem);
     const double roundTrip = roundTripOf(problem);
-    while (rate * grid.cell > mostChange && roundTrip / grid.cell < enoughCells) grid.halve();
+    while (rate * grid.cell > smoothness.mostChange && roundTrip / grid.cell < enoughCells) grid.halve();
+    if (!problem.isForced()) return;
+    constexpr double enoughOfForce = 40'000;  // a table has as many corners as points
+    const double longest =
+        smoothness.cellOfForce /
+        std::max(1.0, static_cast<double>(problem.force().segments.size()) / segmentsOfShape);
+    while (grid.cell > longest && roundTrip / grid.cell < enoughOfForce) grid.halve();
+}
+
+/// Steps of t0 each: cells that divide t0 have all of them at one place.
+bool isStaircase(const Problem& problem) {
+    return problem.isForced() && problem.force().shape == PulseShape::piston;
 }
 
 NetworkWants wantsOf(NetworkWants wants, const Smoothness& smoothness) {
@@ -132,8 +148,9 @@ double balanceError(const NetworkImpact& impact) {
 }
 
 std::string_view networkRefusal(const Problem& problem) {
-    if (problem.isForced())
-        return "a force on the rear end is not for polynomial cells, which follow a hammer that strikes";
+    if (problem.isForced() && problem.force().isRigidBody())
+        return "a rod that moves towards the rock as a whole is not for polynomial cells, which follow a "
+               "force or a hammer";
     for (std::size_t j = 0; j < problem.hammerSections(); ++j)
         if (problem.sections[j].decay > 0 ||
             (j + 1 < problem.hammerSections() && problem.sections[j].loss > 0))
@@ -151,7 +168,16 @@ std::string_view networkRefusal(const Problem& problem) {
 }
 
 bool usualGrid(const Problem& problem, CellGrid& grid) {
-    return shareGrid(problem.sections, roundTripOf(problem) / mostSharedCells, grid);
+    const double least = roundTripOf(problem) / mostSharedCells;
+    if (isStaircase(problem)) {
+        std::vector<UniformSection> withTime = problem.sections;
+        withTime.push_back({.transitTime = 0.5});  // whose round trip is t0
+        if (shareGrid(withTime, least, grid)) {
+            grid.roundTrips.pop_back();
+            return true;
+        }
+    }
+    return shareGrid(problem.sections, least, grid);
 }
 
 /// One blow is all that its functions are about: problem, settings and stop stay the same.
@@ -231,13 +257,14 @@ const ForeseenWork& NetworkSolver::Workspace::planFine(const Problem& problem,
                                                        const NetworkSettings& settings,
                                                        const Smoothness& smoothness) {
     m_grid = m_usual;
-    makeFine(m_grid, problem, smoothness.mostChange);
+    makeFine(m_grid, problem, smoothness);
     for (int i = 0; i < settings.halvings; ++i) m_grid.halve();
     return m_march.plan(problem, m_grid, wantsOf(settings.wants, smoothness));
 }
 
 const ForeseenWork& NetworkSolver::Workspace::planRounded(const Problem& problem, double cell,
                                                           const NetworkWants& wants) {
+    if (isStaircase(problem)) cell = 1 / std::ceil(1 / cell);
     roundGrid(problem.sections, cell, m_grid);
     return m_march.plan(problem, m_grid, wants);
 }

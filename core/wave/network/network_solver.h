@@ -30,8 +30,8 @@ struct NetworkSettings {
     long mostCells = mostNetworkCells;
 };
 
-/// Why this is no problem that can be solved: a force in place of a hammer, losses inside the hammer. Empty
-/// where it is one.
+/// Why this is no problem that can be solved: losses inside the hammer, a bit mass that swings too fast.
+/// Empty where it is one.
 std::string_view networkRefusal(const Problem& problem);
 
 /// Writes the cell that all round trips share into `grid`. False where they share none.

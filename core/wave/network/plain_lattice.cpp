@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/contact/bilinear_law.h"
@@ -145,7 +146,7 @@ PlainBlow solvePlainLattice(const Problem& problem, const CellGrid& grid, const 
     const std::size_t last = sections.size() - 1, h = problem.hammerSections();
     std::vector<Ring> rings;
     std::vector<double> velocities(sections.size(), 0), kept, passing;
-    const double velocity = problem.hammer().velocity;
+    const double velocity = problem.isForced() ? 0 : problem.hammer().velocity;
     double stringTime = 0, hammerMass = 0;
     for (std::size_t j = 0; j <= last; ++j) {
         const double transit = static_cast<double>(grid.roundTrips[j]) * grid.cell / 2;
@@ -157,18 +158,29 @@ PlainBlow solvePlainLattice(const Problem& problem, const CellGrid& grid, const 
         if (j >= h) stringTime += transit;
     }
     PlainBit bit(problem);
-    PlainFace face(sections[h - 1].impedance, sections[h].impedance, problem.hammer().face);
+    std::optional<PlainFace> face;
+    if (h > 0) face.emplace(sections[h - 1].impedance, sections[h].impedance, problem.hammer().face);
+    double energy = hammerMass * velocity * velocity / 2, momentum = hammerMass * velocity;
     PlainBlow blow;
     const long steps = std::lround((*problem.endTime - stringTime) / grid.cell);
     for (long i = 0; i < steps; ++i) {
         if (i % 1024 == 0 && stop.stop_requested()) return blow;
-        double f = -kept[0] * rings[0].arriving();
+        const double back = kept[0] * rings[0].arriving();
+        double f = -back;
+        if (problem.isForced()) {
+            const double start = static_cast<double>(i) * grid.cell;
+            const double impulse =
+                problem.force().impulseUntil(start + grid.cell) - problem.force().impulseUntil(start);
+            f += impulse / grid.cell;
+            energy += impulse * (f - back) / sections[0].impedance;
+            momentum += impulse;
+        }
         for (std::size_t j = 1; j <= last; ++j) {
             const double z1 = sections[j - 1].impedance, z2 = sections[j].impedance;
             const double f1 = kept[j - 1] * f;
             double b2 = kept[j] * rings[j].arriving(), b1 = 0;
             if (j == h) {
-                const double force = face.step(f1, b2, grid.cell);
+                const double force = face->step(f1, b2, grid.cell);
                 b1 = force - f1;
                 f = force - b2;
             } else {
@@ -187,8 +199,8 @@ PlainBlow solvePlainLattice(const Problem& problem, const CellGrid& grid, const 
         rings[last].leave(bit.step(kept[last] * f, grid.cell));
     }
     blow.isSolved = true;
-    blow.efficiency = bit.work() / (hammerMass * velocity * velocity / 2);
-    blow.rockImpulse = bit.impulse() / (hammerMass * velocity);
+    blow.efficiency = bit.work() / energy;
+    blow.rockImpulse = bit.impulse() / momentum;
     blow.peakForce = bit.peak();
     blow.cells = std::max(0L, steps) * static_cast<long>(sections.size() + 1);
     return blow;

@@ -74,7 +74,7 @@ CensusResult StringCensus::finish() {
                 (1 - passing) * ((down.passed + down.entered) / passing - kept * up.passed);
         }
     }
-    if (m_problem->hammer().face.stiffness && !result.face.apart)
+    if (!m_problem->isForced() && m_problem->hammer().face.stiffness && !result.face.apart)
         result.faceEnergy = result.face.force * result.face.force / (2 * *m_problem->hammer().face.stiffness);
     return result;
 }
@@ -123,21 +123,21 @@ std::optional<double> timeToLose(double way, double speed) {
 std::optional<double> restTime(const Problem& problem, const CensusResult& census) {
     if (!census.bit.isApart() || !census.face.apart) return {};
     const FreeBody string = freeBody(problem, problem.hammerSections(), problem.sections.size());
-    const FreeBody hammer = freeBody(problem, 0, problem.hammerSections());
     const double stringSpeed = census.stringMomentum / string.mass;
-    const double hammerSpeed = census.hammerMomentum / hammer.mass;
     const BitRecord& rock = census.bit.record;
     const FaceRecord& face = census.face.record;
     // ways of the centres of mass: ∫(t − t') F dt'/m
     const double pushed = census.time * face.impulse - face.impulseMoment;
     const double held = census.time * rock.impulse - rock.impulseMoment;
     const double stringWay = (pushed - held) / string.mass;
-    const double hammerWay = problem.hammer().velocity * census.time - pushed / hammer.mass;
     const double front =
         deviation(census.stringEnergy, census.stringMomentum, string.mass, string.frontCompliance);
     const auto rockRest = timeToLose(
         stringWay + front - problem.distance() - census.bit.law.residualPenetration(), -stringSpeed);
     if (!rockRest || census.face.released) return rockRest ? census.time + *rockRest : rockRest;
+    const FreeBody hammer = freeBody(problem, 0, problem.hammerSections());
+    const double hammerSpeed = census.hammerMomentum / hammer.mass;
+    const double hammerWay = problem.hammer().velocity * census.time - pushed / hammer.mass;
     const double rear =
         deviation(census.stringEnergy, census.stringMomentum, string.mass, string.rearCompliance);
     const double hammerFront =

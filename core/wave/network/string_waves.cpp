@@ -66,10 +66,11 @@ StringWaves::StringWaves(const Problem& problem, const std::vector<double>& rear
     }
 }
 
-void StringWaves::addStep(double clock, double width, const WaveCell& bitForce) {
+void StringWaves::addStep(double clock, double width, const WaveCell& bitForce, const WaveCell& rearForce) {
     m_clocks.push_back(clock);
     m_widths.push_back(width);
     m_bitForces.push_back(bitForce);
+    if (m_hammerSections == 0) m_rearForces.push_back(rearForce);
 }
 
 bool StringWaves::isFull() const {
@@ -83,6 +84,7 @@ void StringWaves::finish(double end) {
     m_end = end;
     makeCurves();
     m_bitForces = {};
+    m_rearForces = {};
     for (SectionWaves& section : m_sections) {
         section.down.shrink_to_fit();
         section.up.shrink_to_fit();
@@ -90,14 +92,14 @@ void StringWaves::finish(double end) {
 }
 
 void StringWaves::makeCurves() {
-    const SectionWaves& hammer = m_sections[m_hammerSections - 1];
     const SectionWaves& last = m_sections.back();
     const double kept = std::exp(-last.decay), bitTime = last.rearTime + last.transitTime;
-    CurvesOfCells<1> face({&m_faceForce}, hammer.rearTime + hammer.transitTime);
+    const SectionWaves* hammer = m_hammerSections > 0 ? &m_sections[m_hammerSections - 1] : nullptr;
+    CurvesOfCells<1> face({&m_faceForce}, hammer ? hammer->rearTime + hammer->transitTime : 0);
     CurvesOfCells<3> bit({&m_bitForce, &m_bitWave, &m_bitVelocity}, bitTime);
     for (std::size_t i = 0; i < m_clocks.size(); ++i) {
         const WaveCell g = kept * last.down[i];
-        face.add({hammer.down[i] + hammer.up[i]}, m_widths[i]);
+        face.add({hammer ? hammer->down[i] + hammer->up[i] : m_rearForces[i]}, m_widths[i]);
         bit.add({m_bitForces[i], g, (1 / last.impedance) * (g - last.up[i])}, m_widths[i]);
     }
     face.finish();

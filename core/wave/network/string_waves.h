@@ -48,7 +48,8 @@ class StringWaves {
         m_sections[section].down.push_back(down);
         m_sections[section].up.push_back(up);
     }
-    void addStep(double clock, double width, const WaveCell& bitForce);
+    /// `rearForce` is that on the rear end of the first section where it is given in place of a hammer.
+    void addStep(double clock, double width, const WaveCell& bitForce, const WaveCell& rearForce);
     bool isFull() const;
     /// Nothing follows; what is told is told up to `end`.
     void finish(double end);
@@ -79,9 +80,11 @@ class StringWaves {
 
     // Over global time; those at the bit are on the same pieces.
 
-    const PiecewisePolynomial& faceForce() const { return m_faceForce; }  ///< of hammer and string
-    const PiecewisePolynomial& bitForce() const { return m_bitForce; }    ///< F of the rock
-    const PiecewisePolynomial& bitWave() const { return m_bitWave; }      ///< g that arrives at the bit
+    const PiecewisePolynomial& faceForce() const {
+        return m_faceForce;
+    }  ///< of hammer, or given force, and string
+    const PiecewisePolynomial& bitForce() const { return m_bitForce; }  ///< F of the rock
+    const PiecewisePolynomial& bitWave() const { return m_bitWave; }    ///< g that arrives at the bit
     /// U' of the bit, with its mass where it has one: its integral is how far it has moved.
     const PiecewisePolynomial& bitVelocity() const { return m_bitVelocity; }
 
@@ -98,8 +101,8 @@ class StringWaves {
 
     std::vector<SectionWaves> m_sections;
     std::size_t m_hammerSections;
-    std::vector<double> m_clocks, m_widths;  ///< of the steps
-    std::vector<WaveCell> m_bitForces;       ///< until finish()
+    std::vector<double> m_clocks, m_widths;           ///< of the steps
+    std::vector<WaveCell> m_bitForces, m_rearForces;  ///< until finish(), those that are wanted
     double m_end = 0;
     PiecewisePolynomial m_faceForce, m_bitForce, m_bitWave, m_bitVelocity;
 };

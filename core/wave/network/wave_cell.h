@@ -37,8 +37,11 @@ struct WaveCell {
         return c[0] + c[1] * x + c[2] * (1.5 * x * x - 0.5) + c[3] * (2.5 * x * x - 1.5) * x;
     }
     double mean() const { return c[0]; }
-    /// ∫f² du.
-    double meanSquare() const { return c[0] * c[0] + c[1] * c[1] / 3 + c[2] * c[2] / 5 + c[3] * c[3] / 7; }
+    /// ∫f g du.
+    double meanProduct(const WaveCell& g) const {
+        return c[0] * g.c[0] + c[1] * g.c[1] / 3 + c[2] * g.c[2] / 5 + c[3] * g.c[3] / 7;
+    }
+    double meanSquare() const { return meanProduct(*this); }  ///< ∫f² du
     /// ∫u f du.
     double firstMoment() const { return c[0] / 2 + c[1] / 6; }
     /// How far f moves away from its mean, at most.

@@ -83,8 +83,10 @@ void WaveRecorder::addReflection(std::size_t section) {
 void WaveRecorder::addWaves() {
     if (m_waves->isFull()) return m_waves.reset();
     CellCuts::Walk at(m_lattice->cuts(), m_lattice->step());
+    const WaveCell* back = m_lattice->line(0).arriving();
     for (std::size_t i = 0; i < stepsOfBlock; ++i, at.next())
-        m_waves->addStep(at.clock(), at.width(), m_lattice->bitForces()[i]);
+        m_waves->addStep(at.clock(), at.width(), m_lattice->bitForces()[i],
+                         m_lattice->down(0)[i] + m_lattice->passing(0) * back[i]);
     for (std::size_t j = 0; j < m_plan->sections(); ++j)
         for (std::size_t i = 0; i < stepsOfBlock; ++i)
             m_waves->add(j, m_lattice->down(j)[i], m_lattice->line(j).leaving()[i]);

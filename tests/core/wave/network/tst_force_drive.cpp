@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A force on the rear end of a string: against the exact solver, a plain lattice and the balances.
+#include <QtTest>
+#include <numeric>
+
+#include "core/wave/network/network_solver.h"
+#include "core/wave/network/plain_lattice.h"
+#include "tests/support/network_scenes.h"
+#include "tests/support/scenes.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+namespace {
+
+double cor(const NetworkImpact& impact) {
+    return -impact.stringMomentum / impact.faceImpulse;
+}
+
+/// The same string with every section in two of the same impedance.
+Problem halved(Problem problem) {
+    std::vector<UniformSection> sections;
+    for (UniformSection section : problem.sections) {
+        UniformSection first = section;
+        first.massAfter = first.loss = 0;
+        first.transitTime = section.transitTime = section.transitTime / 2;
+        first.decay = section.decay = section.decay / 2;
+        sections.push_back(first);
+        sections.push_back(section);
+    }
+    problem.sections = sections;
+    return problem;
+}
+
+/// A few sections of all kinds under a force.
+Problem randomForcedString(Chance& chance) {
+    Problem problem = randomNetwork(chance);
+    problem.sections.erase(problem.sections.begin(),
+                           problem.sections.begin() + std::ptrdiff_t(problem.hammerSections()));
+    constexpr std::array shapes{PulseShape::rectangular, PulseShape::triangular, PulseShape::halfSine,
+                                PulseShape::exponential, PulseShape::trapezoid,  PulseShape::piston};
+    const unsigned shape = chance.below(shapes.size() + 1);
+    problem.drive = shape < shapes.size()
+                        ? pulseForceOf(shapes[shape], chance.logarithmic(0.3, 5))
+                        : pulseForceOf(TableShape{10 + int(chance.below(60)), chance.below(1000)});
+    return problem;
+}
+
+}  // namespace
+
+class TestForceDrive : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void stringOfOneSectionEqualsTheExactSolver_data() {
+        addRodScenes();
+        QTest::newRow("exponential") << Scene{PulseShape::exponential, {1.5, 0.4, 3.3, 0.1}};
+        QTest::newRow("trapezoid") << Scene{PulseShape::trapezoid, {0.4, 0.2, 6.1, 0.2}};
+        QTest::newRow("stiff rock") << Scene{PulseShape::triangular, {30, 0.3, 5, 0}};
+        QTest::newRow("long rod of no whole number of t0")
+            << Scene{PulseShape::rectangular, {0.5, 0.3, 7.123456, 0.3}};
+        QTest::newRow("piston, no whole number of t0") << Scene{PulseShape::piston, {0.5, 0.3, 3.21, 0.1}};
+        QTest::newRow("elastic piston") << Scene{PulseShape::piston, {1, 1, 4, 0.3}};
+    }
+
+    void stringOfOneSectionEqualsTheExactSolver() {
+        QFETCH(Scene, scene);
+        const Problem problem = problemOf(scene);
+        if (problem.force().isRigidBody()) {
+            QVERIFY(!networkRefusal(problem).empty());
+            return;
+        }
+        const Impact exact = solve(scene, Detail::ledger);
+        const NetworkImpact impact = solveNetwork(problem, {});
+        QVERIFY2(impact.end == NetworkEnd::proven, impact.reason.c_str());
+        const auto agrees = [](const char* what, double value, double expected) {
+            QVERIFY2(std::abs(value - expected) < 1e-9, QString("%1: %2, not %3")
+                                                            .arg(what)
+                                                            .arg(value, 0, 'g', 15)
+                                                            .arg(expected, 0, 'g', 15)
+                                                            .toUtf8());
+        };
+        agrees("cor", cor(impact), exact.cor);
+        agrees("impulse", impact.rockImpulse, exact.impulse);
+        agrees("peak force", impact.peakForce, exact.peakForce);
+        agrees("hammer work", impact.hammerEnergy, exact.hammerWork);
+        agrees("rock work", impact.energy.rock * impact.hammerEnergy, exact.rockWork);
+        agrees("first contact", impact.firstContact, exact.firstContactTime);
+        agrees("last separation", impact.lastSeparation, exact.separationTime);
+        QVERIFY(std::abs(impact.momentumResidual) < 1e-11);
+        QVERIFY(std::abs(cor(impact) - exact.cor) <= impact.corError);
+    }
+
+    void aMeasuredBlowOnOneSectionIsWithinItsStatedError() {
+        for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) {
+            const Groups groups{0.7, 0.2, 4 + 0.37 * seed, 0.1 * seed};
+            const Problem problem = problemOf(pulseForceOf(TableShape{300, seed}), groups);
+            const Impact exact = ExactSolver().solve(problem, Detail::ledger);
+            const NetworkImpact impact = solveNetwork(problem, {});
+            QVERIFY2(impact.end == NetworkEnd::proven, impact.reason.c_str());
+            const double off = std::abs(cor(impact) - exact.cor);
+            QVERIFY2(off <= impact.corError && off < 1e-7,
+                     QByteArray::number(off) + " of " + QByteArray::number(impact.corError));
+            const double workOff = std::abs(impact.energy.rock - exact.rockWork / exact.hammerWork);
+            QVERIFY(workOff <= impact.efficiencyError);
+        }
+    }
+
+    void cuttingASectionInTwoChangesNothing() {
+        Chance chance(11);
+        for (int i = 0; i < 40; ++i) {
+            const Problem problem = randomForcedString(chance);
+            const NetworkImpact whole = solveNetwork(problem, {}), cut = solveNetwork(halved(problem), {});
+            QCOMPARE(whole.end, cut.end);
+            if (whole.end == NetworkEnd::notSolved) continue;
+            const double off = std::abs(whole.energy.rock - cut.energy.rock);
+            QVERIFY2(off <= whole.efficiencyError + cut.efficiencyError,
+                     QByteArray::number(i) + ": " + QByteArray::number(off));
+        }
+    }
+
+    void momentumAndEnergyBalance() {
+        Chance chance(12);
+        int solved = 0;
+        for (int i = 0; i < 200; ++i) {
+            const NetworkImpact impact = solveNetwork(randomForcedString(chance), {});
+            if (impact.end == NetworkEnd::notSolved) continue;
+            ++solved;
+            QVERIFY2(std::abs(impact.momentumResidual) < 1e-9,
+                     QByteArray::number(i) + ": " + QByteArray::number(impact.momentumResidual));
+            QVERIFY2(std::abs(impact.energyResidual) <= impact.efficiencyError, QByteArray::number(i));
+            QVERIFY(impact.peakForce >= 0);
+        }
+        QVERIFY2(solved > 180, QByteArray::number(solved));
+    }
+
+    /// Of first order: two of them tell where it leads.
+    void thePlainLatticeComesToTheSame() {
+        Chance chance(13);
+        int compared = 0;
+        for (int i = 0; i < 60; ++i) {
+            Problem problem = randomForcedString(chance);
+            problem.endTime = std::max(*problem.endTime, problem.force().end);
+            CellGrid grid;
+            if (!usualGrid(problem, grid)) continue;
+            while (grid.cell > 0.002) grid.halve();
+            const NetworkImpact impact = solveNetwork(problem, {});
+            if (impact.end == NetworkEnd::notSolved) continue;
+            const PlainBlow coarse = solvePlainLattice(problem, grid);
+            grid.halve();
+            const PlainBlow fine = solvePlainLattice(problem, grid);
+            if (std::abs(coarse.efficiency - fine.efficiency) > 1e-3) continue;  // not where it leads yet
+            ++compared;
+            const double off = std::abs(fine.efficiency - impact.energy.rock);
+            QVERIFY2(off <= 4 * std::abs(coarse.efficiency - fine.efficiency) + 1e-4,
+                     QByteArray::number(i) + ": " + QByteArray::number(off));
+        }
+        QVERIFY2(compared > 30, QByteArray::number(compared));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestForceDrive)
+#include "tst_force_drive.moc"
