@@ -45,10 +45,9 @@ std::string runHeader(const SolvedRun& run) {
 std::string historiesFile(const SolvedRun& run) {
     const Blow& blow = run.blow;
     if (blow.string) {
-        const DrillString& drill = blow.scenario.drillString;
-        const StringPlace place = middleOfLongest(drill);
+        const StringPlace place = middleOfLongest(blow.scenario.drillString);
         return scenarioHeader(run.scenarioText, describe(blow.method),
-                              stringHistoryColumns(drill, place, run.units)) +
+                              stringHistoryColumns(blow.scenario, place, run.units)) +
                stringHistoriesCsv(*blow.string, place, run.units, blow.scales);
     }
     return scenarioHeader(run.scenarioText, describe(blow.method), historyColumns(run.units)) +

@@ -37,6 +37,8 @@ struct Blow {
     double runTime = 0;         ///< of the solve alone [s]
 
     bool isSolved() const { return impact.outcome == Outcome::rebounded; }
+    /// What shares of energy are of [W0]: the energy of a hammer that is followed, or the work of the force.
+    double drivenEnergy() const { return isForced(scenario) ? summary.workRatio : 1; }
     /// Effective feed force over the largest of the four needs, less 1, where it and they are known.
     std::optional<double> thrustMargin() const {
         if (!feed || !feed->force || !widestNeed || !widestNeed->ofAllGaps) return std::nullopt;

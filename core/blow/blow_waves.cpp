@@ -81,8 +81,9 @@ double BlowWaves::roundTrip() const {
 }
 
 std::vector<double> BlowWaves::fronts() const {
-    if (m_string) return {0, m_string->hammerRoundTrip()};
-    return pulseFronts(m_blow->solved.force());
+    const Problem& problem = m_string ? m_blow->string->problem : m_blow->solved;
+    if (problem.isForced()) return pulseFronts(problem.force());
+    return {0, m_string->hammerRoundTrip()};
 }
 
 std::vector<FrontRun> BlowWaves::frontRuns(double start, double begin, double end) const {

@@ -26,8 +26,7 @@ std::optional<FeedForce> feedForceOf(const Scenario& scenario) {
 
 std::optional<double> weightAlongHole(const Scenario& scenario) {
     if (!hasUnits(scenario) || !scenario.drill.inclination) return std::nullopt;
-    const double carried =
-        isString(scenario) ? stringProperties(scenario.drillString).mass : propertiesOf(scenario.rod).mass;
+    const double carried = chainProperties(scenario).mass;
     const double mass = carried + scenario.drill.machineMass.value_or(0);
     return mass * standardGravity * sineOf(*scenario.drill.inclination);
 }

@@ -65,9 +65,8 @@ std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double 
     found.motion = undampedMotion(found.feed, rebound);
     found.roundTrips = *roundTripsBetweenBlows(scenario);
     const Scales scales = scalesOf(scenario);
-    const double velocity = isString(scenario)
-                                ? transferred * scales.impulse / stringProperties(scenario.drillString).mass
-                                : scales.velocity;
+    const double velocity =
+        isForced(scenario) ? scales.velocity : transferred * scales.impulse / chainProperties(scenario).mass;
     found.gap = found.motion.gap * velocity / *scenario.drill.blowFrequency;  // (T37)
     found.inD0 =
         isString(scenario) ? found.gap / scales.penetration : found.motion.gap * found.roundTrips;  // (T37)

@@ -42,12 +42,25 @@ Number ofString(const From& from) {
     return (*from.summary.string).*member;
 }
 
+/// One that only a hammer of sections gives.
+template <double StringSummary::*member>
+Number ofHammer(const From& from) {
+    return isForced(from.scenario) ? std::nullopt : ofString<member>(from);
+}
+
 std::string notAString(const Scenario& scenario) {
     return isString(scenario) ? std::string() : "only a drill string has it (`drillwave: 2`)";
 }
 
-std::string notOfElasticFaces(const Scenario& scenario) {
+std::string notOfAHammer(const Scenario& scenario) {
     if (!isString(scenario)) return notAString(scenario);
+    return isForced(scenario)
+               ? "only a hammer of sections has it (`hammer`), this string is driven by a force"
+               : std::string();
+}
+
+std::string notOfElasticFaces(const Scenario& scenario) {
+    if (isForced(scenario)) return notOfAHammer(scenario);
     return scenario.drillString.hammer.faceStiffness
                ? std::string()
                : "only faces with a stiffness have it (`hammer.face_stiffness`)";
@@ -191,15 +204,15 @@ constexpr auto outputTable = std::to_array<Output>({
      notAString},
     {"hammer_rebound_velocity",
      "velocity of the hammer after the blow, away from the rock, over that of impact", Measure::velocity,
-     Detail::summary, ofString<&StringSummary::hammerReboundVelocity>, OutputGroup::impact, "hammer rebound",
-     "Velocity of the hammer after the blow, away from the rock", nullptr, notAString},
+     Detail::summary, ofHammer<&StringSummary::hammerReboundVelocity>, OutputGroup::impact, "hammer rebound",
+     "Velocity of the hammer after the blow, away from the rock", nullptr, notOfAHammer},
     {"hammer_rebound_energy", "energy of the hammer moving back as a whole, fraction of that of impact",
-     Measure::share, Detail::summary, ofString<&StringSummary::hammerReboundEnergy>, OutputGroup::energy,
+     Measure::share, Detail::summary, ofHammer<&StringSummary::hammerReboundEnergy>, OutputGroup::energy,
      "into the hammer", "Share of its energy with which the hammer moves after the blow", nullptr,
-     notAString},
+     notOfAHammer},
     {"hammer_wave_energy", "energy left in waves of the hammer, fraction of its own", Measure::share,
-     Detail::summary, ofString<&StringSummary::hammerWaveEnergy>, OutputGroup::energy, "waves in the hammer",
-     "Share of its energy that runs to and fro in the hammer", nullptr, notAString},
+     Detail::summary, ofHammer<&StringSummary::hammerWaveEnergy>, OutputGroup::energy, "waves in the hammer",
+     "Share of its energy that runs to and fro in the hammer", nullptr, notOfAHammer},
     {"string_momentum",
      "momentum of the string after the blow, towards the rock, over that of the hammer",
      Measure::impulse,
@@ -227,12 +240,12 @@ constexpr auto outputTable = std::to_array<Output>({
      Detail::summary, ofString<&StringSummary::rodLoss>, OutputGroup::energy, "lost in sections",
      "Share of the energy of the hammer that waves lose on their way", nullptr, notAString},
     {"face_energy", "energy in the stiffness of the faces, fraction of that of the hammer", Measure::share,
-     Detail::summary, ofString<&StringSummary::faceEnergy>, OutputGroup::energy, "between the faces",
+     Detail::summary, ofHammer<&StringSummary::faceEnergy>, OutputGroup::energy, "between the faces",
      "Share of the energy of the hammer in the stiffness of the faces, where they still touch", nullptr,
      notOfElasticFaces},
     {"piston_separation_time", "time at which hammer and string first part", Measure::time, Detail::summary,
-     ofString<&StringSummary::pistonSeparationTime>, OutputGroup::impact, "hammer leaves",
-     "Time at which hammer and string first part", nullptr, notAString},
+     ofHammer<&StringSummary::pistonSeparationTime>, OutputGroup::impact, "hammer leaves",
+     "Time at which hammer and string first part", nullptr, notOfAHammer},
     {"end_time",
      "time to which the blow was followed",
      Measure::time,
@@ -252,8 +265,8 @@ std::string Output::problem(const Scenario& scenario) const {
 }
 
 bool Output::concerns(const Scenario& scenario) const {
-    if (lack == notAString) return isString(scenario);
-    if (lack == notOfElasticFaces) return lack(scenario).empty();
+    if (lack == notAString || lack == notOfAHammer || lack == notOfElasticFaces)
+        return lack(scenario).empty();
     if (lack == notAUniformRod) return !isString(scenario);
     return true;
 }

@@ -64,11 +64,9 @@ ImpactSummary summarize(const Scenario& scenario, const StringBlow& blow) {
     summary.corError = impact.corError;
     summary.contacts = impact.contacts;
     summary.momentumResidual = from.momentumResidual;
-    summary.workRatio = 1 - from.energy.hammer - from.energy.face;
-
-    double stringMass = 0;
-    for (std::size_t j = blow.problem.hammerSections(); j < blow.problem.sections.size(); ++j)
-        stringMass += blow.problem.sections[j].mass() + blow.problem.sections[j].massAfter;
+    const double stringMass = blow.problem.mass();
+    summary.workRatio = blow.problem.isForced() ? from.hammerEnergy * 2 * stringMass  // [paper (2)]
+                                                : 1 - from.energy.hammer - from.energy.face;
     const double rebound = from.stringMomentum * from.stringMomentum / (2 * stringMass) / from.hammerEnergy;
     summary.energy = {from.energy.rock, rebound, from.energy.string - rebound, from.energyResidual};
 
@@ -77,10 +75,12 @@ ImpactSummary summarize(const Scenario& scenario, const StringBlow& blow) {
     string.endTime = from.endTime;
     string.efficiency = from.energy.rock;
     string.efficiencyError = from.efficiencyError;
-    const double back = -from.pistonMomentum / from.hammerMass;
-    string.hammerReboundVelocity = back / blow.problem.hammer().velocity;
-    string.hammerReboundEnergy = from.hammerMass * back * back / 2 / from.hammerEnergy;
-    string.hammerWaveEnergy = from.energy.hammer - string.hammerReboundEnergy;
+    if (!blow.problem.isForced()) {
+        const double back = -from.pistonMomentum / from.hammerMass;
+        string.hammerReboundVelocity = back / blow.problem.velocity();
+        string.hammerReboundEnergy = from.hammerMass * back * back / 2 / from.hammerEnergy;
+        string.hammerWaveEnergy = from.energy.hammer - string.hammerReboundEnergy;
+    }
     string.efficiencyRecovered = from.energy.rock + string.hammerReboundEnergy;
     string.stringMomentum = from.stringMomentum / from.hammerMomentum;
     string.stringEnergy = from.energy.string;

@@ -36,7 +36,7 @@ StringInstant middleOf(const StringInstant& a, const StringInstant& b) {
 }  // namespace
 
 double hammerRear(const DrillString& drillString) {
-    return -hammerProperties(drillString).length / stringProperties(drillString).length;
+    return 0 - hammerProperties(drillString).length / stringProperties(drillString).length;
 }
 
 StringPlace stringPlace(const DrillString& drillString, double share) {
@@ -77,8 +77,8 @@ StringInstant StringHistory::at(double time, TimeSide side) const {
     const StringWaves& waves = *m_waves;
     const double t = std::clamp(time, 0.0, waves.end());
     const double beside = side == TimeSide::after ? t + waves.rounding() : t - waves.rounding();
-    const std::size_t face = m_blow->problem.hammerSections() - 1;
-    const double momentum = m_blow->impact.hammerMomentum, v0 = m_blow->problem.hammer().velocity;
+    const std::size_t ofHammer = m_blow->problem.hammerSections();
+    const double momentum = m_blow->impact.hammerMomentum, v0 = m_blow->problem.velocity();
     StringInstant now;
     now.time = t;
     now.impactForce = std::max(0.0, waves.bitForce()(beside));
@@ -86,7 +86,8 @@ StringInstant StringHistory::at(double time, TimeSide side) const {
     now.momentum = waves.faceForce().integral(t) / momentum - now.impulse;
     now.penetration = waves.bitVelocity().integral(t) * lawUnitOfPenetration - m_blow->problem.gap;
     now.frontVelocity = waves.bitVelocity()(beside) / v0;
-    now.faceForce = std::max(0.0, waves.force(face, 1, t, side));
+    const double pushed = ofHammer > 0 ? waves.force(ofHammer - 1, 1, t, side) : waves.force(0, 0, t, side);
+    now.faceForce = std::max(0.0, pushed);
     const double down = waves.down(m_place.section, m_place.share, t, side);
     const double up = waves.up(m_place.section, m_place.share, t, side);
     now.positiveWave = 0 - down;

@@ -84,7 +84,7 @@ void addPistonAssumption(const Scenario& scenario, std::vector<Alert>& alerts) {
     if (std::abs(ratio - 1) < matchedImpedances) return;
     alerts.push_back({AlertLevel::information,
                       AlertCode::pistonImpedance,
-                      scenario.form == ScenarioForm::dimensional ? "pulse.diameter" : "pulse.impedance_ratio",
+                      hasUnits(scenario) ? "pulse.diameter" : "pulse.impedance_ratio",
                       {{"ratio", ratio}}});
 }
 
@@ -92,7 +92,7 @@ void addGapWithoutEffect(const Scenario& scenario, std::vector<Alert>& alerts) {
     if (scenario.pulse.shape != PulseShape::rigidBody || groupsOf(scenario).delta == 0) return;
     alerts.push_back({AlertLevel::information,
                       AlertCode::gapWithoutEffect,
-                      scenario.form == ScenarioForm::dimensional ? "bit_rock.gap" : "delta",
+                      hasUnits(scenario) ? "bit_rock.gap" : "delta",
                       {}});
 }
 
@@ -149,7 +149,8 @@ std::vector<Alert> alertsFor(const Scenario& scenario) {
     addImplausibleValues(scenario, alerts);
     if (isString(scenario)) {
         addImplausibleSections(scenario.drillString, alerts);
-    } else {
+    }
+    if (isForced(scenario)) {
         addLongPulse(scenario, alerts);
         addDefaultHammer(scenario, alerts);
         addPistonAssumption(scenario, alerts);

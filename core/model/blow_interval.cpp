@@ -9,9 +9,7 @@ namespace drillwave {
 
 std::optional<double> roundTripsBetweenBlows(const Scenario& scenario) {
     if (!hasUnits(scenario) || !scenario.drill.blowFrequency) return std::nullopt;
-    const double transitTime = isString(scenario) ? stringProperties(scenario.drillString).transitTime
-                                                  : propertiesOf(scenario.rod).transitTime;
-    return 1 / (2 * transitTime * *scenario.drill.blowFrequency);
+    return 1 / (2 * chainProperties(scenario).transitTime * *scenario.drill.blowFrequency);
 }
 
 std::optional<int> stepOfWaves(double roundTrips) {

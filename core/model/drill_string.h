@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A hammer and the string of sections that it strikes, as plain values (files §1.3).
+// A string of sections and the hammer that strikes it, as plain values (files §1.3).
 #pragma once
 
 #include <cstddef>
@@ -45,7 +45,7 @@ struct StringPart {
 /// What strikes, all of it with the same velocity.
 struct Hammer {
     double velocity = 10;                 ///< v0 [m/s] at impact
-    std::vector<Section> sections;        ///< from the rear to the face
+    std::vector<Section> sections;        ///< from the rear to the face; none: a force is in its place
     std::optional<double> faceStiffness;  ///< k_c [N/m] between hammer and string; rigid when not given
     bool restrike = true;  ///< the hammer stays there to be hit again; false: withdrawn once separated
     bool operator==(const Hammer&) const = default;

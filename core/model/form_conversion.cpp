@@ -21,9 +21,6 @@ std::string titleAs(std::string title, std::string_view form) {
     return title.empty() ? title : title.append(form);
 }
 
-/// An impedance of so many times that of the rod stands for a rigid hammer.
-constexpr double rigidRatio = 20;
-
 Section sectionOf(const Piston& piston) {
     Section section;
     section.length = piston.length;
@@ -43,10 +40,9 @@ double wholeMillimetres(double length, std::vector<std::string>& lost) {
     return rounded;
 }
 
+/// The hammer of a rectangular blow or a piston.
 Hammer hammerOf(const Scenario& scenario, std::vector<std::string>& lost) {
     const Pulse& pulse = scenario.pulse;
-    const RodProperties rod = propertiesOf(scenario.rod);
-    const double duration = pulseDuration(scenario), impulse = pulseImpulse(scenario);
     Hammer hammer;
     hammer.restrike = false;
     if (pulse.shape == PulseShape::piston) {
@@ -62,23 +58,17 @@ Hammer hammerOf(const Scenario& scenario, std::vector<std::string>& lost) {
     section.diameter = scenario.rod.diameter;
     section.bore = scenario.rod.bore;
     section.area = scenario.rod.area;
-    if (pulse.shape == PulseShape::exponential) {
-        section.area = rigidRatio * rod.area;
-        section.length = rod.waveSpeed * duration / rigidRatio;
-        lost.emplace_back(
-            "The rigid hammer has become an elastic one of twenty times the impedance of the rod and the "
-            "same mass and momentum: its blow is a staircase about the exponential.");
-    } else {
-        section.length = wholeMillimetres(rod.waveSpeed * duration / 2, lost);
-        if (pulse.shape != PulseShape::rectangular)
-            lost.emplace_back(
-                "The shape of the blow: the hammer gives a rectangular one of the same duration and "
-                "impulse.");
-    }
+    const double length = propertiesOf(scenario.rod).waveSpeed * pulseDuration(scenario) / 2;
+    section.length = wholeMillimetres(length, lost);
     hammer.sections = {section};
     const Material material{scenario.rod.youngsModulus, scenario.rod.density};
-    hammer.velocity = impulse / propertiesOf(section, material).mass;
+    hammer.velocity = pulseImpulse(scenario) / propertiesOf(section, material).mass;
     return hammer;
+}
+
+/// Whether a uniform hammer makes that force; any other stays a force.
+bool isOfHammer(PulseShape shape) {
+    return shape == PulseShape::rectangular || shape == PulseShape::piston;
 }
 
 /// What differs from the section that is kept, in words; the rod itself not.
@@ -109,6 +99,22 @@ void nameLostHammer(const Hammer& hammer, std::vector<std::string>& lost) {
     if (hammer.faceStiffness) lost.emplace_back("The elastic face of the hammer: it is rigid.");
     if (hammer.restrike)
         lost.emplace_back("The hammer is not hit again once it has separated: it is withdrawn.");
+}
+
+/// The uniform hammer of the mass, velocity and transit time of this one.
+Pulse pistonOf(const DrillString& drill, std::vector<std::string>& lost) {
+    const ChainProperties hammer = hammerProperties(drill);
+    const Section& front = drill.hammer.sections.back();
+    Pulse pulse;
+    pulse.shape = PulseShape::piston;
+    Piston& piston = pulse.piston;
+    piston.velocity = drill.hammer.velocity;
+    piston.youngsModulus = front.youngsModulus.value_or(drill.material.youngsModulus);
+    piston.density = front.density.value_or(drill.material.density);
+    piston.length = propertiesOf(front, drill.material).waveSpeed * hammer.transitTime;
+    piston.diameter = std::sqrt(4 * hammer.mass / (std::numbers::pi * *piston.density * piston.length));
+    nameLostHammer(drill.hammer, lost);
+    return pulse;
 }
 
 }  // namespace
@@ -144,7 +150,10 @@ Conversion stringOf(const Scenario& scenario) {
     string.bitRock = scenario.bitRock;
     string.drill = scenario.drill;
     string.drillString.material = {scenario.rod.youngsModulus, scenario.rod.density};
-    string.drillString.hammer = hammerOf(scenario, converted.lost);
+    if (isOfHammer(scenario.pulse.shape))
+        string.drillString.hammer = hammerOf(scenario, converted.lost);
+    else
+        string.pulse = scenario.pulse;
     string.drillString.parts.resize(1);
     string.drillString.parts.front().sections = {sectionOf(scenario.rod, string.drillString.material)};
     return converted;
@@ -168,17 +177,8 @@ Conversion uniformRodOf(const Scenario& scenario) {
                    .density = kept.density.value_or(drill.material.density),
                    .yieldStrength = kept.yieldStrength,
                    .fatigueStrength = kept.fatigueStrength};
-    const ChainProperties hammer = hammerProperties(drill);
-    const Section& front = drill.hammer.sections.back();
-    uniform.pulse.shape = PulseShape::piston;
-    Piston& piston = uniform.pulse.piston;
-    piston.velocity = drill.hammer.velocity;
-    piston.youngsModulus = front.youngsModulus.value_or(drill.material.youngsModulus);
-    piston.density = front.density.value_or(drill.material.density);
-    piston.length = propertiesOf(front, drill.material).waveSpeed * hammer.transitTime;
-    piston.diameter = std::sqrt(4 * hammer.mass / (std::numbers::pi * *piston.density * piston.length));
     nameLostSections(drill, converted.lost);
-    nameLostHammer(drill.hammer, converted.lost);
+    uniform.pulse = isForced(scenario) ? scenario.pulse : pistonOf(drill, converted.lost);
     if (drill.endTime) converted.lost.emplace_back("The time until which the blow is followed.");
     return converted;
 }

@@ -190,11 +190,11 @@ constexpr std::array parameterTable{
               [](const S& s) { return Value(s.drillString.material.density); }, [](S& s, double v) { s.drillString.material.density = v; },
               {.presence = Presence::assumed}},
     Parameter{"hammer.velocity", "hammer velocity", "v0", "Velocity of the hammer when it strikes the string",
-              Quantity::velocity, "m/s", string_ranges::velocity, {1, 20}, linear, Scope::string,
+              Quantity::velocity, "m/s", string_ranges::velocity, {1, 20}, linear, Scope::hammer,
               [](const S& s) { return Value(s.drillString.hammer.velocity); }, [](S& s, double v) { s.drillString.hammer.velocity = v; },
               {.shortLabel = "velocity"}},
     Parameter{"hammer.face_stiffness", "face stiffness", "", "Stiffness of the contact of hammer and string; rigid if not given",
-              Quantity::stiffness, "GN/m", string_ranges::stiffness, {1e8, 1e11}, logarithmic, Scope::string,
+              Quantity::stiffness, "GN/m", string_ranges::stiffness, {1e8, 1e11}, logarithmic, Scope::hammer,
               [](const S& s) { return s.drillString.hammer.faceStiffness; }, [](S& s, double v) { s.drillString.hammer.faceStiffness = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drillString.hammer.faceStiffness.reset(); }}},
     Parameter{"end_time", "end time", "", "Time until when the blow of a drill string is followed; to its end if not given",
@@ -271,6 +271,8 @@ bool Parameter::applies(const Scenario& scenario) const {
             return hasUnits(scenario);
         case Scope::string:
             return isString(scenario);
+        case Scope::hammer:
+            return !isForced(scenario);
         case Scope::section:
             return hasSectionFor(*this, scenario);
         case Scope::uniformRod:
@@ -280,11 +282,12 @@ bool Parameter::applies(const Scenario& scenario) const {
         case Scope::withoutArea:
             return dimensional(scenario) && !scenario.rod.area;
         case Scope::givenPulse:
-            return dimensional(scenario) && shape != PulseShape::piston && shape != PulseShape::table;
+            return hasUnits(scenario) && isForced(scenario) && shape != PulseShape::piston &&
+                   shape != PulseShape::table;
         case Scope::trapezoid:
-            return !isString(scenario) && shape == PulseShape::trapezoid;
+            return isForced(scenario) && shape == PulseShape::trapezoid;
         case Scope::pistonInSi:
-            return dimensional(scenario) && shape == PulseShape::piston;
+            return hasUnits(scenario) && isForced(scenario) && shape == PulseShape::piston;
         case Scope::pistonByRatio:
             return !hasUnits(scenario) && shape == PulseShape::piston;
     }

@@ -61,14 +61,15 @@ class ParameterFunction {
 enum class Scope {
     all,
     withUnits,      ///< in physical quantities
-    string,         ///< hammer and string of sections
+    string,         ///< string of sections
+    hammer,         ///< that, struck by a hammer that is followed
     section,        ///< that, with such sections in it (section_parameter.h)
     uniformRod,     ///< in either form
     dimensional,    ///< a uniform rod in physical quantities
     withoutArea,    ///< dimensional, the rod given by its diameters
-    givenPulse,     ///< dimensional, duration and impulse not following from a piston or a table
-    trapezoid,      ///< that shape, in either form
-    pistonInSi,     ///< dimensional, with that shape
+    givenPulse,     ///< with units, of a force whose duration and impulse follow from no piston or table
+    trapezoid,      ///< of a force of that shape
+    pistonInSi,     ///< with units, of a force of that shape
     pistonByRatio,  ///< dimensionless, with that shape
 };
 

@@ -19,11 +19,24 @@ std::string refusal(std::string_view key, std::string_view text, std::string_vie
 }
 
 constexpr std::string_view notOfString = "only a uniform rod has it (`drillwave: 1`), this is a drill string";
+constexpr std::string_view notOfHammer =
+    "only a force in place of the hammer has it (`pulse`), this string is struck by a hammer";
+constexpr std::string_view notOfForce =
+    "only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)";
+
+/// Why a scenario has no such shape of the force; empty when it may have it.
+std::string_view shapeRefusal(const Scenario& scenario, PulseShape shape) {
+    if (!isForced(scenario)) return notOfHammer;
+    if (isString(scenario) && shape == PulseShape::rigidBody) return notOfString;
+    return {};
+}
 
 std::string assignShapeNamed(Scenario& scenario, std::string_view text) {
-    if (isString(scenario)) return refusal(pulseShapeKey, text, notOfString);
     const std::optional<PulseShape> shape = findPulseShape(trimmed(text));
-    if (!shape) return refusal(pulseShapeKey, text, "must be one of " + pulseShapeList());
+    if (isForced(scenario) && !shape)
+        return refusal(pulseShapeKey, text, "must be one of " + pulseShapeList());
+    if (const std::string_view reason = shapeRefusal(scenario, shape.value_or(PulseShape())); !reason.empty())
+        return refusal(pulseShapeKey, text, reason);
     scenario.pulse.shape = *shape;
     return {};
 }
@@ -31,6 +44,7 @@ std::string assignShapeNamed(Scenario& scenario, std::string_view text) {
 std::string assignRestrike(Scenario& scenario, std::string_view text) {
     const std::optional<bool> restrike = findTruth(trimmed(text));
     if (!isString(scenario)) return refusal(restrikeKey, text, notOfUniformRod);
+    if (isForced(scenario)) return refusal(restrikeKey, text, notOfForce);
     if (!restrike) return refusal(restrikeKey, text, "must be true or false");
     scenario.drillString.hammer.restrike = *restrike;
     return {};
@@ -57,9 +71,7 @@ std::string whyNotInString(const Parameter& parameter) {
     if (parameter.scope == Scope::uniformRod)
         return "follows from the lengths of hammer and string; set those, as `string.1.length`";
     return std::string(notOfString) +
-           std::string(parameter.section() == "rod"     ? "; set its sections, as `string.1.length`"
-                       : parameter.section() == "pulse" ? "; its blow follows from the hammer"
-                                                        : "");
+           std::string(parameter.section() == "rod" ? "; set its sections, as `string.1.length`" : "");
 }
 
 }  // namespace
@@ -81,7 +93,11 @@ std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenari
     if (parameter.applies(scenario)) return {};
     if (parameter.scope == Scope::section) return whyNoSection(parameter, scenario);
     if (parameter.scope == Scope::string) return std::string(notOfUniformRod);
-    if (isString(scenario)) return whyNotInString(parameter);
+    if (parameter.scope == Scope::hammer)
+        return std::string(isString(scenario) ? notOfForce : notOfUniformRod);
+    const bool ofPulse = parameter.section() == "pulse";
+    if (!isForced(scenario) && ofPulse) return std::string(notOfHammer);
+    if (isString(scenario) && !ofPulse) return whyNotInString(parameter);
     const std::string shape(name(scenario.pulse.shape));
     if (parameter.scope == Scope::trapezoid) return "only a trapezoid has it, the shape is " + shape;
     if (parameter.scope == Scope::pistonByRatio && scenario.pulse.shape == PulseShape::piston)
@@ -103,7 +119,8 @@ std::string assignNumber(Scenario& scenario, const Parameter& parameter, double 
 }
 
 std::string assignShape(Scenario& scenario, PulseShape shape) {
-    if (isString(scenario)) return "has no meaning here: " + std::string(notOfString);
+    if (const std::string_view reason = shapeRefusal(scenario, shape); !reason.empty())
+        return "has no meaning here: " + std::string(reason);
     scenario.pulse.shape = shape;
     return {};
 }

@@ -7,14 +7,30 @@
 namespace drillwave {
 namespace {
 
+/// What the force pushes: the rod, or the first section of a string.
+const Section& rearSection(const DrillString& drillString) {
+    return drillString.parts.front().sections.front();
+}
+Material rearMaterial(const Scenario& scenario) {
+    if (!isString(scenario)) return {scenario.rod.youngsModulus, scenario.rod.density};
+    const Section& rear = rearSection(scenario.drillString);
+    const Material& material = scenario.drillString.material;
+    return {rear.youngsModulus.value_or(material.youngsModulus), rear.density.value_or(material.density)};
+}
+double rearImpedance(const Scenario& scenario) {
+    if (!isString(scenario)) return propertiesOf(scenario.rod).impedance;
+    return propertiesOf(rearSection(scenario.drillString), scenario.drillString.material).impedance;
+}
+
 /// Impedance and mass of the hammer, its material being the rod's where none is given.
 RodProperties hammerOf(const Scenario& scenario) {
     const Piston& piston = scenario.pulse.piston;
+    const Material rear = rearMaterial(scenario);
     Rod hammer;
     hammer.length = piston.length;
     hammer.diameter = piston.diameter;
-    hammer.youngsModulus = piston.youngsModulus.value_or(scenario.rod.youngsModulus);
-    hammer.density = piston.density.value_or(scenario.rod.density);
+    hammer.youngsModulus = piston.youngsModulus.value_or(rear.youngsModulus);
+    hammer.density = piston.density.value_or(rear.density);
     return propertiesOf(hammer);
 }
 
@@ -39,21 +55,10 @@ void add(ChainProperties& sum, const Section& section, const Material& material,
     sum.mass += times * (properties.mass + section.massAfter);
 }
 
-Scales scalesOfString(const DrillString& drillString) {
-    const RodProperties rule = propertiesOf(ruleSection(drillString), drillString.material);
-    const ChainProperties hammer = hammerProperties(drillString);
-    Scales scales;
-    scales.velocity = drillString.hammer.velocity;
-    scales.time = 2 * hammer.transitTime;
-    scales.impulse = hammer.mass * scales.velocity;
-    scales.force = rule.impedance * scales.velocity / 2;
-    scales.stress = scales.force / rule.area;
-    scales.particleVelocity = scales.velocity / 2;
-    scales.penetration = scales.velocity * scales.time;
-    scales.stiffness = rule.impedance / scales.time;
-    scales.energy = scales.impulse * scales.velocity / 2;
-    scales.length = stringProperties(drillString).length;
-    return scales;
+/// What stands for all of it in the scales: the rod, or the ruleSection() of a string.
+RodProperties ruleProperties(const Scenario& scenario) {
+    if (!isString(scenario)) return propertiesOf(scenario.rod);
+    return propertiesOf(ruleSection(scenario.drillString), scenario.drillString.material);
 }
 
 }  // namespace
@@ -95,12 +100,12 @@ ChainProperties stringProperties(const DrillString& drillString) {
 
 double pistonImpedanceRatio(const Scenario& scenario) {
     if (scenario.form == ScenarioForm::dimensionless) return scenario.pulse.piston.impedanceRatio;
-    return hammerOf(scenario).impedance / propertiesOf(scenario.rod).impedance;
+    return hammerOf(scenario).impedance / rearImpedance(scenario);
 }
 
 double pulseDuration(const Scenario& scenario) {
     if (!hasUnits(scenario)) return 1;
-    if (isString(scenario)) return 2 * hammerProperties(scenario.drillString).transitTime;
+    if (!isForced(scenario)) return 2 * hammerProperties(scenario.drillString).transitTime;
     const Pulse& pulse = scenario.pulse;
     if (pulse.shape == PulseShape::piston) return 2 * hammerOf(scenario).transitTime;
     if (pulse.shape == PulseShape::table)
@@ -110,7 +115,7 @@ double pulseDuration(const Scenario& scenario) {
 
 double pulseImpulse(const Scenario& scenario) {
     if (!hasUnits(scenario)) return 1;
-    if (isString(scenario))
+    if (!isForced(scenario))
         return hammerProperties(scenario.drillString).mass * scenario.drillString.hammer.velocity;
     if (scenario.pulse.shape == PulseShape::piston) return pistonImpulse(scenario);
     if (scenario.pulse.shape == PulseShape::table) return tableImpulse(scenario.pulse.tablePoints);
@@ -124,32 +129,43 @@ double meanForce(const Pulse& pulse) {
     return quotient;
 }
 
+ChainProperties chainProperties(const Scenario& scenario) {
+    if (isString(scenario)) return stringProperties(scenario.drillString);
+    const RodProperties rod = propertiesOf(scenario.rod);
+    return {scenario.rod.length, rod.transitTime, rod.mass};
+}
+
 Groups groupsOf(const Scenario& scenario) {
     if (!hasUnits(scenario)) return scenario.groups;
     const Scales scales = scalesOf(scenario);
-    const double transitTime = isString(scenario) ? stringProperties(scenario.drillString).transitTime
-                                                  : propertiesOf(scenario.rod).transitTime;
     return {.beta = scenario.bitRock.stiffness / scales.stiffness,
             .gamma = scenario.bitRock.gamma,
-            .tau = transitTime / scales.time,
+            .tau = chainProperties(scenario).transitTime / scales.time,
             .delta = scenario.bitRock.gap / scales.penetration};
 }
 
 Scales scalesOf(const Scenario& scenario) {
     if (!hasUnits(scenario)) return {};
-    if (isString(scenario)) return scalesOfString(scenario.drillString);
-    const RodProperties rod = propertiesOf(scenario.rod);
+    const RodProperties rule = ruleProperties(scenario);
+    const ChainProperties chain = chainProperties(scenario);
     Scales scales;
     scales.time = pulseDuration(scenario);
     scales.impulse = pulseImpulse(scenario);
-    scales.force = scales.impulse / scales.time;
-    scales.stress = scales.force / rod.area;
-    scales.velocity = scales.impulse / rod.mass;
-    scales.penetration = 2 * scales.impulse / rod.impedance;  // [paper (3)]
-    scales.stiffness = rod.impedance / scales.time;
+    if (isForced(scenario)) {
+        scales.force = scales.impulse / scales.time;
+        scales.velocity = scales.impulse / chain.mass;
+        scales.particleVelocity = scales.force / rule.impedance;
+        scales.penetration = 2 * scales.impulse / rule.impedance;  // [paper (3)]
+    } else {
+        scales.velocity = scenario.drillString.hammer.velocity;
+        scales.force = rule.impedance * scales.velocity / 2;
+        scales.particleVelocity = scales.velocity / 2;
+        scales.penetration = scales.velocity * scales.time;
+    }
+    scales.stress = scales.force / rule.area;
+    scales.stiffness = rule.impedance / scales.time;
     scales.energy = scales.impulse * scales.velocity / 2;
-    scales.length = scenario.rod.length;
-    scales.particleVelocity = scales.force / rod.impedance;
+    scales.length = chain.length;
     return scales;
 }
 

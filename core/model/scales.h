@@ -7,7 +7,8 @@
 namespace drillwave {
 
 /// Characteristic quantities (paper, section 5.1; theory §2), SI. Dimensionless × scale = SI. Those of a
-/// string stand behind the semicolon; Z and A are then those of its ruleSection().
+/// hammer that is followed stand behind the semicolon; of a string Z and A are those of its ruleSection(), m
+/// and L those of all of it.
 struct Scales {
     double time = 1;              ///< t0 [s]; twice the transit time of the hammer
     double impulse = 1;           ///< I0 [N s]; momentum of the hammer
@@ -18,7 +19,7 @@ struct Scales {
     double penetration = 1;       ///< d0 = 2 I0/Z [m] [paper (3)]; v0 t0
     double stiffness = 1;         ///< k0 = Z/t0 [N/m]
     double energy = 1;            ///< W0 = m v0²/2 [J]; of the hammer
-    double length = 1;            ///< L [m]; of the string
+    double length = 1;            ///< L [m]
     bool operator==(const Scales&) const = default;
 };
 
@@ -43,24 +44,27 @@ struct ChainProperties {
 };
 ChainProperties hammerProperties(const DrillString& drillString);
 ChainProperties stringProperties(const DrillString& drillString);
+/// Those of the uniform rod, or of the string.
+ChainProperties chainProperties(const Scenario& scenario);
 
-/// Impedance of the hammer over that of the rod (the `impedanceRatio` itself in a dimensionless scenario).
+/// Impedance of the hammer of a piston pulse over that of what it pushes (the `impedanceRatio` itself in a
+/// dimensionless scenario).
 double pistonImpedanceRatio(const Scenario& scenario);
 
-/// t0 [s]: the duration; 2·length/c of a piston; the length of a table; twice the transit time of the hammer
-/// of a string. 1 for a dimensionless scenario.
+/// t0 [s]: the duration; 2·length/c of a piston; the length of a table; twice the transit time of a hammer
+/// that is followed. 1 for a dimensionless scenario.
 double pulseDuration(const Scenario& scenario);
 
-/// I0 [N s]: the impulse; of the staircase of a piston; of a table; momentum of the hammer of a string. 1 for
-/// a dimensionless scenario.
+/// I0 [N s]: the impulse; of the staircase of a piston; of a table; momentum of a hammer that is followed. 1
+/// for a dimensionless scenario.
 double pulseImpulse(const Scenario& scenario);
 
 /// Mean force I0/t0 [N] of a pulse given by duration and impulse; where some double times the duration is
 /// exactly the impulse, that one, so that a force that was given reads back unchanged.
 double meanForce(const Pulse& pulse);
 
-/// β = k t0/Z, γ, τ = T/t0, δ = d Z/(2 I0); of a string δ = d/(v0 t0), T being the transit time of all of it;
-/// the given groups for a dimensionless scenario.
+/// β = k t0/Z, γ, τ = T/t0, δ = d Z/(2 I0), of a followed hammer d/(v0 t0), T being the transit time of all
+/// of it; the given groups for a dimensionless scenario.
 Groups groupsOf(const Scenario& scenario);
 
 /// The scales of a scenario with units; all 1 for a dimensionless one (not meaningful there). Requires a

@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// Shape of the force of the hammer on the rear end of the rod (files §1.1).
+/// Shape of the force of the hammer on the rear end of the rod or of the string (files §1.1).
 enum class PulseShape {
     rectangular,  ///< constant over the duration
     triangular,   ///< symmetric rise and fall
@@ -99,7 +99,7 @@ struct Groups {
 enum class ScenarioForm {
     dimensional,    ///< uniform rod and prescribed hammer force, in physical quantities
     dimensionless,  ///< the same, directly by its groups
-    string,         ///< hammer and string of sections, in physical quantities
+    string,         ///< string of sections under a hammer or a prescribed force, in physical quantities
 };
 
 /// Everything a scenario file says. Members that the form does not use keep their defaults.
@@ -108,7 +108,7 @@ struct Scenario {
     ScenarioForm form = ScenarioForm::dimensional;
     Groups groups;            ///< the definition when dimensionless; see groupsOf() otherwise
     Rod rod;                  ///< dimensional only
-    Pulse pulse;              ///< not of a string
+    Pulse pulse;              ///< where isForced()
     BitRock bitRock;          ///< with units
     Drill drill;              ///< with units
     DrillString drillString;  ///< of a string
@@ -119,9 +119,13 @@ struct Scenario {
 inline bool hasUnits(const Scenario& scenario) {
     return scenario.form != ScenarioForm::dimensionless;
 }
-/// Whether it is a hammer and a string of sections, and not a uniform rod.
+/// Whether it is a string of sections, and not a uniform rod.
 inline bool isString(const Scenario& scenario) {
     return scenario.form == ScenarioForm::string;
+}
+/// Whether the blow is a prescribed force, and not a hammer of sections that is followed too.
+inline bool isForced(const Scenario& scenario) {
+    return !isString(scenario) || scenario.drillString.hammer.sections.empty();
 }
 
 }  // namespace drillwave

@@ -45,7 +45,6 @@ class SectionCheck {
 
     void checkHammer() {
         const std::size_t count = m_string.hammer.sections.size();
-        if (count == 0) report("hammer.sections", "", "must have at least one section");
         if (count > maximumSections) report("hammer.sections", "", tooMany(count));
     }
 

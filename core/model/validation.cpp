@@ -62,6 +62,14 @@ void checkTable(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (!reason.empty()) report(problems, "pulse.points", "", reason);
 }
 
+/// A string that arrives as a whole is no blow of a force.
+void checkShape(const Scenario& scenario, std::vector<InputProblem>& problems) {
+    if (isString(scenario) && scenario.pulse.shape == PulseShape::rigidBody)
+        report(
+            problems, pulseShapeKey, std::string(name(scenario.pulse.shape)),
+            "is the reference case of a uniform rod (`drillwave: 1`); a drill string takes any other shape");
+}
+
 void checkPiston(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (scenario.pulse.shape != PulseShape::piston) return;
     const double ratio = pistonImpedanceRatio(scenario);
@@ -150,6 +158,9 @@ std::vector<InputProblem> validate(const Scenario& scenario) {
         std::ranges::move(sectionProblems(scenario.drillString), std::back_inserter(problems));
     } else {
         checkBore(scenario, problems);
+    }
+    if (isForced(scenario)) {
+        checkShape(scenario, problems);
         checkTrapezoid(scenario.pulse, problems);
         checkTable(scenario, problems);
         if (problems.empty()) checkPiston(scenario, problems);

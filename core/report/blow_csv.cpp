@@ -158,8 +158,9 @@ std::string stringHistoriesCsv(const StringBlow& blow, const StringPlace& place,
     return csv;
 }
 
-std::string stringHistoryColumns(const DrillString& drillString, const StringPlace& place,
-                                 OutputUnits units) {
+std::string stringHistoryColumns(const Scenario& scenario, const StringPlace& place, OutputUnits units) {
+    const DrillString& drillString = scenario.drillString;
+    const bool forced = isForced(scenario);
     const Section& section = *allSections(drillString)[place.section];
     const std::size_t ofHammer = drillString.hammer.sections.size();
     std::string where;
@@ -169,14 +170,18 @@ std::string stringHistoryColumns(const DrillString& drillString, const StringPla
                                       : std::to_string(place.section - ofHammer + 1) + " of the string";
     if (!section.name.empty()) where += " (" + section.name + ")";
     return "normal_force, positive_wave, negative_wave and velocity are those at " + where +
-           ", the normal forces tension positive; face_force is that of hammer and string; impact_force, "
-           "impulse, momentum, penetration and the velocities are positive into the rock; momentum is what "
-           "the hammer has given to the string less the impulse on the rock; penetration is that of the bit "
-           "below the first surface of the rock" +
-           (units == OutputUnits::si ? std::string(". Units stand in the header.")
-                                     : std::string("; units: time t0, force F0 = Z v0/2, impulse and "
-                                                   "momentum those of the hammer, penetration v0 t0, "
-                                                   "velocities v0."));
+           ", the normal forces tension positive; face_force is that of " +
+           (forced ? "the blow on the string" : "hammer and string") +
+           "; impact_force, impulse, momentum, penetration and the velocities are positive into the rock; "
+           "momentum is what the " +
+           (forced ? "blow" : "hammer") +
+           " has given to the string less the impulse on the rock; penetration is that of the bit below the "
+           "first surface of the rock" +
+           (units == OutputUnits::si ? ". Units stand in the header."
+            : forced ? "; units: time t0, force F0 = I0/t0, impulse and momentum I0, penetration "
+                       "2 I0/Z, velocities v0 = I0/m."
+                     : "; units: time t0, force F0 = Z v0/2, impulse and momentum those of "
+                       "the hammer, penetration v0 t0, velocities v0.");
 }
 
 std::string eventsCsv(const Impact& impact, OutputUnits units, const Scales& scales) {

@@ -43,7 +43,7 @@ std::string stringHistoriesCsv(const StringBlow& blow, const StringPlace& place,
                                const Scales& scales);
 
 /// Signs and units of these, and where the place is.
-std::string stringHistoryColumns(const DrillString& drillString, const StringPlace& place, OutputUnits units);
+std::string stringHistoryColumns(const Scenario& scenario, const StringPlace& place, OutputUnits units);
 
 /// kind, time of every event.
 std::string eventsCsv(const Impact& impact, OutputUnits units, const Scales& scales);

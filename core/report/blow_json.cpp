@@ -45,11 +45,6 @@ bool isEnergy(std::string_view output) {
     return std::ranges::find(energies, output) != std::end(energies);
 }
 
-/// What the hammer gives: of a rod its work, of a string the energy of its hammer [J].
-double energyOfHammer(const Blow& blow) {
-    return blow.scales.energy * (blow.string ? 1 : blow.summary.workRatio);
-}
-
 /// All that the scenario has, and the SI unit of each, "1" for what has none.
 void addSi(JsonObject& report, const Blow& blow) {
     JsonObject si, units;
@@ -146,7 +141,8 @@ JsonArray sectionsJson(const Blow& blow) {
 }  // namespace
 
 double inSi(const Output& output, double value, const Blow& blow) {
-    return value * (isEnergy(output.name) ? energyOfHammer(blow) : output.scale(blow.scales));
+    return value *
+           (isEnergy(output.name) ? blow.drivenEnergy() * blow.scales.energy : output.scale(blow.scales));
 }
 
 std::string blowJson(const Blow& blow, const std::string& scenarioText) {

@@ -67,23 +67,20 @@ std::string multipleText(const Output& output, double value, const Blow& blow, c
     const std::optional<StringSummary>& string = blow.summary.string;
     if (output.name == "cor") return style.number(value, 6) + " ± " + style.bound(blow.summary.corError);
     if (output.name == "efficiency" && string)
-        return style.number(100 * value, 6) + " ± " + style.bound(100 * string->efficiencyError) + " % of E₀";
+        return style.number(100 * value, 6) + " ± " + style.bound(100 * string->efficiencyError) +
+               (isForced(blow.scenario) ? " % of W" : " % of E₀");
     if (output.measure == Measure::error) return style.bound(std::abs(value));
     // Shares are known to 1e-12: what is smaller is rounding.
     if (output.measure == Measure::share)
         return style.number(std::abs(value) < 1e-12 ? 0 : 100 * value, reportDigits) +
-               (string ? " % of E₀" : " % of W");
-    return style.number(value, reportDigits) + std::string(measureText(output.measure, string.has_value()));
+               (isForced(blow.scenario) ? " % of W" : " % of E₀");
+    return style.number(value, reportDigits) +
+           std::string(measureText(output.measure, !isForced(blow.scenario)));
 }
 
 /// In joules.
 ReportCell energyCell(double ofW0, const Blow& blow, const ReadingStyle& style) {
     return {style.quantity(ofW0 * blow.scales.energy, Quantity::energy, reportDigits), {}};
-}
-
-/// What shares are of: of a string the energy of its hammer, of a rod the work of it, in W0.
-double shareUnit(const Blow& blow) {
-    return blow.string ? 1 : blow.summary.workRatio;
 }
 
 ReportCell siCell(const Output& output, double value, const Blow& blow, const ReadingStyle& style) {
@@ -94,7 +91,7 @@ ReportCell siCell(const Output& output, double value, const Blow& blow, const Re
         case Measure::work:
             return energyCell(value, blow, style);
         case Measure::share:
-            return {energyCell(std::abs(value) < 1e-12 ? 0 : value * shareUnit(blow), blow, style).text,
+            return {energyCell(std::abs(value) < 1e-12 ? 0 : value * blow.drivenEnergy(), blow, style).text,
                     inSi(output, value, blow)};
         default:
             break;
@@ -127,19 +124,29 @@ template <class Add>
 void addStringScales(const Blow& blow, const Add& add) {
     const DrillString& drill = blow.scenario.drillString;
     const Scales& scales = blow.scales;
-    const ChainProperties hammer = hammerProperties(drill), string = stringProperties(drill);
+    const ChainProperties string = stringProperties(drill);
     add("β", "stiffness k t₀/Z", blow.groups.beta, Quantity::ratio);
     add("γ", "elasticity of the rock", blow.groups.gamma, Quantity::ratio);
     add("τ", "transit time of the string over t₀", blow.groups.tau, Quantity::ratio);
     add("δ", "gap d/d₀", blow.groups.delta, Quantity::ratio);
-    add("t₀", "twice the transit time of the hammer", scales.time, Quantity::time);
-    add("p₀", "momentum of the hammer", scales.impulse, Quantity::impulse);
-    add("E₀", "energy of the hammer", scales.energy, Quantity::energy);
-    add("F₀", "force Z v₀/2, Z of the rod", scales.force, Quantity::force);
-    add("F₀/A", "its stress in the rod", scales.stress, Quantity::stress);
-    add("d₀", "displacement v₀ t₀", scales.penetration, Quantity::length);
-    add("m", "mass of the hammer", hammer.mass, Quantity::mass);
-    add("", "length of the hammer", hammer.length, Quantity::length);
+    if (isForced(blow.scenario)) {
+        add("t₀", "duration of the blow", scales.time, Quantity::time);
+        add("I₀", "impulse of the blow", scales.impulse, Quantity::impulse);
+        add("W₀", "energy I₀²/(2 m), m of the string", scales.energy, Quantity::energy);
+        add("F₀", "mean force I₀/t₀", scales.force, Quantity::force);
+        add("F₀/A", "its stress in the rod", scales.stress, Quantity::stress);
+        add("d₀", "displacement 2 I₀/Z, Z of the rod", scales.penetration, Quantity::length);
+    } else {
+        const ChainProperties hammer = hammerProperties(drill);
+        add("t₀", "twice the transit time of the hammer", scales.time, Quantity::time);
+        add("p₀", "momentum of the hammer", scales.impulse, Quantity::impulse);
+        add("E₀", "energy of the hammer", scales.energy, Quantity::energy);
+        add("F₀", "force Z v₀/2, Z of the rod", scales.force, Quantity::force);
+        add("F₀/A", "its stress in the rod", scales.stress, Quantity::stress);
+        add("d₀", "displacement v₀ t₀", scales.penetration, Quantity::length);
+        add("m", "mass of the hammer", hammer.mass, Quantity::mass);
+        add("", "length of the hammer", hammer.length, Quantity::length);
+    }
     add("", "mass of the string", string.mass, Quantity::mass);
     add("", "length of the string", string.length, Quantity::length);
 }

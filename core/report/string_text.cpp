@@ -29,10 +29,12 @@ std::string resultGrid(const Blow& blow) {
     TextGrid grid(CellAlignment::left);
     grid.add({"efficiency",
               rounded(string.efficiency, 12) + "  (error below " + boundText(string.efficiencyError) + ")"});
-    grid.add({"  and what the hammer takes back", rounded(string.efficiencyRecovered)});
-    grid.add({"work on the rock", si(string.efficiency * scales.energy, Quantity::energy)});
+    const bool forced = isForced(blow.scenario);
+    if (!forced) grid.add({"  and what the hammer takes back", rounded(string.efficiencyRecovered)});
+    grid.add(
+        {"work on the rock", si(string.efficiency * blow.drivenEnergy() * scales.energy, Quantity::energy)});
     grid.add({"impulse on the rock", si(summary.impulse * scales.impulse, Quantity::impulse),
-              rounded(summary.impulse) + " of the hammer's"});
+              rounded(summary.impulse) + (forced ? " of the force's" : " of the hammer's")});
     grid.add({"restitution e of the string", rounded(summary.cor)});
     grid.add({"peak force on the rock", si(summary.peakForce * scales.force, Quantity::force)});
     grid.add({"largest penetration", si(summary.maxPenetration * scales.penetration, Quantity::length)});
@@ -44,10 +46,11 @@ std::string resultGrid(const Blow& blow) {
             grid.add({"last separation", si(summary.separationTime * scales.time, Quantity::time)});
         grid.add({"time in contact", si(summary.contactDuration * scales.time, Quantity::time)});
     }
-    if (!std::isnan(string.pistonSeparationTime))
+    if (!forced && !std::isnan(string.pistonSeparationTime))
         grid.add({"hammer leaves", si(string.pistonSeparationTime * scales.time, Quantity::time)});
-    grid.add({"hammer rebound", si(string.hammerReboundVelocity * scales.velocity, Quantity::velocity),
-              "away from the rock"});
+    if (!forced)
+        grid.add({"hammer rebound", si(string.hammerReboundVelocity * scales.velocity, Quantity::velocity),
+                  "away from the rock"});
     if (blow.feed) {
         std::string needed = si(blow.feed->fullRate, Quantity::force);
         const std::optional<FeedForce>& force = blow.feed->force;
@@ -82,14 +85,17 @@ TextGrid stringEnergyGrid(const Blow& blow, const ReadingStyle& style) {
     const ImpactSummary& summary = blow.summary;
     const StringSummary& string = *summary.string;
     TextGrid grid(CellAlignment::left);
+    const double unit = blow.drivenEnergy() * blow.scales.energy;
     const auto add = [&](const char* label, double share) {
-        grid.add(
-            {label, percent(share, style), style.quantity(share * blow.scales.energy, Quantity::energy, 4)});
+        grid.add({label, percent(share, style), style.quantity(share * unit, Quantity::energy, 4)});
     };
-    add("energy of the hammer", 1);
+    const bool forced = isForced(blow.scenario);
+    add(forced ? "work of the force" : "energy of the hammer", 1);
     add("  in the rock", summary.energy.rockWork);
-    add("  hammer moving back", string.hammerReboundEnergy);
-    add("  waves in the hammer", string.hammerWaveEnergy);
+    if (!forced) {
+        add("  hammer moving back", string.hammerReboundEnergy);
+        add("  waves in the hammer", string.hammerWaveEnergy);
+    }
     add("  string moving back", summary.energy.reboundEnergy);
     add("  waves in the string", summary.energy.residualWaveEnergy);
     if (string.jointLoss > 0) add("  lost in joints", string.jointLoss);

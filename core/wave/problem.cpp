@@ -25,16 +25,20 @@ Problem stringProblem(const Scenario& scenario) {
     const double time = pulseDuration(scenario);
     const double slope = time / impedance;
 
-    ElasticHammer hammer{.sections = drill.hammer.sections.size(), .face = {}};
-    if (drill.hammer.faceStiffness) hammer.face.stiffness = *drill.hammer.faceStiffness * slope;
-    hammer.face.restrike = drill.hammer.restrike;
     Problem problem;
-    problem.drive = hammer;
+    if (isForced(scenario)) {
+        problem.drive = pulseForceOf(scenario);
+    } else {
+        ElasticHammer hammer{.sections = drill.hammer.sections.size(), .face = {}};
+        if (drill.hammer.faceStiffness) hammer.face.stiffness = *drill.hammer.faceStiffness * slope;
+        hammer.face.restrike = drill.hammer.restrike;
+        problem.drive = hammer;
+    }
     problem.sections.clear();
     for (const Section* section : allSections(drill))
         problem.sections.push_back(uniformSection(*section, drill, impedance, time));
     problem.law = {scenario.bitRock.stiffness * slope, scenario.bitRock.gamma};
-    problem.gap = scenario.bitRock.gap / (drill.hammer.velocity * time);
+    problem.gap = scenario.bitRock.gap / scalesOf(scenario).penetration;
     if (drill.endTime) problem.endTime = *drill.endTime / time;
     if (scenario.drill.blowFrequency) problem.nextBlow = 1 / (*scenario.drill.blowFrequency * time);
     return problem;

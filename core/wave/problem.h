@@ -65,7 +65,16 @@ struct Problem {
         for (std::size_t j = hammerSections(); j < sections.size(); ++j) time += sections[j].transitTime;
         return time;
     }
-    double distance() const { return 2 * gap; }  ///< the same in I0/Zr
+    /// M/(Zr t0) of the string, with its lumped masses.
+    double mass() const {
+        double sum = 0;
+        for (std::size_t j = hammerSections(); j < sections.size(); ++j)
+            sum += sections[j].mass() + sections[j].massAfter;
+        return sum;
+    }
+    /// v0 Zr/F0: of the hammer, or I0/M that a force gives to the string.
+    double velocity() const { return isForced() ? 1 / mass() : hammer().velocity; }
+    double distance() const { return 2 * gap; }  ///< δ in I0/Zr
     /// The gap that has to close before anything happens: the reference case begins in contact.
     double firstGap() const { return isForced() && force().isRigidBody() ? 0 : gap; }
 };

@@ -38,8 +38,8 @@ void refuseTableKeys(SectionReader& reader, const YamlEntries& entries, PulseSha
 
 bool readCoordinate(SectionReader& reader, const YamlNode& node, Quantity quantity, std::string_view unit,
                     double& value) {
-    const Quantity expected = reader.dimensional() ? quantity : Quantity::ratio;
-    const Unit* example = findUnit(expected, reader.dimensional() ? unit : "");
+    const Quantity expected = hasUnits(reader.scenario()) ? quantity : Quantity::ratio;
+    const Unit* example = findUnit(expected, hasUnits(reader.scenario()) ? unit : "");
     const TypedQuantity typed = parseQuantity(node.text, expected, BareNumber::refused, example);
     if (!typed.valid()) reader.problems().reportValue(node.offset, "pulse.points", node.text, typed.problem);
     value = typed.si;
@@ -51,7 +51,7 @@ bool readPoint(SectionReader& reader, const YamlNode& item, TablePoint& point) {
     const bool pair = item.kind == YamlKind::sequence && parts.size() == 2 &&
                       parts[0].kind == YamlKind::scalar && parts[1].kind == YamlKind::scalar;
     if (!pair) {
-        const std::string_view example = reader.dimensional() ? "[200 us, 255 kN]" : "[0.5, 1]";
+        const std::string_view example = hasUnits(reader.scenario()) ? "[200 us, 255 kN]" : "[0.5, 1]";
         reader.problems().reportKey(item.offset, "pulse.points",
                                     "each point must be [time, force], as in " + std::string(example));
         return false;

@@ -37,7 +37,7 @@ class TableReader {
     }
 
   private:
-    bool dimensional() const { return m_form == ScenarioForm::dimensional; }
+    bool dimensional() const { return m_form != ScenarioForm::dimensionless; }
     std::string expectedHeader() const { return dimensional() ? "time [us],force [kN]" : "time,force"; }
 
     void report(int line, const std::string& reason) {

@@ -73,10 +73,13 @@ class Patcher {
     /// anew.
     void patchDrillString(const YamlNode& root) {
         const DrillString& drillString = m_scenario.drillString;
-        const YamlNode& hammer = valueOf(root, "hammer", YamlKind::map);
-        patchMap(hammer, "hammer");
-        patchList(valueOf(hammer, "sections", YamlKind::sequence), "hammer.sections",
-                  drillString.hammer.sections.size());
+        if (isForced(m_scenario) != (indexOf(root, "pulse") < root.children.size())) throw NotPatchable();
+        if (!isForced(m_scenario)) {
+            const YamlNode& hammer = valueOf(root, "hammer", YamlKind::map);
+            patchMap(hammer, "hammer");
+            patchList(valueOf(hammer, "sections", YamlKind::sequence), "hammer.sections",
+                      drillString.hammer.sections.size());
+        }
         const YamlNode& parts = valueOf(root, "string", YamlKind::sequence);
         if (parts.children.size() != drillString.parts.size()) throw NotPatchable();
         for (std::size_t i = 0; i < drillString.parts.size(); ++i) {

@@ -16,7 +16,8 @@ namespace {
 using Applicability = SectionReader::Applicability;
 
 constexpr std::string_view stringKeys[] = {"material", "hammer", "string", "end_time"};
-constexpr std::string_view rodKeys[] = {"dimensionless", "rod", "pulse"};
+constexpr std::string_view rodKeys[] = {"dimensionless", "rod"};
+constexpr std::string_view commonKeys[] = {"drillwave", "title", "pulse", "bit_rock", "drill"};
 
 /// The keys at the top level that a format has and the other one has not.
 std::span<const std::string_view> keysOf(int format) {
@@ -94,10 +95,10 @@ bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int forma
     else
         refuse(rodKeys,
                "belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has "
-               "`hammer` and `string` in place of `rod` and `pulse`");
+               "`string` in place of `rod`, and `hammer` or `pulse`");
     const auto isThere = [&](std::string_view key) { return file.contains(key); };
     return !std::ranges::any_of(keysOf(format == rodFormat ? stringFormat : rodFormat), isThere) ||
-           std::ranges::any_of(keysOf(format), isThere);
+           std::ranges::any_of(keysOf(format), isThere) || isThere("pulse");
 }
 
 void readGroups(SectionReader& reader, const YamlEntries& file) {
@@ -177,7 +178,7 @@ ScenarioForm formOf(const YamlEntries& file, int format) {
 
 /// True when all that is wrong is an unreadable table file.
 bool readFile(SectionReader& reader, const YamlNode& root, int format, const TableSource& tables) {
-    std::vector<std::string_view> known{"drillwave", "title", "bit_rock", "drill"};
+    std::vector<std::string_view> known(std::begin(commonKeys), std::end(commonKeys));
     known.insert(known.end(), keysOf(format).begin(), keysOf(format).end());
     // Those of the other format are told of as such where they stand.
     for (const std::string_view key : keysOf(format == rodFormat ? stringFormat : rodFormat))
@@ -194,7 +195,7 @@ bool readFile(SectionReader& reader, const YamlNode& root, int format, const Tab
     } else {
         readGroups(reader, file);
     }
-    const bool unreadable = !reader.ofString() && readPulse(reader, file, tables);
+    const bool unreadable = isForced(reader.scenario()) && readPulse(reader, file, tables);
     checkWhole(reader);
     return unreadable;
 }

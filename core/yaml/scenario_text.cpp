@@ -67,16 +67,21 @@ void addParameters(std::vector<SavedValue>& values, const Scenario& scenario, st
             values.push_back(savedParameter(parameter, scenario));
 }
 
+void addHammer(std::vector<SavedValue>& values, const Scenario& scenario) {
+    const Hammer& hammer = scenario.drillString.hammer;
+    addParameters(values, scenario, "hammer");
+    SavedValue restrike = savedText("hammer", "restrike", hammer.restrike ? "true" : "false");
+    restrike.isDefault = hammer.restrike;
+    restrike.isUnusual = true;
+    values.push_back(restrike);
+    addSections(values, "hammer.sections", hammer.sections);
+}
+
 void addDrillString(std::vector<SavedValue>& values, const Scenario& scenario) {
     const DrillString& drillString = scenario.drillString;
     addParameters(values, scenario, "");
     addParameters(values, scenario, "material");
-    addParameters(values, scenario, "hammer");
-    SavedValue restrike = savedText("hammer", "restrike", drillString.hammer.restrike ? "true" : "false");
-    restrike.isDefault = drillString.hammer.restrike;
-    restrike.isUnusual = true;
-    values.push_back(restrike);
-    addSections(values, "hammer.sections", drillString.hammer.sections);
+    if (!isForced(scenario)) addHammer(values, scenario);
     for (std::size_t i = 0; i < drillString.parts.size(); ++i) {
         const StringPart& part = drillString.parts[i];
         const std::string path = "string." + std::to_string(i);
@@ -94,21 +99,16 @@ void addDrillString(std::vector<SavedValue>& values, const Scenario& scenario) {
 }
 
 /// The sections of a file, in order, that are no lists.
-std::vector<std::string_view> plainSections(ScenarioForm form) {
-    switch (form) {
-        case ScenarioForm::dimensional:
-            return {"rod", "pulse", "bit_rock", "drill"};
-        case ScenarioForm::dimensionless:
-            return {"dimensionless", "pulse", "bit_rock", "drill"};
-        case ScenarioForm::string:
-            return {"bit_rock", "drill"};
-    }
-    return {};
+std::vector<std::string_view> plainSections(const Scenario& scenario) {
+    std::vector<std::string_view> sections;
+    if (!isString(scenario)) sections.push_back(hasUnits(scenario) ? "rod" : "dimensionless");
+    if (isForced(scenario)) sections.push_back("pulse");
+    sections.insert(sections.end(), {"bit_rock", "drill"});
+    return sections;
 }
 
 /// "[0 us, 0 kN]"; "[0, 0]" in a dimensionless scenario.
-std::string pointText(const TablePoint& point, ScenarioForm form) {
-    const bool dimensional = form == ScenarioForm::dimensional;
+std::string pointText(const TablePoint& point, bool dimensional) {
     const auto text = [&](double value, Quantity quantity, std::string_view unit) {
         const Quantity kind = dimensional ? quantity : Quantity::ratio;
         return formatQuantity(value, kind, *findUnit(kind, dimensional ? unit : ""));
@@ -120,7 +120,7 @@ std::string pointText(const TablePoint& point, ScenarioForm form) {
 std::string pointsText(const Scenario& scenario) {
     std::string text = "  points:\n";
     for (const TablePoint& point : scenario.pulse.tablePoints)
-        text += "    - " + pointText(point, scenario.form) + "\n";
+        text += "    - " + pointText(point, hasUnits(scenario)) + "\n";
     return text;
 }
 
@@ -162,8 +162,11 @@ std::string drillStringText(const Scenario& scenario) {
     const DrillString& drillString = scenario.drillString;
     const std::vector<SavedValue> values = savedValues(scenario);
     std::string text = "material: {" + flowEntries(values, "material") + "}\n";
-    text += "hammer:\n" + blockEntries(values, "hammer") + "  sections:\n" +
-            sectionItems(values, "hammer.sections", drillString.hammer.sections.size(), "    ");
+    if (isForced(scenario))
+        text += sectionText(scenario, "pulse");
+    else
+        text += "hammer:\n" + blockEntries(values, "hammer") + "  sections:\n" +
+                sectionItems(values, "hammer.sections", drillString.hammer.sections.size(), "    ");
     text += "string:\n";
     for (std::size_t i = 0; i < drillString.parts.size(); ++i) {
         const StringPart& part = drillString.parts[i];
@@ -226,7 +229,7 @@ std::vector<SavedValue> savedValues(const Scenario& scenario) {
     std::vector<SavedValue> values;
     if (!scenario.title.empty()) values.push_back(savedText("", "title", scenario.title));
     if (isString(scenario)) addDrillString(values, scenario);
-    for (const std::string_view section : plainSections(scenario.form)) {
+    for (const std::string_view section : plainSections(scenario)) {
         if (section == "pulse") values.push_back(savedText("pulse", "shape", name(scenario.pulse.shape)));
         addParameters(values, scenario, section);
         if (section == "pulse" && scenario.pulse.shape == PulseShape::table &&
@@ -240,13 +243,11 @@ Scenario withoutUnusedValues(const Scenario& scenario) {
     Scenario result;
     result.title = scenario.title;
     result.form = scenario.form;
-    if (isString(scenario))
-        result.drillString = withoutUnusedValues(scenario.drillString);
-    else
-        result.pulse.shape = scenario.pulse.shape;
+    if (isString(scenario)) result.drillString = withoutUnusedValues(scenario.drillString);
+    if (isForced(scenario)) result.pulse.shape = scenario.pulse.shape;
     for (const SavedValue& value : savedValues(scenario))
         if (value.parameter) value.parameter->assign(result, value.number);
-    if (!isString(scenario) && scenario.pulse.shape == PulseShape::table) {
+    if (isForced(scenario) && scenario.pulse.shape == PulseShape::table) {
         result.pulse.tableFile = scenario.pulse.tableFile;
         result.pulse.tablePoints = scenario.pulse.tablePoints;
     }
@@ -288,8 +289,8 @@ std::string scenarioText(const Scenario& scenario) {
         if (value.section.empty() && value.parameter)
             text += std::string(value.key) + ": " + valueText(value) + "\n";
     if (isString(scenario)) text += drillStringText(scenario);
-    for (const std::string_view section : plainSections(scenario.form))
-        text += sectionText(scenario, section);
+    for (const std::string_view section : plainSections(scenario))
+        if (section != "pulse" || !isString(scenario)) text += sectionText(scenario, section);
     return text;
 }
 

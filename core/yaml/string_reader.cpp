@@ -120,11 +120,16 @@ class StringReader {
     void readHammer(const YamlEntries& file) {
         const std::optional<YamlEntries> entries =
             m_reader.section(file, "hammer", "hammer", {"sections", "restrike"});
-        if (!entries) return;
+        // One that cannot be read is no force in its place.
+        const auto keep = [this] {
+            m_string.hammer.sections.resize(std::max<std::size_t>(1, m_string.hammer.sections.size()));
+        };
+        if (!entries) return keep();
+        readHammerSections(*entries);
+        keep();
         m_reader.readParameters(*entries, "hammer", SectionReader::Applicability::checked);
         m_reader.requireParameters(*entries, "hammer");
         readRestrike(*entries);
-        readHammerSections(*entries);
     }
 
     void readString(const YamlEntries& file) {
@@ -266,7 +271,11 @@ void readDrillString(SectionReader& reader, const YamlEntries& file) {
         if (const std::optional<YamlEntries> entries = reader.section(file, "material", "material"))
             reader.readParameters(*entries, "material", SectionReader::Applicability::checked);
     StringReader string(reader);
-    string.readHammer(file);
+    if (file.contains("hammer") || !file.contains("pulse")) string.readHammer(file);
+    if (const auto pulse = file.find("pulse"); pulse != file.end() && file.contains("hammer"))
+        reader.problems().reportKey(
+            pulse->second.key->offset, "pulse",
+            "stands beside `hammer`: keep one, a hammer of sections or a force in its place");
     string.readString(file);
     // At the top level, beside the sections.
     reader.readParameters(file, "", SectionReader::Applicability::checked);

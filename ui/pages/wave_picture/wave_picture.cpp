@@ -24,7 +24,8 @@ double largestForce(const Blow& blow) {
 /// What is known of the field without looking for it: the forces, and that the hammer of a string moves with
 /// v0, twice F0/Z.
 double knownMagnitude(const Blow& blow, WaveQuantity field) {
-    if (field == WaveQuantity::velocity) return blow.string ? blow.string->problem.hammer().velocity : 0;
+    if (field == WaveQuantity::velocity)
+        return isForced(blow.scenario) ? 0 : blow.string->problem.hammer().velocity;
     return std::max(blow.impact.peakForce, largestForce(blow));
 }
 
