@@ -159,6 +159,16 @@ Conversion stringOf(const Scenario& scenario) {
     return converted;
 }
 
+Conversion forcedStringOf(const Scenario& scenario) {
+    assert(!isForced(scenario));
+    Conversion converted{scenario, {}};
+    converted.scenario.pulse = pistonOf(scenario.drillString, converted.lost);
+    converted.scenario.drillString.hammer = Hammer();
+    converted.lost.emplace_back(
+        "What comes back to the hammer: the force is that of the hammer on a rod without end.");
+    return converted;
+}
+
 Conversion uniformRodOf(const Scenario& scenario) {
     assert(isString(scenario));
     const DrillString& drill = scenario.drillString;

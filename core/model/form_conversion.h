@@ -21,16 +21,20 @@ Section sectionOf(const Rod& rod, const Material& material);
 /// Why a scenario cannot be a string: it has no units, or no hammer. Empty where it can.
 std::string whyNoString(const Scenario& scenario);
 
-/// The rod as a string of one section, and a hammer of the impulse and the duration of its blow: the piston
-/// itself; of the rod's impedance Z and the length c t0/2, to whole millimetres, for a rectangular blow and
-/// other shapes; of twenty times the impedance and the mass Z t0 for an exponential one. The hammer is
-/// withdrawn once it has separated, as the uniform rod has it: then both forms of a rectangular blow, or of
-/// a piston of no larger impedance than the rod, have the same results (theory of strings, §10). Requires
-/// whyNoString() to be empty.
+/// The rod as a string of one section under the same force. A piston and a rectangular blow become a hammer
+/// that is followed: the piston itself; one of the rod's impedance Z and the length c t0/2, to whole
+/// millimetres, of the same impulse. It is withdrawn once it has separated, as the uniform rod has it: then
+/// both forms of a rectangular blow, or of a piston of no larger impedance than the rod, have the same
+/// results (theory of strings, §10). Requires whyNoString() to be empty.
 Conversion stringOf(const Scenario& scenario);
 
+/// The same string under the force of a uniform piston of the mass, the velocity and the wave travel time of
+/// its hammer. Requires a string that is struck by a hammer.
+Conversion forcedStringOf(const Scenario& scenario);
+
 /// A uniform rod of the sizes and the material of the ruleSection(), in which waves travel as long as in the
-/// string, struck by a uniform piston of the mass, the velocity and the wave travel time of the hammer.
+/// string, under the same force, or struck by a uniform piston of the mass, the velocity and the wave travel
+/// time of the hammer.
 /// Requires a string.
 Conversion uniformRodOf(const Scenario& scenario);
 

@@ -306,8 +306,10 @@ void Document::markUnsaved() {
 
 QString Document::applyPreset(const Preset& preset) {
     // A menu that is open stays so when the scenario is replaced, by an undo or another file.
-    if (isString(m_scenario) && preset.kind != PresetKind::rock)
-        return tr("A preset of a rod or a hammer is for uniform rods, and this scenario is a drill string.");
+    if (isString(m_scenario) && preset.kind == PresetKind::rod)
+        return tr("A preset of a rod is for uniform rods, and this scenario is a drill string.");
+    if (!isForced(m_scenario) && preset.kind == PresetKind::hammer)
+        return tr("A preset of a blow is a force, and this string is struck by the sections of its hammer.");
     if (!hasUnits(m_scenario))
         return tr("A preset has physical units, and this scenario is given by its dimensionless groups.");
     Scenario changed = withPreset(m_scenario, preset);
@@ -365,8 +367,8 @@ QString Document::tablePath() const {
 }
 
 QString Document::takeTable(const QString& path, const std::string& name, const QString& step) {
-    if (isString(m_scenario))
-        return tr("A drill string is struck by the sections of its hammer, not by a force from a table.");
+    if (!isForced(m_scenario))
+        return tr("This string is struck by the sections of its hammer, not by a force from a table.");
     PulseTable table = readPulseTable(nativePath(path), nativePath(path), m_scenario.form);
     std::vector<InputProblem> problems = std::move(table.problems);
     Scenario changed = m_scenario;

@@ -146,8 +146,7 @@ void ScenarioPanel::beginDrag() {
 
 void ScenarioPanel::endDrag() {
     m_dragged = false;
-    if (!isString(m_document.scenario()))
-        m_pulse->present(m_document.scenario(), PulseSection::Shapes::asked);
+    if (isForced(m_document.scenario())) m_pulse->present(m_document.scenario(), PulseSection::Shapes::asked);
     emit dragEnded();
 }
 
@@ -172,18 +171,17 @@ void ScenarioPanel::showScenario() {
     const QString title = QString::fromStdString(scenario.title);
     if (m_title->text() != title) m_title->setText(title);
     showPresets();
-    const bool ofString = isString(scenario);
-    if (ofString)
-        m_string->present(scenario);
-    else
+    if (isString(scenario)) m_string->present(scenario);
+    if (isForced(scenario))
         m_pulse->present(scenario, m_dragged ? PulseSection::Shapes::asBefore : PulseSection::Shapes::asked);
     for (const Section& section : std::as_const(m_sections)) {
         for (ParameterRow* row : section.rows) row->present(scenario);
         const bool used = std::ranges::any_of(
             section.rows, [&](const ParameterRow* row) { return row->parameter().applies(scenario); });
         const QString name = section.box->objectName();
-        const bool ofRodAlone = name == QLatin1String("pulse") || name == groupsSection;
-        section.box->setVisible(ofRodAlone ? !ofString : used);
+        section.box->setVisible(name == QLatin1String("pulse") ? isForced(scenario)
+                                : name == groupsSection        ? !isString(scenario)
+                                                               : used);
     }
 }
 

@@ -28,8 +28,7 @@ StringSection::StringSection(Document& document, QGridLayout* grid, QWidget* par
     m_summary->setObjectName(QStringLiteral("stringSummary"));
     m_summary->setWordWrap(true);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_summary->setToolTip(
-        tr("Closed forms, groups and the shape of a pulse are of uniform rods, and not here"));
+    m_summary->setToolTip(tr("Closed forms and groups are of uniform rods, and not here"));
     auto* sections = new QPushButton(tr("Sections…"), parent);
     sections->setObjectName(QStringLiteral("sections"));
     sections->setToolTip(tr("The page String: a drawing, and all sections in a table to edit"));
@@ -60,12 +59,17 @@ void StringSection::present(const Scenario& scenario) {
     const DrillString& drill = scenario.drillString;
     const auto count = static_cast<qlonglong>(sectionCount(drill));
     const ChainProperties string = stringProperties(drill);
-    const ChainProperties hammer = hammerProperties(drill);
-    m_summary->setText(
-        tr("%1 of %2, %3; hammer %4, %5")
+    QString summary =
+        tr("%1 of %2, %3")
             .arg(count == 1 ? tr("1 section") : tr("%1 sections").arg(QLocale().toString(count)),
-                 handyText(string.length, UnitKind::length), handyText(string.mass, UnitKind::mass),
-                 handyText(hammer.length, UnitKind::length), handyText(hammer.mass, UnitKind::mass)));
+                 handyText(string.length, UnitKind::length), handyText(string.mass, UnitKind::mass));
+    if (!isForced(scenario)) {
+        const ChainProperties hammer = hammerProperties(drill);
+        summary +=
+            tr("; hammer %1, %2")
+                .arg(handyText(hammer.length, UnitKind::length), handyText(hammer.mass, UnitKind::mass));
+    }
+    m_summary->setText(summary);
     m_restrike->setChecked(drill.hammer.restrike);
 }
 

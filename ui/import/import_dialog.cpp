@@ -284,7 +284,7 @@ void ImportDialog::showState() {
     m_message->setText(message);
     const bool known = result() != nullptr;
     QString summary = known ? importSummary(*preview) : QString();
-    if (known && use() == ImportUse::blow && m_document.scenario().form != ScenarioForm::dimensional)
+    if (known && use() == ImportUse::blow && !hasUnits(m_document.scenario()))
         summary += QLatin1Char(' ') + tr("Only the shape is taken: this scenario has no physical units.");
     m_summary->setText(summary);
     m_take->setEnabled(known);

@@ -95,7 +95,7 @@ void FileMenu::offerImport(bool offered) {
     m_import->setEnabled(offered);
     m_import->setToolTip(
         offered ? tr("A measured signal from a table of samples: as the hammer blow, or to compare with")
-                : tr("Measured signals are compared with uniform rods; this scenario is a drill string"));
+                : tr("This string is struck by the sections of its hammer, not by a measured force"));
 }
 
 void FileMenu::addExamples() {

@@ -9,7 +9,8 @@ FormNotice::FormNotice(Document& document, QWidget* parent)
     : Notice(Tone::information, parent),
       m_document(document),
       m_toString(new QAction(tr("&Make a drill string of this"), this)),
-      m_toUniformRod(new QAction(tr("&Simplify to a uniform rod"), this)) {
+      m_toUniformRod(new QAction(tr("&Simplify to a uniform rod"), this)),
+      m_toForce(new QAction(tr("Put a &force in place of the hammer"), this)) {
     setObjectName(QStringLiteral("formNotice"));
     QPushButton* undo = addButton(tr("Undo"), tr("Take the conversion back"));
     connect(undo, &QPushButton::clicked, &document.undoStack(), &QUndoStack::undo);
@@ -22,6 +23,10 @@ FormNotice::FormNotice(Document& document, QWidget* parent)
     connect(m_toUniformRod, &QAction::triggered, this, [this] {
         convert(uniformRodOf(m_document.scenario()), tr("simplify to a uniform rod"),
                 tr("This is a uniform rod now, through which waves travel as long as through the string."));
+    });
+    connect(m_toForce, &QAction::triggered, this, [this] {
+        convert(forcedStringOf(m_document.scenario()), tr("put a force in place of the hammer"),
+                tr("A force drives the string now: any shape, or a measured blow by File ▸ Import."));
     });
     // Whatever comes after it, an undo for one, is another scenario.
     connect(&document, &Document::scenarioChanged, this, [this] {
@@ -56,6 +61,10 @@ void FormNotice::offer() {
         isString(scenario)
             ? tr("The rod alone, as long for the waves as the string, struck by a uniform piston")
             : tr("This scenario is a uniform rod"));
+    m_toForce->setEnabled(!isForced(scenario));
+    m_toForce->setToolTip(isForced(scenario)
+                              ? tr("A force drives this scenario already")
+                              : tr("A force that does not feel what comes back, as a measured blow is"));
 }
 
 }  // namespace drillwave

@@ -20,6 +20,7 @@ class FormNotice : public Notice {
     /// For a menu; each is disabled where there is nothing to convert, with the reason as its tooltip.
     QAction* toString() const { return m_toString; }
     QAction* toUniformRod() const { return m_toUniformRod; }
+    QAction* toForce() const { return m_toForce; }  ///< in place of the hammer of a string
 
   private:
     void convert(const Conversion& conversion, const QString& step, const QString& done);
@@ -28,6 +29,7 @@ class FormNotice : public Notice {
     Document& m_document;
     QAction* m_toString;
     QAction* m_toUniformRod;
+    QAction* m_toForce;
     bool m_isConverting = false;
 };
 

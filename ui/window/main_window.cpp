@@ -219,7 +219,7 @@ void MainWindow::addMenus() {
     edit->addSeparator();
     edit->addAction(m_runs->pinAction());
     edit->addSeparator();
-    edit->addActions({m_formNotice->toString(), m_formNotice->toUniformRod()});
+    edit->addActions({m_formNotice->toString(), m_formNotice->toUniformRod(), m_formNotice->toForce()});
     edit->setToolTipsVisible(true);
     auto* areas = new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultSide}, this);
     menuBar()->addMenu(new ViewMenu({*m_units, *m_pages, *areas, *m_layout, *m_exampleNote}, this));
@@ -401,7 +401,7 @@ void MainWindow::markResult(bool outOfDate) {
 }
 
 void MainWindow::presentState() {
-    m_fileMenu->offerImport(!isString(m_document.scenario()));  // measured signals are of uniform rods
+    m_fileMenu->offerImport(isForced(m_document.scenario()));
     const QString file = QFileInfo(m_document.path()).fileName();
     const QString name = m_document.displayName();
     setWindowTitle(file.isEmpty() || file == name ? tr("%1[*] — Drillwave").arg(name)

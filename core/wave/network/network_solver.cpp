@@ -54,6 +54,9 @@ constexpr double covering = 4;
 /// a stiffness, by 5 on very soft rock; elsewhere it is far larger.
 constexpr double coveringResidual = 20;
 
+/// Under a force by up to 65 times: the steps of a staircase that are within cells.
+constexpr double coveringForce = 100;
+
 /// What cells leave out of a wave is missing in the energy by its square, and in the largest force of a rock
 /// that remembers it by its first power: errors of quick runs are up to 0.03 times the root of what is
 /// missing.
@@ -125,6 +128,7 @@ void stateErrorOfQuickRun(NetworkImpact& impact, const Problem& problem) {
     stateError(impact, problem);
     const double missed = std::abs(impact.energyResidual);
     double error = balanceError(impact);
+    if (problem.isForced()) error = std::max(error, coveringForce * missed);
     if (problem.law.gamma < 1)
         error = std::max(error, coveringRoot * std::sqrt(std::max(missed, leastResidual)));
     impact.efficiencyError = std::max(impact.efficiencyError, error);

@@ -67,8 +67,10 @@ class TestMethod : public QObject {
                 QCOMPARE(impact.hindrance, Hindrance::other);
             }
         QVERIFY(rodRefusal(rod).empty() && networkRefusal(struckRod).empty());
-        const NetworkImpact refused = solver.strings().solve(rod, {});
-        QVERIFY(refused.end == NetworkEnd::notSolved && refused.reason == networkRefusal(rod));
+        const Problem arriving = problemOf(Scene{PulseShape::rigidBody, {0.5, 1, 10, 0}});
+        const NetworkImpact refused = solver.strings().solve(arriving, {});
+        QVERIFY(refused.end == NetworkEnd::notSolved && refused.reason == networkRefusal(arriving));
+        QVERIFY(!refused.reason.empty() && rodRefusal(arriving).empty());
     }
 };
 

@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "core/model/parameter.h"
+#include "core/model/scales.h"
 #include "core/model/section_field.h"
 #include "core/yaml/scenario_file.h"
 #include "core/yaml/scenario_text.h"
@@ -139,6 +141,8 @@ class TestStringFile : public QObject {
     void wrongFilesAreRefusedWhereTheyAreWrong_data();
     void wrongFilesAreRefusedWhereTheyAreWrong();
     void everyProblemOfAFileIsToldAtOnce();
+    void aForceStandsInPlaceOfTheHammer();
+    void aForceIsRefusedWhereItIsNone();
     void repeatsAreCountedBeforeTheyAreWrittenOut();
     void aThousandSectionsAreAllowed();
     void anUnchangedFileIsSavedByteForByte();
@@ -221,7 +225,10 @@ void TestStringFile::wrongFilesAreRefusedWhereTheyAreWrong_data() {
         "s.yaml:10:13: hammer.restrike = often (must be true or false)");
     row("no velocity", "velocity: 10 m/s", "velocity: 0 m/s",
         "s.yaml:5:13: hammer.velocity = 0 m/s (must be greater than 0)");
-    row("pulse", "bit_rock:", "pulse: {}\nbit_rock:", "s.yaml:19:1: pulse (belongs to a uniform rod");
+    row("rod", "bit_rock:", "rod: {}\nbit_rock:", "s.yaml:19:1: rod (belongs to a uniform rod");
+    row("pulse", "bit_rock:", "pulse: {}\nbit_rock:", "s.yaml:19:1: pulse (stands beside `hammer`");
+    row("neither hammer nor pulse", "hammer:\n", "hamer:\n",
+        "hamer (is not a known key, did you mean `hammer`?)");
     row("format 1", "drillwave: 2", "drillwave: 1",
         "s.yaml:4:1: hammer (belongs to a drill string: a file that has it begins with `drillwave: 2`)");
     row("newer", "drillwave: 2", "drillwave: 3",
@@ -271,6 +278,57 @@ void TestStringFile::everyProblemOfAFileIsToldAtOnce() {
                        "bit_rock: {stiffness: 1 MN/m, gamma: 1}\n")
                 .join('\n')
                 .contains("string (must have at least one section)"));
+}
+
+void TestStringFile::aForceStandsInPlaceOfTheHammer() {
+    const auto fileWith = [](const std::string& pulse) {
+        return "drillwave: 2\npulse: " + pulse +
+               "\nstring:\n- {name: rod, length: 3 m, diameter: 38 mm}\n- {length: 0.1 m, diameter: 60 mm}\n"
+               "bit_rock: {stiffness: 100 MN/m, gamma: 0.1}\n";
+    };
+    const Scenario scenario =
+        parsed(fileWith("{shape: half_sine, duration: 200 us, impulse: 51 N s}")).scenario;
+    QVERIFY(isString(scenario) && isForced(scenario));
+    QCOMPARE(scenario.pulse.shape, PulseShape::halfSine);
+    QVERIFY(std::abs(scalesOf(scenario).force - 255e3) < 1e-6);
+    QVERIFY(scenario == parsed(scenarioText(scenario)).scenario);
+
+    const Scenario piston =
+        parsed(fileWith("{shape: piston, length: 0.5 m, diameter: 50 mm, velocity: 9 m/s}")).scenario;
+    QVERIFY(std::abs(pistonImpedanceRatio(piston) - 50.0 * 50 / 38 / 38) < 1e-12);
+    QVERIFY(piston == parsed(scenarioText(piston)).scenario);
+
+    const Scenario table =
+        parsed(fileWith("{shape: table, points: [[0 us, 0 kN], [50 us, 300 kN], [200 us, 0 kN]]}")).scenario;
+    QVERIFY(std::abs(pulseImpulse(table) - 30) < 1e-12);
+    QVERIFY(table == parsed(scenarioText(table)).scenario);
+
+    // One number is patched in its place; another drive is another file.
+    ScenarioDocument document =
+        parsed(fileWith("{shape: half_sine, duration: 200 us, force: 255 kN}  # measured"));
+    findParameter("pulse.duration")->assign(document.scenario, 300e-6);
+    const std::string text = writeScenario(document);
+    QVERIFY(text.find("duration: 300 us") != std::string::npos &&
+            text.find("# measured") != std::string::npos);
+    QVERIFY(parsed(text).scenario == document.scenario);
+    document.scenario.drillString.hammer = parsed(manualFile).scenario.drillString.hammer;
+    document.scenario.pulse = Pulse();
+    QVERIFY(parsed(writeScenario(document)).scenario == document.scenario);
+}
+
+void TestStringFile::aForceIsRefusedWhereItIsNone() {
+    const auto problems = [](const std::string& drive) {
+        return problemsOf(
+                   "drillwave: 2\n" + drive +
+                   "string: [{length: 3 m, diameter: 38 mm}]\nbit_rock: {stiffness: 1 MN/m, gamma: 1}\n")
+            .join('\n');
+    };
+    QVERIFY(problems("pulse: {shape: rigid_body, duration: 1 ms, impulse: 1 N s}\n")
+                .contains("pulse.shape = rigid_body (is the reference case of a uniform rod"));
+    QVERIFY(problems("").contains("hammer (is missing"));
+    QVERIFY(problems("hammer: {velocity: 3 m/s, sections: []}\n").contains("must have at least one section"));
+    QVERIFY(
+        problems("pulse: {shape: half_sine, duration: 1, impulse: 1 N s}\n").contains("pulse.duration = 1"));
 }
 
 void TestStringFile::repeatsAreCountedBeforeTheyAreWrittenOut() {

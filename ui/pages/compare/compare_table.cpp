@@ -46,7 +46,7 @@ void addBlow(CompareTable& table, const Columns& columns) {
                    .words = {}};
     for (const CompareColumn& each : columns) {
         const Pulse& pulse = each.scenario->pulse;
-        row.words << (isString(*each.scenario)  ? tr("elastic hammer")
+        row.words << (!isForced(*each.scenario) ? tr("elastic hammer")
                       : pulse.tableFile.empty() ? fromView(name(pulse.shape)).replace(u'_', u' ')
                                                 : QString::fromStdString(pulse.tableFile));
     }

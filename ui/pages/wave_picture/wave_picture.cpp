@@ -62,7 +62,9 @@ PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units) {
     if (units.force.dimensionless) {
         // F0/Z is τ v0: the momentum I0 = m v0 is carried by a pulse of length t0 in a rod of length τ t0.
         // What a hammer of the same impedance sends into a string has half its velocity.
-        const double velocity = isString(scenario) ? 0.5 : groupsOf(scenario).tau;
+        const Scales scales = scalesOf(scenario);
+        const double velocity =
+            isString(scenario) ? scales.particleVelocity / scales.velocity : groupsOf(scenario).tau;
         return {{1, QStringLiteral("L"), true},
                 units.time,
                 units.force,

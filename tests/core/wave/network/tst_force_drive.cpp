@@ -106,6 +106,25 @@ class TestForceDrive : public QObject {
         }
     }
 
+    void statedErrorsOfQuickRunsHoldOnRandomRods() {
+        RandomScenes scenes({1e-2, 30, 0.05, 0.3, 30, 5}, 77);
+        NetworkSolver solver;
+        int compared = 0;
+        for (int i = 0; i < 1500; ++i) {
+            const Scene scene = scenes.nextQuick();
+            const Problem problem = problemOf(scene);
+            if (problem.force().isRigidBody()) continue;
+            const Impact exact = solve(scene, Detail::ledger);
+            const NetworkImpact impact =
+                solver.solve(problem, {.accuracy = NetworkAccuracy::quick, .wants = {}});
+            if (exact.outcome != Outcome::rebounded || impact.end == NetworkEnd::notSolved) continue;
+            ++compared;
+            const double off = std::abs(cor(impact) - exact.cor);
+            QVERIFY2(off <= impact.corError + exact.corError, describe(scene).c_str());
+        }
+        QVERIFY(compared > 1000);
+    }
+
     void cuttingASectionInTwoChangesNothing() {
         Chance chance(11);
         for (int i = 0; i < 40; ++i) {
