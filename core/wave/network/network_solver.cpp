@@ -228,6 +228,17 @@ NetworkImpact NetworkSolver::Workspace::solveShared(const Problem& problem, cons
     if (settings.accuracy == NetworkAccuracy::quick) return quick;
     if (planFine(problem, settings, sureSmoothness).held > mostHeld) return quick;
     NetworkImpact sure = run(settings, stop);
+    if (sure.hindrance == Hindrance::workLimit && settings.wants.forces) {
+        // their forces are too much work: the quick run has some
+        NetworkSettings less = settings;
+        less.wants.forces = less.wants.reflections = false;
+        planFine(problem, less, sureSmoothness);
+        sure = run(less, stop);
+        sure.sections = quick.sections;
+        sure.jointReflection = quick.jointReflection;
+        sure.leftOutForces = quick.leftOutForces;
+        sure.forcesEnd = quick.forcesEnd;
+    }
     if (sure.end == NetworkEnd::notSolved) return stop.stop_requested() ? sure : quick;
     if (!sure.waves) sure.waves = quick.waves;
     stateError(sure, problem, quick);

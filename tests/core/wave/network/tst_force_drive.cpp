@@ -106,6 +106,27 @@ class TestForceDrive : public QObject {
         }
     }
 
+    /// The forces of a sure run took more work than is permitted, and the whole run was given up for them.
+    void aMeasuredBlowOnAStringIsSureWithItsForces() {
+        Problem problem = problemOf(pulseForceOf(TableShape{8, 3}), Groups{0.7, 0.1, 1.8, 0});
+        const UniformSection rod = problem.sections.front();
+        problem.sections.clear();
+        for (int i = 0; i < 3; ++i) {
+            problem.sections.push_back({.impedance = 1.9, .transitTime = 0.12, .loss = 0.02});
+            problem.sections.push_back(rod);
+            problem.sections.back().decay = 0.01;
+        }
+        problem.sections.push_back({.impedance = 3, .transitTime = 0.04, .massAfter = 0.05});
+        NetworkSettings settings;
+        const NetworkImpact sums = solveNetwork(problem, settings);
+        settings.wants.forces = true;
+        const NetworkImpact forces = solveNetwork(problem, settings);
+        QVERIFY2(sums.efficiencyError < 1e-9, QByteArray::number(sums.efficiencyError));
+        QVERIFY2(forces.efficiencyError < 1e-9, QByteArray::number(forces.efficiencyError));
+        QCOMPARE(forces.sections.size(), problem.sections.size());
+        QVERIFY(forces.sections.front().compression.force > 0);
+    }
+
     void statedErrorsOfQuickRunsHoldOnRandomRods() {
         RandomScenes scenes({1e-2, 30, 0.05, 0.3, 30, 5}, 77);
         NetworkSolver solver;
