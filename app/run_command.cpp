@@ -109,7 +109,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
                                 writesFiles ? Detail::histories : Detail::ledger, interruption.token()),
                   .scenarioText = {},
                   .units = files.units.value_or(customaryUnits(document.scenario))};
-    if (!run.blow.string) addThrustMargin(run.blow, interruption.token());
+    if (!run.blow.isOfString()) addThrustMargin(run.blow, interruption.token());
     if (json || writesFiles) run.scenarioText = completeScenarioText(document);
     interruption.check();
     if (!run.blow.isSolved()) {

@@ -35,7 +35,7 @@ OutputUnits customaryUnits(const Scenario& scenario) {
 }
 
 bool hasHistories(const Blow& blow) {
-    return !blow.string || blow.string->impact.waves;
+    return !blow.isOfString() || blow.impact.waves;
 }
 
 std::string runHeader(const SolvedRun& run) {
@@ -44,14 +44,14 @@ std::string runHeader(const SolvedRun& run) {
 
 std::string historiesFile(const SolvedRun& run) {
     const Blow& blow = run.blow;
-    if (blow.string) {
+    if (blow.isOfString()) {
         const StringPlace place = middleOfLongest(blow.scenario.drillString);
         return scenarioHeader(run.scenarioText, describe(blow.method),
                               stringHistoryColumns(blow.scenario, place, run.units)) +
-               stringHistoriesCsv(*blow.string, place, run.units, blow.scales);
+               stringHistoriesCsv(blow, place, run.units, blow.scales);
     }
     return scenarioHeader(run.scenarioText, describe(blow.method), historyColumns(run.units)) +
-           historiesCsv(blow.impact, blow.solved, run.units, blow.scales);
+           historiesCsv(blow.impact, blow.problem, run.units, blow.scales);
 }
 
 std::string eventsFile(const SolvedRun& run) {

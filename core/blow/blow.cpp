@@ -21,7 +21,7 @@ void append(std::vector<Alert>& alerts, const std::vector<Alert>& more) {
 void solveTimed(Blow& blow, Detail detail, const std::stop_token& stop, MethodSolver& solver) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    blow.impact = solver.solve(blow.solved, detail, blow.method, stop);
+    blow.impact = solver.solve(blow.problem, detail, blow.method, stop);
     blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();
 }
 
@@ -46,15 +46,15 @@ void solveStringBlow(Blow& blow, Detail detail, NetworkAccuracy accuracy, const 
     settings.wants.histories = detail == Detail::histories;
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    blow.string = solveString(blow.scenario, settings, solver.strings(), stop);
+    blow.impact = solver.strings().solve(blow.problem, settings, stop);
     blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();
-    blow.impact = impactOf(*blow.string);
     if (!blow.isSolved()) return;
-    blow.summary = summarize(blow.scenario, *blow.string);
+    blow.summary = summarize(blow.impact, blow.problem);
+    addStresses(blow.summary, blow.scenario, blow.impact);
     if (!holdsNumbers(blow, Detail::histories)) return;
-    blow.feed = judgeFeed(blow.scenario, blow.summary.cor, blow.summary.transferred());
+    blow.feed = judgeFeed(blow.scenario, blow.summary.cor, blow.summary.transferred);
     append(blow.alerts, resultAlerts(blow.scenario, blow.summary));
-    append(blow.alerts, stringAlerts(blow.scenario, *blow.string));
+    append(blow.alerts, stringAlerts(blow.scenario, blow.impact));
 }
 
 /// What follows from the solution, whose numbers are in the summary.
@@ -66,7 +66,7 @@ void conclude(Blow& blow, Detail detail) {
 }
 
 void concludeInPassing(Blow& blow, Detail detail, const std::stop_token& stop) {
-    blow.summary = summarizeInPassing(blow.impact, blow.solved, {}, stop);
+    blow.summary = summarizeInPassing(blow.impact, blow.problem, {}, stop);
     if (!stop.stop_requested()) return conclude(blow, detail);
     blow.impact.outcome = Outcome::notSolved;
     blow.impact.reason = "stopped";
@@ -90,11 +90,11 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
     blow.groups = groupsOf(scenario);
     blow.scales = scalesOf(scenario);
     blow.alerts = alertsFor(scenario);
-    if (isString(scenario)) {
+    blow.problem = problemOf(scenario);
+    if (blow.isOfString()) {
         solveStringBlow(blow, detail, ofString, stop, solver);
         return blow;
     }
-    blow.solved = problemOf(scenario);
     const bool wantsForces = stresses == Stresses::wanted || hasStrength(scenario.rod);
     const bool mayPass = wantsForces && detail < Detail::histories && method.method == Method::exact;
     const auto solve = [&](Detail wanted) -> const Impact& {
@@ -112,7 +112,7 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
     solve(wantsForces ? Detail::histories : detail);
     if (blow.impact.hindrance == Hindrance::histories && detail != Detail::histories) solve(detail);
     if (!blow.isSolved()) return blow;
-    blow.summary = summarizeWithWaves(blow.impact, blow.solved);
+    blow.summary = summarizeWithWaves(blow.impact, blow.problem);
     conclude(blow, detail);
     return blow;
 }

@@ -25,10 +25,9 @@ struct Blow {
     MethodChoice method;
     Groups groups;
     Scales scales;  ///< back to SI; all 1 in a dimensionless scenario
-    Problem solved;
-    Impact impact;                     ///< its `reason` says why there is no result
-    std::optional<StringBlow> string;  ///< of a drill string; `solved` is not used there
-    ImpactSummary summary;             ///< not to be used where there is no result, nor is `feed`
+    Problem problem;
+    Impact impact;          ///< its `reason` says why there is no result
+    ImpactSummary summary;  ///< not to be used where there is no result, nor is `feed`
     /// The thrust needed and the installed; nothing where thrustProblem() says why.
     std::optional<FeedVerdict> feed;
     /// The largest of the needs of the thrust, where a study of them was made: core/study/thrust.
@@ -36,7 +35,8 @@ struct Blow {
     std::vector<Alert> alerts;  ///< of the scenario and, behind them, of the result
     double runTime = 0;         ///< of the solve alone [s]
 
-    bool isSolved() const { return impact.outcome == Outcome::rebounded; }
+    bool isSolved() const { return impact.isSolved(); }
+    bool isOfString() const { return isString(scenario); }  ///< and so solved on polynomial cells
     /// What shares of energy are of [W0]: the energy of a hammer that is followed, or the work of the force.
     double drivenEnergy() const { return isForced(scenario) ? summary.workRatio : 1; }
     /// Effective feed force over the largest of the four needs, less 1, where it and they are known.

@@ -15,8 +15,8 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 const StringWaves& stringWaves(const Blow& blow) {
-    assert(blow.string && blow.string->impact.waves);
-    return *blow.string->impact.waves;
+    assert(blow.isOfString() && blow.impact.waves);
+    return *blow.impact.waves;
 }
 
 }  // namespace
@@ -43,11 +43,11 @@ std::vector<double> sectionJoints(const DrillString& drillString) {
 
 BlowWaves::BlowWaves(const Blow& blow) : m_blow(&blow) {
     assert(areKept(blow));
-    if (blow.string) m_string.emplace(stringWaves(blow), sectionJoints(blow.scenario.drillString));
+    if (blow.isOfString()) m_string.emplace(stringWaves(blow), sectionJoints(blow.scenario.drillString));
 }
 
 bool BlowWaves::areKept(const Blow& blow) {
-    return blow.string ? blow.string->impact.waves != nullptr : blow.impact.hasHistories();
+    return blow.isOfString() ? blow.impact.waves != nullptr : blow.impact.hasHistories();
 }
 
 double BlowWaves::end() const {
@@ -63,7 +63,7 @@ double BlowWaves::value(WaveQuantity quantity, double x, double t) const {
 }
 
 TimeSpan BlowWaves::interesting() const {
-    if (!m_string) return interestingTime(m_blow->impact, m_blow->solved.force());
+    if (!m_string) return interestingTime(m_blow->impact, m_blow->problem.force());
     const std::vector<ContactInterval> touching = contacts();
     const TimeSpan contact =
         touching.empty() ? TimeSpan{unknown, unknown} : TimeSpan{touching.front().begin, touching.back().end};
@@ -81,7 +81,7 @@ double BlowWaves::roundTrip() const {
 }
 
 std::vector<double> BlowWaves::fronts() const {
-    const Problem& problem = m_string ? m_blow->string->problem : m_blow->solved;
+    const Problem& problem = m_blow->problem;
     if (problem.isForced()) return pulseFronts(problem.force());
     return {0, m_string->hammerRoundTrip()};
 }
@@ -115,12 +115,12 @@ std::vector<ContactInterval> BlowWaves::faceContacts() const {
 }
 
 BitState BlowWaves::bit(const std::vector<ContactInterval>& contacts, double t) const {
-    if (!m_string) return bitState(m_blow->impact, contacts, m_blow->solved.gap, t);
+    if (!m_string) return bitState(m_blow->impact, contacts, m_blow->problem.gap, t);
     const StringWaves& waves = stringWaves(*m_blow);
     const auto displacement = [&](double time) {
         return waves.bitVelocity().integral(std::clamp(time, 0.0, waves.end())) * lawUnitOfPenetration;
     };
-    return bitState(displacement, contacts, m_blow->string->problem.gap, t);
+    return bitState(displacement, contacts, m_blow->problem.gap, t);
 }
 
 double BlowWaves::impactForce(double t) const {

@@ -6,12 +6,12 @@ namespace drillwave {
 // Energies of `impact` are in I0²/(Z t0).
 EnergyLedger ledgerOf(const Impact& impact, const Problem& problem) {
     const double work = impact.hammerWork;
-    // m v²/2 with p = e I0 and m = ZT is e²/(2τ) in I0²/(Z t0).
-    const double rebound = impact.cor * impact.cor / (2 * problem.transitTime());
+    const double momentum = impact.cor * impact.faceImpulse;  // −p of rod or string; p²/(2m)
+    const double rebound = momentum * momentum / (2 * problem.mass());
     return {.rockWork = impact.rockWork / work,
             .reboundEnergy = rebound / work,
             .residualWaveEnergy = (impact.finalEnergy - rebound) / work,
-            .residual = (impact.rockWork + impact.finalEnergy - work) / work};
+            .residual = (impact.rockWork + impact.energyLeft() - work) / work};
 }
 
 }  // namespace drillwave

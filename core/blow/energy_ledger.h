@@ -7,7 +7,8 @@
 
 namespace drillwave {
 
-/// Shares of the hammer work W; the first three together are 1 + residual.
+/// Shares of the hammer work W, or of the energy E0 of a hammer that is followed; of a uniform rod the first
+/// three together are 1 + residual.
 struct EnergyLedger {
     double rockWork = 0;            ///< left in the rock [W]
     double reboundEnergy = 0;       ///< of the rod moving back as a whole [W]

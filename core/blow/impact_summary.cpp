@@ -6,32 +6,65 @@
 
 namespace drillwave {
 
+namespace {
+
+/// What a hammer that is followed takes back.
+void addHammer(ImpactSummary& summary, const Impact& impact, const Problem& problem) {
+    const double mass = impact.hammerImpulse / problem.velocity();
+    const double back = -impact.hammerMomentum / mass;
+    summary.hammerReboundVelocity = back / problem.velocity();
+    summary.hammerReboundEnergy = mass * back * back / 2 / impact.hammerWork;
+    summary.hammerWaveEnergy = impact.hammerEnergy / impact.hammerWork - summary.hammerReboundEnergy;
+    summary.faceEnergy = impact.faceEnergy / impact.hammerWork;
+    summary.faceSeparationTime = impact.faceSeparation;
+}
+
+}  // namespace
+
+void ImpactSummary::setForces(const RodForces& forces) {
+    rodForces = forces;
+    largestCompression = forces.compression.size;
+    largestTension = forces.tension.size;
+    largestCompressionAfter = forces.compressionAfter.size;
+    largestTensionAfter = forces.tensionAfter.size;
+}
+
 ImpactSummary summarize(const Impact& impact, const Problem& problem) {
     BilinearLaw<> rock(problem.law);
     rock.remember(impact.peakForce);
-    return {.cor = impact.cor,
-            .impulse = impact.impulse,
-            .peakForce = impact.peakForce,
-            .maxPenetration = rock.largestPenetration() * lawUnitOfPenetration,  // (T4)
-            .residualPenetration = rock.residualPenetration() * lawUnitOfPenetration,
-            .firstContactTime = impact.firstContactTime,
-            .separationTime = impact.separationTime,
-            .contactDuration = impact.contactDuration,
-            .workRatio = impact.hammerWork * 2 * problem.transitTime(),  // [paper (2)]
-            .energy = ledgerOf(impact, problem),
-            .momentumResidual = 1 - impact.impulse - impact.finalMomentum,  // [paper (10)]
-            .corError = impact.corError,
-            .growth = impact.growth,
-            .contacts = impact.contacts,
-            .forcePeaks = {},
-            .rodForces = {}};
+    const double work = impact.hammerWork, given = impact.hammerImpulse;
+    ImpactSummary summary{.cor = impact.cor,
+                          .impulse = impact.impulse / given,
+                          .peakForce = impact.peakForce,
+                          .maxPenetration = rock.largestPenetration() * lawUnitOfPenetration,  // (T4)
+                          .residualPenetration = rock.residualPenetration() * lawUnitOfPenetration,
+                          .firstContactTime = impact.firstContactTime,
+                          .separationTime = impact.separationTime,
+                          .contactDuration = impact.contactDuration,
+                          .energy = ledgerOf(impact, problem),
+                          .momentumResidual = impact.momentumResidual(),  // [paper (10)]
+                          .corError = impact.corError,
+                          .growth = impact.growth,
+                          .contacts = impact.contacts};
+    // of a hammer what it has handed on [paper (2)]
+    summary.workRatio = problem.isForced() ? work * 2 * problem.mass()
+                                           : 1 - impact.hammerEnergy / work - impact.faceEnergy / work;
+    summary.transferred = impact.faceImpulse / given;
+    summary.efficiencyError = impact.efficiencyError;
+    summary.stringMomentum = impact.finalMomentum / given;
+    summary.stringEnergy = impact.finalEnergy / work;
+    summary.jointLoss = impact.jointLoss / work;
+    summary.rodLoss = impact.rodLoss / work;
+    summary.endTime = impact.endTime;
+    if (!problem.isForced()) addHammer(summary, impact, problem);
+    return summary;
 }
 
 ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem, const WaveNumbers& wanted) {
     ImpactSummary summary = summarize(impact, problem);
     if (impact.incident.empty()) return summary;
     if (wanted.forcePeaks) summary.forcePeaks = forcePeaks(impact);
-    summary.rodForces = largestRodForces(impact, problem.force(), wanted.forces);
+    summary.setForces(largestRodForces(impact, problem.force(), wanted.forces));
     return summary;
 }
 

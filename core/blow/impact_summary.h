@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "core/blow/energy_ledger.h"
-#include "core/blow/string_summary.h"
 #include "core/wave/field/rod_forces.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
@@ -26,14 +25,34 @@ struct ImpactSummary {
     EnergyLedger energy;
     double momentumResidual = 0;  ///< of I0
     double corError = 0;
-    double growth = 1;                         ///< Impact::growth
-    int contacts = 0;                          ///< separate contacts
-    std::optional<int> forcePeaks;             ///< forcePeaks(), where the histories were kept
-    std::optional<RodForces> rodForces;        ///< [F0] where they were asked for; solveBlow() does
-    std::optional<StringSummary> string = {};  ///< of a drill string alone
+    double growth = 1;                        ///< Impact::growth
+    int contacts = 0;                         ///< separate contacts
+    std::optional<int> forcePeaks = {};       ///< forcePeaks(), where the histories were kept
+    std::optional<RodForces> rodForces = {};  ///< [F0] of a uniform rod, where they were asked for
 
-    /// What the hammer hands on, in I0: of a drill string the impulse of its face, else all of it.
-    double transferred() const { return string ? string->faceImpulse : 1; }
+    double transferred = 1;      ///< what the drive hands on to rod or string [I0; p0]
+    double efficiencyError = 0;  ///< stated error of energy.rockWork, where cells give it
+
+    // Energies in W, or in E0 of a hammer that is followed; momenta likewise
+    double stringMomentum = 0;                  ///< towards the rock
+    double stringEnergy = 0;                    ///< of string or rod
+    double jointLoss = 0;                       ///< energy lost in joints
+    double rodLoss = 0;                         ///< energy lost on the way through sections
+    double hammerReboundVelocity = 0;           ///< of a followed hammer, away from the rock [v0]
+    double hammerReboundEnergy = 0;             ///< of that
+    double hammerWaveEnergy = 0;                ///< of waves left in the hammer
+    double faceEnergy = 0;                      ///< in the stiffness of the faces
+    double faceSeparationTime = Impact::never;  ///< when hammer and string first part [t0]
+    double endTime = 0;                         ///< to when a string was followed [t0]
+
+    /// Largest stresses over all sections of hammer and string [F0/A of the rod], where they were asked for:
+    /// while the blow lasts, and later where it was followed so long.
+    std::optional<double> largestCompression = {}, largestTension = {};
+    std::optional<double> largestCompressionAfter = {}, largestTensionAfter = {};
+
+    double efficiencyRecovered() const { return energy.rockWork + hammerReboundEnergy; }
+    /// Those of a uniform rod.
+    void setForces(const RodForces& forces);
 };
 
 /// Of an impact solved with Detail::ledger or more. From one of less detail what that asks for means

@@ -14,13 +14,6 @@ namespace {
 using Number = std::optional<double>;
 using From = OutputSource;
 
-/// The size of one of the largest forces in the rod, where the waves were kept.
-template <RodForce RodForces::*force>
-Number largest(const From& from) {
-    if (!from.summary.rodForces) return std::nullopt;
-    return ((*from.summary.rodForces).*force).size;
-}
-
 /// Per time: a number per blow in its unit times the blow frequency.
 Number perTime(const From& from, double perBlow, double unit) {
     if (!frequencyProblem(from.scenario, {}).empty()) return std::nullopt;
@@ -35,17 +28,22 @@ Number penetrationRate(const From& from) {
     return perTime(from, from.summary.residualPenetration, scalesOf(from.scenario).penetration);
 }
 
-/// A number that a drill string alone has.
-template <double StringSummary::*member>
+/// A number of the summary.
+template <double ImpactSummary::*member>
+Number number(const From& from) {
+    return from.summary.*member;
+}
+
+/// One that a drill string alone has.
+template <double ImpactSummary::*member>
 Number ofString(const From& from) {
-    if (!from.summary.string) return std::nullopt;
-    return (*from.summary.string).*member;
+    return isString(from.scenario) ? number<member>(from) : std::nullopt;
 }
 
 /// One that only a hammer of sections gives.
-template <double StringSummary::*member>
+template <double ImpactSummary::*member>
 Number ofHammer(const From& from) {
-    return isForced(from.scenario) ? std::nullopt : ofString<member>(from);
+    return isForced(from.scenario) ? std::nullopt : number<member>(from);
 }
 
 std::string notAString(const Scenario& scenario) {
@@ -70,41 +68,33 @@ std::string notAUniformRod(const Scenario& scenario) {
     return isString(scenario) ? "only a uniform rod has it (`drillwave: 1`)" : std::string();
 }
 
-/// The largest stress of the rod, or of all sections of a string.
-template <RodForce RodForces::*force, Number StringSummary::*member>
-Number largestStress(const From& from) {
-    if (!from.summary.string) return largest<force>(from);
-    return (*from.summary.string).*member;
-}
-
 constexpr std::string_view thrustMarginName = "thrust_margin";
 
 constexpr auto outputTable = std::to_array<Output>({
     {"cor", "coefficient of restitution e = -pf/p0", Measure::number, Detail::cor,
-     [](const From& f) -> Number { return f.summary.cor; }},
+     number<&ImpactSummary::cor>},
     {"impulse", "impulse of the impact force, 1 + e", Measure::impulse, Detail::cor,
-     [](const From& f) -> Number { return f.summary.impulse; }, OutputGroup::impact, "impulse on the rock",
+     number<&ImpactSummary::impulse>, OutputGroup::impact, "impulse on the rock",
      "Impulse of the impact force on the rock, (1 + e) times that of the hammer"},
-    {"peak_force", "largest impact force", Measure::force, Detail::summary,
-     [](const From& f) -> Number { return f.summary.peakForce; }, OutputGroup::impact, "peak force",
-     "Largest impact force"},
+    {"peak_force", "largest impact force", Measure::force, Detail::summary, number<&ImpactSummary::peakForce>,
+     OutputGroup::impact, "peak force", "Largest impact force"},
     {"max_penetration", "largest penetration of the bit", Measure::penetration, Detail::summary,
-     [](const From& f) -> Number { return f.summary.maxPenetration; }, OutputGroup::impact,
-     "largest penetration", "Largest penetration of the bit during the blow"},
+     number<&ImpactSummary::maxPenetration>, OutputGroup::impact, "largest penetration",
+     "Largest penetration of the bit during the blow"},
     {"residual_penetration", "penetration that stays after the blow", Measure::penetration, Detail::summary,
-     [](const From& f) -> Number { return f.summary.residualPenetration; }, OutputGroup::impact,
-     "penetration a blow", "Penetration that stays after the blow"},
+     number<&ImpactSummary::residualPenetration>, OutputGroup::impact, "penetration a blow",
+     "Penetration that stays after the blow"},
     {"first_contact_time", "time of the first contact", Measure::time, Detail::summary,
-     [](const From& f) -> Number { return f.summary.firstContactTime; }, OutputGroup::impact, "first contact",
+     number<&ImpactSummary::firstContactTime>, OutputGroup::impact, "first contact",
      "Time of the first contact"},
     {"separation_time", "time of the last separation", Measure::time, Detail::summary,
-     [](const From& f) -> Number { return f.summary.separationTime; }, OutputGroup::impact, "last separation",
+     number<&ImpactSummary::separationTime>, OutputGroup::impact, "last separation",
      "Time of the last separation"},
     {"contact_duration", "time in contact, summed over contacts", Measure::time, Detail::summary,
-     [](const From& f) -> Number { return f.summary.contactDuration; }, OutputGroup::impact,
-     "time in contact", "Summed over all contacts"},
+     number<&ImpactSummary::contactDuration>, OutputGroup::impact, "time in contact",
+     "Summed over all contacts"},
     {"work_ratio", "work of the hammer over m v0^2/2", Measure::work, Detail::summary,
-     [](const From& f) -> Number { return f.summary.workRatio; }, OutputGroup::energy, "hammer work W",
+     number<&ImpactSummary::workRatio>, OutputGroup::energy, "hammer work W",
      "Work of the hammer on the rod"},
     {"rock_work", "energy left in the rock, fraction of the hammer work", Measure::share, Detail::summary,
      [](const From& f) -> Number { return f.summary.energy.rockWork; }, OutputGroup::energy, "into the rock",
@@ -119,17 +109,17 @@ constexpr auto outputTable = std::to_array<Output>({
     {"efficiency", "share of the hammer work that stays in the rock", Measure::share, Detail::summary,
      [](const From& f) -> Number { return f.summary.energy.rockWork; }},
     {"momentum_residual", "error of the momentum balance, fraction of I0", Measure::error, Detail::ledger,
-     [](const From& f) -> Number { return f.summary.momentumResidual; }},
+     number<&ImpactSummary::momentumResidual>},
     {"energy_residual", "error of the energy balance, fraction of the hammer work", Measure::error,
      Detail::ledger, [](const From& f) -> Number { return f.summary.energy.residual; }, OutputGroup::energy,
      "balance error", "What all the shares together miss"},
     {"cor_error", "bound on the numerical error of cor", Measure::error, Detail::cor,
-     [](const From& f) -> Number { return f.summary.corError; }},
+     number<&ImpactSummary::corError>},
     {"thrust",
      "blow frequency times impulse, N, when the scenario has a frequency",
      Measure::newton,
      Detail::cor,
-     [](const From& f) { return thrustNeeded(f.scenario, f.summary.cor, f.summary.transferred()); },
+     [](const From& f) { return thrustNeeded(f.scenario, f.summary.cor, f.summary.transferred); },
      OutputGroup::none,
      {},
      {},
@@ -157,24 +147,24 @@ constexpr auto outputTable = std::to_array<Output>({
      "off the rock do not reach",
      nullptr, [](const Scenario& s) { return frequencyProblem(s, "the penetration rate"); }},
     {"peak_compression", "largest compression in the rod while the blow lasts", Measure::stress,
-     Detail::histories, largestStress<&RodForces::compression, &StringSummary::largestCompression>,
+     Detail::histories, [](const From& f) -> Number { return f.summary.largestCompression; },
      OutputGroup::stress, "compression, blow",
      "Largest compressive stress of uniform sections while the blow lasts, to the last separation of bit and "
      "rock plus one transit time; threads and shoulders raise it locally",
      &RodForces::compression},
     {"peak_tension", "largest tension in the rod while the blow lasts", Measure::stress, Detail::histories,
-     largestStress<&RodForces::tension, &StringSummary::largestTension>, OutputGroup::stress, "tension, blow",
+     [](const From& f) -> Number { return f.summary.largestTension; }, OutputGroup::stress, "tension, blow",
      "Largest tensile stress of uniform sections while the blow lasts, to the last separation of bit and "
      "rock plus one transit time; threads and shoulders raise it locally",
      &RodForces::tension},
     {"peak_compression_after", "largest compression of the waves left, undamped", Measure::stress,
-     Detail::histories, largestStress<&RodForces::compressionAfter, &StringSummary::largestCompressionAfter>,
+     Detail::histories, [](const From& f) -> Number { return f.summary.largestCompressionAfter; },
      OutputGroup::stress, "compression, after",
      "Largest compressive stress of the waves that are left after the blow and run on, of a string as long "
      "as it is followed; nothing damps them in the model, a real rod does",
      &RodForces::compressionAfter},
     {"peak_tension_after", "largest tension of the waves left, undamped", Measure::stress, Detail::histories,
-     largestStress<&RodForces::tensionAfter, &StringSummary::largestTensionAfter>, OutputGroup::stress,
+     [](const From& f) -> Number { return f.summary.largestTensionAfter; }, OutputGroup::stress,
      "tension, after",
      "Largest tensile stress of the waves that are left after the blow and run on, of a string over a round "
      "trip at least; nothing damps them in the model, a real rod does",
@@ -186,7 +176,9 @@ constexpr auto outputTable = std::to_array<Output>({
      "efficiency, and what the hammer takes back with it, of a drill string",
      Measure::share,
      Detail::summary,
-     ofString<&StringSummary::efficiencyRecovered>,
+     [](const From& f) -> Number {
+         return isString(f.scenario) ? Number(f.summary.efficiencyRecovered()) : std::nullopt;
+     },
      OutputGroup::none,
      {},
      {},
@@ -196,7 +188,7 @@ constexpr auto outputTable = std::to_array<Output>({
      "stated error of the efficiency of a drill string",
      Measure::error,
      Detail::summary,
-     ofString<&StringSummary::efficiencyError>,
+     ofString<&ImpactSummary::efficiencyError>,
      OutputGroup::none,
      {},
      {},
@@ -204,20 +196,20 @@ constexpr auto outputTable = std::to_array<Output>({
      notAString},
     {"hammer_rebound_velocity",
      "velocity of the hammer after the blow, away from the rock, over that of impact", Measure::velocity,
-     Detail::summary, ofHammer<&StringSummary::hammerReboundVelocity>, OutputGroup::impact, "hammer rebound",
+     Detail::summary, ofHammer<&ImpactSummary::hammerReboundVelocity>, OutputGroup::impact, "hammer rebound",
      "Velocity of the hammer after the blow, away from the rock", nullptr, notOfAHammer},
     {"hammer_rebound_energy", "energy of the hammer moving back as a whole, fraction of that of impact",
-     Measure::share, Detail::summary, ofHammer<&StringSummary::hammerReboundEnergy>, OutputGroup::energy,
+     Measure::share, Detail::summary, ofHammer<&ImpactSummary::hammerReboundEnergy>, OutputGroup::energy,
      "into the hammer", "Share of its energy with which the hammer moves after the blow", nullptr,
      notOfAHammer},
     {"hammer_wave_energy", "energy left in waves of the hammer, fraction of its own", Measure::share,
-     Detail::summary, ofHammer<&StringSummary::hammerWaveEnergy>, OutputGroup::energy, "waves in the hammer",
+     Detail::summary, ofHammer<&ImpactSummary::hammerWaveEnergy>, OutputGroup::energy, "waves in the hammer",
      "Share of its energy that runs to and fro in the hammer", nullptr, notOfAHammer},
     {"string_momentum",
      "momentum of the string after the blow, towards the rock, over that of the hammer",
      Measure::impulse,
      Detail::summary,
-     ofString<&StringSummary::stringMomentum>,
+     ofString<&ImpactSummary::stringMomentum>,
      OutputGroup::none,
      {},
      {},
@@ -227,30 +219,30 @@ constexpr auto outputTable = std::to_array<Output>({
      "energy of the string after the blow, fraction of that of the hammer",
      Measure::share,
      Detail::summary,
-     ofString<&StringSummary::stringEnergy>,
+     ofString<&ImpactSummary::stringEnergy>,
      OutputGroup::none,
      {},
      {},
      nullptr,
      notAString},
     {"joint_loss", "energy lost in joints, fraction of that of the hammer", Measure::share, Detail::summary,
-     ofString<&StringSummary::jointLoss>, OutputGroup::energy, "lost in joints",
+     ofString<&ImpactSummary::jointLoss>, OutputGroup::energy, "lost in joints",
      "Share of the energy of the hammer that joints take", nullptr, notAString},
     {"rod_loss", "energy lost on the way through sections, fraction of that of the hammer", Measure::share,
-     Detail::summary, ofString<&StringSummary::rodLoss>, OutputGroup::energy, "lost in sections",
+     Detail::summary, ofString<&ImpactSummary::rodLoss>, OutputGroup::energy, "lost in sections",
      "Share of the energy of the hammer that waves lose on their way", nullptr, notAString},
     {"face_energy", "energy in the stiffness of the faces, fraction of that of the hammer", Measure::share,
-     Detail::summary, ofHammer<&StringSummary::faceEnergy>, OutputGroup::energy, "between the faces",
+     Detail::summary, ofHammer<&ImpactSummary::faceEnergy>, OutputGroup::energy, "between the faces",
      "Share of the energy of the hammer in the stiffness of the faces, where they still touch", nullptr,
      notOfElasticFaces},
     {"piston_separation_time", "time at which hammer and string first part", Measure::time, Detail::summary,
-     ofHammer<&StringSummary::pistonSeparationTime>, OutputGroup::impact, "hammer leaves",
+     ofHammer<&ImpactSummary::faceSeparationTime>, OutputGroup::impact, "hammer leaves",
      "Time at which hammer and string first part", nullptr, notOfAHammer},
     {"end_time",
      "time to which the blow was followed",
      Measure::time,
      Detail::summary,
-     ofString<&StringSummary::endTime>,
+     ofString<&ImpactSummary::endTime>,
      OutputGroup::none,
      {},
      {},

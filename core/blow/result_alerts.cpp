@@ -19,7 +19,7 @@ namespace {
 constexpr double promisedError = 1e-9;
 
 void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    const std::optional<FeedVerdict> verdict = judgeFeed(scenario, summary.cor, summary.transferred());
+    const std::optional<FeedVerdict> verdict = judgeFeed(scenario, summary.cor, summary.transferred);
     if (!verdict || !verdict->isTooLittle()) return;
     Alert alert{AlertLevel::warning,
                 AlertCode::thrustBelowNeeded,
@@ -33,8 +33,8 @@ void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vect
     alerts.push_back(alert);
 }
 
-void addRebound(const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    if (!summary.string && summary.cor > 1 + summary.corError)
+void addRebound(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
+    if (!isString(scenario) && summary.cor > 1 + summary.corError)
         alerts.push_back({AlertLevel::information, AlertCode::superRebound, "", {{"cor", summary.cor}}});
     if (summary.contacts > 1)
         alerts.push_back({AlertLevel::information,
@@ -84,7 +84,7 @@ void addAccuracy(const ImpactSummary& summary, std::vector<Alert>& alerts) {
 std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& summary) {
     std::vector<Alert> alerts;
     addThrust(scenario, summary, alerts);
-    addRebound(summary, alerts);
+    addRebound(scenario, summary, alerts);
     addClosedForm(scenario, summary, alerts);
     addAccuracy(summary, alerts);
     return alerts;

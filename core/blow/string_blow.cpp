@@ -14,100 +14,8 @@
 
 namespace drillwave {
 
-StringBlow solveString(const Scenario& scenario, const NetworkSettings& settings, NetworkSolver& solver,
-                       const std::stop_token& stop) {
-    StringBlow blow{problemOf(scenario), {}};
-    blow.impact = solver.solve(blow.problem, settings, stop);
-    return blow;
-}
-
-Impact impactOf(const StringBlow& blow) {
-    const NetworkImpact& from = blow.impact;
-    Impact impact;
-    impact.pieces = from.cells;
-    if (from.end == NetworkEnd::notSolved) {
-        impact.reason = from.reason;
-        impact.hindrance = from.hindrance;
-        return impact;
-    }
-    impact.outcome = Outcome::rebounded;
-    const double p0 = from.hammerMomentum;
-    impact.impulse = from.rockImpulse / p0;
-    impact.cor = from.faceImpulse > 0 ? -from.stringMomentum / from.faceImpulse : 0;
-    impact.corError = from.corError;
-    impact.peakForce = from.peakForce;
-    const double never = std::numeric_limits<double>::quiet_NaN();
-    impact.firstContactTime = from.firstContact >= 0 ? from.firstContact : never;
-    impact.separationTime = from.lastSeparation >= 0 ? from.lastSeparation : never;
-    impact.contactDuration = from.contactDuration;
-    impact.contacts = from.contacts;
-    impact.events = from.events;
-    if (from.waves) {
-        impact.incident = from.waves->bitWave();
-        impact.force = from.waves->bitForce();
-    }
-    return impact;
-}
-
-ImpactSummary summarize(const Scenario& scenario, const StringBlow& blow) {
-    const NetworkImpact& from = blow.impact;
-    const Impact impact = impactOf(blow);
-    ImpactSummary summary;
-    summary.cor = impact.cor;
-    summary.impulse = impact.impulse;
-    summary.peakForce = impact.peakForce;
-    summary.maxPenetration = from.largestPenetration * lawUnitOfPenetration;
-    summary.residualPenetration = from.residualPenetration * lawUnitOfPenetration;
-    summary.firstContactTime = impact.firstContactTime;
-    summary.separationTime = impact.separationTime;
-    summary.contactDuration = impact.contactDuration;
-    summary.corError = impact.corError;
-    summary.contacts = impact.contacts;
-    summary.momentumResidual = from.momentumResidual;
-    const double stringMass = blow.problem.mass();
-    summary.workRatio = blow.problem.isForced() ? from.hammerEnergy * 2 * stringMass  // [paper (2)]
-                                                : 1 - from.energy.hammer - from.energy.face;
-    const double rebound = from.stringMomentum * from.stringMomentum / (2 * stringMass) / from.hammerEnergy;
-    summary.energy = {from.energy.rock, rebound, from.energy.string - rebound, from.energyResidual};
-
-    StringSummary string;
-    string.end = from.end;
-    string.endTime = from.endTime;
-    string.efficiency = from.energy.rock;
-    string.efficiencyError = from.efficiencyError;
-    if (!blow.problem.isForced()) {
-        const double back = -from.pistonMomentum / from.hammerMass;
-        string.hammerReboundVelocity = back / blow.problem.velocity();
-        string.hammerReboundEnergy = from.hammerMass * back * back / 2 / from.hammerEnergy;
-        string.hammerWaveEnergy = from.energy.hammer - string.hammerReboundEnergy;
-    }
-    string.efficiencyRecovered = from.energy.rock + string.hammerReboundEnergy;
-    string.stringMomentum = from.stringMomentum / from.hammerMomentum;
-    string.stringEnergy = from.energy.string;
-    string.jointLoss = from.energy.joints;
-    string.rodLoss = from.energy.rods;
-    string.faceImpulse = from.faceImpulse / from.hammerMomentum;
-    string.faceEnergy = from.energy.face;
-    string.pistonSeparationTime =
-        from.faceSeparation >= 0 ? from.faceSeparation : std::numeric_limits<double>::quiet_NaN();
-    if (const auto stresses = sectionStresses(scenario, blow); !stresses.empty()) {
-        const double unit = scalesOf(scenario).stress;
-        const auto largest = [&](RodForce RodForces::*which) {
-            return largestStress(stresses, which).peak.stress / unit;
-        };
-        string.largestCompression = largest(&RodForces::compression);
-        string.largestTension = largest(&RodForces::tension);
-        if (hasStressesAfter(from)) {
-            string.largestCompressionAfter = largest(&RodForces::compressionAfter);
-            string.largestTensionAfter = largest(&RodForces::tensionAfter);
-        }
-    }
-    summary.string = string;
-    return summary;
-}
-
-std::vector<SectionStress> sectionStresses(const Scenario& scenario, const StringBlow& blow) {
-    const std::vector<SectionForces>& forces = blow.impact.sections;
+std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Impact& impact) {
+    const std::vector<SectionForces>& forces = impact.sections;
     if (forces.empty()) return {};
     const DrillString& drill = scenario.drillString;
     const Scales scales = scalesOf(scenario);
@@ -138,7 +46,21 @@ StringPeak largestStress(const std::vector<SectionStress>& stresses, RodForce Ro
     return {static_cast<std::size_t>(found - stresses.begin()), *found.*name->second};
 }
 
-bool hasStressesAfter(const NetworkImpact& impact) {
+void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact& impact) {
+    const std::vector<SectionStress> stresses = sectionStresses(scenario, impact);
+    if (stresses.empty()) return;
+    const double unit = scalesOf(scenario).stress;
+    const auto largest = [&](RodForce RodForces::*which) {
+        return largestStress(stresses, which).peak.stress / unit;
+    };
+    summary.largestCompression = largest(&RodForces::compression);
+    summary.largestTension = largest(&RodForces::tension);
+    if (!hasStressesAfter(impact)) return;
+    summary.largestCompressionAfter = largest(&RodForces::compressionAfter);
+    summary.largestTensionAfter = largest(&RodForces::tensionAfter);
+}
+
+bool hasStressesAfter(const Impact& impact) {
     return !impact.sections.empty() && impact.endOfBlow < impact.forcesEnd;
 }
 
@@ -154,8 +76,8 @@ std::string_view strengthKey(const DrillString& drill, std::size_t j, std::strin
     return parameter ? parameter->key : std::string_view();
 }
 
-void addOverloads(const Scenario& scenario, const StringBlow& blow, std::vector<Alert>& alerts) {
-    const std::vector<SectionStress> stresses = sectionStresses(scenario, blow);
+void addOverloads(const Scenario& scenario, const Impact& impact, std::vector<Alert>& alerts) {
+    const std::vector<SectionStress> stresses = sectionStresses(scenario, impact);
     const std::vector<const Section*> sections = allSections(scenario.drillString);
     std::vector<const Section*> told;  // a section that is repeated is told of where it is worst
     for (std::size_t j = 0; j < stresses.size(); ++j) {
@@ -201,32 +123,31 @@ void addOverloads(const Scenario& scenario, const StringBlow& blow, std::vector<
 
 }  // namespace
 
-std::vector<Alert> stringAlerts(const Scenario& scenario, const StringBlow& blow) {
+std::vector<Alert> stringAlerts(const Scenario& scenario, const Impact& impact) {
     std::vector<Alert> alerts;
-    addOverloads(scenario, blow, alerts);
+    addOverloads(scenario, impact, alerts);
     const Scales scales = scalesOf(scenario);
     // what a shared cell leaves is below what lengths are given to
     constexpr double noticedRounding = 1e-7;
-    if (blow.impact.rounding > noticedRounding) {
+    if (impact.rounding > noticedRounding) {
         Alert alert{AlertLevel::warning,
                     AlertCode::lengthsRounded,
                     "",
-                    {{"time", blow.impact.rounding * scales.time, Quantity::time}}};
-        if (blow.problem.law.gamma < 1)
-            alert.arguments.push_back({"efficiency_error", blow.impact.efficiencyError});
+                    {{"time", impact.rounding * scales.time, Quantity::time}}};
+        if (scenario.bitRock.gamma < 1)
+            alert.arguments.push_back({"efficiency_error", impact.efficiencyError});
         else  // elastic rock keeps nothing, whatever the lengths are
-            alert.arguments.push_back({"cor_error", blow.impact.corError});
-        if (blow.impact.sharedCell > 0)
-            alert.arguments.push_back({"shared_cell", blow.impact.sharedCell * scales.time, Quantity::time});
+            alert.arguments.push_back({"cor_error", impact.corError});
+        if (impact.sharedCell > 0)
+            alert.arguments.push_back({"shared_cell", impact.sharedCell * scales.time, Quantity::time});
         alerts.push_back(alert);
     }
-    if (blow.impact.end == NetworkEnd::nextBlow)
+    if (impact.outcome == Outcome::nextBlow)
         alerts.push_back({AlertLevel::warning,
                           AlertCode::blowNotOver,
                           "",
-                          {{"time", blow.impact.endTime * scales.time, Quantity::time}}});
-    if (blow.impact.leftOutForces)
-        alerts.push_back({AlertLevel::warning, AlertCode::stressesLeftOut, "", {}});
+                          {{"time", impact.endTime * scales.time, Quantity::time}}});
+    if (impact.leftOutForces) alerts.push_back({AlertLevel::warning, AlertCode::stressesLeftOut, "", {}});
     return alerts;
 }
 

@@ -68,23 +68,23 @@ StringPlace middleOfLongest(const DrillString& drillString) {
     return {drillString.hammer.sections.size() + static_cast<std::size_t>(longest - sections.begin()), 0.5};
 }
 
-StringHistory::StringHistory(const StringBlow& blow, const StringPlace& place)
-    : m_blow(&blow), m_waves(blow.impact.waves.get()), m_place(place) {
-    assert(m_waves && place.section < blow.problem.sections.size());
+StringHistory::StringHistory(const Impact& impact, const Problem& problem, const StringPlace& place)
+    : m_impact(&impact), m_problem(&problem), m_waves(impact.waves.get()), m_place(place) {
+    assert(m_waves && place.section < problem.sections.size());
 }
 
 StringInstant StringHistory::at(double time, TimeSide side) const {
     const StringWaves& waves = *m_waves;
     const double t = std::clamp(time, 0.0, waves.end());
     const double beside = side == TimeSide::after ? t + waves.rounding() : t - waves.rounding();
-    const std::size_t ofHammer = m_blow->problem.hammerSections();
-    const double momentum = m_blow->impact.hammerMomentum, v0 = m_blow->problem.velocity();
+    const std::size_t ofHammer = m_problem->hammerSections();
+    const double momentum = m_impact->hammerImpulse, v0 = m_problem->velocity();
     StringInstant now;
     now.time = t;
     now.impactForce = std::max(0.0, waves.bitForce()(beside));
     now.impulse = waves.bitForce().integral(t) / momentum;
     now.momentum = waves.faceForce().integral(t) / momentum - now.impulse;
-    now.penetration = waves.bitVelocity().integral(t) * lawUnitOfPenetration - m_blow->problem.gap;
+    now.penetration = waves.bitVelocity().integral(t) * lawUnitOfPenetration - m_problem->gap;
     now.frontVelocity = waves.bitVelocity()(beside) / v0;
     const double pushed = ofHammer > 0 ? waves.force(ofHammer - 1, 1, t, side) : waves.force(0, 0, t, side);
     now.faceForce = std::max(0.0, pushed);
@@ -93,15 +93,8 @@ StringInstant StringHistory::at(double time, TimeSide side) const {
     now.positiveWave = 0 - down;
     now.negativeWave = 0 - up;
     now.normalForce = 0 - (down + up);
-    now.velocity = (down - up) / (m_blow->problem.sections[m_place.section].impedance * v0);
+    now.velocity = (down - up) / (m_problem->sections[m_place.section].impedance * v0);
     return now;
-}
-
-double StringHistory::normalImpulse(double time) const {
-    const double t = std::clamp(time, 0.0, m_waves->end());
-    return -(m_waves->downImpulse(m_place.section, m_place.share, t) +
-             m_waves->upImpulse(m_place.section, m_place.share, t)) /
-           m_blow->impact.hammerMomentum;
 }
 
 std::vector<double> StringHistory::pieceTimes() const {

@@ -4,8 +4,10 @@
 
 #include <vector>
 
-#include "core/blow/string_blow.h"
 #include "core/model/drill_string.h"
+#include "core/wave/impact.h"
+#include "core/wave/network/string_waves.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -47,11 +49,9 @@ struct StringInstant {
 /// Reads a blow whose waves were kept; it must outlive this.
 class StringHistory {
   public:
-    StringHistory(const StringBlow& blow, const StringPlace& place);
+    StringHistory(const Impact& impact, const Problem& problem, const StringPlace& place);
 
     StringInstant at(double time, TimeSide side = TimeSide::after) const;
-    /// ∫N dt at the place from the first touch on [p0].
-    double normalImpulse(double time) const;
     double end() const { return m_waves->end(); }
     /// From 0 to end(), a time twice where something jumps; chords follow the curves to about 1e-4 F0.
     std::vector<StringInstant> sampled() const;
@@ -59,7 +59,8 @@ class StringHistory {
   private:
     std::vector<double> pieceTimes() const;
 
-    const StringBlow* m_blow;
+    const Impact* m_impact;
+    const Problem* m_problem;
     const StringWaves* m_waves;
     StringPlace m_place;
 };

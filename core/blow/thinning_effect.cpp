@@ -18,7 +18,7 @@ std::optional<Impact> solved(Scenario scenario, const TablePoints& points, Metho
     scenario.pulse.tablePoints = points;
     if (!validate(scenario).empty()) return std::nullopt;
     Impact impact = solver.solve(problemOf(scenario), Detail::cor, {}, stop);
-    if (impact.outcome != Outcome::rebounded) return std::nullopt;
+    if (!impact.isSolved()) return std::nullopt;
     return impact;
 }
 

@@ -8,7 +8,7 @@ namespace drillwave {
 
 bool isTooLongToKeep(const std::function<const Impact&(Detail)>& solve) {
     const Impact& least = solve(Detail::cor);
-    if (least.outcome != Outcome::rebounded || least.pieces <= mostPiecesKept) return false;
+    if (!least.isSolved() || least.pieces <= mostPiecesKept) return false;
     solve(Detail::ledger);
     return true;
 }
@@ -19,10 +19,10 @@ ImpactSummary summarizeInPassing(const Impact& impact, const Problem& problem, c
     PassingWaves waves(impact, problem.force(), wanted.forces);
     Impact rest = marchInPassing(
         problem, impact.pieces, [&](Impact& recording) { return waves.take(recording); }, stop);
-    if (rest.outcome != Outcome::rebounded) return summary;
+    if (!rest.isSolved()) return summary;
     waves.takeLast(rest);
     if (wanted.forcePeaks) summary.forcePeaks = waves.peaks();
-    summary.rodForces = waves.forces();
+    summary.setForces(waves.forces());
     return summary;
 }
 

@@ -124,7 +124,7 @@ std::string historyColumns(OutputUnits units) {
                                        "penetration d0 = 2 I0/Z, front_velocity d0/t0.");
 }
 
-std::string stringHistoriesCsv(const StringBlow& blow, const StringPlace& place, OutputUnits units,
+std::string stringHistoriesCsv(const Blow& blow, const StringPlace& place, OutputUnits units,
                                const Scales& scales) {
     const Scales scale = units == OutputUnits::si ? scales : Scales{};
     const auto forces = [&](std::string_view name) { return "," + heading(name, Quantity::force, units); };
@@ -137,7 +137,7 @@ std::string stringHistoriesCsv(const StringBlow& blow, const StringPlace& place,
                       heading("penetration", Quantity::length, units) + velocities("front_velocity") +
                       forces("face_force") + forces("normal_force") + forces("positive_wave") +
                       forces("negative_wave") + velocities("velocity") + "\n";
-    for (const StringInstant& now : StringHistory(blow, place).sampled()) {
+    for (const StringInstant& now : StringHistory(blow.impact, blow.problem, place).sampled()) {
         const double cells[] = {now.time * scale.time,
                                 now.impactForce * scale.force,
                                 now.impulse * scale.impulse,

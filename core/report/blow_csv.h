@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/blow/blow.h"
 #include "core/blow/string_curves.h"
 #include "core/model/scales.h"
 #include "core/study/rows/output_column.h"
@@ -39,7 +40,7 @@ std::string historyColumns(OutputUnits units);
 /// behind these columns face_force of hammer and string, then normal_force, positive_wave and negative_wave,
 /// tension positive, and velocity at a place. Momentum is what the hammer has given to the string less the
 /// impulse on the rock.
-std::string stringHistoriesCsv(const StringBlow& blow, const StringPlace& place, OutputUnits units,
+std::string stringHistoriesCsv(const Blow& blow, const StringPlace& place, OutputUnits units,
                                const Scales& scales);
 
 /// Signs and units of these, and where the place is.

@@ -78,16 +78,11 @@ JsonArray alertsJson(const std::vector<Alert>& alerts) {
 }
 
 std::string_view outcomeName(const Blow& blow) {
-    if (!blow.isSolved()) return "not_solved";
-    if (!blow.string) return "rebounded";
-    switch (blow.string->impact.end) {
-        case NetworkEnd::endTime:
-            return "end_time";
-        case NetworkEnd::nextBlow:
-            return "next_blow";
-        default:
-            return "rebounded";
-    }
+    static constexpr EnumNames<Outcome> names{{{Outcome::rebounded, "rebounded"},
+                                               {Outcome::endTime, "end_time"},
+                                               {Outcome::nextBlow, "next_blow"},
+                                               {Outcome::notSolved, "not_solved"}}};
+    return names[blow.impact.outcome];
 }
 
 JsonObject peakJson(const StressPeak& peak) {
@@ -100,7 +95,7 @@ JsonArray sectionsJson(const Blow& blow) {
     JsonArray array;
     const DrillString& drill = blow.scenario.drillString;
     const std::vector<const Section*> sections = allSections(drill);
-    const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
+    const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, blow.impact);
     const std::size_t ofHammer = drill.hammer.sections.size();
     double from = 0;
     for (std::size_t j = 0; j < sections.size(); ++j) {
@@ -121,7 +116,7 @@ JsonArray sectionsJson(const Blow& blow) {
             const StressPeak tension = larger(stress.tension, stress.tensionAfter);
             object["compression"] = peakJson(compression);
             object["tension"] = peakJson(tension);
-            if (hasStressesAfter(blow.string->impact)) {
+            if (hasStressesAfter(blow.impact)) {
                 object["compression_blow"] = peakJson(stress.compression);
                 object["tension_blow"] = peakJson(stress.tension);
                 object["compression_after"] = peakJson(stress.compressionAfter);
@@ -131,7 +126,7 @@ JsonArray sectionsJson(const Blow& blow) {
                 object["yield_use"] = std::max(compression.stress, tension.stress) / *section.yieldStrength;
             if (section.fatigueStrength) object["fatigue_use"] = tension.stress / *section.fatigueStrength;
         }
-        const std::vector<double>& reflected = blow.string->impact.jointReflection;
+        const std::vector<double>& reflected = blow.impact.jointReflection;
         if (!hammer && j - ofHammer < reflected.size()) object["joint_reflection"] = reflected[j - ofHammer];
         array.emplace_back(object);
     }
@@ -150,7 +145,7 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
     JsonObject object{
         {"version", versionText},
         {"title", blow.scenario.title},
-        {"method", blow.string ? methodOfStrings : name(blow.method.method)},
+        {"method", blow.isOfString() ? methodOfStrings : name(blow.method.method)},
         {"outcome", outcomeName(blow)},
         {"run_time", blow.runTime},
         {"groups", groupsJson(blow.groups)},
@@ -162,7 +157,7 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
     };
     if (blow.method.method == Method::lattice) object["segments"] = blow.method.lattice.segments;
     if (!blow.isSolved()) object["reason"] = impact.reason;
-    if (blow.string && blow.isSolved()) object["sections"] = sectionsJson(blow);
+    if (blow.isOfString() && blow.isSolved()) object["sections"] = sectionsJson(blow);
     object["scenario"] = scenarioText;
     if (hasUnits(blow.scenario)) addSi(object, blow);
     return Json(object).text();

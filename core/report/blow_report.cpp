@@ -52,7 +52,7 @@ void addThrust(BlowReport& report, const std::stop_token& stop, const GapProgres
     report.blow.widestNeed = widestOf(thrust.study.needs);
     // The frequency changes no blow, and nothing over the gap.
     GapReboundFinder finder;
-    if (!isString(scenario)) finder.remember(report.blow.solved, thrust.study.rebounds);
+    if (!isString(scenario)) finder.remember(report.blow.problem, thrust.study.rebounds);
     if (const std::optional<SweepAxis> axis = frequencyAxis(scenario))
         thrust.along =
             ThrustAlong{*axis, thrustAlong(scenario, *axis->parameter, valuesOf(*axis), finder, stop)};

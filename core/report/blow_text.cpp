@@ -132,11 +132,11 @@ std::string blowText(const Blow& blow) {
     const Impact& impact = blow.impact;
     std::string text = titleLine(blow.scenario) + paragraph(feedDecisionText(blow.decision())) +
                        groupsLine(blow.scenario) + "\n";
-    text += blow.string ? stringResultText(blow) : resultText(blow);
-    text += "\n  method " + (blow.string ? "polynomial cells" : methodText(blow.method)) + ", " +
+    text += blow.isOfString() ? stringResultText(blow) : resultText(blow);
+    text += "\n  method " + (blow.isOfString() ? "polynomial cells" : methodText(blow.method)) + ", " +
             std::to_string(impact.contacts) + (impact.contacts == 1 ? " contact, " : " contacts, ") +
             std::to_string(impact.pieces) +
-            (blow.string                             ? " cells"
+            (blow.isOfString()                       ? " cells"
              : blow.method.method == Method::lattice ? " steps"
                                                      : " pieces") +
             ", solved in " + inHandyUnit(blow.runTime, Quantity::time) + "\n";

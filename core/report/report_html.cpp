@@ -97,9 +97,9 @@ class Page {
     std::string about() const {
         const std::string begin =
             std::string("Report on one blow of a percussive drill, written by Drillwave ") + versionText +
-            ", solved by " + (blow().string ? "polynomial cells" : describe(blow().method)) +
+            ", solved by " + (blow().isOfString() ? "polynomial cells" : describe(blow().method)) +
             ". Tension is positive. ";
-        return begin + (blow().string
+        return begin + (blow().isOfString()
                             ? "Hammer and string of uniform sections; bending, torsion and friction "
                               "in threads beyond a loss factor are not modelled."
                             : "One uniform rod; joints and the mass of the bit are not modelled.");
@@ -123,7 +123,7 @@ class Page {
         }
         if (const std::optional<FeedVerdict>& verdict = blow().feed)
             html += paragraph(feedMeaning(
-                verdict->feed, gapAtBlow(blow().scenario, blow().summary.cor, blow().summary.transferred()),
+                verdict->feed, gapAtBlow(blow().scenario, blow().summary.cor, blow().summary.transferred),
                 m_style));
         return html + paragraph(sentence(m_report.thrustProblem));
     }
@@ -257,15 +257,15 @@ class Page {
         if (hasUnits(blow().scenario)) titles.push_back(m_style.unitsTitle());
         titles.emplace_back("where and when");
         return heading("Results") + table("results", titles, numbers(resultRows(blow(), m_style), false)) +
-               paragraph(std::string(blow().string ? "E₀ and p₀ are energy and momentum of the hammer. "
-                                                     "The error of the efficiency"
-                                                   : "W is the work of the hammer. The bound on e") +
+               paragraph(std::string(blow().isOfString() ? "E₀ and p₀ are energy and momentum of the hammer. "
+                                                           "The error of the efficiency"
+                                                         : "W is the work of the hammer. The bound on e") +
                          " and the errors of the balances are numerical; what is known of rock and " +
-                         (blow().string ? "string" : "rod") + " is far coarser.");
+                         (blow().isOfString() ? "string" : "rod") + " is far coarser.");
     }
 
     std::string energies() const {
-        if (!blow().string) return {};
+        if (!blow().isOfString()) return {};
         return heading("Where the energy went") +
                tableOf("energies", htmlRows(printedUnits(titled({"", "share of E₀", "energy"},
                                                                 stringEnergyGrid(blow(), m_style).rows()))));
@@ -278,7 +278,7 @@ class Page {
     }
 
     std::string stresses() const {
-        if (!blow().string || blow().string->impact.sections.empty()) return {};
+        if (!blow().isOfString() || blow().impact.sections.empty()) return {};
         std::vector<std::vector<std::string>> rows = stringSectionGrid(blow(), m_style).rows();
         const std::size_t sections = rows.size() - 1;
         if (!isScreen()) rows.resize(std::min(sections, mostSectionsOnPaper) + 1);
@@ -297,7 +297,7 @@ class Page {
     }
 
     std::string gap() const {
-        if (blow().string) return {};
+        if (blow().isOfString()) return {};
         std::string html = heading("All gaps between bit and rock");
         if (!m_report.gap) return html + paragraph(sentence(m_report.gapProblem));
         if (const std::string remark = m_report.gap->periodRemark(m_style); !remark.empty())
@@ -347,10 +347,11 @@ class Page {
 /// Read as the JSON of a command is; nothing in it can end the <script>.
 std::string recordText(const BlowReport& report) {
     const std::string json =
-        Json(JsonObject{{"version", versionText},
-                        {"method", report.blow.string ? methodOfStrings : name(report.blow.method.method)},
-                        {"title", report.blow.scenario.title},
-                        {"scenario", report.scenarioText}})
+        Json(JsonObject{
+                 {"version", versionText},
+                 {"method", report.blow.isOfString() ? methodOfStrings : name(report.blow.method.method)},
+                 {"title", report.blow.scenario.title},
+                 {"scenario", report.scenarioText}})
             .text();
     std::string safe;
     for (const char c : json) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);

@@ -64,10 +64,9 @@ std::string_view measureText(Measure measure, bool ofString) {
 }
 
 std::string multipleText(const Output& output, double value, const Blow& blow, const ReadingStyle& style) {
-    const std::optional<StringSummary>& string = blow.summary.string;
     if (output.name == "cor") return style.number(value, 6) + " ± " + style.bound(blow.summary.corError);
-    if (output.name == "efficiency" && string)
-        return style.number(100 * value, 6) + " ± " + style.bound(100 * string->efficiencyError) +
+    if (output.name == "efficiency" && blow.isOfString())
+        return style.number(100 * value, 6) + " ± " + style.bound(100 * blow.summary.efficiencyError) +
                (isForced(blow.scenario) ? " % of W" : " % of E₀");
     if (output.measure == Measure::error) return style.bound(std::abs(value));
     // Shares are known to 1e-12: what is smaller is rounding.
@@ -111,8 +110,8 @@ std::string stringPlaceText(const StringPeak& largest, const Blow& blow, const R
 }
 
 ReportCell placeCell(const Output& output, const Blow& blow, const ReadingStyle& style) {
-    if (blow.string && output.group == OutputGroup::stress) {
-        const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
+    if (blow.isOfString() && output.group == OutputGroup::stress) {
+        const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, blow.impact);
         if (stresses.empty()) return {};
         return {stringPlaceText(largestStress(stresses, output.force), blow, style), {}};
     }
@@ -184,7 +183,7 @@ std::vector<ReportRow> scaleRows(const Blow& blow, const ReadingStyle& style) {
         rows.push_back({symbol, label, {{style.quantity(value, quantity, reportDigits), value}}});
     };
     const Groups& groups = blow.groups;
-    if (blow.string) {
+    if (blow.isOfString()) {
         addStringScales(blow, add);
         return rows;
     }

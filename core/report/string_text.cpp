@@ -24,15 +24,14 @@ std::string percent(double share, const ReadingStyle& style) {
 /// Numbers with what they are in SI.
 std::string resultGrid(const Blow& blow) {
     const ImpactSummary& summary = blow.summary;
-    const StringSummary& string = *summary.string;
     const Scales& scales = blow.scales;
     TextGrid grid(CellAlignment::left);
-    grid.add({"efficiency",
-              rounded(string.efficiency, 12) + "  (error below " + boundText(string.efficiencyError) + ")"});
+    grid.add({"efficiency", rounded(summary.energy.rockWork, 12) + "  (error below " +
+                                boundText(summary.efficiencyError) + ")"});
     const bool forced = isForced(blow.scenario);
-    if (!forced) grid.add({"  and what the hammer takes back", rounded(string.efficiencyRecovered)});
-    grid.add(
-        {"work on the rock", si(string.efficiency * blow.drivenEnergy() * scales.energy, Quantity::energy)});
+    if (!forced) grid.add({"  and what the hammer takes back", rounded(summary.efficiencyRecovered())});
+    grid.add({"work on the rock",
+              si(summary.energy.rockWork * blow.drivenEnergy() * scales.energy, Quantity::energy)});
     grid.add({"impulse on the rock", si(summary.impulse * scales.impulse, Quantity::impulse),
               rounded(summary.impulse) + (forced ? " of the force's" : " of the hammer's")});
     grid.add({"restitution e of the string", rounded(summary.cor)});
@@ -46,10 +45,10 @@ std::string resultGrid(const Blow& blow) {
             grid.add({"last separation", si(summary.separationTime * scales.time, Quantity::time)});
         grid.add({"time in contact", si(summary.contactDuration * scales.time, Quantity::time)});
     }
-    if (!forced && !std::isnan(string.pistonSeparationTime))
-        grid.add({"hammer leaves", si(string.pistonSeparationTime * scales.time, Quantity::time)});
+    if (!forced && !std::isnan(summary.faceSeparationTime))
+        grid.add({"hammer leaves", si(summary.faceSeparationTime * scales.time, Quantity::time)});
     if (!forced)
-        grid.add({"hammer rebound", si(string.hammerReboundVelocity * scales.velocity, Quantity::velocity),
+        grid.add({"hammer rebound", si(summary.hammerReboundVelocity * scales.velocity, Quantity::velocity),
                   "away from the rock"});
     if (blow.feed) {
         std::string needed = si(blow.feed->fullRate, Quantity::force);
@@ -83,7 +82,6 @@ std::string shareOf(double stress, const std::optional<double>& strength, const 
 
 TextGrid stringEnergyGrid(const Blow& blow, const ReadingStyle& style) {
     const ImpactSummary& summary = blow.summary;
-    const StringSummary& string = *summary.string;
     TextGrid grid(CellAlignment::left);
     const double unit = blow.drivenEnergy() * blow.scales.energy;
     const auto add = [&](const char* label, double share) {
@@ -93,14 +91,14 @@ TextGrid stringEnergyGrid(const Blow& blow, const ReadingStyle& style) {
     add(forced ? "work of the force" : "energy of the hammer", 1);
     add("  in the rock", summary.energy.rockWork);
     if (!forced) {
-        add("  hammer moving back", string.hammerReboundEnergy);
-        add("  waves in the hammer", string.hammerWaveEnergy);
+        add("  hammer moving back", summary.hammerReboundEnergy);
+        add("  waves in the hammer", summary.hammerWaveEnergy);
     }
     add("  string moving back", summary.energy.reboundEnergy);
     add("  waves in the string", summary.energy.residualWaveEnergy);
-    if (string.jointLoss > 0) add("  lost in joints", string.jointLoss);
-    if (string.rodLoss > 0) add("  lost in sections", string.rodLoss);
-    if (string.faceEnergy > 0) add("  between the faces", string.faceEnergy);
+    if (summary.jointLoss > 0) add("  lost in joints", summary.jointLoss);
+    if (summary.rodLoss > 0) add("  lost in sections", summary.rodLoss);
+    if (summary.faceEnergy > 0) add("  between the faces", summary.faceEnergy);
     grid.add({"balance errors", style.number(summary.momentumResidual, 2) + " of the momentum, " +
                                     style.number(summary.energy.residual, 2) + " of the energy"});
     return grid;
@@ -117,14 +115,14 @@ std::string sectionLabel(const DrillString& drillString, std::size_t section) {
 TextGrid stringSectionGrid(const Blow& blow, const ReadingStyle& style) {
     const DrillString& drill = blow.scenario.drillString;
     const std::vector<const Section*> sections = allSections(drill);
-    const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
-    const std::vector<double>& reflected = blow.string->impact.jointReflection;
+    const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, blow.impact);
+    const std::vector<double>& reflected = blow.impact.jointReflection;
     const bool hasYield =
         std::ranges::any_of(sections, [](const Section* s) { return s->yieldStrength.has_value(); });
     const bool hasFatigue =
         std::ranges::any_of(sections, [](const Section* s) { return s->fatigueStrength.has_value(); });
     TextGrid grid(CellAlignment::left);
-    const bool hasAfter = hasStressesAfter(blow.string->impact);
+    const bool hasAfter = hasStressesAfter(blow.impact);
     std::vector<std::string> titles{"section", "compression", "tension"};
     if (hasAfter) titles.emplace_back("tension after");
     if (hasYield) titles.emplace_back("of yield");
@@ -151,7 +149,7 @@ std::string stringResultText(const Blow& blow) {
     std::string text = resultGrid(blow) + "\n" + stringEnergyGrid(blow).text();
     // a thousand lines are for a file
     constexpr std::size_t mostLines = 60;
-    if (!blow.string->impact.sections.empty() && blow.string->impact.sections.size() <= mostLines)
+    if (!blow.impact.sections.empty() && blow.impact.sections.size() <= mostLines)
         text += "\n" + stringSectionGrid(blow).text();
     return text;
 }

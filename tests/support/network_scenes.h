@@ -148,7 +148,7 @@ inline Problem rodAsString(const Groups& groups, double endTime) {
     return problem;
 }
 
-inline NetworkImpact solvedWithWaves(const Problem& problem) {
+inline Impact solvedWithWaves(const Problem& problem) {
     NetworkSettings settings;
     settings.wants = {.events = true, .forces = true, .histories = true};
     return solveNetwork(problem, settings);

@@ -112,8 +112,8 @@ void ExportMenu::saveFile(const QString& title, const QString& ending, const Mak
 
 bool ExportMenu::isUnsolved() {
     const SolvedBlowPtr blow = m_sources.blow();
-    if (!blow || blow->problem.isEmpty()) return false;
-    fail(tr("The blow could not be solved: %1").arg(blow->problem));
+    if (!blow || blow->fault.isEmpty()) return false;
+    fail(tr("The blow could not be solved: %1").arg(blow->fault));
     return true;
 }
 

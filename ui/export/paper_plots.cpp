@@ -17,7 +17,7 @@ namespace {
 
 /// The middle of a rod; in a string that of its longest section, where histories.csv has its waves too.
 double shownSection(const Blow& blow) {
-    if (!blow.string) return 0.5;
+    if (!blow.isOfString()) return 0.5;
     const DrillString& drill = blow.scenario.drillString;
     return shareOfString(drill, middleOfLongest(drill));
 }

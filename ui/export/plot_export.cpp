@@ -8,10 +8,10 @@ namespace {
 
 // Known before anything is drawn.
 QString obstacle(const Impact& impact) {
-    if (impact.outcome != Outcome::rebounded)
+    if (!impact.isSolved())
         return QStringLiteral("no plots written: the blow could not be solved: %1")
             .arg(QString::fromStdString(impact.reason));
-    if (impact.force.empty())
+    if (!impact.hasHistories())
         return QStringLiteral("no plots written: the blow was solved without its histories");
     return {};
 }

@@ -30,7 +30,7 @@ std::vector<ReportPlot> stringPlots(const BlowReport& report, const PaperReader&
                "Hammer (dark) and string to scale, lengths and diameters each to their own, with the "
                "places of the sections; the bore is dashed, the rock at the right.",
                stringPaperPlot(blow.scenario, reader), {180, 44}));
-    if (blow.impact.force.empty()) {
+    if (!blow.impact.hasHistories()) {
         addThrust(plots, report, reader);
         return plots;
     }
@@ -53,7 +53,7 @@ std::vector<ReportPlot> stringPlots(const BlowReport& report, const PaperReader&
 
 std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader& reader,
                                     const std::stop_token& stop) {
-    if (report.blow.string) return stringPlots(report, reader, stop);
+    if (report.blow.isOfString()) return stringPlots(report, reader, stop);
     const Blow& blow = report.blow;
     std::vector<ReportPlot> plots;
     // On paper the first one fills the page of the words, the next two a page, the others the last one.

@@ -53,10 +53,10 @@ void SolveJob::start(const SolveRequest& request) {
         stoppable.stop = stop;
         const SolvedBlowPtr blow = answered(m_solve, stoppable);
         return [this, blow, stop, request, number] {
-            const bool cutShort = stop.stop_requested() && !blow->problem.isEmpty();
+            const bool cutShort = stop.stop_requested() && !blow->fault.isEmpty();
             if (number == m_started) m_refining = false;
             if (!cutShort) emit solved(blow);
-            if (!blow->request.quick || !blow->problem.isEmpty() || number != m_started) return;
+            if (!blow->request.quick || !blow->fault.isEmpty() || number != m_started) return;
             SolveRequest sure = request;
             sure.quick = false;
             start(sure);

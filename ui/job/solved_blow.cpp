@@ -36,7 +36,7 @@ SolvedBlowPtr answerWith(const SolveRequest& request, const Make& make) noexcept
         if (!problems.empty()) return failedBlow(request, QString::fromStdString(problems.front().text));
         static_cast<Blow&>(*blow) = make();
         blow->units = shownUnits(request.units, blow->scales, request.chosenUnits);
-        blow->problem = whyUnsolved(*blow);
+        blow->fault = whyUnsolved(*blow);
         if (blow->isSolved()) preparePages(*blow);
         dropMeans(blow->request);
     } catch (const std::exception& error) {
@@ -55,7 +55,7 @@ SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexc
 }
 
 bool answersAgain(const SolvedBlow& before, const SolveRequest& request) {
-    return before.string && before.isSolved() && before.scenario == request.scenario &&
+    return before.isOfString() && before.isSolved() && before.scenario == request.scenario &&
            (request.quick || !before.request.quick);
 }
 
@@ -69,7 +69,7 @@ SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem) {
     auto blow = std::make_shared<SolvedBlow>();
     blow->request = request;
     dropMeans(blow->request);
-    blow->problem = problem;
+    blow->fault = problem;
     blow->units.system = request.units;
     blow->units.chosen = request.chosenUnits;
     return blow;

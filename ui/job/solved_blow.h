@@ -27,11 +27,11 @@ struct SolveRequest {
     bool quick = false;
 };
 
-/// The answer, never changed once made: the blow, and what the pages asked for. `problem` is empty when the
+/// The answer, never changed once made: the blow, and what the pages asked for. `fault` is empty when the
 /// blow was solved; otherwise it says in a sentence why not, and the numbers are not to be used.
 struct SolvedBlow : Blow {
     SolveRequest request;  ///< its `pages` and `stop` are there only while it is being answered
-    QString problem;
+    QString fault;
     ShownUnits units;
     std::vector<PageData> pages;  ///< one for each of the request's that was not empty
 
@@ -45,7 +45,7 @@ struct SolvedBlow : Blow {
 };
 using SolvedBlowPtr = std::shared_ptr<const SolvedBlow>;
 
-/// Solves and prepares what was asked for. Never throws: whatever goes wrong is the answer's `problem`.
+/// Solves and prepares what was asked for. Never throws: whatever goes wrong is the answer's `fault`.
 SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexcept;
 
 /// An answer that only says why there is none.

@@ -84,10 +84,9 @@ QString energyPartName(EnergyPart part) {
 
 double energyShare(const ImpactSummary& summary, EnergyPart part) {
     const EnergyLedger& ledger = summary.energy;
-    const StringSummary string = summary.string.value_or(StringSummary());
     const std::array values{ledger.rockWork, ledger.reboundEnergy, ledger.residualWaveEnergy,
-                            string.hammerReboundEnergy + string.hammerWaveEnergy,
-                            string.jointLoss + string.rodLoss + string.faceEnergy};
+                            summary.hammerReboundEnergy + summary.hammerWaveEnergy,
+                            summary.jointLoss + summary.rodLoss + summary.faceEnergy};
     return std::max(0.0, values[index(part)]);
 }
 

@@ -49,7 +49,7 @@ std::optional<int> EventModel::rowAt(double time) const {
 }
 
 int EventModel::rowCount(const QModelIndex& parent) const {
-    if (parent.isValid() || !m_blow || !m_blow->problem.isEmpty()) return 0;
+    if (parent.isValid() || !m_blow || !m_blow->fault.isEmpty()) return 0;
     return static_cast<int>(m_blow->impact.events.size());
 }
 

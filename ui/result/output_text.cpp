@@ -28,7 +28,7 @@ QString percent(double fraction) {
 
 /// Of the largest compression or tension over all sections.
 std::optional<RodForce> stringPlaceOf(const Output& output, const SolvedBlow& blow) {
-    const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
+    const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, blow.impact);
     if (stresses.empty()) return std::nullopt;
     const auto [section, peak] = largestStress(stresses, output.force);
     const DrillString& drill = blow.scenario.drillString;
@@ -74,7 +74,7 @@ QString corErrorText(const SolvedBlow& blow) {
 std::optional<RodForce> placeOf(const Output& output, const SolvedBlow& blow) {
     if (!output.force) return std::nullopt;
     std::optional<RodForce> force;
-    if (blow.string)
+    if (blow.isOfString())
         force = stringPlaceOf(output, blow);
     else if (blow.summary.rodForces)
         force = (*blow.summary.rodForces).*output.force;
@@ -86,8 +86,9 @@ QString placeText(const Output& output, const SolvedBlow& blow) {
     if (!found) return {};
     const RodForce& force = *found;
     const QString time = shown(force.time, blow.units.time);
-    if (blow.string && force.section < 0) return words("in the hammer, %1").arg(time);
-    if (blow.string) return words("%1 from the shank, %2").arg(shown(force.section, blow.units.length), time);
+    if (blow.isOfString() && force.section < 0) return words("in the hammer, %1").arg(time);
+    if (blow.isOfString())
+        return words("%1 from the shank, %2").arg(shown(force.section, blow.units.length), time);
     if (blow.request.units == UnitSystem::dimensionless)
         return words("at x/L = %1, t = %2").arg(numberText(force.section, 3, QLocale()), time);
     return words("%1 from the hammer, %2").arg(shown(force.section, blow.units.length), time);

@@ -40,7 +40,7 @@ bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow&
 }
 
 std::optional<double> comparableNumber(const Output& output, const SolvedBlow& blow, UnitSystem units) {
-    if (!blow.problem.isEmpty()) return std::nullopt;
+    if (!blow.fault.isEmpty()) return std::nullopt;
     const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin()});
     if (!value || !std::isfinite(*value)) return std::nullopt;
     if (output.measure == Measure::share) return 100 * *value;

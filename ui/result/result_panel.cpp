@@ -146,7 +146,7 @@ void ResultPanel::addThrust() {
           Weight::usual,
           {},
           [](const SolvedBlow& blow, UnitSystem) {
-              return thrustNeeded(blow.scenario, blow.summary.cor, blow.summary.transferred());
+              return thrustNeeded(blow.scenario, blow.summary.cor, blow.summary.transferred);
           }},
          {tr("at every gap"),
           tr("The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid rock, "
@@ -284,7 +284,7 @@ void ResultPanel::addDecision() {
 
 void ResultPanel::showDecision() {
     m_decision->setText(decisionText(m_worst, *m_blow));
-    m_decision->setToolTip(m_blow->problem.isEmpty() ? feedMeaningText(*m_blow) : QString());
+    m_decision->setToolTip(m_blow->fault.isEmpty() ? feedMeaningText(*m_blow) : QString());
 }
 
 void ResultPanel::goToAlerts() {
@@ -379,7 +379,7 @@ void ResultPanel::setTime(std::optional<double> time) {
 }
 
 void ResultPanel::setReference(const SolvedBlowPtr& blow, const QString& title) {
-    m_reference = blow && blow->problem.isEmpty() ? blow : nullptr;
+    m_reference = blow && blow->fault.isEmpty() ? blow : nullptr;
     m_referenceTitle = title;
     if (m_reference)
         m_worstOfReference.ask(*m_reference);
@@ -412,7 +412,7 @@ void ResultPanel::copy() const {
 
 void ResultPanel::present(const SolvedBlowPtr& blow) {
     m_blow = blow;
-    const bool solved = blow->problem.isEmpty();
+    const bool solved = blow->fault.isEmpty();
     m_worst.ask(*blow);
     showDecision();
     QSet<SectionBox*> filled;
@@ -430,7 +430,7 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
         m_stress->setTitle(ofString ? tr("Stress in hammer and string") : tr("Stress in the rod"));
         updateGeometry();
     }
-    m_alerts->present(blow->problem, blow->alerts);
+    m_alerts->present(blow->fault, blow->alerts);
     if (solved)
         m_energy->present(blow->summary);
     else
@@ -448,7 +448,7 @@ void ResultPanel::offerRow(const Row& row, const Scenario& scenario) {
 }
 
 void ResultPanel::showRow(const Row& row) {
-    const bool solved = m_blow->problem.isEmpty();
+    const bool solved = m_blow->fault.isEmpty();
     const QString text = solved ? row.text(*m_blow) : QString();
     row.value->setText(text.isEmpty() ? nothing : text);
     if (row.warning) setWarning(*row.value, solved && row.warning(*m_blow));
@@ -462,7 +462,7 @@ void ResultPanel::showRow(const Row& row) {
 }
 
 void ResultPanel::follow(const Output& stress) {
-    if (!m_blow || !m_blow->problem.isEmpty()) return;
+    if (!m_blow || !m_blow->fault.isEmpty()) return;
     if (const std::optional<RodForce> force = placeOf(stress, *m_blow))
         emit placeChosen(force->section, force->time);
 }
@@ -472,7 +472,7 @@ void ResultPanel::showChange(const Row& row) {
     QString change;
     const bool isLike =
         m_reference && (!row.output || haveSameUnit(*row.output, *m_blow, *m_reference, units));
-    if (isLike && row.number && row.isThere() && m_blow->problem.isEmpty()) {
+    if (isLike && row.number && row.isThere() && m_blow->fault.isEmpty()) {
         const std::optional<double> now = row.number(*m_blow, units);
         const std::optional<double> then = row.number(*m_reference, units);
         if (now && then) change = row.changeText(*now, *then);

@@ -21,7 +21,7 @@ WorstNeed::WorstNeed(QObject* parent) : QObject(parent) {
 void WorstNeed::ask(const SolvedBlow& blow) {
     std::optional<Scenario> asked;
     // The study of all gaps is of uniform rods.
-    if (blow.problem.isEmpty() && !isString(blow.request.scenario) &&
+    if (blow.fault.isEmpty() && !isString(blow.request.scenario) &&
         thrustProblem(blow.request.scenario).empty()) {
         asked = blow.request.scenario;
         asked->title.clear();

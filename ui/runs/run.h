@@ -24,7 +24,7 @@ struct Run {
     QString letter() const { return QString::fromStdString(runLetter(number)); }
     /// "A  k 300 MN/m".
     QString title() const { return letter() + QStringLiteral("  ") + name; }
-    bool isSolved() const { return blow && blow->problem.isEmpty(); }
+    bool isSolved() const { return blow && blow->fault.isEmpty(); }
 };
 
 /// In the order in which they were pinned; never changed once made, so that other threads may look at it.

@@ -146,14 +146,14 @@ void RunPanel::fill() {
 }
 
 void RunPanel::fillRow(QTreeWidgetItem& row, const SolvedBlowPtr& blow, const Run* reference) const {
-    const bool isSolved = blow && blow->problem.isEmpty();
+    const bool isSolved = blow && blow->fault.isEmpty();
     row.setText(cor, isSolved ? numberText(blow->summary.cor, 4, QLocale())
                      : blow   ? nothing
                               : QStringLiteral("…"));
-    row.setToolTip(cor, blow ? blow->problem : tr("Being solved"));
+    row.setToolTip(cor, blow ? blow->fault : tr("Being solved"));
     for (const int column : {cor, change}) row.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     const SolvedBlowPtr& other = reference ? reference->blow : m_now;
-    const bool isComparable = isSolved && other && other->problem.isEmpty() && other != blow;
+    const bool isComparable = isSolved && other && other->fault.isEmpty() && other != blow;
     if (isComparable)
         row.setText(change, percentText(blow->summary.cor, other->summary.cor));
     else if (row.text(change) != tr("ref."))

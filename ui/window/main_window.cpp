@@ -59,14 +59,14 @@ namespace {
 constexpr int messageMilliseconds = 8000;
 
 QString statusText(const SolvedBlow& blow) {
-    if (!blow.problem.isEmpty())
+    if (!blow.fault.isEmpty())
         return isString(blow.request.scenario) ? MainWindow::tr("polynomial cells · not solved")
                                                : MainWindow::tr("exact · not solved");
     const QLocale locale;
-    if (const std::optional<StringSummary>& string = blow.summary.string)
+    if (blow.isOfString())
         return MainWindow::tr("polynomial cells · %1 · efficiency %2 ± %3")
-            .arg(runTimeText(blow.runTime, locale), numberText(string->efficiency, 4, locale),
-                 magnitudeText(string->efficiencyError, locale));
+            .arg(runTimeText(blow.runTime, locale), numberText(blow.summary.energy.rockWork, 4, locale),
+                 magnitudeText(blow.summary.efficiencyError, locale));
     const int peaks = blow.summary.forcePeaks.value_or(0);
     return MainWindow::tr("exact · %1 · %2 · e = %3 ± %4")
         .arg(peaks == 1 ? MainWindow::tr("1 force peak") : MainWindow::tr("%1 force peaks").arg(peaks),
@@ -387,7 +387,7 @@ void MainWindow::present(const SolvedBlowPtr& blow) {
     m_units->present(m_document.scenario());
     if (blow->request.number != m_asked)
         m_solveStatus->answeredEarlier();
-    else if (blow->request.quick && blow->problem.isEmpty())
+    else if (blow->request.quick && blow->fault.isEmpty())
         m_solveStatus->answeredQuickly(statusText(*blow));
     else
         m_solveStatus->answered(statusText(*blow));

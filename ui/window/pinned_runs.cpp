@@ -82,7 +82,7 @@ void PinnedRuns::present(const SolvedBlowPtr& blow) {
 }
 
 void PinnedRuns::pin() {
-    if (!m_now->problem.isEmpty()) return fail(tr("There is no result to be pinned."), m_now->problem);
+    if (!m_now->fault.isEmpty()) return fail(tr("There is no result to be pinned."), m_now->fault);
     try {
         ScenarioDocument contents = m_document.contents();
         contents.text = m_document.text().toStdString();

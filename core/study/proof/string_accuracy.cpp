@@ -38,8 +38,8 @@ StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_t
     NetworkSettings finest;
     finest.halvings = sureHalvings + 1;
     NetworkSolver solver;
-    NetworkImpact reference = solver.solve(problem, finest, stop);
-    if (reference.end == NetworkEnd::notSolved) {
+    Impact reference = solver.solve(problem, finest, stop);
+    if (!reference.isSolved()) {
         accuracy.reason = reference.reason;
         accuracy.isStopped = stop.stop_requested();
         return accuracy;
@@ -48,9 +48,9 @@ StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_t
         problem.endTime = reference.endTime;
         reference = solver.solve(problem, finest, stop);
     }
-    accuracy.efficiency = reference.energy.rock;
+    accuracy.efficiency = reference.efficiency();
     accuracy.reference = reference.efficiencyError;
-    const double seconds = scalesOf(scenario).time, p0 = reference.hammerMomentum;
+    const double seconds = scalesOf(scenario).time, p0 = reference.hammerImpulse;
 
     const auto add = [&](const StringAccuracyRow& row) {
         accuracy.isStopped = stop.stop_requested();  // its time is no time
@@ -62,10 +62,10 @@ StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_t
         NetworkSettings settings;
         settings.accuracy = method == StringMethod::quick ? NetworkAccuracy::quick : NetworkAccuracy::sure;
         settings.halvings = halvings;
-        const NetworkImpact impact = solver.solve(problem, settings, stop);
-        if (impact.end == NetworkEnd::notSolved) return;
-        add({method, impact.cell * seconds, std::abs(impact.energy.rock - accuracy.efficiency),
-             impact.efficiencyError, std::abs(impact.rockImpulse - reference.rockImpulse) / p0, impact.cells,
+        const Impact impact = solver.solve(problem, settings, stop);
+        if (!impact.isSolved()) return;
+        add({method, impact.cell * seconds, std::abs(impact.efficiency() - accuracy.efficiency),
+             impact.efficiencyError, std::abs(impact.impulse - reference.impulse) / p0, impact.pieces,
              timeOf([&] { solver.solve(problem, settings, stop); }, stop)});
     };
     for (int i = 0; i <= quickHalvings; ++i) addCells(StringMethod::quick, i);
@@ -76,9 +76,8 @@ StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_t
     for (int i = 0; isShared && i <= plainHalvings && !stop.stop_requested(); ++i, grid.halve()) {
         const PlainBlow blow = solvePlainLattice(problem, grid, stop);
         add({StringMethod::plain, grid.cell * seconds, std::abs(blow.efficiency - accuracy.efficiency),
-             std::numeric_limits<double>::quiet_NaN(),
-             std::abs(blow.rockImpulse - reference.rockImpulse / p0), blow.cells,
-             timeOf([&] { solvePlainLattice(problem, grid, stop); }, stop)});
+             std::numeric_limits<double>::quiet_NaN(), std::abs(blow.rockImpulse - reference.impulse / p0),
+             blow.cells, timeOf([&] { solvePlainLattice(problem, grid, stop); }, stop)});
     }
     accuracy.isStopped = stop.stop_requested();
     return accuracy;

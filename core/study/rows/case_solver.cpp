@@ -64,11 +64,12 @@ std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<dou
     NetworkSettings settings{
         .accuracy = NetworkAccuracy::quick, .wants = {}, .mostCells = m_solver.mostCells()};
     settings.wants.forces = m_detail == Detail::histories;
-    const StringBlow blow = solveString(scenario, settings, m_solver.strings(), stop);
-    m_impact = impactOf(blow);
-    m_scatter = balanceError(blow.impact);
-    if (m_impact.outcome != Outcome::rebounded) return m_impact.reason;
-    const ImpactSummary summary = summarize(scenario, blow);
+    m_problem = problemOf(scenario);
+    m_impact = m_solver.strings().solve(m_problem, settings, stop);
+    m_scatter = balanceError(m_impact);
+    if (!m_impact.isSolved()) return m_impact.reason;
+    ImpactSummary summary = summarize(m_impact, m_problem);
+    addStresses(summary, scenario, m_impact);
     return fill({summary, scenario}, outputs);
 }
 

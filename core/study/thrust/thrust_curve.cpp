@@ -57,14 +57,14 @@ struct PointSolvers {
 
 ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, const PointSolvers& solvers,
                         const std::stop_token& stop) {
-    const StringBlow blow = solveString(
-        scenario, {.accuracy = NetworkAccuracy::quick, .wants = {}, .mostCells = solvers.limits.cells},
-        solvers.strings, stop);
-    point.reason = stop.stop_requested() ? "stopped" : blow.impact.reason;
+    const Problem problem = problemOf(scenario);
+    const Impact impact = solvers.strings.solve(
+        problem, {.accuracy = NetworkAccuracy::quick, .wants = {}, .mostCells = solvers.limits.cells}, stop);
+    point.reason = stop.stop_requested() ? "stopped" : impact.reason;
     if (!point.reason.empty()) return point;
-    const ImpactSummary summary = summarize(scenario, blow);
-    point.needs = stringThrustNeeds(scenario, {summary.cor, summary.corError}, summary.transferred());
-    point.verdict = *judgeFeed(scenario, summary.cor, summary.transferred());
+    const ImpactSummary summary = summarize(impact, problem);
+    point.needs = stringThrustNeeds(scenario, {summary.cor, summary.corError}, summary.transferred);
+    point.verdict = *judgeFeed(scenario, summary.cor, summary.transferred);
     point.roundTrips = *roundTripsBetweenBlows(scenario);
     return point;
 }

@@ -8,7 +8,7 @@ namespace drillwave {
 void addThrustMargin(Blow& blow, const std::stop_token& stop) {
     if (!blow.isSolved()) return;
     blow.widestNeed = ThrustMargins(mostPiecesInPassing)
-                          .widest(blow.scenario, blow.solved, {blow.impact.cor, blow.impact.corError}, stop);
+                          .widest(blow.scenario, blow.problem, {blow.impact.cor, blow.impact.corError}, stop);
 }
 
 std::optional<double> ThrustMargins::of(const Scenario& scenario, const Problem& problem, const Estimate& cor,

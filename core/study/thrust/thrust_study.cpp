@@ -31,13 +31,14 @@ ThrustStudy studyStringThrust(const Scenario& scenario, const std::stop_token& s
                               const WorkLimits& limits) {
     ThrustStudy study;
     NetworkSolver solver;
-    const StringBlow blow = solveString(scenario, {.wants = {}, .mostCells = limits.cells}, solver, stop);
+    const Problem problem = problemOf(scenario);
+    const Impact impact = solver.solve(problem, {.wants = {}, .mostCells = limits.cells}, stop);
     study.stopped = stop.stop_requested();
-    study.reason = blow.impact.reason;
-    study.hindrance = impactOf(blow).hindrance;
+    study.reason = impact.reason;
+    study.hindrance = impact.hindrance;
     if (study.stopped || !study.reason.empty()) return study;
-    const ImpactSummary summary = summarize(scenario, blow);
-    study.transferred = summary.transferred();
+    const ImpactSummary summary = summarize(impact, problem);
+    study.transferred = summary.transferred;
     study.needs = stringThrustNeeds(scenario, {summary.cor, summary.corError}, study.transferred);
     study.verdict = *judgeFeed(scenario, summary.cor, study.transferred);
     return study;

@@ -2,13 +2,13 @@
 // What a census tells of a blow: balances, rock and face.
 #pragma once
 
+#include "core/wave/impact.h"
 #include "core/wave/network/census.h"
-#include "core/wave/network/network_impact.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
 
 /// Energies, momenta and records at the time of the census; the rest is left as it is.
-NetworkImpact impactOf(const Problem& problem, const CensusResult& census);
+Impact impactOf(const Problem& problem, const CensusResult& census);
 
 }  // namespace drillwave

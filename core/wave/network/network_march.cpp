@@ -35,7 +35,7 @@ void NetworkMarch::begin(long mostCells) {
     m_flown = m_landing = 0;
 }
 
-NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
+Impact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
     begin(mostCells);
     while (true) {
         if (m_plan.wants().forcesIfTheyFit && work() > mostCells) m_recorder.leaveOutForces();
@@ -49,7 +49,7 @@ NetworkImpact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
         if (stop.stop_requested())
             return notSolved("stopped", Hindrance::other);  // a block may be left unfinished
         m_lattice.advance();
-        if (std::optional<NetworkImpact> impact = endOfBlow(stop)) return *std::move(impact);
+        if (std::optional<Impact> impact = endOfBlow(stop)) return *std::move(impact);
     }
 }
 
@@ -95,17 +95,17 @@ void NetworkMarch::countBlock(const std::stop_token& stop) {
         }
 }
 
-std::optional<NetworkImpact> NetworkMarch::endOfBlow(const std::stop_token& stop) {
+std::optional<Impact> NetworkMarch::endOfBlow(const std::stop_token& stop) {
     const double now = m_lattice.clock(), limit = m_plan.limitTime();
     const auto restOf = [&](const CensusResult& census) {
         return restTime(m_plan.problem(), census).value_or(std::numeric_limits<double>::infinity());
     };
     if (m_census.isUnderWay() && now > m_census.lastClock()) {
         const CensusResult census = m_census.finish();
-        if (m_plan.problem().endTime) return result(census, NetworkEnd::endTime);
+        if (m_plan.problem().endTime) return result(census, Outcome::endTime);
         if (census.time >= limit) {
             const bool proven = !m_plan.isLossy() && restOf(census) <= census.time;
-            return result(census, proven ? NetworkEnd::proven : NetworkEnd::nextBlow);
+            return result(census, proven ? Outcome::rebounded : Outcome::nextBlow);
         }
         if (census.bit.isApart() && census.face.apart) m_free = census;
     }
@@ -120,7 +120,7 @@ std::optional<NetworkImpact> NetworkMarch::endOfBlow(const std::stop_token& stop
     // the waves that are left still make forces
     if (rest <= limit && now < m_recorder.wantedTime() - m_plan.clocks().earliest()) return {};
     m_free->time = std::max(last, m_free->time);
-    return result(*m_free, rest <= limit ? NetworkEnd::proven : NetworkEnd::nextBlow);
+    return result(*m_free, rest <= limit ? Outcome::rebounded : Outcome::nextBlow);
 }
 
 bool NetworkMarch::isUntouchedSince(const CensusResult& census) const {
@@ -151,24 +151,22 @@ bool NetworkMarch::fliesUntil(double time, const std::stop_token& stop) {
     return stays;
 }
 
-NetworkImpact NetworkMarch::result(const CensusResult& census, NetworkEnd end) {
-    NetworkImpact impact = impactOf(m_plan.problem(), census);
-    impact.end = end;
+Impact NetworkMarch::result(const CensusResult& census, Outcome outcome) {
+    Impact impact = impactOf(m_plan.problem(), census);
+    impact.outcome = outcome;
     std::ranges::copy_if(m_lattice.events(), std::back_inserter(impact.events),
                          [&](const ImpactEvent& event) { return event.time <= census.time; });
     m_recorder.finish(census.time, impact);
-    impact.cells = m_cells + flownCells();
+    impact.pieces = m_cells + flownCells();
     impact.cell = m_plan.grid().cell;
     impact.rounding = m_plan.grid().rounding;
     return impact;
 }
 
-NetworkImpact NetworkMarch::notSolved(std::string_view reason, Hindrance hindrance) {
+Impact NetworkMarch::notSolved(std::string_view reason, Hindrance hindrance) {
     m_recorder.abandon();
-    NetworkImpact impact;
-    impact.reason = reason;
-    impact.hindrance = hindrance;
-    impact.cells = m_cells;
+    Impact impact = Impact::unsolved(reason, hindrance);
+    impact.pieces = m_cells;
     return impact;
 }
 

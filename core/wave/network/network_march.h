@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "core/wave/impact.h"
 #include "core/wave/network/cell_lattice.h"
 #include "core/wave/network/free_flight.h"
 #include "core/wave/network/march_plan.h"
-#include "core/wave/network/network_impact.h"
 #include "core/wave/network/string_census.h"
 #include "core/wave/network/wave_recorder.h"
 
@@ -28,7 +28,7 @@ class NetworkMarch {
     /// What it will take; no memory is taken for waves yet.
     const ForeseenWork& plan(const Problem& problem, const CellGrid& grid, const NetworkWants& wants);
     /// Follows the blow that was planned last, with at most as much work as `mostCells` cells times nodes.
-    NetworkImpact run(long mostCells, const std::stop_token& stop);
+    Impact run(long mostCells, const std::stop_token& stop);
     static constexpr std::string_view tooManyCells =
         "it takes more wave cells than permitted: fewer sections, lengths that share a unit or an earlier "
         "end_time need fewer";
@@ -39,11 +39,11 @@ class NetworkMarch {
     void begin(long mostCells);
     void scheduleCensus();
     void countBlock(const std::stop_token& stop);
-    std::optional<NetworkImpact> endOfBlow(const std::stop_token& stop);
+    std::optional<Impact> endOfBlow(const std::stop_token& stop);
     bool isUntouchedSince(const CensusResult& census) const;
     bool fliesUntil(double time, const std::stop_token& stop);
-    NetworkImpact result(const CensusResult& census, NetworkEnd end);
-    NetworkImpact notSolved(std::string_view reason, Hindrance hindrance);
+    Impact result(const CensusResult& census, Outcome outcome);
+    Impact notSolved(std::string_view reason, Hindrance hindrance);
     std::string_view overspent() const;
     long flownCells() const;
     long work() const;

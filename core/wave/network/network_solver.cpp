@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/wave/network/network_march.h"
+#include "core/wave/network/string_waves.h"
 
 namespace drillwave {
 
@@ -103,20 +104,9 @@ NetworkWants wantsOf(NetworkWants wants, const Smoothness& smoothness) {
     return wants;
 }
 
-double restitution(const NetworkImpact& impact) {
-    return impact.faceImpulse > 0 ? -impact.stringMomentum / impact.faceImpulse : 0;
-}
-
-NetworkImpact notSolved(std::string_view reason, Hindrance hindrance = Hindrance::other) {
-    NetworkImpact impact;
-    impact.reason = reason;
-    impact.hindrance = hindrance;
-    return impact;
-}
-
 /// What is known of the error of any run.
-void stateError(NetworkImpact& impact, const Problem& problem) {
-    const double missed = std::abs(impact.energyResidual);
+void stateError(Impact& impact, const Problem& problem) {
+    const double missed = std::abs(impact.energyResidual());
     impact.efficiencyError = std::max({leastError, impact.efficiencyError, missed});
     // the rounding of time moves a contact, and the force with it by as much as it rises meanwhile
     const double leastCorError = leastError * std::max(1.0, elasticRate(problem));
@@ -124,9 +114,9 @@ void stateError(NetworkImpact& impact, const Problem& problem) {
 }
 
 /// What its energy balance misses is what a quick run alone can tell of its error.
-void stateErrorOfQuickRun(NetworkImpact& impact, const Problem& problem) {
+void stateErrorOfQuickRun(Impact& impact, const Problem& problem) {
     stateError(impact, problem);
-    const double missed = std::abs(impact.energyResidual);
+    const double missed = std::abs(impact.energyResidual());
     double error = balanceError(impact);
     if (problem.isForced()) error = std::max(error, coveringForce * missed);
     if (problem.law.gamma < 1)
@@ -136,19 +126,19 @@ void stateErrorOfQuickRun(NetworkImpact& impact, const Problem& problem) {
 }
 
 /// And what another run makes of it.
-void stateError(NetworkImpact& impact, const Problem& problem, const NetworkImpact& other) {
+void stateError(Impact& impact, const Problem& problem, const Impact& other) {
     stateError(impact, problem);
     const auto widen = [](double& error, double difference) {
         error = std::max(error, covering * std::abs(difference));
     };
-    widen(impact.efficiencyError, impact.energy.rock - other.energy.rock);
-    widen(impact.corError, restitution(impact) - restitution(other));
+    widen(impact.efficiencyError, impact.efficiency() - other.efficiency());
+    widen(impact.corError, impact.cor - other.cor);
 }
 
 }  // namespace
 
-double balanceError(const NetworkImpact& impact) {
-    return std::max(leastError, coveringResidual * std::abs(impact.energyResidual));
+double balanceError(const Impact& impact) {
+    return std::max(leastError, coveringResidual * std::abs(impact.energyResidual()));
 }
 
 std::string_view networkRefusal(const Problem& problem) {
@@ -187,47 +177,46 @@ bool usualGrid(const Problem& problem, CellGrid& grid) {
 /// One blow is all that its functions are about: problem, settings and stop stay the same.
 class NetworkSolver::Workspace {
   public:
-    NetworkImpact solve(const Problem& problem, const NetworkSettings& settings, const std::stop_token& stop);
+    Impact solve(const Problem& problem, const NetworkSettings& settings, const std::stop_token& stop);
     /// Cells that it has room for.
     double held() const { return m_held; }
 
   private:
-    NetworkImpact solveShared(const Problem& problem, const NetworkSettings& settings,
-                              const std::stop_token& stop);
-    NetworkImpact solveRounded(const Problem& problem, const NetworkSettings& settings,
-                               const std::stop_token& stop);
+    Impact solveShared(const Problem& problem, const NetworkSettings& settings, const std::stop_token& stop);
+    Impact solveRounded(const Problem& problem, const NetworkSettings& settings, const std::stop_token& stop);
     const ForeseenWork& planFine(const Problem& problem, const NetworkSettings& settings,
                                  const Smoothness& smoothness);
     const ForeseenWork& planRounded(const Problem& problem, double cell, const NetworkWants& wants);
-    NetworkImpact run(const NetworkSettings& settings, const std::stop_token& stop);
+    Impact run(const NetworkSettings& settings, const std::stop_token& stop);
 
     NetworkMarch m_march;
     CellGrid m_usual, m_grid;
     double m_held = 0;
 };
 
-NetworkImpact NetworkSolver::Workspace::solve(const Problem& problem, const NetworkSettings& settings,
-                                              const std::stop_token& stop) {
-    if (const std::string_view refusal = networkRefusal(problem); !refusal.empty()) return notSolved(refusal);
+Impact NetworkSolver::Workspace::solve(const Problem& problem, const NetworkSettings& settings,
+                                       const std::stop_token& stop) {
+    if (const std::string_view refusal = networkRefusal(problem); !refusal.empty())
+        return Impact::unsolved(refusal);
     if (!usualGrid(problem, m_usual)) return solveRounded(problem, settings, stop);
     return solveShared(problem, settings, stop);
 }
 
 /// Round trips that share a cell.
-NetworkImpact NetworkSolver::Workspace::solveShared(const Problem& problem, const NetworkSettings& settings,
-                                                    const std::stop_token& stop) {
+Impact NetworkSolver::Workspace::solveShared(const Problem& problem, const NetworkSettings& settings,
+                                             const std::stop_token& stop) {
     const ForeseenWork& foreseen = planFine(problem, settings, quickSmoothness);
     if (foreseen.work > sharedShare * static_cast<double>(settings.mostCells) || foreseen.held > mostHeld) {
-        NetworkImpact rounded = solveRounded(problem, settings, stop);
+        Impact rounded = solveRounded(problem, settings, stop);
         rounded.sharedCell = m_usual.cell;
         return rounded;
     }
-    NetworkImpact quick = run(settings, stop);
-    if (quick.end == NetworkEnd::notSolved) return quick;
+    Impact quick = run(settings, stop);
+    if (!quick.isSolved()) return quick;
     stateErrorOfQuickRun(quick, problem);
     if (settings.accuracy == NetworkAccuracy::quick) return quick;
     if (planFine(problem, settings, sureSmoothness).held > mostHeld) return quick;
-    NetworkImpact sure = run(settings, stop);
+    Impact sure = run(settings, stop);
     if (sure.hindrance == Hindrance::workLimit && settings.wants.forces) {
         // their forces are too much work: the quick run has some
         NetworkSettings less = settings;
@@ -239,29 +228,29 @@ NetworkImpact NetworkSolver::Workspace::solveShared(const Problem& problem, cons
         sure.leftOutForces = quick.leftOutForces;
         sure.forcesEnd = quick.forcesEnd;
     }
-    if (sure.end == NetworkEnd::notSolved) return stop.stop_requested() ? sure : quick;
+    if (!sure.isSolved()) return stop.stop_requested() ? sure : quick;
     if (!sure.waves) sure.waves = quick.waves;
     stateError(sure, problem, quick);
-    sure.cells += quick.cells;
+    sure.pieces += quick.pieces;
     return sure;
 }
 
 /// Round trips that share no cell: rounded, and rounded otherwise.
-NetworkImpact NetworkSolver::Workspace::solveRounded(const Problem& problem, const NetworkSettings& settings,
-                                                     const std::stop_token& stop) {
+Impact NetworkSolver::Workspace::solveRounded(const Problem& problem, const NetworkSettings& settings,
+                                              const std::stop_token& stop) {
     const NetworkWants wants = wantsOf(settings.wants, quickSmoothness);
     double cell = roundTripOf(problem) / roundedCells;
     const double foreseen = planRounded(problem, cell, wants).work;
     cell *= std::max(1.0, foreseen / roundedShare / static_cast<double>(settings.mostCells));
     if (cell * fewestRoundedCells > roundTripOf(problem))
-        return notSolved(NetworkMarch::tooManyCells, Hindrance::workLimit);
+        return Impact::unsolved(NetworkMarch::tooManyCells, Hindrance::workLimit);
     planRounded(problem, cell, wants);
-    NetworkImpact impact = run(settings, stop);
+    Impact impact = run(settings, stop);
     for (const double other : {0.83, 1.19}) {
-        if (impact.end == NetworkEnd::notSolved) return impact;
+        if (!impact.isSolved()) return impact;
         planRounded(problem, other * cell, wantsOf({}, quickSmoothness));
-        const NetworkImpact compared = run(settings, stop);
-        if (compared.end == NetworkEnd::notSolved) return compared;
+        const Impact compared = run(settings, stop);
+        if (!compared.isSolved()) return compared;
         stateError(impact, problem, compared);
     }
     return impact;
@@ -284,11 +273,11 @@ const ForeseenWork& NetworkSolver::Workspace::planRounded(const Problem& problem
     return m_march.plan(problem, m_grid, wants);
 }
 
-NetworkImpact NetworkSolver::Workspace::run(const NetworkSettings& settings, const std::stop_token& stop) {
-    NetworkImpact impact = m_march.run(settings.mostCells, stop);
+Impact NetworkSolver::Workspace::run(const NetworkSettings& settings, const std::stop_token& stop) {
+    Impact impact = m_march.run(settings.mostCells, stop);
     m_held = std::max(m_held, m_march.held());
-    if (impact.end == NetworkEnd::notSolved || impact.balances()) return impact;
-    return notSolved("its energies do not balance, so that its numbers are wrong");
+    if (!impact.isSolved() || impact.balances()) return impact;
+    return Impact::unsolved("its energies do not balance, so that its numbers are wrong");
 }
 
 NetworkSolver::NetworkSolver() = default;
@@ -296,16 +285,19 @@ NetworkSolver::~NetworkSolver() = default;
 NetworkSolver::NetworkSolver(NetworkSolver&&) noexcept = default;
 NetworkSolver& NetworkSolver::operator=(NetworkSolver&&) noexcept = default;
 
-NetworkImpact NetworkSolver::solve(const Problem& problem, const NetworkSettings& settings,
-                                   const std::stop_token& stop) {
+Impact NetworkSolver::solve(const Problem& problem, const NetworkSettings& settings,
+                            const std::stop_token& stop) {
     if (!m_workspace) m_workspace = std::make_unique<Workspace>();
-    NetworkImpact impact = m_workspace->solve(problem, settings, stop);
+    Impact impact = m_workspace->solve(problem, settings, stop);
+    if (impact.waves) {
+        impact.incident = impact.waves->bitWave();
+        impact.force = impact.waves->bitForce();
+    }
     if (m_workspace->held() > mostKept) m_workspace.reset();
     return impact;
 }
 
-NetworkImpact solveNetwork(const Problem& problem, const NetworkSettings& settings,
-                           const std::stop_token& stop) {
+Impact solveNetwork(const Problem& problem, const NetworkSettings& settings, const std::stop_token& stop) {
     return NetworkSolver().solve(problem, settings, stop);
 }
 

@@ -6,9 +6,9 @@
 #include <stop_token>
 #include <string_view>
 
+#include "core/wave/impact.h"
 #include "core/wave/network/cell_grid.h"
 #include "core/wave/network/march_plan.h"
-#include "core/wave/network/network_impact.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
@@ -39,7 +39,7 @@ bool usualGrid(const Problem& problem, CellGrid& grid);
 
 /// How far the shares of E₀ of a quick run may be off, as the energy it neither kept nor lost tells (strings
 /// §11).
-double balanceError(const NetworkImpact& impact);
+double balanceError(const Impact& impact);
 
 /// Solves one blow after another, keeping its workspace: once warm, a blow of which nothing is wanted but
 /// sums, and which is no larger than those before, allocates nothing. What a very long string took is given
@@ -57,8 +57,7 @@ class NetworkSolver {
     NetworkSolver& operator=(NetworkSolver&&) noexcept;
 
     /// A stop ends it within milliseconds as not solved.
-    NetworkImpact solve(const Problem& problem, const NetworkSettings& settings,
-                        const std::stop_token& stop = {});
+    Impact solve(const Problem& problem, const NetworkSettings& settings, const std::stop_token& stop = {});
 
   private:
     class Workspace;
@@ -66,7 +65,7 @@ class NetworkSolver {
 };
 
 /// One blow by a solver of its own.
-NetworkImpact solveNetwork(const Problem& problem, const NetworkSettings& settings,
-                           const std::stop_token& stop = {});
+Impact solveNetwork(const Problem& problem, const NetworkSettings& settings,
+                    const std::stop_token& stop = {});
 
 }  // namespace drillwave

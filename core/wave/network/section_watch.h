@@ -7,9 +7,9 @@
 #include <span>
 
 #include "core/wave/network/cell_cuts.h"
-#include "core/wave/network/network_impact.h"
 #include "core/wave/network/wave_cell.h"
 #include "core/wave/network/window_maxima.h"
+#include "core/wave/section_forces.h"
 
 namespace drillwave {
 

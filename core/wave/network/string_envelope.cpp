@@ -126,7 +126,7 @@ SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, dou
     return forces;
 }
 
-std::vector<SectionEnvelope> stringEnvelope(const NetworkImpact& impact, const std::stop_token& stop,
+std::vector<SectionEnvelope> stringEnvelope(const Impact& impact, const std::stop_token& stop,
                                             const EnvelopeGrid& grid) {
     assert(impact.waves);
     const StringWaves& waves = *impact.waves;

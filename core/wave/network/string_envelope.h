@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/wave/network/network_impact.h"
+#include "core/wave/impact.h"
 #include "core/wave/network/string_waves.h"
 
 namespace drillwave {
@@ -30,7 +30,7 @@ struct EnvelopeGrid {
 /// (impact.sections), their places are among those of the envelope, and nothing is larger: the waves that
 /// were kept may be less exact. Requires waves that were kept. A stop ends the work early: the sections that
 /// are left have no places.
-std::vector<SectionEnvelope> stringEnvelope(const NetworkImpact& impact, const std::stop_token& stop = {},
+std::vector<SectionEnvelope> stringEnvelope(const Impact& impact, const std::stop_token& stop = {},
                                             const EnvelopeGrid& grid = {});
 
 }  // namespace drillwave

@@ -111,7 +111,7 @@ double WaveRecorder::wantedTime() const {
     return m_hasForces && isOver ? m_endOfBlow + 2 * m_stringTransit : 0;
 }
 
-void WaveRecorder::finish(double time, NetworkImpact& impact) {
+void WaveRecorder::finish(double time, Impact& impact) {
     const Problem& problem = m_plan->problem();
     const double passed = m_lattice->clock() + m_plan->clocks().earliest();
     const double end = problem.endTime ? time : std::max(time, std::min(wantedTime(), passed));
@@ -121,8 +121,7 @@ void WaveRecorder::finish(double time, NetworkImpact& impact) {
         impact.cellsLookedInto += watch.cellsLookedInto();
     }
     for (std::size_t j = problem.hammerSections(); j < m_alone.size(); ++j)
-        impact.jointReflection.push_back(m_reflected[j] / problem.sections[j].impedance /
-                                         impact.hammerEnergy);
+        impact.jointReflection.push_back(m_reflected[j] / problem.sections[j].impedance / impact.hammerWork);
     impact.leftOutForces = m_leftOutForces;
     if (m_waves) m_waves->finish(end);
     impact.waves = std::move(m_waves);

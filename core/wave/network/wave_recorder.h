@@ -6,9 +6,9 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/wave/impact.h"
 #include "core/wave/network/cell_lattice.h"
 #include "core/wave/network/march_plan.h"
-#include "core/wave/network/network_impact.h"
 #include "core/wave/network/section_watch.h"
 #include "core/wave/network/string_waves.h"
 
@@ -26,7 +26,7 @@ class WaveRecorder {
     /// The blow is not solved: its waves are of no use.
     void abandon() { m_waves.reset(); }
     /// What there is when all that counts has happened until `time` [t0].
-    void finish(double time, NetworkImpact& impact);
+    void finish(double time, Impact& impact);
 
     /// What the largest forces have taken beside the `cells` times nodes that have gone by, in cells.
     long workForForces(long cells) const;

@@ -71,7 +71,7 @@ void TestBlow::itsPartsAreThoseOfTheSolverAndTheSummary() {
     const Impact impact = ExactSolver().solve(problem, Detail::histories);
     QCOMPARE(blow.scenario, scenario);
     QCOMPARE(blow.groups, groupsOf(scenario));
-    QVERIFY(blow.solved == problem);
+    QVERIFY(blow.problem == problem);
     QCOMPARE(blow.scales, scalesOf(scenario));
     QCOMPARE(blow.impact.cor, impact.cor);
     QCOMPARE(blow.impact.events, impact.events);

@@ -68,8 +68,8 @@ class TestMethod : public QObject {
             }
         QVERIFY(rodRefusal(rod).empty() && networkRefusal(struckRod).empty());
         const Problem arriving = problemOf(Scene{PulseShape::rigidBody, {0.5, 1, 10, 0}});
-        const NetworkImpact refused = solver.strings().solve(arriving, {});
-        QVERIFY(refused.end == NetworkEnd::notSolved && refused.reason == networkRefusal(arriving));
+        const Impact refused = solver.strings().solve(arriving, {});
+        QVERIFY(refused.outcome == Outcome::notSolved && refused.reason == networkRefusal(arriving));
         QVERIFY(!refused.reason.empty() && rodRefusal(arriving).empty());
     }
 };

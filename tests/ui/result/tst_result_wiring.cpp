@@ -136,11 +136,11 @@ class TestResultWiring : public QObject {
         };
         QVERIFY(titles().contains(QString("Stress in the rod")));
         window.document().startFrom(findExample("t38_string")->text, QStringLiteral("t38_string"));
-        QTRY_VERIFY(window.shown()->string && window.shown()->isSolved());
+        QTRY_VERIFY(window.shown()->isOfString() && window.shown()->isSolved());
         QVERIFY(titles().contains(QString("Stress in hammer and string")));
         const Blow& blow = *window.shown();
         const Observation& observation = part<Observation>(window);
-        const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, *blow.string);
+        const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, blow.impact);
         const auto links = part<ResultPanel>(window).findChildren<PlaceLink*>();
         emit links.at(1)->followed();
         const StringPeak peak = largestStress(stresses, &RodForces::tension);
@@ -157,7 +157,7 @@ class TestResultWiring : public QObject {
         // A rod has no place there.
         window.document().startFrom(findExample("t38_medium_rock")->text, QStringLiteral("t38"));
         QCOMPARE(observation.section(), 0.0);
-        QTRY_VERIFY(!window.shown()->string);
+        QTRY_VERIFY(!window.shown()->isOfString());
     }
 
     void theTimeCursorOfTheWindowMarksTheEvent() {

@@ -202,7 +202,7 @@ void TestFiles::aDroppedTableBecomesTheHammerBlow() {
     QVERIFY(drop(window(), {QUrl::fromLocalFile(table)}));
     QTRY_COMPARE(window().document().scenario().pulse.shape, PulseShape::table);
     QTRY_COMPARE(window().shown()->request.scenario, window().document().scenario());
-    QCOMPARE(window().shown()->problem, QString());
+    QCOMPARE(window().shown()->fault, QString());
     window().document().undoStack().undo();
     QCOMPARE(window().document().text(), exampleBytes());
 }

@@ -57,7 +57,7 @@ class TestMainWindow : public QObject, private WindowFixture {
 void TestMainWindow::opensWithASolvedBlow() {
     MainWindow fresh(std::make_unique<ScriptedQuestions>(m_answers), exactSolve());
     // Solved before it is shown: no empty frame.
-    QCOMPARE(fresh.shown()->problem, QString());
+    QCOMPARE(fresh.shown()->fault, QString());
     QVERIFY(fresh.shown()->summary.cor > 0);
     QVERIFY(!part<BlowPage>(fresh).plot()->graph(0)->data()->isEmpty());
     QCOMPARE(part<BlowPage>(fresh).plot()->axisRectCount(), 4);
@@ -90,7 +90,7 @@ void TestMainWindow::typingABetaMovesStiffnessAndResult() {
     type(field("beta"), QStringLiteral("0.25"));
     QTRY_VERIFY(cor() != before);
     settle();
-    QCOMPARE(window().shown()->solved.law.beta, 0.25);
+    QCOMPARE(window().shown()->problem.law.beta, 0.25);
     QVERIFY(*field("bit_rock.stiffness").value() < stiffness);
     ExactSolver solver;
     const Scenario& scenario = window().document().scenario();
@@ -175,7 +175,7 @@ void TestMainWindow::aSlowSolverNeverHoldsTheWindowUp() {
     // All fifty were taken at once; the first and the last are solved.
     settle();
     QCOMPARE(calls.load(), 2);
-    QCOMPARE(window().shown()->solved.law.beta, 1.0);
+    QCOMPARE(window().shown()->problem.law.beta, 1.0);
     m_window.reset();
 }
 
@@ -252,7 +252,7 @@ void TestMainWindow::theShapeOfThePulseChangesItsRows() {
     QVERIFY(field("pulse.velocity").isVisible());
     settle();
     QTRY_COMPARE(window().shown()->request.scenario, window().document().scenario());
-    QCOMPARE(window().shown()->problem, QString());
+    QCOMPARE(window().shown()->fault, QString());
 }
 
 void TestMainWindow::everyExampleOpensSolved() {
@@ -261,7 +261,7 @@ void TestMainWindow::everyExampleOpensSolved() {
                  QString());
         settle();
         QTRY_COMPARE(window().shown()->request.scenario, window().document().scenario());
-        QCOMPARE(window().shown()->problem, QString());
+        QCOMPARE(window().shown()->fault, QString());
     }
 }
 

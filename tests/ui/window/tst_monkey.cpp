@@ -185,7 +185,7 @@ QString TestMonkey::wrongWhenSettled() {
     const bool cancelled = !part<SolveStatus>(*m_window).isCurrent();
     if (shown.request.scenario != scenario && !cancelled)
         return QStringLiteral("the result belongs to another scenario");
-    if (shown.problem.isEmpty() && !std::isfinite(shown.summary.cor))
+    if (shown.fault.isEmpty() && !std::isfinite(shown.summary.cor))
         return QStringLiteral("the result is no number");
     return wrongText();
 }

@@ -180,10 +180,10 @@ QString AccuracyPage::sentence() const {
     if (proof() == Proof::stability)
         return tr(
             "Cases that break solvers, each with all its checks, the worst first. A click loads a case.");
-    if (blow() && blow()->isSolved() && blow()->summary.string)
+    if (blow() && blow()->isSolved() && blow()->isOfString())
         return tr("The efficiency of %1 is right to %2, the error that the method states.")
-            .arg(numberText(blow()->summary.string->efficiency, 6, QLocale()),
-                 magnitudeText(blow()->summary.string->efficiencyError, QLocale()));
+            .arg(numberText(blow()->summary.energy.rockWork, 6, QLocale()),
+                 magnitudeText(blow()->summary.efficiencyError, QLocale()));
     if (!blow() || !blow()->isSolved()) return tr("How right the numbers are, and what other methods give.");
     const QLocale locale;
     return tr("e = %1 is right to %2, the bound that the exact solver states.")

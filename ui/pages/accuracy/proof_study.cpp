@@ -44,8 +44,7 @@ ProofAnswer proveAccuracy(const ProofQuestion& question, const StudyFeed<ProofAn
     Accuracy accuracy = measureAccuracy(
         question.scenario, latticeLadder(), feed.stop, [&](double done) { feed.tell(partOf(done)); },
         [&](const Accuracy& soFar) { feed.show(answer(soFar)); });
-    if (!feed.stop.stop_requested() && accuracy.exact.outcome != Outcome::rebounded)
-        throw notSolved(accuracy.exact.reason);
+    if (!feed.stop.stop_requested() && !accuracy.exact.isSolved()) throw notSolved(accuracy.exact.reason);
     return answer(accuracy);
 }
 

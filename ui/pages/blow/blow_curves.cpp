@@ -44,9 +44,8 @@ double interestingEnd(const Impact& impact, const PulseForce& pulse, const std::
 
 /// Until all has happened that is seen: the last contact of the rock, and the first one of the hammer.
 double interestingEnd(const Blow& blow, double last) {
-    const StringSummary& string = *blow.summary.string;
     double end = 0;
-    for (const double time : {blow.summary.separationTime, string.pistonSeparationTime})
+    for (const double time : {blow.summary.separationTime, blow.summary.faceSeparationTime})
         if (std::isfinite(time)) end = std::max(end, 1.1 * time);
     return end > 0 ? std::min(end, last) : last;
 }
@@ -67,8 +66,8 @@ BlowCurves stringCurves(const Blow& blow, const ShownUnits& units, double sectio
                             &curves.momentum, &curves.waves[0], &curves.waves[1], &curves.waves[2],
                             &curves.waves[3], &curves.laterWaves[0], &curves.laterWaves[1]})
         *each = GraphData::create();
-    if (!blow.string->impact.waves) return curves;
-    const StringHistory history(*blow.string, *curves.place);
+    if (!blow.impact.waves) return curves;
+    const StringHistory history(blow.impact, blow.problem, *curves.place);
     const double end = interestingEnd(blow, history.end());
     curves.timeEnd = end * units.time.factor;
     std::vector<StringInstant> rows = history.sampled();
@@ -93,8 +92,9 @@ BlowCurves stringCurves(const Blow& blow, const ShownUnits& units, double sectio
 }  // namespace
 
 BlowCurves blowCurves(const Blow& blow, const ShownUnits& units, double section, Tail tail) {
-    return blow.string ? stringCurves(blow, units, section, tail)
-                       : blowCurves(blow.impact, blow.solved.force(), units, std::max(0.0, section), tail);
+    return blow.isOfString()
+               ? stringCurves(blow, units, section, tail)
+               : blowCurves(blow.impact, blow.problem.force(), units, std::max(0.0, section), tail);
 }
 
 BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const ShownUnits& units, double section,

@@ -71,7 +71,9 @@ BlowMeanings stringMeanings(const SolvedBlowPtr& blow) {
     const ShownUnits& units = blow->units;
     const StringPlace place = *blow->page<BlowCurves>()->place;
     const auto reading = [blow, place](double StringInstant::*value) {
-        return [blow, place, value](double t) { return StringHistory(*blow->string, place).at(t).*value; };
+        return [blow, place, value](double t) {
+            return StringHistory(blow->impact, blow->problem, place).at(t).*value;
+        };
     };
     BlowMeanings meanings;
     meanings.waves.fill(forceMeaning(units));
@@ -96,7 +98,7 @@ BlowMeanings stringMeanings(const SolvedBlowPtr& blow) {
 }  // namespace
 
 BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
-    if (blow->string) return stringMeanings(blow);
+    if (blow->isOfString()) return stringMeanings(blow);
     const ShownUnits& units = blow->units;
     BlowMeanings meanings;
     for (int i = 0; i < BlowCurves::waveCount; ++i)
@@ -115,7 +117,7 @@ BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
     meanings.impulse =
         momentumLike(units, [blow](double t) { return WaveField(blow->impact).impactImpulse(t); });
     meanings.momentum =
-        momentumLike(units, [blow](double t) { return rodMomentum(blow->impact, blow->solved.force(), t); });
+        momentumLike(units, [blow](double t) { return rodMomentum(blow->impact, blow->problem.force(), t); });
     return meanings;
 }
 

@@ -98,7 +98,8 @@ PreparePage BlowPage::prepare() const {
             curves.runs = runOverlays(*runs, blow, made, [=](const SolvedBlow& run, const ShownUnits& units) {
                 return blowCurves(run, units, section);
             });
-            if (!blow.string) curves.closedForm = closedFormCurve(blow.solved, blow.units, curves.timeEnd);
+            if (!blow.isOfString())
+                curves.closedForm = closedFormCurve(blow.problem, blow.units, curves.timeEnd);
             return PageData::of(std::move(curves));
         };
 }
@@ -132,17 +133,17 @@ void BlowPage::showPlace() {
 // Nothing where the waves of a string were not kept.
 std::optional<RodState> BlowPage::stateAt(double time) const {
     const double section = m_observation.section();
-    if (!m_blow->string)
-        return rodState(m_blow->impact, m_blow->solved.force(), std::max(0.0, section), time);
-    if (!m_blow->string->impact.waves) return {};
+    if (!m_blow->isOfString())
+        return rodState(m_blow->impact, m_blow->problem.force(), std::max(0.0, section), time);
+    if (!m_blow->impact.waves) return {};
     const StringPlace place = stringPlace(m_blow->request.scenario.drillString, section);
-    const StringInstant now = StringHistory(*m_blow->string, place).at(time);
+    const StringInstant now = StringHistory(m_blow->impact, m_blow->problem, place).at(time);
     return RodState{now.normalForce, now.impactForce, now.impulse, now.momentum};
 }
 
 void BlowPage::showInstant() {
     const std::optional<double> time = m_observation.time();
-    const bool isKnown = time && m_blow && m_blow->problem.isEmpty();
+    const bool isKnown = time && m_blow && m_blow->fault.isEmpty();
     m_plot->reader().place(PlotCursor::time,
                            isKnown ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
     if (!isKnown) return m_instant->setText(tr("No time chosen: click an event, or press T over the plots."));
@@ -163,14 +164,14 @@ void BlowPage::setResult(const SolvedBlowPtr& blow) {
     m_blow = blow;
     const auto* curves = blow->page<BlowCurves>();
     showMeasured();  // in the units on show before the axes are fitted to it
-    if (curves && !(curves->timeEnd > 0) && blow->string) {
+    if (curves && !(curves->timeEnd > 0) && blow->isOfString()) {
         m_plots->showNothing(tr("Nothing to show: the waves of this blow are more than can be kept."));
     } else if (curves) {
         carryCursors();
         m_plots->present(*curves);
         setMeanings();
-    } else if (!blow->problem.isEmpty()) {
-        m_plots->showNothing(tr("Nothing to show: %1").arg(blow->problem));
+    } else if (!blow->fault.isEmpty()) {
+        m_plots->showNothing(tr("Nothing to show: %1").arg(blow->fault));
     }
     showPlace();
     showInstant();
@@ -225,7 +226,7 @@ void BlowPage::showMeasured() {
     if (!m_measured || !m_blow) return;
     m_measuredCurves->present(m_measured->signalList(), *m_blow);
     m_measuredBar->setStyle(PlotStyle::forScreen(palette(), font()));
-    m_measuredBar->setComparable(isComparable(*m_blow) || !m_blow->problem.isEmpty());
+    m_measuredBar->setComparable(isComparable(*m_blow) || !m_blow->fault.isEmpty());
     for (const QCPGraph* graph : m_measuredCurves->graphs())
         m_plot->setMeaning(graph, forceMeaning(m_blow->units));
 }

@@ -9,7 +9,7 @@ namespace drillwave {
 std::optional<ClosedFormCurve> closedFormCurve(const Problem& problem, const ShownUnits& units,
                                                double timeEnd) {
     const Impact impact = solveClosedForm(problem, Detail::histories);
-    if (impact.outcome != Outcome::rebounded) return {};
+    if (!impact.isSolved()) return {};
     const SampledHistory history = sampleHistory(impact);
     return ClosedFormCurve{
         historyData(shownPoints(history.time, history.force, units.time, units.force), timeEnd, Tail::kept),

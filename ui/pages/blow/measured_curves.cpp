@@ -40,7 +40,7 @@ QString legendName(const MeasuredSignal& signal) {
 }  // namespace
 
 bool isComparable(const SolvedBlow& blow) {
-    return blow.request.scenario.form == ScenarioForm::dimensional && blow.problem.isEmpty();
+    return blow.request.scenario.form == ScenarioForm::dimensional && blow.fault.isEmpty();
 }
 
 MeasuredCurves::MeasuredCurves(BlowPlots* plots)

@@ -22,7 +22,7 @@ namespace {
 using Columns = std::vector<CompareColumn>;
 
 bool isSolved(const CompareColumn& column) {
-    return column.blow && column.blow->problem.isEmpty();
+    return column.blow && column.blow->fault.isEmpty();
 }
 
 CompareRow heading(const QString& name) {

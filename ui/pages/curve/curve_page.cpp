@@ -289,7 +289,7 @@ CurvePage::Point CurvePage::pointOf(const SolvedBlow& blow) const {
     if (!along.applies(blow.scenario)) return {};
     const std::optional<double> x = along.value(blow.scenario);
     std::optional<double> y;
-    if (blow.problem.isEmpty()) y = picture.output->value({blow.summary, blow.scenario});
+    if (blow.fault.isEmpty()) y = picture.output->value({blow.summary, blow.scenario});
     const bool isSi = asked.columns.front().units == OutputUnits::si;
     if (isSi && blow.scenario.form == ScenarioForm::dimensionless) return {};
     if (y && isSi) y = *y * picture.output->scale(scalesOf(blow.scenario));

@@ -50,7 +50,7 @@ class Preview {
         m_problem.gap = gap;
         const Impact impact = m_solver.solve(m_problem, Detail::events, m_feed.stop);
         m_pieces += impact.pieces;
-        if (impact.outcome != Outcome::rebounded) return;
+        if (!impact.isSolved()) return;
         const ImpactSummary summary = summarize(impact, m_problem);
         const GapSample sample{gap, {summary.cor, summary.peakForce, summary.energy.rockWork}};
         m_samples.insert(std::ranges::upper_bound(m_samples, gap, {}, &GapSample::gap), sample);

@@ -213,7 +213,7 @@ void MapPage::speak() {
 QString MapPage::hereText() const {
     const QString help =
         tr("A click takes over a point, with Shift it pins it; the crosshair can be dragged.");
-    if (!blow() || !blow()->problem.isEmpty()) return help;
+    if (!blow() || !blow()->fault.isEmpty()) return help;
     const OutputColumn& column = m_shown->study.output;
     const auto value = column.value({blow()->summary, blow()->scenario}, blow()->scales);
     if (!value) return help;

@@ -90,9 +90,9 @@ RockCurve curveOf(const Impact& impact, const Problem& problem, const ImpactSumm
 }  // namespace
 
 RockCurve rockCurve(const Blow& blow, const ShownUnits& units) {
-    if (!blow.string) return rockCurve(blow.impact, blow.solved, units);
+    if (!blow.isOfString()) return rockCurve(blow.impact, blow.problem, units);
     Problem rock;
-    rock.law = blow.string->problem.law;
+    rock.law = blow.problem.law;
     ImpactSummary summary = blow.summary;
     summary.workRatio = 1;  // what stays in the rock is told in shares of the hammer's energy
     RockCurve curve = curveOf(blow.impact, rock, summary, units);

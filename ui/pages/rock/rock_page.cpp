@@ -73,8 +73,8 @@ void RockPage::setResult(const SolvedBlowPtr& blow) {
         const CurveMeaning meaning{.xUnit = blow->units.penetration.unit, .yUnit = blow->units.force.unit};
         m_plot->setMeaning(m_rock->path(), meaning);
         for (QCPCurve* run : m_rock->runs()) m_plot->setMeaning(run, meaning);
-    } else if (!blow->problem.isEmpty()) {
-        m_rock->showNothing(tr("Nothing to show: %1").arg(blow->problem));
+    } else if (!blow->fault.isEmpty()) {
+        m_rock->showNothing(tr("Nothing to show: %1").arg(blow->fault));
     } else {
         return;  // solved for another page; what was asked for is on its way
     }

@@ -49,7 +49,7 @@ RodForce RodCurves::forceAt(RodLine line, double section) const {
 }
 
 RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_token& stop) {
-    if (!blow.string) return rodCurves(blow.impact, blow.solved.force(), blow.scenario, units, stop);
+    if (!blow.isOfString()) return rodCurves(blow.impact, blow.problem.force(), blow.scenario, units, stop);
     RodCurves curves;
     curves.units = units;
     curves.string = stringRod(blow);

@@ -95,8 +95,8 @@ void RodPage::setResult(const SolvedBlowPtr& blow) {
         for (const RodLine line : rodLines) m_plot->setMeaning(m_rod->graph(line), meaning);
         for (QCPCurve* run : m_rod->runs()) m_plot->setMeaning(run, meaning);
         m_plot->setDataText([blow](char separator) { return rodCsv(*blow->page<RodCurves>(), separator); });
-    } else if (!blow->problem.isEmpty()) {
-        m_rod->showNothing(tr("Nothing to show: %1").arg(blow->problem));
+    } else if (!blow->fault.isEmpty()) {
+        m_rod->showNothing(tr("Nothing to show: %1").arg(blow->fault));
         m_plot->setDataText({});
     } else {
         return;  // solved for another page; what was asked for is on its way

@@ -77,8 +77,8 @@ StringRod stringRod(const Blow& blow) {
     const auto ofHammer = static_cast<int>(drill.hammer.sections.size());
     const std::vector<double> joints = sectionJoints(drill);
     StringRod rod;
-    rod.waves = blow.string->impact.waves;
-    rod.endOfBlow = blow.string->impact.endOfBlow;
+    rod.waves = blow.impact.waves;
+    rod.endOfBlow = blow.impact.endOfBlow;
     for (int j = 0; j < static_cast<int>(sections.size()); ++j) {
         const Section& section = *sections[static_cast<std::size_t>(j)];
         RodStretch stretch;
@@ -98,13 +98,13 @@ StringRod stringRod(const Blow& blow) {
 RodEnvelope stringRodEnvelope(const StringRod& rod, const Blow& blow, const std::stop_token& stop) {
     RodEnvelope envelope;
     if (!rod.waves) return envelope;
-    const std::vector<SectionEnvelope> sections = stringEnvelope(blow.string->impact, stop);
+    const std::vector<SectionEnvelope> sections = stringEnvelope(blow.impact, stop);
     for (std::size_t j = 0; j < sections.size(); ++j)
         for (const SectionForces& forces : sections[j])
             for (const Kind& kind : kinds) {
                 const bool isAfter =
                     kind.ofRod == &RodForces::compressionAfter || kind.ofRod == &RodForces::tensionAfter;
-                if (isAfter && !hasStressesAfter(blow.string->impact)) continue;
+                if (isAfter && !hasStressesAfter(blow.impact)) continue;
                 const RodForce stress = stressOf(rod.stretches[j], forces.*kind.ofSection);
                 (envelope.*kind.line).push_back(stress);
                 takeLarger(envelope.largest.*kind.ofRod, stress);

@@ -28,7 +28,7 @@ struct RodStretch {
 struct StringRod {
     std::vector<RodStretch> stretches;         ///< from the rear of the hammer to the bit
     std::shared_ptr<const StringWaves> waves;  ///< empty where they were too many to be kept
-    double endOfBlow = 0;                      ///< NetworkImpact::endOfBlow
+    double endOfBlow = 0;                      ///< Impact::endOfBlow
 
     double rear() const { return stretches.front().rear; }
     /// The section at a place, the one behind it where two meet.

@@ -138,7 +138,7 @@ void StringPage::say(const QString& refusal) {
 // Where it is worst, in words.
 QString StringPage::sentence() const {
     const SolvedBlowPtr& blow = m_model->blow();
-    if (blow && !blow->problem.isEmpty()) return tr("Not solved: %1").arg(blow->problem);
+    if (blow && !blow->fault.isEmpty()) return tr("Not solved: %1").arg(blow->fault);
     const std::optional<StringResults>& results = m_model->results();
     if (!results || results->rows.empty()) return {};
     const auto worst = [&](RowPeak RowResult::*peak) {

@@ -58,15 +58,15 @@ std::vector<ChainSection> chainSections(const DrillString& drillString, const st
 
 std::optional<StringResults> stringResults(const SolvedBlow& blow, const std::vector<StringRow>& rows,
                                            const std::vector<ChainSection>& chain) {
-    if (!blow.problem.isEmpty() || !blow.string) return std::nullopt;
+    if (!blow.fault.isEmpty() || !blow.isOfString()) return std::nullopt;
     const DrillString& solved = blow.scenario.drillString;
     const auto spot = [](const StringRow& row) { return row.spot; };
     StringResults results;
-    results.sections = sectionStresses(blow.scenario, *blow.string);
+    results.sections = sectionStresses(blow.scenario, blow.impact);
     if (results.sections.size() != chain.size()) return std::nullopt;
     if (!std::ranges::equal(sectionSpots(solved), rows, {}, {}, spot)) return std::nullopt;
     results.rows.resize(rows.size());
-    const std::vector<double>& reflected = blow.string->impact.jointReflection;
+    const std::vector<double>& reflected = blow.impact.jointReflection;
     for (std::size_t i = 0; i < chain.size(); ++i) {
         const SectionStress& stress = results.sections[i];
         RowResult& row = results.rows[chain[i].row];

@@ -105,7 +105,7 @@ void ThrustPage::showRuns(const ThrustAnswer& answer) {
         if (!run.isShown || !run.isSolved() || !along.applies(run.contents.scenario)) continue;
         const std::optional<double> x = along.value(run.contents.scenario);
         const std::optional<double> need =
-            thrustNeeded(run.contents.scenario, run.blow->summary.cor, run.blow->summary.transferred());
+            thrustNeeded(run.contents.scenario, run.blow->summary.cor, run.blow->summary.transferred);
         if (x && need)
             marks.append(
                 {run.number, run.title(), {*x * m_units.along.factor, *need * m_units.force.factor}});

@@ -188,7 +188,7 @@ void RodStrip::paintSections(QPainter& painter, const QRect& rod) const {
 
 // It touches the rod while it pushes.
 void RodStrip::paintHammer(QPainter& painter, const QRect& rod) const {
-    const PulseForce& pulse = m_blow->solved.force();
+    const PulseForce& pulse = m_blow->problem.force();
     if (pulse.isRigidBody()) return;
     const double force = pulse(m_time) / pulse.peak;
     const int away = force > 0 || m_time < 0 ? 0 : 6;

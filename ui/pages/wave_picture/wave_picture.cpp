@@ -15,8 +15,8 @@ double largestForce(const Blow& blow) {
     if (blow.summary.rodForces)
         return std::max(blow.summary.rodForces->compression.size, blow.summary.rodForces->tension.size);
     double largest = 0;
-    if (blow.string)
-        for (const SectionForces& section : blow.string->impact.sections)
+    if (blow.isOfString())
+        for (const SectionForces& section : blow.impact.sections)
             largest = std::max({largest, section.compression.force, section.tension.force});
     return largest;
 }
@@ -24,8 +24,7 @@ double largestForce(const Blow& blow) {
 /// What is known of the field without looking for it: the forces, and that the hammer of a string moves with
 /// v0, twice F0/Z.
 double knownMagnitude(const Blow& blow, WaveQuantity field) {
-    if (field == WaveQuantity::velocity)
-        return isForced(blow.scenario) ? 0 : blow.string->problem.hammer().velocity;
+    if (field == WaveQuantity::velocity) return isForced(blow.scenario) ? 0 : blow.problem.hammer().velocity;
     return std::max(blow.impact.peakForce, largestForce(blow));
 }
 
@@ -42,8 +41,8 @@ double largestMagnitude(const Blow& blow, const BlowWaves& waves, WaveQuantity f
 
 StringPicture stringPicture(const Blow& blow, const BlowWaves& waves) {
     StringPicture picture{stringRod(blow), waves.end(), 1, waves.faceContacts()};
-    const double largest = std::max(blow.summary.string->largestCompression.value_or(0),
-                                    blow.summary.string->largestTension.value_or(0));
+    const double largest =
+        std::max(blow.summary.largestCompression.value_or(0), blow.summary.largestTension.value_or(0));
     if (largest > 0) picture.largestStress = largest;
     return picture;
 }
@@ -108,7 +107,7 @@ WavePicture wavePicture(const Blow& blow, const ShownUnits& units, const WavePic
     picture.limit = largestMagnitude(blow, waves, need.field);
     picture.fronts = waves.fronts();
     picture.contacts = waves.contacts();
-    if (blow.string) picture.string = stringPicture(blow, waves);
+    if (blow.isOfString()) picture.string = stringPicture(blow, waves);
     picture.raster = waves.raster(need.field, gridOf(need, need.window.value_or(picture.whole())));
     for (const float value : picture.raster.values) {
         picture.least = std::min(picture.least, value);

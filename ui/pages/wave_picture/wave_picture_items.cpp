@@ -110,7 +110,7 @@ void WaveFrontsItem::draw(QCPPainter* painter) {
 void WaveFrontsItem::drawFamily(QCPPainter& painter, double start, bool named) const {
     const RasterGrid range = view();
     // In a string every joint throws waves back: they have no numbers.
-    const bool hasNames = named && !picture().string && !m_blow->solved.force().isRigidBody();
+    const bool hasNames = named && !picture().string && !m_blow->problem.force().isRigidBody();
     for (const FrontRun& run : BlowWaves(*m_blow).frontRuns(start, range.timeBegin, range.timeEnd)) {
         drawLine(painter, run);
         if (hasNames && run.number < namedWaves) drawName(painter, run);

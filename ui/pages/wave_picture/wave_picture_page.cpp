@@ -166,9 +166,9 @@ void WavePicturePage::setRuns(const RunListPtr& runs) {
 void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
     if (blow->page<WavePicture>())
         m_picture->present(blow);
-    else if (!blow->problem.isEmpty())
-        m_picture->showNothing(tr("Nothing to show: %1").arg(blow->problem));
-    else if (blow->string && !BlowWaves::areKept(*blow))
+    else if (!blow->fault.isEmpty())
+        m_picture->showNothing(tr("Nothing to show: %1").arg(blow->fault));
+    else if (blow->isOfString() && !BlowWaves::areKept(*blow))
         m_picture->showNothing(tr("Nothing to show: so many waves that they are not kept."));
     else
         return;  // the answer to an older request, before this page was there to ask

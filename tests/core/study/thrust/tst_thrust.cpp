@@ -309,14 +309,14 @@ void TestThrust::theMarginOfAHeavyBlowIsLeftOut() {
 void TestThrust::aStringNeedsWhatTheRockGivesBack() {
     Scenario scenario = t38String();
     const Blow blow = solveBlow(scenario, {}, Detail::ledger);
-    const NetworkImpact& impact = blow.string->impact;
-    const double perUnit = pulseImpulse(scenario) / impact.hammerMomentum, frequency = 60;
+    const Impact& impact = blow.impact;
+    const double perUnit = pulseImpulse(scenario) / impact.hammerImpulse, frequency = 60;
     const ThrustStudy study = studyThrust(scenario);
     QCOMPARE(study.reason, std::string());
     const ThrustNeed& here = study.need(ThrustCase::scenario);
-    QVERIFY(std::abs(here.thrust / (frequency * perUnit * impact.rockImpulse) - 1) < 1e-9);
+    QVERIFY(std::abs(here.thrust / (frequency * perUnit * impact.impulse) - 1) < 1e-9);
     // Momentum of the hammer before less after.
-    const double handedOn = impact.hammerMomentum - impact.pistonMomentum;
+    const double handedOn = impact.hammerImpulse - impact.hammerMomentum;
     QVERIFY(std::abs(study.verdict.balance / (frequency * perUnit * handedOn) - 1) < 1e-9);
     QVERIFY(std::abs(here.thrustUndamped + study.verdict.balance - 2 * here.thrust) < 1e-6);
     QVERIFY(std::abs(study.need(ThrustCase::rigidRock).thrust / study.verdict.balance - 2) < 1e-12);

@@ -69,7 +69,7 @@ class TestStringField : public QObject {
         const Groups groups{beta, gamma, tau, delta};
         const Impact exact = solve({PulseShape::rectangular, groups}, Detail::histories);
         const Problem problem = rodAsString(groups, exact.separationTime + tau);
-        const NetworkImpact impact = solvedWithWaves(problem);
+        const Impact impact = solvedWithWaves(problem);
         QVERIFY(impact.waves);
         const StringField field(*impact.waves, {-0.5 / tau, 0, 1});
         // ends that no centre lies on a front with
@@ -92,7 +92,7 @@ class TestStringField : public QObject {
 
     void everyCellHoldsTheWavesAtItsCentre() {
         const BentScene scene;
-        const NetworkImpact impact = solvedWithWaves(scene.problem);
+        const Impact impact = solvedWithWaves(scene.problem);
         QVERIFY(impact.waves);
         const StringField field(*impact.waves, scene.joints);
         const RasterGrid grid{-0.2, 1, 97, -1, 30, 113};
@@ -115,7 +115,7 @@ class TestStringField : public QObject {
 
     void beforeTheFirstTouchTheHammerMovesAndNothingPushes() {
         const BentScene scene;
-        const NetworkImpact impact = solvedWithWaves(scene.problem);
+        const Impact impact = solvedWithWaves(scene.problem);
         const StringField field(*impact.waves, scene.joints);
         const double v0 = 2;  // in F0/Z
         for (const double x : {-0.2, -0.15, -0.01, 0.01, 0.5, 1.0}) {
@@ -126,7 +126,7 @@ class TestStringField : public QObject {
 
     void besideHammerAndStringAndLaterNothingIsKnown() {
         const BentScene scene;
-        const NetworkImpact impact = solvedWithWaves(scene.problem);
+        const Impact impact = solvedWithWaves(scene.problem);
         const StringField field(*impact.waves, scene.joints);
         QCOMPARE(field.rear(), -0.2);
         const double end = field.end();
@@ -142,7 +142,7 @@ class TestStringField : public QObject {
 
     void forcesPassJointsWithoutALoss() {
         const BentScene scene;
-        const NetworkImpact impact = solvedWithWaves(scene.problem);
+        const Impact impact = solvedWithWaves(scene.problem);
         const StringField field(*impact.waves, scene.joints);
         Chance chance(11);
         double largest = 0;
@@ -160,7 +160,7 @@ class TestStringField : public QObject {
     // The picture has real lengths: in a section of twice the speed it is half as steep.
     void frontsRunWithTheSpeedOfTheSection() {
         const BentScene scene;
-        const NetworkImpact impact = solvedWithWaves(scene.problem);
+        const Impact impact = solvedWithWaves(scene.problem);
         const StringField field(*impact.waves, scene.joints);
         QCOMPARE(field.arrival(), 4.0);
         QCOMPARE(field.hammerRoundTrip(), 1.0);
@@ -201,7 +201,7 @@ class TestStringField : public QObject {
         BentScene scene;
         for (const double end : {30.0, 1000.0}) {
             scene.problem.endTime = end;
-            const NetworkImpact impact = solvedWithWaves(scene.problem);
+            const Impact impact = solvedWithWaves(scene.problem);
             QVERIFY(impact.waves);
             const StringField field(*impact.waves, scene.joints);
             const WaveRaster raster = field.raster(WaveQuantity::force, {-0.2, 1, 300, 0, end, 200});

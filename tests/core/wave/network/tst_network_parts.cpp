@@ -247,11 +247,11 @@ class TestNetworkParts : public QObject {
     void theLargestForcesOfTheT38StringAreLookedForInFewCells() {
         NetworkSettings settings{.accuracy = NetworkAccuracy::quick, .wants = {}};
         settings.wants.forces = true;
-        const NetworkImpact impact = solveNetwork(networkCases().at(7).problem, settings);
+        const Impact impact = solveNetwork(networkCases().at(7).problem, settings);
         QVERIFY(!impact.sections.empty());
         QVERIFY(impact.cellsLookedInto > 0);
-        QVERIFY2(impact.cellsLookedInto < impact.cells / 5,
-                 QByteArray::number(double(impact.cellsLookedInto) / double(impact.cells)));
+        QVERIFY2(impact.cellsLookedInto < impact.pieces / 5,
+                 QByteArray::number(double(impact.cellsLookedInto) / double(impact.pieces)));
     }
 
     void whatJointsReflectIsFoundWhereItIsWanted() {

@@ -45,7 +45,7 @@ class TestStringEnvelope : public QObject {
     void aScanOfTheWavesFindsNothingLarger_data() { scenes_data(); }
     void aScanOfTheWavesFindsNothingLarger() {
         QFETCH(QString, id);
-        const NetworkImpact impact = solvedWithWaves(caseCalled(id.toStdString()).problem);
+        const Impact impact = solvedWithWaves(caseCalled(id.toStdString()).problem);
         QVERIFY(impact.waves);
         const StringWaves& waves = *impact.waves;
         for (std::size_t j = 0; j < waves.sections().size(); ++j)
@@ -88,7 +88,7 @@ class TestStringEnvelope : public QObject {
     void thePeaksAreThoseOfTheSections_data() { scenes_data(); }
     void thePeaksAreThoseOfTheSections() {
         QFETCH(QString, id);
-        const NetworkImpact impact = solvedWithWaves(caseCalled(id.toStdString()).problem);
+        const Impact impact = solvedWithWaves(caseCalled(id.toStdString()).problem);
         const std::vector<SectionEnvelope> envelope = stringEnvelope(impact);
         QCOMPARE(envelope.size(), impact.sections.size());
         for (std::size_t j = 0; j < envelope.size(); ++j) {
@@ -127,7 +127,7 @@ class TestStringEnvelope : public QObject {
         hammerOf(problem).face.restrike = false;
         problem.law = {groups.beta, groups.gamma};
         problem.endTime = exact.separationTime + 4 * groups.tau;  // all of the waves left pass meanwhile
-        const NetworkImpact impact = solvedWithWaves(problem);
+        const Impact impact = solvedWithWaves(problem);
         QVERIFY(impact.waves);
         const RodEnvelope rod = rodEnvelope(exact, problemOf(uniform).force());
         int compared = 0;
@@ -147,7 +147,7 @@ class TestStringEnvelope : public QObject {
     }
 
     void workIsBoundedAndEndsWhenItIsStopped() {
-        const NetworkImpact impact = solvedWithWaves(caseCalled("t38_medium").problem);
+        const Impact impact = solvedWithWaves(caseCalled("t38_medium").problem);
         const auto places = [](const std::vector<SectionEnvelope>& envelope) {
             std::size_t sum = 0;
             for (const SectionEnvelope& section : envelope) sum += section.size();

@@ -33,7 +33,7 @@ class TestStringWaves : public QObject {
         const Groups groups{beta, gamma, tau, delta};
         const Impact exact = solve({PulseShape::rectangular, groups}, Detail::histories);
         const Problem problem = rodAsString(groups, exact.separationTime + tau);
-        const NetworkImpact impact = solvedWithWaves(problem);
+        const Impact impact = solvedWithWaves(problem);
         QVERIFY(impact.waves);
         const StringWaves& waves = *impact.waves;
         const WaveField field(exact);
@@ -75,7 +75,7 @@ class TestStringWaves : public QObject {
     void curvesHoldWhatTheBlowStates() {
         QFETCH(QString, id);
         const Problem& problem = caseCalled(id.toStdString()).problem;
-        const NetworkImpact impact = solvedWithWaves(problem);
+        const Impact impact = solvedWithWaves(problem);
         const double end = impact.endTime;
         if (id.startsWith("uniform_stiff")) {  // thousands of parts to a cell are too many to be kept
             QVERIFY(!impact.waves);
@@ -87,11 +87,11 @@ class TestStringWaves : public QObject {
         // moments are exact, so that sums of thousands of cells differ by rounding; where the waves of the
         // better of two runs are too many, by what that one is better
         const double tolerance = 1e-9 + impact.efficiencyError + impact.corError;
-        QVERIFY(std::abs(waves.bitForce().integral(end) - impact.rockImpulse) < tolerance);
+        QVERIFY(std::abs(waves.bitForce().integral(end) - impact.impulse) < tolerance);
         QVERIFY(std::abs(waves.faceForce().integral(end) - impact.faceImpulse) < tolerance);
         // where bit and rock first meet it has come as far as the gap
-        if (impact.firstContact >= 0 && impact.firstContact < end)
-            QVERIFY(std::abs(waves.bitVelocity().integral(impact.firstContact) - problem.distance()) <
+        if (impact.firstContactTime >= 0 && impact.firstContactTime < end)
+            QVERIFY(std::abs(waves.bitVelocity().integral(impact.firstContactTime) - problem.distance()) <
                     2e-6);  // within a cell
     }
 
@@ -99,7 +99,7 @@ class TestStringWaves : public QObject {
         int contacts = 0, separations = 0;
         for (const char* id :
              {"uniform_bilinear", "uniform_gap", "mirror_hammer", "t38_soft", "other_material"}) {
-            const NetworkImpact impact = solvedWithWaves(caseCalled(id).problem);
+            const Impact impact = solvedWithWaves(caseCalled(id).problem);
             QVERIFY(impact.waves);
             const auto force = [&](double t) { return impact.waves->bitForce()(t); };
             constexpr double beside = 1e-5;  // its force is less than its slope, some 10, times that
@@ -120,7 +120,7 @@ class TestStringWaves : public QObject {
 
     void forceIsTheSameOnBothSidesOfAJoint() {
         const Problem& problem = caseCalled("t38_medium").problem;
-        const NetworkImpact impact = solvedWithWaves(problem);
+        const Impact impact = solvedWithWaves(problem);
         QVERIFY(impact.waves);
         Chance chance(7);
         int compared = 0;
@@ -139,7 +139,7 @@ class TestStringWaves : public QObject {
 
     void largestForcesOfSectionsAreThereAndNowhereMore() {
         for (const char* id : {"t38_soft", "very_soft_rock", "uniform_split"}) {
-            const NetworkImpact impact = solvedWithWaves(caseCalled(id).problem);
+            const Impact impact = solvedWithWaves(caseCalled(id).problem);
             QVERIFY(impact.waves);
             Chance chance(9);
             for (std::size_t j = 0; j < impact.sections.size(); ++j) {
@@ -165,7 +165,7 @@ class TestStringWaves : public QObject {
     }
 
     void curvesAreSmoothBetweenTheirPieceTimes() {
-        const NetworkImpact impact = solvedWithWaves(caseCalled("t38_medium").problem);
+        const Impact impact = solvedWithWaves(caseCalled("t38_medium").problem);
         QVERIFY(impact.waves);
         const StringWaves& waves = *impact.waves;
         const std::vector<double> times = waves.pieceTimes(4, 0.3);
@@ -186,8 +186,8 @@ class TestStringWaves : public QObject {
     void wavesThatAreTooManyAreNotKept() {
         Problem problem = caseCalled("t38_medium").problem;
         problem.endTime = 40 * *problem.endTime;
-        const NetworkImpact impact = solvedWithWaves(problem);
-        QCOMPARE(impact.end, NetworkEnd::endTime);
+        const Impact impact = solvedWithWaves(problem);
+        QCOMPARE(impact.outcome, Outcome::endTime);
         QVERIFY(!impact.waves);
     }
 

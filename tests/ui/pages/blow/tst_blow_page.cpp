@@ -202,7 +202,7 @@ void TestBlowPage::cursorsReadExactImpulses() {
     scenario.pulse.shape = shape;
     scenario.bitRock.gap = gap;
     const SolvedBlowPtr blow = solved(*m_page, scenario, si ? UnitSystem::si : UnitSystem::dimensionless);
-    QCOMPARE(blow->problem, QString());
+    QCOMPARE(blow->fault, QString());
     m_page->setResult(blow);
     PlotWidget& plot = *m_page->plot();
     const double end = blow->page<BlowCurves>()->timeEnd;

@@ -111,7 +111,7 @@ void TestRodPage::askedForItsCurvesTheWorkerBuildsThem() {
     std::stop_source stop;
     stop.request_stop();
     const RodCurves none =
-        rodCurves(blow->impact, blow->solved.force(), blow->scenario, blow->units, stop.get_token());
+        rodCurves(blow->impact, blow->problem.force(), blow->scenario, blow->units, stop.get_token());
     QCOMPARE(none.envelope.steps, 0);
 }
 
@@ -304,7 +304,7 @@ void TestRodPage::aStringHasTheStressesOfItsSections() {
     const RodCurves& curves = *blow->page<RodCurves>();
     QVERIFY(curves.string && curves.string->waves);
     const double scale = scalesOf(blow->scenario).stress;
-    const std::vector<SectionStress> stresses = sectionStresses(blow->scenario, *blow->string);
+    const std::vector<SectionStress> stresses = sectionStresses(blow->scenario, blow->impact);
     const std::vector<RodStretch>& stretches = curves.string->stretches;
     QCOMPARE(stretches.size(), stresses.size());
     for (std::size_t j = 0; j < stretches.size(); ++j) {
@@ -320,8 +320,8 @@ void TestRodPage::aStringHasTheStressesOfItsSections() {
         QVERIFY(most(RodLine::tension) <= stresses[j].tension.stress * (1 + 1e-6));
         QVERIFY(most(RodLine::compression) > stresses[j].compression.stress * 0.8);
     }
-    QCOMPARE(curves.largest(RodLine::compression).size, *blow->summary.string->largestCompression);
-    QCOMPARE(curves.largest(RodLine::tension).size, *blow->summary.string->largestTension);
+    QCOMPARE(curves.largest(RodLine::compression).size, *blow->summary.largestCompression);
+    QCOMPARE(curves.largest(RodLine::tension).size, *blow->summary.largestTension);
     QVERIFY(curves.rear() < 0);
     const QCPRange range = m_page->plot()->xAxis->range();
     QCOMPARE(range.lower, curves.rear() * blow->units.length.factor);
@@ -418,7 +418,7 @@ void TestRodPage::theDataOfAStringHaveTheWavesLeft() {
 
 void TestRodPage::aStringWhoseWavesAreNotKeptSaysSo() {
     auto blow = std::make_shared<SolvedBlow>(*solvedString());
-    blow->string->impact.waves.reset();
+    blow->impact.waves.reset();
     blow->pages = {PageData::of(rodCurves(*blow, blow->units))};
     m_page->setResult(blow);
     QVERIFY(m_page->plot()->accessibleDescription().contains(QStringLiteral("not kept")));

@@ -142,8 +142,8 @@ void TestStringPage::aStringIsOpenedOnThePageOnShow() {
     QCOMPARE(&pages.current(), static_cast<Page*>(&part<BlowPage>(window())));
     pages.setCurrentWidget(&page());
     settle();
-    QVERIFY(window().shown()->string.has_value());
-    QCOMPARE(window().shown()->problem, QString());
+    QVERIFY(window().shown()->isOfString());
+    QCOMPARE(window().shown()->fault, QString());
     QVERIFY(words().contains(QStringLiteral("rod (7)")));
     // Its examples are on the menu, and so is a file of one.
     const QString path = m_folder.filePath(QStringLiteral("a.yaml"));
@@ -189,7 +189,8 @@ void TestStringPage::blowAndRockShowAString() {
     settle();
     const BlowPlots& plots = *blow.plots();
     const auto shown = window().shown();
-    const StringHistory history(*shown->string, stringPlace(document().scenario().drillString, 0.5));
+    const StringHistory history(shown->impact, shown->problem,
+                                stringPlace(document().scenario().drillString, 0.5));
     double largest = 0;
     for (const StringInstant& now : history.sampled()) largest = std::max(largest, now.impactForce);
     const auto range = [](const QCPGraph* graph) {
@@ -204,7 +205,7 @@ void TestStringPage::blowAndRockShowAString() {
     QVERIFY(plots.textSummary().contains(QStringLiteral("coupling")) ||
             plots.textSummary().contains(QStringLiteral("rod")));
     const auto last = plots.momentumGraph()->data()->constEnd() - 1;
-    const double momentum = shown->summary.string->stringMomentum * shown->units.impulse.factor;
+    const double momentum = shown->summary.stringMomentum * shown->units.impulse.factor;
     QVERIFY(std::abs(last->value - momentum) < 1e-5 * std::abs(momentum));
 
     auto& rock = part<RockPage>(window());
@@ -297,12 +298,12 @@ void TestStringPage::theTableShowsTheSectionsAsTheyStandInTheFile() {
 void TestStringPage::theResultsAreThoseOfTheBlow() {
     const SolvedBlow& blow = *window().shown();
     double largest = 0;
-    for (const SectionStress& stress : sectionStresses(blow.scenario, *blow.string))
+    for (const SectionStress& stress : sectionStresses(blow.scenario, blow.impact))
         largest = std::max(largest, stress.tension.stress);
     QCOMPARE(model().results()->rows[4].tension.size, largest);
     QCOMPARE(model().results()->rows[4].tension.section, std::uint64_t(7));
     QCOMPARE(text(4, StringModel::tension), QLocale().toString(largest / 1e6, 'f', 1));
-    QCOMPARE(model().results()->rows[3].reflected->size, blow.string->impact.jointReflection[1]);
+    QCOMPARE(model().results()->rows[3].reflected->size, blow.impact.jointReflection[1]);
     QCOMPARE(findOutput("peak_tension")->value({blow.summary, blow.scenario}).value() * blow.scales.stress,
              largest);
 }
@@ -314,7 +315,7 @@ void TestStringPage::aCellIsEditedUndoneByNameSavedAndReadAgain() {
     QVERIFY2(undoText().contains(QStringLiteral("diameter of section 2")), qPrintable(undoText()));
     QVERIFY(window().isWindowModified());
     settle();
-    const double efficiency = window().shown()->summary.string->efficiency;
+    const double efficiency = window().shown()->summary.energy.rockWork;
     QVERIFY(efficiency > 0.51);
     const QString path = m_folder.filePath(QStringLiteral("thin.yaml"));
     QCOMPARE(document().save(path), QString());
@@ -324,7 +325,7 @@ void TestStringPage::aCellIsEditedUndoneByNameSavedAndReadAgain() {
     QVERIFY(window().openFile(path));
     settle();
     QCOMPARE(document().scenario().drillString.parts[1].sections[0].diameter, 0.05);
-    QCOMPARE(window().shown()->summary.string->efficiency, efficiency);
+    QCOMPARE(window().shown()->summary.energy.rockWork, efficiency);
     QVERIFY(document().text().contains("12 ft rod"));  // comments stay
 }
 
@@ -373,8 +374,8 @@ void TestStringPage::unitsOfAllKindsAreTaken() {
     typeIntoCell(6, StringModel::massAfter, QStringLiteral("300 g"));
     QCOMPARE(document().scenario().drillString.parts[3].sections[0].massAfter, 0.3);
     settle();
-    QCOMPARE(window().shown()->problem, QString());
-    QVERIFY(window().shown()->summary.string->jointLoss > 0);
+    QCOMPARE(window().shown()->fault, QString());
+    QVERIFY(window().shown()->summary.jointLoss > 0);
     QVERIFY(isRowThere(QStringLiteral("lost in joints")));
 }
 
@@ -475,7 +476,7 @@ void TestStringPage::aNewcomerBuildsTheStringFromOneSection() {
     QCOMPARE(document().scenario().drillString.hammer.sections, wanted.hammer.sections);
     QCOMPARE(document().scenario().drillString.parts, wanted.parts);
     settle();
-    QVERIFY(std::abs(window().shown()->summary.string->efficiency - 0.501587377477) < 1e-9);
+    QVERIFY(std::abs(window().shown()->summary.energy.rockWork - 0.501587377477) < 1e-9);
     const QString path = m_folder.filePath(QStringLiteral("built.yaml"));
     QCOMPARE(document().save(path), QString());
     QVERIFY(window().openFile(path));
@@ -506,8 +507,8 @@ void TestStringPage::aNewcomerBuildsTheStringFromPresets() {
     scenario.bitRock.stiffness = 100e6;
     QCOMPARE(document().useScenario(scenario, QStringLiteral("repeat")), QString());
     settle();
-    QCOMPARE(window().shown()->problem, QString());
-    QVERIFY(std::abs(window().shown()->summary.string->efficiency - 0.501587377477) < 1e-9);
+    QCOMPARE(window().shown()->fault, QString());
+    QVERIFY(std::abs(window().shown()->summary.energy.rockWork - 0.501587377477) < 1e-9);
 }
 
 void TestStringPage::aRowIsDraggedToItsPlace() {
@@ -610,8 +611,8 @@ void TestStringPage::theFormShowsWhatAppliesToAString() {
     type(field("hammer.face_stiffness"), QStringLiteral("10 GN/m"));
     type(field("end_time"), QStringLiteral("5"));
     settle();
-    QCOMPARE(window().shown()->problem, QString());
-    QVERIFY(window().shown()->string->problem.hammer().face.stiffness.has_value());
+    QCOMPARE(window().shown()->fault, QString());
+    QVERIFY(window().shown()->problem.hammer().face.stiffness.has_value());
     while (document().undoStack().canUndo()) document().undoStack().undo();
     openExample("t38_medium_rock");
     for (const char* gone : {"string", "hammer"})
@@ -651,7 +652,7 @@ void TestStringPage::aStringIsPinnedAndRevertedTo() {
         if (!pages.isOffered(index)) continue;
         pages.setCurrentIndex(index);
         settle();
-        QCOMPARE(window().shown()->problem, QString());
+        QCOMPARE(window().shown()->fault, QString());
     }
     part<PinnedRuns>(window()).revertTo(0);
     settle();

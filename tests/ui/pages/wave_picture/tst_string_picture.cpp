@@ -128,7 +128,7 @@ void TestStringPicture::hammerAndAllSectionsAreInView() {
     QVERIFY(m_page->plot()->xAxis->label().contains(QStringLiteral("shank")));
     // The colours go as far as the largest force, alike on both sides.
     double largest = 0;
-    for (const SectionForces& section : blow->string->impact.sections)
+    for (const SectionForces& section : blow->impact.sections)
         largest = std::max({largest, section.compression.force, section.tension.force});
     QCOMPARE(picture().limit, largest);
     QVERIFY(double(std::max(-picture().least, picture().largest)) <= largest * (1 + 1e-6));
@@ -143,7 +143,8 @@ void TestStringPicture::everyPixelHasTheForceThere() {
     int compared = 0;
     for (int column = 20; column < grid.columns; column += 53) {
         if (grid.xi(column) < 0) continue;
-        const StringHistory history(*blow->string, stringPlace(blow->scenario.drillString, grid.xi(column)));
+        const StringHistory history(blow->impact, blow->problem,
+                                    stringPlace(blow->scenario.drillString, grid.xi(column)));
         for (int row = 0; row < grid.rows; row += 41, ++compared)
             QVERIFY(std::abs(double(picture().raster.values[grid.index(column, row)]) -
                              history.at(grid.time(row)).normalForce) < 1e-6);
@@ -221,7 +222,8 @@ void TestStringPicture::theReadoutNamesTheSection() {
     hover(at);
     const double x = m_page->plot()->xAxis->pixelToCoord(at.x());
     const double t = m_page->plot()->yAxis->pixelToCoord(at.y()) / blow->units.time.factor;
-    const StringHistory history(*blow->string, stringPlace(blow->scenario.drillString, x / 4.3));
+    const StringHistory history(blow->impact, blow->problem,
+                                stringPlace(blow->scenario.drillString, x / 4.3));
     const StringInstant now = history.at(t);
     QVERIFY(now.normalForce < -0.5);
     QVERIFY2(readout().startsWith(textOf((x - 0.35) / 4.3, picture().units.position) +
@@ -316,7 +318,7 @@ void TestStringPicture::theStripHasTheStressOfEverySection() {
              qPrintable(text));
     QVERIFY2(text.contains(QStringLiteral("hammer apart")), qPrintable(text));
     QCOMPARE(picture().string->largestStress,
-             std::max(*blow->summary.string->largestCompression, *blow->summary.string->largestTension));
+             std::max(*blow->summary.largestCompression, *blow->summary.largestTension));
     m_observation->setTime(1);
     QVERIFY(m_page->rodStrip()->stateText().contains(QStringLiteral("hammer pushes")));
     m_observation->setTime((blow->impact.events[0].time + blow->impact.events[1].time) / 2);
@@ -337,20 +339,20 @@ void TestStringPicture::theProfileIsThereWithoutRuns() {
 void TestStringPicture::runsOfStringsLieOverStrings() {
     const SolvedBlowPtr rod = solved("t38_medium_rock"), string = solved("t38_string");
     auto unkept = std::make_shared<SolvedBlow>(*string);
-    unkept->string->impact.waves.reset();
+    unkept->impact.waves.reset();
     m_page->setRuns(std::make_shared<const RunList>(
         RunList{pinnedRun(0, rod), pinnedRun(1, string), pinnedRun(2, unkept)}));
     for (const char* example : {"r32_string", "t38_medium_rock", "r32_string"}) {
         const SolvedBlowPtr now = solved(example);
         present(now);
         QCOMPARE(picture().runs.size(), std::size_t{1});
-        QCOMPARE(picture().runs.front().number, now->string ? 1 : 0);
+        QCOMPARE(picture().runs.front().number, now->isOfString() ? 1 : 0);
         m_observation->setTime(3);
         const QVector<RodProfile::Line>& lines = m_page->rodProfile()->lines();
         QCOMPARE(lines.size(), 2);
         QVERIFY(lines[1].points.size() > 200);
         // the same place and instant, each by its own scales
-        const SolvedBlow& run = now->string ? *string : *rod;
+        const SolvedBlow& run = now->isOfString() ? *string : *rod;
         const QPointF point = lines[1].points[lines[1].points.size() / 2];
         const double force = BlowWaves(run).value(WaveQuantity::force, point.x() / run.scales.length,
                                                   3 * now->scales.time / run.scales.time) *
@@ -367,10 +369,10 @@ void TestStringPicture::rodsAndStringsTakeTurns() {
         const double length = picture().units.position.factor;
         QCOMPARE(m_page->plot()->xAxis->range().lower, picture().rear * length);
         QCOMPARE(m_page->plot()->xAxis->range().upper, length);
-        QCOMPARE(picture().string.has_value(), blow->string.has_value());
-        QVERIFY(picture().rear < 0 || !blow->string);
+        QCOMPARE(picture().string.has_value(), blow->isOfString());
+        QVERIFY(picture().rear < 0 || !blow->isOfString());
         hover(m_page->plot()->axisRect()->center());
-        QCOMPARE(readout().contains(QStringLiteral("σ = ")), blow->string.has_value());
+        QCOMPARE(readout().contains(QStringLiteral("σ = ")), blow->isOfString());
         QVERIFY(!m_page->grab().isNull());
         m_page->setResult(failedBlow(blow->request, "out of rock"));
         QVERIFY(!m_page->grab().isNull());
@@ -396,7 +398,7 @@ void TestStringPicture::aZoomOfTheOneKindIsNoneOfTheOther() {
 
 void TestStringPicture::wavesThatWereNotKeptAreSaidToBeMissing() {
     auto blow = std::make_shared<SolvedBlow>(*solved("r32_string"));
-    blow->string->impact.waves.reset();
+    blow->impact.waves.reset();
     blow->request.pages = {m_page->prepare()};
     blow->pages = {m_page->prepare()(*blow)};
     present(blow);

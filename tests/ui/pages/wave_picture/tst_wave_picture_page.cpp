@@ -570,7 +570,7 @@ void TestWavePicturePage::unitsChangeBelowTheView() {
     QCOMPARE(m_page->picture()->timeInView(), view);
     QCOMPARE(m_page->plot()->yAxis->range().lower, view.begin);
     // v0 = I0/m = F0/(Zτ): the unit of velocities.
-    QCOMPARE(m_page->picture()->picture()->units.velocity.factor, blow->solved.transitTime());
+    QCOMPARE(m_page->picture()->picture()->units.velocity.factor, blow->problem.transitTime());
 }
 
 QTEST_MAIN(TestWavePicturePage)
