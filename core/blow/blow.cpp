@@ -5,6 +5,7 @@
 #include <cassert>
 #include <chrono>
 
+#include "core/blow/chain_solution.h"
 #include "core/blow/outputs.h"
 #include "core/blow/result_alerts.h"
 #include "core/blow/wave_numbers.h"
@@ -46,7 +47,9 @@ void solveStringBlow(Blow& blow, Detail detail, NetworkAccuracy accuracy, const 
     settings.wants.histories = detail == Detail::histories;
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    blow.impact = solver.strings().solve(blow.problem, settings, stop);
+    ChainSolution solution = solveChain(blow.scenario, settings, solver.strings(), stop);
+    blow.problem = std::move(solution.problem);
+    blow.impact = std::move(solution.impact);
     blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();
     if (!blow.isSolved()) return;
     blow.summary = summarize(blow.impact, blow.problem);

@@ -10,6 +10,7 @@
 #include "core/contact/bilinear_law.h"
 #include "core/model/scales.h"
 #include "core/model/section_parameter.h"
+#include "core/model/section_pieces.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
@@ -17,16 +18,14 @@ namespace drillwave {
 std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Impact& impact) {
     const std::vector<SectionForces>& forces = impact.sections;
     if (forces.empty()) return {};
-    const DrillString& drill = scenario.drillString;
     const Scales scales = scalesOf(scenario);
-    const std::vector<const Section*> sections = allSections(drill);
+    const std::vector<const Section*> sections = allSections(scenario.drillString);
     assert(sections.size() == forces.size());
     std::vector<SectionStress> stresses;
     for (std::size_t j = 0; j < sections.size(); ++j) {
-        const double toStress = scales.force / propertiesOf(*sections[j], drill.material).area;
         const auto inSi = [&](const SectionPeak& peak) {
-            return StressPeak{peak.force * toStress, peak.place * sections[j]->length,
-                              peak.time * scales.time};
+            return StressPeak{peak.force * (scales.force / areaAt(*sections[j], peak.place)),
+                              peak.place * sections[j]->length, peak.time * scales.time};
         };
         stresses.push_back({inSi(forces[j].compression), inSi(forces[j].tension),
                             inSi(forces[j].compressionAfter), inSi(forces[j].tensionAfter)});

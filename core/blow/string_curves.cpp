@@ -70,14 +70,14 @@ StringPlace middleOfLongest(const DrillString& drillString) {
 
 StringHistory::StringHistory(const Impact& impact, const Problem& problem, const StringPlace& place)
     : m_impact(&impact), m_problem(&problem), m_waves(impact.waves.get()), m_place(place) {
-    assert(m_waves && place.section < problem.sections.size());
+    assert(m_waves && place.section < m_waves->sections());
 }
 
 StringInstant StringHistory::at(double time, TimeSide side) const {
     const StringWaves& waves = *m_waves;
     const double t = std::clamp(time, 0.0, waves.end());
     const double beside = side == TimeSide::after ? t + waves.rounding() : t - waves.rounding();
-    const std::size_t ofHammer = m_problem->hammerSections();
+    const std::size_t ofHammer = waves.hammerSections();
     const double momentum = m_impact->hammerImpulse, v0 = m_problem->velocity();
     StringInstant now;
     now.time = t;
@@ -93,7 +93,7 @@ StringInstant StringHistory::at(double time, TimeSide side) const {
     now.positiveWave = 0 - down;
     now.negativeWave = 0 - up;
     now.normalForce = 0 - (down + up);
-    now.velocity = (down - up) / (m_problem->sections[m_place.section].impedance * v0);
+    now.velocity = waves.velocity(m_place.section, m_place.share, t, side) / v0;
     return now;
 }
 

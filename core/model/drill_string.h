@@ -17,13 +17,16 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// A uniform piece of a hammer or a string. Its far end is the one towards the rock.
+/// A piece of a hammer or a string: uniform, or a cone whose diameter grows or shrinks evenly. Its far end is
+/// the one towards the rock.
 struct Section {
-    std::string name;                     ///< "rod", may be empty; several sections may have the same
-    double length = 0;                    ///< L [m]
-    double diameter = 0;                  ///< outer diameter [m]; unused when `area` is given
-    double bore = 0;                      ///< flushing hole diameter [m]; likewise
-    std::optional<double> area;           ///< A [m²] when given instead of diameter and bore
+    std::string name;     ///< "rod", may be empty; several sections may have the same
+    double length = 0;    ///< L [m]
+    double diameter = 0;  ///< outer diameter [m], of a cone at its rear end; unused when `area` is given
+    double bore = 0;      ///< flushing hole diameter [m]; likewise
+    std::optional<double> area;           ///< A [m²] when given instead of diameter and bore, likewise
+    std::optional<double> endDiameter;    ///< [m] of a cone at its far end; unused when `area` is given
+    std::optional<double> endArea;        ///< [m²] likewise; unused unless `area` is given
     std::optional<double> youngsModulus;  ///< E [Pa], the material's when not given
     std::optional<double> density;        ///< ρ [kg/m³], the material's when not given
     double massAfter = 0;                 ///< M [kg], lumped at the far end; behind the last section M_b

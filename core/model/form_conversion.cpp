@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/model/scales.h"
+#include "core/model/section_pieces.h"
 
 namespace drillwave {
 namespace {
@@ -79,7 +80,7 @@ void nameLostSections(const DrillString& drill, std::vector<std::string>& lost) 
     const std::vector<const Section*> sections = expandedSections(drill);
     for (const Section* section : sections) {
         const double impedance = propertiesOf(*section, drill.material).impedance;
-        others += std::abs(impedance - kept) > 1e-9 * kept;
+        others += std::abs(impedance - kept) > 1e-9 * kept || !isUniform(*section);
         losses += section->loss > 0 || section->attenuation > 0;
         mass += section->massAfter;
     }

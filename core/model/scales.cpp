@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/model/section_pieces.h"
+
 namespace drillwave {
 namespace {
 
@@ -19,7 +21,10 @@ Material rearMaterial(const Scenario& scenario) {
 }
 double rearImpedance(const Scenario& scenario) {
     if (!isString(scenario)) return propertiesOf(scenario.rod).impedance;
-    return propertiesOf(rearSection(scenario.drillString), scenario.drillString.material).impedance;
+    Section rear = rearSection(scenario.drillString);
+    rear.area = areaAt(rear, 0);
+    rear.endArea.reset();
+    return propertiesOf(rear, scenario.drillString.material).impedance;
 }
 
 /// Impedance and mass of the hammer, its material being the rod's where none is given.
@@ -79,7 +84,7 @@ RodProperties propertiesOf(const Section& section, const Material& material) {
     rod.length = section.length;
     rod.diameter = section.diameter;
     rod.bore = section.bore;
-    rod.area = section.area;
+    rod.area = isUniform(section) ? section.area : meanArea(section);
     rod.youngsModulus = section.youngsModulus.value_or(material.youngsModulus);
     rod.density = section.density.value_or(material.density);
     return propertiesOf(rod);

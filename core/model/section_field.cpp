@@ -12,6 +12,7 @@ namespace drillwave {
 namespace {
 
 using Value = std::optional<double>;
+using With = SectionField::With;
 using enum SliderScale;
 namespace ranges = string_ranges;
 
@@ -20,6 +21,7 @@ Value diameter(const Section& s) {
 }
 void assignDiameter(Section& s, double value) {
     s.area.reset();
+    s.endArea.reset();
     s.diameter = value;
 }
 
@@ -33,11 +35,19 @@ constexpr std::array fieldTable{
     SectionField{"area", "area", "A", "Cross-section, in place of diameter and bore",
                  Quantity::area, "mm^2", ranges::area, {1e-4, 5e-2}, logarithmic, Presence::optional,
                  [](const Section& s) { return s.area; }, [](Section& s, double v) { s.area = v; },
-                 [](Section& s) { s.area.reset(); }},
+                 [](Section& s) { s.area.reset(); s.endArea.reset(); }},
     SectionField{"bore", "bore", "", "Diameter of the flushing hole, less than the outer diameter",
                  Quantity::length, "mm", ranges::bore, {0, 0.1}, linear, Presence::unusual,
                  [](const Section& s) { return s.area ? std::nullopt : Value(s.bore); }, [](Section& s, double v) { s.bore = v; },
-                 nullptr, true},
+                 nullptr, With::diameter},
+    SectionField{"end_diameter", "end diameter", "", "Outer diameter at the end towards the rock of a cone, whose `diameter` is that of its rear end; the bore is constant",
+                 Quantity::length, "mm", ranges::diameter, {0.015, 0.25}, linear, Presence::optional,
+                 [](const Section& s) { return s.area ? std::nullopt : s.endDiameter; }, [](Section& s, double v) { s.endDiameter = v; },
+                 [](Section& s) { s.endDiameter.reset(); }, With::diameter},
+    SectionField{"end_area", "end area", "", "Cross-section at the end towards the rock of a cone, whose `area` is that of its rear end",
+                 Quantity::area, "mm^2", ranges::area, {1e-4, 5e-2}, logarithmic, Presence::optional,
+                 [](const Section& s) { return s.area ? s.endArea : std::nullopt; }, [](Section& s, double v) { s.endArea = v; },
+                 [](Section& s) { s.endArea.reset(); }, With::area},
     SectionField{"youngs_modulus", "Young's modulus", "E", "Young's modulus, that of the material if not given",
                  Quantity::stress, "GPa", ranges::modulus, {60e9, 250e9}, linear, Presence::optional,
                  [](const Section& s) { return s.youngsModulus; }, [](Section& s, double v) { s.youngsModulus = v; },
@@ -84,8 +94,11 @@ const SectionField* findSectionField(std::string_view key) {
 }
 
 bool areRivals(const SectionField& a, const SectionField& b) {
-    const auto replaces = [](const SectionField& one, const SectionField& other) {
-        return one.key == "area" && (other.key == "diameter" || other.key == "bore");
+    const auto isOf = [](const SectionField& field, With with, std::string_view start) {
+        return field.with == with || field.key == start;
+    };
+    const auto replaces = [&](const SectionField& one, const SectionField& other) {
+        return isOf(one, With::area, "area") && isOf(other, With::diameter, "diameter");
     };
     return &a == &b || replaces(a, b) || replaces(b, a);
 }

@@ -26,11 +26,14 @@ struct SectionField {
     std::optional<double> (*value)(const Section&);
     void (*assign)(Section&, double);
     void (*clear)(Section&) = nullptr;  ///< nullptr where there is always a value
-    bool needsDiameter = false;         ///< goes with a diameter, not with an area
+    /// What it goes with: an outer diameter, or an area in its place.
+    enum class With { both, diameter, area } with = With::both;
 
     const Unit& displayUnit() const;
     /// Whether it has a meaning for that section.
-    bool applies(const Section& section) const { return !needsDiameter || !section.area; }
+    bool applies(const Section& section) const {
+        return with == With::both || (with == With::area) == section.area.has_value();
+    }
 };
 
 /// All of them, in the order of a file.
@@ -39,7 +42,8 @@ std::span<const SectionField> sectionFields();
 /// The field of that key, or nullptr.
 const SectionField* findSectionField(std::string_view key);
 
-/// Whether setting the one undoes what setting the other did: an area, and diameter or bore.
+/// Whether setting the one undoes what setting the other did: an area, and diameter or bore, of a cone those
+/// of its end among them.
 bool areRivals(const SectionField& a, const SectionField& b);
 
 /// Why `value` (SI) is outside the hard range: "must be greater than 0"; empty when it is inside.

@@ -282,6 +282,8 @@ std::string whyNoSection(const Parameter& parameter, const Scenario& scenario) {
     const SectionAddress& address = *parameter.address;
     bool found = false;
     visitSections(address, scenario.drillString, [&](const Section&) { found = true; });
+    if (found && address.field->with == SectionField::With::area)
+        return "goes with an area, and the section is given by its diameter";
     if (found) return "goes with a diameter, and the section is given by its area";
     return address.place == 0 ? noSuchName(address, scenario.drillString)
                               : noSuchPlace(address, scenario.drillString);

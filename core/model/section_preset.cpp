@@ -16,9 +16,13 @@ std::string millimetres(double si) {
 
 std::string sizeText(const Section& section) {
     std::string text = millimetres(section.length) + " × ";
-    if (section.area)
-        return text + formatQuantity(*section.area, Quantity::area, *findUnit(Quantity::area, "mm^2"));
+    if (section.area) {
+        const Unit& unit = *findUnit(Quantity::area, "mm^2");
+        text += formatQuantity(*section.area, Quantity::area, unit);
+        return section.endArea ? text + " … " + formatQuantity(*section.endArea, Quantity::area, unit) : text;
+    }
     text += millimetres(section.diameter);
+    if (section.endDiameter) text += " … " + millimetres(*section.endDiameter);
     return section.bore > 0 ? text + " / " + millimetres(section.bore) : text;
 }
 

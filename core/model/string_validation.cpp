@@ -6,6 +6,7 @@
 
 #include "core/model/scales.h"
 #include "core/model/section_parameter.h"
+#include "core/model/section_pieces.h"
 
 namespace drillwave {
 namespace {
@@ -24,6 +25,7 @@ class SectionCheck {
         checkParts();
         each([this](const std::string& key, const Section& section) { checkSection(key, section); });
         if (m_problems.empty()) checkHammerLosses();
+        if (m_problems.empty()) checkFace();
         if (m_problems.empty())
             each([this](const std::string& key, const Section& section) { checkDerived(key, section); });
         return std::move(m_problems);
@@ -81,6 +83,10 @@ class SectionCheck {
         if (!section.area && section.bore >= section.diameter && section.diameter > 0)
             report(key + ".bore", text(bore, section.bore),
                    "must be less than the diameter of " + text(bore, section.diameter));
+        const SectionField& end = *findSectionField("end_diameter");
+        if (!section.area && section.endDiameter && *section.endDiameter <= section.bore)
+            report(key + ".end_diameter", text(end, *section.endDiameter),
+                   "must be larger than the bore of " + text(bore, section.bore));
         const std::string reason = sectionNameProblem(section.name);
         if (!reason.empty()) report(key + ".name", section.name, reason);
     }
@@ -99,6 +105,21 @@ class SectionCheck {
             // behind the last section there is no joint
             if (sections[i].loss > 0 && i + 1 < sections.size()) refuse(i, "loss", sections[i].loss);
         }
+    }
+
+    /// A cone of a hammer may end in a face that fits into the bore of what it strikes.
+    void checkFace() {
+        if (m_string.hammer.sections.empty()) return;
+        const Section& last = m_string.hammer.sections.back();
+        const Section& struck = *expandedSections(m_string).front();
+        const double hole = struck.area ? 0 : struck.bore;
+        if (isUniform(last) || outerDiameterAt(last, 1) > hole) return;
+        const SectionField& end = *findSectionField(last.area ? "end_area" : "end_diameter");
+        const SectionField& bore = *findSectionField("bore");
+        report(sectionKey(Chain::hammer, m_string.hammer.sections.size()) + "." + std::string(end.key),
+               formatQuantity(*end.value(last), end.quantity, end.displayUnit()),
+               "is so narrow that the face meets no more than the bore of " +
+                   formatQuantity(hole, bore.quantity, bore.displayUnit()) + " of the section it strikes");
     }
 
     void checkDerived(const std::string& key, const Section& section) {

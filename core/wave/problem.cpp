@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/problem.h"
 
+#include <cassert>
+#include <numeric>
 #include <utility>
 
 #include "core/model/scales.h"
+#include "core/model/section_pieces.h"
 
 namespace drillwave {
 
@@ -19,7 +22,7 @@ UniformSection uniformSection(const Section& section, const DrillString& drill, 
             .loss = section.loss};
 }
 
-Problem stringProblem(const Scenario& scenario) {
+Problem stringProblem(const Scenario& scenario, const std::vector<int>& pieces) {
     const DrillString& drill = scenario.drillString;
     const double impedance = propertiesOf(ruleSection(drill), drill.material).impedance;
     const double time = pulseDuration(scenario);
@@ -29,14 +32,25 @@ Problem stringProblem(const Scenario& scenario) {
     if (isForced(scenario)) {
         problem.drive = pulseForceOf(scenario);
     } else {
-        ElasticHammer hammer{.sections = drill.hammer.sections.size(), .face = {}};
+        const std::size_t count = drill.hammer.sections.size();
+        ElasticHammer hammer{.sections = count, .face = {}};
+        if (!pieces.empty())
+            hammer.sections =
+                std::accumulate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(count), 0UL);
         if (drill.hammer.faceStiffness) hammer.face.stiffness = *drill.hammer.faceStiffness * slope;
         hammer.face.restrike = drill.hammer.restrike;
         problem.drive = hammer;
     }
     problem.sections.clear();
-    for (const Section* section : allSections(drill))
-        problem.sections.push_back(uniformSection(*section, drill, impedance, time));
+    const std::vector<const Section*> sections = allSections(drill);
+    assert(pieces.empty() || pieces.size() == sections.size());
+    for (std::size_t j = 0; j < sections.size(); ++j)
+        if (pieces.empty() || pieces[j] == 1)
+            problem.sections.push_back(uniformSection(*sections[j], drill, impedance, time));
+        else
+            for (const Section& piece : uniformPieces(*sections[j], pieces[j]))
+                problem.sections.push_back(uniformSection(piece, drill, impedance, time));
+    problem.pieces = pieces;
     problem.law = {scenario.bitRock.stiffness * slope, scenario.bitRock.gamma};
     problem.gap = scenario.bitRock.gap / scalesOf(scenario).penetration;
     if (drill.endTime) problem.endTime = *drill.endTime / time;
@@ -53,8 +67,8 @@ std::string_view rodRefusal(const Problem& problem) {
            "follows a force on a uniform rod";
 }
 
-Problem problemOf(const Scenario& scenario) {
-    return isString(scenario) ? stringProblem(scenario)
+Problem problemOf(const Scenario& scenario, const std::vector<int>& pieces) {
+    return isString(scenario) ? stringProblem(scenario, pieces)
                               : problemOf(pulseForceOf(scenario), groupsOf(scenario));
 }
 

@@ -48,6 +48,8 @@ struct Problem {
     /// Of the hammer from its rear end, where it is elastic, then of the string to the bit: one, of impedance
     /// 1, is a uniform rod.
     std::vector<UniformSection> sections = {{}};
+    /// How many of them stand for each section of the chain, of equal transit times; empty: one for each.
+    std::vector<int> pieces;
     BitRockLaw law;                  ///< β = k t0/Zr and γ of bit and rock
     double gap = 0;                  ///< δ = d/d0 between bit and rock, d0 = 2 I0/Zr; ≥ 0
     std::optional<double> endTime;   ///< follow a string to there, and no longer
@@ -83,9 +85,10 @@ struct Problem {
 /// Empty where it is.
 std::string_view rodRefusal(const Problem& problem);
 
-/// The blow of a valid scenario. The pulse may hold 100 000 points: to solve many blows of one pulse, change
-/// one problem.
-Problem problemOf(const Scenario& scenario);
+/// The blow of a valid scenario, the sections of its chain as so many pieces (uniformPieces()), one each
+/// where none are given. The pulse may hold 100 000 points: to solve many blows of one pulse, change one
+/// problem.
+Problem problemOf(const Scenario& scenario, const std::vector<int>& pieces = {});
 
 /// The blow of this force on the rear end of a uniform rod, on the rod and rock of these groups.
 Problem problemOf(PulseForce force, const Groups& groups);

@@ -4,7 +4,7 @@
 
 namespace drillwave {
 
-/// The largest force of one sign in a section, and where.
+/// The largest force of one sign in a section, and where; in a cone that of the largest stress.
 struct SectionPeak {
     double force = 0;  ///< [F0], of either sign ≥ 0
     double place = 0;  ///< ξ in the section, 0 at its rear end … 1

@@ -181,7 +181,12 @@ std::string drillStringText(const Scenario& scenario) {
 }
 
 Section withoutUnusedValues(Section section) {
-    if (section.area) section.diameter = section.bore = 0;
+    if (section.area) {
+        section.diameter = section.bore = 0;
+        section.endDiameter.reset();
+    } else {
+        section.endArea.reset();
+    }
     return section;
 }
 

@@ -74,10 +74,15 @@ class SectionOfFile {
         if (!m_reader.isThere(entries, m_path, "length"))
             m_reader.reportMissing(m_path, "length", "is missing: write for example `length: 3660 mm`");
         m_reader.requireOneOf(entries, m_path, "diameter", "area");
-        const auto bore = entries.find("bore");
-        if (entries.contains("area") && !entries.contains("diameter") && bore != entries.end())
-            m_reader.problems().reportKey(bore->second.key->offset, key("bore"),
-                                          "goes with a diameter, not with an area");
+        const auto goesWith = [&](std::string_view field, std::string_view start, std::string_view other,
+                                  std::string_view reason) {
+            const auto found = entries.find(field);
+            if (found != entries.end() && entries.contains(other) && !entries.contains(start))
+                m_reader.problems().reportKey(found->second.key->offset, key(field), reason);
+        };
+        goesWith("bore", "diameter", "area", "goes with a diameter, not with an area");
+        goesWith("end_diameter", "diameter", "area", "goes with a diameter, not with an area");
+        goesWith("end_area", "area", "diameter", "goes with an area, not with a diameter");
     }
 
     SectionReader& m_reader;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/blow/chain_solution.h"
 #include "core/model/scales.h"
 #include "core/text/enum_names.h"
 #include "core/wave/network/network_solver.h"
@@ -34,10 +35,11 @@ std::string_view name(StringMethod method) {
 StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_token& stop,
                                      const StringAccuracyRows& onRow) {
     StringAccuracy accuracy;
-    Problem problem = problemOf(scenario);
+    NetworkSolver solver;
+    // all on the same pieces of what is not uniform
+    Problem problem = solveChain(scenario, {}, solver, stop).problem;
     NetworkSettings finest;
     finest.halvings = sureHalvings + 1;
-    NetworkSolver solver;
     Impact reference = solver.solve(problem, finest, stop);
     if (!reference.isSolved()) {
         accuracy.reason = reference.reason;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/blow/chain_solution.h"
 #include "core/blow/string_blow.h"
 #include "core/blow/wave_numbers.h"
 
@@ -64,8 +65,9 @@ std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<dou
     NetworkSettings settings{
         .accuracy = NetworkAccuracy::quick, .wants = {}, .mostCells = m_solver.mostCells()};
     settings.wants.forces = m_detail == Detail::histories;
-    m_problem = problemOf(scenario);
-    m_impact = m_solver.strings().solve(m_problem, settings, stop);
+    ChainSolution solution = solveChain(scenario, settings, m_solver.strings(), stop);
+    m_problem = std::move(solution.problem);
+    m_impact = std::move(solution.impact);
     m_scatter = balanceError(m_impact);
     if (!m_impact.isSolved()) return m_impact.reason;
     ImpactSummary summary = summarize(m_impact, m_problem);

@@ -88,11 +88,28 @@ struct StringField::Column {
     }
 };
 
-StringField::StringField(const StringWaves& waves, std::vector<double> joints)
+namespace {
+
+/// Where pieces of sections meet, which meet at `joints`.
+std::vector<double> jointsOfPieces(const StringWaves& waves, const std::vector<double>& joints) {
+    assert(joints.size() == waves.sections() + 1);
+    std::vector<double> all{joints.front()};
+    for (std::size_t j = 0; j < waves.sections(); ++j) {
+        const int count = waves.piecesOf(j);
+        for (int i = 1; i < count; ++i)
+            all.push_back(std::lerp(joints[j], joints[j + 1], static_cast<double>(i) / count));
+        all.push_back(joints[j + 1]);
+    }
+    return all;
+}
+
+}  // namespace
+
+StringField::StringField(const StringWaves& waves, const std::vector<double>& joints)
     : m_waves(&waves),
-      m_joints(std::move(joints)),
+      m_joints(jointsOfPieces(waves, joints)),
       m_hammerSections(static_cast<std::size_t>(std::ranges::lower_bound(m_joints, 0.0) - m_joints.begin())) {
-    const std::span<const SectionWaves> sections = waves.sections();
+    const std::span<const SectionWaves> sections = waves.pieces();
     assert(m_joints.size() == sections.size() + 1 && m_hammerSections < sections.size());
     for (std::size_t j = 0; j < sections.size(); ++j)
         if (j < m_hammerSections)
@@ -109,7 +126,7 @@ std::size_t StringField::sectionAt(double x) const {
 StringField::Column StringField::columnAt(double x) const {
     const std::size_t j = sectionAt(x);
     const double share = (x - m_joints[j]) / (m_joints[j + 1] - m_joints[j]);
-    return {&m_waves->sections()[j], std::clamp(share, 0.0, 1.0)};
+    return {&m_waves->pieces()[j], std::clamp(share, 0.0, 1.0)};
 }
 
 double StringField::value(WaveQuantity quantity, double x, double t) const {
@@ -150,7 +167,7 @@ void StringField::addRuns(std::vector<FrontRun>& runs, std::size_t first, std::s
     const std::size_t count = toBit ? last - first : first - last;
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t j = toBit ? first + i : first - 1 - i;
-        const double transitTime = m_waves->sections()[j].transitTime;
+        const double transitTime = m_waves->pieces()[j].transitTime;
         runs.push_back({.number = number,
                         .heading = toBit ? Heading::toBit : Heading::fromBit,
                         .timeAtFront = toBit ? start + transitTime : start,
@@ -163,7 +180,7 @@ void StringField::addRuns(std::vector<FrontRun>& runs, std::size_t first, std::s
 
 std::vector<FrontRun> StringField::frontRuns(double start, double begin, double end) const {
     std::vector<FrontRun> runs;
-    const std::size_t h = m_hammerSections, count = m_waves->sections().size();
+    const std::size_t h = m_hammerSections, count = m_waves->pieces().size();
     if (start == 0) {
         addRuns(runs, h, 0, 0, 0);
         addRuns(runs, 0, h, m_hammerRoundTrip / 2, 0);

@@ -18,7 +18,7 @@ namespace drillwave {
 class StringField {
   public:
     /// `joints`: where each section begins, the rear of the hammer first, and where the last one ends.
-    StringField(const StringWaves& waves, std::vector<double> joints);
+    StringField(const StringWaves& waves, const std::vector<double>& joints);
 
     double rear() const { return m_joints.front(); }
     double end() const { return m_waves->end(); }

@@ -87,12 +87,12 @@ std::vector<double> placesOf(const SectionForces* peaks, int count) {
 }  // namespace
 
 SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, double xi, double endOfBlow) {
-    assert(section < waves.sections().size() && xi >= 0 && xi <= 1);
-    const SectionWaves& own = waves.sections()[section];
-    PassingWave down(waves, own.down, own.first, own.rearTime + xi * own.transitTime,
-                     std::exp(-own.decay * xi));
-    PassingWave up(waves, own.up, -own.first, own.rearTime + (2 - xi) * own.transitTime,
-                   std::exp(-own.decay * (1 - xi)));
+    const StringWaves::PiecePlace at = waves.pieceAt(section, xi);
+    const SectionWaves& own = waves.pieces()[at.piece];
+    PassingWave down(waves, own.down, own.first, own.rearTime + at.xi * own.transitTime,
+                     std::exp(-own.decay * at.xi));
+    PassingWave up(waves, own.up, -own.first, own.rearTime + (2 - at.xi) * own.transitTime,
+                   std::exp(-own.decay * (1 - at.xi)));
     SectionForces forces;
     for (const auto peak : peaksOfSection) (forces.*peak).place = xi;
     const double same = waves.rounding(), end = waves.end();
@@ -119,8 +119,8 @@ SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, dou
         };
         // Where two fronts meet, one of them is first at the rear side of the place, the other at its front
         // side; what is outside of the section is not there.
-        if (fronts && xi > 0) count(down.between(to, to).start() + upBefore);
-        if (fronts && xi < 1) count(downBefore + up.between(to, to).start());
+        if (fronts && at.xi > 0) count(down.between(to, to).start() + upBefore);
+        if (fronts && at.xi < 1) count(downBefore + up.between(to, to).start());
         from = to;
     }
     return forces;
@@ -130,21 +130,26 @@ std::vector<SectionEnvelope> stringEnvelope(const Impact& impact, const std::sto
                                             const EnvelopeGrid& grid) {
     assert(impact.waves);
     const StringWaves& waves = *impact.waves;
-    const std::span<const SectionWaves> sections = waves.sections();
+    std::vector<double> transitTimes(waves.sections(), 0);
     double transitTime = 0;
-    for (const SectionWaves& section : sections) transitTime += section.transitTime;
+    for (std::size_t j = 0; j < waves.sections(); ++j) {
+        for (std::size_t i = waves.firstPiece(j); i < waves.firstPiece(j + 1); ++i)
+            transitTimes[j] += waves.pieces()[i].transitTime;
+        transitTime += transitTimes[j];
+    }
     const double ofPlace = 2 * std::max<double>(1, static_cast<double>(waves.clocks().size()));
     const double places = std::min<double>(grid.places, static_cast<double>(grid.mostSteps) / ofPlace);
-    std::vector<SectionEnvelope> envelope(sections.size());
-    for (std::size_t j = 0; j < sections.size(); ++j) {
+    std::vector<SectionEnvelope> envelope(waves.sections());
+    for (std::size_t j = 0; j < waves.sections(); ++j) {
         const SectionForces* peaks = impact.sections.empty() ? nullptr : &impact.sections[j];
-        const int count = std::max(
-            grid.leastOfSection, static_cast<int>(std::ceil(places * sections[j].transitTime / transitTime)));
+        const int count = std::max(grid.leastOfSection,
+                                   static_cast<int>(std::ceil(places * transitTimes[j] / transitTime)));
         SectionEnvelope made;
         for (const double xi : placesOf(peaks, count)) {
             if (stop.stop_requested()) return envelope;
             SectionForces forces = largestForcesAt(waves, j, xi, impact.endOfBlow);
-            if (peaks)
+            // along a cone the largest stress is not that of the largest force
+            if (peaks && waves.piecesOf(j) == 1)
                 for (const auto peak : peaksOfSection) hold(forces.*peak, peaks->*peak);
             made.push_back(forces);
         }

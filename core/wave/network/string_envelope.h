@@ -27,9 +27,9 @@ struct EnvelopeGrid {
 };
 
 /// Of every section, the rear of the hammer first. Where the largest forces of a section are known
-/// (impact.sections), their places are among those of the envelope, and nothing is larger: the waves that
-/// were kept may be less exact. Requires waves that were kept. A stop ends the work early: the sections that
-/// are left have no places.
+/// (impact.sections), their places are among those of the envelope, and nothing is larger in a section that
+/// is one uniform piece: the waves that were kept may be less exact. Requires waves that were kept. A stop
+/// ends the work early: the sections that are left have no places.
 std::vector<SectionEnvelope> stringEnvelope(const Impact& impact, const std::stop_token& stop = {},
                                             const EnvelopeGrid& grid = {});
 

@@ -52,30 +52,48 @@ double integralOf(const WaveCell& cell, double share) {
 }  // namespace
 
 StringWaves::StringWaves(const Problem& problem, const std::vector<double>& rearTimes)
-    : m_hammerSections(problem.hammerSections()) {
+    : m_hammerPieces(problem.hammerSections()) {
     for (std::size_t j = 0; j < problem.sections.size(); ++j) {
         const UniformSection& section = problem.sections[j];
-        m_sections.push_back(
+        m_pieces.push_back(
             {.impedance = section.impedance,
              .transitTime = section.transitTime,
              .decay = section.decay,
              .rearTime = rearTimes[j],
-             .first = j < m_hammerSections ? problem.hammer().velocity * section.impedance / 2 : 0,
+             .first = j < m_hammerPieces ? problem.hammer().velocity * section.impedance / 2 : 0,
              .down = {},
              .up = {}});
     }
+    m_firstPieces.push_back(0);
+    for (std::size_t j = 0; j < (problem.pieces.empty() ? problem.sections.size() : problem.pieces.size());
+         ++j)
+        m_firstPieces.push_back(m_firstPieces.back() +
+                                static_cast<std::size_t>(problem.pieces.empty() ? 1 : problem.pieces[j]));
+}
+
+std::size_t StringWaves::hammerSections() const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(m_firstPieces, m_hammerPieces) -
+                                    m_firstPieces.begin());
+}
+
+StringWaves::PiecePlace StringWaves::pieceAt(std::size_t section, double xi) const {
+    assert(section < sections() && xi >= 0 && xi <= 1);
+    const int count = piecesOf(section);
+    const double at = xi * count;
+    const double before = std::min(std::floor(at), count - 1.0);
+    return {m_firstPieces[section] + static_cast<std::size_t>(before), at - before};
 }
 
 void StringWaves::addStep(double clock, double width, const WaveCell& bitForce, const WaveCell& rearForce) {
     m_clocks.push_back(clock);
     m_widths.push_back(width);
     m_bitForces.push_back(bitForce);
-    if (m_hammerSections == 0) m_rearForces.push_back(rearForce);
+    if (m_hammerPieces == 0) m_rearForces.push_back(rearForce);
 }
 
 bool StringWaves::isFull() const {
     // two waves of every section; clock and width; the curves of face and bit
-    const std::size_t ofStep = 2 * m_sections.size() * sizeof(WaveCell) + 2 * sizeof(double) +
+    const std::size_t ofStep = 2 * m_pieces.size() * sizeof(WaveCell) + 2 * sizeof(double) +
                                4 * (sizeof(PiecewisePolynomial::Piece) + sizeof(WaveCell) + sizeof(double));
     return m_clocks.size() * ofStep >= mostBytes;
 }
@@ -85,16 +103,16 @@ void StringWaves::finish(double end) {
     makeCurves();
     m_bitForces = {};
     m_rearForces = {};
-    for (SectionWaves& section : m_sections) {
+    for (SectionWaves& section : m_pieces) {
         section.down.shrink_to_fit();
         section.up.shrink_to_fit();
     }
 }
 
 void StringWaves::makeCurves() {
-    const SectionWaves& last = m_sections.back();
+    const SectionWaves& last = m_pieces.back();
     const double kept = std::exp(-last.decay), bitTime = last.rearTime + last.transitTime;
-    const SectionWaves* hammer = m_hammerSections > 0 ? &m_sections[m_hammerSections - 1] : nullptr;
+    const SectionWaves* hammer = m_hammerPieces > 0 ? &m_pieces[m_hammerPieces - 1] : nullptr;
     CurvesOfCells<1> face({&m_faceForce}, hammer ? hammer->rearTime + hammer->transitTime : 0);
     CurvesOfCells<3> bit({&m_bitForce, &m_bitWave, &m_bitVelocity}, bitTime);
     for (std::size_t i = 0; i < m_clocks.size(); ++i) {
@@ -134,13 +152,13 @@ double StringWaves::value(const SectionWaves& section, Wave wave, double xi, dou
 }
 
 double StringWaves::down(std::size_t section, double xi, double t, TimeSide side) const {
-    assert(section < m_sections.size() && xi >= 0 && xi <= 1);
-    return value(m_sections[section], Wave::down, xi, t, side);
+    const PiecePlace at = pieceAt(section, xi);
+    return value(m_pieces[at.piece], Wave::down, at.xi, t, side);
 }
 
 double StringWaves::up(std::size_t section, double xi, double t, TimeSide side) const {
-    assert(section < m_sections.size() && xi >= 0 && xi <= 1);
-    return value(m_sections[section], Wave::up, xi, t, side);
+    const PiecePlace at = pieceAt(section, xi);
+    return value(m_pieces[at.piece], Wave::up, at.xi, t, side);
 }
 
 double StringWaves::impulse(const SectionWaves& section, Wave wave, double xi, double t) const {
@@ -161,17 +179,20 @@ double StringWaves::impulse(const SectionWaves& section, Wave wave, double xi, d
 }
 
 double StringWaves::downImpulse(std::size_t section, double xi, double t) const {
-    return impulse(m_sections[section], Wave::down, xi, t);
+    const PiecePlace at = pieceAt(section, xi);
+    return impulse(m_pieces[at.piece], Wave::down, at.xi, t);
 }
 
 double StringWaves::upImpulse(std::size_t section, double xi, double t) const {
-    return impulse(m_sections[section], Wave::up, xi, t);
+    const PiecePlace at = pieceAt(section, xi);
+    return impulse(m_pieces[at.piece], Wave::up, at.xi, t);
 }
 
 std::vector<double> StringWaves::pieceTimes(std::size_t section, double xi) const {
+    const PiecePlace at = pieceAt(section, xi);
     std::vector<double> times{0, m_end};
     for (const Wave wave : {Wave::down, Wave::up}) {
-        const double zero = -clockAt(m_sections[section], wave, xi, 0);
+        const double zero = -clockAt(m_pieces[at.piece], wave, at.xi, 0);
         for (const double clock : m_clocks)
             if (const double t = zero + clock; t > 0 && t < m_end) times.push_back(t);
     }

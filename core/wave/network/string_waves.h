@@ -15,8 +15,8 @@ namespace drillwave {
 /// Where something jumps: what was until then, or what is from then on.
 enum class TimeSide { before, after };
 
-/// Both waves of one section, each cell as it enters: f at the rear end, b at the front end, where a clock
-/// counts from 0.
+/// Both waves of one uniform piece, each cell as it enters: f at the rear end, b at the front end, where a
+/// clock counts from 0.
 struct SectionWaves {
     double impedance = 1;    ///< ζ
     double transitTime = 1;  ///< τ
@@ -26,9 +26,9 @@ struct SectionWaves {
     std::vector<WaveCell> down, up;
 };
 
-/// Looks up what hammer and string do. Units of Problem, times global, from the first touch; sections
-/// as in the problem, ξ = 0 at the rear end of a section and 1 at its front end. Compression and motion
-/// towards the rock are positive:
+/// Looks up what hammer and string do. Units of Problem, times global, from the first touch; sections of the
+/// chain, whatever pieces stand for them, ξ = 0 at the rear end of a section and 1 at its front end.
+/// Compression and motion towards the rock are positive, in every piece:
 ///
 ///     P(ξ, t) = f(t − ξτ) e^(−ξαL) + b(t − (1 − ξ)τ) e^(−(1 − ξ)αL),   v = (f − b)/ζ
 ///
@@ -43,10 +43,10 @@ class StringWaves {
 
     // While it is recorded
 
-    /// What the clocks go through next, after the waves that enter then in every section.
-    void add(std::size_t section, const WaveCell& down, const WaveCell& up) {
-        m_sections[section].down.push_back(down);
-        m_sections[section].up.push_back(up);
+    /// What the clocks go through next, after the waves that enter then in every piece.
+    void add(std::size_t piece, const WaveCell& down, const WaveCell& up) {
+        m_pieces[piece].down.push_back(down);
+        m_pieces[piece].up.push_back(up);
     }
     /// `rearForce` is that on the rear end of the first section where it is given in place of a hammer.
     void addStep(double clock, double width, const WaveCell& bitForce, const WaveCell& rearForce);
@@ -57,7 +57,22 @@ class StringWaves {
     // To be read
 
     double end() const { return m_end; }  ///< all places are known until then
-    std::span<const SectionWaves> sections() const { return m_sections; }
+    std::span<const SectionWaves> pieces() const { return m_pieces; }
+    /// Sections of the chain, of which so many are the hammer's.
+    std::size_t sections() const { return m_firstPieces.size() - 1; }
+    std::size_t hammerSections() const;
+    /// The first of pieces() of a section; behind the last section all of them.
+    std::size_t firstPiece(std::size_t section) const { return m_firstPieces[section]; }
+    int piecesOf(std::size_t section) const {
+        return static_cast<int>(m_firstPieces[section + 1] - m_firstPieces[section]);
+    }
+    /// A place in a piece.
+    struct PiecePlace {
+        std::size_t piece;
+        double xi;
+    };
+    /// That of a section, in the piece behind it where two meet.
+    PiecePlace pieceAt(std::size_t section, double xi) const;
     /// Of the cells of all waves: where on the clocks each begins, and how long it is.
     std::span<const double> clocks() const { return m_clocks; }
     std::span<const double> widths() const { return m_widths; }
@@ -65,7 +80,8 @@ class StringWaves {
         return down(section, xi, t, side) + up(section, xi, t, side);
     }
     double velocity(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const {
-        return (down(section, xi, t, side) - up(section, xi, t, side)) / m_sections[section].impedance;
+        return (down(section, xi, t, side) - up(section, xi, t, side)) /
+               m_pieces[pieceAt(section, xi).piece].impedance;
     }
     /// The wave that runs to the rock, and the one that comes back, where they are.
     double down(std::size_t section, double xi, double t, TimeSide side = TimeSide::after) const;
@@ -99,8 +115,9 @@ class StringWaves {
     double impulse(const SectionWaves& section, Wave wave, double xi, double t) const;
     void makeCurves();
 
-    std::vector<SectionWaves> m_sections;
-    std::size_t m_hammerSections;
+    std::vector<SectionWaves> m_pieces;
+    std::vector<std::size_t> m_firstPieces;  ///< of each section, and how many there are
+    std::size_t m_hammerPieces;
     std::vector<double> m_clocks, m_widths;           ///< of the steps
     std::vector<WaveCell> m_bitForces, m_rearForces;  ///< until finish(), those that are wanted
     double m_end = 0;

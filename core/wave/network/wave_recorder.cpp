@@ -111,17 +111,45 @@ double WaveRecorder::wantedTime() const {
     return m_hasForces && isOver ? m_endOfBlow + 2 * m_stringTransit : 0;
 }
 
+/// Those of a section by its pieces, where they make the largest stress: that is as force over impedance.
+SectionForces WaveRecorder::forcesOf(std::size_t first, std::size_t count) const {
+    SectionForces forces = m_watches[first].forces();
+    if (count == 1) return forces;
+    const std::vector<UniformSection>& pieces = m_plan->problem().sections;
+    for (SectionPeak SectionForces::*const peak :
+         {&SectionForces::compression, &SectionForces::tension, &SectionForces::compressionAfter,
+          &SectionForces::tensionAfter}) {
+        double most = -1;
+        for (std::size_t i = 0; i < count; ++i) {
+            SectionPeak here = m_watches[first + i].forces().*peak;
+            const double stress = here.force / pieces[first + i].impedance;
+            if (stress <= most) continue;
+            most = stress;
+            here.place = (static_cast<double>(i) + here.place) / static_cast<double>(count);
+            forces.*peak = here;
+        }
+    }
+    return forces;
+}
+
 void WaveRecorder::finish(double time, Impact& impact) {
     const Problem& problem = m_plan->problem();
     const double passed = m_lattice->clock() + m_plan->clocks().earliest();
     const double end = problem.endTime ? time : std::max(time, std::min(wantedTime(), passed));
     impact.forcesEnd = end;
-    for (const SectionWatch& watch : m_watches) {
-        impact.sections.push_back(watch.forces());
-        impact.cellsLookedInto += watch.cellsLookedInto();
-    }
-    for (std::size_t j = problem.hammerSections(); j < m_alone.size(); ++j)
-        impact.jointReflection.push_back(m_reflected[j] / problem.sections[j].impedance / impact.hammerWork);
+    for (const SectionWatch& watch : m_watches) impact.cellsLookedInto += watch.cellsLookedInto();
+    std::size_t first = 0;
+    const auto addSection = [&](std::size_t count) {
+        if (!m_watches.empty()) impact.sections.push_back(forcesOf(first, count));
+        first += count;
+        if (first > problem.hammerSections() && first - 1 < m_alone.size())
+            impact.jointReflection.push_back(m_reflected[first - 1] / problem.sections[first - 1].impedance /
+                                             impact.hammerWork);
+    };
+    if (problem.pieces.empty())
+        for (std::size_t j = 0; j < problem.sections.size(); ++j) addSection(1);
+    else
+        for (const int count : problem.pieces) addSection(static_cast<std::size_t>(count));
     impact.leftOutForces = m_leftOutForces;
     if (m_waves) m_waves->finish(end);
     impact.waves = std::move(m_waves);

@@ -42,6 +42,7 @@ class WaveRecorder {
     void addForces(const std::stop_token& stop);
     void addReflection(std::size_t section);
     void addWaves();
+    SectionForces forcesOf(std::size_t first, std::size_t count) const;
 
     const MarchPlan* m_plan = nullptr;
     const CellLattice* m_lattice = nullptr;

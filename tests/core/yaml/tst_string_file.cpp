@@ -100,7 +100,8 @@ Section randomSection(Random& random) {
     for (const SectionField& field : sectionFields())
         if (field.presence == Presence::required || field.presence == Presence::either || random() % 3 == 0)
             if (field.applies(section)) field.assign(section, between(field.plausible, random));
-    if (section.bore >= section.diameter) section.bore = 0;
+    if (section.bore >= std::min(section.diameter, section.endDiameter.value_or(section.diameter)))
+        section.bore = 0;
     return section;
 }
 
@@ -120,6 +121,8 @@ Scenario randomString(Random& random) {
     drillString.hammer.restrike = random() % 2 == 0;
     drillString.hammer.sections = randomSections(random);
     for (Section& section : drillString.hammer.sections) section.loss = section.attenuation = 0;
+    drillString.hammer.sections.back().endDiameter.reset();
+    drillString.hammer.sections.back().endArea.reset();
     for (std::size_t n = 1 + random() % 4; n > 0; --n) {
         if (random() % 2 == 0)
             drillString.parts.push_back({static_cast<int>(1 + random() % 5), true, randomSections(random)});
@@ -201,6 +204,17 @@ void TestStringFile::wrongFilesAreRefusedWhereTheyAreWrong_data() {
     row("no number", "mass_after: 0.3 kg", "mass_after: .nan",
         "string.9.mass_after = .nan (must be a finite number)");
     row("more than all", "loss: 2 %", "loss: 120 %", "string.2.loss = 120 % (must be in [0, 1])");
+    row("end of an area", "diameter: 45 mm, bore: 12 mm", "area: 1000 mm^2, end_diameter: 60 mm",
+        "string.1.end_diameter (goes with a diameter, not with an area)");
+    row("end area of a diameter", "bore: 12 mm", "end_area: 1200 mm^2",
+        "string.1.end_area (goes with an area, not with a diameter)");
+    row("two ends", "bore: 12 mm", "end_diameter: 60 mm, end_area: 1200 mm^2",
+        "string.1.end_area (goes with an area, not with a diameter)");
+    row("end within the bore", "bore: 12 mm", "bore: 12 mm, end_diameter: 12 mm",
+        "string.1.end_diameter = 12 mm (must be larger than the bore of 12 mm)");
+    row("face within the bore", "{length: 250 mm, diameter: 38 mm}",
+        "{length: 250 mm, diameter: 38 mm, end_diameter: 11 mm}",
+        "hammer.2.end_diameter = 11 mm (is so narrow that the face meets no more than the bore of 12 mm");
     row("unknown key", "bore: 12 mm", "boer: 12 mm",
         "string.1.boer (is not a known key, did you mean `bore`?)");
     row("twice", "bore: 12 mm", "length: 1 m", "s.yaml:12:54: string.1.length (is given twice)");

@@ -129,7 +129,7 @@ std::optional<double> RodPage::stressAt(double section, double time) const {
     const StringPlace place = stringPlace(m_blow->scenario.drillString, section);
     const double force = -shown.string->waves->force(place.section, place.share,
                                                      std::clamp(time, 0.0, shown.string->waves->end()));
-    return force * shown.string->stretches[place.section].toStress * shown.units.stress.factor;
+    return stressOf(shown.string->stretches[place.section], force, place.share) * shown.units.stress.factor;
 }
 
 // The line is there before it has anything to say: nothing jumps.

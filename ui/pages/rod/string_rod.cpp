@@ -9,7 +9,7 @@
 #include "core/blow/blow_waves.h"
 #include "core/model/drill_string.h"
 #include "core/model/scales.h"
-#include "core/model/section_size.h"
+#include "core/model/section_pieces.h"
 #include "core/wave/network/string_envelope.h"
 #include "core/wave/problem.h"
 
@@ -17,7 +17,8 @@ namespace drillwave {
 namespace {
 
 RodForce stressOf(const RodStretch& stretch, const SectionPeak& peak) {
-    return {peak.force * stretch.toStress, std::lerp(stretch.rear, stretch.front, peak.place), peak.time};
+    return {stressOf(stretch, peak.force, peak.place), std::lerp(stretch.rear, stretch.front, peak.place),
+            peak.time};
 }
 
 /// What is called the same of a rod and of a section.
@@ -46,8 +47,12 @@ QString sectionName(const RodStretch& section) {
     return section.name.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(section.name, text);
 }
 
-double stressOf(const RodStretch& section, double force) {
-    return force * section.toStress;
+double stressOf(const RodStretch& section, double force, double share) {
+    return force * section.toStress / areaAt(section.section, share);
+}
+
+double RodStretch::shareAt(double place) const {
+    return std::clamp((place - rear) / (front - rear), 0.0, 1.0);
 }
 
 std::size_t StringRod::sectionAt(double place) const {
@@ -61,8 +66,7 @@ RodForces StringRod::largestAt(double place) const {
     RodForces largest;
     for (std::size_t j = sectionAt(place); j < stretches.size() && stretches[j].rear <= place; ++j) {
         const RodStretch& stretch = stretches[j];
-        const double xi = std::clamp((place - stretch.rear) / (stretch.front - stretch.rear), 0.0, 1.0);
-        const SectionForces forces = largestForcesAt(*waves, j, xi, endOfBlow);
+        const SectionForces forces = largestForcesAt(*waves, j, stretch.shareAt(place), endOfBlow);
         for (const Kind& kind : kinds)
             takeLarger(largest.*kind.ofRod, stressOf(stretch, forces.*kind.ofSection));
     }
@@ -84,8 +88,8 @@ StringRod stringRod(const Blow& blow) {
         RodStretch stretch;
         stretch.rear = joints[static_cast<std::size_t>(j)];
         stretch.front = joints[static_cast<std::size_t>(j) + 1];
-        stretch.toStress = scales.force / propertiesOf(section, drill.material).area / scales.stress;
-        stretch.diameter = outerDiameter(section);
+        stretch.toStress = scales.force / scales.stress;
+        stretch.section = section;
         stretch.number = j < ofHammer ? -(j + 1) : j - ofHammer + 1;
         stretch.name = QString::fromStdString(section.name);
         stretch.yieldStrength = section.yieldStrength;

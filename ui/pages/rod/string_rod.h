@@ -16,11 +16,14 @@ namespace drillwave {
 /// A section in its place, in lengths of the string from the shank: the hammer is below 0.
 struct RodStretch {
     double rear = 0, front = 0;
-    double toStress = 0;  ///< from a force of the network to stresses as scales have them
-    double diameter = 0;  ///< outerDiameter() [m]
-    int number = 0;       ///< in the string from 1, repeats written out; in the hammer likewise, below 0
+    double toStress = 0;  ///< from a force [F0] on a square metre to stresses as scales have them
+    Section section;
+    int number = 0;  ///< in the string from 1, repeats written out; in the hammer likewise, below 0
     QString name;
     std::optional<double> yieldStrength, fatigueStrength;  ///< [Pa]
+
+    /// ξ of a place in lengths of the string.
+    double shareAt(double place) const;
 };
 
 /// Never changed once built. Stresses take the place of forces in F0: a RodForce has the stress in that of
@@ -40,8 +43,8 @@ struct StringRod {
 /// In words: "rod (section 4)", "hammer section 1".
 QString sectionName(const RodStretch& section);
 
-/// From a force [F0] in a section to the stress there, as scales have it.
-double stressOf(const RodStretch& section, double force);
+/// From a force [F0] at a place ξ of a section to the stress there, as scales have it.
+double stressOf(const RodStretch& section, double force, double share);
 
 /// Of a blow on a string.
 StringRod stringRod(const Blow& blow);

@@ -4,12 +4,13 @@
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QPainterPath>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
 #include "core/model/scales.h"
-#include "core/model/section_size.h"
+#include "core/model/section_pieces.h"
 #include "ui/text/number_text.h"
 #include "ui/text/typed_text.h"
 #include "ui/text/unit_choice.h"
@@ -76,7 +77,8 @@ double StringDrawing::totalLength() const {
 
 double StringDrawing::largestDiameter() const {
     double largest = 0;
-    for (const StringRow& row : m_model.rows()) largest = std::max(largest, outerDiameter(row.section));
+    for (const StringRow& row : m_model.rows())
+        largest = std::max(largest, drillwave::largestDiameter(row.section));
     return largest;
 }
 
@@ -97,7 +99,7 @@ QRectF StringDrawing::sectionRect(std::size_t section) const {
     const Section& it = m_model.rows()[at.row].section;
     const QRectF whole = area();
     const double scale = whole.width() / totalLength();
-    const double tall = whole.height() * outerDiameter(it) / largestDiameter();
+    const double tall = whole.height() * drillwave::largestDiameter(it) / largestDiameter();
     return {whole.left() + at.start * scale, whole.center().y() - tall / 2, it.length * scale, tall};
 }
 
@@ -169,19 +171,35 @@ void StringDrawing::paintEvent(QPaintEvent*) {
 void StringDrawing::drawSection(QPainter& painter, std::size_t section) const {
     const QRectF rect = sectionRect(section);
     const StringRow& row = m_model.rows()[m_model.chain()[section].row];
-    QRectF upper = rect, lower = rect;
-    upper.setBottom(rect.center().y());
-    lower.setTop(rect.center().y());
+    const double middle = rect.center().y(),
+                 across = rect.height() / 2 / drillwave::largestDiameter(row.section);
+    const double rear = across * outerDiameterAt(row.section, 0),
+                 front = across * outerDiameterAt(row.section, 1);
+    const QPolygonF outline({{rect.left(), middle - rear},
+                             {rect.right(), middle - front},
+                             {rect.right(), middle + front},
+                             {rect.left(), middle + rear}});
+    // tension above the axis, compression below it
+    const auto half = [&](double side) {
+        QPainterPath path;
+        path.addPolygon(QPolygonF({{rect.left(), middle},
+                                   {rect.right(), middle},
+                                   {rect.right(), middle + side * front},
+                                   {rect.left(), middle + side * rear}}));
+        return path;
+    };
     const SectionStress none;
     const SectionStress& stress = m_model.results() ? m_model.results()->sections[section] : none;
-    painter.fillRect(upper, colour(stress.tension.stress));
-    painter.fillRect(lower, colour(-stress.compression.stress));
+    painter.fillPath(half(-1), colour(stress.tension.stress));
+    painter.fillPath(half(1), colour(-stress.compression.stress));
     const QColor ink = palette().color(QPalette::Text);
     // The hammer by its hatching, in whatever colours.
     if (row.spot.inHammer) {
         QColor hatch = ink;
         hatch.setAlpha(110);
-        painter.fillRect(rect, QBrush(hatch, Qt::BDiagPattern));
+        QPainterPath whole;
+        whole.addPolygon(outline);
+        painter.fillPath(whole, QBrush(hatch, Qt::BDiagPattern));
     }
     if (!row.section.area && row.section.bore > 0) {
         QColor axis = ink;
@@ -192,11 +210,11 @@ void StringDrawing::drawSection(QPainter& painter, std::size_t section) const {
     const bool chosen = static_cast<int>(m_model.chain()[section].row) == m_row;
     painter.setPen(QPen(ink, 0.8));
     painter.setBrush(Qt::NoBrush);
-    painter.drawRect(rect);
+    painter.drawPolygon(outline);
     if (!chosen) return;
     // Not by colour alone: a thicker frame, and a bar below that thin sections have, too.
     painter.setPen(QPen(palette().color(QPalette::Highlight), 2.4));
-    painter.drawRect(rect);
+    painter.drawPolygon(outline);
     const double y = area().bottom() + 5;
     painter.drawLine(QPointF(rect.left(), y), QPointF(std::max(rect.right(), rect.left() + 3), y));
 }

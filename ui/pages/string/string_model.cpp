@@ -35,6 +35,10 @@ std::string_view fieldKey(int column) {
             return "attenuation";
         case StringModel::area:
             return "area";
+        case StringModel::endDiameter:
+            return "end_diameter";
+        case StringModel::endArea:
+            return "end_area";
         case StringModel::youngsModulus:
             return "youngs_modulus";
         case StringModel::density:

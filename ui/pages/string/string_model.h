@@ -27,6 +27,8 @@ class StringModel : public QAbstractTableModel {
         massAfter,
         attenuation,
         area,  // from here on what few sections have
+        endDiameter,
+        endArea,
         youngsModulus,
         density,
         yieldStrength,

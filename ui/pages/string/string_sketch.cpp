@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/model/section_pieces.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -13,11 +13,6 @@ namespace {
 constexpr double rockShare = 0.012;     // of the length
 constexpr double roomAround = 1.45;     // of the largest diameter: words stand above
 constexpr double letterShare = 0.0085;  // width of a letter, of that of the picture
-
-// A section given by its area is drawn as a full bar.
-double diameterOf(const Section& section) {
-    return section.area ? 2 * std::sqrt(*section.area / std::numbers::pi) : section.diameter;
-}
 
 }  // namespace
 
@@ -46,7 +41,9 @@ std::vector<StringSketch::Piece> StringSketch::piecesOf(const SketchedString& sh
         piece.rear = shown.length.factor * place;
         place += section->length;
         piece.front = shown.length.factor * place;
-        piece.diameter = shown.across.factor * diameterOf(*section);
+        piece.diameter = shown.across.factor * largestDiameter(*section);
+        piece.rearDiameter = shown.across.factor * outerDiameterAt(*section, 0);
+        piece.frontDiameter = shown.across.factor * outerDiameterAt(*section, 1);
         piece.bore = section->area ? 0 : shown.across.factor * section->bore;
         piece.place = static_cast<int>(piece.isHammer ? number + 1 : number + 1 - ofHammer);
         piece.name = QString::fromStdString(section->name);
@@ -64,7 +61,7 @@ void StringSketch::present(const SketchedString& shown) {
     const double rear = pieces.front().rear, front = pieces.back().front;
     setScale(rear, front, largest);
     const double rock = rockShare * (front - rear);
-    addBar(front, front + rock, largest * roomAround / 2, m_style.text);
+    addBar(front, front + rock, largest * roomAround / 2, m_style.text, m_style.text);
     for (const Piece& piece : pieces) addPiece(piece);
     addLine({0, -largest / 2 * 1.1}, {0, largest / 2 * 1.1}, QPen(m_style.text, 2));
     addWords(pieces);
@@ -84,12 +81,28 @@ void StringSketch::setScale(double rear, double front, double largest) {
     m_plot->yAxis->setTicker(ticks);
 }
 
-void StringSketch::addBar(double left, double right, double half, const QBrush& brush) {
+// Of bars finer than can be seen, in its outline.
+void StringSketch::addCone(const Piece& piece, const QColor& shade) {
+    constexpr int bars = 40;
+    const auto at = [](double from, double to, double share) { return std::lerp(from, to, share); };
+    for (int i = 0; i < bars; ++i)
+        addBar(at(piece.rear, piece.front, i / double(bars)),
+               at(piece.rear, piece.front, (i + 1) / double(bars)),
+               at(piece.rearDiameter, piece.frontDiameter, (i + 0.5) / bars) / 2, shade, Qt::NoPen);
+    const QPen pen(m_style.text, 0.8);
+    for (const double side : {-0.5, 0.5})
+        addLine({piece.rear, side * piece.rearDiameter}, {piece.front, side * piece.frontDiameter}, pen);
+    for (const auto& [x, diameter] :
+         {std::pair(piece.rear, piece.rearDiameter), std::pair(piece.front, piece.frontDiameter)})
+        addLine({x, -diameter / 2}, {x, diameter / 2}, pen);
+}
+
+void StringSketch::addBar(double left, double right, double half, const QBrush& brush, const QPen& pen) {
     auto* bar = new QCPItemRect(m_plot);
     bar->setSelectable(false);
     bar->topLeft->setCoords(left, half);
     bar->bottomRight->setCoords(right, -half);
-    bar->setPen(QPen(m_style.text, 0.8));
+    bar->setPen(pen.style() == Qt::NoPen ? pen : QPen(pen.color(), 0.8));
     bar->setBrush(brush);
 }
 
@@ -113,7 +126,11 @@ void StringSketch::addText(QPointF at, const QString& text) {
 void StringSketch::addPiece(const Piece& piece) {
     QColor shade = m_style.text;
     shade.setAlpha(piece.isHammer ? 80 : 24);
-    addBar(piece.rear, piece.front, piece.diameter / 2, shade);
+    if (piece.rearDiameter == piece.frontDiameter) {
+        addBar(piece.rear, piece.front, piece.diameter / 2, shade, m_style.text);
+    } else {
+        addCone(piece, shade);
+    }
     if (!(piece.bore > 0)) return;
     QPen dashes(m_style.text, 0.6, Qt::DashLine);
     for (const double side : {-0.5, 0.5})

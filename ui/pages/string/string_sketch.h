@@ -35,13 +35,15 @@ class StringSketch : public QObject {
   private:
     struct Piece {
         double rear = 0, front = 0;     ///< from the face of the hammer, as shown
-        double diameter = 0, bore = 0;  ///< as shown
-        int place = 1;                  ///< in the hammer or the string
+        double diameter = 0, bore = 0;  ///< as shown, the diameter where it is largest
+        double rearDiameter = 0, frontDiameter = 0;
+        int place = 1;  ///< in the hammer or the string
         QString name;
         bool isHammer = false;
     };
     static std::vector<Piece> piecesOf(const SketchedString& shown);
-    void addBar(double left, double right, double half, const QBrush& brush);
+    void addBar(double left, double right, double half, const QBrush& brush, const QPen& pen);
+    void addCone(const Piece& piece, const QColor& shade);
     void addLine(QPointF from, QPointF to, const QPen& pen);
     void addText(QPointF at, const QString& text);
     void addPiece(const Piece& piece);

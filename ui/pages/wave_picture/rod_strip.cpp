@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/wave_picture/rod_strip.h"
-
 #include <QEvent>
 #include <QImage>
 #include <QPainter>
+#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/section_pieces.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -92,7 +93,8 @@ void RodStrip::toStress(const RasterGrid& grid) {
     const StringRod& rod = picture().string->rod;
     for (int i = 0; i < grid.columns; ++i) {
         float& value = m_values[static_cast<std::size_t>(i)];
-        value = static_cast<float>(stressOf(rod.stretches[rod.sectionAt(grid.xi(i))], double(value)));
+        const RodStretch& stretch = rod.stretches[rod.sectionAt(grid.xi(i))];
+        value = static_cast<float>(stressOf(stretch, double(value), stretch.shareAt(grid.xi(i))));
     }
 }
 
@@ -170,19 +172,35 @@ QImage RodStrip::colouredLine() const {
 void RodStrip::paintSections(QPainter& painter, const QRect& rod) const {
     const std::vector<RodStretch>& stretches = picture().string->rod.stretches;
     const double rear = picture().rear;
-    const double largest = std::ranges::max(stretches, {}, &RodStretch::diameter).diameter;
+    double largest = 0;
+    for (const RodStretch& stretch : stretches) largest = std::max(largest, largestDiameter(stretch.section));
     const QImage line = colouredLine();
     const int away = hammerTouches() ? 0 : hammerAway;
+    const double middle = rod.center().y() + 0.5;
     const auto share = [rear](double x) { return (x - rear) / (1 - rear); };
     painter.setPen(palette().color(QPalette::Text));
     painter.setBrush(Qt::NoBrush);
     for (const RodStretch& stretch : stretches) {
         const double from = share(stretch.rear), to = share(stretch.front);
-        const double height = std::max(3.0, rod.height() * stretch.diameter / largest);
+        const auto halfAt = [&](double end) {
+            return std::max(3.0, rod.height() * outerDiameterAt(stretch.section, end) / largest) / 2;
+        };
+        const double rearHalf = halfAt(0), frontHalf = halfAt(1), half = std::max(rearHalf, frontHalf);
         const double left = rod.left() + from * rod.width() - (stretch.number < 0 ? away : 0);
-        const QRectF box(left, rod.center().y() + 0.5 - height / 2, (to - from) * rod.width(), height);
+        const QRectF box(left, middle - half, (to - from) * rod.width(), 2 * half);
+        const QPolygonF outline({{box.left(), middle - rearHalf},
+                                 {box.right(), middle - frontHalf},
+                                 {box.right(), middle + frontHalf},
+                                 {box.left(), middle + rearHalf}});
+        painter.save();
+        if (rearHalf != frontHalf) {
+            QPainterPath cone;
+            cone.addPolygon(outline);
+            painter.setClipPath(cone, Qt::IntersectClip);
+        }
         painter.drawImage(box, line, QRectF(from * line.width(), 0, (to - from) * line.width(), 1));
-        painter.drawRect(box);
+        painter.restore();
+        painter.drawPolygon(outline);
     }
 }
 

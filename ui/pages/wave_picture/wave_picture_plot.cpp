@@ -192,7 +192,8 @@ QString WavePicturePlot::stringReadout(double x, double t) const {
     const double force = waves.value(WaveQuantity::force, x, t);
     if (!std::isfinite(force)) return place + tr(" · later than the blow was followed");
     return place + tr(" · N = %1 · σ = %2 · v = %3")
-                       .arg(text(force, units.force), text(stressOf(section, force), units.stress),
+                       .arg(text(force, units.force),
+                            text(stressOf(section, force, section.shareAt(x)), units.stress),
                             text(waves.value(WaveQuantity::velocity, x, t), units.velocity));
 }
 

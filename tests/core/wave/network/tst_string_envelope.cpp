@@ -48,7 +48,7 @@ class TestStringEnvelope : public QObject {
         const Impact impact = solvedWithWaves(caseCalled(id.toStdString()).problem);
         QVERIFY(impact.waves);
         const StringWaves& waves = *impact.waves;
-        for (std::size_t j = 0; j < waves.sections().size(); ++j)
+        for (std::size_t j = 0; j < waves.sections(); ++j)
             for (const double xi : {0.0, 0.31, 1.0}) {
                 const SectionForces found = largestForcesAt(waves, j, xi, 2 * waves.end());
                 double most = 0, least = 0;

@@ -378,7 +378,7 @@ void TestRodPage::aClickInAStringLeadsToPlaceAndTime() {
     double force = 0;
     for (const TimeSide side : {TimeSide::before, TimeSide::after})
         force = std::min(force, curves.string->waves->force(place.section, place.share, there.time, side));
-    QVERIFY(std::abs(-force * curves.string->stretches[place.section].toStress - there.size) <
+    QVERIFY(std::abs(stressOf(curves.string->stretches[place.section], -force, place.share) - there.size) <
             1e-9 * there.size);
 }
 

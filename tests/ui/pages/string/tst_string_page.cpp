@@ -381,8 +381,9 @@ void TestStringPage::unitsOfAllKindsAreTaken() {
 
 void TestStringPage::columnsThatFewSectionsHaveAreShownWhereTheyAreUsed() {
     const QTableView& table = *page().table();
-    constexpr int few[] = {StringModel::area, StringModel::youngsModulus, StringModel::density,
-                           StringModel::yieldStrength, StringModel::fatigueStrength};
+    constexpr int few[] = {StringModel::area,           StringModel::endDiameter, StringModel::endArea,
+                           StringModel::youngsModulus,  StringModel::density,     StringModel::yieldStrength,
+                           StringModel::fatigueStrength};
     for (const int column : few) QVERIFY(table.isColumnHidden(column));
     auto& all = *page().findChild<QToolButton*>(QStringLiteral("allColumns"));
     QTest::mouseClick(&all, Qt::LeftButton);
@@ -390,9 +391,11 @@ void TestStringPage::columnsThatFewSectionsHaveAreShownWhereTheyAreUsed() {
     typeIntoCell(4, StringModel::yieldStrength, QStringLiteral("300 MPa"));
     typeIntoCell(4, StringModel::youngsModulus, QStringLiteral("205"));
     typeIntoCell(3, StringModel::area, QStringLiteral("2300 mm^2"));
+    typeIntoCell(2, StringModel::endDiameter, QStringLiteral("52 mm"));
     const DrillString& drill = document().scenario().drillString;
     const Section& rod = drill.parts[1].sections[1];
     QCOMPARE(rod.yieldStrength, std::optional(300e6));
+    QCOMPARE(drill.parts[0].sections[0].endDiameter, std::optional(0.052));
     QCOMPARE(rod.youngsModulus, std::optional(205e9));
     QCOMPARE(drill.parts[1].sections[0].area, std::optional(2300e-6));
     settle();

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/section_pieces.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace drillwave {
+namespace {
+
+/// Diameters of what fills a section at its ends, and of the hole in it.
+struct Frustum {
+    double rear, end, bore;
+};
+
+double barOf(double area) {
+    return 2 * std::sqrt(area / std::numbers::pi);
+}
+
+Frustum frustumOf(const Section& section) {
+    if (!section.area)
+        return {section.diameter, section.endDiameter.value_or(section.diameter), section.bore};
+    return {barOf(*section.area), barOf(section.endArea.value_or(*section.area)), 0};
+}
+
+double ringArea(double outer, double inner) {
+    return std::numbers::pi / 4 * (outer - inner) * (outer + inner);
+}
+
+}  // namespace
+
+bool isUniform(const Section& section) {
+    return section.area ? section.endArea.value_or(*section.area) == *section.area
+                        : section.endDiameter.value_or(section.diameter) == section.diameter;
+}
+
+double areaAt(const Section& section, double share) {
+    if (section.area && isUniform(section)) return *section.area;
+    const Frustum cone = frustumOf(section);
+    return ringArea(std::lerp(cone.rear, cone.end, share), cone.bore);
+}
+
+double outerDiameterAt(const Section& section, double share) {
+    const Frustum cone = frustumOf(section);
+    return std::lerp(cone.rear, cone.end, share);
+}
+
+double largestDiameter(const Section& section) {
+    return std::max(outerDiameterAt(section, 0), outerDiameterAt(section, 1));
+}
+
+double meanArea(const Section& section, double from, double to) {
+    if (isUniform(section)) return areaAt(section, from);
+    const Frustum cone = frustumOf(section);
+    const double first = std::lerp(cone.rear, cone.end, from), last = std::lerp(cone.rear, cone.end, to);
+    // the mean square of what is linear
+    const double meanSquare = (first * first + first * last + last * last) / 3;
+    return std::numbers::pi / 4 * (meanSquare - cone.bore * cone.bore);
+}
+
+std::vector<Section> uniformPieces(const Section& section, int count) {
+    assert(count > 0);
+    if (count == 1 && isUniform(section)) return {section};
+    Section piece = section;
+    piece.length = section.length / count;
+    piece.endDiameter.reset();
+    piece.endArea.reset();
+    piece.massAfter = piece.loss = 0;
+    std::vector<Section> pieces(static_cast<std::size_t>(count), piece);
+    for (int i = 0; i < count; ++i)
+        pieces[static_cast<std::size_t>(i)].area =
+            meanArea(section, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    pieces.back().massAfter = section.massAfter;
+    pieces.back().loss = section.loss;
+    return pieces;
+}
+
+}  // namespace drillwave
