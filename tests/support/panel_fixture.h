@@ -11,13 +11,24 @@
 #include "core/yaml/examples.h"
 #include "tests/support/scripted_questions.h"
 #include "ui/form/scenario_panel.h"
-#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 
-/// Settings and the user's presets are kept in the fixture's folder.
-struct PanelFixture {
+/// A folder in which settings and the user's presets are kept.
+struct PanelFolder {
     QTemporaryDir folder;
+
+    PanelFolder() {
+        QLocale::setDefault(QLocale::c());
+        qputenv("XDG_CONFIG_HOME", QFile::encodeName(folder.filePath(QStringLiteral("config"))));
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                           folder.filePath(QStringLiteral("settings")));
+    }
+};
+
+/// The document finds its settings there.
+struct PanelFixture : PanelFolder {
     ScriptedAnswers answers;
     ScriptedQuestions questions{answers};
     int checks = 0;  // of scenarios, by the document
@@ -28,18 +39,12 @@ struct PanelFixture {
     std::unique_ptr<ScenarioPanel> panel;
 
     PanelFixture() {
-        QLocale::setDefault(QLocale::c());
-        qputenv("XDG_CONFIG_HOME", QFile::encodeName(folder.filePath(QStringLiteral("config"))));
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                           folder.filePath(QStringLiteral("settings")));
         document.startFrom(defaultExample().text, QStringLiteral("example"));
         makePanel();
     }
 
     /// As at the next start of the program.
     void makePanel() {
-        UnitChoice::shared().restore();
         panel = std::make_unique<ScenarioPanel>(document, questions);
         panel->resize(420, 900);
         panel->show();

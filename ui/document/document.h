@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scenario being edited: its file, its history of edits, and what has not been saved yet.
+// The scenario being edited: its file, its history of edits, what has not been saved yet, and its units.
 #pragma once
 
 #include <QObject>
@@ -14,6 +14,7 @@
 #include "core/model/preset.h"
 #include "core/model/validation.h"
 #include "core/yaml/scenario_file.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 
@@ -37,6 +38,9 @@ class Document : public QObject {
 
     const Scenario& scenario() const { return m_scenario; }
     QUndoStack& undoStack() { return m_undoStack; }
+    /// Those in which it is shown, in fields and results alike.
+    UnitChoice& units() { return m_units; }
+    const UnitChoice& units() const { return m_units; }
     /// The file it was read from or saved to last, which saving writes; empty where there is none.
     const QString& path() const { return m_path; }
     /// The file that it came from, even if saving does not write that; empty where there is none.
@@ -143,6 +147,7 @@ class Document : public QObject {
     QString m_path;
     QString m_origin;  // what the names of other files are relative to
     QUndoStack m_undoStack;
+    UnitChoice m_units;
     int m_gestures = 0;
 };
 

@@ -24,9 +24,8 @@ double shownSection(const Blow& blow) {
 
 }  // namespace
 
-PaperReader PaperReader::present() {
-    const UnitChoice& choice = UnitChoice::shared();
-    const PaperReader reader{choice.physicalSystem(), choice.chosen(), QLocale()};
+PaperReader PaperReader::of(const UnitChoice& units) {
+    const PaperReader reader{units.physicalSystem(), units.chosen(), QLocale()};
     return reader.isPlain() ? PaperReader() : reader;
 }
 

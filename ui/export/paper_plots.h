@@ -17,6 +17,8 @@ class QCustomPlot;
 
 namespace drillwave {
 
+class UnitChoice;
+
 /// A plot, and the size it has where nothing else is asked for. Requires a QApplication (any platform).
 struct PaperPlot {
     std::shared_ptr<QCustomPlot> plot;
@@ -30,7 +32,7 @@ struct PaperReader {
     QLocale locale = QLocale::c();
 
     /// The one at the window as it is now; that of the commands where the numbers are the same.
-    static PaperReader present();
+    static PaperReader of(const UnitChoice& units);
     /// Whether that is the reader of the commands.
     bool isPlain() const;
     ShownUnits unitsFor(const Scenario& scenario) const;

@@ -98,7 +98,7 @@ void ReportWriter::follow() {
 void ReportWriter::writeTo(const QString& path, const BlowReport& report) {
     const WaitCursor wait;
     const std::string format = QFileInfo(path).suffix().toLower().toStdString();
-    const Pictures drawn = drawReport(report, {"report", {format}, {}}, PaperReader::present());
+    const Pictures drawn = drawReport(report, {"report", {format}, {}}, PaperReader::of(m_document.units()));
     const QString problem = drawn.problem.isEmpty()
                                 ? writeWholeFile(path, QByteArray::fromStdString(drawn.files.front().bytes))
                                 : drawn.problem;
@@ -109,7 +109,7 @@ void ReportWriter::writeTo(const QString& path, const BlowReport& report) {
 
 void ReportWriter::printOn(QPrinter& printer, const BlowReport& report) {
     const WaitCursor wait;
-    if (!printReport(report, PaperReader::present(), printer))
+    if (!printReport(report, PaperReader::of(m_document.units()), printer))
         return fail(
             tr("%1 takes no pages; look after the printer, or write the report as PDF")
                 .arg(printer.printerName().isEmpty() ? printer.outputFileName() : printer.printerName()));

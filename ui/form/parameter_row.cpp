@@ -7,19 +7,21 @@
 
 namespace drillwave {
 
-ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid,
-                           QWidget* parent)
+ParameterRow::ParameterRow(const Parameter& parameter, UnitChoice& units, const QString& sectionTitle,
+                           QGridLayout* grid, QWidget* parent)
     : QObject(parent),
       m_parameter(parameter),
       m_label(new QLabel(parent)),
-      m_field(new QuantityField(parameter.quantity, UnitChoice::shared().fieldUnit(parameter), parent)),
+      m_field(new QuantityField(parameter, units, parent)),
       m_slider(new QuantitySlider(parameter.plausible, parameter.slider, parent)),
       m_plate(new ProblemPlate(m_field)) {
     m_field->setStepAtZero((parameter.plausible.high - parameter.plausible.low) / 100);
     m_slider->setFocusPolicy(Qt::ClickFocus);
     m_slider->setMinimumWidth(36);
     nameWidgets(sectionTitle);
-    followUnits();
+    // The unit of this parameter in every scenario and every run, until others are chosen for more than this.
+    connect(m_field, &QuantityField::unitChosen, this,
+            [this, &units](const Unit& unit) { units.chooseForField(m_parameter, unit); });
 
     const int row = grid->rowCount();
     grid->addWidget(m_label, row, 0);
@@ -37,16 +39,6 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& sectionTit
         showProblem(m_field->problem());
         emit editsEnded();
     });
-}
-
-// A unit chosen here is that of this parameter in every scenario and every run, until others are chosen for
-// more than this.
-void ParameterRow::followUnits() {
-    UnitChoice& units = UnitChoice::shared();
-    connect(m_field, &QuantityField::unitChosen, this,
-            [this, &units](const Unit& unit) { units.chooseForField(m_parameter, unit); });
-    connect(&units, &UnitChoice::changed, this,
-            [this, &units] { m_field->setUnit(units.fieldUnit(m_parameter)); });
 }
 
 void ParameterRow::nameWidgets(const QString& sectionTitle) {

@@ -21,8 +21,10 @@ class ParameterRow : public QObject {
     Q_OBJECT
 
   public:
-    /// Fills the two lowest rows of `grid`; `sectionTitle` goes into the accessible names.
-    ParameterRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid, QWidget* parent);
+    /// Fills the two lowest rows of `grid`; `sectionTitle` goes into the accessible names. The units must
+    /// outlive it.
+    ParameterRow(const Parameter& parameter, UnitChoice& units, const QString& sectionTitle,
+                 QGridLayout* grid, QWidget* parent);
 
     const Parameter& parameter() const { return m_parameter; }
     QuantityField* field() const { return m_field; }
@@ -47,7 +49,6 @@ class ParameterRow : public QObject {
 
   private:
     void setVisible(bool visible);
-    void followUnits();
     void nameWidgets(const QString& sectionTitle);
     void drag(double si);
     void showProblem(const QString& problem);

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/model/scales.h"
-#include "core/text/number_text.h"
 #include "ui/form/pulse_curve.h"
 #include "ui/plot/plot_style.h"
 #include "ui/text/number_text.h"
@@ -21,39 +20,20 @@ namespace {
 constexpr int digits = 3;
 constexpr int gap = 4;  // between the frame, the labels and the curve [px]
 
-// One that suits this value, which may be far from the mean force that other units go by.
-ShownUnit pulseUnit(double si, UnitKind kind) {
-    const UnitChoice& choice = UnitChoice::shared();
-    ShownUnits units;
-    units.system = choice.physicalSystem();
-    units.chosen = choice.chosen();
-    return units.of(kind, std::abs(si));
-}
-
-QString peakText(double peak, const Scenario& scenario) {
-    if (naturalUnits(scenario) == UnitSystem::si)
-        return pulseText(peak * scalesOf(scenario).force, UnitKind::force);
-    const QString unit = QStringLiteral("F₀");
-    return peak == 1 ? unit : numberText(peak, digits, QLocale()) + QChar(QChar::Nbsp) + unit;
-}
-
 }  // namespace
 
-QString pulseText(double si, UnitKind kind) {
-    const ShownUnit unit = pulseUnit(si, kind);
-    return numberText(si * unit.factor, digits, QLocale()) + QChar(QChar::Nbsp) + unit.unit;
-}
-
-QString pulseBoundText(double si, UnitKind kind) {
-    const ShownUnit unit = pulseUnit(si, kind);
-    return numberText(roundedTo(si * unit.factor, digits, Rounding::up), digits, QLocale()) +
-           QChar(QChar::Nbsp) + unit.unit;
-}
-
-PulsePreview::PulsePreview(QWidget* parent) : QWidget(parent) {
+PulsePreview::PulsePreview(const UnitChoice& units, QWidget* parent) : QWidget(parent), m_units(units) {
     setObjectName(QStringLiteral("pulsePreview"));
     setAccessibleName(tr("Hammer force over time"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+// In a unit that suits it, which may be far from the mean force that other units go by.
+QString PulsePreview::peakText(double peak, const Scenario& scenario) const {
+    if (naturalUnits(scenario) == UnitSystem::si)
+        return m_units.text(peak * scalesOf(scenario).force, UnitKind::force);
+    const QString unit = QStringLiteral("F₀");
+    return peak == 1 ? unit : numberText(peak, digits, QLocale()) + QChar(QChar::Nbsp) + unit;
 }
 
 void PulsePreview::present(const Scenario& scenario) {
@@ -62,7 +42,8 @@ void PulsePreview::present(const Scenario& scenario) {
     m_curve = curve.points;
     m_end = curve.end;
     const bool si = naturalUnits(scenario) == UnitSystem::si;
-    const QString duration = si ? pulseText(scalesOf(scenario).time, UnitKind::time) : QStringLiteral("t₀");
+    const QString duration =
+        si ? m_units.text(scalesOf(scenario).time, UnitKind::time) : QStringLiteral("t₀");
     const QString peak = peakText(force.peak, scenario);
     m_peakText = tr("peak %1").arg(peak);
     m_timeText = si ? tr("t₀ = %1").arg(duration) : duration;

@@ -6,16 +6,18 @@
 #include <QWidget>
 
 #include "core/model/scenario.h"
-#include "ui/text/unit_kind.h"
 
 namespace drillwave {
 
-/// Names the peak of the force and the time t0, in SI where the scenario has it.
+class UnitChoice;
+
+/// Names the peak of the force and the time t0, in physical units where the scenario has them.
 class PulsePreview : public QWidget {
     Q_OBJECT
 
   public:
-    explicit PulsePreview(QWidget* parent = nullptr);
+    /// The units must outlive it.
+    explicit PulsePreview(const UnitChoice& units, QWidget* parent = nullptr);
 
     void present(const Scenario& scenario);
     /// The drawing in words: "rectangular, 200 µs, 255 kN".
@@ -28,6 +30,9 @@ class PulsePreview : public QWidget {
     void paintEvent(QPaintEvent* event) override;
 
   private:
+    QString peakText(double peak, const Scenario& scenario) const;
+
+    const UnitChoice& m_units;
     QPolygonF m_curve;  // time in t0, force relative to the peak
     double m_end = 0;   // of the curve, in t0
     QString m_peakText;
@@ -37,11 +42,5 @@ class PulsePreview : public QWidget {
 
 /// "half sine", as people write it.
 QString shapeText(PulseShape shape);
-
-/// A duration, force or impulse of the hammer with three digits, in the user's units: "200 µs", "57.3 kip".
-QString pulseText(double si, UnitKind kind);
-
-/// The same of a bound ≥ 0, never smaller than it is.
-QString pulseBoundText(double si, UnitKind kind);
 
 }  // namespace drillwave

@@ -10,14 +10,13 @@
 #include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "ui/form/parameter_row.h"
-#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
 
 constexpr std::size_t mostPointsKept = 15'000;  // in a scenario itself, which may have 1 MiB
 
-QString tableText(const Scenario& scenario) {
+QString tableText(const Scenario& scenario, const UnitChoice& units) {
     const QLocale locale;
     const auto count = static_cast<qlonglong>(scenario.pulse.tablePoints.size());
     const QString from = scenario.pulse.tableFile.empty()
@@ -27,8 +26,8 @@ QString tableText(const Scenario& scenario) {
     if (scenario.form == ScenarioForm::dimensionless)
         return PulseSection::tr("%1 points, scaled to t₀ and I₀, %2").arg(locale.toString(count), from);
     return PulseSection::tr("%1 points, %2, %3, %4")
-        .arg(locale.toString(count), pulseText(pulseDuration(scenario), UnitKind::time),
-             pulseText(pulseImpulse(scenario), UnitKind::impulse), from);
+        .arg(locale.toString(count), units.text(pulseDuration(scenario), UnitKind::time),
+             units.text(pulseImpulse(scenario), UnitKind::impulse), from);
 }
 
 }  // namespace
@@ -36,7 +35,7 @@ QString tableText(const Scenario& scenario) {
 PulseSection::PulseSection(Document& document, Questions& questions, QGridLayout* grid, QWidget* parent)
     : QObject(parent), m_document(document), m_questions(questions) {
     addShape(grid, parent);
-    m_preview = new PulsePreview(parent);
+    m_preview = new PulsePreview(document.units(), parent);
     grid->addWidget(m_preview, grid->rowCount(), 0, 1, formColumns);
     addTable(grid, parent);
     addImpulse(grid, parent);
@@ -91,8 +90,7 @@ void PulseSection::addTable(QGridLayout* grid, QWidget* parent) {
 // A measured blow of another strength: all its forces times one factor.
 void PulseSection::addImpulse(QGridLayout* grid, QWidget* parent) {
     const Parameter& parameter = *findParameter("pulse.impulse");
-    UnitChoice& units = UnitChoice::shared();
-    m_impulse = new QuantityField(parameter.quantity, units.fieldUnit(parameter), parent);
+    m_impulse = new QuantityField(parameter, m_document.units(), parent);
     m_impulse->setObjectName(QStringLiteral("table.impulse"));
     m_impulse->setAccessibleName(tr("Hammer blow: impulse of the table"));
     m_impulse->setToolTip(
@@ -109,9 +107,7 @@ void PulseSection::addImpulse(QGridLayout* grid, QWidget* parent) {
     m_impulse->setTaker([this](double impulse) { return offerImpulse(impulse); });
     connect(m_impulse, &QuantityField::editsEnded, this, &PulseSection::scale);
     connect(m_impulse, &QuantityField::unitChosen, this,
-            [&parameter, &units](const Unit& unit) { units.chooseForField(parameter, unit); });
-    connect(&units, &UnitChoice::changed, this,
-            [this, &parameter, &units] { m_impulse->setUnit(units.fieldUnit(parameter)); });
+            [this, &parameter](const Unit& unit) { m_document.units().chooseForField(parameter, unit); });
 }
 
 QString PulseSection::offerImpulse(double impulse) {
@@ -137,7 +133,7 @@ void PulseSection::scale() {
     changed.pulse.tablePoints = std::move(points);
     changed.pulse.tableFile.clear();
     tellIfFailed(m_document.useScenario(
-        changed, tr("scale the hammer blow to %1").arg(pulseText(*wanted, UnitKind::impulse))));
+        changed, tr("scale the hammer blow to %1").arg(m_document.units().text(*wanted, UnitKind::impulse))));
 }
 
 void PulseSection::present(const Scenario& scenario, Shapes shapes) {
@@ -169,7 +165,7 @@ void PulseSection::showShape() {
 }
 
 void PulseSection::showTable(const Scenario& scenario) {
-    m_tableText->setText(tableText(scenario));
+    m_tableText->setText(tableText(scenario, m_document.units()));
     m_tableText->setToolTip(QDir::toNativeSeparators(m_document.tablePath()));
     m_reload->setVisible(!scenario.pulse.tableFile.empty());
 }

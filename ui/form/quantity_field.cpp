@@ -20,6 +20,7 @@
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_quantity.h"
 #include "ui/text/typed_text.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -54,6 +55,12 @@ QuantityField::QuantityField(Quantity quantity, const Unit& unit, QWidget* paren
     connect(lineEdit(), &QLineEdit::textEdited, this, &QuantityField::readText);
     connect(this, &QAbstractSpinBox::editingFinished, this, &QuantityField::endEdits);
     if (unitsOf(quantity).size() > 1) createUnitButton(parent);
+}
+
+QuantityField::QuantityField(const Parameter& parameter, const UnitChoice& units, QWidget* parent)
+    : QuantityField(parameter.quantity, units.fieldUnit(parameter), parent) {
+    connect(&units, &UnitChoice::changed, this,
+            [this, &parameter, &units] { setUnit(units.fieldUnit(parameter)); });
 }
 
 QuantityField::~QuantityField() {

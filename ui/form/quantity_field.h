@@ -16,6 +16,9 @@ class QAction;
 
 namespace drillwave {
 
+class UnitChoice;
+struct Parameter;
+
 /// Holds a double in SI that only an edit changes: showing it in another unit or with fewer digits does not.
 /// Text that cannot be taken stays as it is, marked with the reason, and the old value is kept.
 class QuantityField : public QAbstractSpinBox {
@@ -26,6 +29,9 @@ class QuantityField : public QAbstractSpinBox {
     using Taker = std::function<QString(double)>;
 
     QuantityField(Quantity quantity, const Unit& unit, QWidget* parent = nullptr);
+    /// Of values of a parameter, in the unit that its fields have, and follows that. The units must outlive
+    /// it.
+    QuantityField(const Parameter& parameter, const UnitChoice& units, QWidget* parent = nullptr);
     ~QuantityField() override;
 
     /// The value in SI; nothing where an optional quantity is not given.

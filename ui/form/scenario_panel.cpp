@@ -9,7 +9,6 @@
 #include <algorithm>
 
 #include "ui/text/shown_text.h"
-#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -49,7 +48,7 @@ ScenarioPanel::ScenarioPanel(Document& document, Questions& questions, QWidget* 
     layout->addStretch();
     alignColumns();
     connect(&document, &Document::scenarioChanged, this, &ScenarioPanel::showScenario);
-    connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
+    connect(&document.units(), &UnitChoice::changed, this, [this] {
         alignColumns();
         showScenario();
     });
@@ -110,7 +109,7 @@ void ScenarioPanel::addPresets(PresetKind kind, const QString& title, QGridLayou
 
 void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTitle, QGridLayout* grid,
                            QWidget* parent) {
-    auto* row = new ParameterRow(parameter, sectionTitle, grid, parent);
+    auto* row = new ParameterRow(parameter, m_document.units(), sectionTitle, grid, parent);
     m_sections.last().rows.append(row);
     row->setTaker([this, &parameter](double si) { return m_document.assign(parameter, si, m_gesture); });
     if (parameter.rules.clear) row->field()->setOptional(tr("not given"));

@@ -5,23 +5,8 @@
 
 #include "core/model/scales.h"
 #include "ui/form/parameter_row.h"
-#include "ui/text/number_text.h"
-#include "ui/text/unit_choice.h"
 
 namespace drillwave {
-namespace {
-
-// In the unit in which it is best read.
-QString handyText(double si, UnitKind kind) {
-    const UnitChoice& units = UnitChoice::shared();
-    const auto chosen = units.chosen().find(kind);
-    const Unit& unit =
-        chosen != units.chosen().end() ? *chosen->second : handyUnit(kind, si, units.physicalSystem());
-    const ShownUnit shown = shownUnit(unit);
-    return numberText(si * shown.factor, 4, QLocale()) + QChar(QChar::Nbsp) + shown.unit;
-}
-
-}  // namespace
 
 StringSection::StringSection(Document& document, QGridLayout* grid, QWidget* parent)
     : QObject(parent), m_document(document), m_summary(new QLabel(parent)) {
@@ -59,15 +44,15 @@ void StringSection::present(const Scenario& scenario) {
     const DrillString& drill = scenario.drillString;
     const auto count = static_cast<qlonglong>(sectionCount(drill));
     const ChainProperties string = stringProperties(drill);
+    const auto text = [this](double si, UnitKind kind) { return m_document.units().text(si, kind, 4); };
     QString summary =
         tr("%1 of %2, %3")
             .arg(count == 1 ? tr("1 section") : tr("%1 sections").arg(QLocale().toString(count)),
-                 handyText(string.length, UnitKind::length), handyText(string.mass, UnitKind::mass));
+                 text(string.length, UnitKind::length), text(string.mass, UnitKind::mass));
     if (!isForced(scenario)) {
         const ChainProperties hammer = hammerProperties(drill);
-        summary +=
-            tr("; hammer %1, %2")
-                .arg(handyText(hammer.length, UnitKind::length), handyText(hammer.mass, UnitKind::mass));
+        summary += tr("; hammer %1, %2")
+                       .arg(text(hammer.length, UnitKind::length), text(hammer.mass, UnitKind::mass));
     }
     m_summary->setText(summary);
     m_restrike->setChecked(drill.hammer.restrike);

@@ -50,10 +50,10 @@ ImportDialog::ImportDialog(const QString& path, ImportUse use, const Document& d
       m_use(nullptr),
       m_name(new QLineEdit(QFileInfo(path).completeBaseName(), this)),
       m_table(new TableFields(this)),
-      m_signal(new SignalFields(this)),
+      m_signal(new SignalFields(document.units(), this)),
       m_lines(new FileLines(this)),
       m_plot(new PlotWidget(this)),
-      m_drawing(new ImportPlot(m_plot)),
+      m_drawing(new ImportPlot(m_plot, document.units())),
       m_summary(new QLabel(this)),
       m_message(new QLabel(this)) {
     setWindowTitle(tr("Import – %1").arg(QFileInfo(path).fileName()));
@@ -283,7 +283,7 @@ void ImportDialog::showState() {
     if (message.isEmpty()) message = m_refusal;
     m_message->setText(message);
     const bool known = result() != nullptr;
-    QString summary = known ? importSummary(*preview) : QString();
+    QString summary = known ? importSummary(*preview, m_document.units()) : QString();
     if (known && use() == ImportUse::blow && !hasUnits(m_document.scenario()))
         summary += QLatin1Char(' ') + tr("Only the shape is taken: this scenario has no physical units.");
     m_summary->setText(summary);

@@ -15,10 +15,6 @@
 namespace drillwave {
 namespace {
 
-const Unit& handyUnitOf(UnitKind kind, double size) {
-    return handyUnit(kind, size, UnitChoice::shared().physicalSystem());
-}
-
 double largest(const QPolygonF& points) {
     double size = 0;
     for (const QPointF& point : points) size = std::max(size, std::abs(point.y()));
@@ -33,9 +29,10 @@ QCPRange padded(double low, double high) {
 
 }  // namespace
 
-ImportPlot::ImportPlot(PlotWidget* plot)
+ImportPlot::ImportPlot(PlotWidget* plot, const UnitChoice& units)
     : QObject(plot),
       m_plot(plot),
+      m_units(units),
       m_record(addCurve(plot->xAxis, plot->yAxis)),
       m_taken(addCurve(plot->xAxis, plot->yAxis)),
       m_message(new PlotMessage(plot)),
@@ -64,8 +61,9 @@ void ImportPlot::setStyle(const PlotStyle& style) {
 }
 
 void ImportPlot::present(const ImportPreview& preview, double shift, const QString& axis) {
-    const Unit& time = handyUnitOf(UnitKind::time, preview.time.to - preview.time.from);
-    const Unit& force = handyUnitOf(UnitKind::force, largest(preview.record));
+    const Unit& time =
+        handyUnit(UnitKind::time, preview.time.to - preview.time.from, m_units.physicalSystem());
+    const Unit& force = handyUnit(UnitKind::force, largest(preview.record), m_units.physicalSystem());
     const bool unitsChanged = m_timeFactor != 1 / time.factor();
     m_timeFactor = 1 / time.factor();
     QVector<QCPGraphData> record, taken;

@@ -14,13 +14,15 @@ class QCPGraph;
 namespace drillwave {
 
 class PlotWidget;
+class UnitChoice;
 
 /// Lives as a child of the plot.
 class ImportPlot : public QObject {
     Q_OBJECT
 
   public:
-    explicit ImportPlot(PlotWidget* plot);
+    /// The units must outlive it.
+    ImportPlot(PlotWidget* plot, const UnitChoice& units);
 
     /// `shift` is the time of the record at which the signal's own time begins [s].
     void present(const ImportPreview& preview, double shift, const QString& axis);
@@ -33,6 +35,7 @@ class ImportPlot : public QObject {
     void setStyle(const PlotStyle& style);
 
     PlotWidget* m_plot;
+    const UnitChoice& m_units;
     QCPGraph* m_record;
     QCPGraph* m_taken;
     PlotMessage* m_message;

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/text/number_text.h"
-#include "ui/form/pulse_preview.h"
 #include "ui/text/number_text.h"
 #include "ui/text/translation.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -36,14 +36,14 @@ QString effectText(const ThinningEffect& effect) {
 
 }  // namespace
 
-QString importSummary(const ImportPreview& preview) {
+QString importSummary(const ImportPreview& preview, const UnitChoice& units) {
     const ShapedSignal& signal = preview.signal;
     const double peak = std::abs(signal.peak);
     const double peakTime = signal.start + signal.peakTime - signal.points.front().time;
     QStringList parts;
     parts << tr("Impulse %1, peak %2 at %3 in the file.")
-                 .arg(pulseText(signal.impulse, UnitKind::impulse), pulseText(signal.peak, UnitKind::force),
-                      pulseText(peakTime, UnitKind::time));
+                 .arg(units.text(signal.impulse, UnitKind::impulse), units.text(signal.peak, UnitKind::force),
+                      units.text(peakTime, UnitKind::time));
     if (signal.points.size() == signal.samples)
         parts << tr("All of the %1 samples are kept, of %2 in the record.")
                      .arg(countText(signal.samples), countText(preview.samples));
@@ -51,14 +51,14 @@ QString importSummary(const ImportPreview& preview) {
         parts << tr("%1 of %2 samples become %3 points: no sample of what is taken is further than %4 (%5 of "
                     "the peak) from the lines between them, the impulse changes by %6.")
                      .arg(countText(signal.samples), countText(preview.samples),
-                          countText(signal.points.size()), pulseBoundText(signal.deviation, UnitKind::force),
+                          countText(signal.points.size()), units.boundText(signal.deviation, UnitKind::force),
                           peak > 0 ? percent(roundedTo(signal.deviation / peak, percentDigits, Rounding::up))
                                    : QStringLiteral("–"),
-                          pulseText(signal.impulseChange, UnitKind::impulse));
+                          units.text(signal.impulseChange, UnitKind::impulse));
     if (preview.effect) parts << effectText(*preview.effect);
     if (signal.clipped > 0)
         parts << tr("%1 negative samples are clipped, which adds %2 to the impulse.")
-                     .arg(countText(signal.clipped), pulseText(signal.clippedImpulse, UnitKind::impulse));
+                     .arg(countText(signal.clipped), units.text(signal.clippedImpulse, UnitKind::impulse));
     if (signal.clippedImpulse > muchOf * std::abs(signal.impulse))
         parts << tr("That is much: take less of the record.");
     if (preview.skipped > 0)

@@ -8,9 +8,11 @@
 
 namespace drillwave {
 
+class UnitChoice;
+
 /// Samples, impulse, peak, points and how far they are from the samples; what was skipped and clipped.
 /// Requires a preview without problems.
-QString importSummary(const ImportPreview& preview);
+QString importSummary(const ImportPreview& preview, const UnitChoice& units);
 
 /// How to import, for F1.
 QString importHelp();

@@ -7,11 +7,11 @@
 #include <QSignalBlocker>
 #include <cmath>
 
-#include "ui/form/pulse_preview.h"
 #include "ui/import/gauge_rows.h"
 #include "ui/import/import_rows.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -41,7 +41,8 @@ int value(auto choice) {
 
 }  // namespace
 
-SignalFields::SignalFields(QWidget* parent) : QWidget(parent), m_form(new QFormLayout(this)) {
+SignalFields::SignalFields(const UnitChoice& units, QWidget* parent)
+    : QWidget(parent), m_units(units), m_form(new QFormLayout(this)) {
     m_form->setContentsMargins(0, 0, 0, 0);
     m_form->setVerticalSpacing(3);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
@@ -291,7 +292,7 @@ QString SignalFields::problem() const {
             "from the struck end of the rod");
     if (m_use == ImportUse::normalForce && rod && place() > rod->length)
         return tr("place x: must be at most %1, the length of the rod")
-            .arg(pulseText(rod->length, UnitKind::length));
+            .arg(m_units.text(rod->length, UnitKind::length));
     return {};
 }
 

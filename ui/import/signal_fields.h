@@ -23,6 +23,7 @@ namespace drillwave {
 class ChoiceBox;
 class GaugeRows;
 class QuantityField;
+class UnitChoice;
 enum class FieldRange;
 
 /// What an imported signal is for.
@@ -36,7 +37,8 @@ class SignalFields : public QWidget {
     Q_OBJECT
 
   public:
-    explicit SignalFields(QWidget* parent = nullptr);
+    /// The units must outlive it.
+    explicit SignalFields(const UnitChoice& units, QWidget* parent = nullptr);
     ~SignalFields() override;
 
     void setUse(ImportUse use);
@@ -77,6 +79,7 @@ class SignalFields : public QWidget {
     void showTimes(std::optional<RecordSpan> times);
     double forcePerNumberNow() const;
 
+    const UnitChoice& m_units;
     ImportUse m_use = ImportUse::blow;
     std::vector<SignalUnit> m_unitList;
     bool m_unitIsKnown = true;

@@ -5,6 +5,7 @@
 
 #include "core/model/validation.h"
 #include "ui/job/solved_again.h"
+#include "ui/text/local_style.h"
 
 namespace drillwave {
 namespace {
@@ -46,6 +47,10 @@ SolvedBlowPtr answerWith(const SolveRequest& request, const Make& make) noexcept
 }
 
 }  // namespace
+
+LocalStyle styleOf(const SolveRequest& request) {
+    return {QLocale(), request.physicalUnits, request.chosenUnits};
+}
 
 SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexcept {
     return answerWith(request, [&] {

@@ -15,11 +15,14 @@
 
 namespace drillwave {
 
+class LocalStyle;
+
 /// What is wanted. Pages that can be seen tell how their data are made; the others' are not.
 struct SolveRequest {
     Scenario scenario;
     UnitSystem units = UnitSystem::dimensionless;
-    ChosenUnits chosenUnits = {};  ///< of kinds that do not follow `units`
+    ChosenUnits chosenUnits = {};               ///< of kinds that do not follow `units`
+    UnitSystem physicalUnits = UnitSystem::si;  ///< SI or US: of sentences, also where `units` are none
     std::vector<PreparePage> pages;
     std::uint64_t number = 0;   ///< counts what was asked: tells the answer to the last question
     std::stop_token stop = {};  ///< ends the work early, with a problem for an answer
@@ -44,6 +47,9 @@ struct SolvedBlow : Blow {
     }
 };
 using SolvedBlowPtr = std::shared_ptr<const SolvedBlow>;
+
+/// In which sentences about its answer are written.
+LocalStyle styleOf(const SolveRequest& request);
 
 /// Solves and prepares what was asked for. Never throws: whatever goes wrong is the answer's `fault`.
 SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexcept;

@@ -7,7 +7,6 @@
 
 #include "core/model/parameter.h"
 #include "core/report/alert_words.h"
-#include "ui/text/local_style.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -35,10 +34,9 @@ AlertList::AlertList(QWidget* parent) : QWidget(parent) {
     connect(&m_rest, &QTimer::timeout, this, [this] { setMinimumHeight(0); });
 }
 
-void AlertList::present(const QString& problem, const std::vector<Alert>& alerts) {
+void AlertList::present(const QString& problem, const std::vector<Alert>& alerts, const LocalStyle& style) {
     QStringList texts;
     if (!problem.isEmpty()) texts.append(problem);
-    const LocalStyle style = LocalStyle::present();
     for (const Alert& alert : alerts) texts.append(QString::fromStdString(alertText(alert, style)));
     // Most solutions while a slider is dragged change nothing here.
     if (texts == m_texts && !m_labels.isEmpty()) return;

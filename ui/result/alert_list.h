@@ -11,6 +11,7 @@
 
 #include "core/model/alerts.h"
 #include "core/model/validation.h"
+#include "ui/text/local_style.h"
 
 namespace drillwave {
 
@@ -23,7 +24,7 @@ class AlertList : public QWidget {
     explicit AlertList(QWidget* parent = nullptr);
 
     /// Shows why there is no solution (when not empty) before the remarks on the scenario.
-    void present(const QString& problem, const std::vector<Alert>& alerts);
+    void present(const QString& problem, const std::vector<Alert>& alerts, const LocalStyle& style);
     /// The texts shown.
     QStringList texts() const { return m_texts; }
     /// Whether they say why there is no solution.

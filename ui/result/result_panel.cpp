@@ -430,7 +430,7 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
         m_stress->setTitle(ofString ? tr("Stress in hammer and string") : tr("Stress in the rod"));
         updateGeometry();
     }
-    m_alerts->present(blow->fault, blow->alerts);
+    m_alerts->present(blow->fault, blow->alerts, styleOf(blow->request));
     if (solved)
         m_energy->present(blow->summary);
     else

@@ -33,11 +33,11 @@ QString nameWords(const Parameter& parameter, const Scenario& scenario) {
 }
 
 // "k 300 MN/m", "blow frequency 60 Hz", "coupling ⌀39 mm".
-QString valueWords(const Parameter& parameter, const Scenario& scenario) {
+QString valueWords(const Parameter& parameter, const Scenario& scenario, const UnitChoice& units) {
     const QString name = nameWords(parameter, scenario);
     const std::optional<double> si = valueIn(scenario, parameter);
     if (!si) return tr("no %1").arg(name);
-    const Unit& unit = UnitChoice::shared().fieldUnit(parameter);
+    const Unit& unit = units.fieldUnit(parameter);
     const QString value = numberText(unit.fromSi(*si), 4, QLocale());
     const QString unitName = shownUnitName(unit.name);
     const QString gap = name.endsWith(u'⌀') ? QString() : QStringLiteral(" ");
@@ -52,7 +52,7 @@ QString blowWords(const Pulse& pulse) {
 
 }  // namespace
 
-QString changeWords(const Scenario& before, const Scenario& after) {
+QString changeWords(const Scenario& before, const Scenario& after, const UnitChoice& units) {
     QStringList changes;
     // All the numbers of the one form are new in the other.
     if (isString(before) != isString(after)) return isString(after) ? tr("drill string") : tr("uniform rod");
@@ -60,7 +60,7 @@ QString changeWords(const Scenario& before, const Scenario& after) {
         changes << blowWords(after.pulse);
     const Scenario* const both[] = {&before, &after};
     for (const Parameter* parameter : differingParameters(both))
-        if (parameter->applies(after)) changes << valueWords(*parameter, after);
+        if (parameter->applies(after)) changes << valueWords(*parameter, after, units);
     changes.removeDuplicates();  // of sections with one name
     if (changes.size() > mostChanges) changes = changes.mid(0, mostChanges) << QStringLiteral("…");
     return changes.join(QStringLiteral(", "));

@@ -44,7 +44,8 @@ QString Runs::pin(ScenarioDocument contents, SolvedBlowPtr blow, const QString& 
             .arg(m_list->size());
     const Run* before = reference();
     if (!before && !m_list->empty()) before = &m_list->back();
-    const QString change = before ? changeWords(before->contents.scenario, contents.scenario) : QString();
+    const QString change =
+        before ? changeWords(before->contents.scenario, contents.scenario, m_units) : QString();
     RunList list = *m_list;
     list.push_back({.number = *number,
                     .name = change.isEmpty() ? title : change,

@@ -9,13 +9,16 @@
 
 namespace drillwave {
 
+class UnitChoice;
+
 /// At most mostRuns. Every change makes a new list; nothing here depends on the scenario that is being
 /// edited.
 class Runs : public QObject {
     Q_OBJECT
 
   public:
-    using QObject::QObject;
+    /// Runs are named in these units, which must outlive them.
+    explicit Runs(const UnitChoice& units, QObject* parent = nullptr) : QObject(parent), m_units(units) {}
 
     const RunListPtr& list() const { return m_list; }
     /// nullptr where there is none of that number.
@@ -57,6 +60,7 @@ class Runs : public QObject {
     void change(int number, const std::function<void(Run&)>& change);
     void take(RunList list);
 
+    const UnitChoice& m_units;
     RunListPtr m_list = std::make_shared<const RunList>();
     std::optional<int> m_reference;
     std::vector<int> m_reserved;

@@ -34,9 +34,8 @@ std::optional<UnitKind> kindOf(double si, Quantity quantity) {
 LocalStyle::LocalStyle(QLocale locale, UnitSystem system, ChosenUnits chosen)
     : m_locale(std::move(locale)), m_system(system), m_chosen(std::move(chosen)) {}
 
-LocalStyle LocalStyle::present() {
-    const UnitChoice& choice = UnitChoice::shared();
-    return {QLocale(), choice.physicalSystem(), choice.chosen()};
+LocalStyle LocalStyle::of(const UnitChoice& units) {
+    return {QLocale(), units.physicalSystem(), units.chosen()};
 }
 
 std::string LocalStyle::number(double value, int digits) const {

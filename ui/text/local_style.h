@@ -9,14 +9,16 @@
 
 namespace drillwave {
 
+class UnitChoice;
+
 /// Numbers as numberText() writes them, in SI or US units or those chosen by kind.
 class LocalStyle : public ReadingStyle {
   public:
     /// `system` is taken as SI where it is dimensionless: what is told in sentences has no other unit.
     LocalStyle(QLocale locale, UnitSystem system, ChosenUnits chosen);
 
-    /// Of the one at the window as it is now: QLocale() and UnitChoice.
-    static LocalStyle present();
+    /// Of the one at the window as it is now: QLocale() and what is chosen there.
+    static LocalStyle of(const UnitChoice& units);
 
     std::string number(double value, int digits) const override;
     ReadUnit unitFor(double si, Quantity quantity) const override;

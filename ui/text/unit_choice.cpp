@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/unit_choice.h"
 
+#include <QLocale>
+#include <cmath>
+
+#include "core/text/number_text.h"
+#include "ui/text/number_text.h"
 #include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
+#include "ui/text/shown_units.h"
 
 namespace drillwave {
 namespace {
@@ -45,18 +51,11 @@ const Unit* keptUnit(Quantity quantity, const QString& key) {
 
 }  // namespace
 
-UnitChoice& UnitChoice::shared() {
-    static UnitChoice choice;
-    return choice;
-}
-
-void UnitChoice::restore() {
-    m_system = keptSystem(systemKey);
-    m_physical = keptSystem(physicalKey) == UnitSystem::us ? UnitSystem::us : UnitSystem::si;
-    m_chosen.clear();
+UnitChoice::UnitChoice()
+    : m_system(keptSystem(systemKey)),
+      m_physical(keptSystem(physicalKey) == UnitSystem::us ? UnitSystem::us : UnitSystem::si) {
     for (const UnitKindRow& row : unitKinds())
         if (const Unit* unit = keptUnit(row.quantity, keyOf(row))) m_chosen[row.kind] = unit;
-    m_ofFields.clear();
     for (const Parameter& parameter : parameters())
         if (const Unit* unit = keptUnit(parameter.quantity, keyOf(parameter.key)))
             m_ofFields[parameter.key] = unit;
@@ -70,6 +69,23 @@ const Unit& UnitChoice::fieldUnit(const Parameter& parameter) const {
         if (chosen != m_chosen.end()) return *chosen->second;
     }
     return customaryUnit(parameter, m_physical);
+}
+
+const Unit& UnitChoice::unitFor(UnitKind kind, double size) const {
+    const auto own = m_chosen.find(kind);
+    return own != m_chosen.end() ? *own->second : handyUnit(kind, size, m_physical);
+}
+
+QString UnitChoice::text(double si, UnitKind kind, int digits) const {
+    const ShownUnit unit = shownUnit(unitFor(kind, std::abs(si)));
+    return numberText(si * unit.factor, digits, QLocale()) + QChar(QChar::Nbsp) + unit.unit;
+}
+
+QString UnitChoice::boundText(double si, UnitKind kind) const {
+    constexpr int digits = 3;
+    const ShownUnit unit = shownUnit(unitFor(kind, si));
+    return numberText(roundedTo(si * unit.factor, digits, Rounding::up), digits, QLocale()) +
+           QChar(QChar::Nbsp) + unit.unit;
 }
 
 void UnitChoice::choose(UnitSystem system) {

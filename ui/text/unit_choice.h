@@ -4,20 +4,19 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 
 #include "ui/text/unit_kind.h"
 
 namespace drillwave {
 
-/// One for the program, as its settings are: fields and results follow it wherever they are.
+/// One for each document: its fields and results follow it wherever they are, those of others do not.
 class UnitChoice : public QObject {
     Q_OBJECT
 
   public:
-    /// Begins with what was kept.
-    static UnitChoice& shared();
-    /// Takes over what is kept now, and tells nobody: before there is anything to show.
-    void restore();
+    /// Begins with what was kept last.
+    UnitChoice();
 
     /// Of results and plots.
     UnitSystem system() const { return m_system; }
@@ -27,6 +26,12 @@ class UnitChoice : public QObject {
     const ChosenUnits& chosen() const { return m_chosen; }
     /// In which the field of a parameter shows it.
     const Unit& fieldUnit(const Parameter& parameter) const;
+    /// In which values of that size (SI) are best read, or the one chosen for their kind.
+    const Unit& unitFor(UnitKind kind, double size) const;
+    /// A value (SI) in the unit for its own size: "200 µs", "57.3 kip".
+    QString text(double si, UnitKind kind, int digits = 3) const;
+    /// The same of a bound ≥ 0, never smaller than it is.
+    QString boundText(double si, UnitKind kind) const;
 
     /// All that is not chosen by kind follows, fields with a unit of their own too.
     void choose(UnitSystem system);
@@ -39,10 +44,8 @@ class UnitChoice : public QObject {
     void changed();
 
   private:
-    UnitChoice() { restore(); }
-
-    UnitSystem m_system = UnitSystem::si;
-    UnitSystem m_physical = UnitSystem::si;
+    UnitSystem m_system;
+    UnitSystem m_physical;
     ChosenUnits m_chosen;
     std::map<std::string_view, const Unit*> m_ofFields;  // by key of the parameter
 };

@@ -32,7 +32,6 @@
 #include "ui/result/alert_link.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/number_text.h"
-#include "ui/text/unit_choice.h"
 #include "ui/window/area_keys.h"
 #include "ui/window/blow_ghost.h"
 #include "ui/window/elsewhere_notice.h"
@@ -86,7 +85,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     : QMainWindow(parent),
       m_questions(std::move(questions)),
       m_job(std::move(job)),
-      m_units(new UnitsChoice(this)),
+      m_units(new UnitsChoice(m_document.units(), this)),
       m_report(new ReportWriter(m_document, *m_questions, this)),
       m_pages(new PageTabs(this)),
       m_solveStatus(new SolveStatus(this)),
@@ -113,7 +112,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     addCenter();
     addDocks();
     auto* blow = new BlowPage(m_observation);
-    blow->follow(m_measured);
+    blow->follow(m_measured, m_document.units());
     m_pages->add(blow, PageGroup::thisBlow);
     m_pages->add(new WavePicturePage(m_observation), PageGroup::thisBlow);
     m_pages->add(new RockPage(m_observation), PageGroup::thisBlow);
@@ -366,7 +365,8 @@ SolveRequest MainWindow::request() {
         pages.push_back(std::move(prepare));
     return {.scenario = m_document.scenario(),
             .units = m_units->of(m_document.scenario()),
-            .chosenUnits = UnitChoice::shared().chosen(),
+            .chosenUnits = m_document.units().chosen(),
+            .physicalUnits = m_document.units().physicalSystem(),
             .pages = std::move(pages),
             .number = ++m_asked};
 }

@@ -31,6 +31,7 @@ PinnedRuns::PinnedRuns(Document& document, Questions& questions, QWidget* window
       m_document(document),
       m_questions(questions),
       m_window(window),
+      m_runs(document.units()),
       m_solver(m_runs),
       m_keeper(document, m_runs),
       m_pinAction(new QAction(tr("&Pin this result"), this)),
@@ -55,7 +56,7 @@ PinnedRuns::PinnedRuns(Document& document, Questions& questions, QWidget* window
 }
 
 void PinnedRuns::addTo(PageTabs& pages) {
-    auto* compare = new ComparePage(m_runs);
+    auto* compare = new ComparePage(m_runs, m_document.units());
     pages.add(compare, PageGroup::runs);
     connect(compare, &ComparePage::revertRequested, this, &PinnedRuns::revertTo);
     for (int index = 0; index < pages.count(); ++index) {

@@ -27,9 +27,11 @@ QString shortName(UnitSystem system) {
 
 }  // namespace
 
-UnitsChoice::UnitsChoice(QWidget* window)
-    : QMenu(tr("&Units"), window), m_systems(new QActionGroup(this)), m_button(new UnitButton(window)) {
-    UnitChoice::shared().restore();
+UnitsChoice::UnitsChoice(UnitChoice& units, QWidget* window)
+    : QMenu(tr("&Units"), window),
+      m_units(units),
+      m_systems(new QActionGroup(this)),
+      m_button(new UnitButton(window)) {
     setToolTipsVisible(true);
     addSystem(UnitSystem::si, tr("&SI"), QKeySequence(Qt::CTRL | Qt::Key_I));
     addSystem(UnitSystem::us, tr("&US customary"), QKeySequence(Qt::CTRL | Qt::Key_U));
@@ -40,7 +42,7 @@ UnitsChoice::UnitsChoice(QWidget* window)
     m_button->setMenu(this);
     m_button->setFocusPolicy(Qt::TabFocus);
     m_button->setToolTip(tr("Units of fields, results and plots"));
-    connect(&UnitChoice::shared(), &UnitChoice::changed, this, &UnitsChoice::chosen);
+    connect(&m_units, &UnitChoice::changed, this, &UnitsChoice::chosen);
 }
 
 QAction* UnitsChoice::addSystem(UnitSystem system, const QString& text, const QKeySequence& keys) {
@@ -61,7 +63,7 @@ void UnitsChoice::addKind(const UnitKindRow& row) {
         action->setCheckable(true);
         action->setData(QVariant::fromValue(static_cast<const void*>(unit)));
         connect(action, &QAction::triggered, this,
-                [kind = row.kind, unit] { UnitChoice::shared().choose(kind, unit); });
+                [this, kind = row.kind, unit] { m_units.choose(kind, unit); });
         menu->addAction(action);
     };
     add(tr("as in the system chosen"), nullptr);
@@ -71,12 +73,11 @@ void UnitsChoice::addKind(const UnitKindRow& row) {
 }
 
 UnitSystem UnitsChoice::of(const Scenario& scenario) const {
-    return naturalUnits(scenario) == UnitSystem::dimensionless ? UnitSystem::dimensionless
-                                                               : UnitChoice::shared().system();
+    return naturalUnits(scenario) == UnitSystem::dimensionless ? UnitSystem::dimensionless : m_units.system();
 }
 
 void UnitsChoice::choose(UnitSystem units) {
-    UnitChoice::shared().choose(units);
+    m_units.choose(units);
 }
 
 void UnitsChoice::present(const Scenario& scenario) {
@@ -90,7 +91,7 @@ void UnitsChoice::present(const Scenario& scenario) {
                                : tr("This scenario is dimensionless: it has no physical values."));
         action->setChecked(action->data().toInt() == static_cast<int>(shown));
     }
-    const ChosenUnits& chosen = UnitChoice::shared().chosen();
+    const ChosenUnits& chosen = m_units.chosen();
     for (qsizetype i = 0; i < m_kinds.size(); ++i) {
         const auto own = chosen.find(unitKinds()[static_cast<std::size_t>(i)].kind);
         const void* unit = own == chosen.end() ? nullptr : own->second;

@@ -11,12 +11,15 @@ class QToolButton;
 
 namespace drillwave {
 
-/// Sets UnitChoice. What is wanted stays while a scenario has no physical units.
+class UnitChoice;
+
+/// Sets the units of a document. What is wanted stays while a scenario has no physical units.
 class UnitsChoice : public QMenu {
     Q_OBJECT
 
   public:
-    explicit UnitsChoice(QWidget* window);
+    /// The units must outlive the menu.
+    UnitsChoice(UnitChoice& units, QWidget* window);
 
     /// Shows the system chosen, and opens the menu.
     QToolButton* button() const { return m_button; }
@@ -33,6 +36,7 @@ class UnitsChoice : public QMenu {
     QAction* addSystem(UnitSystem system, const QString& text, const QKeySequence& keys);
     void addKind(const UnitKindRow& row);
 
+    UnitChoice& m_units;
     QActionGroup* m_systems;
     QList<QActionGroup*> m_kinds;  // as in unitKinds()
     QToolButton* m_button;

@@ -145,7 +145,7 @@ void TestReportWriter::unitsAndNumbersAreThoseOfTheWindow() {
     const QLocale before;
     const auto restore = qScopeGuard([&] {
         QLocale::setDefault(before);
-        UnitChoice::shared().choose(UnitSystem::si);
+        window().document().units().choose(UnitSystem::si);
     });
     const auto behindCells = [](const QString& page) {
         QStringList numbers;
@@ -156,7 +156,7 @@ void TestReportWriter::unitsAndNumbersAreThoseOfTheWindow() {
     };
     writeTo(path("plain.html"));
     if (us)
-        UnitChoice::shared().choose(UnitSystem::us);
+        window().document().units().choose(UnitSystem::us);
     else
         QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
     writeTo(path("own.html"));

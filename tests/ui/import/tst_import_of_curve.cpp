@@ -188,9 +188,10 @@ void TestImportOfCurve::theMeasuredRowFollowsTheUnits() {
     const auto& box = control<ChoiceBox>(*m_window, "measuredSignal");
     const QString before = place.text() + box.toolTip();
     QVERIFY2(place.text().endsWith(QStringLiteral("m")), qPrintable(place.text()));
-    UnitChoice::shared().choose(UnitSystem::us);
+    UnitChoice& units = m_window->document().units();
+    units.choose(UnitSystem::us);
     const QString after = place.text(), toolTip = box.toolTip();
-    UnitChoice::shared().choose(UnitSystem::si);
+    units.choose(UnitSystem::si);
     QVERIFY2(after.endsWith(QStringLiteral("ft")) || after.endsWith(QStringLiteral("in")), qPrintable(after));
     QVERIFY2(toolTip.contains(QStringLiteral("lbf")) || toolTip.contains(QStringLiteral("kip")),
              qPrintable(toolTip));

@@ -122,7 +122,7 @@ void TestRunOverlays::initTestCase() {
 void TestRunOverlays::init() {
     m_document = std::make_unique<Document>();
     m_document->startFrom(findExample("t38_medium_rock")->text, "example");
-    m_runs = std::make_unique<Runs>();
+    m_runs = std::make_unique<Runs>(m_document->units());
     pin("bit_rock.stiffness", 3e8);
     pin("pulse.impulse", 102);
 }

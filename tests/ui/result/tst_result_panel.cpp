@@ -475,6 +475,7 @@ class TestResultPanel : public QObject {
     }
 
     void alertsKeepTheirLabelsAndTheirRoom() {
+        const LocalStyle style(QLocale::c(), UnitSystem::si, {});
         AlertList list;
         list.setAttribute(Qt::WA_DontShowOnScreen);
         list.resize(200, 300);
@@ -483,19 +484,19 @@ class TestResultPanel : public QObject {
                             AlertCode::closedFormInvalid,
                             "tau",
                             {{"tau", 0.4}, {"closed_form_cor", 0.5}, {"difference", 0.1}}};
-        list.present({}, {warning, warning});
+        list.present({}, {warning, warning}, style);
         QCoreApplication::processEvents();
         const QList<QLabel*> labels = list.findChildren<QLabel*>();
         QCOMPARE(labels.size(), 2);
         QVERIFY(labels[0]->accessibleName().contains("tau = 0.4 < 0.5"));
         QVERIFY(labels[0]->text().contains("tau = 0.4 &lt; 0.5"));
         const int height = list.height();
-        list.present({}, {});
+        list.present({}, {}, style);
         QCOMPARE(list.findChildren<QLabel*>(), labels);
         QVERIFY(labels[1]->isHidden());
         QVERIFY(list.minimumHeight() >= height);  // what is below stands still
         QTRY_COMPARE(list.minimumHeight(), 0);    // until values rest
-        list.present(QStringLiteral("out of rock"), {});
+        list.present(QStringLiteral("out of rock"), {}, style);
         QCOMPARE(list.texts(), QStringList{"out of rock"});
     }
 };

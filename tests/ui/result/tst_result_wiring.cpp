@@ -42,7 +42,7 @@ class TestResultWiring : public QObject {
                           AlertCode::implausibleValue,
                           "bit_rock.gap",
                           {{"value", 1, Quantity::length}}};
-        part<ResultPanel>(window).alerts()->present({}, {alert});
+        part<ResultPanel>(window).alerts()->present({}, {alert}, m_style);
         QLabel* label = nullptr;
         for (QLabel* each : part<ResultPanel>(window).alerts()->findChildren<QLabel*>())
             if (each->text().contains("href=\"bit_rock.gap\"")) label = each;
@@ -66,7 +66,7 @@ class TestResultWiring : public QObject {
         QTRY_VERIFY(panel.visibleRegion().isEmpty());
         auto* link = window.findChild<AlertLink*>("alertLink");
         QVERIFY(link);
-        panel.alerts()->present({}, {});
+        panel.alerts()->present({}, {}, m_style);
         QVERIFY(link->isHidden());
         const Alert warning{AlertLevel::warning,
                             AlertCode::implausibleValue,
@@ -76,9 +76,9 @@ class TestResultWiring : public QObject {
                          AlertCode::implausibleValue,
                          "bit_rock.gap",
                          {{"value", 1, Quantity::length}}};
-        panel.alerts()->present({}, {note});
+        panel.alerts()->present({}, {note}, m_style);
         QCOMPARE(link->text(), QString("ℹ 1 note"));
-        panel.alerts()->present({}, {note, warning});
+        panel.alerts()->present({}, {note, warning}, m_style);
         QCOMPARE(link->text(), QString("⚠ 2 alerts"));
         QVERIFY(link->isVisibleTo(&window));
         for (const QString& text : panel.alerts()->texts())
@@ -88,7 +88,7 @@ class TestResultWiring : public QObject {
         const QLabel& first = *panel.alerts()->findChildren<QLabel*>().first();
         QTRY_VERIFY(!first.visibleRegion().isEmpty());
         QCOMPARE(window.focusWidget(), &first);
-        panel.alerts()->present("out of rock", {});
+        panel.alerts()->present("out of rock", {}, m_style);
         QCOMPARE(link->text(), QString("✖ not solved"));
     }
 
@@ -99,7 +99,7 @@ class TestResultWiring : public QObject {
         panel.show();
         auto* link = panel.findChild<AlertLink*>();
         QVERIFY(link);
-        panel.alerts()->present({}, {});
+        panel.alerts()->present({}, {}, m_style);
         QCOMPARE(link->text(), QString("✓ nothing unusual"));
         const QLabel& first = *panel.alerts()->findChildren<QLabel*>().first();
         QVERIFY(first.visibleRegion().isEmpty());
@@ -172,6 +172,7 @@ class TestResultWiring : public QObject {
 
   private:
     QTemporaryDir m_folder;
+    const LocalStyle m_style{QLocale::c(), UnitSystem::si, {}};
 };
 
 QTEST_MAIN(TestResultWiring)

@@ -141,8 +141,8 @@ class TestRuns : public QObject {
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<RunKeeper> m_keeper;
     std::unique_ptr<RunSolver> m_solver;
-    std::unique_ptr<Runs> m_runs;
     std::unique_ptr<Document> m_document;
+    std::unique_ptr<Runs> m_runs;
 };
 
 void TestRuns::initTestCase() {
@@ -152,11 +152,11 @@ void TestRuns::initTestCase() {
 void TestRuns::init() {
     m_keeper.reset();
     m_solver.reset();
-    m_runs = std::make_unique<Runs>();
     m_folder = std::make_unique<QTemporaryDir>();
     keepSettingsIn(m_folder->path());
-    UnitChoice::shared().restore();
+    m_runs.reset();
     m_document = std::make_unique<Document>();
+    m_runs = std::make_unique<Runs>(m_document->units());
     m_document->startFrom(findExample("t38_medium_rock")->text, "example");
     m_keeper = std::make_unique<RunKeeper>(*m_document, *m_runs);
 }
@@ -178,16 +178,17 @@ void TestRuns::aRunIsNamedByWhatChangedAgainstTheReference() {
 void TestRuns::namesFollowTheUnitsOfTheFields() {
     const Scenario before = m_document->scenario();
     set("rod.length", 12 * 0.3048);
-    UnitChoice::shared().chooseForField(*findParameter("rod.length"), *findUnit(Quantity::length, "ft"));
-    QCOMPARE(changeWords(before, m_document->scenario()), QString("L 12 ft"));
-    QCOMPARE(changeWords(before, before), QString());
+    UnitChoice& units = m_document->units();
+    units.chooseForField(*findParameter("rod.length"), *findUnit(Quantity::length, "ft"));
+    QCOMPARE(changeWords(before, m_document->scenario(), units), QString("L 12 ft"));
+    QCOMPARE(changeWords(before, before, units), QString());
     // A section as the file calls it, once for all of that name; of another form not every number.
     Document string;
     string.startFrom(findExample("t38_string")->text, "string");
     const Scenario usual = string.scenario();
     string.assign(*findParameter("string.coupling.diameter"), 0.039, 1);
-    QCOMPARE(changeWords(usual, string.scenario()), QString("coupling ⌀39 mm"));
-    QCOMPARE(changeWords(before, usual), QString("drill string"));
+    QCOMPARE(changeWords(usual, string.scenario(), units), QString("coupling ⌀39 mm"));
+    QCOMPARE(changeWords(before, usual, units), QString("drill string"));
 }
 
 void TestRuns::lettersAreGivenAnew() {
@@ -268,7 +269,7 @@ void TestRuns::keptRunsComeBackWithTheirFile() {
     QCOMPARE(kept(), QString());
 
     Document reopened;
-    Runs runs;
+    Runs runs(reopened.units());
     RunSolver solver(runs);
     RunKeeper keeper(reopened, runs);
     QSignalSpy failures(&keeper, &RunKeeper::failed);

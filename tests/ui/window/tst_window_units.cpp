@@ -30,6 +30,7 @@ class TestWindowUnits : public QObject, private WindowFixture {
     void aDimensionlessScenarioHasNoSi();
     void aNewScenarioCanBeDimensionless();
     void aChosenUnitIsKept();
+    void twoWindowsHaveUnitsOfTheirOwn();
 
   private:
     QString forceAxis();
@@ -81,8 +82,7 @@ void TestWindowUnits::usUnitsAreThoseOfFieldsResultsAndPlots() {
 }
 
 void TestWindowUnits::oneKindOfValueCanHaveAnotherUnit() {
-    UnitChoice& units = UnitChoice::shared();
-    units.choose(UnitKind::force, findUnit(Quantity::force, "lbf"));
+    window().document().units().choose(UnitKind::force, findUnit(Quantity::force, "lbf"));
     settle();
     QTRY_VERIFY(forceAxis().contains(QStringLiteral("[lbf]")));
     QCOMPARE(field("drill.thrust").unit().name, std::string_view("lbf"));
@@ -90,7 +90,7 @@ void TestWindowUnits::oneKindOfValueCanHaveAnotherUnit() {
     QVERIFY(window().close());
     makeWindow(exactSolve());
     QVERIFY(forceAxis().contains(QStringLiteral("[lbf]")));
-    units.choose(UnitKind::force, nullptr);
+    window().document().units().choose(UnitKind::force, nullptr);
     settle();
     QTRY_VERIFY(forceAxis().contains(QStringLiteral("[kN]")));
 }
@@ -102,12 +102,12 @@ void TestWindowUnits::aFieldKeepsItsOwnUnitUntilASystemIsChosen() {
     };
     chooseInField(QStringLiteral("cm"));
     QCOMPARE(field("rod.length").unit().name, std::string_view("cm"));
-    UnitChoice::shared().choose(UnitKind::force, findUnit(Quantity::force, "N"));
+    window().document().units().choose(UnitKind::force, findUnit(Quantity::force, "N"));
     QCOMPARE(field("rod.length").unit().name, std::string_view("cm"));
     part<UnitsChoice>(window()).choose(UnitSystem::si);
     QCOMPARE(field("rod.length").unit().name, std::string_view("m"));
     chooseInField(QStringLiteral("cm"));
-    UnitChoice::shared().choose(UnitKind::length, findUnit(Quantity::length, "ft"));
+    window().document().units().choose(UnitKind::length, findUnit(Quantity::length, "ft"));
     QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
     QVERIFY(!Settings().contains(QStringLiteral("units/rod.length")));
 }
@@ -147,6 +147,24 @@ void TestWindowUnits::aChosenUnitIsKept() {
     type(field("rod.length"), QStringLiteral("3 m"));
     makeWindow(exactSolve());
     QCOMPARE(field("rod.length").unit().name, std::string_view("m"));
+}
+
+void TestWindowUnits::twoWindowsHaveUnitsOfTheirOwn() {
+    ScriptedAnswers answers;
+    const auto other = newWindow(answers);
+    const SolvedBlowPtr before = other->shown();
+    const QString text = part<ResultPanel>(*other).text();
+    part<UnitsChoice>(window()).choose(UnitSystem::us);
+    settle();
+    QTRY_VERIFY(forceAxis().contains(QStringLiteral("[kip]")));
+    QCOMPARE(field("rod.length").unit().name, std::string_view("ft"));
+    // Nothing was asked there, and nothing is shown in another way.
+    QVERIFY(!part<SolveJob>(*other).isBusy());
+    QCOMPARE(other->shown().get(), before.get());
+    QCOMPARE(part<ResultPanel>(*other).text(), text);
+    const auto* length = part<ScenarioPanel>(*other).findChild<QuantityField*>(QStringLiteral("rod.length"));
+    QCOMPARE(length->unit().name, std::string_view("m"));
+    QCOMPARE(other->document().units().system(), UnitSystem::si);
 }
 
 QTEST_MAIN(TestWindowUnits)

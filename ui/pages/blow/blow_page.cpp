@@ -207,9 +207,9 @@ void BlowPage::setMeanings() {
     m_plot->setMeaning(m_plots->momentumGraph(), std::move(meanings.momentum));
 }
 
-void BlowPage::follow(MeasuredList& measured) {
+void BlowPage::follow(MeasuredList& measured, const UnitChoice& units) {
     m_measured = &measured;
-    m_measuredBar = new MeasuredBar(measured, this);
+    m_measuredBar = new MeasuredBar(measured, units, this);
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->insertWidget(column->indexOf(m_instant), m_measuredBar);
     connect(m_measuredBar, &MeasuredBar::placeChosen, this, &BlowPage::goToPlace);

@@ -15,6 +15,7 @@ class BlowPlots;
 class MeasuredBar;
 class MeasuredCurves;
 class MeasuredList;
+class UnitChoice;
 class PlaceField;
 
 class BlowPage : public PlotPage {
@@ -31,7 +32,7 @@ class BlowPage : public PlotPage {
     void setRuns(const RunListPtr& runs) override;
 
     /// Lays measured signals over the curves. Once; the list must outlive the page.
-    void follow(MeasuredList& measured);
+    void follow(MeasuredList& measured, const UnitChoice& units);
 
     BlowPlots* plots() const { return m_plots; }
     const MeasuredCurves* measuredCurves() const { return m_measuredCurves; }

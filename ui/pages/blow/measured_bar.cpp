@@ -10,7 +10,6 @@
 #include <algorithm>
 
 #include "ui/form/choice_box.h"
-#include "ui/form/pulse_preview.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/blow/measured_curves.h"
 #include "ui/pages/study/flow_layout.h"
@@ -38,9 +37,10 @@ QString listText(const MeasuredSignal& signal) {
 
 }  // namespace
 
-MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
+MeasuredBar::MeasuredBar(MeasuredList& list, const UnitChoice& units, QWidget* parent)
     : QWidget(parent),
       m_list(list),
+      m_units(units),
       m_style(PlotStyle::forScreen(palette(), font())),
       m_box(new ChoiceBox(this)),
       m_place(new QPushButton(this)),
@@ -91,7 +91,7 @@ MeasuredBar::MeasuredBar(MeasuredList& list, QWidget* parent)
     connect(m_align, &QPushButton::clicked, this, [this] { emit alignmentWanted(chosen()); });
     connect(m_remove, &QToolButton::clicked, this, [this] { m_list.remove(chosen()); });
     connect(&m_list, &MeasuredList::changed, this, &MeasuredBar::showList);
-    connect(&UnitChoice::shared(), &UnitChoice::changed, this, &MeasuredBar::showChosen);
+    connect(&units, &UnitChoice::changed, this, &MeasuredBar::showChosen);
     setComparable(true);
     showList();
 }
@@ -147,11 +147,11 @@ void MeasuredBar::showChosen() {
     const MeasuredSignal& signal = m_list.signalList()[chosen()];
     const bool hasPlace = signal.quantity == MeasuredQuantity::normalForce;
     m_place->setVisible(hasPlace);
-    if (hasPlace) m_place->setText(tr("at %1").arg(pulseText(signal.place, UnitKind::length)));
+    if (hasPlace) m_place->setText(tr("at %1").arg(m_units.text(signal.place, UnitKind::length)));
     m_shift->setValue(signal.timeShift);
     m_box->setToolTip(tr("%1 points; no sample of what is taken is further than %2 from them")
                           .arg(locale().toString(static_cast<qulonglong>(signal.points.size())),
-                               pulseBoundText(signal.deviation, UnitKind::force)));
+                               m_units.boundText(signal.deviation, UnitKind::force)));
 }
 
 }  // namespace drillwave

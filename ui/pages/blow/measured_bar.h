@@ -15,14 +15,15 @@ namespace drillwave {
 
 class ChoiceBox;
 class QuantityField;
+class UnitChoice;
 
 /// Hidden while there is none.
 class MeasuredBar : public QWidget {
     Q_OBJECT
 
   public:
-    /// The list must outlive it.
-    explicit MeasuredBar(MeasuredList& list, QWidget* parent = nullptr);
+    /// List and units must outlive it.
+    MeasuredBar(MeasuredList& list, const UnitChoice& units, QWidget* parent = nullptr);
 
     /// Names and colours as in the plots; `comparable` is whether they can be drawn there.
     void setStyle(const PlotStyle& style);
@@ -41,6 +42,7 @@ class MeasuredBar : public QWidget {
     int indexOfNew() const;
 
     MeasuredList& m_list;
+    const UnitChoice& m_units;
     std::vector<std::string> m_names;  // in the list on show
     int m_gesture = 1;                 // of the shifts that are one step
     PlotStyle m_style;

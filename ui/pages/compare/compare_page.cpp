@@ -25,9 +25,10 @@ constexpr int leastLetters = 8;    // of a line in a header
 
 }  // namespace
 
-ComparePage::ComparePage(Runs& runs, QWidget* parent)
+ComparePage::ComparePage(Runs& runs, const UnitChoice& units, QWidget* parent)
     : Page(parent),
       m_runs(runs),
+      m_units(units),
       m_layers(new QStackedLayout(this)),
       m_empty(new QLabel(this)),
       m_view(new QTableView(this)),
@@ -142,8 +143,8 @@ void ComparePage::present() {
         columns.push_back({run.title(), &run.contents.scenario, run.blow.get()});
         icons << runIcon(run.number, palette(), lineSize);
     }
-    m_model->present(compareTable(columns, reference, m_now->request.units, m_now->request.chosenUnits),
-                     icons);
+    m_model->present(
+        compareTable(columns, reference, m_now->request.units, m_now->request.chosenUnits, m_units), icons);
     fit();
     chooseAgain();
     choose();

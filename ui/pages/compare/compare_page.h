@@ -20,8 +20,8 @@ class ComparePage : public Page {
     Q_OBJECT
 
   public:
-    /// The runs must outlive the page.
-    explicit ComparePage(Runs& runs, QWidget* parent = nullptr);
+    /// Runs and units must outlive the page.
+    ComparePage(Runs& runs, const UnitChoice& units, QWidget* parent = nullptr);
 
     QString title() const override;
     /// Runs of any form side by side.
@@ -57,6 +57,7 @@ class ComparePage : public Page {
     QString obstacle() const;
 
     Runs& m_runs;
+    const UnitChoice& m_units;
     SolvedBlowPtr m_now;
     bool m_current = true;
     QStackedLayout* m_layers;

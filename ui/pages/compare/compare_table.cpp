@@ -66,11 +66,11 @@ QString nameIn(const Parameter& parameter, const std::vector<const Scenario*>& s
     return parameterName(parameter);
 }
 
-void addParameters(CompareTable& table, const Columns& columns) {
+void addParameters(CompareTable& table, const Columns& columns, const UnitChoice& fields) {
     std::vector<const Scenario*> scenarios;
     for (const CompareColumn& each : columns) scenarios.push_back(each.scenario);
     for (const Parameter* parameter : differingParameters(scenarios)) {
-        const Unit& unit = UnitChoice::shared().fieldUnit(*parameter);
+        const Unit& unit = fields.fieldUnit(*parameter);
         CompareRow row{.kind = CompareRow::Kind::parameter,
                        .name = nameIn(*parameter, scenarios),
                        .unit = shownUnitName(unit.name),
@@ -151,13 +151,13 @@ std::optional<double> CompareRow::relative(std::size_t column, std::size_t refer
 }
 
 CompareTable compareTable(const Columns& columns, std::size_t reference, UnitSystem units,
-                          const ChosenUnits& chosen) {
+                          const ChosenUnits& chosen, const UnitChoice& fields) {
     CompareTable table;
     table.reference = reference;
     for (const CompareColumn& each : columns) table.titles << each.title;
     table.rows.push_back(heading(tr("what differs")));
     addBlow(table, columns);
-    addParameters(table, columns);
+    addParameters(table, columns, fields);
     if (table.rows.size() == 1) table.rows.front().name = tr("nothing differs");
     table.rows.push_back(heading(tr("results")));
     addResults(table, columns, units, chosen);

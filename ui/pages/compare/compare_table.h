@@ -11,6 +11,8 @@
 
 namespace drillwave {
 
+class UnitChoice;
+
 /// What stands side by side.
 struct CompareColumn {
     QString title;             ///< "now", "A  k 300 MN/m"
@@ -43,9 +45,9 @@ struct CompareTable {
 };
 
 /// All results that at least one of the columns has, but for numerical errors. `units` and `chosen` are those
-/// on show; their prefixes follow the first column that is solved.
+/// on show; their prefixes follow the first column that is solved. `fields` has those of parameters.
 CompareTable compareTable(const std::vector<CompareColumn>& columns, std::size_t reference, UnitSystem units,
-                          const ChosenUnits& chosen);
+                          const ChosenUnits& chosen, const UnitChoice& fields);
 
 /// The table with all digits: name, unit, the columns, and for each but the reference its difference and its
 /// relative difference in percent; empty without columns. RFC 4180 with ',', or with a tab for spreadsheets.

@@ -16,7 +16,6 @@
 #include "ui/pages/study/output_box.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -54,13 +53,13 @@ CurvePage::CurvePage(Document& document, QWidget* parent)
     watchBeside(m_runLines.activity());
     useFrame(*m_plot, tr("A result over a parameter"));
     connect(plot, &PlotWidget::clicked, this, &CurvePage::click);
-    connect(&UnitChoice::shared(), &UnitChoice::changed, this, &CurvePage::askSoon);
+    connect(&document.units(), &UnitChoice::changed, this, &CurvePage::askSoon);
     connect(&document, &Document::scenarioChanged, this, &CurvePage::followForm);
 }
 
 QList<QWidget*> CurvePage::makeControls() {
-    m_axis = new AxisFields(tr("vary"), {"bit_rock.stiffness", "beta"}, this);
-    m_family = new FamilyFields(tr("family"), preferredFamilies(), this);
+    m_axis = new AxisFields(tr("vary"), {"bit_rock.stiffness", "beta"}, document().units(), this);
+    m_family = new FamilyFields(tr("family"), preferredFamilies(), document().units(), this);
     m_own = new QCheckBox(tr("this scenario"), this);
     m_own->setObjectName(QStringLiteral("own"));
     m_own->setToolTip(tr("A curve for the value of the family that the scenario has, too"));
@@ -155,8 +154,7 @@ StudyFamily CurvePage::askedFamily() const {
 CurvePage::Wish CurvePage::wish() const {
     const StudyRange& range = m_axis->range();
     if (!range.parameter) return {};
-    const bool isPhysical =
-        hasUnits(scenario()) && UnitChoice::shared().system() != UnitSystem::dimensionless;
+    const bool isPhysical = hasUnits(scenario()) && document().units().system() != UnitSystem::dimensionless;
     CurvePageQuestion asked;
     CurveQuestion& curve = asked.curve;
     curve.base = scenario();
@@ -208,7 +206,7 @@ CurvePage::Shown CurvePage::wanted() const {
     shown.units = hasUnits(asked.base)
                       ? shownUnits(blow()->request.units, scales, blow()->request.chosenUnits)
                       : shownUnits(naturalUnits(asked.base), scales);
-    shown.xUnit = &UnitChoice::shared().fieldUnit(*asked.along.parameter);
+    shown.xUnit = &document().units().fieldUnit(*asked.along.parameter);
     if (asked.family) shown.here = hereOf(asked.family->parameter);
     for (const PresetSource& source : m_presets.sources())
         shown.presets.insert(shown.presets.end(), source.presets.begin(), source.presets.end());

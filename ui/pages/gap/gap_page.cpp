@@ -36,7 +36,7 @@ Scenario withoutGap(const Run& run) {
 GapPage::GapPage(Document& document, QWidget* parent)
     : StudyPage(document, parent),
       m_output(outputBox()),
-      m_scatter(new ScatterFields(this)),
+      m_scatter(new ScatterFields(document.units(), this)),
       m_study(&answer),
       m_runGaps(runGap) {
     PlotWidget* plot = arrange(QList<QWidget*>{m_output, m_scatter} + m_scatter->fields());

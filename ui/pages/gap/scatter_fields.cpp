@@ -5,11 +5,11 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "ui/form/choice_box.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/gap/gap_study.h"
-#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -39,8 +39,9 @@ QWidget* newBox(QWidget* parent) {
 
 }  // namespace
 
-ScatterFields::ScatterFields(QWidget* parent)
+ScatterFields::ScatterFields(const UnitChoice& units, QWidget* parent)
     : QWidget(parent),
+      m_units(units),
       m_choice(new ChoiceBox(this)),
       m_meanBox(newBox(parent)),
       m_deviationBox(newBox(parent)) {
@@ -107,11 +108,8 @@ void ScatterFields::addFields() {
 QuantityField* ScatterFields::addField(QWidget* box, const QString& words, const char* name,
                                        double ScatterFields::*value) {
     const Quantity quantity = quantityOf(m_scenario);
-    UnitChoice& units = UnitChoice::shared();
-    const Parameter& gap = *findParameter("bit_rock.gap");
-    auto* field = new QuantityField(quantity, isDimensional() ? units.fieldUnit(gap) : unitOf(quantity), box);
-    if (isDimensional())
-        connect(&units, &UnitChoice::changed, field, [&, field] { field->setUnit(units.fieldUnit(gap)); });
+    auto* field = isDimensional() ? new QuantityField(*findParameter("bit_rock.gap"), m_units, box)
+                                  : new QuantityField(quantity, unitOf(quantity), box);
     field->setObjectName(QString::fromLatin1(name));
     field->setAccessibleName(tr("%1 of the gap").arg(words));
     field->setStepAtZero(0.01 * m_d0);

@@ -12,13 +12,15 @@ namespace drillwave {
 
 class ChoiceBox;
 class QuantityField;
+class UnitChoice;
 
 /// Gaps are lengths where the scenario has units, and multiples of d0 where it has none.
 class ScatterFields : public QWidget {
     Q_OBJECT
 
   public:
-    explicit ScatterFields(QWidget* parent);
+    /// The units must outlive it.
+    ScatterFields(const UnitChoice& units, QWidget* parent);
 
     /// The fields of mean and deviation, beside this, shown where they say something: siblings of it, so that
     /// a row of controls can wrap between them.
@@ -45,6 +47,7 @@ class ScatterFields : public QWidget {
     bool isScattered() const;
     bool isDimensional() const { return m_scenario.form == ScenarioForm::dimensional; }
 
+    const UnitChoice& m_units;
     Scenario m_scenario;
     double m_d0 = 1;         // in the units of the fields: m, or 1
     double m_mean = 0;       // m, or d0

@@ -42,8 +42,8 @@ StudyRange wholeElasticity(const Parameter& gamma) {
 
 MapPage::MapPage(Document& document, QWidget* parent)
     : StudyPage(document, parent),
-      m_x(new AxisFields(tr("x"), {"bit_rock.stiffness", "beta"}, this)),
-      m_y(new AxisFields(tr("y"), {"bit_rock.gamma", "delta"}, this)),
+      m_x(new AxisFields(tr("x"), {"bit_rock.stiffness", "beta"}, document.units(), this)),
+      m_y(new AxisFields(tr("y"), {"bit_rock.gamma", "delta"}, document.units(), this)),
       m_output(new OutputBox(this)),
       m_points(pointsBox()),
       m_levels(new LevelField(this)),

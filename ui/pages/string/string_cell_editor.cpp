@@ -8,7 +8,6 @@
 #include "ui/form/quantity_field.h"
 #include "ui/pages/string/string_model.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -42,8 +41,7 @@ QWidget* StringCellEditor::createEditor(QWidget* parent, const QStyleOptionViewI
 QWidget* StringCellEditor::newField(QWidget* parent, const QModelIndex& index) const {
     const Parameter& parameter = *m_model.parameterAt(index);
     const std::string ofColumn = "string.1." + std::string(parameter.address->field->key);
-    auto* field = new QuantityField(parameter.quantity,
-                                    UnitChoice::shared().fieldUnit(*findParameter(ofColumn)), parent);
+    auto* field = new QuantityField(*findParameter(ofColumn), m_document.units(), parent);
     field->setFrame(false);
     field->setButtonSymbols(QAbstractSpinBox::NoButtons);
     field->setAccessibleName(fromView(parameter.label));

@@ -24,13 +24,6 @@ constexpr double leastHeight = 70;  // of the thickest section [px]
 constexpr double mostHeight = 190;  // likewise
 constexpr double reach = 4;         // of a click beside a section that is thinner than the pointer [px]
 
-const Unit& lengthUnit() {
-    const ChosenUnits& chosen = UnitChoice::shared().chosen();
-    const auto found = chosen.find(UnitKind::length);
-    return found != chosen.end() ? *found->second
-                                 : handyUnit(UnitKind::length, 1, UnitChoice::shared().physicalSystem());
-}
-
 // 1, 2 or 5 times a power of ten, about a seventh of the whole.
 double tickStep(double whole) {
     const double decade = std::pow(10, std::floor(std::log10(whole / 7)));
@@ -41,7 +34,8 @@ double tickStep(double whole) {
 
 }  // namespace
 
-StringDrawing::StringDrawing(const StringModel& model, QWidget* parent) : QWidget(parent), m_model(model) {
+StringDrawing::StringDrawing(const StringModel& model, const UnitChoice& units, QWidget* parent)
+    : QWidget(parent), m_model(model), m_units(units) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -243,7 +237,7 @@ void StringDrawing::drawMarks(QPainter& painter) const {
 
 void StringDrawing::drawRuler(QPainter& painter) const {
     const QRectF whole = area();
-    const Unit& unit = lengthUnit();
+    const Unit& unit = m_units.unitFor(UnitKind::length, 1);
     const double length = unit.fromSi(totalLength());
     if (!(length > 0)) return;
     const double y = whole.bottom() + 9;

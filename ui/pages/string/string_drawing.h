@@ -17,8 +17,8 @@ class StringDrawing : public QWidget {
     Q_OBJECT
 
   public:
-    /// The model must outlive it.
-    explicit StringDrawing(const StringModel& model, QWidget* parent = nullptr);
+    /// Model and units must outlive it.
+    StringDrawing(const StringModel& model, const UnitChoice& units, QWidget* parent = nullptr);
 
     /// The row whose sections are marked; −1 for none.
     void setRow(int row);
@@ -59,6 +59,7 @@ class StringDrawing : public QWidget {
     void choose(int row);
 
     const StringModel& m_model;
+    const UnitChoice& m_units;
     int m_row = -1;
 };
 

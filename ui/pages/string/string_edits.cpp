@@ -14,17 +14,11 @@
 #include "core/yaml/scenario_file.h"
 #include "ui/text/field_text.h"
 #include "ui/text/typed_text.h"
-#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
 
 constexpr int usualRepeat = 2;
-
-QString sizeText(double si) {
-    const Unit& unit = UnitChoice::shared().fieldUnit(*findParameter("string.1.diameter"));
-    return fieldText(si, Quantity::length, unit, QLocale());
-}
 
 // Where such a piece stands in every string.
 std::optional<StringEnd> endOf(SectionPresetKind kind) {
@@ -41,8 +35,9 @@ std::optional<StringEnd> endOf(std::string_view name) {
 }
 
 // "rod, 3660 × 39/14.5 mm".
-QString describe(const Section& section) {
-    const Unit& unit = UnitChoice::shared().fieldUnit(*findParameter("string.1.diameter"));
+QString describe(const Section& section, const UnitChoice& units) {
+    const Unit& unit = units.fieldUnit(*findParameter("string.1.diameter"));
+    const auto sizeText = [&](double si) { return fieldText(si, Quantity::length, unit, QLocale()); };
     QString size = sizeText(section.length) + QStringLiteral(" × ") + sizeText(section.diameter);
     if (section.bore > 0) size += QLatin1Char('/') + sizeText(section.bore);
     const QString name =
@@ -173,7 +168,8 @@ void StringEdits::addExamples() {
         QMenu* menu = m_addMenu->addMenu(QString::fromStdString(example.title));
         for (const StringRow& row :
              stringRows(parseScenario(example.text, example.name).scenario.drillString))
-            addChoice(*menu, describe(row.section), {}, adding({row.section}, endOf(row.section.name)));
+            addChoice(*menu, describe(row.section, m_document.units()), {},
+                      adding({row.section}, endOf(row.section.name)));
     }
 }
 

@@ -11,7 +11,6 @@
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
-#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -58,8 +57,8 @@ bool isOfStringAlone(int column) {
 }
 
 /// One unit for all rows of a column: that of the first section's field.
-const Unit& columnUnit(int column) {
-    return UnitChoice::shared().fieldUnit(*findParameter("string.1." + std::string(fieldKey(column))));
+const Unit& columnUnit(std::string_view field, const UnitChoice& units) {
+    return units.fieldUnit(*findParameter("string.1." + std::string(field)));
 }
 
 // The label of the parameter, in two lines where it is long.
@@ -79,7 +78,7 @@ QString withUnit(const QString& words, const QString& unit) {
 StringModel::StringModel(Document& document, QObject* parent)
     : QAbstractTableModel(parent), m_document(document) {
     connect(&document, &Document::scenarioChanged, this, &StringModel::follow);
-    connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
+    connect(&document.units(), &UnitChoice::changed, this, [this] {
         emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
         if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
     });
@@ -189,8 +188,7 @@ QString StringModel::numberCell(const StringRow& /*row*/, const Parameter& param
     // Most sections have none of these.
     const bool isUsual = *si == 0 && (field == "loss" || field == "mass_after" || field == "attenuation");
     if (isUsual) return none;
-    const Unit& unit = UnitChoice::shared().fieldUnit(*findParameter("string.1." + std::string(field)));
-    return fieldText(*si, parameter.quantity, unit, QLocale());
+    return fieldText(*si, parameter.quantity, columnUnit(field, m_document.units()), QLocale());
 }
 
 // A bracket over the rows of the repeat, with its number at the first.
@@ -292,7 +290,8 @@ QVariant StringModel::headerData(int section, Qt::Orientation orientation, int r
         default:
             break;
     }
-    return withUnit(columnTitle(section), shownUnitName(columnUnit(section).name));
+    return withUnit(columnTitle(section),
+                    shownUnitName(columnUnit(fieldKey(section), m_document.units()).name));
 }
 
 bool StringModel::setData(const QModelIndex& index, const QVariant& value, int role) {

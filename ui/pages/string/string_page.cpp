@@ -30,7 +30,7 @@ StringPage::StringPage(Document& document, QWidget* parent)
     : Page(parent),
       m_document(document),
       m_model(new StringModel(document, this)),
-      m_drawing(new StringDrawing(*m_model, this)),
+      m_drawing(new StringDrawing(*m_model, document.units(), this)),
       m_table(new QTableView(this)),
       m_words(new QLabel(this)) {
     fillTable();

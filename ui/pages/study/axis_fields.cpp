@@ -13,7 +13,6 @@
 #include "ui/form/quantity_field.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/pages/study/parameter_names.h"
-#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -27,10 +26,12 @@ QHBoxLayout* rowIn(QWidget& part) {
 
 }  // namespace
 
-AxisFields::AxisFields(const QString& words, std::vector<std::string_view> preferred, QWidget* parent)
+AxisFields::AxisFields(const QString& words, std::vector<std::string_view> preferred, const UnitChoice& units,
+                       QWidget* parent)
     : QWidget(parent),
       m_preferred(std::move(preferred)),
       m_words(words),
+      m_units(units),
       m_parameters(new ChoiceBox(this)),
       m_startPart(new QWidget(this)),
       m_stopPart(new QWidget(this)),
@@ -122,10 +123,7 @@ QuantityField* AxisFields::addField(QWidget& part, const QString& words, const Q
     const Parameter& parameter = *m_range.parameter;
     auto* row = new QWidget(&part);
     QHBoxLayout* layout = rowIn(*row);
-    UnitChoice& units = UnitChoice::shared();
-    auto* field = new QuantityField(parameter.quantity, units.fieldUnit(parameter), row);
-    connect(&units, &UnitChoice::changed, field,
-            [field, &units, &parameter] { field->setUnit(units.fieldUnit(parameter)); });
+    auto* field = new QuantityField(parameter, m_units, row);
     field->setObjectName(name);
     field->setAccessibleName(QStringLiteral("%1: %2 %3").arg(m_words, parameterName(parameter), words));
     field->setTaker([this, end](double si) { return take(end, si); });

@@ -14,6 +14,7 @@ namespace drillwave {
 
 class ChoiceBox;
 class QuantityField;
+class UnitChoice;
 
 /// A box of the parameters that apply to the scenario, fields for both ends, and linear or logarithmic. Text
 /// that is no value, and ends that are equal, stay in the fields, marked, and change nothing.
@@ -22,8 +23,9 @@ class AxisFields : public QWidget {
 
   public:
     /// `words` stand in front ("vary"). Of `preferred`, keys of parameters, the first that applies to a
-    /// scenario is chosen until the user chooses.
-    AxisFields(const QString& words, std::vector<std::string_view> preferred, QWidget* parent = nullptr);
+    /// scenario is chosen until the user chooses. The units must outlive it.
+    AxisFields(const QString& words, std::vector<std::string_view> preferred, const UnitChoice& units,
+               QWidget* parent = nullptr);
 
     /// Offers what applies to the scenario; takes a first choice, with a range around its value, or another
     /// one where the last does not apply any more. Tells changed() where the range has changed.
@@ -49,6 +51,7 @@ class AxisFields : public QWidget {
 
     std::vector<std::string_view> m_preferred;
     QString m_words;
+    const UnitChoice& m_units;
     Scenario m_scenario;
     StudyRange m_range;
     ChoiceBox* m_parameters;

@@ -24,9 +24,11 @@ QStringList items(const QString& text, const QLocale& locale) {
 
 }  // namespace
 
-FamilyFields::FamilyFields(const QString& words, std::vector<StudyFamily> preferred, QWidget* parent)
+FamilyFields::FamilyFields(const QString& words, std::vector<StudyFamily> preferred, const UnitChoice& units,
+                           QWidget* parent)
     : QWidget(parent),
       m_preferred(std::move(preferred)),
+      m_units(units),
       m_parameters(new ChoiceBox(this)),
       m_values(new QLineEdit(this)) {
     auto* label = new QLabel(words, this);
@@ -44,7 +46,7 @@ FamilyFields::FamilyFields(const QString& words, std::vector<StudyFamily> prefer
     layout->addWidget(label);
     layout->addWidget(m_parameters);
     layout->addWidget(m_values);
-    connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
+    connect(&units, &UnitChoice::changed, this, [this] {
         if (m_problem.isEmpty()) showValues();
     });
     connect(m_parameters, &QComboBox::currentIndexChanged, this, &FamilyFields::choose);
@@ -84,10 +86,9 @@ void FamilyFields::showValues() {
     QStringList texts;
     if (m_family.parameter)
         for (const double si : m_family.values)
-            texts << localText(
-                QString::fromStdString(formatQuantity(si, m_family.parameter->quantity,
-                                                      UnitChoice::shared().fieldUnit(*m_family.parameter))),
-                locale());
+            texts << localText(QString::fromStdString(formatQuantity(si, m_family.parameter->quantity,
+                                                                     m_units.fieldUnit(*m_family.parameter))),
+                               locale());
     m_values->setText(texts.join(QStringLiteral("; ")));
     m_problem.clear();
 }
@@ -98,9 +99,8 @@ void FamilyFields::read() {
     for (const QString& item : items(m_values->text(), locale())) {
         const PlainText plain = plainText(item.trimmed(), locale());
         const Parameter& parameter = *family.parameter;
-        const TypedQuantity typed =
-            parseQuantity(plain.text.toStdString(), parameter.quantity, BareNumber::inDefaultUnit,
-                          &UnitChoice::shared().fieldUnit(parameter));
+        const TypedQuantity typed = parseQuantity(plain.text.toStdString(), parameter.quantity,
+                                                  BareNumber::inDefaultUnit, &m_units.fieldUnit(parameter));
         if (!plain.problem.isEmpty())
             m_problem = plain.problem;
         else if (!typed.valid())

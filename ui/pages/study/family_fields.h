@@ -12,6 +12,7 @@ class QLineEdit;
 namespace drillwave {
 
 class ChoiceBox;
+class UnitChoice;
 
 /// A box with the parameters that apply, or none, and a line for values, "0.01; 0.1; 1" or "3 m; 12 ft". Text
 /// that is no list of values stays, marked with the reason, and changes nothing.
@@ -22,8 +23,9 @@ class FamilyFields : public QWidget {
     /// Most values, so that curves can still be told apart.
     static constexpr std::size_t mostValues = 12;
 
-    /// Begins with these values of the first of these keys that applies; in SI.
-    FamilyFields(const QString& words, std::vector<StudyFamily> preferred, QWidget* parent = nullptr);
+    /// Begins with these values of the first of these keys that applies; in SI. The units must outlive it.
+    FamilyFields(const QString& words, std::vector<StudyFamily> preferred, const UnitChoice& units,
+                 QWidget* parent = nullptr);
 
     /// Offers what applies to the scenario. Tells changed() where the family has changed.
     void present(const Scenario& scenario);
@@ -42,6 +44,7 @@ class FamilyFields : public QWidget {
     void showValues();
 
     std::vector<StudyFamily> m_preferred;
+    const UnitChoice& m_units;
     Scenario m_scenario;
     StudyFamily m_family;
     bool m_chosen = false;  // the user's, or the first

@@ -18,7 +18,6 @@
 #include "ui/plot/plot_widget.h"
 #include "ui/text/local_style.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/unit_choice.h"
 
 namespace drillwave {
 namespace {
@@ -39,7 +38,7 @@ double readable(double value, const QCPAxis& axis, double pixel) {
 
 ThrustPage::ThrustPage(Document& document, QWidget* parent)
     : StudyPage(document, parent),
-      m_axis(new AxisFields(tr("over"), {"drill.blow_frequency"}, this)),
+      m_axis(new AxisFields(tr("over"), {"drill.blow_frequency"}, document.units(), this)),
       m_missing(new MissingFields({"drill.blow_frequency", thrustKey}, this)),
       m_table(new ThrustTable(this)),
       m_study([student = std::make_shared<ThrustStudent>()](const ThrustQuestion& question,
@@ -60,7 +59,7 @@ ThrustPage::ThrustPage(Document& document, QWidget* parent)
             [this](const QCPAxisRect*, QPointF at, Qt::KeyboardModifiers modifiers) {
                 takeParameter(at.x(), modifiers);
             });
-    connect(&UnitChoice::shared(), &UnitChoice::changed, this, [this] {
+    connect(&document.units(), &UnitChoice::changed, this, [this] {
         if (isVisible()) present();
     });
     connect(m_drag, &ThrustDrag::begun, this, &ThrustPage::hold);
@@ -84,7 +83,7 @@ void ThrustPage::present() {
     if (!answer->problem.empty())
         return refuse(QString::fromStdString(feedDecisionText(decideFeed(answer->scenario, {}))));
     if (!answer->here.reason.empty()) return refuse(QString::fromStdString(answer->here.reason));
-    const UnitChoice& choice = UnitChoice::shared();
+    const UnitChoice& choice = document().units();
     const ThrustUnits units =
         thrustUnits(answer->scenario, choice.fieldUnit(*answer->along.axis.parameter),
                     shownUnits(choice.physicalSystem(), scalesOf(answer->scenario), choice.chosen()));
@@ -122,8 +121,9 @@ void ThrustPage::draw(const ThrustAnswer& answer) {
     }
     m_table->present(answer.here.needs, m_units);
     QStringList words;
-    for (const std::string& sentence : verdictSentences(
-             {answer.scenario, answer.here.needs, answer.here.verdict, {}}, LocalStyle::present()))
+    for (const std::string& sentence :
+         verdictSentences({answer.scenario, answer.here.needs, answer.here.verdict, {}},
+                          LocalStyle::of(document().units())))
         words << QString::fromStdString(sentence);
     say(words.join(QLatin1Char(' ')));
     redraw();

@@ -91,7 +91,8 @@ void TestBlowPage::inOtherUnitsAMeasuredCurveIsFittedLikeTheRest() {
     signal.quantity = MeasuredQuantity::normalForce;
     signal.points = TablePoints{{0, 0}, {1e-3, -400e3}, {2e-3, 300e3}};
     measured.add(signal);
-    m_page->follow(measured);
+    const UnitChoice units;
+    m_page->follow(measured, units);
     const auto largest = [&] {
         const QCPRange range = m_page->plot()->axisRect(0)->axis(QCPAxis::atLeft)->range();
         return std::max(range.upper, -range.lower);

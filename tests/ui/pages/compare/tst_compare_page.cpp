@@ -90,14 +90,13 @@ void TestComparePage::initTestCase() {
 }
 
 void TestComparePage::init() {
-    UnitChoice::shared().restore();
     m_page.reset();
     m_solver.reset();
     m_document = std::make_unique<Document>();
     m_document->startFrom(findExample("t38_medium_rock")->text, "example");
-    m_runs = std::make_unique<Runs>();
+    m_runs = std::make_unique<Runs>(m_document->units());
     m_solver = std::make_unique<RunSolver>(*m_runs);
-    m_page = std::make_unique<ComparePage>(*m_runs);
+    m_page = std::make_unique<ComparePage>(*m_runs, m_document->units());
 }
 
 void TestComparePage::pin(const char* key, double si) {

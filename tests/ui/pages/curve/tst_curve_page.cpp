@@ -476,8 +476,8 @@ void TestCurvePage::otherUnitsAreShownWithoutAnotherStudy() {
     const CurvePicture& picture = m_page->curvePlot()->picture();
     QCOMPARE(picture.value.unit, QString("kN"));
     const double before = graphOf(0.1)->data()->at(10)->value;
-    const auto restore = qScopeGuard([] { UnitChoice::shared().choose(UnitSystem::si); });
-    UnitChoice::shared().choose(UnitSystem::us);
+    const auto restore = qScopeGuard([this] { m_document->units().choose(UnitSystem::si); });
+    m_document->units().choose(UnitSystem::us);
     m_page->setResult(solved(*m_document, UnitSystem::us));
     QCOMPARE(m_page->study().started(), 2);
     QVERIFY2(picture.value.unit.startsWith("klbf") || picture.value.unit.startsWith("kip") ||

@@ -3,15 +3,18 @@
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/study/rows/sweep_axis.h"
+#include "tests/support/window.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/family_fields.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
+#include "ui/text/unit_choice.h"
 
 using namespace drillwave;
 
@@ -19,7 +22,11 @@ class TestStudyControls : public QObject {
     Q_OBJECT
 
   private slots:
-    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void initTestCase() {
+        QLocale::setDefault(QLocale::c());
+        test::keepSettingsIn(m_folder.path());
+        m_units = std::make_unique<UnitChoice>();
+    }
     void everyRangeAroundAValueCanBeVaried_data();
     void everyRangeAroundAValueCanBeVaried();
     void aRangeReadsBackAsTheSameDoubles();
@@ -30,6 +37,10 @@ class TestStudyControls : public QObject {
     void wrongFamiliesAreMarkedAndChangeNothing();
     void resultsAreThoseThatTheScenarioHas();
     void aNarrowRowWraps();
+
+  private:
+    QTemporaryDir m_folder;
+    std::unique_ptr<UnitChoice> m_units;  // once settings have their place
 };
 
 void TestStudyControls::everyRangeAroundAValueCanBeVaried_data() {
@@ -68,7 +79,7 @@ void TestStudyControls::aRangeReadsBackAsTheSameDoubles() {
 }
 
 void TestStudyControls::theFirstThatAppliesIsChosen() {
-    AxisFields axis(QStringLiteral("vary"), {"bit_rock.stiffness", "beta"});
+    AxisFields axis(QStringLiteral("vary"), {"bit_rock.stiffness", "beta"}, *m_units);
     const QSignalSpy changed(&axis, &AxisFields::changed);
     Scenario scenario;
     axis.present(scenario);
@@ -89,7 +100,7 @@ void TestStudyControls::theFirstThatAppliesIsChosen() {
 }
 
 void TestStudyControls::anotherParameterHasFieldsOfItsOwn() {
-    AxisFields axis(QStringLiteral("vary"), {"beta"});
+    AxisFields axis(QStringLiteral("vary"), {"beta"}, *m_units);
     axis.present(Scenario());
     auto* box = axis.findChild<QComboBox*>(QStringLiteral("parameter"));
     box->setCurrentIndex(box->findData(QStringLiteral("rod.length")));
@@ -101,7 +112,7 @@ void TestStudyControls::anotherParameterHasFieldsOfItsOwn() {
 }
 
 void TestStudyControls::endsThatCannotBeAreMarkedAndChangeNothing() {
-    AxisFields axis(QStringLiteral("vary"), {"gamma"});
+    AxisFields axis(QStringLiteral("vary"), {"gamma"}, *m_units);
     axis.present(Scenario());
     const StudyRange before = axis.range();
     const QSignalSpy changed(&axis, &AxisFields::changed);
@@ -116,7 +127,7 @@ void TestStudyControls::endsThatCannotBeAreMarkedAndChangeNothing() {
 }
 
 void TestStudyControls::aFamilyIsReadFromText() {
-    FamilyFields fields(QStringLiteral("family"), {{findParameter("gamma"), {0.1, 1}}});
+    FamilyFields fields(QStringLiteral("family"), {{findParameter("gamma"), {0.1, 1}}}, *m_units);
     fields.present(Scenario());
     QCOMPARE(fields.family().values, (std::vector<double>{0.1, 1}));
     const QSignalSpy changed(&fields, &FamilyFields::changed);
@@ -133,7 +144,7 @@ void TestStudyControls::aFamilyIsReadFromText() {
 }
 
 void TestStudyControls::wrongFamiliesAreMarkedAndChangeNothing() {
-    FamilyFields fields(QStringLiteral("family"), {{findParameter("gamma"), {0.1, 1}}});
+    FamilyFields fields(QStringLiteral("family"), {{findParameter("gamma"), {0.1, 1}}}, *m_units);
     fields.present(Scenario());
     auto* line = fields.findChild<QLineEdit*>(QStringLiteral("familyValues"));
     for (const char* text :

@@ -199,8 +199,8 @@ void TestThrustPage::theTableAndTheSentenceAreThoseOfTheStudy() {
 
 QString TestThrustPage::wordsOf(const ThrustStudy& study) const {
     QStringList sentences;
-    for (const std::string& sentence :
-         verdictSentences({m_document->scenario(), study.needs, study.verdict, {}}, LocalStyle::present()))
+    for (const std::string& sentence : verdictSentences(
+             {m_document->scenario(), study.needs, study.verdict, {}}, LocalStyle::of(m_document->units())))
         sentences << QString::fromStdString(sentence);
     return sentences.join(QLatin1Char(' '));
 }
@@ -210,7 +210,7 @@ void TestThrustPage::theSentenceHasTheNumbersOfTheReader() {
     const QLocale before;
     const auto restore = qScopeGuard([&] {
         QLocale::setDefault(before);
-        UnitChoice::shared().choose(UnitSystem::si);
+        m_document->units().choose(UnitSystem::si);
     });
     m_document->assign(*findParameter("drill.thrust"), 8250, m_document->newGesture());
     QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
@@ -219,7 +219,7 @@ void TestThrustPage::theSentenceHasTheNumbersOfTheReader() {
              qPrintable(words()));
     QVERIFY2(!words().contains(QRegularExpression(QStringLiteral("[0-9]\\.[0-9]"))), qPrintable(words()));
     QLocale::setDefault(QLocale::c());
-    UnitChoice::shared().choose(UnitSystem::us);
+    m_document->units().choose(UnitSystem::us);
     QVERIFY2(words().startsWith(QStringLiteral("1855 lbf is enough at every gap up to 4090 bpm.")),
              qPrintable(words()));
     QVERIFY2(!words().contains(QStringLiteral("kN")), qPrintable(words()));
