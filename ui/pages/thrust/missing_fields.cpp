@@ -11,13 +11,15 @@
 
 namespace drillwave {
 
-MissingFields::MissingFields(const std::vector<std::string_view>& keys, QWidget* parent) : QWidget(parent) {
+MissingFields::MissingFields(const std::vector<std::string_view>& keys, const UnitChoice& units,
+                             QWidget* parent)
+    : QWidget(parent) {
     auto* layout = new FlowLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     for (const std::string_view key : keys) {
         const Parameter& parameter = *findParameter(key);
         auto* label = new QLabel(tr("enter the %1:").arg(parameterName(parameter)), this);
-        auto* field = new QuantityField(parameter.quantity, parameter.displayUnit(), this);
+        auto* field = new QuantityField(parameter, units, this);
         field->setObjectName(QStringLiteral("missing.") + fromView(key));
         field->setAccessibleName(parameterName(parameter));
         field->setToolTip(fromView(parameter.meaning));

@@ -13,6 +13,7 @@ class QLabel;
 namespace drillwave {
 
 class QuantityField;
+class UnitChoice;
 struct Parameter;
 
 /// A field for each of some optional parameters, shown while the scenario might have it and does not.
@@ -20,7 +21,9 @@ class MissingFields : public QWidget {
     Q_OBJECT
 
   public:
-    explicit MissingFields(const std::vector<std::string_view>& keys, QWidget* parent = nullptr);
+    /// The units must outlive it.
+    MissingFields(const std::vector<std::string_view>& keys, const UnitChoice& units,
+                  QWidget* parent = nullptr);
 
     void present(const Scenario& scenario);
 

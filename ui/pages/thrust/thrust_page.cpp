@@ -39,7 +39,7 @@ double readable(double value, const QCPAxis& axis, double pixel) {
 ThrustPage::ThrustPage(Document& document, QWidget* parent)
     : StudyPage(document, parent),
       m_axis(new AxisFields(tr("over"), {"drill.blow_frequency"}, document.units(), this)),
-      m_missing(new MissingFields({"drill.blow_frequency", thrustKey}, this)),
+      m_missing(new MissingFields({"drill.blow_frequency", thrustKey}, document.units(), this)),
       m_table(new ThrustTable(this)),
       m_study([student = std::make_shared<ThrustStudent>()](const ThrustQuestion& question,
                                                             const StudyFeed<ThrustAnswer>& feed) {

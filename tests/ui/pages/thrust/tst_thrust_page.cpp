@@ -51,6 +51,7 @@ class TestThrustPage : public QObject {
     void aCurvedLineIsDraggedWhereItWasTaken();
     void aClickTakesOverTheFrequencyThere();
     void whatLacksIsSaidAndCanBeEntered();
+    void whatLacksIsEnteredInTheUnitsOfTheForm();
     void aDimensionlessScenarioIsToldWhatItNeeds();
     void bandsEndAtTheAxes();
     void aStringIsToldOfItsBlowAndRigidRock();
@@ -325,6 +326,20 @@ void TestThrustPage::whatLacksIsSaidAndCanBeEntered() {
     QVERIFY(m_page->exports().first().obstacle().isEmpty());
     QVERIFY(m_page->thrustPlot().feed()->data()->isEmpty());
     QVERIFY(m_page->findChild<QuantityField*>(QStringLiteral("missing.drill.thrust"))->isVisible());
+}
+
+void TestThrustPage::whatLacksIsEnteredInTheUnitsOfTheForm() {
+    m_document->clear(*findParameter("drill.thrust"), m_document->newGesture());
+    m_page->show();
+    auto* field = m_page->findChild<QuantityField*>(QStringLiteral("missing.drill.thrust"));
+    QCOMPARE(field->unit().name, std::string_view("kN"));
+    m_document->units().choose(UnitSystem::us);
+    QCOMPARE(field->unit().name, std::string_view("lbf"));
+    m_document->units().choose(UnitKind::force, findUnit(Quantity::force, "N"));
+    QCOMPARE(field->unit().name, std::string_view("N"));
+    m_document->units().choose(UnitKind::force, nullptr);
+    m_document->units().choose(UnitSystem::si);
+    QCOMPARE(field->unit().name, std::string_view("kN"));
 }
 
 void TestThrustPage::aDimensionlessScenarioIsToldWhatItNeeds() {
