@@ -86,6 +86,7 @@ ImportDialog::ImportDialog(const QString& path, ImportUse use, const Document& d
         if (this->use() == ImportUse::blow) m_ask.start(0);  // e is that of another rod
         showState();
     });
+    connect(&document.units(), &UnitChoice::changed, this, &ImportDialog::showAnswer);
     m_signal->setScenario(document.scenario());
     setUse(use);
     resize(1000, 680);

@@ -61,9 +61,8 @@ void ImportPlot::setStyle(const PlotStyle& style) {
 }
 
 void ImportPlot::present(const ImportPreview& preview, double shift, const QString& axis) {
-    const Unit& time =
-        handyUnit(UnitKind::time, preview.time.to - preview.time.from, m_units.physicalSystem());
-    const Unit& force = handyUnit(UnitKind::force, largest(preview.record), m_units.physicalSystem());
+    const Unit& time = m_units.unitFor(UnitKind::time, preview.time.to - preview.time.from);
+    const Unit& force = m_units.unitFor(UnitKind::force, largest(preview.record));
     const bool unitsChanged = m_timeFactor != 1 / time.factor();
     m_timeFactor = 1 / time.factor();
     QVector<QCPGraphData> record, taken;

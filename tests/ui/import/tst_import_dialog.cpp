@@ -12,6 +12,7 @@
 #include "tests/ui/window/layout_check.h"
 #include "ui/form/choice_box.h"
 #include "ui/import/import_dialog.h"
+#include "ui/plot/plot_widget.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -35,6 +36,7 @@ class TestImportDialog : public QObject, private ImportFixture {
     void aBlowFromStrainHasTheImpulseOfItsIntegral();
     void ofAForceWithNoiseTheBlowIsTaken();
     void theSameFileAsAMeasuredForceKeepsItsSign();
+    void aPreviewFollowsTheUnitsChosen();
     void everyChoiceCanBeChanged();
     void unitsThatAreNotKnownAreToBeChosen();
     void thePlaceOfAGaugeIsAskedFor();
@@ -133,6 +135,21 @@ void TestImportDialog::ofAForceWithNoiseTheBlowIsTaken() {
     QVERIFY(settle(other));
     QVERIFY2(other.result() != nullptr, qPrintable(message(other)));
     QCOMPARE(other.result()->points.back().time, 1e-3);
+}
+
+// Those of the window, before and while the dialog is open, in the plot as in the words.
+void TestImportDialog::aPreviewFollowsTheUnitsChosen() {
+    UnitChoice& units = m_window->document().units();
+    units.choose(UnitKind::force, findUnit(Quantity::force, "lbf"));
+    ImportDialog& dialog = open(write("blow.csv", "t [us];F [kN]\n0;0\n100;50\n200;0\n"), ImportUse::blow);
+    QVERIFY(settle(dialog));
+    const auto& plot = *dialog.findChild<PlotWidget*>();
+    const auto& summary = control<QLabel>(dialog, "summary");
+    QVERIFY2(plot.yAxis->label().contains(QStringLiteral("[lbf]")), qPrintable(plot.yAxis->label()));
+    QVERIFY2(summary.text().contains(QStringLiteral("lbf at")), qPrintable(summary.text()));
+    units.choose(UnitKind::force, nullptr);
+    QVERIFY2(plot.yAxis->label().contains(QStringLiteral("[kN]")), qPrintable(plot.yAxis->label()));
+    QVERIFY2(summary.text().contains(QStringLiteral("kN at")), qPrintable(summary.text()));
 }
 
 void TestImportDialog::theSameFileAsAMeasuredForceKeepsItsSign() {
