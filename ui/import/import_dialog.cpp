@@ -215,6 +215,7 @@ void ImportDialog::showAnswer() {
                                use() == ImportUse::normalForce ? tr("N, tension +") : tr("F, pressing +"));
         } else {
             m_drawing->showNothing(tr("Nothing to show: %1").arg(preview->problem));
+            m_plot->replot(QCustomPlot::rpQueuedReplot);
         }
         if (m_study.job().state() == StudyState::finished) proposeFrom(*preview);
     }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/import/import_plot.h"
 
-#include <qcustomplot.h>
-
 #include <algorithm>
 
 #include "ui/plot/curve_graph.h"
@@ -30,41 +28,32 @@ QCPRange padded(double low, double high) {
 }  // namespace
 
 ImportPlot::ImportPlot(PlotWidget* plot, const UnitChoice& units)
-    : QObject(plot),
-      m_plot(plot),
+    : StudyFrame(plot),
       m_units(units),
       m_record(addCurve(plot->xAxis, plot->yAxis)),
-      m_taken(addCurve(plot->xAxis, plot->yAxis)),
-      m_message(new PlotMessage(plot)),
-      m_view(new FittedView(this)) {
+      m_taken(addCurve(plot->xAxis, plot->yAxis)) {
     plot->axisRect()->setupFullAxesBox(true);
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
-    plot->plotLayout()->insertRow(0);
-    plot->plotLayout()->addElement(0, 0, plot->legend);
-    plot->plotLayout()->setRowStretchFactor(0, 1e-3);
-    plot->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    plot->legend->setVisible(true);
+    insertAbove(plot->legend);
+    useLegend(plot->legend->margins());
     m_record->setName(tr("record"));
     m_taken->setName(tr("taken"));
-    for (const QCPAxis* axis : {plot->xAxis, plot->yAxis}) m_view->watch(axis);
+    view(plot->axisRect());
     plot->followPalette([this](const PlotStyle& style) { setStyle(style); });
     connect(plot, &PlotWidget::fitRequested, this, &ImportPlot::fit);
 }
 
-void ImportPlot::setStyle(const PlotStyle& style) {
-    m_plot->setBackground(style.background);
-    style.applyTo(*m_plot->axisRect());
-    style.applyTo(*m_plot->legend);
-    m_record->setPen(style.ghostPen(0));
-    m_taken->setPen(QPen(style.lines[1], style.lineWidth));
-    m_message->setStyle(style);
+void ImportPlot::restyle() {
+    m_record->setPen(m_style.ghostPen(0));
+    m_taken->setPen(QPen(m_style.lines[1], m_style.lineWidth));
 }
 
 void ImportPlot::present(const ImportPreview& preview, double shift, const QString& axis) {
     const Unit& time = m_units.unitFor(UnitKind::time, preview.time.to - preview.time.from);
     const Unit& force = m_units.unitFor(UnitKind::force, largest(preview.record));
-    const bool unitsChanged = m_timeFactor != 1 / time.factor();
+    const bool unitsChanged = m_timeFactor != 1 / time.factor() || m_forceUnit != &force;
     m_timeFactor = 1 / time.factor();
+    m_forceUnit = &force;
     QVector<QCPGraphData> record, taken;
     for (const QPointF& point : preview.record)
         appendFinite(record, time.fromSi(point.x()), force.fromSi(point.y()));
@@ -72,38 +61,33 @@ void ImportPlot::present(const ImportPreview& preview, double shift, const QStri
         appendFinite(taken, time.fromSi(point.time + shift), force.fromSi(point.force));
     m_record->setData(graphData(record));
     m_taken->setData(graphData(taken));
-    m_plot->xAxis->setLabel(tr("time in the file [%1]").arg(shownUnitName(time.name)));
-    m_plot->yAxis->setLabel(QStringLiteral("%1 [%2]").arg(axis, shownUnitName(force.name)));
-    m_message->hide();
-    if (m_view->isFitted() || unitsChanged) fit();
+    x()->setLabel(tr("time in the file [%1]").arg(shownUnitName(time.name)));
+    y()->setLabel(QStringLiteral("%1 [%2]").arg(axis, shownUnitName(force.name)));
+    finish(unitsChanged);
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void ImportPlot::showNothing(const QString& message) {
+void ImportPlot::clear() {
     for (QCPGraph* graph : {m_record, m_taken}) graph->setData(GraphData::create());
-    m_message->show(message);
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void ImportPlot::fit() {
-    m_view->fit([this] {
-        bool any = false;
-        double left = 0, right = 0, low = 0, high = 0;
-        for (const QCPGraph* graph : {m_record, m_taken})
-            for (auto point = graph->data()->constBegin(); point != graph->data()->constEnd(); ++point) {
-                left = any ? std::min(left, point->key) : point->key;
-                right = any ? std::max(right, point->key) : point->key;
-                low = std::min(low, point->value);
-                high = std::max(high, point->value);
-                any = true;
-            }
-        m_plot->xAxis->setRange(any && right > left ? QCPRange(left, right) : padded(left, right));
-        m_plot->yAxis->setRange(padded(low, high));
-    });
+void ImportPlot::setRanges() {
+    bool any = false;
+    double left = 0, right = 0, low = 0, high = 0;
+    for (const QCPGraph* graph : {m_record, m_taken})
+        for (auto point = graph->data()->constBegin(); point != graph->data()->constEnd(); ++point) {
+            left = any ? std::min(left, point->key) : point->key;
+            right = any ? std::max(right, point->key) : point->key;
+            low = std::min(low, point->value);
+            high = std::max(high, point->value);
+            any = true;
+        }
+    x()->setRange(any && right > left ? QCPRange(left, right) : padded(left, right));
+    y()->setRange(padded(low, high));
 }
 
 RecordSpan ImportPlot::visibleTimes() const {
-    const QCPRange range = m_plot->xAxis->range();
+    const QCPRange range = x()->range();
     return {range.lower / m_timeFactor, range.upper / m_timeFactor};
 }
 

@@ -2,14 +2,8 @@
 // The preview of an import: the whole record faintly, and what is taken of it over it.
 #pragma once
 
-#include <QObject>
-
 #include "ui/import/import_preview.h"
-#include "ui/plot/fitted_view.h"
-#include "ui/plot/plot_message.h"
-#include "ui/plot/plot_style.h"
-
-class QCPGraph;
+#include "ui/plot/study_frame.h"
 
 namespace drillwave {
 
@@ -17,7 +11,7 @@ class PlotWidget;
 class UnitChoice;
 
 /// Lives as a child of the plot.
-class ImportPlot : public QObject {
+class ImportPlot : public StudyFrame {
     Q_OBJECT
 
   public:
@@ -26,21 +20,20 @@ class ImportPlot : public QObject {
 
     /// `shift` is the time of the record at which the signal's own time begins [s].
     void present(const ImportPreview& preview, double shift, const QString& axis);
-    void showNothing(const QString& message);
-    void fit();
     /// Between which times of the record one looks [s].
     RecordSpan visibleTimes() const;
 
-  private:
-    void setStyle(const PlotStyle& style);
+  protected:
+    void clear() override;
+    void restyle() override;
+    void setRanges() override;
 
-    PlotWidget* m_plot;
+  private:
     const UnitChoice& m_units;
     QCPGraph* m_record;
     QCPGraph* m_taken;
-    PlotMessage* m_message;
-    FittedView* m_view;
     double m_timeFactor = 1e6;
+    const Unit* m_forceUnit = nullptr;
 };
 
 }  // namespace drillwave
