@@ -5,15 +5,14 @@
 
 #include <QLabel>
 #include <QList>
-#include <functional>
 #include <optional>
 
-#include "core/blow/outputs.h"
 #include "ui/form/section_box.h"
 #include "ui/form/steady_scroll_area.h"
 #include "ui/job/solved_blow.h"
 #include "ui/result/alert_list.h"
 #include "ui/result/energy_bar.h"
+#include "ui/result/result_row.h"
 #include "ui/result/stale_veil.h"
 #include "ui/result/worst_need.h"
 
@@ -58,55 +57,9 @@ class ResultPanel : public SteadyScrollArea {
     void changeEvent(QEvent* event) override;
 
   private:
-    /// How one number of a blow is written; empty where it is not given.
-    using Text = std::function<QString(const SolvedBlow&)>;
-    /// The number itself, to be compared; none where it has no sense.
-    using Number = std::function<std::optional<double>(const SolvedBlow&, UnitSystem)>;
-    /// How a number of the blow on show is off that of the reference.
-    using Change = std::function<QString(double now, double then)>;
-    /// Whether it is a number of such a scenario at all; the row is not there otherwise.
-    using Concern = std::function<bool(const Scenario&)>;
-    /// Whether the text is a warning, and is to look like one.
-    using Warning = std::function<bool(const SolvedBlow&)>;
-    enum class Weight { usual, heavy };
-    struct Row {
-        SectionBox* section;
-        QLabel* name;
-        QLabel* value;
-        QString meaning;
-        Text text;
-        Text note;
-        Number number;
-        Change changeText;
-        QLabel* change;  // against the reference
-        Warning warning;
-        Concern concerns;
-        const Output* output;  // whose number it is, or nullptr
-        QWidget* swatch;       // of a part of the energy, or nullptr
-        bool isThere() const { return !value->isHidden(); }
-    };
-    struct Entry {
-        QString name;
-        QString meaning;
-        Text text;
-        std::optional<EnergyPart> part = {};
-        Text note = nullptr;  ///< more to say about the value of this blow, in its tooltip
-        Weight weight = Weight::usual;
-        QString objectName = {};
-        Number number = nullptr;
-        const Output* place = nullptr;  ///< the largest stress whose place the text leads to
-        Change changeText = nullptr;    ///< in percent where there is none
-        Warning warning = nullptr;
-        Concern concerns = nullptr;      ///< every one where there is none
-        const Output* output = nullptr;  ///< whose number it is, where it is that of one
-    };
-
     SectionBox* addSection(const QString& title);
-    void addNumbers(const QString& title, const QList<Entry>& entries);
-    void addRow(SectionBox* section, QGridLayout* grid, const Entry& entry);
-    static Number numberOf(const Output& output);
-    QList<Entry> entriesOf(const std::function<bool(const Output&)>& wanted) const;
-    void addThrust();
+    void addNumbers(const QString& title, const QList<ResultEntry>& entries);
+    void addRow(SectionBox* section, QGridLayout* grid, const ResultEntry& entry);
     void addEnergy();
     void addPenetration();
     void addRebound();
@@ -118,10 +71,9 @@ class ResultPanel : public SteadyScrollArea {
     void addEvents();
     void alignColumns();
     void copy() const;
-    void showRow(const Row& row);
-    static void offerRow(const Row& row, const Scenario& scenario);
+    void showRow(const ResultRow& row);
     void follow(const Output& stress);
-    void showChange(const Row& row);
+    void showChange(const ResultRow& row);
     void showWorst();
     std::optional<double> worstOf(const SolvedBlow& blow) const;
 
@@ -131,7 +83,7 @@ class ResultPanel : public SteadyScrollArea {
     QString m_referenceTitle;
     WorstNeed m_worst;
     WorstNeed m_worstOfReference;
-    QList<Row> m_rows;
+    QList<ResultRow> m_rows;
     QList<QGridLayout*> m_grids;
     SectionBox* m_stress = nullptr;
     EnergyBar* m_energy = nullptr;

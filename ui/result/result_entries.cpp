@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/result/result_entries.h"
+
+#include <string>
+
+#include "core/blow/thrust.h"
+#include "ui/result/feed_text.h"
+#include "ui/result/output_text.h"
+#include "ui/result/output_unit.h"
+#include "ui/text/number_text.h"
+#include "ui/text/translation.h"
+
+namespace drillwave {
+namespace {
+
+// Its swatch in the bar of the energy.
+std::optional<EnergyPart> partOf(const Output& output) {
+    if (output.name == "rock_work") return EnergyPart::rock;
+    if (output.name == "rebound_energy") return EnergyPart::rebound;
+    if (output.name == "residual_wave_energy") return EnergyPart::waves;
+    if (output.name == "hammer_rebound_energy" || output.name == "hammer_wave_energy")
+        return EnergyPart::hammer;
+    if (output.name == "joint_loss" || output.name == "rod_loss" || output.name == "face_energy")
+        return EnergyPart::losses;
+    return std::nullopt;
+}
+
+QString labelWords(std::string_view text) {
+    return tr(std::string(text).c_str());
+}
+
+ResultEntry::Number numberOf(const Output& output) {
+    if (output.measure == Measure::error) return nullptr;
+    return
+        [&output](const SolvedBlow& blow, UnitSystem units) { return comparableNumber(output, blow, units); };
+}
+
+ResultEntry::Text textOf(const Output& output) {
+    switch (output.measure) {
+        case Measure::impulse:
+            return [&output](const SolvedBlow& blow) { return impulseText(output, blow); };
+        case Measure::speed:  // what the rig can reach at most
+            return [&output](const SolvedBlow& blow) {
+                const QString text = outputText(output, blow);
+                return text.isEmpty() ? text : QStringLiteral("≤ ") + text;
+            };
+        default:
+            return [&output](const SolvedBlow& blow) { return outputText(output, blow); };
+    }
+}
+
+}  // namespace
+
+QList<ResultEntry> outputEntries(const std::function<bool(const Output&)>& wanted) {
+    QList<ResultEntry> entries;
+    for (const Output& output : outputs()) {
+        if (output.group == OutputGroup::none || !wanted(output)) continue;
+        const auto concerns = [&output](const Scenario& scenario) { return output.concerns(scenario); };
+        entries.append({.name = labelWords(output.label),
+                        .meaning = labelWords(output.note),
+                        .text = textOf(output),
+                        .part = partOf(output),
+                        .number = numberOf(output),
+                        .concerns = concerns,
+                        .output = &output});
+        if (!output.force) continue;
+        entries.append(
+            {.meaning = tr("Where in the rod it is first that large, and when: a click leads there"),
+             .text = [&output](const SolvedBlow& blow) { return placeText(output, blow); },
+             .place = &output,
+             .concerns = concerns});
+    }
+    return entries;
+}
+
+QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Number& worstOf) {
+    // What studies of all gaps are there for.
+    const auto isOfRod = [](const Scenario& scenario) { return !isString(scenario); };
+    return {
+        {.name = tr("feed"),
+         .meaning = tr("What the feed force does between the blows"),
+         .text = feedText,
+         .note = feedMeaningText},
+        {.name = tr("margin"),
+         .meaning = tr("Feed force less what this blow needs for full penetration, and as a share of that"),
+         .text = thrustMarginText,
+         .number = [](const SolvedBlow& blow, UnitSystem) { return thrustMargin(blow); },
+         .change = marginChangeText},
+        {.name = tr("needed"),
+         .meaning = tr("Thrust for full penetration, up to that which brings a bit that was at rest back "
+                       "before the next blow even if nothing damps, with the e of this blow"),
+         .text = thrustNeededText,
+         .number =
+             [](const SolvedBlow& blow, UnitSystem) {
+                 return thrustNeeded(blow.scenario, blow.summary.cor, blow.summary.transferred);
+             }},
+        {.name = tr("at every gap"),
+         .meaning =
+             tr("The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid "
+                "rock, and of the worst gap on elastic rock"),
+         .text = [&worst](const SolvedBlow& blow) { return worstNeedText(worst, blow); },
+         .note = [&worst](const SolvedBlow&) { return worst.problem(); },
+         .objectName = worstName,
+         .number = worstOf,
+         .concerns = isOfRod},
+        {.meaning = tr("Feed force less the largest of the four needs, and as a share of that: thrust_margin "
+                       "of commands and files"),
+         .text = [&worst](const SolvedBlow& blow) { return worstMarginText(worst, blow); },
+         .objectName = worstName,
+         .warning = [&worst](const SolvedBlow& blow) { return isShortOfWorst(worst, blow); },
+         .concerns = isOfRod},
+        {.name = tr("installed"),
+         .meaning = tr("Feed force of the drill rig"),
+         .text = thrustInstalledText,
+         .number = [](const SolvedBlow& blow, UnitSystem) { return blow.scenario.drill.thrust; }},
+    };
+}
+
+ResultEntry corEntry() {
+    return {.name = tr("COR e"),
+            .meaning = tr("Coefficient of restitution: momentum after the blow over momentum before it, "
+                          "reversed, e = −pf/p0"),
+            .text = [](const SolvedBlow& blow) { return numberText(blow.summary.cor, 4, QLocale()); },
+            .note = corErrorText,
+            .weight = ResultEntry::Weight::heavy,
+            .objectName = QStringLiteral("cor"),
+            .number = numberOf(*findOutput("cor"))};
+}
+
+}  // namespace drillwave

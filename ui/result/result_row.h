@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One number of the result panel: name, value as it is written, and how it is off that of the reference.
+#pragma once
+
+#include <QLabel>
+#include <functional>
+#include <optional>
+
+#include "core/blow/outputs.h"
+#include "ui/job/solved_blow.h"
+#include "ui/result/energy_bar.h"
+
+class QGridLayout;
+
+namespace drillwave {
+
+class SectionBox;
+
+/// What a row says of a blow.
+struct ResultEntry {
+    /// How it is written; empty where it is not given.
+    using Text = std::function<QString(const SolvedBlow&)>;
+    /// The number itself, to be compared; none where it has no sense.
+    using Number = std::function<std::optional<double>(const SolvedBlow&, UnitSystem)>;
+    /// How a number of the blow on show is off that of the reference.
+    using Change = std::function<QString(double now, double then, const SolvedBlow&)>;
+    /// Whether it is a number of such a scenario at all; the row is not there otherwise.
+    using Concern = std::function<bool(const Scenario&)>;
+    /// Whether the text is a warning, and is to look like one.
+    using Warning = std::function<bool(const SolvedBlow&)>;
+    enum class Weight { usual, heavy };
+
+    QString name = {};  ///< empty where it goes on from the row above
+    QString meaning;
+    Text text;
+    std::optional<EnergyPart> part = {};
+    Text note = nullptr;  ///< more to say about the value of this blow, in its tooltip
+    Weight weight = Weight::usual;
+    QString objectName = {};
+    Number number = nullptr;
+    const Output* place = nullptr;  ///< the largest stress whose place the text leads to
+    Change change = nullptr;        ///< in percent where there is none
+    Warning warning = nullptr;
+    Concern concerns = nullptr;      ///< every one where there is none
+    const Output* output = nullptr;  ///< whose number it is, where it is that of one
+};
+
+/// Its widgets live in the grid of a section: swatch, name, change, value.
+class ResultRow {
+  public:
+    /// Fills the next row of the section's grid.
+    ResultRow(ResultEntry entry, SectionBox* section, QGridLayout* grid);
+
+    const ResultEntry& entry() const { return m_entry; }
+    SectionBox* section() const { return m_section; }
+    /// A PlaceLink where the entry has a place.
+    QLabel* value() const { return m_value; }
+    bool isThere() const { return !m_value->isHidden(); }
+    /// Whether it is there with a value.
+    bool isFilled() const;
+    /// "section: name<tab>value", with a reference and "<tab>difference".
+    QString text() const;
+
+    /// What a rod or a string alone has is not there for the other.
+    void offer(const Scenario& scenario) const;
+    void present(const SolvedBlow& blow) const;
+    /// Against a reference of that title; nullptr for none.
+    void presentChange(const SolvedBlow& blow, const SolvedBlow* reference, const QString& title) const;
+
+  private:
+    void place(QGridLayout* grid);
+    QString changeText(const SolvedBlow& blow, const SolvedBlow* reference) const;
+
+    ResultEntry m_entry;
+    SectionBox* m_section;
+    QLabel* m_name;
+    QLabel* m_value;
+    QLabel* m_change;             // against the reference
+    QWidget* m_swatch = nullptr;  // of a part of the energy
+};
+
+/// Its text can be selected; the menu is that of the panel.
+void makeSelectable(QLabel& label);
+
+}  // namespace drillwave
