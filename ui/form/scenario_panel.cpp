@@ -4,7 +4,6 @@
 #include <QDockWidget>
 #include <QGridLayout>
 #include <QLabel>
-#include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -233,15 +232,6 @@ void ScenarioPanel::goTo(const QString& key) {
     }
     ensureWidgetVisible(field);
     field->setFocus(Qt::OtherFocusReason);
-}
-
-QSize ScenarioPanel::sizeHint() const {
-    const QSize content = widget()->sizeHint();
-    return {content.width() + verticalScrollBar()->sizeHint().width() + 2, std::min(content.height(), 900)};
-}
-
-QSize ScenarioPanel::minimumSizeHint() const {
-    return {widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width() + 2, 200};
 }
 
 }  // namespace drillwave

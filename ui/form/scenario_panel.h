@@ -28,10 +28,6 @@ class ScenarioPanel : public SteadyScrollArea {
     /// Shows the field of a parameter, by its key, and gives it the focus.
     void goTo(const QString& key);
 
-    QSize sizeHint() const override;
-    /// Wide enough that nothing is cut off at the side.
-    QSize minimumSizeHint() const override;
-
   signals:
     /// A slider is held, and let go again; not for clicks, keys and wheel.
     void dragStarted();

@@ -12,6 +12,13 @@ class SteadyScrollArea : public QScrollArea {
 
   public:
     explicit SteadyScrollArea(QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+    /// Wide enough that nothing is cut off at the side.
+    QSize minimumSizeHint() const override;
+
+  private:
+    QSize around(const QSize& content, int height) const;
 };
 
 }  // namespace drillwave

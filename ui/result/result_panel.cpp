@@ -5,10 +5,8 @@
 #include <QClipboard>
 #include <QGridLayout>
 #include <QGuiApplication>
-#include <QScrollBar>
 #include <QSet>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <utility>
 
 #include "ui/result/alert_link.h"
@@ -276,17 +274,6 @@ std::optional<double> ResultPanel::worstOf(const SolvedBlow& blow) const {
 void ResultPanel::changeEvent(QEvent* event) {
     SteadyScrollArea::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) showWorst();
-}
-
-QSize ResultPanel::sizeHint() const {
-    const QSize content = widget()->sizeHint();
-    return {content.width() + verticalScrollBar()->sizeHint().width() + 2, std::min(content.height(), 900)};
-}
-
-QSize ResultPanel::minimumSizeHint() const {
-    return {std::max(widget()->minimumWidth(), widget()->minimumSizeHint().width()) +
-                verticalScrollBar()->sizeHint().width() + 2,
-            200};
 }
 
 }  // namespace drillwave

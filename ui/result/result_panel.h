@@ -41,9 +41,6 @@ class ResultPanel : public SteadyScrollArea {
     AlertList* alerts() const { return m_alerts; }
     /// Brings the alerts into view, and the keyboard to them.
     void goToAlerts();
-    QSize sizeHint() const override;
-    /// Wide enough that nothing is cut off at the side.
-    QSize minimumSizeHint() const override;
 
   signals:
     /// The user chose an event: its global time t/t0.
