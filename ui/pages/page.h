@@ -27,6 +27,8 @@ class Page : public QWidget {
     /// Of scenarios that it does not show: why not and where the answer is, in one line. Empty where the user
     /// makes one that it shows by its tab.
     virtual QString elsewhere() const { return {}; }
+    /// Whether elsewhereRequested() leads there.
+    virtual bool leadsElsewhere() const { return false; }
     /// How what this page needs now is made from a blow; asked for only while the page can be seen. Empty
     /// where it needs nothing but the blow.
     virtual PreparePage prepare() const = 0;

@@ -7,11 +7,12 @@
 
 namespace drillwave {
 
-ElsewhereNotice::ElsewhereNotice(PageTabs& pages, QWidget* parent) : Notice(Tone::information, parent) {
+ElsewhereNotice::ElsewhereNotice(PageTabs& pages, QWidget* parent)
+    : Notice(Tone::information, parent),
+      m_show(addButton(tr("Go there"), tr("To the page that has the answer"))) {
     setObjectName(QStringLiteral("elsewhere"));
-    QPushButton* show = addButton(tr("Go there"), tr("To the page that has the answer"));
-    show->setObjectName(QStringLiteral("goThere"));
-    connect(show, &QPushButton::clicked, this, [this] {
+    m_show->setObjectName(QStringLiteral("goThere"));
+    connect(m_show, &QPushButton::clicked, this, [this] {
         if (m_page) emit m_page->elsewhereRequested();
     });
     connect(&pages, &PageTabs::absent, this, &ElsewhereNotice::tell);
@@ -23,6 +24,7 @@ ElsewhereNotice::ElsewhereNotice(PageTabs& pages, QWidget* parent) : Notice(Tone
 
 void ElsewhereNotice::tell(Page* page) {
     m_page = page;
+    m_show->setVisible(page->leadsElsewhere());
     say(page->elsewhere());
 }
 

@@ -22,6 +22,7 @@ class ElsewhereNotice : public Notice {
   private:
     void tell(Page* page);
 
+    QPushButton* m_show;  // there where the page leads to the answer
     QPointer<Page> m_page;
 };
 

@@ -21,6 +21,7 @@
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/string/string_page.h"
 #include "ui/pages/study/axis_fields.h"
+#include "ui/pages/thrust/thrust_page.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
 #include "ui/window/elsewhere_notice.h"
@@ -72,6 +73,7 @@ class TestPageTabs : public QObject {
     void noPageIsChosenThatShowsNothingOfAString();
     void theGapOfAStringIsVariedByOneClick();
     void aPageThatIsAbsentSaysWhereItsAnswerIs();
+    void thrustIsAbsentWithoutUnits();
     void aClickOnTheGreyedTabMakesAString();
     void aKeyHasOneMeaning();
     void aPageIsFoundByItsFormerName();
@@ -389,6 +391,34 @@ void TestPageTabs::aPageThatIsAbsentSaysWhereItsAnswerIs() {
     window->document().startFrom(findExample("t38_medium_rock")->text, QStringLiteral("t38"));
     QVERIFY(notice.isHidden());
     QVERIFY(pages.strip()->isTabVisible(tab));
+}
+
+// No page has the answer, so that nothing is offered that leads there; what was on show comes back.
+void TestPageTabs::thrustIsAbsentWithoutUnits() {
+    const auto window = newWindow(m_answers);
+    window->show();
+    QVERIFY(QTest::qWaitForWindowActive(window.get()));
+    auto& pages = part<PageTabs>(*window);
+    auto& thrust = part<ThrustPage>(*window);
+    const auto& notice = part<ElsewhereNotice>(*window);
+    const auto* goThere = notice.findChild<QPushButton*>(QStringLiteral("goThere"));
+    const int tab = pages.strip()->indexOf(&thrust);
+    pages.setCurrentWidget(&thrust);
+    const int studies = thrust.studies();
+    window->document().startFrom(findExample("paper_fig4b")->text, QStringLiteral("fig4b"));
+    QVERIFY(pages.currentWidget() != &thrust);
+    QVERIFY(!pages.strip()->isTabVisible(tab));
+    QVERIFY(notice.isVisible());
+    QCOMPARE(notice.text(), thrust.elsewhere());
+    QVERIFY(!goThere->isVisible());
+    QCOMPARE(thrust.studies(), studies);
+    window->document().startFrom(findExample("t38_string")->text, QStringLiteral("t38"));
+    QVERIFY(notice.isHidden());
+    QVERIFY(pages.strip()->isTabVisible(tab));
+    // A page that leads to its answer offers that again.
+    for (QAction* action : part<StudyMenu>(*window).actions())
+        if (action->text() == part<GapPage>(*window).title()) action->trigger();
+    QVERIFY(goThere->isVisible());
 }
 
 QTEST_MAIN(TestPageTabs)

@@ -24,6 +24,7 @@ class GapPage : public StudyPage {
     QString title() const override { return tr("COR–gap"); }
     bool shows(const Scenario& scenario) const override { return !isString(scenario); }
     QString elsewhere() const override;
+    bool leadsElsewhere() const override { return true; }
     /// How many studies were started.
     int studies() const { return m_study.started(); }
 

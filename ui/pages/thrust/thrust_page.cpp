@@ -66,14 +66,19 @@ ThrustPage::ThrustPage(Document& document, QWidget* parent)
     connect(m_drag, &ThrustDrag::moved, this, &ThrustPage::moveHeld);
 }
 
+QString ThrustPage::elsewhere() const {
+    return tr(
+        "Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: "
+        "without "
+        "a blow frequency and forces no feed can be judged. File ▸ New begins a scenario that has them.");
+}
+
 void ThrustPage::ask() {
     m_missing->present(scenario());
-    // Without units nothing can be studied, and no parameter would be the one to begin with.
-    if (hasUnits(scenario())) {
+    {
         const QSignalBlocker quiet(m_axis);  // what it chooses now is asked for right here
         m_axis->present(scenario());
     }
-    m_axis->setEnabled(hasUnits(scenario()));
     m_study.ask({scenario(), m_axis->range()});
 }
 

@@ -22,6 +22,8 @@ class ThrustPage : public StudyPage {
     explicit ThrustPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Thrust"); }
+    bool shows(const Scenario& scenario) const override { return hasUnits(scenario); }
+    QString elsewhere() const override;
     /// How many studies were started.
     int studies() const { return m_study.started(); }
     const ThrustPlot& thrustPlot() const { return *m_plot; }

@@ -52,7 +52,7 @@ class TestThrustPage : public QObject {
     void aClickTakesOverTheFrequencyThere();
     void whatLacksIsSaidAndCanBeEntered();
     void whatLacksIsEnteredInTheUnitsOfTheForm();
-    void aDimensionlessScenarioIsToldWhatItNeeds();
+    void itIsNotThereWithoutUnitsAndKeepsItsChoice();
     void bandsEndAtTheAxes();
     void aStringIsToldOfItsBlowAndRigidRock();
     void aStringsExportIsWhatTheCopiedCommandWrites_data();
@@ -342,17 +342,17 @@ void TestThrustPage::whatLacksIsEnteredInTheUnitsOfTheForm() {
     QCOMPARE(field->unit().name, std::string_view("kN"));
 }
 
-void TestThrustPage::aDimensionlessScenarioIsToldWhatItNeeds() {
-    showPage();
+void TestThrustPage::itIsNotThereWithoutUnitsAndKeepsItsChoice() {
     QVERIFY(m_document->open(example(QStringLiteral("paper_fig4b"))).isEmpty());
-    QTRY_VERIFY2(words().contains(QStringLiteral("physical units")), qPrintable(words()));
-    QVERIFY(m_page->thrustPlot().need(ThrustCase::scenario)->data()->isEmpty());
-    QVERIFY(m_page->command().isEmpty());
-    // One that it begins with leaves the choice of what comes next as it was.
     m_page = std::make_unique<ThrustPage>(*m_document);
-    m_page->show();
-    QTRY_VERIFY2(words().contains(QStringLiteral("physical units")), qPrintable(words()));
+    QVERIFY(!m_page->shows(m_document->scenario()));
+    QVERIFY2(m_page->elsewhere().contains(QStringLiteral("physical units")), qPrintable(m_page->elsewhere()));
+    QVERIFY(!m_page->leadsElsewhere());
+    QCOMPARE(m_page->studies(), 0);
+    // One that it begins with leaves the choice of what comes next as it was.
     QVERIFY(m_document->open(example(QStringLiteral("t38_medium_rock"))).isEmpty());
+    QVERIFY(m_page->shows(m_document->scenario()));
+    m_page->show();
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     QVERIFY(m_page->command().contains(QStringLiteral("--along 'drill.blow_frequency=")));
 }
