@@ -82,8 +82,10 @@ RodPlot::RodPlot(QCustomPlot* plot) : StudyFrame(plot) {
         graph->setName(nameOf(line));
         m_graphs[static_cast<std::size_t>(line)] = graph;
     }
-    addStrength(m_yield);
-    addStrength(m_fatigue);
+    for (StrengthLines& strength : m_strengths) {
+        strength.addLines(m_rect);
+        strength.addName(addText(m_rect, QMargins(6, 1, 6, 1), Qt::AlignCenter));
+    }
     for (Mark& mark : m_marks) addMark(mark);
     addHere();
     connect(plot, &QCustomPlot::beforeReplot, this, &RodPlot::followLegend);
@@ -103,12 +105,6 @@ void RodPlot::addRunLegend() {
     m_header->insertRow(1);
     m_header->addElement(1, 0, m_runLegend);
     m_runLegend->setLayer(QStringLiteral("legend"));
-}
-
-void RodPlot::addStrength(Strength& strength) {
-    for (QCPItemStraightLine*& line : strength.lines) line = addLevel(m_rect);
-    strength.name = addText(m_rect, QMargins(6, 1, 6, 1), Qt::AlignCenter);
-    setAcross(*strength.name->position);
 }
 
 void RodPlot::addMark(Mark& mark) {
@@ -154,41 +150,20 @@ void RodPlot::showLegendOf(const RodCurves& curves) {
     }
 }
 
-// Neighbours of one strength have one line.
 void RodPlot::showSections() {
     for (QCPItemStraightLine* joint : std::as_const(m_joints)) m_plot->removeItem(joint);
-    for (QCPItemLine* step : m_yieldSteps + m_fatigueSteps) m_plot->removeItem(step);
     m_joints.clear();
-    m_yieldSteps.clear();
-    m_fatigueSteps.clear();
-    if (!m_curves.string || !m_curves.string->waves) return;
-    const std::vector<RodStretch>& stretches = m_curves.string->stretches;
-    const double length = m_curves.units.length.factor;
-    for (std::size_t j = 1; j < stretches.size(); ++j) {
-        auto* joint = addItem<QCPItemStraightLine>(m_rect, QStringLiteral("grid"));
-        joint->point1->setCoords(stretches[j].rear * length, 0);
-        joint->point2->setCoords(stretches[j].rear * length, 1);
-        m_joints.append(joint);
-    }
-    const auto addSteps = [&](QVector<QCPItemLine*>& steps, std::optional<double> RodStretch::*strength,
-                              bool alsoCompression) {
-        for (std::size_t from = 0, to; from < stretches.size(); from = to) {
-            for (to = from + 1;
-                 to < stretches.size() && stretches[to].*strength == stretches[from].*strength;)
-                ++to;
-            if (!(stretches[from].*strength)) continue;
-            const double shown = *m_curves.shownStrength(stretches[from].*strength);
-            for (const double sign : {1.0, -1.0}) {
-                if (sign < 0 && !alsoCompression) continue;
-                auto* step = addItem<QCPItemLine>(m_rect);
-                step->start->setCoords(stretches[from].rear * length, sign * shown);
-                step->end->setCoords(stretches[to - 1].front * length, sign * shown);
-                steps.append(step);
-            }
+    if (m_curves.string && m_curves.string->waves) {
+        const std::vector<RodStretch>& stretches = m_curves.string->stretches;
+        for (std::size_t j = 1; j < stretches.size(); ++j) {
+            const double at = stretches[j].rear * m_curves.units.length.factor;
+            auto* joint = addItem<QCPItemStraightLine>(m_rect, QStringLiteral("grid"));
+            joint->point1->setCoords(at, 0);
+            joint->point2->setCoords(at, 1);
+            m_joints.append(joint);
         }
-    };
-    addSteps(m_yieldSteps, &RodStretch::yieldStrength, true);
-    addSteps(m_fatigueSteps, &RodStretch::fatigueStrength, false);
+    }
+    for (StrengthLines& strength : m_strengths) strength.showSteps(m_curves);
     styleSections();
 }
 
@@ -200,9 +175,6 @@ void RodPlot::styleSections() {
         color.setAlphaF(isFace ? 0.8F : 0.35F);
         m_joints[i]->setPen(QPen(color, 1));
     }
-    for (QCPItemLine* step : std::as_const(m_yieldSteps))
-        step->setPen(QPen(m_style.text, 1, Qt::DashDotLine));
-    for (QCPItemLine* step : std::as_const(m_fatigueSteps)) step->setPen(QPen(m_style.text, 1, Qt::DotLine));
 }
 
 void RodPlot::clear() {
@@ -211,8 +183,7 @@ void RodPlot::clear() {
     for (QCPGraph* graph : m_graphs) graph->setData(GraphData::create());
     showSections();
     placeMarks();
-    placeStrength(m_yield, {}, {});
-    placeStrength(m_fatigue, {}, {});
+    for (StrengthLines& strength : m_strengths) strength.clear();
 }
 
 // What stays in the rod after the blow is left out: with it there would be four lines for each run.
@@ -254,43 +225,6 @@ QString RodPlot::stressText(double stress) const {
     return numberText(stress, 4, m_plot->locale()) + QChar(QChar::Nbsp) + m_curves.units.stress.unit;
 }
 
-void RodPlot::placeStrength(const Strength& strength, const std::optional<double>& value,
-                            const QString& name) {
-    setLevel(*strength.lines[0], value);
-    setLevel(*strength.lines[1], value && &strength == &m_yield ? std::optional(-*value) : std::nullopt);
-    strength.name->setVisible(value.has_value());
-    if (!value) return;
-    strength.name->setText(name.arg(stressText(*value)));
-    strength.name->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
-    // On the side where the rod is not pulled most.
-    const bool pulledAtRight = m_curves.largest(RodLine::tension).section > 0.5;
-    strength.name->setPositionAlignment((pulledAtRight ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignBottom);
-    strength.name->position->setCoords(pulledAtRight ? 0 : 1, *value);
-}
-
-// By its longest section.
-void RodPlot::nameSteps(const Strength& strength, std::optional<double> RodStretch::*value,
-                        const QString& one, const QString& several) {
-    placeStrength(strength, {}, {});
-    const RodStretch* longest = nullptr;
-    bool differ = false;
-    for (const RodStretch& stretch : m_curves.string->stretches) {
-        if (!(stretch.*value)) continue;
-        if (!longest) longest = &stretch;
-        differ = differ || stretch.*value != longest->*value;
-        if (stretch.front - stretch.rear > 1.001 * (longest->front - longest->rear)) longest = &stretch;
-    }
-    strength.name->position->setTypeX(longest ? QCPItemPosition::ptPlotCoords
-                                              : QCPItemPosition::ptAxisRectRatio);
-    strength.name->setVisible(longest);
-    if (!longest) return;
-    const double shown = *m_curves.shownStrength(longest->*value);
-    strength.name->setText(differ ? several : one.arg(stressText(shown)));
-    strength.name->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
-    strength.name->position->setCoords((longest->rear + longest->front) / 2 * m_curves.units.length.factor,
-                                       shown);
-}
-
 bool RodPlot::isNumbered(RodLine line) const {
     const double size = m_curves.largest(line).size;
     if (!isAfter(line)) return size > 0;
@@ -328,14 +262,8 @@ void RodPlot::nameNumbers() {
     for (const RodLine line : rodLines)
         m_marks[static_cast<std::size_t>(line)].number->setText(
             stressText(m_curves.stress(line, m_curves.largest(line))));
-    if (m_curves.string) {
-        nameSteps(m_yield, &RodStretch::yieldStrength, tr("yield strength %1"), tr("yield strengths"));
-        nameSteps(m_fatigue, &RodStretch::fatigueStrength, tr("fatigue strength %1"),
-                  tr("fatigue strengths"));
-    } else {
-        placeStrength(m_yield, m_curves.yieldStrength, tr("yield strength %1"));
-        placeStrength(m_fatigue, m_curves.fatigueStrength, tr("fatigue strength %1"));
-    }
+    for (StrengthLines& strength : m_strengths)
+        strength.showName(m_curves, [this](double stress) { return stressText(stress); });
     const double missed = m_curves.envelope.missed * m_curves.units.stress.factor;
     m_caption->setText(
         m_curves.string ? tr("of uniform sections; threads and changes of diameter raise stresses locally")
@@ -371,11 +299,7 @@ void RodPlot::restyle() {
         mark.number->setBrush(style.behindWords());
     }
     for (qsizetype i = 0; i < m_ghosts.size(); ++i) m_ghosts[i]->setPen(style.ghostPen(static_cast<int>(i)));
-    for (const Strength* strength : {&m_yield, &m_fatigue}) {
-        for (QCPItemStraightLine* line : strength->lines)
-            line->setPen(QPen(style.text, 1, strength == &m_yield ? Qt::DashDotLine : Qt::DotLine));
-        strength->name->setBrush(style.behindWords());
-    }
+    for (StrengthLines& strength : m_strengths) strength.setStyle(style);
     styleSections();
     if (m_curves.curves.front()) nameNumbers();  // files have another locale
 }
@@ -400,17 +324,11 @@ void RodPlot::setRanges() {
                 high = std::max(high, point.value);
             }
     const double largest = std::max(-low, high);
-    const auto take = [&](const std::optional<double>& strength, bool alsoCompression) {
-        if (!strength || *strength > strengthInView * largest) return;
-        high = std::max(high, *strength);
-        if (alsoCompression) low = std::min(low, -*strength);
-    };
-    take(m_curves.yieldStrength, true);
-    take(m_curves.fatigueStrength, false);
-    if (m_curves.string)
-        for (const RodStretch& stretch : m_curves.string->stretches) {
-            take(m_curves.shownStrength(stretch.yieldStrength), true);
-            take(m_curves.shownStrength(stretch.fatigueStrength), false);
+    for (const StrengthLines& strength : m_strengths)
+        for (const double value : strength.values(m_curves)) {
+            if (value > strengthInView * largest) continue;
+            high = std::max(high, value);
+            if (strength.isOfBoth()) low = std::min(low, -value);
         }
     const double size = high - low;
     x()->setRange(rear, length);

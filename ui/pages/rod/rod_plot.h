@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ui/pages/rod/rod_curves.h"
+#include "ui/pages/rod/strength_lines.h"
 #include "ui/plot/study_frame.h"
 
 namespace drillwave {
@@ -36,11 +37,6 @@ class RodPlot : public StudyFrame {
     const QVector<QCPCurve*>& runs() const { return m_runs->graphs(); }
 
   private:
-    /// A value of strength of the rod: a line across the plot with its name.
-    struct Strength {
-        std::array<QCPItemStraightLine*, 2> lines{};  ///< in tension and, of the yield strength, compression
-        QCPItemText* name = nullptr;
-    };
     struct Mark {
         QCPItemTracer* ring = nullptr;
         QCPItemText* number = nullptr;
@@ -50,11 +46,7 @@ class RodPlot : public StudyFrame {
     void restyle() override;
     void setRanges() override;
     void addRunLegend();
-    void addStrength(Strength& strength);
     void addMark(Mark& mark);
-    void placeStrength(const Strength& strength, const std::optional<double>& value, const QString& name);
-    void nameSteps(const Strength& strength, std::optional<double> RodStretch::*value, const QString& one,
-                   const QString& several);
     void showRuns();
     void nameAxes();
     void showLegendOf(const RodCurves& curves);
@@ -69,9 +61,9 @@ class RodPlot : public StudyFrame {
 
     std::array<QCPGraph*, rodLines.size()> m_graphs{};
     std::array<Mark, rodLines.size()> m_marks;
-    Strength m_yield, m_fatigue;
-    QVector<QCPItemStraightLine*> m_joints;              ///< of a string
-    QVector<QCPItemLine*> m_yieldSteps, m_fatigueSteps;  ///< of its sections
+    std::array<StrengthLines, 2> m_strengths{StrengthLines(StrengthLines::Kind::yield),
+                                             StrengthLines(StrengthLines::Kind::fatigue)};
+    QVector<QCPItemStraightLine*> m_joints;  // of a string
     QVector<QCPGraph*> m_ghosts;
     QCPLayoutGrid* m_header = nullptr;
     QCPLegend* m_runLegend = nullptr;  // in the header while there are runs

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A strength of rod or string in the plot of the largest stresses, with its name.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "ui/pages/rod/rod_curves.h"
+#include "ui/plot/plot_style.h"
+
+namespace drillwave {
+
+/// Of a rod a line across the plot, in tension and, of the yield strength, in compression; of a string steps
+/// over neighbours that have the same.
+class StrengthLines {
+  public:
+    enum class Kind { yield, fatigue };
+    using StressText = std::function<QString(double shown)>;
+
+    explicit StrengthLines(Kind kind) : m_kind(kind) {}
+    /// Once, the lines first: the name is over them.
+    void addLines(QCPAxisRect* rect);
+    void addName(QCPItemText* name);
+
+    void clear();
+    /// The steps of a string whose waves are kept.
+    void showSteps(const RodCurves& curves);
+    /// The name with the strength, or that there are several, and of a rod the lines.
+    void showName(const RodCurves& curves, const StressText& stress);
+    void setStyle(const PlotStyle& style);
+
+    /// Whether it is a strength of compression, too.
+    bool isOfBoth() const { return m_kind == Kind::yield; }
+    /// All of them as they are shown.
+    std::vector<double> values(const RodCurves& curves) const;
+
+  private:
+    std::optional<double> RodStretch::*ofStretch() const;
+    void place(const RodCurves& curves, const std::optional<double>& value, const StressText& stress);
+    void placeOverLongest(const RodCurves& curves, const StressText& stress);
+
+    Kind m_kind;
+    QCPAxisRect* m_rect = nullptr;
+    std::array<QCPItemStraightLine*, 2> m_lines{};
+    QCPItemText* m_name = nullptr;
+    QVector<QCPItemLine*> m_steps;
+    QPen m_pen;
+};
+
+}  // namespace drillwave
