@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/gap_report.h"
 
-#include <algorithm>
-#include <chrono>
-
 namespace drillwave {
 
 std::string GapReport::periodRemark(const ReadingStyle& style) const {
@@ -14,24 +11,6 @@ std::string GapReport::periodRemark(const ReadingStyle& style) const {
            "from a gap of " +
            style.number(curve.periodStart) +
            " d0 on, and the statistics are over the period that begins there.";
-}
-
-GapReport studyGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
-                   const std::stop_token& stop, const GapProgress& progress, long mostPieces) {
-    using Clock = std::chrono::steady_clock;
-    const auto begin = Clock::now();
-    const Problem problem = problemOf(scenario);
-    const double period = gapPeriodStart(problem);
-    const double start = normal ? std::min(lowestGap(*normal), period) : period;
-    GapReport report{.scenario = scenario,
-                     .curve = gapCurve(problem, start, Detail::events, stop, progress, mostPieces),
-                     .normal = normal,
-                     .statistics = {},
-                     .runTime = 0,
-                     .scenarioText = {}};
-    if (report.curve.isComplete()) report.statistics = gapStatistics(report.curve, normal);
-    report.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
-    return report;
 }
 
 }  // namespace drillwave

@@ -32,12 +32,11 @@ class Preview {
             if (m_feed.stop.stop_requested()) return;
             if (parts < 4) continue;
             if (m_pieces < worthIt) return;  // the whole curve is there in a moment
-            m_feed.show({.report = {.scenario = m_question.scenario,
-                                    .curve = {},
-                                    .normal = m_question.normal,
-                                    .statistics = {},
-                                    .runTime = 0,
-                                    .scenarioText = {}},
+            m_feed.show({.report = GapStudy{.scenario = m_question.scenario,
+                                            .curve = {},
+                                            .normal = m_question.normal,
+                                            .statistics = {},
+                                            .runTime = 0},
                          .samples = m_samples});
         }
     }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The results of a scenario over all gaps, and their statistics.
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "core/model/scenario.h"
+#include "core/study/gap/gap_statistics.h"
+
+namespace drillwave {
+
+struct GapStudy {
+    Scenario scenario;
+    GapCurve curve;
+    std::optional<NormalGap> normal;
+    GapStatistics statistics;  ///< where the curve is complete
+    double runTime = 0;        ///< [s]
+};
+
+/// Follows all outputs over the gap and takes the statistics. The gap of the scenario does not matter. The
+/// curve takes at most `mostPieces`.
+GapStudy studyGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
+                  const std::stop_token& stop = {}, const GapProgress& progress = {},
+                  long mostPieces = anyNumberOfPieces);
+
+}  // namespace drillwave
